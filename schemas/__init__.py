@@ -1,0 +1,1 @@
+"""What every artifact holds: pydantic types, their envelope, reading and writing."""

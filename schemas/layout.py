@@ -1,0 +1,24 @@
+"""The furnished plan: every object as an oriented box with a shape latent."""
+
+from pydantic import Field
+
+from schemas.base import Number, Positive, Record, Vector
+from schemas.plan import Plan
+
+
+class Box(Record):
+    """An oriented box: `size` is [depth, width, height] along its own x (front), y (left), z."""
+
+    id: str
+    room: str
+    category: str
+    center: Vector
+    size: tuple[Positive, Positive, Positive]
+    yaw: Number
+    latent: list[Number] = Field(default_factory=list, description="32-d shape latent f")
+
+
+class Layout(Plan):
+    """Body of a `layout` artifact."""
+
+    objects: list[Box] = Field(default_factory=list)

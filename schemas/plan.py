@@ -1,0 +1,96 @@
+"""The floor plan: what was asked for, and the rooms, doors and windows built."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from schemas.base import Number, Point, Polygon, Positive, Record, RoomType
+
+Link = tuple[str, str]
+Side = Literal["south", "east", "north", "west"]
+
+
+class AskedRoom(Record):
+    """One room of the programme; `area` in m², None where the prompt leaves it open."""
+
+    id: str = Field(pattern=r"^[a-z][a-z_]*_[0-9]+$")
+    type: RoomType
+    area: Positive | None = None
+    private_to: str | None = Field(None, description="an ensuite's or a walk-in closet's owner")
+
+
+class AskedObjects(Record):
+    """Furnishing the prompt names: `count` objects of `category` in `room`."""
+
+    room: str
+    category: str
+    count: int = Field(ge=0, le=100)
+
+
+class Envelope(Record):
+    """The outline the rooms must fill."""
+
+    shape: Literal["auto", "rectangle", "L", "notched"] = "auto"
+    outline: Polygon | None = Field(None, description="a given outline, metres")
+    party_walls: list[Side] = Field(default_factory=list, description="sides without windows")
+    entrance: Side | None = None
+
+
+class Program(Record):
+    """What the plan solver is asked for, filled by a reader from the prompt."""
+
+    rooms: list[AskedRoom] = Field(min_length=1, max_length=40)
+    links: list[Link] = Field(default_factory=list, description="what must connect by a door or opening")
+    open_links: list[Link] = Field(default_factory=list, description="links without a wall between (open plan)")
+    weights: dict[str, float] = Field(default_factory=dict, description="reward weights by name")
+    objects: list[AskedObjects] = Field(default_factory=list)
+    counts: dict[str, int] = Field(default_factory=dict, description="objects wanted in a room")
+    total_area: Positive | None = None
+    regularity: float = Field(0.7, ge=0, le=1)
+    envelope: Envelope = Field(default_factory=Envelope)
+    complete: bool = Field(False, description="exactly these rooms and links, nothing may be added")
+    unread: list[str] = Field(default_factory=list, description="words of the prompt not understood")
+
+
+class Room(Record):
+    """A built room; `polygon` is its clear floor, wall face to wall face, counter-clockwise."""
+
+    id: str
+    type: RoomType
+    polygon: Polygon
+
+
+class Opening(Record):
+    """A door, window, entrance or wall-less passage.
+
+    `segment` lies on the centre line of the wall it cuts; its length is the clear width.
+    A hinged leaf (door, entrance) turns about `segment[hinge]` into the room `into` by 90°.
+    """
+
+    id: str
+    kind: Literal["door", "opening", "entrance", "window"]
+    rooms: list[str] = Field(min_length=1, max_length=2)
+    segment: tuple[Point, Point]
+    sill: Number
+    head: Number
+    hinge: Literal[0, 1] = 0
+    into: str | None = None
+
+
+class Walls(Record):
+    """Wall thickness in metres; neighbouring floors are `inner` apart."""
+
+    inner: Positive = 0.10
+    outer: Positive = 0.30
+
+
+class Plan(Record):
+    """Body of a `plan` artifact."""
+
+    prompt: str = ""
+    program: Program
+    rooms: list[Room] = Field(min_length=1)
+    openings: list[Opening]
+    height: Positive = 2.6
+    walls: Walls = Field(default_factory=Walls)
+    relaxed: list[str] = Field(default_factory=list, description="what the solver had to give up, in words")
