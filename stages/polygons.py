@@ -1,0 +1,152 @@
+"""The shapes a plan implies: floors, walls, thresholds, and what a door leaf sweeps.
+
+Everything is a shapely geometry in the plan's metres; an empty polygon stands for "nothing".
+"""
+
+from math import hypot
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from shapely import Geometry
+from shapely.geometry import Point, Polygon
+from shapely.ops import nearest_points, unary_union
+
+from schemas.plan import Opening, Plan, Room, Walls
+
+LEAF = 0.04
+"""Thickness of a door leaf, m; it fills the wall's face on the side it opens to."""
+OVERLAP = 0.01
+"""How far a threshold reaches onto the floors it joins, m, so that unions connect."""
+PASSAGES = ("door", "opening", "entrance")
+"""Kinds of opening that one walks through."""
+ARC = 12
+"""Segments of a leaf's quarter circle."""
+
+Array = NDArray[np.float64]
+
+
+class Hinge(NamedTuple):
+    """A leaf's pivot on the wall's face, the unit direction it lies in when shut, and the one it opens to."""
+
+    pivot: Array
+    shut: Array
+    opened: Array
+    width: float
+
+
+def floor(room: Room) -> Polygon:
+    """The clear floor of a room."""
+    return Polygon(room.polygon)
+
+
+def floors(plan: Plan) -> dict[str, Polygon]:
+    """Every room's clear floor by id."""
+    return {room.id: floor(room) for room in plan.rooms}
+
+
+def width(opening: Opening) -> float:
+    """Clear width, m."""
+    (ax, ay), (bx, by) = opening.segment
+    return hypot(bx - ax, by - ay)
+
+
+def along(opening: Opening) -> Array:
+    """Unit direction from the first end of the segment to the second."""
+    a, b = np.asarray(opening.segment, float)
+    unit: Array = (b - a) / max(float(np.hypot(*(b - a))), 1e-9)
+    return unit
+
+
+def face(opening: Opening, plan: Plan, room: str) -> tuple[Array, float]:
+    """Unit normal of the cut wall towards `room`, and the distance from its centre line to that room's floor."""
+    here = floor(next(r for r in plan.rooms if r.id == room))
+    middle = np.mean(np.asarray(opening.segment, float), axis=0)
+    near = nearest_points(here, Point(middle))[0]
+    normal = np.array([-along(opening)[1], along(opening)[0]])
+    reach = float(np.dot(np.array([near.x, near.y]) - middle, normal))
+    return (normal, reach) if reach >= 0 else (-normal, -reach)
+
+
+def _strip(opening: Opening, normal: Array, lo: float, hi: float) -> Polygon:
+    a, b = np.asarray(opening.segment, float)
+    return Polygon([a + lo * normal, b + lo * normal, b + hi * normal, a + hi * normal]).buffer(0)
+
+
+def threshold(opening: Opening, plan: Plan) -> Polygon:
+    """The rectangle cut through the wall, `OVERLAP` onto the floors on both sides.
+
+    Towards the open air it ends flush with the outer face.
+    """
+    normal, reach = face(opening, plan, opening.rooms[0])
+    if len(opening.rooms) == 1:
+        return _strip(opening, normal, -reach, reach + OVERLAP)
+    beyond = face(opening, plan, opening.rooms[1])[1]
+    return _strip(opening, normal, -beyond - OVERLAP, reach + OVERLAP)
+
+
+def hinge(opening: Opening, plan: Plan) -> Hinge | None:
+    """Where and how the leaf turns; None for what has no leaf."""
+    if opening.into is None or opening.kind not in ("door", "entrance"):
+        return None
+    normal, reach = face(opening, plan, opening.into)
+    ends = np.asarray(opening.segment, float)
+    shut = along(opening) * (1 if opening.hinge == 0 else -1)
+    return Hinge(ends[opening.hinge] + reach * normal, shut, normal, width(opening))
+
+
+def swing(opening: Opening, plan: Plan) -> Polygon:
+    """Floor swept by the leaf from shut to 90° open, its thickness included; empty without a leaf."""
+    turn = hinge(opening, plan)
+    if turn is None:
+        return Polygon()
+    radius = hypot(turn.width, LEAF)
+    angles = np.linspace(0, np.pi / 2, ARC + 1)[:, None]
+    arc = turn.pivot + radius / np.cos(np.pi / 4 / ARC) * (np.cos(angles) * turn.shut + np.sin(angles) * turn.opened)
+    return Polygon([turn.pivot, *arc])
+
+
+def leaf(opening: Opening, plan: Plan, turned: float = np.pi / 2) -> Polygon:
+    """The leaf's footprint, turned by `turned` radians from shut; empty without a leaf."""
+    turn = hinge(opening, plan)
+    if turn is None:
+        return Polygon()
+    out = np.cos(turned) * turn.shut + np.sin(turned) * turn.opened
+    back = np.sin(turned) * turn.shut - np.cos(turned) * turn.opened
+    a, b = turn.pivot, turn.pivot + turn.width * out
+    return Polygon([a, b, b + LEAF * back, a + LEAF * back])
+
+
+def clearance(opening: Opening, plan: Plan, depth: float = 0.6) -> Geometry:
+    """Floor that must stay free to pass: `depth` deep on both sides, and what the leaf sweeps."""
+    if opening.kind == "window":
+        return Polygon()
+    inside = unary_union([floor(room) for room in plan.rooms if room.id in opening.rooms])
+    zones = []
+    for room in opening.rooms:
+        normal, reach = face(opening, plan, room)
+        zones.append(_strip(opening, normal, 0.0, reach + depth))
+    return unary_union([*zones, swing(opening, plan)]).intersection(inside)
+
+
+def shell(plan: Plan) -> Geometry:
+    """Everything within the outer face of the outer walls: floors and walls together."""
+    return _grown(unary_union(list(floors(plan).values())), plan.walls, plan.walls.outer)
+
+
+def _grown(area: Geometry, walls: Walls, by: float) -> Geometry:
+    # Joins floors across inner walls first, so that corners between rooms do not notch the outside.
+    joined = area.buffer(walls.inner, join_style="mitre").buffer(-walls.inner, join_style="mitre")
+    return joined.buffer(by, join_style="mitre")
+
+
+def walls(plan: Plan) -> Geometry:
+    """Wall bodies seen from above, cut by doors, openings and entrances; windows are left whole."""
+    cut = [threshold(opening, plan) for opening in plan.openings if opening.kind in PASSAGES]
+    return shell(plan).difference(unary_union([*floors(plan).values(), *cut]))
+
+
+def free_floor(plan: Plan) -> Geometry:
+    """Where one can walk in the empty plan: floors joined by thresholds; the entrance's own threshold is left out."""
+    inner = [threshold(o, plan) for o in plan.openings if o.kind in ("door", "opening")]
+    return unary_union([*floors(plan).values(), *inner])
