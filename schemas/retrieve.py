@@ -24,6 +24,9 @@ class Joint(Record):
     origin: Vector
     range: tuple[Number, Number]
     part: str = Field(description="GAPartNet class, e.g. hinge_door, slider_drawer, hinge_lid")
+    extent: tuple[Vector, Vector] | None = Field(
+        None, description="least and greatest corner of the moving part, all joints at zero, object's frame"
+    )
 
 
 class Furnishing(Box):
