@@ -36,6 +36,7 @@ class Category:
     flap: float = 0.0
     belongs: tuple[str, ...] = ()
     z: float = 0.0
+    back: bool = False
     synonyms: tuple[str, ...] = ()
 
     @property

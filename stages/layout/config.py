@@ -1,0 +1,67 @@
+"""What can be set in the layout stage and its training."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from schemas.base import Record
+
+N_MAX = 24
+"""Object slots of a room."""
+LATENT = 32
+"""Dimensions of the shape latent f."""
+T = 1000
+"""Diffusion steps of the noise schedule."""
+
+
+class ModelConfig(Record):
+    """Shape of the denoising network."""
+
+    width: int = 192
+    layers: int = 6
+    heads: int = 6
+    mlp_ratio: int = 3
+    encoder_layers: int = 2
+    class_scale: float = Field(1.5, description="one-hot height; larger means classes settle earlier than places")
+    latent_scale: float = Field(0.5, description="latents settle later than places")
+
+
+class TrainConfig(Record):
+    """One training run; everything that the weights depend on."""
+
+    corpus: str = "corpus.npz"
+    steps: int = Field(20_000, ge=1)
+    batch: int = Field(128, ge=1)
+    lr: float = Field(6e-4, gt=0)
+    warmup: int = 500
+    ema: float = 0.999
+    seed: int = 0
+    slots_share: float = Field(0.2, ge=0, le=1, description="share of batches with all slots, empty ones included")
+    drop_count: float = 0.1
+    drop_wanted: float = 0.5
+    anticipate: float = Field(0.0, ge=0, description="λ of Eq. 1; 0 is plain denoising")
+    threads: int = 1
+    bf16: bool = True
+    save_every: int = 500
+    model: ModelConfig = Field(default_factory=ModelConfig)
+
+
+class LayoutConfig(Record):
+    """One layout run."""
+
+    sampler: Literal["ddpm", "ddim", "dpm++"] = "dpm++"
+    steps: int = Field(20, ge=1, le=T)
+    guidance: dict[str, float] = Field(
+        default_factory=lambda: {"articulation": 1.0, "inside": 1.0, "openings": 1.0},
+        description="weight γ of every guidance energy; 0 switches it off",
+    )
+    guidance_scale: float = Field(1.0, ge=0, description="λ of Eq. 2")
+    scaling: Literal["sigma", "plain"] = Field("plain", description="with Σ as in Eq. 2, or without it as in PhyScene")
+    guide_below: float = Field(0.10, ge=0, le=1, description="share of the schedule where guidance acts")
+    count: Literal["exact", "guided", "free"] = Field(
+        "exact", description="exact by construction, the paper's late BCE (Eq. 3), or left to the model"
+    )
+    projection: bool = Field(True, description="remove what little overlap is left after sampling")
+    weights: str | None = Field(None, description="a weights file other than the shipped one")
+    batch: int = Field(128, ge=1, description="rooms denoised at once")
+    threads: int = Field(2, ge=1)

@@ -1,0 +1,144 @@
+"""Guidance as wrappers: each takes a denoiser and returns a denoiser, so that samplers never know of it."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import torch
+from torch import Tensor
+
+from stages import registry
+from stages.layout.config import LayoutConfig, ModelConfig, T, TrainConfig
+from stages.layout.diffusion import Denoise, Prediction
+from stages.layout.features import CLASS, EMPTY, N_CLASSES
+from stages.layout.geometry import Boxes, Floor, boxes_of, floor_of
+from stages.layout.rooms import Rooms
+from stages.layout.samplers import posterior
+
+Energy = Callable[[Boxes, Floor], Tensor]
+
+
+def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
+    """The guidance functions φ of weight γ > 0, found by name under `guidance/`."""
+    return [(gamma, registry.load("stages.layout.guidance", name).energy) for name, gamma in weights.items() if gamma]
+
+
+def gradient(terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room: Floor, model: ModelConfig) -> Tensor:
+    """∇φ(x) of φ = Σ γ φ_k, (B, N, D)."""
+    x = x.detach().requires_grad_()
+    boxes = boxes_of(Prediction(x, logits), model.class_scale)
+    total = torch.stack([gamma * energy(boxes, room).sum() for gamma, energy in terms]).sum()
+    if not total.requires_grad:
+        return torch.zeros_like(x)
+    return torch.autograd.grad(total, x)[0]
+
+
+def guided(
+    denoise: Denoise, terms: list[tuple[float, Energy]], room: Floor, model: ModelConfig, config: LayoutConfig,
+    below: float,
+) -> Denoise:
+    """A denoiser whose posterior mean is shifted by -λΣ∇φ for t < `below`·T (Eq. 2).
+
+    `scaling="sigma"` is Eq. 2 as written, the gradient taken at x_t = μ (Algorithm 1, line 12) of one step of the
+    1000-step schedule. `scaling="plain"` leaves Σ out and takes the gradient at the predicted x_0, which few-step
+    samplers need because their μ is still noisy.
+    """
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        made, step = denoise(x, t), int(t[0])
+        if not terms or step > below * T or step == 0:
+            return made
+        if config.scaling == "plain":
+            shift = gradient(terms, made.x0, made.logits, room, model)
+        else:
+            mean, variance = posterior(x, made.x0, step, step - 1)
+            share = posterior(torch.zeros_like(x), torch.ones_like(x), step, step - 1)[0]
+            shift = variance * gradient(terms, mean, made.logits, room, model) / share
+        return Prediction(made.x0 - config.guidance_scale * shift, made.logits)
+
+    return wrapped
+
+
+def quantity_guided(
+    denoise: Denoise, count: Tensor, terms: list[tuple[float, Energy]], room: Floor, model: ModelConfig,
+    config: LayoutConfig, below: float,
+) -> Denoise:
+    """Eq. 3: at the first step under `below`·T the `count` (B,) slots of lowest empty logit are to be filled, for good."""
+    state: dict[str, Tensor] = {}
+
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        if int(t[0]) > below * T:
+            return denoise(x, t)
+        if not state:
+            empty = denoise(x, t).logits[..., EMPTY]
+            state["T"] = (empty.argsort(-1).argsort(-1) >= count[:, None]).float()
+        there = replace(room, empty=state["T"])
+        return guided(denoise, terms, there, model, config, below)(x, t)
+
+    return wrapped
+
+
+def fixed_categories(denoise: Denoise, wanted: Tensor, filled: Tensor, model: ModelConfig) -> Denoise:
+    """Objects asked for by category: `wanted` (B, C), -1 where free; `filled` (B,) objects in all.
+
+    Slots are given to wanted categories greedily by their logits at every step, so that the finished sample holds
+    at least as many of each as asked (exactly as many, where the count leaves room for no others).
+    """
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        made = denoise(x, t)
+        logits = made.logits.clone()
+        for b in range(len(wanted)):
+            assign(logits[b, : int(filled[b])], wanted[b])
+        x0 = made.x0.clone()
+        x0[..., CLASS] = logits.softmax(-1) * model.class_scale
+        return Prediction(x0, logits)
+
+    return wrapped
+
+
+def assign(logits: Tensor, wanted: Tensor) -> None:
+    """Raise or bar classes in one room's logits (N, C+1) until each wanted class wins exactly its number of slots."""
+    asked = [(int(c), int(wanted[c])) for c in (wanted >= 0).nonzero().flatten()]
+    if not asked:
+        return
+    free = torch.ones(len(logits), dtype=torch.bool)
+    best = logits.clone()
+    for category, _ in asked:
+        best[:, category] = -torch.inf
+    rival = best.amax(-1)
+    for category, number in sorted(asked, key=lambda row: -row[1]):
+        margin = torch.where(free, logits[:, category] - rival, -torch.inf)
+        chosen = margin.argsort(descending=True)[:number]
+        chosen = chosen[free[chosen]]
+        free[chosen] = False
+        keep = logits[chosen, category]
+        logits[:, category] = -30.0
+        logits[chosen, category] = torch.maximum(keep, logits[chosen].amax(-1) + 3.0)
+
+
+def anticipation(rooms: Rooms, config: TrainConfig) -> Callable[[Prediction, Tensor], Tensor]:
+    """λΣg of Eq. 1: g = -∇φ at the network's own one-step prediction x̃_0, no gradient through it."""
+    terms, room = energies({"articulation": 1.0, "inside": 1.0, "openings": 1.0}), floor_of(rooms)
+
+    def shift(made: Prediction, t: Tensor) -> Tensor:
+        from stages.layout.diffusion import ALPHA_BAR
+
+        g = -gradient(terms, made.x0, made.logits.detach(), room, config.model)
+        beta = 1 - ALPHA_BAR[t] / ALPHA_BAR[t - 1]
+        variance = (1 - ALPHA_BAR[t - 1]) / (1 - ALPHA_BAR[t]) * beta
+        return config.anticipate * variance[:, None, None] * g
+
+    return shift
+
+
+def without_empty(denoise: Denoise, filled: Tensor) -> Denoise:
+    """Exact by construction: the first `filled` (B,) slots never take the empty class, the rest always do."""
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        made = denoise(x, t)
+        there = torch.arange(x.shape[1])[None] < filled[:, None]
+        logits = made.logits.clone()
+        logits[..., EMPTY] = torch.where(there, -30.0, 30.0)
+        return Prediction(made.x0, logits)
+
+    return wrapped
+
+
+assert EMPTY == N_CLASSES - 1
