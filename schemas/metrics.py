@@ -13,6 +13,7 @@ class Value(Record):
     unit: str = ""
     version: str = "ours"
     of: str = "apartment"
+    n: int | None = Field(None, description="how many things a share is of; None where it is no share")
 
 
 class Metrics(Record):

@@ -1,0 +1,156 @@
+"""What a round robot gets to: from the entrance, through every door, to in front of all that opens.
+
+The robot is a disc. It can be where its disc meets neither wall nor furniture; it uses an object from in front of
+it, its centre within `reach` of the face that opens, first with the parts closed and then with them open.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+from shapely.geometry import Polygon
+
+from schemas.layout import Box
+from schemas.plan import Opening, Plan
+from stages import boxes, footprints, grid, polygons, sweeps
+from stages.boxes import Boxes, Mask
+from stages.grid import Grid
+
+RADIUS = 0.25
+"""Default radius of the robot, m."""
+REACH = 0.80
+"""Default greatest distance from the robot's centre to the front of what it uses, m."""
+_STEP_IN = 0.15  # how far inside a room the robot's centre must get for the door to count as passed, m
+
+
+@dataclass(frozen=True)
+class Space:
+    """An empty plan as a robot sees it, on a raster.
+
+    `open` holds where the robot's centre may be without furniture, `rooms` the index of the room (-1 in walls),
+    `entry` where it comes in, `doors` the cells of (threshold, first side, second side) by opening id.
+    """
+
+    plan: Plan
+    radius: float
+    grid: Grid
+    open: Mask
+    rooms: NDArray[np.int16]
+    entry: Mask
+    doors: dict[str, list[Mask]]
+
+
+@dataclass(frozen=True)
+class Reached:
+    """What was got to: the cells, and by id what was not (a door, a room, an object closed, an object open)."""
+
+    cells: Mask
+    doors: list[str] = field(default_factory=list)
+    rooms: list[str] = field(default_factory=list)
+    closed: list[str] = field(default_factory=list)
+    opened: list[str] = field(default_factory=list)
+
+    @property
+    def missed(self) -> list[str]:
+        """Ids of all that was not reached, each once, in plan order."""
+        return list(dict.fromkeys([*self.doors, *self.rooms, *self.closed, *self.opened]))
+
+
+def space(plan: Plan, radius: float = RADIUS, resolution: float = grid.RESOLUTION) -> Space:
+    """Rasterise a plan for a robot of that radius."""
+    floor = polygons.free_floor(plan)
+    cells = grid.over(floor, resolution)
+    rooms = np.full(cells.shape, -1, np.int16)
+    for i, room in enumerate(plan.rooms):
+        rooms[grid.raster(polygons.floor(room), cells)] = i
+    free = grid.raster(floor.buffer(-radius), cells)
+    doors = {o.id: _door(o, plan, cells) for o in plan.openings if o.kind in ("door", "opening")}
+    return Space(plan, radius, cells, free, rooms, _entry(plan, free, cells, radius), doors)
+
+
+def _strip(opening: Opening, plan: Plan, room: str, depth: float) -> Polygon:
+    """The floor of `room` before an opening, as wide as it and `depth` deep."""
+    normal, reach = polygons.face(opening, plan, room)
+    a, b = np.asarray(opening.segment, float)
+    near, far = reach * normal, (reach + depth) * normal
+    return Polygon([a + near, b + near, b + far, a + far]).buffer(0)
+
+
+def _door(opening: Opening, plan: Plan, cells: Grid) -> list[Mask]:
+    sides = [grid.raster(_strip(opening, plan, room, _STEP_IN), cells) for room in opening.rooms]
+    return [grid.raster(polygons.threshold(opening, plan), cells), *sides]
+
+
+def _entry(plan: Plan, free: Mask, cells: Grid, radius: float) -> Mask:
+    """Cells just inside the entrance; without one, those inside any door; without any, the largest part."""
+    ways = [o for o in plan.openings if o.kind == "entrance"] or [o for o in plan.openings if o.kind == "door"][:1]
+    strips = [_strip(o, plan, o.rooms[0], 2 * radius + _STEP_IN) for o in ways]
+    seeds = np.zeros(cells.shape, bool)
+    for strip in strips:
+        seeds |= grid.raster(strip, cells)
+    return seeds & free if strips else grid.largest(free)
+
+
+def count(world: Space, objects: Sequence[Box]) -> NDArray[np.int16]:
+    """How many obstacles keep the robot's centre off each cell."""
+    standing = [o for o in objects if footprints.is_obstacle(o)]
+    return grid.near(boxes.of(standing), world.grid, world.radius)
+
+
+def free(world: Space, objects: Sequence[Box]) -> Mask:
+    """Where the robot's centre may be among the objects."""
+    cells: Mask = world.open & (count(world, objects) == 0)
+    return cells
+
+
+def survey(world: Space, objects: Sequence[Box], reach: float = REACH, cells: Mask | None = None) -> Reached:
+    """Everything the robot gets to from the entrance, and what it does not; `cells` may be given from `free`."""
+    open_cells = free(world, objects) if cells is None else cells
+    got = grid.from_seeds(open_cells, world.entry)
+    doors = [name for name, parts in world.doors.items() if not all((got & part).any() for part in parts)]
+    seen = set(np.unique(world.rooms[got]).tolist())
+    rooms = [room.id for i, room in enumerate(world.plan.rooms) if i not in seen]
+    closed, opened = _objects(world, objects, reach, open_cells, got)
+    return Reached(got, doors, rooms, closed, opened)
+
+
+def _objects(
+    world: Space, objects: Sequence[Box], reach: float, open_cells: Mask, got: Mask
+) -> tuple[list[str], list[str]]:
+    """Ids of articulated objects not reached with their parts closed, and with them open."""
+    moving = [o for o, moves in zip(objects, sweeps.articulated(objects), strict=True) if moves]
+    moving = [o for o in moving if footprints.is_obstacle(o)]
+    parts, owner = sweeps.opened(moving)
+    index = {room.id: i for i, room in enumerate(world.plan.rooms)}
+    closed, opened = [], []
+    for i, o in enumerate(moving):
+        room = world.rooms == index[o.room]
+        if not (got & room & standing(o, world.grid, reach, world.radius)).any():
+            closed.append(o.id)
+            continue
+        mine = parts.take(owner == i)
+        shut_out = grid.near(mine, world.grid, world.radius) > 0
+        still = grid.from_seeds(open_cells & ~shut_out, world.entry) if (shut_out & got).any() else got
+        if not (still & room & standing(o, world.grid, reach, world.radius, mine)).any():
+            opened.append(o.id)
+    return closed, opened
+
+
+def standing(o: Box, cells: Grid, reach: float, radius: float, parts: Boxes | None = None) -> Mask:
+    """Cells in front of an object from which it is used: within `reach` of its face, or of its open parts.
+
+    To the sides the zone is wider than the object by the robot's radius.
+    """
+    box = boxes.of([o])
+    face, half = o.size[0] / 2, o.size[1] / 2
+    ahead = face
+    if parts is not None and parts.n:
+        ahead = max(ahead, float(boxes.local(boxes.corners(parts).reshape(-1, 2), box)[0, :, 0].max()))
+    corner = boxes.corners(boxes.spread(box, [[face, -half - radius, 0]], [[ahead + reach, half + radius, 1]]))[0]
+    window = cells.around(corner.min(0), corner.max(0))
+    zone = np.zeros(cells.shape, bool)
+    points = cells.centers(window)
+    seen = boxes.local(points.reshape(-1, 2), box)[0].reshape(points.shape)
+    zone[window] = (seen[..., 0] > face) & (seen[..., 0] <= ahead + reach) & (np.abs(seen[..., 1]) <= half + radius)
+    return zone
