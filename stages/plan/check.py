@@ -1,0 +1,102 @@
+"""Whether a programme can be read as a flat at all, and what contradicts what."""
+
+from collections import deque
+
+from schemas.errors import BadInput, Unmet
+from schemas.plan import AskedRoom, Program
+from stages.plan.standards import STANDARDS
+
+THROUGH = ("hallway", "living_room", "dining_room", "kitchen")
+"""Rooms that lead to other rooms; bedrooms and bathrooms lead to what belongs to them only."""
+
+
+def neighbours(program: Program) -> dict[str, list[str]]:
+    """Rooms joined to each room by a link, open or not, in the order asked."""
+    near: dict[str, list[str]] = {room.id: [] for room in program.rooms}
+    for a, b in links(program):
+        near[a].append(b)
+        near[b].append(a)
+    return near
+
+
+def links(program: Program) -> list[tuple[str, str]]:
+    """All links once, the open ones too."""
+    seen: dict[frozenset[str], tuple[str, str]] = {}
+    for a, b in [*program.links, *program.open_links]:
+        seen.setdefault(frozenset((a, b)), (a, b))
+    return list(seen.values())
+
+
+def entrance_room(program: Program) -> AskedRoom:
+    """The room one enters from outside: a hallway where there is one, else the living room, else the best linked."""
+    near = neighbours(program)
+    rank = {"hallway": 0, "living_room": 1, "dining_room": 2, "kitchen": 3}
+    return min(program.rooms, key=lambda r: (rank.get(r.type, 4), -len(near[r.id]), r.id))
+
+
+def check(program: Program) -> None:
+    """Raise BadInput for a programme that names rooms wrongly, Unmet for one that contradicts itself."""
+    ids = [room.id for room in program.rooms]
+    if len(set(ids)) < len(ids):
+        raise BadInput(f"program.rooms: the id {next(i for i in ids if ids.count(i) > 1)} is given twice")
+    for a, b in [*program.links, *program.open_links]:
+        if a == b or a not in ids or b not in ids:
+            raise BadInput(f"program.links: [{a}, {b}] must name two different rooms of program.rooms")
+    _check_areas(program)
+    _check_ways(program)
+
+
+def _check_areas(program: Program) -> None:
+    asked = sum(room.area or STANDARDS[room.type].area for room in program.rooms)
+    least = sum(STANDARDS[room.type].area for room in program.rooms)
+    total = program.total_area
+    if total is None:
+        return
+    if least > total * 1.02:
+        raise Unmet(
+            f"{len(program.rooms)} rooms need at least {least:.0f} m² by the least areas of their types, "
+            f"but the flat has {total:g} m²: ask for fewer rooms or more area"
+        )
+    if all(room.area for room in program.rooms) and asked > total * 1.15:
+        big = max(program.rooms, key=lambda r: r.area or 0)
+        raise Unmet(
+            f"the rooms add up to {asked:.0f} m² ({big.id} alone {big.area:g} m²), but the flat has {total:g} m²: "
+            "ask for smaller rooms or more area"
+        )
+
+
+def _check_ways(program: Program) -> None:
+    types = {room.id: room.type for room in program.rooms}
+    near = neighbours(program)
+    start = entrance_room(program).id
+    before: dict[str, str] = {start: ""}
+    queue = deque([start])
+    while queue:
+        here = queue.popleft()
+        for there in near[here]:
+            if there not in before:
+                before[there] = here
+                queue.append(there)
+    for room in program.rooms:
+        if room.id not in before:
+            raise Unmet(f"no link leads from the entrance ({start}) to {room.id}: add one to program.links")
+    _check_through(program, types, near, start)
+
+
+def _check_through(program: Program, types: dict[str, str], near: dict[str, list[str]], start: str) -> None:
+    """Every room must be reachable without crossing a bedroom or bathroom that it does not belong to."""
+    open_to = {start}
+    queue = deque([start])
+    while queue:
+        here = queue.popleft()
+        if here != start and types[here] in ("bedroom", "bathroom"):
+            continue
+        for there in near[here]:
+            if there not in open_to:
+                open_to.add(there)
+                queue.append(there)
+    for room in program.rooms:
+        owner = [r for r in near[room.id] if types[r] in ("bedroom", "bathroom") and r in open_to]
+        belongs = room.type in ("bathroom", "closet", "balcony", "storage", "utility", "study") or room.private_to
+        if room.id not in open_to and not (owner and belongs):
+            raise Unmet(f"{room.id} can only be reached through {near[room.id][0]}: link it to a hallway or living room")

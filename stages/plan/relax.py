@@ -1,0 +1,74 @@
+"""What is given up, in this order, where no plan meets everything: areas, aspect, envelope, an extra hallway, links."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from schemas.plan import AskedRoom, Program
+from stages.plan.check import check, entrance_room, links
+from stages.plan.problem import Slack
+
+
+@dataclass(frozen=True)
+class Step:
+    """One rung: the programme and slack to solve with, and what that gives up, in words."""
+
+    program: Program
+    slack: Slack
+    given_up: tuple[str, ...] = ()
+    changed: bool = False
+
+
+def ladder(program: Program) -> Iterator[Step]:
+    """Rungs from nothing given up to as much as may be."""
+    yield Step(program, Slack())
+    said = ["areas may differ from what was asked by up to 30 %"]
+    yield Step(program, Slack(area=0.3), tuple(said))
+    said.append("rooms may be half as long again for their width as they should")
+    slack = Slack(area=0.3, aspect=1.5)
+    yield Step(program, slack, tuple(said))
+    if program.envelope.outline is None and program.envelope.shape != "rectangle":
+        free = program.envelope.model_copy(update={"shape": "rectangle"})
+        program = program.model_copy(update={"envelope": free})
+        said.append("the outline is a rectangle")
+        yield Step(program, slack, tuple(said), True)
+    if program.complete:
+        return
+    extra = with_hallway(program)
+    if extra is not None:
+        program = extra
+        said.append("a hallway was added")
+        yield Step(program, slack, tuple(said), True)
+    for dropped in spare_links(program):
+        kept = [pair for pair in program.links if pair != dropped]
+        program = program.model_copy(update={"links": kept})
+        said.append(f"{dropped[0]} and {dropped[1]} are not linked")
+        yield Step(program, slack, tuple(said), True)
+
+
+def with_hallway(program: Program) -> Program | None:
+    """The programme with a hallway taking over the links of its busiest room; None where there are halls enough."""
+    halls = [room for room in program.rooms if room.type == "hallway"]
+    if len(halls) > 1 or len(program.rooms) < 4:
+        return None
+    busy = halls[0].id if halls else entrance_room(program).id
+    name = f"hallway_{len(halls) + 1}"
+    mine = [pair for pair in program.links if busy in pair]
+    moved = mine if not halls else mine[len(mine) // 2 :]
+    rest = [pair for pair in program.links if pair not in moved]
+    over = [(name, a if b == busy else b) for a, b in moved]
+    area = 0.08 * sum(room.area or 8.0 for room in program.rooms)
+    hall = AskedRoom(id=name, type="hallway", area=max(3.0, area))
+    return program.model_copy(update={"rooms": [*program.rooms, hall], "links": [*rest, (busy, name), *over]})
+
+
+def spare_links(program: Program) -> list[tuple[str, str]]:
+    """Links without which every room can still be reached, those that were asked last first."""
+    out = []
+    for pair in reversed(program.links):
+        kept = [p for p in program.links if p != pair and p not in out]
+        try:
+            check(program.model_copy(update={"links": kept}))
+        except Exception:  # noqa: S112
+            continue
+        out.append(pair)
+    return out if len(links(program)) > 1 else []

@@ -1,0 +1,116 @@
+"""From a programme to a plan: annealing runs in waves, doors and windows for the best, relaxation where none is valid."""
+
+import logging
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.random import Generator
+from shapely.geometry import Polygon
+
+from schemas.errors import Unmet
+from schemas.plan import Plan, Program, Room
+from stages.plan import doors, kernel, windows
+from stages.plan.check import check
+from stages.plan.config import PlanConfig
+from stages.plan.kernel import EPS, Floats, Ints
+from stages.plan.outline import draw, entrance_sides
+from stages.plan.problem import Slack, copy, gross_area, parts, problem, scratch, start
+from stages.plan.relax import Step, ladder
+
+log = logging.getLogger("apartgen")
+
+
+@dataclass(frozen=True)
+class Run:
+    """Result of one annealing run: its cost, what it lacks, and the rectangles of the rooms."""
+
+    cost: float
+    lack: float
+    boxes: Floats
+    owner: Ints
+
+
+def anneal(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Run:
+    """One run from a random start."""
+    entrance = entrance_sides(program.envelope)[int(rng.integers(len(entrance_sides(program.envelope))))]
+    outline = draw(program.envelope, gross_area(program, config.walls), program.regularity, entrance, rng)
+    many = parts(program, rng)
+    p = problem(program, outline, many, config.walls, slack)
+    tree = start(program, many, outline.stretch, rng)
+    best, z = copy(tree), scratch(len(many), sum(many), len(outline.blocks))
+    seed = rng.integers(1, 2**63, 1).astype(np.uint64)
+    cost = kernel.anneal(p, tree, best, z, seed, config.proposals, 40.0, 0.3)
+    count = kernel.lay(p, best, z)
+    return Run(float(cost), float(z.terms[13]), z.piece[:count].copy(), z.owner[:count].copy())
+
+
+def floors(program: Program, run: Run, inner: float) -> dict[str, Polygon]:
+    """Clear floors: the rooms' rectangles on whole centimetres, joined, and half a wall inset."""
+    boxes = np.round(run.boxes, 2)
+    out = {}
+    for i, room in enumerate(program.rooms):
+        gross = shapely.union_all(shapely.box(*boxes[run.owner == i].T))
+        out[room.id] = gross.buffer(-inner / 2, join_style="mitre")
+    return out
+
+
+def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
+    """A plan with doors and windows, or None where they find no place."""
+    shapes = floors(program, run, config.walls.inner)
+    if any(not isinstance(shape, Polygon) or shape.is_empty for shape in shapes.values()):
+        return None
+    passages = doors.place(program, shapes, config.walls)
+    if passages is None:
+        return None
+    glass = windows.place(program, shapes, passages, config.walls)
+    if glass is None:
+        return None
+    rooms = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
+    return Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
+
+
+def ring(shape: Polygon) -> list[tuple[float, float]]:
+    """Counter-clockwise corners, the first not repeated, without points on straight edges."""
+    clean = shapely.geometry.polygon.orient(shape.simplify(1e-6))
+    return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in clean.exterior.coords[:-1]]
+
+
+def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:
+    """Annealing runs, a wave at a time; what they are does not depend on the number of threads."""
+    with ThreadPoolExecutor(config.processes) as pool:
+        for _ in range(0, config.restarts, config.wave):
+            lanes = rng.spawn(config.wave)
+            yield list(pool.map(lambda lane: anneal(program, config, slack, lane), lanes))
+
+
+def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
+    """The best plan found; raises Unmet naming the contradiction where even relaxed requirements admit none."""
+    check(program)
+    worst: Run | None = None
+    for step in ladder(program):
+        good: list[tuple[float, Plan]] = []
+        for runs in waves(step.program, config, step.slack, rng):
+            for run in sorted(runs, key=lambda r: r.cost):
+                plan = finish(step.program, run, config) if run.lack < EPS else None
+                if plan is not None:
+                    good.append((run.cost, plan))
+                worst = run if worst is None or run.lack < worst.lack else worst
+            if len(good) >= config.enough:
+                break
+        if good:
+            return _reported(min(good, key=lambda pair: pair[0])[1], program, step)
+    raise Unmet(_contradiction(program, worst))
+
+
+def _reported(plan: Plan, program: Program, step: Step) -> Plan:
+    for line in step.given_up:
+        log.warning("plan: %s", line)
+    return plan.model_copy(update={"program": step.program if step.changed else program, "relaxed": list(step.given_up)})
+
+
+def _contradiction(program: Program, run: Run | None) -> str:
+    lack = f"the best arrangement still lacks {run.lack:.1f} m of wall or width" if run else "nothing fits"
+    return f"no floor plan meets the {len(program.rooms)} rooms and their links ({lack}): ask for fewer links or more area"
