@@ -1,0 +1,93 @@
+"""A library a user owns, as `apartgen assets index` left it: one table file and one file per asset."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save_file
+
+from schemas.errors import BadInput
+from stages.asset import Asset
+from stages.retrieve.matching import store
+from stages.retrieve.matching.config import RetrieveConfig
+from stages.retrieve.matching.table import Table
+
+TABLE_FILE = "library.safetensors"
+VERSION = 1
+
+
+class Entry(NamedTuple):
+    """What a table holds of an asset."""
+
+    id: str
+    category: str
+    style: str
+    moving: int
+    credit: str
+    size: tuple[float, float, float]
+
+
+def asset_file(folder: Path, row: int) -> Path:
+    """Where the asset of a row lies."""
+    return folder / "assets" / f"{row:06d}.safetensors"
+
+
+class IndexedLibrary:
+    """Assets of one folder."""
+
+    def __init__(self, folder: Path, config: RetrieveConfig | None = None) -> None:
+        """BadInput when the folder holds no readable index."""
+        self.folder = folder
+        self.config = config or RetrieveConfig()
+        header, size, latent = _read(folder / TABLE_FILE)
+        self.name: str = header["name"]
+        self.kind: str = header["as"]
+        self.entries = [Entry(*[*row, tuple(own)]) for row, own in zip(header["assets"], size.tolist(), strict=True)]
+        self._row = {entry.id: i for i, entry in enumerate(self.entries)}
+        self._table = Table([e.category for e in self.entries], size, latent, [e.moving > 0 for e in self.entries])
+
+    def nearest(
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
+    ) -> tuple[int, float] | None:
+        """Row and cost of the best asset that fits."""
+        return self._table.nearest(category, size, latent, limit, self.config)
+
+    def at(self, row: int) -> Asset:
+        """The asset of a row."""
+        entry = self.entries[row]
+        return store.read(asset_file(self.folder, row)).named(self.name, entry.id)
+
+    def load(self, id: str) -> Asset:
+        """The asset of that id; BadInput when there is none."""
+        if id not in self._row:
+            raise BadInput(f"library {self.name!r} ({self.folder}) has no asset {id!r}; see `apartgen assets list`")
+        return self.at(self._row[id])
+
+
+def _read(path: Path) -> tuple[dict[str, Any], np.ndarray[Any, Any], np.ndarray[Any, Any]]:
+    if not path.exists():
+        raise BadInput(f"{path.parent}: no indexed library; make one with `apartgen assets index DIR --as KIND -o {path.parent}`")
+    try:
+        with safe_open(path, framework="np") as file:
+            header = json.loads(file.metadata()["apartgen"])
+            size, latent = file.get_tensor("size"), file.get_tensor("latent")
+    except (SafetensorError, KeyError, ValueError) as error:
+        raise BadInput(f"{path}: not a readable library index ({error}); index it again") from None
+    if header["version"] > VERSION:
+        raise BadInput(f"{path}: index version {header['version']}, this program reads {VERSION}; upgrade apartgen")
+    return header, size, latent
+
+
+def write(folder: Path, name: str, kind: str, entries: Sequence[Entry], latent: ArrayLike) -> None:
+    """Writes a library's table."""
+    header = {"version": VERSION, "name": name, "as": kind, "assets": [entry[:5] for entry in entries]}
+    tensors = {
+        "size": np.asarray([entry.size for entry in entries], np.float32).reshape(-1, 3),
+        "latent": np.asarray(latent, np.float32).reshape(-1, 32),
+    }
+    folder.mkdir(parents=True, exist_ok=True)
+    save_file(tensors, folder / TABLE_FILE, metadata={"apartgen": json.dumps(header, sort_keys=True)})

@@ -1,0 +1,55 @@
+"""Several asset libraries at once."""
+
+from functools import lru_cache
+from pathlib import Path
+
+from numpy.typing import ArrayLike
+
+from schemas.errors import BadInput
+from stages.asset import Asset
+from stages.retrieve.matching import embedded
+from stages.retrieve.matching.config import RetrieveConfig
+from stages.retrieve.matching.embedded import Embedded
+from stages.retrieve.matching.indexed import IndexedLibrary
+
+KEPT = 512
+"""Assets kept in memory."""
+
+
+class LibrarySet:
+    """The embedded library and those a user has indexed; the first named wins a tie."""
+
+    def __init__(self, own: Embedded, others: list[IndexedLibrary]) -> None:
+        self.embedded = own
+        self.others = {library.name: library for library in others}
+        if len(self.others) < len(others) or embedded.NAME in self.others:
+            raise BadInput(f"two libraries share a name: {sorted([embedded.NAME, *(o.name for o in others)])}; rename one")
+        self.load = lru_cache(maxsize=KEPT)(self._load)
+
+    def _load(self, library: str, id: str) -> Asset:
+        """The asset of a library by id; BadInput when there is none."""
+        if library == embedded.NAME:
+            return self.embedded.load(id)
+        if library not in self.others:
+            known = ", ".join([embedded.NAME, *self.others])
+            raise BadInput(f"asset library {library!r} is not open (open: {known}); give its folder with --library")
+        return self.others[library].load(id)
+
+    def nearest(
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
+    ) -> Asset | None:
+        """The cheapest asset of all libraries that fits; one made to measure where none does; None if even that is too big."""
+        found = [(hit[1], i, hit[0]) for i, other in enumerate(self.others.values())
+                 if (hit := other.nearest(category, size, latent, limit))]
+        if not found:
+            return self.embedded.nearest(category, size, latent, limit)
+        _, which, row = min(found)
+        return list(self.others.values())[which].at(row)
+
+
+def open_libraries(config: RetrieveConfig | None = None) -> LibrarySet:
+    """The libraries a configuration names, ready to search and load from."""
+    config = config or RetrieveConfig()
+    return LibrarySet(Embedded(config), [IndexedLibrary(Path(folder), config) for folder in config.libraries])
+
+

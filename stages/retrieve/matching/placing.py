@@ -1,0 +1,98 @@
+"""Where an asset stands once its real size is known: against its wall, inside its room, clear of the others."""
+
+import logging
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+from shapely import Point, Polygon, prepare
+
+from schemas.layout import Box
+from stages import boxes
+from stages.boxes import TOLERANCE, Boxes
+from stages.categories import TABLE, belong_together
+
+LOG = logging.getLogger("apartgen")
+Array = NDArray[np.float64]
+
+NEAR = 0.12
+"""A side this close to a wall stays at that distance from it, m."""
+STEPS = (0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
+"""Shifts tried along each axis when a box had to grow, m."""
+MOUNTED = ("wall", "ceiling")
+
+
+def _sides(box: Boxes) -> Array:
+    """Midpoints of back, front, right and left, moved `NEAR` outwards; (4, 2)."""
+    front, left = boxes.axes(box)[0]
+    d, w, _ = box.size[0]
+    reach = [-(d / 2 + NEAR) * front, (d / 2 + NEAR) * front, -(w / 2 + NEAR) * left, (w / 2 + NEAR) * left]
+    return np.asarray(box.center[0, :2] + np.asarray(reach))
+
+
+def anchors(box: Boxes, room: Polygon) -> tuple[int, int]:
+    """Which end stays where it is, along depth and width: -1 back or right, 1 front or left, 0 the middle.
+
+    The end at a wall does; the back comes before the front, and between two walls the middle stays.
+    """
+    back, front, right, left = (not room.covers(Point(*point)) for point in _sides(box))
+    return (-1 if back else int(front), int(left) - int(right))
+
+
+def resized(box: Boxes, size: Sequence[float], room: Polygon) -> Boxes:
+    """One box (1) with another footprint, its anchored ends and its bottom where they were."""
+    new = np.asarray([size], float)
+    along, across = anchors(box, room)
+    lost = (box.size[0] - new[0]) / 2
+    shift = np.array([along * lost[0], across * lost[1]]) @ boxes.axes(box)[0]
+    center = box.center + np.array([[*shift, -lost[2]]])
+    return Boxes(center, new, box.yaw)
+
+
+def bottom(category: str, box: Boxes, height: float) -> float:
+    """Height of the underside above the floor, m; things on top of others are placed later."""
+    kind, h = TABLE[category], float(box.size[0, 2])
+    if kind.place == "ceiling":
+        return height - h
+    if kind.place == "wall":
+        return float(np.clip(box.center[0, 2] - h / 2, 0, max(height - h, 0)))
+    return 0.0
+
+
+def at_height(box: Boxes, low: float) -> Boxes:
+    """One box with its underside at `low`."""
+    center = box.center.copy()
+    center[0, 2] = low + box.size[0, 2] / 2
+    return box._replace(center=center)
+
+
+def free(box: Boxes, category: str, others: Boxes, categories: Sequence[str]) -> bool:
+    """Whether one box meets none of the others, but for those it belongs with."""
+    apart = np.array([belong_together(category, other) or other == "rug" for other in categories], bool)
+    if category == "rug" or not len(categories):
+        return True
+    return bool(((boxes.penetration(box, others)[0] <= TOLERANCE) | apart).all())
+
+
+def inside(box: Boxes, room: Polygon) -> bool:
+    """Whether the footprint lies in the room, to within the contact tolerance."""
+    return bool(room.buffer(TOLERANCE, join_style="mitre").covers(boxes.footprints(box)[0]))
+
+
+def grown(box: Boxes, category: str, room: Polygon, others: Boxes, categories: Sequence[str]) -> Boxes | None:
+    """The nearest place for a box that outgrew the one it had; None if there is none within `STEPS`."""
+    wide = room.buffer(TOLERANCE, join_style="mitre")
+    prepare(wide)
+    axes = boxes.axes(box)[0]
+    for shift in sorted(product(STEPS, STEPS), key=lambda s: (abs(s[0]) + abs(s[1]), s)):
+        center = box.center + np.array([[*(np.asarray(shift) @ axes), 0.0]])
+        moved = box._replace(center=center)
+        if wide.covers(boxes.footprints(moved)[0]) and free(moved, category, others, categories):
+            return moved
+    return None
+
+
+def one(box: Box) -> Boxes:
+    """An artifact's box as an array of one."""
+    return boxes.of([box])

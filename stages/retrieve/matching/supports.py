@@ -1,0 +1,92 @@
+"""Tops that things stand on: how high an asset is at a point, and where on it another one fits."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages import boxes
+from stages.asset import Asset
+from stages.boxes import Boxes
+
+Array = NDArray[np.float64]
+
+CELLS = 12
+"""A top is looked at on a grid of CELLS² points."""
+FLAT = 0.002
+"""Heights within this are one level, m."""
+EDGE = 0.01
+"""Points this far inside the edge are looked at, m."""
+
+
+class Top(NamedTuple):
+    """An object others stand on: its box (1), its level surface's height above the floor, and the grid's heights.
+
+    `points` (p, 2) are in its own frame, `clear` (p) says which of them are at the level.
+    """
+
+    box: Boxes
+    level: float
+    points: Array
+    clear: NDArray[np.bool_]
+
+
+def heights(asset: Asset, points: Array) -> Array:
+    """Height of the highest surface above each point (p, 2) of the asset's frame, m; -inf where there is none."""
+    corners = np.concatenate([mesh.vertices[mesh.faces] for link in asset.links for mesh in link.visuals])
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    twice = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+    flat = np.abs(twice) > 1e-9
+    a, b, c, twice = a[flat], b[flat], c[flat], twice[flat]
+    to = points[:, None] - a[None, :, :2]
+    u = (to[..., 0] * (c - a)[:, 1] - to[..., 1] * (c - a)[:, 0]) / twice
+    v = ((b - a)[:, 0] * to[..., 1] - (b - a)[:, 1] * to[..., 0]) / twice
+    z = a[:, 2] + u * (b - a)[:, 2] + v * (c - a)[:, 2]
+    hit = (u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9)
+    return np.asarray(np.where(hit, z, -np.inf).max(1))
+
+
+def top(asset: Asset, box: Boxes) -> Top:
+    """The level that most of an asset's surface seen from above has."""
+    half = np.maximum(box.size[0, :2] / 2 - EDGE, 0.001)
+    ticks = np.linspace(-1, 1, CELLS)
+    points = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), -1).reshape(-1, 2) * half
+    z = heights(asset, points)
+    near = np.abs(z[:, None] - z[None]) <= FLAT
+    best = int(np.argmax(near.sum(1)))
+    level = float(z[near[best]].max())
+    return Top(box, float(box.center[0, 2] + level), points, np.abs(z - level) <= FLAT)
+
+
+def _covered(under: Top, item: Boxes) -> tuple[bool, float]:
+    """Whether nothing of the top rises into the item's footprint, and the share of the footprint's middle it carries."""
+    seen = boxes.local(under.points @ boxes.axes(under.box)[0] + under.box.center[0, :2], item)[0]
+    half = item.size[0, :2] / 2
+    under_it = (np.abs(seen) <= half).all(1)
+    core = (np.abs(seen) <= np.maximum(half * 0.7, 0.05)).all(1)
+    carried = float(under.clear[core].mean()) if core.any() else 0.0
+    return bool(under.clear[under_it].all()), carried
+
+
+def stand(item: Boxes, under: Top, taken: Sequence[Boxes]) -> Boxes | None:
+    """The item (1) on the top's level, as near as can be to where it was and clear of what stands there already."""
+    reach = np.maximum((under.box.size[0, :2] - _turned(item, under)) / 2, 0)
+    ticks = np.linspace(-1, 1, 9)
+    offsets = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), -1).reshape(-1, 2) * reach
+    own = boxes.local(item.center[:, :2], under.box)[0]
+    spots = np.concatenate([np.clip(own, -reach, reach), offsets])
+    spots = spots[np.argsort(np.square(spots - own).sum(1), kind="stable")]
+    for spot in spots:
+        xy = under.box.center[0, :2] + spot @ boxes.axes(under.box)[0]
+        placed = item._replace(center=np.array([[*xy, under.level + item.size[0, 2] / 2]]))
+        level, carried = _covered(under, placed)
+        if level and carried > 0.6 and all(boxes.penetration(placed, other)[0, 0] <= 0 for other in taken):
+            return placed
+    return None
+
+
+def _turned(item: Boxes, under: Top) -> Array:
+    """Extents of the item's footprint along the support's axes, (2,)."""
+    corners = boxes.local(boxes.corners(item)[0], under.box)[0]
+    return np.asarray(np.ptp(corners, axis=0))

@@ -1,0 +1,29 @@
+"""The index of the embedded library: which piece has which latent."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from safetensors.numpy import save_file
+
+from stages.latents import INDEX
+from stages.retrieve.shape.designs import Maker, fields, indexed
+from stages.retrieve.shape.encoder import WEIGHTS, encode
+
+
+def write(maker: Maker, out: Path = INDEX, weights: Path = WEIGHTS) -> int:
+    """Builds and encodes every indexed design; returns how many. The same library and weights give the same bytes."""
+    designs = list(indexed(maker))
+    latent = encode(fields(maker, designs), weights)
+    record = {"weights": hashlib.sha256(weights.read_bytes()).hexdigest(), "pieces": len(designs)}
+    header = {"category": [d.category for d in designs], "style": [d.style for d in designs], "record": record}
+    tensors: dict[str, NDArray[Any]] = {
+        "latent": latent.astype(np.float16),
+        "seed": np.asarray([d.seed for d in designs], np.int8),
+        "size": np.asarray([d.size for d in designs], np.float32),
+    }
+    save_file(tensors, out, metadata={"apartgen": json.dumps(header, sort_keys=True)})
+    return len(designs)

@@ -1,0 +1,101 @@
+"""A stand-in library of plain shapes, and rooms to place them in."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from schemas.errors import BadInput
+from schemas.layout import Layout
+from stages.asset import Array, Asset, Collider, Link, Material, Mesh
+
+STYLES = ("block", "legs", "panel", "steps")
+COLORS = {"block": (0.2, 0.2, 0.2, 1.0), "legs": (0.8, 0.6, 0.4, 1.0),
+          "panel": (0.9, 0.9, 0.9, 1.0), "steps": (0.3, 0.5, 0.7, 1.0)}
+FACES = np.array([[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4],
+                  [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6], [3, 0, 4], [3, 4, 7]])
+
+
+def box(lo: tuple[float, ...], hi: tuple[float, ...], material: Material) -> tuple[Mesh, Collider]:
+    """A closed box between two corners."""
+    a, b = np.asarray(lo, float), np.asarray(hi, float)
+    low = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
+    unit = np.concatenate([np.c_[low, np.zeros(4)], np.c_[low, np.ones(4)]])
+    return Mesh(a + unit * (b - a), FACES, material), Collider("box", (a + b) / 2, b - a)
+
+
+def _parts(style: str, half: Array) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
+    x, y, z = half
+    match style:
+        case "block":
+            return [((-x, -y, -z), (x, y, z))]
+        case "legs":
+            t = 0.15 * min(x, y)
+            top = z - min(0.04, z)
+            corners = [(sx * (x - t), sy * (y - t)) for sx in (-1, 1) for sy in (-1, 1)]
+            return [((-x, -y, top), (x, y, z))] + [((cx - t, cy - t, -z), (cx + t, cy + t, top)) for cx, cy in corners]
+        case "panel":
+            return [((-x, -y, -z), (-0.8 * x, y, z)), ((-0.8 * x, -y, -z), (x, y, -0.8 * z))]
+        case "steps":
+            return [((-x, -y, -z), (x, y, 0)), ((-x, -y, 0), (0, y, z))]
+    raise BadInput(f"no style {style}")
+
+
+def styles(category: str) -> tuple[str, ...]:
+    return STYLES
+
+
+def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
+    material = Material(style, COLORS[style])
+    made = [box(lo, hi, material) for lo, hi in _parts(style, np.asarray(size) / 2)]
+    base = Link("base", [mesh for mesh, _ in made], [collider for _, collider in made], 10.0)
+    return Asset("parametric", f"{category}/{style}/{size[0]}x{size[1]}x{size[2]}/{seed}", category, style, size, [base])
+
+
+def load(id: str) -> Asset:
+    category, style, size, seed = id.split("/")
+    d, w, h = (float(side) for side in size.split("x"))
+    return build(category, style, (d, w, h), int(seed))
+
+
+@pytest.fixture(scope="session")
+def maker():
+    """A builder with the embedded library's interface."""
+    return SimpleNamespace(styles=styles, build=build, load=load)
+
+
+@pytest.fixture(scope="session")
+def trained(maker, tmp_path_factory):
+    """Weights and index of a small shape model of the stand-in library."""
+    pytest.importorskip("torch")
+    from stages.retrieve.shape import catalogue
+    from stages.retrieve.shape.train import ShapeTraining, train
+
+    folder = tmp_path_factory.mktemp("shape")
+    weights, index = folder / "weights.safetensors", folder / "index.safetensors"
+    train(ShapeTraining(variants=2, epochs=8), weights, maker=maker)
+    catalogue.write(maker, index, weights)
+    return weights, index
+
+
+@pytest.fixture(scope="session")
+def libraries(maker, trained):
+    """The stand-in library, open."""
+    from stages import latents
+    from stages.retrieve.matching.config import RetrieveConfig
+    from stages.retrieve.matching.embedded import Embedded
+    from stages.retrieve.matching.libraries import LibrarySet
+
+    return LibrarySet(Embedded(RetrieveConfig(), latents.index(trained[1]), maker), [])
+
+
+@pytest.fixture
+def flat():
+    """Makes a layout of one room, 4 × 5 m, holding the given objects."""
+    def make(*objects: dict, type: str = "bedroom") -> Layout:
+        room = f"{type}_1"
+        rooms = [{"id": room, "type": type, "polygon": [[0, 0], [4, 0], [4, 5], [0, 5]]}]
+        door = {"id": "d", "kind": "entrance", "rooms": [room], "segment": [[3, -0.15], [3.9, -0.15]], "sill": 0, "head": 2}
+        named = [{"id": f"o{i}", "room": room, "yaw": 0.0} | each for i, each in enumerate(objects)]
+        return Layout(program={"rooms": rooms}, rooms=rooms, openings=[door], objects=named)
+    return make
