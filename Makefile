@@ -1,0 +1,42 @@
+# `make demo` and `make test` need Python 3.11 or newer, make and a C compiler; everything else is installed into .venv.
+# PIP_ARGS reaches every pip install, e.g. to choose another index or another build of torch.
+PYTHON ?= python3
+PIP_ARGS ?=
+PROMPT ?= two-bedroom flat
+WORKERS ?= auto
+
+BIN := .venv/bin
+READY := .venv/.ready
+
+.PHONY: demo test acceptance lint types check lock clean
+
+demo: $(READY)
+	$(BIN)/apartgen make "$(PROMPT)" -o demo/
+
+test: $(READY)
+	$(BIN)/python -m pytest -q -n $(WORKERS)
+
+# Minutes: twenty prompts through every stage and into the simulator, and what one run costs.
+acceptance: $(READY)
+	$(BIN)/python -m pytest -q -s -m slow tests/test_acceptance.py
+
+lint: $(READY)
+	$(BIN)/ruff check .
+
+types: $(READY)
+	$(BIN)/mypy
+
+check: test lint types
+
+$(READY): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e ".[dev]"
+	@touch $@
+
+# Pins what is installed now, after trying newer versions.
+lock: $(READY)
+	$(BIN)/python -m pip freeze --exclude-editable | sed 's/+cpu$$//' > constraints.txt
+
+clean:
+	rm -rf .venv build demo *.egg-info
