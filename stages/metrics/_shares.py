@@ -1,0 +1,34 @@
+"""Shares of things by room and over the whole apartment, as artifact values."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from schemas.layout import Box, Layout
+from schemas.metrics import Value
+from schemas.plan import Plan
+from stages import footprints
+from stages.boxes import Mask
+
+
+def objects(home: Plan) -> list[Box]:
+    """All objects of an artifact; none of a bare plan."""
+    return list(home.objects) if isinstance(home, Layout) else []
+
+
+def solid(home: Plan) -> list[Box]:
+    """All objects but those that are part of the floor (rugs)."""
+    return [o for o in objects(home) if not footprints.is_flat(o)]
+
+
+def share(name: str, version: str, of: str, hit: Mask) -> Value:
+    """One share; None of nothing."""
+    return Value(name=name, value=float(hit.mean()) if hit.size else None, unit="share", version=version, of=of,
+                 n=int(hit.size))
+
+
+def shares(home: Plan, name: str, version: str, hit: Mask, things: Sequence[Box]) -> list[Value]:
+    """Share of `things` that are `hit` (n,), over the apartment and in each room that has any."""
+    rooms = np.array([o.room for o in things], object)
+    of_rooms = [share(name, version, room.id, hit[rooms == room.id]) for room in home.rooms if (rooms == room.id).any()]
+    return [share(name, version, "apartment", hit), *of_rooms]

@@ -1,0 +1,36 @@
+"""Col_obj, Col_scene: objects whose box stands in another's, and scenes that have any."""
+
+import numpy as np
+
+from schemas.layout import Layout
+from schemas.metrics import Value
+from schemas.plan import Plan, Program
+from stages import boxes, categories
+from stages.boxes import TOLERANCE
+from stages.metrics._shares import shares, solid
+
+NEEDS = Layout
+STRICT = 1e-6
+"""Depth above which boxes that merely touch do not count, m."""
+
+
+def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
+    """Versions: ours = deeper than 1 cm, without pairs that belong together · strict = the same at 0 ·
+    grouped = deeper than 1 cm, all pairs · published = PhyScene's `rotated_bbox`: all pairs, any overlap.
+    """
+    things = solid(home)
+    depth = boxes.penetration(boxes.of(things))
+    together = [[categories.belong_together(a.category, b.category) for b in things] for a in things]
+    apart = ~np.array(together, bool).reshape(depth.shape)
+    versions = {
+        "ours": (depth > TOLERANCE) & apart,
+        "strict": (depth > STRICT) & apart,
+        "grouped": depth > TOLERANCE,
+        "published": depth > STRICT,
+    }
+    values = []
+    for version, pairs in versions.items():
+        hit = pairs.any(-1)
+        values += shares(home, "Col_obj", version, hit, things)
+        values.append(Value(name="Col_scene", value=float(hit.any()), unit="scene", version=version))
+    return values
