@@ -1,0 +1,253 @@
+"""Room phrases resolved to rooms: which mentions are new rooms, which speak of known ones."""
+
+import math
+from dataclasses import dataclass, field
+
+from stages.plan.reader.phrases import RoomPhrase
+
+DISTINCT = ("master", "guest", "kids", "small", "double", "ensuite", "half", "shower", "family", "shared_pair", "entrance", "eat_in", "size")
+"""Labels that tell one room from another of its type."""
+PAIRED = ("all", "each", "both")
+MOST = 40
+"""Rooms of one home."""
+
+
+@dataclass(eq=False)
+class Entity:
+    """One room of the home being described."""
+
+    type: str
+    labels: set[str] = field(default_factory=set)
+    area: float | None = None
+    share: float | None = None
+    factor: float = 1.0
+    owner: "Entity | None" = None
+    objects: list[tuple[str, int]] = field(default_factory=list)
+    object_count: int | None = None
+    counted: bool = False
+    picked: bool = False
+
+
+class Household:
+    """Rooms in the order of their creation, and what each phrase refers to."""
+
+    def __init__(self, mentions: set[int]) -> None:
+        self.rooms: list[Entity] = []
+        self.refs: dict[int, list[Entity]] = {}
+        self.totals: dict[str, int] = {}
+        self.banned: set[tuple[str, str]] = set()
+        self.open_kitchen = False
+        self.mentions = mentions
+        self.last: list[Entity] = []
+        self.group: list[Entity] = []
+
+    def of(self, kind: str) -> list[Entity]:
+        """Rooms of a type."""
+        return [e for e in self.rooms if e.type == kind]
+
+    def add(self, kind: str, count: int = 1, **traits: object) -> list[Entity]:
+        """New rooms."""
+        made = [Entity(kind, **traits) for _ in range(max(0, min(count, MOST + 1 - len(self.rooms))))]  # type: ignore[arg-type]
+        self.rooms += made
+        return made
+
+    def resolve(self, phrase: RoomPhrase) -> list[Entity]:
+        """Rooms the phrase refers to, made where needed, with its traits laid on them."""
+        if phrase.negated:
+            self._ban(phrase)
+            self.refs[id(phrase)] = []
+            return []
+        found = self._find(phrase)
+        self._lay(phrase, found)
+        self.refs[id(phrase)] = found
+        if len(found) > 1:
+            self.group = found
+        self.last = found or self.last
+        for owned in phrase.owned:
+            self._own(owned, found)
+        return found
+
+    def _ban(self, phrase: RoomPhrase) -> None:
+        if phrase.type == "kitchen" and "separate" in phrase.labels:
+            self.open_kitchen = True
+        elif "separate" not in phrase.labels:
+            label = next((x for x in sorted(phrase.labels) if x in DISTINCT), "")
+            self.banned.add((phrase.type, label))
+
+    def _find(self, phrase: RoomPhrase) -> list[Entity]:
+        if phrase.type == "":
+            return self._ellipsis(phrase)
+        if phrase.type == "any":
+            return [] if phrase.quantifier != "other" else []
+        if "halls" in phrase.labels:
+            return self._halls(phrase)
+        if phrase.headline and phrase.count is not None:
+            return self._headline(phrase)
+        if phrase.ordinals:
+            self._ensure(phrase.type, max(phrase.ordinals))
+            return [self.of(phrase.type)[n - 1] for n in phrase.ordinals]
+        if phrase.quantifier in (*PAIRED, "one_of", "other") or (phrase.quantifier == "the" and phrase.count):
+            return self._partitive(phrase)
+        labels = phrase.labels & set(DISTINCT)
+        if labels:
+            return self._labelled(phrase, labels)
+        return self._plain(phrase)
+
+    def _halls(self, phrase: RoomPhrase) -> list[Entity]:
+        """Chinese counts of halls: the first is the living room, the second the dining room."""
+        count = int(phrase.count or 1)
+        made = self._ensure("living_room", 1 if count else 0)
+        return made + (self._ensure("dining_room", 1) if count > 1 else [])
+
+    def _headline(self, phrase: RoomPhrase) -> list[Entity]:
+        count = phrase.count or 0
+        self.totals[phrase.type] = math.ceil(count)
+        found = self._ensure(phrase.type, math.ceil(count), counted=True)
+        self._half(phrase, found)
+        return found
+
+    def _half(self, phrase: RoomPhrase, found: list[Entity]) -> None:
+        if phrase.type == "bathroom" and phrase.count and phrase.count % 1 and found:
+            found[-1].labels.add("half")
+
+    def _ensure(self, kind: str, count: int, counted: bool = False) -> list[Entity]:
+        """At least `count` rooms of a type; all of them."""
+        self.add(kind, count - len(self.of(kind)))
+        for entity in self.of(kind):
+            entity.counted = entity.counted or counted
+        return self.of(kind)
+
+    def _ellipsis(self, phrase: RoomPhrase) -> list[Entity]:
+        pool = self.group or self.last
+        if not pool:
+            return []
+        phrase.type = pool[0].type
+        free = [e for e in pool if not e.picked] or pool
+        if phrase.quantifier in PAIRED and not phrase.count:
+            return pool
+        if phrase.quantifier == "other" and not phrase.count:
+            found = free
+        elif phrase.ordinals:
+            found = [pool[n - 1] for n in phrase.ordinals if n <= len(pool)]
+        else:
+            found = free[: int(phrase.count or 1)]
+        for entity in found:
+            entity.picked = True
+        if "ensuite?" in phrase.labels:
+            phrase.labels = {"ensuite"} if phrase.type == "bathroom" else set()
+            phrase.owned += [] if phrase.type == "bathroom" else [RoomPhrase("bathroom", {"ensuite"}, quantifier="each")]
+        return found
+
+    def _partitive(self, phrase: RoomPhrase) -> list[Entity]:
+        labels = phrase.labels & {"master", "guest", "kids"}
+        known = [e for e in self.of(phrase.type) if not labels or labels & e.labels]
+        if phrase.quantifier in ("one_of", "other"):
+            whole = self._ensure(phrase.type, int(phrase.count or 2) if phrase.quantifier == "one_of" else max(len(known), 1))
+            free = [e for e in whole if not e.picked and (phrase.quantifier == "one_of" or e not in self.last)]
+            found = (free or whole[-1:])[: None if phrase.quantifier == "other" and phrase.plural else 1]
+            found = found[: int(phrase.count)] if phrase.quantifier == "other" and phrase.count else found
+            for entity in found:
+                entity.picked = True
+            return found
+        count = int(phrase.count or (2 if phrase.quantifier == "both" else 0))
+        if labels and not known:
+            return self.add(phrase.type, max(count, 2 if phrase.plural else 1), labels=set(labels))
+        if phrase.quantifier == "the" and len(known) > count > 0:
+            free = [e for e in known if not e.picked and not e.labels & set(DISTINCT)]
+            return (free if len(free) >= count else known)[:count]
+        found = self._ensure(phrase.type, max(count, len(known), 1)) if not labels else known
+        return found
+
+    def _labelled(self, phrase: RoomPhrase, labels: set[str]) -> list[Entity]:
+        count = int(phrase.count or (2 if phrase.plural else 1))
+        known = [e for e in self.of(phrase.type) if labels & e.labels]
+        if known and (phrase.quantifier in ("the", "") or id(phrase) in self.mentions) and phrase.count is None:
+            return known
+        if labels == {"size"} or labels == {"family"}:
+            free = [e for e in self.of(phrase.type) if not e.picked and not e.labels & set(DISTINCT)]
+            if free and (phrase.quantifier == "the" or id(phrase) in self.mentions):
+                return free[:1]
+        free = [e for e in self.of(phrase.type) if not e.labels & set(DISTINCT) and not e.picked and e.owner is None]
+        total = phrase.type in self.totals or phrase.subset
+        take = [] if phrase.quantifier == "another" else free if total else free if phrase.quantifier == "the" or self._counted(free) else []
+        found = take[:count]
+        if phrase.type in self.totals and phrase.quantifier != "another" and "half" not in labels:
+            count = max(len(found), 1) if found else count
+        found += self.add(phrase.type, count - len(found))
+        for entity in found:
+            entity.labels |= labels
+            entity.picked = True
+        return found
+
+    def _counted(self, free: list[Entity]) -> bool:
+        """`two bathrooms, ensuite in the master`: the ensuite is one of the two."""
+        return bool(free) and free[0].type == "bathroom" and len([e for e in free if e.counted]) > 1
+
+    def _plain(self, phrase: RoomPhrase) -> list[Entity]:
+        known = self.of(phrase.type)
+        mentioned = id(phrase) in self.mentions
+        if phrase.quantifier == "another":
+            return self.add(phrase.type, int(phrase.count or 1))
+        if phrase.count is None:
+            return self._uncounted(phrase, known, mentioned)
+        count = math.ceil(phrase.count)
+        if phrase.type in self.totals or (mentioned and len(known) >= count):
+            free = [e for e in known if not e.picked] or known
+            return free[:count] if count < len(known) else self._ensure(phrase.type, count)
+        if phrase.type == "bathroom" and count > 1 and any(e.owner for e in known):
+            found = self._ensure(phrase.type, count, counted=True)
+        else:
+            found = self.add(phrase.type, count, counted=count > 1)
+        self._half(phrase, found)
+        return found
+
+    def _uncounted(self, phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> list[Entity]:
+        if phrase.plural or phrase.quantifier == "several":
+            few = 3 if phrase.quantifier == "several" else 2
+            return known if len(known) > 1 else self._ensure(phrase.type, few)
+        single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
+        refers = phrase.quantifier == "the" or (mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals))
+        if known and refers:
+            free = [e for e in known if e.owner is None] or known
+            last = [e for e in self.last if e in free]
+            return (last or ([e for e in free if not e.picked] or free))[:1]
+        if known and phrase.subset:
+            return [e for e in known if not e.picked][:1] or known[:1]
+        if phrase.type in self.totals and known and phrase.type == "bathroom":
+            return [e for e in known if e.owner is None][:1] or known[:1]
+        return self.add(phrase.type)
+
+    def _lay(self, phrase: RoomPhrase, found: list[Entity]) -> None:
+        """Areas, traits and furniture of a phrase onto its rooms."""
+        for k, entity in enumerate(found):
+            if phrase.areas and entity.area is None:
+                entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
+            entity.share = phrase.share if phrase.share is not None else entity.share
+            entity.factor *= phrase.factor
+            entity.labels |= phrase.labels - {"size", "ensuite?", "own", "halls"}
+            entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
+            entity.objects += phrase.objects
+
+    def _own(self, owned: RoomPhrase, owners: list[Entity]) -> None:
+        """Rooms that open off their owners."""
+        if not owners or owned.negated:
+            return
+        every = owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
+        made: list[Entity] = []
+        for owner in owners if every else owners[:1]:
+            count = 1 if every else int(owned.count or 1)
+            found = self._claim(owned, count)
+            for entity in found:
+                entity.owner = owner
+            made += found
+        self._lay(owned, made)
+        self.refs[id(owned)] = made
+        for inner in owned.owned:
+            self._own(inner, made)
+
+    def _claim(self, owned: RoomPhrase, count: int) -> list[Entity]:
+        free = [e for e in self.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}]
+        within = owned.type in self.totals or self._counted(free) or owned.quantifier == "the" or owned.type in ("kitchen", "dining_room")
+        named = [e for e in free if "ensuite" in e.labels]
+        found = (named or (free if within else []))[:count]
+        return found + self.add(owned.type, count - len(found))

@@ -1,0 +1,90 @@
+"""Completes the door graph of a programme: every room is reached, none through a bedroom or a bathroom."""
+
+from schemas.plan import AskedRoom, Link
+from stages.plan.reader.sense import may_cross, opens_onto, sense
+
+OWNED = ("bathroom", "closet", "study", "storage", "utility", "balcony")
+"""Types that may be a private annex of a bedroom."""
+
+
+def edge(a: str, b: str) -> Link:
+    """A link in canonical order."""
+    return (a, b) if a <= b else (b, a)
+
+
+def hub(rooms: list[AskedRoom]) -> AskedRoom:
+    """Where one comes in: the first hallway, else the living room, else what is most public."""
+    order = sense()["order"]["types"]
+    return min(rooms, key=lambda r: (order.index(r.type), rooms.index(r)))
+
+
+def mark_private(rooms: list[AskedRoom], links: list[Link]) -> None:
+    """What opens only off a bedroom is that bedroom's own; a pair of bedrooms may share a bathroom."""
+    kind = {r.id: r.type for r in rooms}
+    for room in rooms:
+        near = [b if a == room.id else a for a, b in links if room.id in (a, b)]
+        if room.type in OWNED and room.private_to is None and near and all(kind[n] == "bedroom" for n in near):
+            room.private_to = near[0]
+
+
+def reached(rooms: list[AskedRoom], links: list[Link], start: str) -> set[str]:
+    """Ids reached from `start` without crossing a private room."""
+    kind = {r.id: r.type for r in rooms}
+    owner = {r.id: r.private_to for r in rooms}
+    seen, queue = {start}, [start]
+    while queue:
+        here = queue.pop()
+        for a, b in links:
+            if here not in (a, b):
+                continue
+            there = b if a == here else a
+            crossing = here == start or may_cross(kind[here]) or owner[there] == here
+            if crossing and there not in seen:
+                seen.add(there)
+                queue.append(there)
+    return seen
+
+
+def complete_links(rooms: list[AskedRoom], links: list[Link], forbidden: set[Link]) -> list[Link]:
+    """`links` and as many more as needed, by `sense.toml`."""
+    out = sorted({edge(a, b) for a, b in links}, key=_natural)
+    for room in rooms:
+        if room.private_to is not None and not any(room.id in pair for pair in out):
+            out.append(edge(room.id, room.private_to))
+    mark_private(rooms, out)
+    start = hub(rooms).id
+    order = sense()["order"]["types"]
+    for room in sorted(rooms, key=lambda r: order.index(r.type)):
+        seen = reached(rooms, out, start)
+        if room.id not in seen:
+            partner = _partner(room, rooms, out, seen, forbidden)
+            if partner is not None:
+                out.append(edge(room.id, partner))
+    return sorted(set(out) | set(_also(rooms, links, out, forbidden)), key=_natural)
+
+
+def _natural(link: Link) -> tuple[str, str]:
+    return link
+
+
+def _partner(room: AskedRoom, rooms: list[AskedRoom], links: list[Link], seen: set[str], forbidden: set[Link]) -> str | None:
+    """The best reached room for a new door; a second hallway serves the private rooms."""
+    for kind in opens_onto(room.type):
+        near = [r for r in rooms if r.type == kind and r.id in seen and r.id != room.id and edge(r.id, room.id) not in forbidden]
+        if kind == "hallway" and room.type in ("bedroom", "bathroom", "study"):
+            near = near[::-1]
+        if near:
+            return near[0].id
+    return None
+
+
+def _also(rooms: list[AskedRoom], said: list[Link], links: list[Link], forbidden: set[Link]) -> list[Link]:
+    out: list[Link] = []
+    for kind, others in sense()["also"].items():
+        for room in rooms:
+            if room.type != kind or any(room.id in pair for pair in said):
+                continue
+            near = [r.id for other in others for r in rooms if r.type == other]
+            if near and edge(room.id, near[0]) not in forbidden:
+                out.append(edge(room.id, near[0]))
+    return out

@@ -1,0 +1,94 @@
+"""The stages of reading chained: tokens, lexemes, phrases, statements."""
+
+from stages.plan.reader.attachments import attach_areas, attach_owned, comparisons, mark_headlines, merge_ensuites, spread_negation
+from stages.plan.reader.lexemes import lexemes
+from stages.plan.reader.lexicon import load
+from stages.plan.reader.phrases import Item, Phraser, RoomPhrase
+from stages.plan.reader.relations import relations
+from stages.plan.reader.statements import Said, Statement, is_mark, open_groups, rooms_of, sentences
+from stages.plan.reader.tokens import fold, tokenize
+
+
+def parse(prompt: str) -> Said:
+    """Everything a prompt says, as room phrases and statements between them."""
+    lexicon = load()
+    phraser = Phraser(lexicon).walk(lexemes(tokenize(fold(prompt)), lexicon))
+    said = Said(unread=list(phraser.unread))
+    _whole(phraser.items, said)
+    before: list[RoomPhrase] = []
+    for sentence in sentences(phraser.items):
+        before = _sentence(sentence, said, before)
+    return said
+
+
+def _whole(items: list[Item], said: Said) -> None:
+    """What concerns the flat as a whole, wherever it stands."""
+    for k, item in enumerate(items):
+        match item.kind:
+            case "only":
+                said.only = said.only or item.value == "only" or _lists_home(items[k:])
+            case "graph":
+                said.graph = True
+            case "style":
+                said.styles.append(item.value)
+            case "shape":
+                said.shape = item.value
+            case "main_rooms":
+                said.main_rooms = int(item.number)
+            case "flat_size":
+                said.flat_size *= item.number
+            case "side":
+                role = [i.value for i in items[max(0, k - 4) : k + 4] if i.kind == "side_role"]
+                said.sides += [(role[0], item.value)] if role else []
+
+
+def _lists_home(after: list[Item]) -> bool:
+    """Whether `only`, `just`, `exactly` is said of a whole list of rooms rather than of one."""
+    run = 0
+    for item in after[1:]:
+        if is_mark(item, ".;"):
+            break
+        run += item.room is not None
+    return run >= 2
+
+
+def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[RoomPhrase]:
+    """Add one sentence to `said`; returns what "it" may mean in the next."""
+    spread_negation(items)
+    mark_headlines(items, said)
+    for item in items:
+        if item.kind == "dwelling":
+            said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
+    items = merge_ensuites(items)
+    items = attach_areas(items, said)
+    items = [i for i in items if i.kind not in ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "pronoun", "unit", "ordinal")]
+    items = _adjectives(items)
+    items, found = open_groups(items)
+    said.statements += found
+    items = attach_owned(items, said)
+    items, found = comparisons(items)
+    said.statements += found
+    said.rooms += [r for r in rooms_of(items) if r not in said.rooms]
+    doors = relations(items, before, said.graph)
+    said.statements += doors
+    return (doors[-1].left if doors and not before else doors[0].left if doors else rooms_of(items)[-1:]) or before
+
+
+def _adjectives(items: list[Item]) -> list[Item]:
+    """`the kitchen is small`: a size after its room."""
+    out: list[Item] = []
+    for item in items:
+        last = next((i.room for i in reversed(out) if i.kind != "copula"), None)
+        if item.kind == "size":
+            if last is not None:
+                last.factor *= item.number
+        elif item.kind != "label" or last is None:
+            out.append(item)
+        else:
+            last.labels.add(item.value)
+    return [i for i in out if i.kind != "label"]
+
+
+def mentions(statements: list[Statement]) -> set[int]:
+    """Ids of the phrases that stand in a statement, which more often speak of known rooms."""
+    return {id(p) for s in statements for p in (*s.left, *s.right)}

@@ -1,0 +1,193 @@
+"""Doors between rooms: finds the subject and the objects of every relation in a sentence."""
+
+from dataclasses import dataclass
+
+from stages.plan.reader.phrases import Item, RoomPhrase
+from stages.plan.reader.statements import Statement, is_mark
+
+
+@dataclass
+class _Predicate:
+    """A relation at `at`; its subject lies in items[subject[0]:subject[1]], shared with what came before if `after`."""
+
+    at: int
+    kind: str
+    form: str
+    negated: bool
+    subject: tuple[int, int] = (0, 0)
+    shared: bool = False
+    objects: int = 0
+
+
+def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[Statement]:
+    """Statements of one sentence; `before` is what "it" at its start refers to."""
+    found = _predicates(items, graph)
+    floor = 0
+    for k, p in enumerate(found):
+        _find_subject(items, p, found[k - 1] if k else None, floor)
+        floor = p.objects
+    out = []
+    for k, p in enumerate(found):
+        left = _rooms(items, *p.subject) or before
+        stop = found[k + 1] if k + 1 < len(found) else None
+        right = _objects(items, p, stop, left)
+        out += _statement(p, left, right)
+    return out
+
+
+def _rooms(items: list[Item], start: int, end: int) -> list[RoomPhrase]:
+    return [i.room for i in items[start:end] if i.room is not None and not i.room.negated]
+
+
+def _predicates(items: list[Item], graph: bool) -> list[_Predicate]:
+    out: list[_Predicate] = []
+    for k, item in enumerate(items):
+        negated = any(i.kind == "negation" and i.value == "not" for i in items[max(0, k - 2) : k])
+        aux = next((i.value for i in reversed(items[max(0, k - 2) : k]) if i.kind == "copula"), None)
+        first = not any(i.room for i in items[:k]) or (k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ",")))
+        if _is_front(items, k, first):
+            out.append(_Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
+        elif item.kind == "link":
+            if out and out[-1].form == "front" and k <= out[-1].at:
+                continue
+            if item.value == "to" and not (k and items[k - 1].room is not None and k + 1 < len(items) and items[k + 1].room is not None):
+                continue
+            out.append(_Predicate(k, item.value, item.form or aux or "part", negated))
+        elif item.kind == "relative" and item.value == "from_which":
+            out.append(_Predicate(k, "door", "which", negated))
+        elif item.kind == "boundary" and item.value == "then" and k + 1 < len(items) and items[k + 1].room is not None and k and _near_room(items, k):
+            out.append(_Predicate(k, "door", "which", False))
+        elif is_mark(item, "-" if not graph else "-:") and 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None:
+            out.append(_Predicate(k, "door", "part" if item.value == "-" else "s", False))
+    return out
+
+
+def _near_room(items: list[Item], k: int) -> bool:
+    return items[k - 1].room is not None or (k > 1 and is_mark(items[k - 1], ",") and items[k - 2].room is not None)
+
+
+def _is_front(items: list[Item], k: int, first: bool) -> bool:
+    """`from the hallway you reach …`, `off the hall are …`."""
+    item = items[k]
+    starts = item.kind == "front" or (item.kind == "link" and item.value == "door" and item.form == "" and item.text in ("off", "off of"))
+    follows = k + 1 < len(items) and items[k + 1].room is not None
+    return starts and first and follows and _reach(items, k) > k
+
+
+def _reach(items: list[Item], k: int) -> int:
+    """Where the verb of a fronted clause stands, k when there is none."""
+    for j in range(k + 2, len(items)):
+        if items[j].kind in ("reach", "copula") or (items[j].kind == "link" and items[j].form in ("s", "p")):
+            return j
+        if items[j].room is None and items[j].kind != "conjunction":
+            return k
+    return k
+
+
+def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, floor: int) -> None:
+    """Set `p.subject` and `p.shared`."""
+    p.objects = p.at + 1
+    if p.form == "front":
+        return
+    start = last.at + 1 if last else 0
+    rooms = [j for j in range(start, p.at) if items[j].room is not None]
+    between = items[rooms[-1] + 1 : p.at] if rooms else items[start : p.at]
+    if not rooms or (last and _verb_coordination(between)):
+        p.subject = last.subject if last else (0, 0)
+        if last and not rooms and p.form not in ("s", "p", ""):
+            p.subject = last.subject
+        p.shared = True
+        return
+    relative = any(i.kind == "relative" for i in between) or p.form == "which"
+    if relative or p.form == "part":
+        near = rooms[-1] == p.at - 1 or relative or is_mark(items[p.at - 1], ",)")
+        p.subject = (_and_group(items, rooms[-1], start, whole=p.kind == "share"), rooms[-1] + 1)
+        if p.kind == "to" or p.form == "which" or not near or (relative and p.form == "s"):
+            p.subject = (rooms[-1], rooms[-1] + 1)
+        p.shared = True
+        return
+    p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _verb_coordination(between: list[Item]) -> bool:
+    """`X leads to Y and opens onto Z`: a conjunction, no relative, right before the verb."""
+    return any(i.kind == "conjunction" for i in between) and not any(i.kind == "relative" for i in between)
+
+
+def _and_group(items: list[Item], at: int, floor: int, whole: bool = False) -> int:
+    """Start of the rooms joined by `and` that end at `at`."""
+    while at - 2 >= floor and items[at - 2].room is not None and (items[at - 1].kind == "conjunction" or (whole and is_mark(items[at - 1], ","))):
+        at -= 2
+    return at
+
+
+def _clause_start(items: list[Item], rooms: list[int], p: _Predicate, last: _Predicate | None) -> int:
+    """Where the subject of a finite verb begins."""
+    one = items[rooms[-1]].room
+    if p.form == "s" and one is not None and not one.plural and one.quantifier not in ("all", "both"):
+        return rooms[-1]
+    start = rooms[0]
+    for j in range(rooms[-1] - 1, (last.at if last else -1), -1):
+        if items[j].kind in ("boundary", "dwelling", "with", "relative") or is_mark(items[j], ":()"):
+            start = min(r for r in rooms if r > j)
+            break
+    if not last:
+        return start
+    after = [j for j in range(max(start, last.at + 1), rooms[-1]) if is_mark(items[j], ",")]
+    if any(r > start and items[j].kind in ("boundary",) for r in rooms for j in range(last.at, start)):
+        return start
+    if after and all(j < rooms[-1] for j in after):
+        return min(r for r in rooms if r > after[0 if _comma_and(items, after[0]) else -1])
+    return start if start > rooms[0] else rooms[-1]
+
+
+def _comma_and(items: list[Item], j: int) -> bool:
+    return j + 1 < len(items) and items[j + 1].kind == "conjunction"
+
+
+def _objects(items: list[Item], p: _Predicate, following: _Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
+    """Rooms after the relation, up to the next clause."""
+    end = len(items)
+    if following is not None:
+        end = following.subject[1] if following.shared else following.subject[0]
+        end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
+    out: list[RoomPhrase] = []
+    for j in range(p.at + 1, min(end, len(items))):
+        item = items[j]
+        phrase = item.room
+        if phrase is not None:
+            if out and not _continues(items, p, j, out):
+                break
+            if not phrase.negated and phrase not in left:
+                out.append(phrase)
+        elif item.kind in ("boundary", "dwelling") or is_mark(item, ":()") or (item.kind == "with" and out):
+            break
+    return out
+
+
+def _continues(items: list[Item], p: _Predicate, j: int, out: list[RoomPhrase]) -> bool:
+    """Whether the room at `j` is one more object of the relation."""
+    phrase, first = items[j].room, out[0]
+    assert phrase is not None
+    if p.kind == "to" or (p.form == "which" and is_mark(items[j - 1], ",")):
+        return False
+    if p.kind == "between":
+        return len(out) < 2 or items[j - 1].kind == "conjunction"
+    if p.form != "part":
+        return True
+    same = first.definite == phrase.definite
+    if first.definite or first.quantifier == "" and p.kind in ("near", "open"):
+        return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same
+    return same or not phrase.definite
+
+
+def _statement(p: _Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
+    kind = "not" if p.negated else p.kind
+    if p.kind == "between":
+        hubs = left if left and left[-1] not in right else []
+        if hubs:
+            return [Statement("door", hubs[-1:], right)] if right else []
+        return [Statement("door", right[:1], right[1:])] if len(right) > 1 else []
+    if kind == "to":
+        kind = "door"
+    return [Statement(kind, left, right)] if left and right else []

@@ -1,0 +1,50 @@
+"""Spelling correction against the lexicon's own words."""
+
+from functools import cache
+
+from stages.plan.reader.lexicon import Lexicon, load
+
+
+def correct(word: str, lexicon: Lexicon) -> str:
+    """The lexicon's nearest word within one slip (two from nine letters), or the word itself."""
+    known = (word,) in lexicon.entries or word in lexicon.words
+    return word if known or len(word) < 5 or not word.isascii() else _nearest(word)
+
+
+@cache
+def _by_length() -> dict[int, list[str]]:
+    out: dict[int, list[str]] = {}
+    for word in sorted(load().words):
+        out.setdefault(len(word), []).append(word)
+    return out
+
+
+@cache
+def _nearest(word: str) -> str:
+    most = 1 if len(word) < 8 else 2
+    best, least = word, most + 1
+    for length in range(len(word) - most, len(word) + most + 1):
+        for other in _by_length().get(length, []):
+            slips = distance(word, other, least)
+            if slips < least and (other[0] == word[0] or other[:2] == word[1::-1]):
+                best, least = other, slips
+    return best
+
+
+def distance(a: str, b: str, limit: int) -> int:
+    """Damerau-Levenshtein distance (neighbours swapped count once), `limit` when it is not below."""
+    if abs(len(a) - len(b)) >= limit:
+        return limit
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, x in enumerate(a, 1):
+        new = [i]
+        for j, y in enumerate(b, 1):
+            cost = min(row[j] + 1, new[j - 1] + 1, row[j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and y == a[i - 2]:
+                cost = min(cost, before[j - 2] + 1)
+            new.append(cost)
+        if min(new) >= limit:
+            return limit
+        before, row = row, new
+    return min(row[-1], limit)

@@ -1,0 +1,109 @@
+"""What a sentence says about its rooms, as statements between room phrases."""
+
+from dataclasses import dataclass, field
+
+from stages.plan.reader.phrases import OPEN_TYPES, Item, RoomPhrase
+
+
+@dataclass(eq=False)
+class Statement:
+    """`kind`: door, only, open, near, share, not (no door), compare (left = number × right), equal."""
+
+    kind: str
+    left: list[RoomPhrase]
+    right: list[RoomPhrase]
+    number: float = 1.0
+
+
+@dataclass
+class Said:
+    """Everything read from a prompt. `rooms` in the order of the text, owned ones after their owners."""
+
+    rooms: list[RoomPhrase] = field(default_factory=list)
+    statements: list[Statement] = field(default_factory=list)
+    loose_objects: list[tuple[str, int]] = field(default_factory=list)
+    total_area: float | None = None
+    flat_size: float = 1.0
+    dwelling: str = ""
+    main_rooms: int | None = None
+    only: bool = False
+    graph: bool = False
+    styles: list[str] = field(default_factory=list)
+    shape: str = ""
+    sides: list[tuple[str, str]] = field(default_factory=list)
+    unread: list[str] = field(default_factory=list)
+
+
+def is_mark(item: Item, marks: str) -> bool:
+    """Whether the item is one of these punctuation marks."""
+    return item.kind == "mark" and item.value in marks
+
+
+def sentences(items: list[Item]) -> list[list[Item]]:
+    """Items cut at full stops."""
+    out: list[list[Item]] = [[]]
+    for item in items:
+        if is_mark(item, "."):
+            out.append([])
+        else:
+            out[-1].append(item)
+    return [s for s in out if s]
+
+
+def rooms_of(items: list[Item]) -> list[RoomPhrase]:
+    """The room phrases among items."""
+    return [i.room for i in items if i.room is not None]
+
+
+def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
+    """Open-plan rooms: `kitchen/living room`, `open-plan kitchen, dining and living`, `lounge-diner`."""
+    out: list[Statement] = []
+    kept: list[Item] = []
+    i = 0
+    while i < len(items):
+        end = _run(items, i)
+        group = rooms_of(items[i:end])
+        tight = any(is_mark(x, "/") or (x.joined and x.room) for x in items[i + 1 : end])
+        after = end < len(items) and items[end].kind == "open"
+        if len(group) > 1 and (tight or after or "open" in group[0].labels):
+            out += chain(group)
+            for phrase in group:
+                phrase.labels.discard("open")
+        kept += items[i : end + 1] if not after else items[i:end]
+        i = end + 1
+    return kept, out
+
+
+def _run(items: list[Item], i: int) -> int:
+    """End of the run of open-plan candidates that starts at `i`."""
+    if items[i].room is None or items[i].value not in OPEN_TYPES:
+        return i + (0 if items[i].room is None else 1)
+    first, end, j = items[i], i + 1, i + 1
+    assert first.room is not None
+    seen = {first.value}
+    tight_only = "open" not in first.room.labels
+    while j < len(items):
+        item = items[j]
+        separated = item.kind == "conjunction" or is_mark(item, "/,")
+        if item.room is not None and item.value in OPEN_TYPES and item.value not in seen and not item.room.negated:
+            linked = item.joined or is_mark(items[j - 1], "/")
+            listed = not is_mark(items[j - 1], ",") or any(x.kind == "conjunction" for x in items[j + 1 : j + 3]) or len(seen) > 1
+            if (tight_only and not linked and not _open_after(items, j)) or item.room.quantifier == "a" or not listed:
+                break
+            seen.add(item.value)
+            end = j + 1
+        elif not separated:
+            break
+        j += 1
+    return end
+
+
+def _open_after(items: list[Item], j: int) -> bool:
+    return j + 1 < len(items) and items[j + 1].kind == "open"
+
+
+def chain(group: list[RoomPhrase]) -> list[Statement]:
+    """Open links along kitchen - dining - living, the order in which food travels."""
+    order = ["kitchen", "dining_room", "living_room"]
+    line = sorted(group, key=lambda r: order.index(r.type) if r.type in order else 3)
+    return [Statement("open", [a], [b]) for a, b in zip(line, line[1:], strict=False)]

@@ -1,0 +1,61 @@
+"""A prompt as a list of tokens, folded so that the lexicon needs one spelling of each word."""
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from typing import Literal
+
+CJK = "\u3400-\u9fff"
+
+_FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
+_QUOTES = str.maketrans({"’": "'", "‘": "'", "`": "'", "–": "-", "—": "-", "−": "-", "×": "x", "，": ",", "。": ".", "；": ";", "、": ","})
+_TOKEN = re.compile(
+    rf"""(?P<number>\d{{1,3}}(?:[,' ]\d{{3}})+(?![\d])|\d+[.,]\d+|\.\d+|\d+)
+    |(?P<word>m\^?2|ft\^?2|w/o|w/|[a-z]+(?:'[a-z]+)*'?|[{CJK}])
+    |(?P<mark><?-+>|=>|→|⇒|↔|[-,;:.!?()/&+%\n])""",
+    re.VERBOSE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """`text` is folded; `glued` says that nothing stands between this token and the one before."""
+
+    text: str
+    kind: Literal["number", "word", "mark"]
+    start: int
+    end: int
+    glued: bool
+    value: float = 0.0
+
+
+def fold(text: str) -> str:
+    """Lower case without accents, typographic marks made plain; same length is not kept."""
+    for sign, plain in _FRACTIONS.items():
+        text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
+        text = text.replace(sign, "0" + plain)
+    text = unicodedata.normalize("NFKC", text.translate(_QUOTES)).lower().replace("ß", "ss")
+    parts = unicodedata.normalize("NFD", text)
+    return unicodedata.normalize("NFC", "".join(c for c in parts if not unicodedata.combining(c)))
+
+
+def tokenize(text: str) -> list[Token]:
+    """Tokens of a folded text; characters of no token (quotes, emoji) are skipped."""
+    out: list[Token] = []
+    end = -1
+    for found in _TOKEN.finditer(text):
+        kind = found.lastgroup
+        body = found.group()
+        assert kind in ("number", "word", "mark")
+        word = body.rstrip("'").replace("^", "") if kind == "word" else body
+        value = _number(body) if kind == "number" else 0.0
+        out.append(Token(word, kind, found.start(), found.end(), found.start() == end, value))
+        end = found.end()
+    return out
+
+
+def _number(body: str) -> float:
+    """12,5 is a decimal comma; 1,200 and 1 200 are thousands."""
+    if re.fullmatch(r"\d{1,3}(?:[,' ]\d{3})+", body):
+        return float(re.sub(r"[,' ]", "", body))
+    return float(body.replace(",", "."))
