@@ -4,7 +4,7 @@ One object is o = [l, s, θ, c, f] (paper 3.2): place, log size, heading as (cos
 channel is "empty", shape latent. All channels are scaled to about unit spread.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import torch
 from torch import Tensor
@@ -37,6 +37,24 @@ class Objects:
     yaw: Tensor
     category: Tensor
     latent: Tensor
+
+    def rows(self, index: slice) -> "Objects":
+        """Some of the rooms."""
+        return Objects(*(getattr(self, f.name)[index] for f in fields(self)))
+
+
+def join(parts: list[Objects]) -> Objects:
+    """Batches one after another, padded with empty slots to the widest."""
+    slots = max(part.category.shape[1] for part in parts)
+
+    def wide(value: Tensor, fill: int) -> Tensor:
+        shape = (value.shape[0], slots - value.shape[1], *value.shape[2:])
+        return torch.cat([value, torch.full(shape, fill, dtype=value.dtype)], 1)
+
+    return Objects(*(
+        torch.cat([wide(getattr(part, f.name), -1 if f.name == "category" else 0) for part in parts])
+        for f in fields(Objects)
+    ))
 
 
 def encode(objects: Objects, config: ModelConfig) -> Tensor:

@@ -8,8 +8,8 @@ from torch import Tensor
 
 from stages import registry
 from stages.layout.config import LayoutConfig, ModelConfig, T, TrainConfig
-from stages.layout.diffusion import Denoise, Prediction
-from stages.layout.features import CLASS, EMPTY, N_CLASSES
+from stages.layout.diffusion import ALPHA_BAR, Denoise, Prediction
+from stages.layout.features import CLASS, EMPTY
 from stages.layout.geometry import Boxes, Floor, boxes_of, floor_of
 from stages.layout.rooms import Rooms
 from stages.layout.samplers import posterior
@@ -24,12 +24,11 @@ def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
 
 def gradient(terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room: Floor, model: ModelConfig) -> Tensor:
     """∇φ(x) of φ = Σ γ φ_k, (B, N, D)."""
-    x = x.detach().requires_grad_()
-    boxes = boxes_of(Prediction(x, logits), model.class_scale)
-    total = torch.stack([gamma * energy(boxes, room).sum() for gamma, energy in terms]).sum()
-    if not total.requires_grad:
-        return torch.zeros_like(x)
-    return torch.autograd.grad(total, x)[0]
+    with torch.enable_grad():
+        x = x.detach().requires_grad_()
+        boxes = boxes_of(Prediction(x, logits), model.class_scale)
+        total = torch.stack([gamma * energy(boxes, room).sum() for gamma, energy in terms]).sum()
+    return torch.autograd.grad(total, x, materialize_grads=True)[0] if total.requires_grad else torch.zeros_like(x)
 
 
 def guided(
@@ -119,8 +118,6 @@ def anticipation(rooms: Rooms, config: TrainConfig) -> Callable[[Prediction, Ten
     terms, room = energies({"articulation": 1.0, "inside": 1.0, "openings": 1.0}), floor_of(rooms)
 
     def shift(made: Prediction, t: Tensor) -> Tensor:
-        from stages.layout.diffusion import ALPHA_BAR
-
         g = -gradient(terms, made.x0, made.logits.detach(), room, config.model)
         beta = 1 - ALPHA_BAR[t] / ALPHA_BAR[t - 1]
         variance = (1 - ALPHA_BAR[t - 1]) / (1 - ALPHA_BAR[t]) * beta
@@ -140,5 +137,3 @@ def without_empty(denoise: Denoise, filled: Tensor) -> Denoise:
 
     return wrapped
 
-
-assert EMPTY == N_CLASSES - 1

@@ -23,13 +23,15 @@ class Context:
     """A room as the network sees it, computed once a sample.
 
     tokens (B, K, W) of walls then openings · mask (B, K) true where real · vector (B, W) ·
-    frames (B, K, 7) of [mid x, mid y, normal x, normal y, half length, is wall, kind].
+    frames (B, K, 7) of [mid x, mid y, normal x, normal y, half length, is wall, kind] · present (B, N) objects that
+    exist, None when all do.
     """
 
     tokens: Tensor
     mask: Tensor
     vector: Tensor
     frames: Tensor
+    present: Tensor | None = None
 
 
 def wall_frames(rooms: Rooms) -> tuple[Tensor, Tensor]:
@@ -156,6 +158,8 @@ class Denoiser(nn.Module):
         to_walls = to_walls.masked_fill(~room.mask[None, :, None, None], -1e4)
         to_objects = self.object_bias(self.object_pair(object_pairs(x)))
         to_objects = to_objects.view(b, n, n, layers, heads).permute(3, 0, 4, 1, 2)
+        if room.present is not None:
+            to_objects = to_objects.masked_fill(~room.present[None, :, None, None], -1e4)
         h = self.input(x) + self.wall_value(near.amax(2)) + room.vector[:, None]
         time = self.modulation(self.time(fourier(t, 64)) + room.vector).view(b, 9, -1)
         for i, block in enumerate(self.blocks):

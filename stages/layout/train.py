@@ -18,6 +18,7 @@ from stages.layout.config import N_MAX, T, TrainConfig
 from stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
 from stages.layout.features import encode
 from stages.layout.network import Denoiser
+from stages.layout.sample import count_table
 
 log = logging.getLogger("apartgen")
 Report = Callable[[int, float], None]
@@ -65,6 +66,7 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
         average.load_state_dict(state["average"])
         optimizer.load_state_dict(state["optimizer"])
         record = state["record"]
+    facts = {"corpus": digest(config.corpus), "rooms": len(corpus), "counts": count_table(corpus.rooms, corpus.count)}
     mean = record["losses"][-1][1] if record["losses"] else None
     for step, (index, slots, rng) in enumerate(indices(corpus, config, record["step"]), record["step"]):
         value = train_step(network, optimizer, corpus, index, slots, rng, shapes, config, learning_rate(step, config))
@@ -80,7 +82,7 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
                      "optimizer": optimizer.state_dict(), "record": record}
             torch.save(state, saved.with_suffix(".part"))
             saved.with_suffix(".part").replace(saved)
-            weights.save(average, out, config, record | {"corpus": digest(config.corpus), "rooms": len(corpus)})
+            weights.save(average, out, config, record | facts)
             log.info("step %d of %d: loss %.4f", step + 1, config.steps, mean)
     return record
 

@@ -1,0 +1,9 @@
+"""Projection: the nearest arrangement to a sample in which nothing collides, blocks a door or leaves its room.
+
+Objects take their places one after another, large ones first, each at the cheapest of a few hundred candidate
+places about where the model put it; what still breaks a requirement is placed again, then smaller, then anywhere.
+"""
+
+from stages.layout.projection.project import Item, project
+
+__all__ = ["Item", "project"]

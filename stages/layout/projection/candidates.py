@@ -1,0 +1,75 @@
+"""Places an object could move to: along walls, beside neighbours, and about where it is."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages.boxes import Boxes
+from stages.layout.projection.space import Space
+
+Array = NDArray[np.float64]
+GAP = 0.006
+"""Between a back and its wall, m: below any tolerance, above rounding."""
+SLIDES = np.concatenate([[0], *([s, -s] for s in (0.04, 0.08, 0.13, 0.2, 0.28, 0.38, 0.5, 0.65, 0.85, 1.1, 1.4, 1.8, 2.3, 3.0))])
+RINGS = (0.04, 0.08, 0.14, 0.22, 0.32, 0.45, 0.6, 0.8, 1.05, 1.4, 1.9)
+SNAP = np.deg2rad(16)
+
+
+def snapped(yaw: float, space: Space) -> float:
+    """The yaw, turned onto the nearest wall direction when it is close to one."""
+    walls = np.arctan2(space.normal[:, 1], space.normal[:, 0])
+    turn = (yaw - walls[:, None] + np.pi) % (2 * np.pi) - np.pi
+    nearest = turn.flat[np.argmin(np.abs(turn))]
+    return float(yaw - nearest) if abs(nearest) < SNAP else float(yaw)
+
+
+def along_walls(center: Array, size: Array, space: Space, others: Boxes) -> Boxes:
+    """Back to every wall, slid along it; flush with its corners and with what already stands at that wall."""
+    depth, width = size[0], size[1]
+    found_at, found_yaw = [], []
+    for start, along, normal, length in zip(space.start, space.along, space.normal, space.length, strict=True):
+        if length < width:
+            continue
+        base = float((center[:2] - start) @ along)
+        at = np.concatenate([base + SLIDES, [width / 2 + GAP, length - width / 2 - GAP], _beside(start, along, normal, width, others)])
+        at = np.unique(np.clip(at, width / 2 + GAP / 2, length - width / 2 - GAP / 2).round(4))
+        found_at.append(start + at[:, None] * along + normal * (depth / 2 + GAP))
+        found_yaw.append(np.full(len(at), np.arctan2(normal[1], normal[0])))
+    if not found_at:
+        return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+    return _boxes(np.concatenate(found_at), np.concatenate(found_yaw), center[2], size)
+
+
+def _beside(start: Array, along: Array, normal: Array, width: float, others: Boxes) -> Array:
+    if not others.n:
+        return np.zeros(0)
+    offset = others.center[:, :2] - start
+    behind = np.abs(offset @ normal - others.size[:, 0] / 2) < 0.08
+    aligned = np.abs(np.cos(others.yaw) * normal[0] + np.sin(others.yaw) * normal[1] - 1) < 1e-3
+    at, half = (offset @ along)[behind & aligned], others.size[behind & aligned, 1] / 2
+    return np.concatenate([at - half - width / 2 - GAP / 2, at + half + width / 2 + GAP / 2])
+
+
+def about(center: Array, size: Array, yaw: float) -> Boxes:
+    """Where it is, and rings about that."""
+    angle = np.arange(12) * np.pi / 6
+    ring = np.stack([np.cos(angle), np.sin(angle)], -1)
+    at = np.concatenate([np.zeros((1, 2)), *(r * ring for r in RINGS)]) + center[:2]
+    return _boxes(at, np.full(len(at), yaw), center[2], size)
+
+
+def everywhere(center: Array, size: Array, yaw: float, space: Space, step: float = 0.2) -> Boxes:
+    """A grid over the whole room, at four headings."""
+    low, high = space.corners.min(0), space.corners.max(0)
+    x, y = (np.arange(low[k] + step / 2, high[k], step) for k in (0, 1))
+    at = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
+    yaws = yaw + np.arange(4) * np.pi / 2
+    return _boxes(np.tile(at, (4, 1)), np.repeat(yaws, len(at)), center[2], size)
+
+
+def join(parts: list[Boxes]) -> Boxes:
+    """All boxes in one."""
+    return Boxes(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+
+
+def _boxes(at: Array, yaw: Array, z: float, size: Array) -> Boxes:
+    return Boxes(np.column_stack([at, np.full(len(at), z)]), np.broadcast_to(size, (len(at), 3)), yaw)

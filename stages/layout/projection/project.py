@@ -1,0 +1,179 @@
+"""The projection of one room."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages.boxes import Boxes
+from stages.categories import TABLE
+from stages.layout.projection import candidates
+from stages.layout.projection.costs import BROKEN, SOFT, Placed, cost, grown
+from stages.layout.projection.space import Space
+
+Array = NDArray[np.float64]
+LEAN = 0.12
+"""Things that need no wall still stand flush with one this near, m."""
+SHRINKS = (0.9, 0.8, 0.7, 0.6)
+WINDOW_MARGIN = 0.15
+ROUNDS = 3
+
+
+@dataclass
+class Item:
+    """One object: center, size (3,), yaw, category; `cost` after placing, at or above BROKEN where it breaks a
+    requirement; `moved` metres from where the model put it."""
+
+    category: str
+    center: Array
+    size: Array
+    yaw: float
+    cost: float = 0.0
+    moved: float = 0.0
+
+
+def project(items: list[Item], space: Space) -> list[Item]:
+    """The items in their order, each at its place."""
+    wanted = [replace(item, size=_clamped(item)) for item in items]
+    order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted))
+    done: dict[int, Item] = {}
+    for i in order:
+        done[i] = _place(wanted[i], [done[j] for j in order if j in done], space, wide=False)
+    for attempt in range(ROUNDS):
+        broken = [i for i in order if _again(done[i], [done[j] for j in order if j != i], space) >= BROKEN]
+        if not broken:
+            break
+        for i in broken:
+            rest = [done[j] for j in order if j != i]
+            done[i] = _best([_place(shape, rest, space, wide=attempt > 0) for shape in _shapes(wanted[i], attempt)])
+    for i in order:
+        done[i].cost = _again(done[i], [done[j] for j in order if j != i], space)
+        done[i].moved = float(np.linalg.norm(done[i].center[:2] - items[i].center[:2]))
+    return [done[i] for i in range(len(items))]
+
+
+def _clamped(item: Item) -> Array:
+    kind = TABLE[item.category]
+    return np.clip(item.size, kind.min, kind.max)
+
+
+def _rank(item: Item, items: list[Item]) -> tuple[int, float]:
+    """Parents before children, floor before walls before what stands on top; large before small."""
+    kind = TABLE[item.category]
+    level = {"floor": 0, "wall": 3, "top": 4, "flat": 5, "ceiling": 6}[kind.place]
+    if kind.place == "floor" and kind.belongs and any(other.category in kind.belongs for other in items):
+        level = 1
+    return level, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
+
+
+def _shapes(item: Item, attempt: int) -> list[Item]:
+    """The item as wanted and, from the second round on, smaller ones."""
+    if attempt == 0:
+        return [item]
+    low = np.array(TABLE[item.category].min)
+    return [item, *(replace(item, size=np.maximum(item.size * s, low)) for s in SHRINKS)]
+
+
+def _best(places: list[Item]) -> Item:
+    """The largest shape that breaks nothing, else the cheapest."""
+    return next((item for item in places if item.cost < BROKEN), min(places, key=lambda item: item.cost))
+
+
+def _placed(items: list[Item]) -> Placed:
+    boxes = Boxes(np.array([o.center for o in items]).reshape(-1, 3), np.array([o.size for o in items]).reshape(-1, 3),
+                  np.array([o.yaw for o in items], float))
+    parts = [grown(o.category, boxes.take([k])) for k, o in enumerate(items)]
+    return Placed(boxes, candidates.join(parts) if parts else boxes, [o.category for o in items])
+
+
+def _again(item: Item, others: list[Item], space: Space) -> float:
+    """What the item costs where it is, among the others."""
+    here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
+    if TABLE[item.category].place == "top":
+        others = [other for other in others if not _under(item, other)]
+    return float(cost(here, item.category, item.center, item.yaw, _placed(others), space)[0])
+
+
+def _under(item: Item, other: Item) -> bool:
+    return bool(abs(other.center[2] + other.size[2] / 2 - (item.center[2] - item.size[2] / 2)) < 0.02)
+
+
+def _place(item: Item, others: list[Item], space: Space, wide: bool) -> Item:
+    """The item at its cheapest place; `wide` looks all over the room."""
+    kind = TABLE[item.category]
+    if kind.place == "top" and (stood := _on_support(item, others)) is not None:
+        return stood
+    item = replace(item, center=np.array([*item.center[:2], _height(item, space)]))
+    if item.category == "curtain":
+        item = _at_window(item, space)
+    found = _candidates(item, others, space, wide)
+    prices = cost(found, item.category, item.center, item.yaw, _placed(others), space)
+    best = int(np.argmin(prices))
+    return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
+
+
+def _candidates(item: Item, others: list[Item], space: Space, wide: bool) -> Boxes:
+    kind = TABLE[item.category]
+    yaw = candidates.snapped(item.yaw, space) if item.category not in ("plant", "pouffe") else item.yaw
+    walls = candidates.along_walls(item.center, item.size, space, _placed(others).boxes)
+    if (kind.back or kind.place in ("wall", "top")) and walls.n:
+        return walls
+    parts = [candidates.about(item.center, item.size, yaw)]
+    if walls.n:
+        near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else LEAN)
+        parts.append(walls.take(near & (np.cos(walls.yaw - yaw) > (-2 if wide else 0.9))))
+    if wide:
+        parts.append(candidates.everywhere(item.center, item.size, yaw, space))
+    return candidates.join(parts)
+
+
+def _height(item: Item, space: Space) -> float:
+    """Centre height by where the category belongs."""
+    kind, tall = TABLE[item.category], float(item.size[2])
+    match kind.place:
+        case "floor" | "flat":
+            return tall / 2
+        case "ceiling":
+            return space.height - tall / 2 - 0.002
+        case "top":
+            return min(1.1 + tall / 2, space.height - tall / 2)
+        case _:
+            return min(max(kind.z + tall / 2, tall / 2), space.height - 0.02 - tall / 2)
+
+
+def _on_support(item: Item, others: list[Item]) -> Item | None:
+    """On the nearest support that it belongs on, wholly over its top and clear of what stands there already."""
+    supports = [o for o in others if o.category in TABLE[item.category].belongs]
+    for support in sorted(supports, key=lambda o: float(np.linalg.norm(o.center[:2] - item.center[:2]))):
+        room = support.size[:2] - item.size[:2]
+        if (room < -0.02).any():
+            continue
+        c, s = np.cos(support.yaw), np.sin(support.yaw)
+        offset = np.array([[c, s], [-s, c]]) @ (item.center[:2] - support.center[:2])
+        half = np.maximum(room / 2, 0)
+        z = support.center[2] + support.size[2] / 2 + item.size[2] / 2
+        for share in (None, 0.0, 0.5, -0.5, 1.0, -1.0):
+            at = np.clip(offset, -half, half) if share is None else np.array([-half[0] * 0.6, half[1] * share])
+            place = support.center[:2] + np.array([[c, -s], [s, c]]) @ at
+            stood = replace(item, center=np.array([*place, z]), yaw=support.yaw, cost=0.0)
+            if all(not _touch(stood, o) for o in others if o is not support and o.category not in SOFT):
+                return stood
+    return None
+
+
+def _touch(a: Item, b: Item) -> bool:
+    from stages.boxes import penetration
+
+    one, two = (Boxes(o.center[None], o.size[None], np.array([o.yaw])) for o in (a, b))
+    return bool(penetration(one, two)[0, 0] > 0.004)
+
+
+def _at_window(item: Item, space: Space) -> Item:
+    """A curtain hangs at the window nearest to it, a little wider."""
+    spans = space.spans[space.window]
+    if not len(spans):
+        return item
+    span = spans[np.argmin(np.linalg.norm(spans.mean(1) - item.center[:2], axis=1))]
+    width = np.clip(np.linalg.norm(span[1] - span[0]) + 2 * WINDOW_MARGIN, TABLE["curtain"].min[1], TABLE["curtain"].max[1])
+    mid = span.mean(0)
+    return replace(item, center=np.array([*mid, item.center[2]]), size=np.array([item.size[0], width, item.size[2]]))

@@ -1,0 +1,90 @@
+"""A room as the projection sees it: wall frames, slabs behind the walls, zones to keep clear."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages import boxes
+from stages.boxes import Boxes
+from stages.layout.geometry import DOOR_CLEARANCE, WINDOW_CLEARANCE
+from stages.layout.rooms import KINDS, Rooms
+
+Array = NDArray[np.float64]
+SLAB = 0.30
+DOOR_HEAD = 2.1
+SILL = 1.0
+
+
+@dataclass
+class Space:
+    """One room, metres, in its own frame.
+
+    start, along, normal (E, 2) and length (E,) of walls, normals inward · slabs: wall bodies · zones: boxes to keep
+    clear, `window` (Z,) tells which are before windows · spans (Z, 2, 2) the openings' own segments.
+    """
+
+    corners: Array
+    start: Array
+    along: Array
+    normal: Array
+    length: Array
+    slabs: Boxes
+    zones: Boxes
+    window: NDArray[np.bool_]
+    spans: Array
+    height: float
+
+
+def space_of(rooms: Rooms, index: int) -> Space:
+    """The space of one room of a batch."""
+    polygon = rooms.polygon[index].astype(float)
+    corners = polygon[~np.isnan(polygon[:, 0])]
+    side = np.roll(corners, -1, 0) - corners
+    length = np.linalg.norm(side, axis=1)
+    along = side / length[:, None]
+    normal = np.stack([-along[:, 1], along[:, 0]], -1)
+    height = float(rooms.height[index])
+    mid = (corners + np.roll(corners, -1, 0)) / 2 - normal * SLAB / 2
+    slabs = Boxes(
+        np.column_stack([mid, np.full(len(mid), height / 2)]),
+        np.column_stack([np.full(len(mid), SLAB), length, np.full(len(mid), height)]),
+        np.arctan2(normal[:, 1], normal[:, 0]),
+    )
+    rows = rooms.openings[index].astype(float)
+    rows = rows[~np.isnan(rows[:, 0])]
+    return Space(corners, corners, along, normal, length, slabs, *_zones(rows, height), height)
+
+
+def _zones(rows: Array, height: float) -> tuple[Boxes, NDArray[np.bool_], Array]:
+    spans = rows[:, :4].reshape(-1, 2, 2)
+    side = spans[:, 1] - spans[:, 0]
+    wide = np.linalg.norm(side, axis=1)
+    inward = np.stack([-side[:, 1], side[:, 0]], -1) / np.maximum(wide, 1e-9)[:, None]
+    window = rows[:, 4] == KINDS["window"]
+    leaf = np.where(rows[:, 5] > 0, np.maximum(wide + 0.03, DOOR_CLEARANCE), DOOR_CLEARANCE)
+    depth = np.where(window, WINDOW_CLEARANCE, leaf)
+    low, high = np.where(window, SILL, 0.03), np.where(window, height, DOOR_HEAD)
+    center = spans.mean(1) + inward * depth[:, None] / 2
+    zones = Boxes(
+        np.column_stack([center, (low + high) / 2]).reshape(-1, 3),
+        np.column_stack([depth, wide, high - low]).reshape(-1, 3),
+        np.arctan2(inward[:, 1], inward[:, 0]),
+    )
+    return zones, window, spans
+
+
+def outside(found: Boxes, space: Space) -> Array:
+    """How far each box stands beyond the walls, m, 0 when inside, (n,)."""
+    points = boxes.corners(found).reshape(-1, 2)
+    offset = points[:, None] - space.start
+    share = np.clip((offset * space.along).sum(-1), 0, space.length)
+    away = np.linalg.norm(offset - share[..., None] * space.along, axis=-1).min(1)
+    end = np.roll(space.start, -1, 0)
+    spans = (space.start[:, 1] > points[:, 1, None]) != (end[:, 1] > points[:, 1, None])
+    turn = space.along[:, 0] * offset[..., 1] - space.along[:, 1] * offset[..., 0]
+    right = np.where(end[:, 1] > space.start[:, 1], turn > 0, turn < 0)
+    within = (spans & right).sum(1) % 2 == 1
+    far = np.where(within, 0.0, away).reshape(-1, 4).max(1)
+    # A box may straddle a re-entrant corner with all its own corners inside.
+    return np.asarray(np.maximum(far, np.maximum(boxes.penetration(found, space.slabs).max(1), 0)))

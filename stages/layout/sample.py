@@ -1,0 +1,131 @@
+"""From rooms to objects: sampling with guidance, then projection."""
+
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from schemas.base import ROOM_TYPES
+from stages.categories import CATEGORIES
+from stages.layout import guided, samplers
+from stages.layout.config import N_MAX, LayoutConfig
+from stages.layout.diffusion import Denoise, Prediction, predict
+from stages.layout.features import CLASS, DIM, Objects, decode
+from stages.layout.geometry import floor_of
+from stages.layout.network import Denoiser
+from stages.layout.rooms import UNKNOWN, Rooms
+
+AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
+"""Lower edges of the floor-area classes (m²) for which the training record counts objects."""
+EARLY = 0.10
+"""Quantity guidance acts below this share of the schedule (Fig. 4)."""
+
+
+def count_table(rooms: Rooms, count: NDArray[np.int64]) -> list[list[list[int]]]:
+    """How often a room of each type and area class held each number of objects: (types, areas, N_MAX + 1)."""
+    table = np.zeros((len(ROOM_TYPES), len(AREA_BINS), N_MAX + 1), int)
+    np.add.at(table, (rooms.type, np.digitize(rooms.area, AREA_BINS) - 1, count), 1)
+    nested: list[list[list[int]]] = table.tolist()
+    return nested
+
+
+def draw_counts(rooms: Rooms, table: list[list[list[int]]], lanes: list[np.random.Generator]) -> NDArray[np.int64]:
+    """The number of objects of every room: as asked, else drawn from what rooms of its type and area hold."""
+    asked = np.where(rooms.wanted > 0, rooms.wanted, 0).sum(1)
+    out = np.zeros(len(rooms), np.int64)
+    for i, (kind, area, rng) in enumerate(zip(rooms.type, rooms.area, lanes, strict=True)):
+        share = rng.random()
+        if rooms.count[i] != UNKNOWN:
+            out[i] = min(int(rooms.count[i]), N_MAX)
+            continue
+        rows = np.array(table[kind], float)
+        near = np.exp(-np.abs(np.arange(len(AREA_BINS)) - (np.digitize(area, AREA_BINS) - 1)) * 3.0)
+        weight = (rows * near[:, None]).sum(0) + 1e-9
+        out[i] = np.searchsorted(np.cumsum(weight) / weight.sum(), share)
+    return np.minimum(np.maximum(out, np.minimum(asked, N_MAX)), N_MAX)
+
+
+@cache
+def _essentials() -> list[list[list[int]]]:
+    table = tomllib.loads((Path(__file__).parent / "essentials.toml").read_text())
+    return [[[CATEGORIES.index(c) for c in group] for group in table.get(kind, [])] for kind in ROOM_TYPES]
+
+
+def with_essentials(denoise: Denoise, rooms: Rooms, count: Tensor, scale: float) -> Denoise:
+    """A denoiser that never leaves out what a room cannot do without, if the count has place for it."""
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        made = denoise(x, t)
+        logits = made.logits.clone()
+        for b, kind in enumerate(rooms.type):
+            here, taken = logits[b, : int(count[b])], []
+            for group in _essentials()[kind]:
+                if (rooms.wanted[b, group] == 0).any() or len(taken) >= len(here):
+                    continue
+                best = here.argmax(-1)
+                holders = [i for i in range(len(here)) if int(best[i]) in group and i not in taken]
+                if not holders:
+                    holders = _recruit(here, group, taken)
+                taken.append(holders[0])
+        x0 = made.x0.clone()
+        x0[..., CLASS] = logits.softmax(-1) * scale
+        return Prediction(x0, logits)
+
+    return wrapped
+
+
+def _recruit(logits: Tensor, group: list[int], taken: list[int]) -> list[int]:
+    """Make the slot that lies nearest to a class of the group take it; in place."""
+    margin = logits[:, group] - logits.amax(-1, keepdim=True)
+    margin[taken] = -torch.inf
+    slot, which = divmod(int(margin.argmax()), len(group))
+    logits[slot, group[which]] = logits[slot].amax() + 3.0
+    return [slot]
+
+
+def sample(network: Denoiser, rooms: Rooms, config: LayoutConfig, table: list[list[list[int]]], lanes: list[np.random.Generator]) -> Objects:
+    """Objects (B, N) of a batch of rooms; `lanes` has one generator a room, so that no room's result hangs on another's."""
+    rooms.count = draw_counts(rooms, table, lanes)
+    count = torch.from_numpy(rooms.count)
+    exact = config.count == "exact"
+    slots = max(1, int(count.max())) if exact else N_MAX
+    context = network.encoder(rooms, not exact)
+    if exact:
+        context.present = torch.arange(slots)[None] < count[:, None]
+    denoise: Denoise = lambda x, t: predict(network, x, t, context)  # noqa: E731
+    denoise = _wrapped(denoise, network, rooms, count, config, exact)
+    noise = _noise(lanes, slots)
+    with torch.no_grad():
+        x0 = samplers.SAMPLERS[config.sampler](denoise, noise(), config.steps, noise)
+    objects = decode(x0, network.config)
+    if exact:
+        objects.category[~context.present] = -1
+    return objects
+
+
+def _wrapped(denoise: Denoise, network: Denoiser, rooms: Rooms, count: Tensor, config: LayoutConfig, exact: bool) -> Denoise:
+    """The denoiser with everything that steers it, innermost first."""
+    model, room = network.config, floor_of(rooms)
+    filled = count if exact else torch.full_like(count, N_MAX)
+    if exact:
+        denoise = guided.without_empty(denoise, count)
+    denoise = guided.fixed_categories(denoise, torch.from_numpy(rooms.wanted), filled, model)
+    denoise = with_essentials(denoise, rooms, filled, model.class_scale)
+    if config.count == "guided":
+        gamma = config.guidance.get("quantity", 1.0)
+        denoise = guided.quantity_guided(denoise, count, guided.energies({"quantity": gamma}), room, model, config, EARLY)
+    weights = {name: gamma for name, gamma in config.guidance.items() if name != "quantity"}
+    return guided.guided(denoise, guided.energies(weights), room, model, config, config.guide_below)
+
+
+def _noise(lanes: list[np.random.Generator], slots: int) -> samplers.Noise:
+    """Unit Gaussian states (B, slots, D), every room from its own lane."""
+    def draw() -> Tensor:
+        rows = [lane.standard_normal((N_MAX, DIM), np.float32)[:slots] for lane in lanes]
+        return torch.from_numpy(np.stack(rows))
+
+    return draw
+
