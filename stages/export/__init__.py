@@ -1,0 +1,55 @@
+"""Writes an apartment in any of the formats that lie in this folder, one file each.
+
+A format is a module with `write(scene, out) -> list[Path]`: it writes its files under the folder `out` and names
+them. What a scene holds is in `stages/scene.py`.
+"""
+
+import hashlib
+from pathlib import Path
+
+from schemas.errors import BadInput
+from schemas.export import Export, File
+from schemas.plan import Plan
+from stages import registry
+from stages.export._folder import CONTENTS, replaced
+from stages.scene import Load, Scene
+
+PACKAGE = "stages.export"
+
+
+def formats() -> dict[str, str]:
+    """Every format's name and what it is."""
+    return registry.members(PACKAGE)
+
+
+def run(home: Plan, formats: list[str], out: Path, load: Load) -> Export:
+    """Write every format into the folder `out`, which appears, or is replaced, whole or not at all.
+
+    `load(library, id)` gives the assets. BadInput for an unknown format, a layout without assets where a format
+    needs them, and an `out` that holds what no export put there.
+    """
+    if not formats:
+        raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
+    writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats)}
+    scene = Scene(home, load)
+    with replaced(out) as folder:
+        files = [
+            File(path=path.relative_to(folder).as_posix(), format=name, sha256=_sha256(path))
+            for name, writer in writers.items()
+            for path in writer.write(scene, folder)
+        ]
+        credits = scene.credits if any(name not in ("svg", "png", "nav2") for name in writers) else []
+        files.append(_credits(folder, credits))
+        lines = [f"{file.sha256}  {file.path}\n" for file in sorted(files, key=lambda f: f.path)]
+        (folder / CONTENTS).write_text("# written by apartgen export, which replaces this folder\n" + "".join(lines))
+    return Export(files=files, credits=credits)
+
+
+def _credits(folder: Path, credits: list[str]) -> File:
+    path = folder / "CREDITS.txt"
+    path.write_text("\n".join(["Made with apartgen.", *credits]) + "\n", encoding="utf-8")
+    return File(path=path.name, format="text", sha256=_sha256(path))
+
+
+def _sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()

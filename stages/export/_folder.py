@@ -1,0 +1,55 @@
+"""A folder that appears whole or not at all, and replaces only what an export made."""
+
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from schemas.errors import BadInput
+
+CONTENTS = "SHA256SUMS"
+"""Lists an export's files (`sha256sum -c` reads it), and marks the folder as one that may be replaced."""
+_OURS = {CONTENTS, "export.json"}
+
+
+@contextmanager
+def replaced(out: Path) -> Iterator[Path]:
+    """A new folder to fill; it takes the place of `out` when the block ends well, and leaves no trace otherwise."""
+    _check(out)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    work = Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))
+    try:
+        fresh, old = work / "new", work / "old"
+        fresh.mkdir()
+        yield fresh
+        if out.exists():
+            os.rename(out, old)
+        try:
+            os.rename(fresh, out)
+        except OSError:
+            if old.exists():
+                os.rename(old, out)
+            raise
+    finally:
+        shutil.rmtree(work, ignore_errors=True)
+
+
+def _check(out: Path) -> None:
+    """BadInput unless `out` is free, empty, or holds an export and nothing else."""
+    if out.is_symlink() or (out.exists() and not out.is_dir()):
+        raise BadInput(f"{out}: is not a folder; give another with -o")
+    found = {p.relative_to(out).as_posix() for p in out.rglob("*") if not p.is_dir()} if out.exists() else set()
+    strange = sorted(found - _listed(out) - _OURS)
+    if strange:
+        more = f" and {len(strange) - 1} more" if len(strange) > 1 else ""
+        raise BadInput(f"{out}: holds {strange[0]}{more}, which no export wrote; give another folder with -o")
+
+
+def _listed(out: Path) -> set[str]:
+    contents = out / CONTENTS
+    if not contents.is_file():
+        return set()
+    lines = contents.read_text(encoding="utf-8").splitlines()
+    return {line.split("  ", 1)[1] for line in lines if "  " in line and not line.startswith("#")}

@@ -1,0 +1,66 @@
+"""Meshes as Wavefront OBJ files and textures as PNG files in one folder; what is equal is written once."""
+
+from pathlib import Path
+
+import numpy as np
+
+from stages.asset import Array, Mesh
+from stages.export._pieces import image, image_name, mesh_digest, shaded
+
+
+class Files:
+    """Writes into `folder`; `written` are the paths so far, in the order of first use."""
+
+    def __init__(self, folder: Path) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        self.folder = folder
+        self.written: list[Path] = []
+        self._known: dict[str, str] = {}
+
+    def mesh(self, name: str, mesh: Mesh, origin: Array | None = None, mtl: str = "") -> str:
+        """File name of the mesh seen from `origin`, `name`.obj unless an equal one has been written.
+
+        `mtl` is the text of its material, for readers that take colours from the mesh file.
+        """
+        if origin is not None and origin.any():
+            mesh = Mesh(mesh.vertices - origin, mesh.faces, mesh.material, mesh.uv)
+        key = mesh_digest(mesh) + mtl
+        if key not in self._known:
+            self._known[key] = f"{name}.obj"
+            head = ""
+            if mtl:
+                self._write(f"{name}.mtl", f"newmtl surface\n{mtl}".encode())
+                head = f"mtllib {name}.mtl\nusemtl surface\n"
+            self._write(f"{name}.obj", (head + obj(mesh)).encode())
+        return self._known[key]
+
+    def texture(self, texture: str) -> str:
+        """File name of the texture's image."""
+        name = image_name(texture)
+        if name not in self._known:
+            self._known[name] = name
+            self._write(name, image(texture))
+        return name
+
+    def _write(self, name: str, data: bytes) -> None:
+        path = self.folder / name
+        path.write_bytes(data)
+        self.written.append(path)
+
+
+def obj(mesh: Mesh) -> str:
+    """OBJ text with normals, and uv where there are."""
+    vertices, normals, uv, faces = shaded(mesh)
+    lines = [_rows("v", vertices), _rows("vn", normals)]
+    index = faces + 1
+    if uv is None:
+        lines += ["".join(f"f {a}//{a} {b}//{b} {c}//{c}\n" for a, b, c in index.tolist())]
+    else:
+        lines += [_rows("vt", uv), "".join(f"f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n" for a, b, c in index.tolist())]
+    return "".join(lines)
+
+
+def _rows(tag: str, values: Array) -> str:
+    values = np.where(np.abs(values) < 5e-7, 0.0, values)
+    pattern = f"{tag} " + " ".join(["%.6g"] * values.shape[1]) + "\n"
+    return "".join(pattern % tuple(row) for row in values.tolist())

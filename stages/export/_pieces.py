@@ -1,0 +1,121 @@
+"""Visual pieces as formats need them: one mesh per link and material, shaded normals, names, texture images."""
+
+import hashlib
+import io
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from schemas.errors import BadInput
+from stages import materials
+from stages.asset import Array, Link, Material, Mesh
+
+CREASE = np.cos(np.radians(42))
+"""Faces that meet at less than this angle are shaded as one smooth surface."""
+
+
+def pieces(link: Link) -> list[Mesh]:
+    """The link's visuals joined by material, in order of first use."""
+    groups: dict[Material, list[Mesh]] = {}
+    for mesh in link.visuals:
+        groups.setdefault(mesh.material, []).append(mesh)
+    return [joined(meshes) for meshes in groups.values()]
+
+
+def joined(meshes: list[Mesh]) -> Mesh:
+    """Meshes of one material as one; uv only where all have it."""
+    starts = np.cumsum([0, *(len(m.vertices) for m in meshes)])
+    faces = np.concatenate([m.faces + start for m, start in zip(meshes, starts, strict=False)])
+    uv = [m.uv for m in meshes if m.uv is not None]
+    textured = meshes[0].material.texture is not None and len(uv) == len(meshes)
+    vertices = np.concatenate([m.vertices for m in meshes])
+    return Mesh(vertices, faces, meshes[0].material, np.concatenate(uv) if textured else None)
+
+
+def digest(*arrays: Array | None, extra: str = "") -> str:
+    """Name of some content: equal to the micrometre, equal name."""
+    found = hashlib.sha256(extra.encode())
+    for array in arrays:
+        found.update(b"-" if array is None else np.round(array * 1e6).astype(np.int64).tobytes() + b"|")
+    return found.hexdigest()
+
+
+def mesh_digest(mesh: Mesh) -> str:
+    """Name of a mesh's shape, whatever its material."""
+    return digest(mesh.vertices, mesh.faces.astype(float), mesh.uv)
+
+
+def shaded(mesh: Mesh) -> tuple[Array, Array, Array | None, NDArray[np.int64]]:
+    """Vertices (k, 3), unit normals (k, 3), uv (k, 2) or None, and faces, split where an edge is sharp."""
+    corners = mesh.faces.ravel()
+    normals = corner_normals(mesh).round(4)
+    columns = [mesh.vertices[corners].round(6), normals]
+    if mesh.uv is not None:
+        columns.append(mesh.uv[corners].round(6))
+    rows, faces = np.unique(np.concatenate(columns, 1), axis=0, return_inverse=True)
+    unit = rows[:, 3:6] / np.maximum(np.linalg.norm(rows[:, 3:6], axis=1, keepdims=True), 1e-12)
+    return rows[:, :3], unit, rows[:, 6:] if mesh.uv is not None else None, faces.reshape(-1, 3)
+
+
+def corner_normals(mesh: Mesh) -> Array:
+    """Normal at each corner of each face, (3 × m, 3): the mean over faces about the vertex that meet smoothly."""
+    triangles = mesh.vertices[mesh.faces]
+    area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    flat = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-15)
+    _, vertex = np.unique(mesh.vertices[mesh.faces.ravel()].round(5), axis=0, return_inverse=True)
+    order = np.argsort(vertex, kind="stable")
+    starts = np.flatnonzero(np.diff(vertex[order], prepend=-1))
+    counts = np.diff(np.append(starts, len(order)))
+    # Every corner against every other about the same vertex.
+    mine = np.repeat(order, np.repeat(counts, counts))
+    first = np.repeat(np.repeat(starts, counts), np.repeat(counts, counts))
+    within = np.arange(len(mine)) - np.repeat(np.cumsum(np.repeat(counts, counts)) - np.repeat(counts, counts),
+                                              np.repeat(counts, counts))
+    other = order[first + within]
+    smooth = np.einsum("ij,ij->i", flat[mine // 3], flat[other // 3]) > CREASE
+    total = np.zeros((len(vertex), 3))
+    np.add.at(total, mine[smooth], area[other[smooth] // 3])
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    return np.where(length > 1e-15, total / np.maximum(length, 1e-15), np.repeat(flat, 3, 0))
+
+
+def names(used: Iterable[Material]) -> dict[Material, str]:
+    """A name for each material, its own unless a different one has taken it."""
+    found: dict[Material, str] = {}
+    taken: set[str] = set()
+    for material in used:
+        if material not in found:
+            k = 1
+            name = material.name
+            while name in taken:
+                k += 1
+                name = f"{material.name}_{k}"
+            taken.add(name)
+            found[material] = name
+    return found
+
+
+@cache
+def image(texture: str) -> bytes:
+    """A texture as PNG: a procedural one by name, or a library's image file by path."""
+    from PIL import Image
+
+    if texture in materials.textures():
+        picture = Image.fromarray(np.array(materials.texture(texture)))
+    elif Path(texture).is_file():
+        picture = Image.open(texture).convert("RGBA" if texture.lower().endswith(".png") else "RGB")
+    else:
+        raise BadInput(f"texture {texture!r} is neither a known pattern nor a file; check the asset library's folder")
+    buffer = io.BytesIO()
+    picture.save(buffer, "PNG")
+    return buffer.getvalue()
+
+
+def image_name(texture: str) -> str:
+    """A file name for a texture, the same for the same content."""
+    if texture in materials.textures():
+        return f"{texture}.png"
+    return f"texture_{hashlib.sha256(image(texture)).hexdigest()[:12]}.png"

@@ -1,0 +1,152 @@
+"""MuJoCo XML: fixed and loose bodies, jointed parts, primitive colliders, textured visuals, handles as sites.
+
+Geom groups: 2 what shows, 3 colliders, 4 ceilings (not shown unless asked for).
+"""
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from stages.asset import Array, Collider, Link, Material
+from stages.body import Body, counterbalanced, inertia
+from stages.export._obj import Files
+from stages.export._pieces import image_name, names, pieces
+from stages.export._xml import Element, add, number, numbers, save
+from stages.scene import Scene
+
+FOLDER = "mjcf"
+DAMPING = {"hinge": 0.4, "slide": 8.0}
+"""N·m·s and N·s/m: a part pushed and let go stops within some tenths of a second."""
+ARMATURE = 0.002
+GEOMS = {"box": "box", "cylinder": "cylinder", "sphere": "sphere", "hull": "mesh"}
+
+
+def write(scene: Scene, out: Path) -> list[Path]:
+    """mjcf/apartment.xml and its meshes and textures in mjcf/assets."""
+    writer = _Writer(scene, Files(out / FOLDER / "assets"))
+    return [save(writer.root, out / FOLDER / "apartment.xml"), *writer.files.written]
+
+
+class _Writer:
+    """The XML document as it is built."""
+
+    def __init__(self, scene: Scene, files: Files) -> None:
+        self.files = files
+        self.root = ElementTree.Element("mujoco", model="apartment")
+        self._settings(scene)
+        self.assets = add(self.root, "asset")
+        self.world = add(self.root, "worldbody")
+        self.contact = add(self.root, "contact")
+        self.materials = names(m.material for body in scene.bodies for link in body.links for m in link.visuals)
+        self.meshes: set[str] = set()
+        self._materials()
+        self._lights(scene)
+        for body in scene.bodies:
+            self._body(body)
+
+    def _settings(self, scene: Scene) -> None:
+        add(self.root, "compiler", angle="radian", meshdir="assets", texturedir="assets", autolimits="true")
+        add(self.root, "option", timestep=0.004, integrator="implicitfast", cone="elliptic", impratio=10)
+        x, y = np.array([point for room in scene.home.rooms for point in room.polygon]).T
+        middle = [(x.min() + x.max()) / 2, (y.min() + y.max()) / 2, 1.0]
+        add(self.root, "statistic", center=middle, extent=max(np.ptp(x), np.ptp(y)) / 1.6)
+        visual = add(self.root, "visual")
+        add(visual, "headlight", ambient=[0.42] * 3, diffuse=[0.45] * 3, specular=[0.1] * 3)
+        add(visual, "map", znear=0.005, zfar=10)
+        add(visual, "global", offwidth=1920, offheight=1080, azimuth=-120, elevation=-55)
+        default = add(self.root, "default")
+        shown = add(default, "default", class_="visual")
+        add(shown, "geom", group=2, contype=0, conaffinity=0, density=0)
+        solid = add(default, "default", class_="collider")
+        add(solid, "geom", group=3, condim=4, rgba=[0.3, 0.6, 0.9, 0.4], solref=[0.008, 1])
+
+    def _materials(self) -> None:
+        add(self.assets, "texture", type="skybox", builtin="gradient", rgb1=[0.9, 0.94, 1], rgb2=[0.6, 0.7, 0.8],
+            width=256, height=256)
+        for texture in sorted({m.texture for m in self.materials if m.texture}):
+            file = self.files.texture(texture)
+            add(self.assets, "texture", name=image_name(texture), type="2d", file=file)
+        for material, name in self.materials.items():
+            self._material(material, name)
+
+    def _material(self, m: Material, name: str) -> None:
+        # A texture carries the colour itself; MuJoCo multiplies the two.
+        rgba = [1.0, 1.0, 1.0, m.color[3]] if m.texture else m.color
+        element = add(self.assets, "material", name=name, rgba=rgba, metallic=m.metalness, roughness=m.roughness,
+                      specular=0.6 * (1 - m.roughness), shininess=1 - m.roughness)
+        if m.texture:
+            element.set("texture", image_name(m.texture))
+        if m.roughness < 0.05 and m.metalness == 1:
+            element.set("reflectance", "0.4")
+
+    def _lights(self, scene: Scene) -> None:
+        for light in scene.lights:
+            diffuse = [light.lumens / 1100 * c * 0.25 for c in (1.0, 0.95, 0.88)]
+            add(self.world, "light", name=light.name, pos=light.position, dir=[0, 0, -1], diffuse=diffuse,
+                specular=[0.05] * 3, castshadow="false", cutoff=80, attenuation=[1, 0.1, 0.1])
+
+    def _body(self, body: Body) -> None:
+        half = body.yaw / 2
+        quat = [float(np.cos(half)), 0.0, 0.0, float(np.sin(half))]
+        element = add(self.world, "body", name=body.name, pos=body.position, quat=quat)
+        if body.free:
+            add(element, "freejoint", name=f"{body.name}__free")
+        base, *moving = body.links
+        self._link(element, body, base)
+        for link in moving:
+            part = add(element, "body", name=body.link_name(link))
+            if counterbalanced(link):
+                part.set("gravcomp", "1")
+            self._joint(part, body, link)
+            self._link(part, body, link)
+            add(self.contact, "exclude", body1=body.name, body2=body.link_name(link))
+
+    def _joint(self, part: Element, body: Body, link: Link) -> None:
+        assert link.joint is not None
+        add(part, "joint", name=body.joint_name(link.joint), type=link.joint.type, axis=link.joint.axis,
+            pos=link.joint.origin, range=link.joint.range, damping=DAMPING[link.joint.type], armature=ARMATURE)
+
+    def _link(self, element: Element, body: Body, link: Link) -> None:
+        if body.free or link.joint is not None:
+            mass, center, tensor = inertia(link)
+            full = [tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]]
+            add(element, "inertial", pos=center, mass=mass, fullinertia=full)
+        for k, piece in enumerate(pieces(link)):
+            file = self.files.mesh(f"{body.link_name(link)}_{k}", piece)
+            geom = add(element, "geom", class_="visual", type="mesh", mesh=self._mesh(file),
+                       material=self.materials[piece.material])
+            if body.kind == "ceiling":
+                geom.set("group", "4")
+        for k, collider in enumerate(link.colliders):
+            self._collider(element, f"{body.link_name(link)}__c{k}", collider, link.friction)
+        if link.handle is not None:
+            add(element, "site", name=f"{body.link_name(link)}__handle", pos=link.handle, size=0.015, group=3)
+
+    def _mesh(self, file: str) -> str:
+        """Declares a mesh file once; its name is the file's."""
+        name = file.removesuffix(".obj")
+        if name not in self.meshes:
+            self.meshes.add(name)
+            # Thin and open pieces have no volume that MuJoCo could take an inertia from.
+            add(self.assets, "mesh", name=name, file=file, inertia="shell")
+        return name
+
+    def _collider(self, element: Element, name: str, c: Collider, friction: float) -> None:
+        geom = add(element, "geom", class_="collider", name=name, type=GEOMS[c.kind], friction=number(friction))
+        if c.kind == "hull":
+            assert c.vertices is not None
+            add(self.assets, "mesh", name=name, vertex=(c.vertices @ c.rotation.T + c.center).ravel())
+            geom.set("mesh", name)
+            return
+        extents = {"box": c.size / 2, "cylinder": c.size[[0, 2]] * [1, 0.5], "sphere": c.size[:1]}
+        for key, value in (("size", extents[c.kind]), ("pos", c.center), ("quat", quaternion(c.rotation))):
+            geom.set(key, numbers(value))
+
+
+def quaternion(rotation: Array) -> Array:
+    """w, x, y, z of a rotation matrix."""
+    from scipy.spatial.transform import Rotation
+
+    x, y, z, w = Rotation.from_matrix(rotation).as_quat(canonical=True)
+    return np.array([w, x, y, z])

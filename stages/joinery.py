@@ -1,0 +1,123 @@
+"""Doors, windows and lined passages as links in the opening's frame.
+
+Origin on the floor in the middle of the opening, +x through the wall towards the room it serves, +y to the left seen
+from there. `span` is where the wall's faces lie on x: (far face, near face).
+"""
+
+import numpy as np
+
+from schemas.plan import Opening
+from schemas.retrieve import Joint
+from stages import finishes, polygons, solids
+from stages.asset import Array, Link, Material, Mesh
+
+Span = tuple[float, float]
+
+GAP = 0.003
+"""Play between a leaf and what is about it, m."""
+FLOOR_GAP = 0.008
+ARCHITRAVE = (0.012, 0.06)
+"""Thickness on the wall and width of a door's surround, m."""
+HANDLE_HEIGHT = 1.05
+LINING = 0.018
+FRAME = 0.06
+"""Width of a window's frame, m."""
+_PANE_MOST = 1.1  # m, wider windows are divided
+_LEAF_DENSITY = 320.0  # kg/m³, a hollow-core leaf
+
+
+def door(width: float, span: Span, opening: Opening, hinge: int) -> list[Link]:
+    """Frame and hinged leaf; `hinge` is +1 when it hangs on the left (+y), -1 right, 0 without a leaf."""
+    frame = Link("frame", [*_surround(width, span, opening.head), *_stops(width, span, opening.head)], [], 12.0)
+    return [frame] if hinge == 0 else [frame, _leaf(width, span[1], opening, hinge)]
+
+
+def lining_of_passage(width: float, span: Span, opening: Opening) -> list[Link]:
+    """A passage without a leaf shows its surround only."""
+    return [Link("frame", _surround(width, span, opening.head), [], 8.0)]
+
+
+def _surround(width: float, span: Span, head: float) -> list[Mesh]:
+    """Architraves on both faces: two legs and a head each."""
+    thick, wide = ARCHITRAVE
+    half = width / 2
+    found = []
+    for x0, x1 in ((span[0] - thick, span[0]), (span[1], span[1] + thick)):
+        legs = [(-half - wide, -half, 0.0), (half, half + wide, 0.0), (-half, half, head)]
+        found += [solids.box((x0, y0, z0), (x1, y1, head + wide), finishes.FRAME) for y0, y1, z0 in legs]
+    return found
+
+
+def _stops(width: float, span: Span, head: float) -> list[Mesh]:
+    """The rebate that a leaf shuts against; thin boards that line the rest of the opening."""
+    x0, x1, half = span[0], span[1] - polygons.LEAF - GAP, width / 2
+    return [
+        solids.box((x0, -half, 0.0), (x1, -half + LINING, head), finishes.FRAME),
+        solids.box((x0, half - LINING, 0.0), (x1, half, head), finishes.FRAME),
+        solids.box((x0, -half + LINING, head - LINING), (x1, half - LINING, head), finishes.FRAME),
+    ]
+
+
+def _leaf(width: float, face: float, opening: Opening, hinge: int) -> Link:
+    half, thick = width / 2 - GAP, polygons.LEAF
+    lo, hi = np.array([face - thick, -half, FLOOR_GAP]), np.array([face, half, opening.head - GAP])
+    material = finishes.ENTRANCE if opening.kind == "entrance" else finishes.LEAF
+    visuals = [solids.box(lo, hi, material), *_panels(lo, hi, material)]
+    grip = np.array([face, -hinge * (half - 0.07), HANDLE_HEIGHT])
+    for side in (0, 1):
+        visuals += _lever(grip - [thick * (1 - side), 0, 0], 1 if side else -1, hinge)
+    joint = Joint(
+        name="leaf", type="hinge", axis=(0.0, 0.0, float(-hinge)), origin=(face, hinge * width / 2, 0.0),
+        range=(0.0, float(np.pi / 2)), part="hinge_door", extent=(_vector(lo), _vector(hi)),
+    )
+    mass = _LEAF_DENSITY * float(np.prod(hi - lo))
+    return Link("leaf", visuals, [solids.slab(lo, hi)], mass, joint, grip + [0.045, hinge * 0.05, 0.0])
+
+
+def _vector(v: Array) -> tuple[float, float, float]:
+    return float(v[0]), float(v[1]), float(v[2])
+
+
+def _panels(lo: Array, hi: Array, material: Material) -> list[Mesh]:
+    """Two raised fields on each face, 2 mm proud, so that a leaf does not look like a slab."""
+    margin, middle = 0.12, lo[2] + 0.42 * (hi[2] - lo[2])
+    if hi[1] - lo[1] < 4 * margin:
+        return []
+    fields = ((lo[2] + 1.5 * margin, middle - margin / 2), (middle + margin / 2, hi[2] - margin))
+    tone = tuple(0.94 * c for c in material.color[:3])
+    raised = Material(f"{material.name}_field", (tone[0], tone[1], tone[2], 1.0), material.roughness)
+    x0, y0, x1, y1 = lo[0] - 0.002, lo[1] + margin, hi[0] + 0.002, hi[1] - margin
+    return [solids.box((x0, y0, z0), (x1, y1, z1), raised) for z0, z1 in fields]
+
+
+def _lever(at: Array, out: int, hinge: int) -> list[Mesh]:
+    """A lever handle: rose, neck, and lever pointing to the hinge."""
+    neck = at + [out * 0.045, 0, 0]
+    return [
+        solids.cylinder(at, at + [out * 0.008, 0, 0], 0.025, finishes.METAL),
+        solids.cylinder(at, neck, 0.009, finishes.METAL, 10),
+        solids.cylinder(neck + [0, -hinge * 0.009, 0], neck + [0, hinge * 0.11, 0], 0.009, finishes.METAL, 10),
+    ]
+
+
+def window(width: float, span: Span, opening: Opening) -> list[Link]:
+    """A fixed glazed window near the outer third of the wall, with a board inside; one collider for all."""
+    at = span[0] + 0.4 * (span[1] - span[0])
+    x0, x1, half = at - 0.035, at + 0.035, width / 2
+    z0, z1 = opening.sill, opening.head
+    panes = max(1, int(np.ceil(width / _PANE_MOST)))
+    posts = np.linspace(-half, half, panes + 1)
+    bars = [(-half, half, z0, z0 + FRAME), (-half, half, z1 - FRAME, z1)]
+    for k, y in enumerate(posts):
+        shift = {0: FRAME / 2, panes: -FRAME / 2}.get(k, 0.0)
+        bars.append((y + shift - FRAME / 2, y + shift + FRAME / 2, z0 + FRAME, z1 - FRAME))
+    visuals = [solids.box((x0, a, b), (x1, c, d), finishes.FRAME) for a, c, b, d in bars]
+    glass = solids.box((at - 0.008, -half + FRAME, z0 + FRAME), (at + 0.008, half - FRAME, z1 - FRAME), finishes.GLASS)
+    visuals += [*_board(half, x1, span[1], z0), glass]
+    return [Link("frame", visuals, [solids.slab((x0, -half, z0), (x1, half, z1))], 20.0)]
+
+
+def _board(half: float, x0: float, face: float, sill: float) -> list[Mesh]:
+    if sill < 0.3:
+        return []
+    return [solids.box((x0, -half, sill), (face + 0.03, half, sill + 0.02), finishes.FRAME)]

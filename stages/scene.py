@@ -1,0 +1,110 @@
+"""The neutral description of an apartment's bodies, shapes, joints and lights that every export format writes.
+
+Formats read this and nothing else, so that they can't disagree.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import count
+
+import numpy as np
+
+from schemas.errors import BadInput
+from schemas.layout import Layout
+from schemas.plan import Plan
+from schemas.retrieve import Furnishing, Retrieve
+from stages import polygons, shell
+from stages.asset import Asset, Link
+from stages.body import Body, Light
+from stages.categories import TABLE
+
+Load = Callable[[str, str], Asset]
+
+LOOSE = frozenset({
+    "armchair", "balcony_chair", "balcony_table", "bin", "chair", "coat_rack", "floor_lamp", "laundry_basket",
+    "microwave", "monitor", "office_chair", "plant", "pouffe", "side_table", "stool", "table_lamp", "tv",
+})
+"""Categories light enough to be pushed about; everything else is fixed where it stands."""
+_LUMENS = {"ceiling_lamp": 1100.0, "floor_lamp": 700.0, "table_lamp": 350.0, "wall_lamp": 300.0}
+
+
+@dataclass(frozen=True)
+class Scene:
+    """An apartment to export; `home` is the artifact itself. Bodies are built when first asked for."""
+
+    home: Plan
+    load: Load
+
+    @cached_property
+    def bodies(self) -> list[Body]:
+        """The shell's bodies, then one for each object, in the artifact's order; BadInput without assets."""
+        taken: set[str] = set()
+        built = [*shell.bodies(self.home), *(self._body(o) for o in _furnishings(self.home))]
+        return [_renamed(body, taken) for body in built]
+
+    @cached_property
+    def lights(self) -> list[Light]:
+        """One for every lamp, and one under the ceiling of each room without a ceiling lamp."""
+        objects = self.home.objects if isinstance(self.home, Layout) else []
+        lamps = [
+            Light(f"light_{identifier(o.id)}", o.room, np.array(o.center), _LUMENS[o.category])
+            for o in objects if o.category in _LUMENS
+        ]
+        lit = {o.room for o in objects if o.category == "ceiling_lamp"}
+        dark = [room for room in self.home.rooms if room.id not in lit and room.type != "balcony"]
+        middles = [np.array(polygons.floor(room).representative_point().coords[0]) for room in dark]
+        plain = [
+            Light(f"light_{room.id}", room.id, np.array([*xy, self.home.height - 0.15]), _LUMENS["ceiling_lamp"])
+            for room, xy in zip(dark, middles, strict=True)
+        ]
+        return lamps + plain
+
+    @cached_property
+    def credits(self) -> list[str]:
+        """Who made the assets used, sorted."""
+        return sorted({self.load(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
+
+    def _body(self, o: Furnishing) -> Body:
+        asset = self.load(o.asset.library, o.asset.id)
+        return Body(
+            o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, _links(asset, o.category),
+            o.category in LOOSE, o.id, f"{o.asset.library}/{o.asset.id}",
+        )
+
+
+def _links(asset: Asset, category: str) -> list[Link]:
+    """The asset's links; what lies flat (a rug) only shows, as things stand through it on the floor."""
+    if category in TABLE and TABLE[category].place == "flat":
+        return [replace(link, colliders=[]) for link in asset.links]
+    return asset.links
+
+
+def _furnishings(home: Plan) -> list[Furnishing]:
+    if isinstance(home, Retrieve):
+        return home.objects
+    if isinstance(home, Layout) and home.objects:
+        raise BadInput(
+            "this layout has boxes but no assets, which this format needs; "
+            "run `apartgen retrieve` on it first, or export svg or png"
+        )
+    return []
+
+
+def identifier(text: str) -> str:
+    """The text as a name that XML, USD and URDF all take: letters, digits and underscores, not a digit first."""
+    plain = re.sub(r"\W", "_", text, flags=re.ASCII)
+    return plain if re.match(r"[A-Za-z]", plain) else f"n{plain}"
+
+
+def _renamed(body: Body, taken: set[str]) -> Body:
+    """The body under a name not yet taken, which it then takes."""
+    name = next(n for n in _numbered(identifier(body.name)) if n not in taken)
+    taken.add(name)
+    return replace(body, name=name)
+
+
+def _numbered(name: str) -> Iterator[str]:
+    yield name
+    yield from (f"{name}_{k}" for k in count(2))

@@ -1,0 +1,153 @@
+"""The building itself as bodies: walls with openings cut, room linings, floors, ceilings, skirting, doors, windows.
+
+Colliders are on floors, walls, ceilings, doors and panes; linings and trim only show. Ceilings are bodies of their
+own, so that a user can leave them out.
+"""
+
+from functools import partial
+
+import numpy as np
+from shapely import Geometry
+from shapely.geometry import Polygon
+from shapely.ops import unary_union
+
+from schemas.plan import Opening, Plan, Room
+from stages import finishes, polygons, solids
+from stages.asset import Collider, Link, Mesh
+from stages.body import Body, Kind
+from stages.joinery import door, lining_of_passage, window
+
+SLAB = 0.12
+"""Thickness of floors, m."""
+CEILING = 0.02
+LINING = 0.012
+"""Thickness of plaster and tiles on a room's walls, m; part of the wall."""
+SKIRTING = (0.012, 0.07)
+"""Thickness and height of skirting boards, m."""
+PARAPET = 1.1
+"""Height of a balcony's outer wall, m."""
+CONCRETE = 2400.0  # kg/m³, for engines that want a mass of what never moves
+
+_ORIGIN = np.zeros(3)
+
+
+def bodies(plan: Plan) -> list[Body]:
+    """Every body of the shell, floors first; names are unique among them."""
+    floors = [_floor(plan, room) for room in plan.rooms]
+    ceilings = [_ceiling(plan, room) for room in plan.rooms if room.type != "balcony"]
+    linings = [lined for room in plan.rooms for lined in _linings(plan, room)]
+    leaves = [_opening(plan, opening) for opening in plan.openings]
+    return [_ground(plan), *floors, _walls(plan), *linings, *ceilings, *leaves]
+
+
+def _still(name: str, kind: Kind, room: str, visuals: list[Mesh], colliders: list[Collider] | None = None) -> Body:
+    volume = sum(float(np.prod(c.size)) for c in colliders or [])
+    link = Link("base", visuals, colliders or [], max(1.0, CONCRETE * volume))
+    return Body(name, kind, kind, room, _ORIGIN, 0.0, [link], id=room)
+
+
+def _ground(plan: Plan) -> Body:
+    """One slab under everything, so that nothing rolls over seams; it shows in thresholds and under walls."""
+    shell = polygons.shell(plan)
+    x0, y0, x1, y1 = shell.bounds
+    below = solids.extruded(shell, -SLAB, -0.004, finishes.CONCRETE)
+    sills = [polygons.threshold(o, plan) for o in plan.openings if o.kind in polygons.PASSAGES]
+    flush = unary_union(sills).difference(unary_union(list(polygons.floors(plan).values())))
+    shown = [below] if flush.is_empty else [below, solids.extruded(flush, -0.004, 0.0, finishes.THRESHOLD)]
+    return _still("ground", "floor", "", shown, [solids.slab((x0, y0, -SLAB), (x1, y1, 0.0))])
+
+
+def _floor(plan: Plan, room: Room) -> Body:
+    covering = solids.extruded(polygons.floor(room), -0.004, 0.0, finishes.floor(room.type))
+    return _still(f"floor_{room.id}", "floor", room.id, [covering])
+
+
+def _ceiling(plan: Plan, room: Room) -> Body:
+    area = polygons.floor(room)
+    top = plan.height + CEILING
+    visual = solids.extruded(area, plan.height, top, finishes.CEILING)
+    return _still(f"ceiling_{room.id}", "ceiling", room.id, [visual], solids.convex(area, plan.height, top))
+
+
+def _cut(opening: Opening, plan: Plan) -> Polygon:
+    """What an opening takes out of its wall, seen from above, and no more."""
+    within = unary_union(list(polygons.floors(plan).values()))
+    return polygons.threshold(opening, plan).difference(within)
+
+
+def _low(plan: Plan) -> Geometry:
+    """Where walls are only parapets: about balconies and nothing else."""
+    indoors = [room for room in plan.rooms if room.type != "balcony"]
+    if not indoors or len(indoors) == len(plan.rooms):
+        return Polygon()
+    return polygons.shell(plan).difference(polygons.shell(plan.model_copy(update={"rooms": indoors})))
+
+
+def _storeys(plan: Plan) -> list[tuple[Geometry, float, float]]:
+    """Wall bodies as prisms (area, z0, z1): the wall proper, what is above openings, what is below windows."""
+    cuts = {o.id: _cut(o, plan) for o in plan.openings}
+    solid = polygons.shell(plan).difference(unary_union([*polygons.floors(plan).values(), *cuts.values()]))
+    low = _low(plan)
+    pieces = [(solid.difference(low), 0.0, plan.height), (solid.intersection(low), 0.0, PARAPET)]
+    for opening in plan.openings:
+        area = cuts[opening.id]
+        top = PARAPET if area.intersects(low) and low.contains(area.centroid) else plan.height
+        pieces += [(area, 0.0, min(opening.sill, top)), (area, opening.head, top)]
+    return [(area, z0, z1) for area, z0, z1 in pieces if area.area > 1e-6 and z1 - z0 > 1e-3]
+
+
+def _walls(plan: Plan) -> Body:
+    storeys = _storeys(plan)
+    visuals = [solids.extruded(area, z0, z1, finishes.WALL) for area, z0, z1 in storeys]
+    return _still("walls", "wall", "", visuals, [c for area, z0, z1 in storeys for c in solids.convex(area, z0, z1)])
+
+
+def _linings(plan: Plan, room: Room) -> list[Body]:
+    """The room's own finish of the walls about it, and its skirting."""
+    floor = polygons.floor(room)
+    skin = floor.buffer(LINING, join_style="mitre").difference(floor)
+    finish = finishes.wall(room.type)
+    faces = [
+        solids.extruded(skin.intersection(area), z0, z1, finish)
+        for area, z0, z1 in _storeys(plan)
+        if skin.intersection(area).area > 1e-6
+    ]
+    found = [_still(f"lining_{room.id}", "lining", room.id, faces)]
+    board = _skirting(plan, room, floor)
+    if not board.is_empty:
+        shown = solids.extruded(board, 0.0, SKIRTING[1], finishes.SKIRTING)
+        found.append(_still(f"skirting_{room.id}", "trim", room.id, [shown]))
+    return found
+
+
+def _skirting(plan: Plan, room: Room, floor: Polygon) -> Geometry:
+    if not finishes.has_skirting(room.type):
+        return Polygon()
+    open_ = [_cut(o, plan).buffer(0.07, join_style="mitre") for o in plan.openings if o.kind in polygons.PASSAGES]
+    return floor.difference(floor.buffer(-SKIRTING[0], join_style="mitre")).difference(unary_union(open_))
+
+
+def _opening(plan: Plan, opening: Opening) -> Body:
+    """Door, window or lined passage in its own frame: origin on the floor in the middle of the wall's opening."""
+    towards = opening.into or opening.rooms[0]
+    normal, reach = polygons.face(opening, plan, towards)
+    others = [room for room in opening.rooms if room != towards]
+    beyond = polygons.face(opening, plan, others[0])[1] if others else reach
+    middle = np.mean(np.asarray(opening.segment, float), axis=0)
+    hung = partial(door, hinge=_hinge(opening, plan))
+    make = {"window": window, "opening": lining_of_passage}.get(opening.kind, hung)
+    links = make(polygons.width(opening), (-beyond, reach), opening)
+    kind: Kind = {"window": "window", "opening": "trim"}.get(opening.kind, "door")  # type: ignore[assignment]
+    yaw = float(np.arctan2(normal[1], normal[0]))
+    position = np.array([*middle, 0.0])
+    name = opening.id if opening.id.startswith(kind) else f"{kind}_{opening.id}"
+    return Body(name, kind, opening.kind, towards, position, yaw, links, id=opening.id)
+
+
+def _hinge(opening: Opening, plan: Plan) -> int:
+    """Which side the leaf hangs on seen from the room it opens to: +1 to the left (+y), -1 to the right, 0 no leaf."""
+    turn = polygons.hinge(opening, plan)
+    if turn is None:
+        return 0
+    left = np.array([-turn.opened[1], turn.opened[0]])
+    return -1 if float(turn.shut @ left) > 0 else 1
