@@ -54,8 +54,8 @@ def thing(
     size = size or kind.size
     bottom = kind.z if bottom is None else bottom
     return Furnishing(
-        id=id or f"{category}@{x:g},{y:g}", room=room, category=category, center=(x, y, bottom + size[2] / 2), size=size,
-        yaw=yaw, asset=AssetKey(library="test", id=category), joints=list(joints),
+        id=id or f"{category}@{x:g},{y:g}", room=room, category=category, center=(x, y, bottom + size[2] / 2),
+        size=size, yaw=yaw, asset=AssetKey(library="test", id=category), joints=list(joints),
     )
 
 
