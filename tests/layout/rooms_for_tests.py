@@ -1,0 +1,23 @@
+"""Small rooms that several tests share."""
+
+import numpy as np
+
+from schemas.base import ROOM_TYPES
+from stages.categories import CATEGORIES
+from stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, Rooms, oriented
+
+
+def some_rooms(n: int, seed: int = 0) -> Rooms:
+    """Rectangles of 3-5 m with a door in the south wall and a window in the north wall."""
+    rng = np.random.default_rng(seed)
+    half = rng.uniform(1.5, 2.5, (n, 2)).astype(np.float32)
+    polygon = np.full((n, MAX_CORNERS, 2), np.nan, np.float32)
+    polygon[:, :4] = half[:, None] * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], np.float32)
+    openings = np.full((n, MAX_OPENINGS, 7), np.nan, np.float32)
+    for i, (_, y) in enumerate(half):
+        openings[i, 0] = [-0.4, -y, 0.5, -y, 0, 1, 0]
+        openings[i, 1] = [0.6, y, -0.6, y, 3, 0, 0]
+    return oriented(Rooms(
+        polygon, openings, rng.integers(len(ROOM_TYPES), size=n), np.full(n, 2.6, np.float32), np.full(n, 6),
+        np.full((n, len(CATEGORIES)), -1), np.zeros((n, 2), np.float32),
+    ))

@@ -1,0 +1,143 @@
+"""Every energy is zero when satisfied, positive when not, and its gradient leads down."""
+
+import numpy as np
+import pytest
+import torch
+from rooms_for_tests import some_rooms
+
+from stages import registry
+from stages.categories import CATEGORIES
+from stages.layout import geometry, guided
+from stages.layout.config import LayoutConfig, ModelConfig
+from stages.layout.diffusion import ALPHA_BAR, Prediction
+from stages.layout.features import CLASS, EMPTY, N_CLASSES, PLACE, Objects, encode
+from stages.layout.geometry import Boxes, floor_of
+
+MODEL = ModelConfig()
+SPATIAL = [name for name in registry.members("stages.layout.guidance") if name not in ("quantity",)]
+
+
+def boxes(*rows: tuple[str, float, float, float]) -> Boxes:
+    """One room of objects (category, x, y, yaw) 0.8 × 0.8 × 0.8 m on the floor."""
+    category = torch.tensor([[CATEGORIES.index(row[0]) for row in rows]])
+    center = torch.tensor([[[row[1], row[2], 0.4] for row in rows]])
+    yaw = torch.tensor([[row[3] for row in rows]])
+    size = torch.full_like(center, 0.8)
+    n = len(rows)
+    return Boxes(center, size, torch.stack([yaw.cos(), yaw.sin()], -1), category, torch.ones(1, n),
+                 geometry.reach(category, size), torch.zeros(1, n))
+
+
+def energy(name: str, found: Boxes) -> float:
+    return float(registry.load("stages.layout.guidance", name).energy(found, floor_of(some_rooms(1)))[0])
+
+
+def test_articulation_sees_the_blocked_drawer_only() -> None:
+    facing = boxes(("chest", 0.0, 0.0, 0.0), ("plant", 1.2, 0.0, 0.0))
+    behind = boxes(("chest", 0.0, 0.0, np.pi), ("plant", 1.2, 0.0, 0.0))
+    clear = boxes(("sofa", 0.0, 0.0, 0.0), ("plant", 1.2, 0.0, 0.0))
+    assert energy("articulation", facing) > 0
+    assert energy("articulation", behind) == 0
+    assert energy("articulation", clear) == 0
+
+
+def test_articulation_equals_eq_4_by_hand() -> None:
+    """b′ of the chest is 0.8 + 0.6 deep; it shares 0.2 × 0.8 × 0.8 with the plant."""
+    found = boxes(("chest", 0.0, 0.0, 0.0), ("plant", 1.2, 0.0, 0.0))
+    shared, volume = 0.2 * 0.64, 0.8**3
+    assert energy("articulation", found) == pytest.approx(shared / (1.4 * 0.64 + volume - shared), rel=1e-4)
+
+
+def test_inside_and_openings() -> None:
+    assert energy("inside", boxes(("sofa", 0, 0, 0.3))) == 0
+    assert energy("inside", boxes(("sofa", 4, 0, 0.3))) > 0
+    south = float(some_rooms(1).polygon[0, 0, 1])
+    assert energy("openings", boxes(("sofa", 0.0, south + 0.4, 0))) == pytest.approx(0.8 * 0.8, rel=1e-4)
+    assert energy("openings", boxes(("sofa", 0.0, 0.6, 0))) == 0
+
+
+@pytest.mark.parametrize("name", SPATIAL)
+def test_gradient_descends(name: str) -> None:
+    rooms = some_rooms(1)
+    south = float(rooms.polygon[0, 0, 1])
+    found = {
+        "articulation": [("chest", 0.0, 0.0, 0.0), ("plant", 1.1, 0.1, 0.2)],
+        "inside": [("sofa", 2.6, 0.1, 0.4)],
+        "openings": [("sofa", 0.3, south + 0.5, 0.2)],
+    }[name]
+    start = boxes(*found)
+    objects = Objects(start.center, start.size, torch.atan2(start.heading[..., 1], start.heading[..., 0]),
+                      start.category, torch.zeros(1, len(found), 32))
+    x = encode(objects, MODEL)
+    logits = x[..., CLASS] * 10
+    module = registry.load("stages.layout.guidance", name)
+
+    def value(state: torch.Tensor) -> float:
+        return float(module.energy(geometry.boxes_of(Prediction(state, logits), MODEL.class_scale), floor_of(rooms))[0])
+
+    slope = guided.gradient([(1.0, module.energy)], x, logits, floor_of(rooms), MODEL)
+    assert slope[..., PLACE].abs().sum() > 0
+    assert value(x - 0.02 * slope) < value(x)
+
+
+def test_paper_scaling_shifts_the_posterior_mean_by_lambda_sigma_gradient() -> None:
+    """Eq. 2 for one DDPM step, whatever the sampler sees: μ′ = μ - λΣ∇φ(μ)."""
+    from stages.layout.samplers import posterior
+
+    config = LayoutConfig(scaling="sigma", guidance_scale=3.0)
+    rooms, t = some_rooms(1), 9
+    x = torch.randn(1, 4, 8 + N_CLASSES + 32, generator=torch.Generator().manual_seed(0))
+    clean = x * 0.9
+    logits = clean[..., CLASS]
+
+    def pulled(boxes: Boxes, room: geometry.Floor) -> torch.Tensor:
+        return (boxes.center[..., 0] ** 2).sum(-1)
+
+    def denoise(x: torch.Tensor, t: torch.Tensor) -> Prediction:
+        return Prediction(clean, logits)
+
+    steered = guided.guided(denoise, [(1.0, pulled)], floor_of(rooms), MODEL, config, 0.1)(x, torch.tensor([t])).x0
+    mean, variance = posterior(x, clean, t, t - 1)
+    slope = guided.gradient([(1.0, pulled)], mean, logits, floor_of(rooms), MODEL)
+    torch.testing.assert_close(posterior(x, steered, t, t - 1)[0], mean - 3.0 * variance * slope, atol=1e-6, rtol=1e-4)
+    assert slope.abs().max() > 0
+
+
+def test_quantity_energy_is_eq_3() -> None:
+    found = boxes(("sofa", 0, 0, 0), ("plant", 1, 0, 0))
+    found.empty = torch.tensor([[0.1, 0.9]])
+    room = floor_of(some_rooms(1))
+    room.empty = torch.tensor([[0.0, 1.0]])
+    module = registry.load("stages.layout.guidance", "quantity")
+    logit = 0.4 * module.SHARPNESS
+    assert float(module.energy(found, room)[0]) == pytest.approx(np.log1p(np.exp(-logit)), rel=1e-4)
+    room.empty = torch.tensor([[1.0, 0.0]])
+    assert float(module.energy(found, room)[0]) == pytest.approx(np.log1p(np.exp(logit)), rel=1e-4)
+
+
+def test_wanted_categories_win_their_slots() -> None:
+    generator = torch.Generator().manual_seed(0)
+    for _ in range(50):
+        logits = torch.randn(8, N_CLASSES, generator=generator) * 3
+        logits[:, EMPTY] = -30
+        wanted = torch.full((EMPTY,), -1)
+        wanted[3], wanted[7], wanted[11] = 2, 0, 1
+        guided.assign(logits, wanted)
+        classes = logits.argmax(-1)
+        assert [(classes == c).sum().item() for c in (3, 7, 11)] == [2, 0, 1]
+
+
+def test_schedule_is_respected() -> None:
+    calls: list[int] = []
+
+    def counting(boxes: Boxes, room: geometry.Floor) -> torch.Tensor:
+        calls.append(1)
+        return (boxes.center ** 2).sum((-1, -2))
+
+    x = torch.randn(1, 2, 8 + N_CLASSES + 32)
+    steered = guided.guided(lambda x, t: Prediction(x, x[..., CLASS]), [(1.0, counting)], floor_of(some_rooms(1)),
+                            MODEL, LayoutConfig(), 0.01)
+    steered(x, torch.tensor([11]))
+    assert not calls
+    steered(x, torch.tensor([10]))
+    assert calls and ALPHA_BAR[10] < 1
