@@ -1,0 +1,5 @@
+"""`python -m apartgen_cli`."""
+
+from apartgen_cli.main import main
+
+main()

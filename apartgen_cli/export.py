@@ -1,0 +1,81 @@
+"""Write an apartment for simulators, viewers and people."""
+
+from collections.abc import Callable
+from pathlib import Path
+from time import perf_counter
+from typing import Annotated, Any
+
+import typer
+from pydantic import Field
+
+from apartgen_cli.console import say
+from apartgen_cli.options import INPUTS
+from apartgen_cli.stage import made, opened, settled
+from apartgen_cli.streams import made_folder, sources, targets
+from schemas import artifact
+from schemas.artifact import STREAM, Artifact
+from schemas.base import Record
+from schemas.errors import ApartgenError, BadInput
+from schemas.export import Export
+from schemas.plan import Plan
+from stages import registry
+from stages.retrieve.matching.config import RetrieveConfig
+
+FORMATS = registry.members("stages.export")
+FORMAT = Annotated[list[str], typer.Option("--format", help=f"Any number of times; of {', '.join(FORMATS)}.")]
+LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of an indexed asset library in use.")]
+FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; it is replaced whole or not at all.")]
+
+
+class ExportSettings(Record):
+    """What is written, and where assets are found."""
+
+    format: list[str] = Field(min_length=1)
+    libraries: list[str] = Field(default_factory=list)
+
+
+def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
+    """Write one apartment."""
+    from stages import export, retrieve
+
+    libraries = retrieve.open_libraries(RetrieveConfig(libraries=settings.libraries))
+    return export.run(home, settings.format, folder, libraries.load)
+
+
+def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Export:
+    """Write one apartment and the list of its files beside them."""
+    began = perf_counter()
+    files = export(read.body, settings, folder)
+    text, _ = artifact.finish(files, made(read.made.seed, settings, read, perf_counter() - began))
+    artifact.write(text, folder / "export.json")
+    return files
+
+
+def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = None) -> int:
+    names = sources(inputs)
+    if out == STREAM:
+        raise BadInput("-o -: an export is a folder of files; give -o FOLDER/")
+    settings = ExportSettings(format=format, libraries=library or [])
+    work, errors = opened(list(zip(names, _folders(names, out))), Plan, whole=True)
+    for folder, read in work:
+        try:
+            files = finished(read, settings, Path(folder))
+        except ApartgenError as error:
+            errors.append(error)
+            continue
+        for file in files.files:
+            say(f"wrote {Path(folder) / file.path}")
+    return settled(errors, len(names))
+
+
+def _folders(names: list[str], out: str) -> list[Path]:
+    """The folder itself for one apartment, one below it for each of several."""
+    if len(names) == 1:
+        return [Path(out)]
+    made_folder(out)
+    return [Path(place).with_suffix("") for place in targets("export", names, out)]
+
+
+def commands() -> dict[str, Callable[..., Any]]:
+    """The commands of this module."""
+    return {"export": _run}

@@ -1,0 +1,116 @@
+"""The `apartgen` program: finds the command, shows errors in one or two lines, sets the exit status.
+
+A command is a public module beside this one with a function `command() -> Callable`; it is imported when it is called,
+so that help and the light commands start without the heavy packages.
+"""
+
+import importlib
+import os
+import sys
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from apartgen_cli import __version__
+from apartgen_cli.console import fail, listen
+from schemas.errors import ApartgenError
+from stages import registry
+
+WORDS = ("plan", "layout", "retrieve", "export", "metrics", "schema")
+"""The commands, in the order of use."""
+INTERRUPTED, PIPE_CLOSED = 130, 141
+_WIDTH = 100
+
+
+class Lazily(TyperGroup):
+    """A group that imports a command's module when that command is called."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        if args and args[0] in WORDS:
+            self.commands[args[0]] = _loaded(args[0])
+        return super().resolve_command(ctx, args)
+
+
+def _loaded(word: str) -> Any:
+    module = importlib.import_module(f"apartgen_cli.{word}")
+    alone = typer.Typer(add_completion=False)
+    for name, function in module.commands().items():
+        alone.command(name)(function)
+    command = typer.main.get_command(alone)
+    command.name = word
+    return command
+
+
+def _shown(version: bool) -> None:
+    if version:
+        typer.echo(f"apartgen {__version__}")
+        raise typer.Exit()
+
+
+def _global(
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show errors only.")] = False,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_shown, is_eager=True, help="Show the version.")] = False,
+) -> None:
+    """From a sentence to a furnished, simulation-ready apartment.
+
+    Every stage reads the JSON of the one before and writes its own: plan, layout, retrieve, walkable; then export and
+    metrics. `make` does all of it.
+    """
+    listen(quiet)
+
+
+def application() -> Any:
+    """The command group; help of every command is the first line of its module."""
+    app = typer.Typer(cls=Lazily, no_args_is_help=True, rich_markup_mode="markdown", add_completion=False,
+                      context_settings={"help_option_names": ["-h", "--help"], "max_content_width": _WIDTH})
+    app.callback()(_global)
+    helps = registry.members("apartgen_cli")
+    for word in WORDS:
+        app.command(word, help=helps[word])(_placeholder)
+    return typer.main.get_command(app)
+
+
+def _placeholder() -> None:
+    raise AssertionError("a command is loaded before it is called")
+
+
+def main() -> None:
+    """Run the command line; never returns."""
+    sys.exit(status(sys.argv[1:]))
+
+
+def status(args: list[str]) -> int:
+    """Run one command line and return its exit status."""
+    try:
+        code = application()(args=args, prog_name="apartgen", standalone_mode=False)
+        sys.stdout.flush()
+        return int(code or 0)
+    except ApartgenError as error:
+        fail(str(error))
+        return error.exit_code
+    except (KeyboardInterrupt, typer.Abort):
+        fail("interrupted; what was finished is kept")
+        return INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read the output has gone; leave nothing for the interpreter to flush.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return PIPE_CLOSED
+    except Exception as error:
+        return _usage(error)
+
+
+def _usage(error: Exception) -> int:
+    """Status of a wrong command line, its fault shown; whatever else it is, is ours and goes on up."""
+    message = getattr(error, "format_message", None)
+    if message is None:
+        raise error
+    if text := message():
+        context = getattr(error, "ctx", None)
+        fail(f"{text} Try '{context.command_path if context else 'apartgen'} --help'.")
+    return 2
+
+
+if __name__ == "__main__":
+    main()

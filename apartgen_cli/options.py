@@ -1,0 +1,119 @@
+"""A stage's configuration as command-line options: every plain field of its pydantic type is one option."""
+
+import inspect
+import tomllib
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+
+import typer
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
+
+from schemas.errors import BadInput
+
+Config = TypeVar("Config", bound=BaseModel)
+Names = Mapping[str, str]
+
+OUT = Annotated[str | None, typer.Option("--out", "-o", help="A file, or with a slash at its end a folder.")]
+SEED = Annotated[int | None, typer.Option("--seed", min=0, help="Fixes everything drawn; the input's seed by default.")]
+CONFIG = Annotated[Path | None, typer.Option("--config", help="A TOML file with a table of settings for every stage.")]
+INPUTS = Annotated[list[str] | None, typer.Argument(metavar="FILE", help="Artifacts; - or a pipe is standard input.")]
+
+
+def with_options(
+    function: Callable[..., Any], config: type[BaseModel], names: Names | None = None
+) -> Callable[..., Any]:
+    """`function(**own, given)` as a command that also has an option for every plain field of `config`.
+
+    `names` gives fields another name on the command line. `given` gets the fields that were set.
+    """
+    fields = {field: (names or {}).get(field, field) for field, info in config.model_fields.items()
+              if _plain(info.annotation) is not None}
+
+    def run(**arguments: Any) -> Any:
+        given = {field: arguments.pop(option) for field, option in fields.items()}
+        return function(**arguments, given={field: value for field, value in given.items() if value not in (None, [])})
+
+    own = [p for p in inspect.signature(function).parameters.values() if p.name != "given"]
+    extra = [_parameter(option, config.model_fields[field]) for field, option in fields.items()]
+    run.__signature__ = inspect.Signature([*own, *extra])  # type: ignore[attr-defined]
+    run.__annotations__ = {p.name: p.annotation for p in (*own, *extra)}
+    run.__doc__ = function.__doc__
+    return run
+
+
+def _parameter(option: str, info: FieldInfo) -> inspect.Parameter:
+    kind = _plain(info.annotation)
+    name = "--" + option.replace("_", "-")
+    origin = get_origin(kind)
+    if kind is bool:
+        name = f"{name}/--no-{name[2:]}"
+    help_ = _sentence(info.description or option.replace("_", " "))
+    if origin is dict:
+        help_, kind = f"{help_} As NAME=VALUE, any number of times.", list[str]
+    default = info.get_default(call_default_factory=True, validated_data={})
+    shown = ", ".join(f"{k}={v:g}" for k, v in default.items()) if isinstance(default, dict) else default
+    declared = typer.Option(name, help=help_, show_default=False if shown in (None, [], "") else str(shown))
+    return inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=None,
+                             annotation=Annotated[kind | None, declared])
+
+
+def _sentence(text: str) -> str:
+    first = text[0].upper() if text[0].isascii() else text[0]
+    return first + text[1:].rstrip(".") + "."
+
+
+def _plain(annotation: Any) -> Any:
+    """A field's type as the command line takes it, without None and constraints; None for what it cannot take."""
+    if get_origin(annotation) is Annotated:
+        return _plain(get_args(annotation)[0])
+    if get_origin(annotation) in (Union, UnionType):
+        return _plain(next(arg for arg in get_args(annotation) if arg is not NoneType))
+    if get_origin(annotation) in (list, dict, Literal) or annotation in (int, float, bool, str):
+        return annotation
+    return None
+
+
+def configured(config: type[Config], given: Mapping[str, Any], table: Mapping[str, Any] | None = None,
+               names: Names | None = None) -> Config:
+    """The configuration from its defaults, a file's table and the options given; the later wins."""
+    values: dict[str, Any] = dict(table or {})
+    for field in values:
+        if field not in config.model_fields:
+            raise BadInput(f"setting {field!r} is unknown; there are: {', '.join(config.model_fields)}")
+    for field, value in given.items():
+        whole = get_origin(_plain(config.model_fields[field].annotation)) is dict
+        values[field] = _pairs(config, field, value, values.get(field)) if whole else value
+    try:
+        return config.model_validate(values)
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        field = str(first["loc"][0]) if first["loc"] else ""
+        option = (names or {}).get(field, field).replace("_", "-")
+        raise BadInput(f"--{option} {values.get(field)}: {first['msg'][0].lower()}{first['msg'][1:]}") from None
+
+
+def _pairs(config: type[BaseModel], field: str, rows: list[str], table: Mapping[str, Any] | None) -> dict[str, Any]:
+    default = config.model_fields[field].get_default(call_default_factory=True, validated_data={})
+    values = dict(table if table is not None else default)
+    for row in rows:
+        name, sign, value = row.partition("=")
+        try:
+            values[name] = float(value)
+        except ValueError:
+            raise BadInput(f"--{field.replace('_', '-')} {row}: give NAME=VALUE, VALUE a number") from None
+    return values
+
+
+def tables(file: Path | None) -> dict[str, Any]:
+    """The tables of a settings file, by stage; empty without one."""
+    if file is None:
+        return {}
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise BadInput(f"{file}: cannot be read ({error.strerror}); check the path") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise BadInput(f"{file}: not TOML: {error}") from None

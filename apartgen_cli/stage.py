@@ -1,0 +1,122 @@
+"""Runs one stage over its inputs: reads artifacts, has the stage advance them, writes what comes back.
+
+A command module describes its stage by a `Stage`; `make` chains the same descriptions.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from apartgen_cli import __version__
+from apartgen_cli.console import fail, progress, say
+from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, configured, tables, with_options
+from apartgen_cli.streams import Target, sources, targets
+from schemas import artifact
+from schemas.artifact import STREAM, Artifact, Made
+from schemas.base import Record
+from schemas.errors import ApartgenError
+
+BY = f"apartgen {__version__}"
+Outcome = Record | ApartgenError
+Advance = Callable[[list[Any], Any, list[np.random.Generator]], Iterable[Outcome]]
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One stage as the command line sees it.
+
+    `advance(bodies, config, rngs)` gives, for each body and in order, the next body or the error that prevents it.
+    `names` maps fields of the configuration to other option names.
+    """
+
+    word: str
+    takes: type[Record]
+    config: type[Record]
+    advance: Advance
+    names: Mapping[str, str] = field(default_factory=dict)
+
+    def command(self) -> Callable[..., Any]:
+        """The stage as a command with an option for every described field of its configuration."""
+
+        def run(inputs: INPUTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None, *, given: Any) -> int:
+            settings = configured(self.config, given, tables(config).get(self.word), self.names)
+            return over(self, inputs, out, seed, settings)
+
+        return with_options(run, self.config, self.names)
+
+
+def each(step: Callable[[Any, Any, np.random.Generator], Record]) -> Advance:
+    """An `Advance` out of a function of one body; an error of one leaves the others be."""
+
+    def advance(bodies: list[Any], config: Any, rngs: list[np.random.Generator]) -> Iterator[Outcome]:
+        for body, rng in zip(bodies, rngs):
+            try:
+                yield step(body, config, rng)
+            except ApartgenError as error:
+                yield error
+
+    return advance
+
+
+def lane(seed: int, word: str) -> np.random.Generator:
+    """The random numbers of one stage; the same whether it runs alone or with others."""
+    return np.random.default_rng([seed, *word.encode()])
+
+
+def made(seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0) -> Made:
+    """How a result of this program came about."""
+    inputs = {previous.kind: previous.digest} if previous else {}
+    return Made(by=BY, seed=seed, config=config.model_dump(mode="json"), inputs=inputs, seconds=round(seconds, 2))
+
+
+def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record) -> int:
+    """Run a stage over all inputs; every result is written as soon as it is there. Returns the exit status."""
+    names = sources(inputs)
+    pairs = list(zip(names, targets(stage.word, names, out)))
+    work, errors = opened(pairs, stage.takes)
+    seeds = [read.made.seed if seed is None else seed for _, read in work]
+    began = perf_counter()
+    bodies = stage.advance([read.body for _, read in work], config, [lane(s, stage.word) for s in seeds])
+    for (place, read), used, outcome in zip(work, seeds, progress(bodies, stage.word, len(work))):
+        if isinstance(outcome, ApartgenError):
+            errors.append(outcome)
+            continue
+        written(outcome, made(used, config, read, perf_counter() - began), place)
+        began = perf_counter()
+    return settled(errors, len(names))
+
+
+def opened(pairs: Iterable[tuple[str, Target]], model: type[Record], whole: bool = False,
+           ) -> tuple[list[tuple[Target, Artifact[Any]]], list[ApartgenError]]:
+    """The inputs that can be read, each with the place of its result, and what is wrong with the others."""
+    work: list[tuple[Target, Artifact[Any]]] = []
+    errors: list[ApartgenError] = []
+    for name, place in pairs:
+        try:
+            work.append((place, artifact.read(name, model, whole)))
+        except ApartgenError as error:
+            errors.append(error)
+    return work, errors
+
+
+def written(body: Record, made: Made, place: Target) -> None:
+    """Write one result."""
+    text, _ = artifact.finish(body, made)
+    artifact.write(text, place)
+    if str(place) != STREAM:
+        say(f"wrote {Path(place)}")
+
+
+def settled(errors: list[ApartgenError], total: int) -> int:
+    """The exit status after all inputs; a single input's error is raised as it is."""
+    if total == 1 and errors:
+        raise errors[0]
+    for error in errors:
+        fail(str(error))
+    if errors:
+        fail(f"{len(errors)} of {total} could not be done")
+    return max((error.exit_code for error in errors), default=0)

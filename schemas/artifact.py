@@ -1,0 +1,263 @@
+"""Artifacts as files: the envelope around a stage's result, reading of any version, writing whole or not at all.
+
+    {"apartgen": kind, "version": n, "made": {by, seed, config, inputs, seconds}, "body": {…}}
+
+A later kind can be read wherever an earlier one is asked for, because Plan ⊂ Layout ⊂ Retrieve ⊂ Walkable. Text is
+deterministic: keys in the order of the types, numbers to 1e-6, one newline at the end.
+"""
+
+import contextlib
+import hashlib
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from pydantic import Field, ValidationError
+
+from schemas import consistency
+from schemas.base import Number, Record
+from schemas.errors import BadInput
+from schemas.export import Export
+from schemas.layout import Layout
+from schemas.metrics import Metrics
+from schemas.migrations import VERSION, migrate
+from schemas.plan import Plan
+from schemas.retrieve import Retrieve
+from schemas.walkable import Walkable
+
+BODIES: dict[str, type[Record]] = {
+    "plan": Plan, "layout": Layout, "retrieve": Retrieve, "walkable": Walkable, "export": Export, "metrics": Metrics,
+}
+"""The body type of every kind of artifact, in the order of the stages."""
+DECIMALS = 6
+"""Digits kept behind the point, in metres and radians."""
+LARGEST = 256 * 2**20
+"""Bytes above which a file is refused."""
+STREAM = "-"
+"""Stands for standard input or output."""
+_LINE = 112
+
+Body = TypeVar("Body", bound=Record)
+
+
+class Made(Record):
+    """How an artifact came about. `inputs` has the digest of every artifact it was made from, by kind."""
+
+    by: str
+    seed: int = Field(ge=0)
+    config: dict[str, Any] = Field(default_factory=dict)
+    inputs: dict[str, str] = Field(default_factory=dict)
+    seconds: Number = 0.0
+
+
+class Envelope(Record, Generic[Body]):
+    """What a file holds."""
+
+    apartgen: str
+    version: int
+    made: Made
+    body: Body
+
+
+@dataclass(frozen=True)
+class Artifact(Generic[Body]):
+    """What was read. `digest` covers all of the file but `made.seconds`."""
+
+    kind: str
+    made: Made
+    body: Body
+    digest: str
+
+
+def kind_of(body: Record) -> str:
+    """The kind whose body this is."""
+    return next(kind for kind, type_ in BODIES.items() if type(body) is type_)
+
+
+def accepted(model: type[Record]) -> list[str]:
+    """The kinds that can be read where a `model` is asked for."""
+    return [kind for kind, type_ in BODIES.items() if issubclass(type_, model)]
+
+
+def read(source: str | Path, model: type[Body], whole: bool = False) -> Artifact[Body]:
+    """The artifact in a file, or on standard input for "-".
+
+    The body comes as a `model`, fields of later stages left out; with `whole`, as the type of the file's own kind.
+    Raises BadInput, naming the file and the place in it.
+    """
+    name = "standard input" if str(source) == STREAM else str(source)
+    return parse(_bytes(source, name), name, model, whole)
+
+
+def parse(data: bytes, name: str, model: type[Body], whole: bool = False) -> Artifact[Body]:
+    """An artifact from its bytes; `name` says in errors where they came from."""
+    raw = _json(data, name)
+    kind = _kind(raw, name, model)
+    digest = _digest(raw)
+    raw = migrate(raw, name)
+    asked = BODIES[kind] if whole else model
+    try:
+        text = json.dumps(raw)
+        envelope = Envelope[asked].model_validate_json(text, strict=True)  # type: ignore[valid-type]
+    except ValidationError as error:
+        raise BadInput(f"{name}: {_first(error)}; `apartgen schema {kind}` says what belongs there") from None
+    if fault := next(consistency.faults(envelope.body), None):
+        raise BadInput(f"{name}: body.{fault.where}: {fault.what}")
+    return Artifact(kind, envelope.made, envelope.body, digest)
+
+
+def finish(body: Body, made: Made) -> tuple[str, Artifact[Body]]:
+    """The text to write, and the artifact as a reader of that text gets it (numbers rounded).
+
+    Stages are handed what a file would hold, so that running them apart or together gives the same.
+    """
+    kind = kind_of(body)
+    record = {"apartgen": kind, "version": VERSION, "made": made.model_dump(mode="json", by_alias=True),
+              "body": body.model_dump(mode="json", by_alias=True)}
+    text = _text(_rounded(record)) + "\n"
+    try:
+        return text, parse(text.encode(), kind, type(body))
+    except BadInput as error:
+        raise RuntimeError(f"the {kind} stage made an inconsistent artifact: {error}") from error
+
+
+def write(text: str, target: str | Path) -> None:
+    """Put text in a file, whole or not at all, or on standard output for "-"."""
+    if str(target) == STREAM:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+        return
+    try:
+        _replace(text.encode(), Path(target))
+    except OSError as error:
+        raise BadInput(f"{target}: cannot be written ({error.strerror or error}); give another path with -o") from None
+
+
+def json_schema(kind: str) -> dict[str, Any]:
+    """JSON Schema of an artifact file; BadInput for an unknown kind."""
+    if kind not in BODIES:
+        raise BadInput(f"no artifact kind {kind!r}; there are: {', '.join(BODIES)}")
+    schema = Envelope[BODIES[kind]].model_json_schema(by_alias=True)  # type: ignore[misc]
+    schema["properties"]["apartgen"] = {"const": kind, "type": "string"}
+    schema["properties"]["version"] = {"const": VERSION, "type": "integer"}
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
+    return head | schema | {"title": kind, "description": (BODIES[kind].__doc__ or "").partition("\n")[0]}
+
+
+def _bytes(source: str | Path, name: str) -> bytes:
+    try:
+        if str(source) == STREAM:
+            data = sys.stdin.buffer.read(LARGEST + 1)
+        else:
+            with open(source, "rb") as file:
+                data = file.read(LARGEST + 1)
+    except OSError as error:
+        raise BadInput(f"{name}: cannot be read ({error.strerror or error}); check the path") from None
+    if len(data) > LARGEST:
+        raise BadInput(f"{name}: larger than {LARGEST // 2**20} MB; not an apartgen artifact")
+    if not data.strip():
+        raise BadInput(f"{name}: empty; what should have written it failed or was never run")
+    return data
+
+
+def _constant(word: str) -> None:
+    raise ValueError(f"{word} is not a number in JSON")
+
+
+def _json(data: bytes, name: str) -> dict[str, Any]:
+    try:
+        raw = json.loads(data.decode("utf-8-sig"), parse_constant=_constant)
+        json.dumps(raw, ensure_ascii=False).encode()  # lone surrogates could be read but never written
+    except UnicodeError:
+        raise BadInput(f"{name}: not UTF-8 text; give a JSON file that apartgen wrote") from None
+    except RecursionError:
+        raise BadInput(f"{name}: nested too deeply; give a JSON file that apartgen wrote") from None
+    except json.JSONDecodeError as error:
+        where = f"line {error.lineno} column {error.colno}"
+        cut = "; the file may be cut off, make it again" if error.pos >= len(error.doc.rstrip()) else ""
+        raise BadInput(f"{name}: not JSON at {where}: {error.msg}{cut}") from None
+    except ValueError as error:
+        raise BadInput(f"{name}: not JSON: {error}") from None
+    if not isinstance(raw, dict) or "apartgen" not in raw:
+        raise BadInput(f'{name}: not an apartgen artifact (no "apartgen" at its top); make one with `apartgen plan`')
+    return raw
+
+
+def _kind(raw: dict[str, Any], name: str, model: type[Record]) -> str:
+    kind, good = raw["apartgen"], accepted(model)
+    if kind not in BODIES:
+        raise BadInput(f"{name}: apartgen: unknown kind {str(kind)[:40]!r}; there are: {', '.join(BODIES)}")
+    if kind not in good:
+        article = "an" if kind[0] in "aeiou" else "a"
+        raise BadInput(f"{name}: {article} {kind} artifact where {' or '.join(good)} is needed; {_remedy(good[0])}")
+    return str(kind)
+
+
+def _remedy(kind: str) -> str:
+    return f"make it with `apartgen {kind}`"
+
+
+def _first(error: ValidationError) -> str:
+    problems = error.errors(include_url=False)
+    first = problems[0]
+    path = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
+    message = first["msg"][0].lower() + first["msg"][1:]
+    more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+    return f"{path}: {message}{more}"
+
+
+def _digest(raw: dict[str, Any]) -> str:
+    made = raw.get("made")
+    kept = {k: v for k, v in made.items() if k != "seconds"} if isinstance(made, dict) else made
+    text = json.dumps(raw | {"made": kept}, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return "sha256:" + hashlib.sha256(text.encode()).hexdigest()
+
+
+def _rounded(value: Any) -> Any:
+    if isinstance(value, float):
+        return round(value, DECIMALS) + 0.0  # no negative zero
+    if isinstance(value, dict):
+        return {key: _rounded(item) for key, item in value.items()}
+    return [_rounded(item) for item in value] if isinstance(value, list) else value
+
+
+def _text(value: Any, indent: int = 0) -> str:
+    """JSON with short containers, and long rows of numbers, on one line."""
+    line = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    items: Sequence[Any] = list(value.values()) if isinstance(value, dict) else value if isinstance(value, list) else []
+    flat = not any(isinstance(item, dict | list) for item in items)
+    if not items or len(line) + indent <= _LINE or (flat and isinstance(value, list)):
+        return line
+    pad, inner = " " * indent, " " * (indent + 1)
+    keyed = isinstance(value, dict)
+    heads = [json.dumps(key, ensure_ascii=False) + ": " for key in value] if keyed else [""] * len(items)
+    rows = [inner + head + _text(item, indent + 1) for head, item in zip(heads, items)]
+    opening, closing = "{}" if keyed else "[]"
+    return opening + "\n" + ",\n".join(rows) + "\n" + pad + closing
+
+
+def _replace(data: bytes, target: Path) -> None:
+    target = target.resolve()
+    if target.exists() and not target.is_file():
+        with open(target, "wb") as device:  # a pipe or /dev/null is written to, not replaced
+            device.write(data)
+        return
+    handle, part = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(part, target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~mask)
+        os.replace(part, target)
+    except BaseException:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(part)
+        raise
