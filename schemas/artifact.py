@@ -160,8 +160,6 @@ def _bytes(source: str | Path, name: str) -> bytes:
         raise BadInput(f"{name}: cannot be read ({error.strerror or error}); check the path") from None
     if len(data) > LARGEST:
         raise BadInput(f"{name}: larger than {LARGEST // 2**20} MB; not an apartgen artifact")
-    if not data.strip():
-        raise BadInput(f"{name}: empty; what should have written it failed or was never run")
     return data
 
 
@@ -170,6 +168,8 @@ def _constant(word: str) -> None:
 
 
 def _json(data: bytes, name: str) -> dict[str, Any]:
+    if not data.strip():
+        raise BadInput(f"{name}: empty; what should have written it failed or was never run")
     try:
         raw = json.loads(data.decode("utf-8-sig"), parse_constant=_constant)
         json.dumps(raw, ensure_ascii=False).encode()  # lone surrogates could be read but never written
@@ -190,12 +190,12 @@ def _json(data: bytes, name: str) -> dict[str, Any]:
 
 def _kind(raw: dict[str, Any], name: str, model: type[Record]) -> str:
     kind, good = raw["apartgen"], accepted(model)
-    if kind not in BODIES:
+    if not isinstance(kind, str) or kind not in BODIES:
         raise BadInput(f"{name}: apartgen: unknown kind {str(kind)[:40]!r}; there are: {', '.join(BODIES)}")
     if kind not in good:
         article = "an" if kind[0] in "aeiou" else "a"
         raise BadInput(f"{name}: {article} {kind} artifact where {' or '.join(good)} is needed; {_remedy(good[0])}")
-    return str(kind)
+    return kind
 
 
 def _remedy(kind: str) -> str:
