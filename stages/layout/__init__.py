@@ -1,5 +1,6 @@
 """Layout: a guided set diffusion model places every object of an apartment (paper 3.2-3.4, Algorithm 1)."""
 
+import os
 from dataclasses import fields
 from pathlib import Path
 
@@ -8,6 +9,8 @@ import numpy as np
 from schemas.layout import Layout
 from schemas.plan import Plan
 from stages.layout.config import LayoutConfig
+
+MANY_ROOMS = 48
 
 
 def run(previous: Plan, config: LayoutConfig, rng: np.random.Generator) -> Layout:
@@ -25,12 +28,13 @@ def run_many(previous: list[Plan], config: LayoutConfig, rngs: list[np.random.Ge
     from stages.layout.furnish import furnish
     from stages.layout.sample import sample
 
-    torch.set_num_threads(config.threads)
     network, record = weights.load(Path(config.weights) if config.weights else None)
     parts = [room_arrays.of_plan(plan) for plan in previous]
     rooms = room_arrays.Rooms(**{
         f.name: np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(room_arrays.Rooms)
     })
+    # Few rooms are done before a second core has started.
+    torch.set_num_threads(config.threads or (1 if len(rooms) < MANY_ROOMS else os.cpu_count() or 1))
     lanes = [lane for plan, rng in zip(previous, rngs, strict=True) for lane in rng.spawn(len(plan.rooms))]
     out, made, first = [], [], 0
     for start in range(0, len(rooms), config.batch):

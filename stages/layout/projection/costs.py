@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
-from stages.categories import TABLE, belong_together, reach
+from stages.categories import TABLE, reach
 from stages.layout.projection.space import Space, outside
 
 Array = NDArray[np.float64]
@@ -22,11 +22,12 @@ BROKEN = 10.0
 
 @dataclass
 class Placed:
-    """Objects that already have their place."""
+    """Objects that already have their place (m): boxes, b′, which are no hindrance, which belong to the one to place."""
 
     boxes: Boxes
     grown: Boxes
-    category: list[str]
+    soft: NDArray[np.bool_]
+    kin: NDArray[np.bool_]
 
 
 def grown(category: str, found: Boxes) -> Boxes:
@@ -61,11 +62,10 @@ def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed,
 
 def _meetings(found: Boxes, wide: Boxes, category: str, placed: Placed, has_reach: bool) -> Array:
     """Price of standing in others, of sweeping others, of being swept, and of sweeps that meet."""
-    hard = np.array([name not in SOFT for name in placed.category], bool)
+    hard = ~placed.soft
     if not hard.any():
         return np.zeros(found.n)
-    kin = np.array([belong_together(category, name) for name in placed.category], bool)[hard]
-    solid, swept = placed.boxes.take(hard), placed.grown.take(hard)
+    kin, solid, swept = placed.kin[hard], placed.boxes.take(hard), placed.grown.take(hard)
     depth = penetration(found, solid)
     # A chair may be pushed under its table, but not into its middle.
     total = _sum(np.where(kin & (category in TUCKED), depth - 0.28, depth), 20)

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.categories import TABLE
+from stages.boxes import Boxes, penetration
+from stages.categories import TABLE, belong_together
 from stages.layout.projection import candidates
 from stages.layout.projection.costs import BROKEN, SOFT, Placed, cost, grown
 from stages.layout.projection.space import Space
@@ -17,6 +17,8 @@ LEAN = 0.12
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
 WINDOW_MARGIN = 0.15
 ROUNDS = 3
+LOOSE = frozenset({"plant", "pouffe"})
+"""What people leave at any angle."""
 
 
 @dataclass
@@ -32,24 +34,57 @@ class Item:
     moved: float = 0.0
 
 
+class Standing:
+    """The room's objects as arrays; `there` tells which have a place yet."""
+
+    def __init__(self, items: list[Item]) -> None:
+        n = len(items)
+        self.items: list[Item] = list(items)
+        self.boxes = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
+        self.grown = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
+        self.there = np.zeros(n, bool)
+        self.soft = np.array([item.category in SOFT for item in items], bool)
+        self.kin = np.array([[belong_together(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
+
+    def put(self, i: int, item: Item) -> None:
+        """Give object `i` its place."""
+        self.items[i] = item
+        one = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
+        for store, box in ((self.boxes, one), (self.grown, grown(item.category, one))):
+            store.center[i], store.size[i], store.yaw[i] = box.center[0], box.size[0], box.yaw[0]
+        self.there[i] = True
+
+    def others(self, i: int, item: Item) -> Placed:
+        """All that object `i`, placed as `item`, could meet; not what carries it."""
+        index = self.there.copy()
+        index[i] = False
+        if TABLE[item.category].place == "top":
+            top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
+            index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
+        return Placed(self.boxes.take(index), self.grown.take(index), self.soft[index], self.kin[i][index])
+
+    def neighbours(self, i: int) -> list[Item]:
+        """The other objects that have a place."""
+        return [self.items[j] for j in np.flatnonzero(self.there) if j != i]
+
+
 def project(items: list[Item], space: Space) -> list[Item]:
     """The items in their order, each at its place."""
     wanted = [replace(item, size=_clamped(item)) for item in items]
     order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted))
-    done: dict[int, Item] = {}
+    room = Standing(wanted)
     for i in order:
-        done[i] = _place(wanted[i], [done[j] for j in order if j in done], space, wide=False)
+        room.put(i, _place(i, wanted[i], room, space, wide=False))
     for attempt in range(ROUNDS):
-        broken = [i for i in order if _again(done[i], [done[j] for j in order if j != i], space) >= BROKEN]
+        broken = [i for i in order if _again(i, room, space) >= BROKEN]
         if not broken:
             break
         for i in broken:
-            rest = [done[j] for j in order if j != i]
-            done[i] = _best([_place(shape, rest, space, wide=attempt > 0) for shape in _shapes(wanted[i], attempt)])
-    for i in order:
-        done[i].cost = _again(done[i], [done[j] for j in order if j != i], space)
-        done[i].moved = float(np.linalg.norm(done[i].center[:2] - items[i].center[:2]))
-    return [done[i] for i in range(len(items))]
+            room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
+    for i, item in enumerate(room.items):
+        item.cost = _again(i, room, space)
+        item.moved = float(np.linalg.norm(item.center[:2] - items[i].center[:2]))
+    return room.items
 
 
 def _clamped(item: Item) -> Array:
@@ -74,48 +109,42 @@ def _shapes(item: Item, attempt: int) -> list[Item]:
     return [item, *(replace(item, size=np.maximum(item.size * s, low)) for s in SHRINKS)]
 
 
-def _best(places: list[Item]) -> Item:
-    """The largest shape that breaks nothing, else the cheapest."""
-    return next((item for item in places if item.cost < BROKEN), min(places, key=lambda item: item.cost))
+def _largest(i: int, shapes: list[Item], room: Standing, space: Space, wide: bool) -> Item:
+    """The first shape with a place that breaks nothing, else the cheapest."""
+    tried: list[Item] = []
+    for shape in shapes:
+        tried.append(_place(i, shape, room, space, wide))
+        if tried[-1].cost < BROKEN:
+            return tried[-1]
+    return min(tried, key=lambda item: item.cost)
 
 
-def _placed(items: list[Item]) -> Placed:
-    boxes = Boxes(np.array([o.center for o in items]).reshape(-1, 3), np.array([o.size for o in items]).reshape(-1, 3),
-                  np.array([o.yaw for o in items], float))
-    parts = [grown(o.category, boxes.take([k])) for k, o in enumerate(items)]
-    return Placed(boxes, candidates.join(parts) if parts else boxes, [o.category for o in items])
-
-
-def _again(item: Item, others: list[Item], space: Space) -> float:
-    """What the item costs where it is, among the others."""
+def _again(i: int, room: Standing, space: Space) -> float:
+    """What object `i` costs where it is, among the others."""
+    item = room.items[i]
     here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
-    if TABLE[item.category].place == "top":
-        others = [other for other in others if not _under(item, other)]
-    return float(cost(here, item.category, item.center, item.yaw, _placed(others), space)[0])
+    return float(cost(here, item.category, item.center, item.yaw, room.others(i, item), space)[0])
 
 
-def _under(item: Item, other: Item) -> bool:
-    return bool(abs(other.center[2] + other.size[2] / 2 - (item.center[2] - item.size[2] / 2)) < 0.02)
-
-
-def _place(item: Item, others: list[Item], space: Space, wide: bool) -> Item:
+def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
     """The item at its cheapest place; `wide` looks all over the room."""
     kind = TABLE[item.category]
-    if kind.place == "top" and (stood := _on_support(item, others)) is not None:
+    if kind.place == "top" and (stood := _on_support(item, room.neighbours(i))) is not None:
         return stood
     item = replace(item, center=np.array([*item.center[:2], _height(item, space)]))
     if item.category == "curtain":
         item = _at_window(item, space)
-    found = _candidates(item, others, space, wide)
-    prices = cost(found, item.category, item.center, item.yaw, _placed(others), space)
+    others = room.others(i, item)
+    found = _candidates(item, others.boxes, space, wide)
+    prices = cost(found, item.category, item.center, item.yaw, others, space)
     best = int(np.argmin(prices))
     return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
 
 
-def _candidates(item: Item, others: list[Item], space: Space, wide: bool) -> Boxes:
+def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
     kind = TABLE[item.category]
-    yaw = candidates.snapped(item.yaw, space) if item.category not in ("plant", "pouffe") else item.yaw
-    walls = candidates.along_walls(item.center, item.size, space, _placed(others).boxes)
+    yaw = candidates.snapped(item.yaw, space) if item.category not in LOOSE else item.yaw
+    walls = candidates.along_walls(item.center, item.size, space, others)
     if (kind.back or kind.place in ("wall", "top")) and walls.n:
         return walls
     parts = [candidates.about(item.center, item.size, yaw)]
@@ -162,8 +191,6 @@ def _on_support(item: Item, others: list[Item]) -> Item | None:
 
 
 def _touch(a: Item, b: Item) -> bool:
-    from stages.boxes import penetration
-
     one, two = (Boxes(o.center[None], o.size[None], np.array([o.yaw])) for o in (a, b))
     return bool(penetration(one, two)[0, 0] > 0.004)
 
