@@ -1,0 +1,62 @@
+"""The corpus file that training reads: one row a room, padded arrays in the room's own frame."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from schemas.layout import Box, Layout
+from stages.categories import CATEGORIES, TABLE
+from stages.layout.rooms import MAX_CORNERS, of_plan
+
+SLOTS = 24
+STYLES = 8
+FORMAT = {
+    "category": np.int16, "center": np.float32, "size": np.float32, "yaw": np.float32, "polygon": np.float32,
+    "room_type": np.int8, "height": np.float32, "openings": np.float32, "style": np.int16, "source": np.int8,
+}
+KEEP = {"floor": 0, "wall": 1, "top": 2, "flat": 3, "ceiling": 3}
+"""What goes first, the highest number, where a room holds more than its slots."""
+
+
+def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, NDArray[np.generic]]:
+    """One row for every furnished room of a home: category (n, 24) -1 where empty, center, size (n, 24, 3), yaw
+    (n, 24), polygon (n, 32, 2), openings (n, 8, 7), room_type, height, style, source (n,). Order of objects random."""
+    rooms = of_plan(home)
+    n = len(rooms)
+    category = np.full((n, SLOTS), -1)
+    pose = np.zeros((n, SLOTS, 7))
+    for i, room in enumerate(home.rooms):
+        objects = _kept([o for o in home.objects if o.room == room.id], rng)
+        for k, o in enumerate(objects):
+            x, y = rooms.origin[i]
+            category[i, k] = CATEGORIES.index(o.category)
+            pose[i, k] = [o.center[0] - x, o.center[1] - y, o.center[2], *o.size, (o.yaw + np.pi) % (2 * np.pi) - np.pi]
+    data = {
+        "category": category, "center": pose[..., :3], "size": pose[..., 3:6], "yaw": pose[..., 6],
+        "polygon": rooms.polygon, "room_type": rooms.type, "height": rooms.height, "openings": rooms.openings,
+        "style": rng.integers(0, STYLES, n), "source": np.full(n, source),
+    }
+    some = (category >= 0).any(1) & np.array([len(room.polygon) <= MAX_CORNERS for room in home.rooms])
+    return {name: np.asarray(data[name], kind)[some] for name, kind in FORMAT.items()}
+
+
+def _kept(objects: list[Box], rng: np.random.Generator) -> list[Box]:
+    """At most `SLOTS` objects in random order, the smallest and least needed dropped."""
+    known = [o for o in objects if o.category in TABLE]
+    ranked = sorted(known, key=lambda o: (KEEP[TABLE[o.category].place], -float(np.prod(o.size))))[:SLOTS]
+    return [ranked[k] for k in rng.permutation(len(ranked))]
+
+
+def write_corpus(path: Path, homes: Iterable[tuple[Layout, int]], seed: int = 0) -> int:
+    """Write homes, each with the number of its source, as one compressed `.npz`; how many rooms it holds."""
+    rng = np.random.default_rng(seed)
+    parts = [rows(home, rng, source) for home, source in homes]
+    if not parts:
+        parts = [{name: np.zeros(0, kind) for name, kind in FORMAT.items()}]
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in FORMAT}
+    temporary = path.with_suffix(".part.npz")
+    np.savez_compressed(temporary, **whole)  # type: ignore[arg-type]
+    temporary.replace(path)
+    return len(whole["category"])

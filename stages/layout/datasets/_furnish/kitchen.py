@@ -1,0 +1,169 @@
+"""Kitchen runs: units side by side along one wall or two, tall ones at an end, wall units and hood above."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.random import Generator
+
+from stages import boxes
+from stages.boxes import Array, Boxes
+from stages.layout.datasets._furnish.sizes import draw
+from stages.layout.datasets._furnish.space import Space
+
+USE = (0.75, 0.0, 0.0)
+"""Floor kept free before a run, m."""
+TRIES = 14
+FILLERS = ("kitchen_base", "kitchen_drawers", "kitchen_base")
+
+
+@dataclass
+class Kitchen:
+    """One kitchen's choices: a common depth and height, the order of its units."""
+
+    depth: float
+    height: float
+    tall_oven: bool
+
+
+def furnish(space: Space, budget: int, rng: Generator) -> None:
+    """Put up to `budget` kitchen units and what hangs above them."""
+    style = Kitchen(float(rng.choice([0.6, 0.6, 0.62])), float(rng.choice([0.88, 0.9, 0.92])), bool(rng.random() < 0.45))
+    units = _units(budget, style, rng)
+    rest = _best_run(space, units, style, rng)
+    for _ in range(2):
+        if rest:
+            rest = _best_run(space, rest, style, rng)
+    for name in rest:
+        if name in ("fridge", "kitchen_sink", "hob", "oven"):
+            _single(space, name, style, rng)
+    _hang(space, budget - space.n, rng)
+
+
+def _units(budget: int, style: Kitchen, rng: Generator) -> list[str]:
+    """Which units, most needed first."""
+    cooking = ["hob", "oven"] if budget > 5 and rng.random() < 0.6 else ["oven"] if rng.random() < 0.6 else ["hob"]
+    if cooking == ["oven"]:
+        style.tall_oven = False
+    wanted = ["kitchen_sink", cooking[0], "fridge", "kitchen_base", *cooking[1:]]
+    more = ["dishwasher"] * int(rng.random() < 0.75) + ["kitchen_drawers"] * int(rng.random() < 0.8)
+    more += [str(rng.choice(FILLERS)) for _ in range(int(rng.integers(0, 4)))]
+    wanted += [more[k] for k in rng.permutation(len(more))]
+    share = 0.62 if budget > 6 else 0.8
+    return wanted[: max(3, round(share * budget))]
+
+
+def _order(units: list[str], style: Kitchen, rng: Generator) -> list[str]:
+    """Units in line: tall at one end, dishwasher by the sink, sink and hob apart."""
+    tall = [u for u in units if u == "fridge" or (u == "oven" and style.tall_oven)]
+    low = [u for u in units if u not in tall]
+    wet = [u for u in low if u == "kitchen_sink"] + [u for u in low if u == "dishwasher"]
+    hot = [u for u in low if u in ("hob", "oven")]
+    fill = [u for u in low if u in FILLERS]
+    if rng.random() < 0.5:
+        wet.reverse()
+    if rng.random() < 0.5:
+        hot.reverse()
+    k = int(rng.integers(0, len(fill) + 1))
+    middle, ends = fill[: max(k, min(1, len(fill)))], fill[max(k, min(1, len(fill))) :]
+    line = [*tall, *ends[: len(ends) // 2], *wet, *middle, *hot, *ends[len(ends) // 2 :]]
+    return line if rng.random() < 0.5 else line[::-1]
+
+
+def _size(name: str, style: Kitchen, rng: Generator) -> Array:
+    size = draw(name, rng)
+    if name == "fridge":
+        return size
+    size[0] = style.depth
+    size[2] = style.height if not (name == "oven" and style.tall_oven) else 2.1
+    if name == "dishwasher":
+        size[2] = min(style.height, 0.9)
+    return size
+
+
+def _best_run(space: Space, units: list[str], style: Kitchen, rng: Generator) -> list[str]:
+    """Build the longest run found; the units that did not fit."""
+    best: list[tuple[str, Boxes]] = []
+    for k in range(TRIES):
+        keep = units if k < 2 * TRIES // 3 else units[: max(2, len(units) - k % 4 - 1)]
+        line = _order(keep, style, rng)
+        run = _run(space, line, [_size(name, style, rng) for name in line], rng)
+        if len(run) > len(best):
+            best = run
+        if len(best) == len(units):
+            break
+    left = list(units)
+    before = space.n
+    for name, box in best:
+        space.add(name, box, USE)
+        left.remove(name)
+    if best and not space.stays_open("kitchen_base", space.body.take([before])):
+        space.drop_last(before)
+        return units
+    return left
+
+
+def _run(space: Space, line: list[str], sizes: list[Array], rng: Generator) -> list[tuple[str, Boxes]]:
+    """The line along a random wall, cut down to the longest part that fits."""
+    shape = space.shape
+    widths = np.array([size[1] for size in sizes])
+    side = int(rng.choice(len(shape.length), p=shape.length**2 / (shape.length**2).sum()))
+    free = shape.length[side] - widths.sum()
+    starts = np.array([0.0, 0.0, free, free, free / 2, rng.uniform(0, max(free, 0.01))]) + 1e-3
+    at = float(rng.choice(starts)) if free > 0 else 1e-3
+    along, normal = shape.along[side], shape.normal[side]
+    middle = at + np.cumsum(widths) - widths / 2
+    fitting: list[bool] = []
+    placed: list[tuple[str, Boxes]] = []
+    for name, size, s in zip(line, sizes, middle, strict=True):
+        xy = shape.start[side] + along * s + normal * (size[0] / 2 + 1e-3)
+        box = Boxes(np.array([[*xy, size[2] / 2]]), size[None], np.array([np.arctan2(normal[1], normal[0])]))
+        placed.append((name, box))
+        fitting.append(s + size[1] / 2 <= shape.length[side] and bool(space.fits(name, box, USE)[0]))
+    return _longest(placed, fitting)
+
+
+def _longest(placed: list[tuple[str, Boxes]], fitting: list[bool]) -> list[tuple[str, Boxes]]:
+    """The longest stretch without a gap."""
+    best, start = (0, 0), 0
+    for k, good in enumerate([*fitting, False]):
+        if not good:
+            if k - start > best[1] - best[0]:
+                best = (start, k)
+            start = k + 1
+    return placed[best[0] : best[1]]
+
+
+def _single(space: Space, name: str, style: Kitchen, rng: Generator) -> None:
+    """A needed unit on its own."""
+    for _ in range(10):
+        run = _run(space, [name], [_size(name, style, rng)], rng)
+        if run and space.stays_open(name, run[0][1]):
+            space.add(name, run[0][1], USE)
+            return
+
+
+def _hang(space: Space, budget: int, rng: Generator) -> None:
+    """A hood over the hob or cooker and wall units over the rest."""
+    cookers = [i for i in range(space.n) if space.category[i] == "hob"]
+    cookers += [i for i in range(space.n) if space.category[i] == "oven" and space.body.size[i, 2] < 1.2 and not cookers]
+    low = [i for i in range(space.n) if space.category[i] not in ("fridge", "hob", "oven") and space.body.size[i, 2] < 1.2]
+    hung = [("hood", i) for i in cookers] + [("wall_unit", int(i)) for i in rng.permutation(low)]
+    unit = draw("wall_unit", rng)
+    for name, i in hung:
+        if budget <= 0 or (name == "hood" and rng.random() < 0.15):
+            continue
+        size = draw("hood", rng) if name == "hood" else unit.copy()
+        size[1] = np.clip(space.body.size[i, 1], *((0.5, 0.95) if name == "hood" else (0.3, 1.2)))
+        box = _over(space, name, i, size)
+        if space.fits(name, box, (0, 0, 0))[0] and space.stays_open(name, box):
+            space.add(name, box)
+            budget -= 1
+
+
+def _over(space: Space, name: str, i: int, size: Array) -> Boxes:
+    """The wall behind unit `i`, at the height it hangs."""
+    low = space.body.take([i])
+    back = (size[0] - low.size[0, 0]) / 2
+    xy = low.center[0, :2] + boxes.axes(low)[0, 0] * back
+    z = (1.45 if name == "wall_unit" else 1.55) + size[2] / 2
+    return Boxes(np.array([[*xy, min(z, space.shape.height - size[2] / 2 - 0.02)]]), size[None], low.yaw)

@@ -1,0 +1,102 @@
+"""The rules as read from `rules/*.toml`: what to put, where, and how much it matters."""
+
+import tomllib
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from schemas.base import RoomType
+
+RULES = Path(__file__).parent / "rules"
+
+
+@dataclass(frozen=True)
+class Step:
+    """Put `repeat` objects of one of the categories `put` at a place named as in `poses.PLACES`.
+
+    `of`: what it relates to · `gap`: distance kept from wall or neighbour, m · `distance`: range for `across` ·
+    `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, m · `turn`: spread of yaw,
+    rad · `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) ·
+    `least`: floor area it takes, m² ·
+    `then`: what follows, related to what was placed (`anchor`, its index) unless it has its own `of`.
+    """
+
+    put: tuple[str, ...]
+    at: str
+    of: tuple[str, ...] = ()
+    near: tuple[str, ...] = ()
+    chance: float = 1.0
+    repeat: tuple[int, int] = (1, 1)
+    gap: tuple[float, float] = (0.01, 0.04)
+    distance: tuple[float, float] = (2.0, 3.6)
+    prefer: dict[str, float] = field(default_factory=dict)
+    use: tuple[float, float, float] | None = None
+    turn: float = 0.0
+    loose: float = 0.0
+    size: float | None = None
+    weight: float = 1.0
+    least: float = 0.0
+    anchor: int = -1
+    then: tuple["Step", ...] = ()
+
+
+@dataclass(frozen=True)
+class Setup:
+    """One way to furnish a room: `core` in order of importance, then `extra` in random order."""
+
+    weight: float
+    least: float
+    most: float
+    core: tuple[Step, ...]
+    extra: tuple[Step, ...]
+    count: tuple[float, float, float]
+
+
+def _step(row: dict[str, Any]) -> Step:
+    row = {key: tuple(value) if isinstance(value, list) else value for key, value in row.items()}
+    for key in ("put", "of", "near"):
+        if isinstance(row.get(key), str):
+            row[key] = (row[key],)
+    for key in ("repeat", "gap"):
+        if isinstance(row.get(key), int | float):
+            row[key] = (row[key], row[key])
+    row["then"] = tuple(_step(after) for after in row.get("then", ()))
+    return Step(**row)
+
+
+@cache
+def setups(type: RoomType) -> tuple[Setup, ...]:
+    """All ways to furnish a room of this type."""
+    table = tomllib.loads((RULES / f"{type}.toml").read_text())
+    shared = tuple(_step(row) for row in table.get("extra", []))
+    return tuple(
+        Setup(
+            weight=row.get("weight", 1.0),
+            least=row.get("least", 0.0),
+            most=row.get("most", 1e9),
+            core=tuple(_step(step) for step in row.get("core", [])),
+            extra=tuple(_step(step) for step in row.get("extra", [])) + shared,
+            count=tuple(row.get("count", table["count"])),
+        )
+        for row in table["setup"]
+    )
+
+
+@cache
+def sizes() -> dict[str, dict[str, Any]]:
+    """Sizes as sold, and floor needed for use, by category."""
+    return tomllib.loads((RULES / "sizes.toml").read_text())
+
+
+def use_of(step: Step, category: str) -> tuple[float, float, float]:
+    """Floor kept free in front, left and right of the object, m."""
+    if step.use is not None:
+        return step.use
+    front, left, right = sizes().get(category, {}).get("use", (0.0, 0.0, 0.0))
+    return front, left, right
+
+
+def friends_of(category: str) -> tuple[str, ...]:
+    """What may stand in the floor kept for the category's use."""
+    return tuple(sizes().get(category, {}).get("friends", ()))

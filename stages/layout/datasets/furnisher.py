@@ -1,0 +1,73 @@
+"""Floor plans furnished by rule and search, the way people do.
+
+`homes(root)` furnishes every plan artifact (`*.json`) below a folder.
+"""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.random import Generator
+
+from schemas.errors import BadInput
+from schemas.layout import Box, Layout
+from schemas.plan import Opening, Plan, Room
+from stages import polygons
+from stages.boxes import Array
+from stages.layout.datasets._furnish import build, shape
+from stages.layout.datasets._furnish.shape import Hole, Shape
+
+
+def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
+    """Every plan below `root` in name order, furnished `times` times; BadInput for what is no plan."""
+    if root is None:
+        raise BadInput("furnisher: name a folder of plan artifacts (*.json)")
+    for path in sorted(root.rglob("*.json")):
+        plan = _read(path)
+        for rng in np.random.default_rng([seed, *path.name.encode()]).spawn(times):
+            yield Layout(**dict(plan), objects=furnish(plan, rng))
+
+
+def _read(path: Path) -> Plan:
+    try:
+        whole = json.loads(path.read_text())
+        return Plan.model_validate(whole.get("body", whole))
+    except (OSError, ValueError, AttributeError) as error:
+        raise BadInput(f"{path}: not a plan ({error})") from error
+
+
+def furnish(plan: Plan, rng: Generator) -> list[Box]:
+    """Objects for every room of a plan, as many as `program.counts` says where it says so."""
+    objects: list[Box] = []
+    for room, lane in zip(plan.rooms, rng.spawn(len(plan.rooms)), strict=True):
+        objects += furnish_room(shape_of(plan, room), room.id, lane, plan.program.counts.get(room.id))
+    return objects
+
+
+def furnish_room(room: Shape, id: str, rng: Generator, count: int | None = None) -> list[Box]:
+    """Objects for one room; about `count` where it is given, else as many as suit the floor area, widely spread."""
+    space = build.furnish(room, rng, count)
+    body, seen, objects = space.body, dict[str, int](), []
+    for i, name in enumerate(space.category):
+        seen[name] = seen.get(name, 0) + 1
+        x, y, z = (round(float(v), 4) for v in body.center[i])
+        d, w, h = (round(float(v), 4) for v in body.size[i])
+        yaw = round(float((body.yaw[i] + np.pi) % (2 * np.pi) - np.pi), 4)
+        objects.append(
+            Box(id=f"{id}.{name}_{seen[name]}", room=id, category=name, center=(x, y, z), size=(d, w, h), yaw=yaw)
+        )
+    return objects
+
+
+def shape_of(plan: Plan, room: Room) -> Shape:
+    """The room's shape with its openings moved onto its own walls."""
+    corners = np.array(room.polygon)
+    holes = [_hole(o, plan, room, corners) for o in plan.openings if room.id in o.rooms]
+    return shape.of(room.type, corners, holes, plan.height)
+
+
+def _hole(opening: Opening, plan: Plan, room: Room, corners: Array) -> Hole:
+    normal, reach = polygons.face(opening, plan, room.id)
+    (ax, ay), (bx, by) = (tuple(np.asarray(p) + reach * normal) for p in opening.segment)
+    return Hole((ax, ay), (bx, by), opening.kind, opening.into == room.id, opening.sill, opening.head)
