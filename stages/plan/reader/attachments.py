@@ -1,17 +1,19 @@
 """What belongs to one room phrase: its area, its own rooms, its furniture."""
 
 from stages.plan.reader.phrases import Item, RoomPhrase
+from stages.plan.reader.sense import sense
 from stages.plan.reader.statements import Said, Statement, is_mark, rooms_of
 
 OWNED_BY = {
     "closet": ("bedroom", "hallway"),
-    "bathroom": ("bedroom",),
+    "bathroom": ("bedroom", "hallway"),
     "balcony": ("living_room", "bedroom", "kitchen", "dining_room", "study"),
     "storage": ("kitchen", "hallway"),
     "utility": ("kitchen", "hallway", "bathroom"),
-    "study": ("bedroom",),
+    "study": ("bedroom", "hallway"),
     "dining_room": ("living_room", "kitchen"),
     "kitchen": ("living_room",),
+    "bedroom": ("hallway",),
 }
 """What `A with a B` makes B: a room that opens off A."""
 
@@ -19,6 +21,9 @@ OWNED_BY = {
 def mark_headlines(items: list[Item], said: Said) -> None:
     """`80 m² two-bedroom, two-bath flat`: counts before the dwelling are totals, the area is the flat's."""
     for k, item in enumerate(items):
+        phrase = item.room
+        if phrase is not None and phrase.count is not None and _totals(items, k):
+            phrase.headline = True
         if item.kind != "dwelling" or said.dwelling:
             continue
         j = k - 1
@@ -35,26 +40,49 @@ def mark_headlines(items: list[Item], said: Said) -> None:
             j -= 1
 
 
+def _totals(items: list[Item], k: int) -> bool:
+    """`piso de dos dormitorios`, `three bedrooms in total`."""
+    before, after = items[max(k - 1, 0)], items[k + 1 : k + 2]
+    return (k > 0 and before.kind == "dwelling") or any(i.kind == "area_word" and i.value == "total" for i in after)
+
+
 def merge_ensuites(items: list[Item]) -> list[Item]:
     """`two ensuite bedrooms`, `master bedroom en suite`, `one of them ensuite`."""
     out: list[Item] = []
     for item in items:
-        last = out[-1].room if out else None
+        near = [i for i in out if i.kind not in ("copula", "relative")]
+        last = near[-1].room if near else None
         phrase = item.room
-        if last is None or phrase is None:
+        if phrase is not None and _is_ensuite(phrase) and phrase.quantifier in ("all", "each", "both") and (beds := _beds(near)):
+            phrase.quantifier = "each"
+            beds.owned.append(phrase)
+        elif last is None or phrase is None:
             out.append(item)
         elif _is_ensuite(last) and phrase.type == "bedroom" and phrase.count is None and not phrase.quantifier:
             last.labels -= {"own"}
             phrase.count, phrase.quantifier, phrase.areas = last.count, last.quantifier, phrase.areas or last.areas
             phrase.owned.append(RoomPhrase("bathroom", {"ensuite"}, text=last.text, quantifier="each"))
-            out[-1] = item
+            out[out.index(near[-1])] = item
         elif _is_ensuite(phrase) and phrase.count is None and last.type == "bedroom" and phrase.quantifier in ("", "own"):
             last.owned.append(phrase)
+        elif _is_ensuite(phrase) and last.quantifier == "none":
+            phrase.negated = True
+            out[-1] = item
         elif _is_ensuite(phrase) and last.type == "" and phrase.quantifier == "":
             last.labels.add("ensuite?")
+        elif last.type == "" and phrase.count is None and phrase.labels & {"half", "master", "guest", "kids", "small", "shower"} and near[-1] is out[-1]:
+            last.labels |= phrase.labels
+        elif _is_ensuite(phrase) and last.type == "bathroom" and phrase.quantifier == "" and phrase.count is None:
+            last.labels.add("ensuite")
         else:
             out.append(item)
     return out
+
+
+def _beds(items: list[Item]) -> RoomPhrase | None:
+    """The bedrooms of `three bedrooms, all ensuite`."""
+    found = [r for r in rooms_of(items) if r.type == "bedroom"]
+    return found[-1] if found else None
 
 
 def _is_ensuite(phrase: RoomPhrase) -> bool:
@@ -82,15 +110,15 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
 
 
 def _total_near(items: list[Item], k: int) -> bool:
-    near = items[max(0, k - 3) : k] + items[k + 1 : k + 2]
-    return any(i.kind == "area_word" and i.value == "total" for i in near)
+    before = [i for i in items[max(0, k - 3) : k] if i.kind not in ("copula",) and not is_mark(i, ":")]
+    return any(i.kind == "area_word" and i.value == "total" for i in before[-1:] + items[k + 1 : k + 2])
 
 
 def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in ("copula", "with", "area_word", "reach", "label", "size")):
         j -= 1
-    if j >= 0 and before[j].room is not None:
+    if j >= 0 and before[j].room is not None and not _speaks_of_flat(before, j, items[k]):
         group = [before[j].room]
         each = any(i.room is not None and i.room.quantifier in ("each", "both") for i in items[k + 1 : k + 2])
         each = each or (before[j].room.type == "" and before[j].room.quantifier in ("each", "both"))
@@ -100,12 +128,22 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
                 phrase = before[j].room
                 group += [phrase] if phrase else []
         return group
-    if j >= 0 and before[j].kind == "dwelling":
+    if j >= 0 and (before[j].kind == "dwelling" or before[j].room is not None):
         return []
     if items[k].kind == "share" or (k + 1 < len(items) and items[k + 1].kind in ("with", "link", "front")):
         after = rooms_of(items[k + 1 : k + 4])
         return after[:1] if not any(i.kind == "dwelling" for i in items[:k]) or items[k].kind == "share" else []
     return []
+
+
+def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
+    """`2BHK, 80 m²`, `… and a bathroom, 85 m²`: more than such a room ever has."""
+    phrase = before[j].room
+    if phrase is None or area.kind == "share":
+        return False
+    usual = sense()["area"].get(phrase.type, 12.0)
+    apart = any(is_mark(i, ",") for i in before[j + 1 :])
+    return phrase.headline or area.values[0] > (2.2 if apart else 5.0) * usual
 
 
 def attach_owned(items: list[Item], said: Said) -> list[Item]:
@@ -116,9 +154,13 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
         item = items[k]
         opens = item.kind == "with" or is_mark(item, "(:")
         owner = next((i.room for i in reversed(out) if not is_mark(i, ")") and i.kind not in ("copula", "label", "size")), None) if opens else None
+        if is_mark(item, ":") and said.graph:
+            owner = None
+        if owner is not None and (item.value == "including" or item.kind == "mark"):
+            _mark_subset(owner, items[k + 1 :], item.value == "(")
         if item.kind == "with" and item.value == "including":
-            _mark_subset(owner, items[k + 1 :])
-        elif owner is not None:
+            pass
+        elif owner is not None and not (owner.headline and (item.kind == "mark" or item.value == "with") and not _only_things(items, k + 1)):
             k = _take(owner, items, k + 1, bare=item.kind == "mark")
             out += [item] if item.kind == "with" and item.value == "has" else []
             continue
@@ -130,9 +172,17 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
     return out
 
 
-def _mark_subset(owner: RoomPhrase | None, after: list[Item]) -> None:
-    for phrase in rooms_of(after):
-        phrase.subset = owner is not None and phrase.type in (owner.type, "")
+def _only_things(items: list[Item], k: int) -> bool:
+    return k < len(items) and items[k].kind in ("object", "objects")
+
+
+def _mark_subset(owner: RoomPhrase, after: list[Item], parenthesis: bool) -> None:
+    """`three bedrooms (a master with ensuite, …)`: rooms of the owner's type are among it."""
+    for item in after:
+        if parenthesis and is_mark(item, ")"):
+            break
+        if item.room is not None and owner.plural and item.room.type in (owner.type, ""):
+            item.room.subset = True
 
 
 def _take(owner: RoomPhrase, items: list[Item], k: int, bare: bool) -> int:
@@ -173,6 +223,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     kind = owner.type or "bedroom"
     if phrase.headline or kind not in OWNED_BY.get(phrase.type, ()):
         return False
+    if kind == "hallway":
+        return not bare and (first or phrase.type in ("bedroom", "bathroom", "study"))
     if phrase.type == "bathroom":
         own = bool(phrase.labels & {"ensuite", "own"}) and not phrase.labels & {"family", "half"}
         lone = first and not bare and phrase.count in (None, 1) and not phrase.labels & {"family", "half"} and not _listed(after)

@@ -77,8 +77,8 @@ class Household:
     def _find(self, phrase: RoomPhrase) -> list[Entity]:
         if phrase.type == "":
             return self._ellipsis(phrase)
-        if phrase.type == "any":
-            return [] if phrase.quantifier != "other" else []
+        if phrase.type == "any" or phrase.quantifier == "none":
+            return []
         if "halls" in phrase.labels:
             return self._halls(phrase)
         if phrase.headline and phrase.count is not None:
@@ -124,14 +124,14 @@ class Household:
         phrase.type = pool[0].type
         free = [e for e in pool if not e.picked] or pool
         if phrase.quantifier in PAIRED and not phrase.count:
-            return pool
-        if phrase.quantifier == "other" and not phrase.count:
+            found = pool
+        elif phrase.quantifier == "other" and not phrase.count:
             found = free
         elif phrase.ordinals:
             found = [pool[n - 1] for n in phrase.ordinals if n <= len(pool)]
         else:
             found = free[: int(phrase.count or 1)]
-        for entity in found:
+        for entity in found if phrase.quantifier not in PAIRED else []:
             entity.picked = True
         if "ensuite?" in phrase.labels:
             phrase.labels = {"ensuite"} if phrase.type == "bathroom" else set()
@@ -169,7 +169,7 @@ class Household:
                 return free[:1]
         free = [e for e in self.of(phrase.type) if not e.labels & set(DISTINCT) and not e.picked and e.owner is None]
         total = phrase.type in self.totals or phrase.subset
-        take = [] if phrase.quantifier == "another" else free if total else free if phrase.quantifier == "the" or self._counted(free) else []
+        take = [] if phrase.quantifier == "another" or ("half" in labels and not phrase.subset) else free if total else free if phrase.quantifier == "the" or self._counted(free) else []
         found = take[:count]
         if phrase.type in self.totals and phrase.quantifier != "another" and "half" not in labels:
             count = max(len(found), 1) if found else count
@@ -207,6 +207,8 @@ class Household:
             return known if len(known) > 1 else self._ensure(phrase.type, few)
         single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
         refers = phrase.quantifier == "the" or (mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals))
+        if known and mentioned and phrase.quantifier == "a" and all("entrance" in e.labels for e in known):
+            return self.add(phrase.type)
         if known and refers:
             free = [e for e in known if e.owner is None] or known
             last = [e for e in self.last if e in free]
@@ -235,7 +237,7 @@ class Household:
         every = owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
         made: list[Entity] = []
         for owner in owners if every else owners[:1]:
-            count = 1 if every else int(owned.count or 1)
+            count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))
             found = self._claim(owned, count)
             for entity in found:
                 entity.owner = owner

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from stages.plan.reader.lexicon import Entry, Lexicon
-from stages.plan.reader.spelling import correct
+from stages.plan.reader.spelling import correct, split
 from stages.plan.reader.tokens import Token
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
@@ -49,7 +49,15 @@ def _shorthand() -> dict[str, dict[str, dict[str, str]]]:
 
 def lexemes(tokens: list[Token], lexicon: Lexicon) -> list[Lexeme]:
     """All lexemes of a prompt in order, `mark` "." between sentences."""
-    return _quantities(_words(tokens, lexicon))
+    return _quantities(_words(_split_words(tokens, lexicon), lexicon))
+
+
+def _split_words(tokens: list[Token], lexicon: Lexicon) -> list[Token]:
+    out: list[Token] = []
+    for token in tokens:
+        parts = split(token.text, lexicon) if token.kind == "word" and (token.text,) not in lexicon.entries and correct(token.text, lexicon) == token.text else None
+        out += [token] if parts is None else [replace(token, text=parts[0]), replace(token, text=parts[1], glued=False)]
+    return out
 
 
 def _words(tokens: list[Token], lexicon: Lexicon) -> list[Lexeme]:

@@ -12,7 +12,7 @@ from stages.plan.reader.tokens import fold, tokenize
 
 Phrase = tuple[str, ...]
 
-NOUNS = ("room", "dwelling", "furniture")
+NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with", "reach", "relative",
     "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun", "only", "style", "shape", "side_role",

@@ -5,6 +5,8 @@ from stages.plan.reader.sense import may_cross, opens_onto, sense
 
 OWNED = ("bathroom", "closet", "study", "storage", "utility", "balcony")
 """Types that may be a private annex of a bedroom."""
+ANNEXES = ("closet", "storage", "utility")
+"""Types that may be one of a bathroom too."""
 
 
 def edge(a: str, b: str) -> Link:
@@ -23,7 +25,8 @@ def mark_private(rooms: list[AskedRoom], links: list[Link]) -> None:
     kind = {r.id: r.type for r in rooms}
     for room in rooms:
         near = [b if a == room.id else a for a, b in links if room.id in (a, b)]
-        if room.type in OWNED and room.private_to is None and near and all(kind[n] == "bedroom" for n in near):
+        owners = ("bedroom", "bathroom") if room.type in ANNEXES else ("bedroom",)
+        if room.type in OWNED and room.private_to is None and near and all(kind[n] in owners for n in near):
             room.private_to = near[0]
 
 
@@ -45,8 +48,10 @@ def reached(rooms: list[AskedRoom], links: list[Link], start: str) -> set[str]:
     return seen
 
 
-def complete_links(rooms: list[AskedRoom], links: list[Link], forbidden: set[Link]) -> list[Link]:
-    """`links` and as many more as needed, by `sense.toml`."""
+def complete_links(
+    rooms: list[AskedRoom], links: list[Link], forbidden: set[Link], near: set[Link] = frozenset()  # type: ignore[assignment]
+) -> list[Link]:
+    """`links` and as many more as needed, by `sense.toml`; those of `near` do not stand for a room's usual doors."""
     out = sorted({edge(a, b) for a, b in links}, key=_natural)
     for room in rooms:
         if room.private_to is not None and not any(room.id in pair for pair in out):
@@ -60,7 +65,7 @@ def complete_links(rooms: list[AskedRoom], links: list[Link], forbidden: set[Lin
             partner = _partner(room, rooms, out, seen, forbidden)
             if partner is not None:
                 out.append(edge(room.id, partner))
-    return sorted(set(out) | set(_also(rooms, links, out, forbidden)), key=_natural)
+    return sorted(set(out) | set(_also(rooms, [p for p in links if p not in near], forbidden)), key=_natural)
 
 
 def _natural(link: Link) -> tuple[str, str]:
@@ -78,13 +83,14 @@ def _partner(room: AskedRoom, rooms: list[AskedRoom], links: list[Link], seen: s
     return None
 
 
-def _also(rooms: list[AskedRoom], said: list[Link], links: list[Link], forbidden: set[Link]) -> list[Link]:
+def _also(rooms: list[AskedRoom], said: list[Link], forbidden: set[Link]) -> list[Link]:
     out: list[Link] = []
     for kind, others in sense()["also"].items():
         for room in rooms:
             if room.type != kind or any(room.id in pair for pair in said):
                 continue
-            near = [r.id for other in others for r in rooms if r.type == other]
-            if near and edge(room.id, near[0]) not in forbidden:
-                out.append(edge(room.id, near[0]))
+            for other in others:
+                near = [r.id for r in rooms if r.type == other]
+                if near and edge(room.id, near[0]) not in forbidden:
+                    out.append(edge(room.id, near[0]))
     return out

@@ -7,7 +7,7 @@ from stages.plan.reader.lexicon import Lexicon
 
 OPEN_TYPES = ("living_room", "kitchen", "dining_room")
 COPULAS = ("is", "are", "be", "ist", "sind", "est", "sont", "es", "son", "lie", "lies")
-PARTITIVE = ("all", "each", "both", "one_of", "other")
+PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
 
 
 @dataclass(eq=False)
@@ -153,6 +153,8 @@ class Phraser:
         """`bed` and `bath` are furniture where a room is being furnished, not after "3 …" of a listing."""
         if word.text not in self.lexicon.also_object or word.joined or (following is not None and following.kind in ("dwelling", "room", "number", "shorthand")):
             return False
+        if word.text == "bed" and self.pending.quantifier == "a" and self.pending.number is None:
+            return True
         last = [i for i in self.items if i.kind not in ("conjunction", "mark")][-2:]
         furnishing = any(i.kind in ("object", "with") for i in last[-1:])
         return furnishing and any(i.kind in ("object", "room") for i in last) and last[0].kind != "dwelling" and self._furnishes(word, last)
@@ -202,10 +204,8 @@ class Phraser:
         if word.kind == "dwelling":
             self._dwelling(word)
             return None
-        if word.kind == "main_rooms" and p.number is not None:
-            self.items.append(Item("main_rooms", "", word.text, number=p.number))
-            self.pending = _Pending()
-            return None
+        if word.kind == "main_rooms":
+            return self._main_rooms(word)
         if word.kind == "furniture_count" and p.number is not None:
             self.items.append(Item("objects", "", word.text, number=p.number))
             self.pending = _Pending()
@@ -220,6 +220,14 @@ class Phraser:
             return None
         self._plain(word)
         return None
+
+    def _main_rooms(self, word: Lexeme) -> None:
+        """`3-room flat` counts living and sleeping rooms; `every room` means all others."""
+        p, self.pending = self.pending, _Pending()
+        if p.number is not None and p.quantifier not in PARTITIVE:
+            self.items.append(Item("main_rooms", "", word.text, number=p.number))
+        elif p.quantifier in ("all", "each", "other"):
+            self.items.append(Item("room", "any", word.text, RoomPhrase("any", set(), None, p.quantifier, plural=True, text=word.text)))
 
     def _dwelling(self, word: Lexeme) -> None:
         p = self.pending

@@ -26,7 +26,7 @@ class _Doors:
     links: list[Pair] = field(default_factory=list)
     open: list[Pair] = field(default_factory=list)
     forbidden: list[Pair] = field(default_factory=list)
-    only: list[Entity] = field(default_factory=list)
+    near: list[Pair] = field(default_factory=list)
 
 
 def read(prompt: str) -> Program:
@@ -45,6 +45,7 @@ def read(prompt: str) -> Program:
     complete = said.only or _full_graph(said, home, doors)
     if not complete:
         _missing(said, home)
+    _every_room(said.statements, home, doors)
     _ensuites(home, doors)
     return _program(said, home, doors, complete)
 
@@ -81,14 +82,14 @@ def _doors(statements: list[Statement], home: Household) -> _Doors:
             case "not":
                 out.forbidden += pairs
             case "near":
-                out.links += [(a, b) for a, b in pairs if a.type in (*OPEN_TYPES, "balcony") and b.type in (*OPEN_TYPES, "balcony")]
+                out.near += [(a, b) for a, b in pairs if a.type in (*OPEN_TYPES, "balcony") and b.type in (*OPEN_TYPES, "balcony")]
             case "share":
                 _share(left, right, out, home)
             case "compare" | "equal":
                 continue
             case _:
                 out.links += pairs
-                out.only += left if s.kind == "only" else []
+    out.links += out.near
     for e in home.rooms:
         if e.owner is not None:
             out.links.append((e.owner, e))
@@ -101,11 +102,19 @@ def _doors(statements: list[Statement], home: Household) -> _Doors:
 def _entities(phrases: list[Any], home: Household) -> list[Entity]:
     out: list[Entity] = []
     for phrase in phrases:
-        if phrase.type == "any":
-            named = [e for p in phrases for e in home.refs.get(id(p), [])]
-            out += [e for e in home.rooms if e not in named and e.type not in ("balcony", "closet") and e.owner is None]
         out += [e for e in home.refs.get(id(phrase), []) if e not in out]
     return out
+
+
+def _every_room(statements: list[Statement], home: Household, doors: _Doors) -> None:
+    """`every room opens onto the hallway`, once all rooms are known."""
+    for s in statements:
+        for some, others in ((s.left, s.right), (s.right, s.left)):
+            if s.kind in ("door", "only") and any(p.type == "any" for p in some):
+                hubs = _entities(others, home)
+                linked = {id(e) for pair in doors.links for e in pair} if any(p.quantifier == "other" for p in some) else set()
+                rooms = [e for e in home.rooms if e not in hubs and e.owner is None and e.type not in ("balcony", "closet") and id(e) not in linked]
+                doors.links += [(hub, e) for hub in hubs for e in rooms]
 
 
 def _share(users: list[Entity], shared: list[Entity], out: _Doors, home: Household) -> None:
@@ -227,10 +236,12 @@ def _ensuites(home: Household, doors: _Doors) -> None:
     _open_labels(home, doors)
     beds = [e for e in home.of("bedroom") if not any(r.type == "bathroom" and (r.owner is e or (e, r) in doors.links) for r in home.rooms)]
     beds.sort(key=lambda e: "master" not in e.labels)
+    if ("bathroom", "ensuite") in home.banned:
+        beds = []
     plain = [e for e in home.of("bathroom") if "half" not in e.labels and e.owner is None and not linked(e)]
     named = [e for e in plain if "ensuite" in e.labels]
     others = [e for e in plain if e not in named and not e.labels & {"family", "shared", "guest", "separate"}]
-    serves = len(plain) - len(others) - len(named) + sum(e.type == "bathroom" and linked(e) and e.owner is None and "half" not in e.labels for e in home.rooms)
+    serves = len(plain) - len(others) - len(named) + sum(_serves(e, doors) for e in home.of("bathroom"))
     spare = others if serves else others[: len(others) - 1] if len(beds) > 0 else []
     if len(home.of("bedroom")) < 2 and not home.totals.get("bathroom") and not named:
         spare = others[1:] if not serves else others
@@ -243,6 +254,12 @@ def _ensuites(home: Household, doors: _Doors) -> None:
             doors.links.append((closet.owner, closet))
 
 
+def _serves(bath: Entity, doors: _Doors) -> bool:
+    """Whether a bathroom is entered from elsewhere than a bedroom."""
+    near = [b if a is bath else a for a, b in doors.links if bath in (a, b)]
+    return "half" not in bath.labels and any(e.type != "bedroom" for e in near)
+
+
 def _program(said: Said, home: Household, doors: _Doors, complete: bool) -> Program:
     ids = _ids(home)
     rooms = [AskedRoom(id=ids[id(e)], type=e.type, area=None, private_to=_private(e, ids)) for e in _ordered(home)]  # type: ignore[arg-type]
@@ -252,7 +269,7 @@ def _program(said: Said, home: Household, doors: _Doors, complete: bool) -> Prog
 
     banned = set(pairs(doors.forbidden))
     links = [link for link in pairs(doors.links) if link not in banned]
-    links = complete_links(rooms, links, banned)
+    links = complete_links(rooms, links, banned, set(pairs(doors.near)))
     areas = _areas(said, home, rooms, links, ids)
     style = _style(said)
     return Program(

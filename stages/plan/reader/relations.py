@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from stages.plan.reader.phrases import Item, RoomPhrase
+from stages.plan.reader.phrases import OPEN_TYPES, Item, RoomPhrase
 from stages.plan.reader.statements import Statement, is_mark
 
 
@@ -52,7 +52,10 @@ def _predicates(items: list[Item], graph: bool) -> list[_Predicate]:
                 continue
             if item.value == "to" and not (k and items[k - 1].room is not None and k + 1 < len(items) and items[k + 1].room is not None):
                 continue
-            out.append(_Predicate(k, item.value, item.form or aux or "part", negated))
+            kind, form = _opens_to(items, k) or (item.value, item.form or aux or "part")
+            out.append(_Predicate(k, kind, form, negated))
+        elif item.kind == "with" and item.value == "has":
+            out.append(_Predicate(k, "has", "s", negated))
         elif item.kind == "relative" and item.value == "from_which":
             out.append(_Predicate(k, "door", "which", negated))
         elif item.kind == "boundary" and item.value == "then" and k + 1 < len(items) and items[k + 1].room is not None and k and _near_room(items, k):
@@ -60,6 +63,15 @@ def _predicates(items: list[Item], graph: bool) -> list[_Predicate]:
         elif is_mark(item, "-" if not graph else "-:") and 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None:
             out.append(_Predicate(k, "door", "part" if item.value == "-" else "s", False))
     return out
+
+
+def _opens_to(items: list[Item], k: int) -> tuple[str, str] | None:
+    """`a kitchen open to the living room` is no verb: one room, no wall."""
+    last = items[k - 1].room if k else None
+    alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
+    if items[k].text in ("open to", "open onto") and last is not None and not last.plural and alone and last.quantifier != "both":
+        return "open", "part"
+    return None
 
 
 def _near_room(items: list[Item], k: int) -> bool:
@@ -92,6 +104,10 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
     start = last.at + 1 if last else 0
     rooms = [j for j in range(start, p.at) if items[j].room is not None]
     between = items[rooms[-1] + 1 : p.at] if rooms else items[start : p.at]
+    gapped = last is not None and len(rooms) > 1 and p.kind in ("to", "only") and rooms[-1] == p.at - 1 and items[p.at - 2].kind == "conjunction"
+    if gapped:
+        p.subject = (rooms[-1], rooms[-1] + 1)
+        return
     if not rooms or (last and _verb_coordination(between)):
         p.subject = last.subject if last else (0, 0)
         if last and not rooms and p.form not in ("s", "p", ""):
@@ -111,7 +127,8 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
 
 def _verb_coordination(between: list[Item]) -> bool:
     """`X leads to Y and opens onto Z`: a conjunction, no relative, right before the verb."""
-    return any(i.kind == "conjunction" for i in between) and not any(i.kind == "relative" for i in between)
+    joins = any(i.kind == "conjunction" or (i.kind == "boundary" and i.text == "but") for i in between)
+    return joins and not any(i.kind == "relative" for i in between)
 
 
 def _and_group(items: list[Item], at: int, floor: int, whole: bool = False) -> int:
@@ -173,6 +190,8 @@ def _continues(items: list[Item], p: _Predicate, j: int, out: list[RoomPhrase]) 
         return False
     if p.kind == "between":
         return len(out) < 2 or items[j - 1].kind == "conjunction"
+    if p.kind == "open" and phrase.type not in OPEN_TYPES:
+        return False
     if p.form != "part":
         return True
     same = first.definite == phrase.definite
@@ -182,7 +201,9 @@ def _continues(items: list[Item], p: _Predicate, j: int, out: list[RoomPhrase]) 
 
 
 def _statement(p: _Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
-    kind = "not" if p.negated else p.kind
+    if p.kind == "has":
+        return []
+    kind = "not" if p.negated or p.kind == "apart" else p.kind
     if p.kind == "between":
         hubs = left if left and left[-1] not in right else []
         if hubs:

@@ -11,6 +11,14 @@ def correct(word: str, lexicon: Lexicon) -> str:
     return word if known or len(word) < 5 or not word.isascii() else _nearest(word)
 
 
+def split(word: str, lexicon: Lexicon) -> tuple[str, str] | None:
+    """`onebedroom` as two known words."""
+    if len(word) < 7:
+        return None
+    cuts = [(word[:k], word[k:]) for k in range(3, len(word) - 2)]
+    return next((c for c in cuts if (c[0],) in lexicon.entries and (c[1],) in lexicon.entries), None)
+
+
 @cache
 def _by_length() -> dict[int, list[str]]:
     out: dict[int, list[str]] = {}
