@@ -46,10 +46,10 @@ def entrance_sides(envelope: Envelope) -> list[Side]:
     return facades or list(SIDES)
 
 
-def draw(envelope: Envelope, gross: float, regularity: float, entrance: Side, rng: Generator) -> Outline:
+def draw(envelope: Envelope, gross: float, regularity: float, entrances: list[Side], rng: Generator) -> Outline:
     """A free outline of area `gross`, or the given one."""
     if envelope.outline is not None:
-        return taken_apart(Polygon(envelope.outline), envelope, entrance, "outline", (1.0, 1.0))
+        return taken_apart(Polygon(envelope.outline), envelope, entrances, "outline", (1.0, 1.0))
     shape = envelope.shape
     if shape == "auto":
         odds = 0.8 * (1 - regularity) ** 1.5
@@ -61,7 +61,7 @@ def draw(envelope: Envelope, gross: float, regularity: float, entrance: Side, rn
     # A stretch s makes the bounding box s² times as long.
     least = np.sqrt(1 / GREATEST_STRETCH / aspect)
     greatest = np.sqrt(GREATEST_STRETCH / aspect)
-    return taken_apart(polygon, envelope, entrance, shape, (float(least), float(greatest)))
+    return taken_apart(polygon, envelope, entrances, shape, (float(least), float(greatest)))
 
 
 def _shape(shape: str, aspect: float, rng: Generator) -> Polygon:
@@ -90,21 +90,21 @@ def _less(whole: Polygon, cut: Polygon) -> Polygon:
 
 
 def taken_apart(
-    polygon: Polygon, envelope: Envelope, entrance: Side, shape: str, stretch: tuple[float, float]
+    polygon: Polygon, envelope: Envelope, entrances: list[Side], shape: str, stretch: tuple[float, float]
 ) -> Outline:
     """Blocks and edges of a rectilinear gross outline."""
     ring = shapely.geometry.polygon.orient(polygon).exterior.coords
-    edges = [_edge(a, b, envelope, entrance) for a, b in zip(ring[:-1], ring[1:], strict=True)]
+    edges = [_edge(a, b, envelope, entrances) for a, b in zip(ring[:-1], ring[1:], strict=True)]
     return Outline(shape, blocks(polygon), np.array(edges, float).reshape(-1, 6), stretch)
 
 
 def _edge(
-    a: tuple[float, ...], b: tuple[float, ...], envelope: Envelope, entrance: Side
+    a: tuple[float, ...], b: tuple[float, ...], envelope: Envelope, entrances: list[Side]
 ) -> tuple[float, float, float, float, float, float]:
     side = facing(b[0] - a[0], b[1] - a[1])
     axis = 1 if side in ("south", "north") else 0
     lo, hi = sorted((a[1 - axis], b[1 - axis]))
-    return axis, 0.5 * (a[axis] + b[axis]), lo, hi, side not in envelope.party_walls, side == entrance
+    return axis, 0.5 * (a[axis] + b[axis]), lo, hi, side not in envelope.party_walls, side in entrances
 
 
 def blocks(polygon: Polygon) -> Array:

@@ -1,18 +1,18 @@
 """A programme as the arrays the solver anneals, and the random trees it starts from."""
 
 from collections import deque
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.random import Generator
 
-from schemas.plan import Program, Walls
+from schemas.plan import AskedRoom, Program, Walls
 from stages.plan.check import entrance_room, links, neighbours
-from stages.plan.kernel import Problem, Scratch, Tree
+from stages.plan.kernel import Ints, Problem, Scratch, Tree
 from stages.plan.outline import Outline
 from stages.plan.standards import LINK_WALL, STANDARDS
 
-TERMS: dict[str, float] = {
+WEIGHTS: dict[str, float] = {
     "shortest_path": 2.0,
     "typical_area": 10.0,
     "aspect_ratio": 5.0,
@@ -23,10 +23,13 @@ TERMS: dict[str, float] = {
     "collinearity": 0.1,
     "functional_room": 10.0,
     "narrow_passage": 5.0,
-    "staircase": 0.0,
-    "wet_rooms": 0.5,
+    "staircase_occupancy": 1.0,
+    "staircase_iou": 0.5,
+    "near_rooms": 0.5,
     "wide_corridor": 4.0,
 }
+"""Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
+(wet rooms, and kitchen and dining room, apart) and `wide_corridor` are added to the field's twelve."""
 
 
 @dataclass(frozen=True)
@@ -51,33 +54,51 @@ def gross_area(program: Program, walls: Walls) -> float:
 def problem(program: Program, outline: Outline, parts: list[int], walls: Walls, slack: Slack) -> Problem:
     """Arrays for one run; `parts` says of how many rectangles each room is made."""
     rooms, wanted = program.rooms, areas(program)
-    norms = [STANDARDS[r.type] for r in rooms]
     index = {r.id: i for i, r in enumerate(rooms)}
-    hall = np.array([r.type in ("hallway", "balcony") for r in rooms])
-    target = np.array([wanted[r.id] for r in rooms])
-    order, parent = _ways(program, index)
     joined = {r for pair in program.open_links for r in pair}
+    spec = [
+        _spec(room, wanted[room.id], 2.0 + 2 * many, room.id in joined, slack)
+        for room, many in zip(rooms, parts, strict=True)
+    ]
     return Problem(
-        target=target,
-        loose=np.where(hall, 3 * slack.area, slack.area),
-        width=np.array([min(n.width, 0.95 * np.sqrt(a)) for n, a in zip(norms, target, strict=True)]),
-        joint=np.array([min(n.width, 1.5) for n in norms]),
-        aspect=np.array([n.aspect for n in norms]) * slack.aspect,
-        form=np.where(hall, 0.02, 1.0),
-        corners=np.array([2.0 + 2 * k for k in parts]),
-        face=np.array([0.0 if r.type == "kitchen" and r.id in joined else n.face for r, n in zip(rooms, norms, strict=True)]),
-        role=np.array([(r.type == "hallway", n.wet, n.functional, n.outer) for r, n in zip(rooms, norms, strict=True)], np.int64),
+        spec=np.array(spec),
         links=np.array([(index[a], index[b]) for a, b in links(program)], np.int64).reshape(-1, 2),
-        order=order,
-        parent=parent,
+        near=_near(program),
+        order=_ways(program, index),
         blocks=outline.blocks,
         edges=outline.edges,
-        weights=np.array([w * program.weights.get(name, 1.0) for name, w in TERMS.items()]),
+        weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
         limits=np.array([*outline.stretch, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
     )
 
 
-def _ways(program: Program, index: dict[str, int]) -> tuple[np.ndarray, np.ndarray]:
+def _spec(room: AskedRoom, area: float, corners: float, joined: bool, slack: Slack) -> tuple[float, ...]:
+    norm = STANDARDS[room.type]
+    passage = room.type in ("hallway", "balcony")
+    return (
+        area,
+        3 * slack.area if passage else slack.area,
+        min(norm.width, 0.95 * np.sqrt(area)),
+        min(norm.width, 1.5),
+        norm.aspect * slack.aspect,
+        0.02 if passage else 1.0,
+        corners,
+        0.0 if room.type == "kitchen" and joined else norm.face,
+        room.type == "hallway",
+        norm.functional,
+        norm.outer,
+    )
+
+
+def _near(program: Program) -> Ints:
+    """Pairs that should be close: each wet room and the one before it, kitchen and dining room."""
+    types = [r.type for r in program.rooms]
+    wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
+    meals = [(i, j) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == ("kitchen", "dining_room")]
+    return np.array([*zip(wet, wet[1:], strict=False), *meals], np.int64).reshape(-1, 2)
+
+
+def _ways(program: Program, index: dict[str, int]) -> Ints:
     near = neighbours(program)
     start = entrance_room(program).id
     before = {start: -1}
@@ -89,7 +110,7 @@ def _ways(program: Program, index: dict[str, int]) -> tuple[np.ndarray, np.ndarr
             if there not in before:
                 before[there] = index[here]
                 queue.append(there)
-    return np.array(order, np.int64), np.array([before[r.id] for r in program.rooms], np.int64)
+    return np.array([(i, before[program.rooms[i].id]) for i in order], np.int64)
 
 
 def parts(program: Program, rng: Generator) -> list[int]:
@@ -111,28 +132,32 @@ def start(program: Program, parts: list[int], stretch: tuple[float, float], rng:
     room = np.repeat(np.arange(len(parts)), parts)
     share = np.concatenate([wanted[i] * rng.dirichlet(np.full(k, 6.0)) for i, k in enumerate(parts)])
     leaves = len(room)
-    left, right, upright = (np.zeros(2 * leaves - 1, np.int64) for _ in range(3))
-    nodes = list(rng.permutation(leaves))
+    nodes = np.zeros((2 * leaves, 3), np.int64)
+    nodes[:leaves, 0] = room
+    loose = list(rng.permutation(leaves))
     for cut in range(leaves, 2 * leaves - 1):
-        left[cut], right[cut] = (nodes.pop(int(rng.integers(len(nodes)))) for _ in range(2))
-        upright[cut] = rng.integers(2)
-        nodes.append(cut)
-    s = float(np.clip(1.0, *stretch))
-    return Tree(left, right, upright, room.astype(np.int64), share, np.array([nodes[0]], np.int64), np.array([s]))
+        left, right = (loose.pop(int(rng.integers(len(loose)))) for _ in range(2))
+        nodes[cut] = left, right, rng.integers(2)
+        loose.append(cut)
+    nodes[-1, 0] = loose[0]
+    return Tree(nodes, np.append(share, np.clip(1.0, *stretch)))
 
 
 def copy(tree: Tree) -> Tree:
     """An independent copy."""
-    return Tree(*(np.array(a) for a in tree))
+    return Tree(tree.nodes.copy(), tree.share.copy())
 
 
 def scratch(n: int, leaves: int, k: int) -> Scratch:
     """Room for the measures of a state of `n` rooms."""
-    nodes, most = 2 * leaves - 1, leaves * k
     return Scratch(
-        np.zeros((nodes, 4)), np.zeros(nodes, np.int64), np.zeros(nodes), np.zeros((most, 4)), np.zeros(most, np.int64),
-        np.zeros((n, n)), np.zeros((n, n, 2)), np.zeros((n, 12)), np.zeros(14), np.zeros(3), np.zeros((n, 3)),
-    )  # fmt: skip
-
-
-__all__ = ["Slack", "areas", "copy", "gross_area", "parts", "problem", "replace", "scratch", "start"]
+        box=np.zeros((2 * leaves - 1, 5)),
+        seq=np.zeros(2 * leaves - 1, np.int64),
+        piece=np.zeros((leaves * k, 4)),
+        owner=np.zeros(leaves * k, np.int64),
+        wall=np.zeros((n, n, 3)),
+        room=np.zeros((n, 13)),
+        terms=np.zeros(15),
+        entry=np.zeros(4),
+        walked=np.zeros((n, 3)),
+    )

@@ -20,6 +20,9 @@ from stages.plan.outline import draw, entrance_sides
 from stages.plan.problem import Slack, copy, gross_area, parts, problem, scratch, start
 from stages.plan.relax import Step, ladder
 
+HOT, COLD = 20.0, 1.0
+"""Temperatures between which a run anneals, in units of cost."""
+
 log = logging.getLogger("apartgen")
 
 
@@ -35,16 +38,16 @@ class Run:
 
 def anneal(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Run:
     """One run from a random start."""
-    entrance = entrance_sides(program.envelope)[int(rng.integers(len(entrance_sides(program.envelope))))]
-    outline = draw(program.envelope, gross_area(program, config.walls), program.regularity, entrance, rng)
+    entrances = entrance_sides(program.envelope)
+    outline = draw(program.envelope, gross_area(program, config.walls), program.regularity, entrances, rng)
     many = parts(program, rng)
     p = problem(program, outline, many, config.walls, slack)
     tree = start(program, many, outline.stretch, rng)
-    best, z = copy(tree), scratch(len(many), sum(many), len(outline.blocks))
+    new, best, z = copy(tree), copy(tree), scratch(len(many), sum(many), len(outline.blocks))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
-    cost = kernel.anneal(p, tree, best, z, seed, config.proposals, 40.0, 0.3)
+    cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(many), HOT, COLD)
     count = kernel.lay(p, best, z)
-    return Run(float(cost), float(z.terms[13]), z.piece[:count].copy(), z.owner[:count].copy())
+    return Run(float(cost), float(z.terms[-1]), z.piece[:count].copy(), z.owner[:count].copy())
 
 
 def floors(program: Program, run: Run, inner: float) -> dict[str, Polygon]:
@@ -89,20 +92,28 @@ def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) ->
 def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     """The best plan found; raises Unmet naming the contradiction where even relaxed requirements admit none."""
     check(program)
-    worst: Run | None = None
+    closest: Run | None = None
     for step in ladder(program):
-        good: list[tuple[float, Plan]] = []
+        valid: list[Run] = []
         for runs in waves(step.program, config, step.slack, rng):
-            for run in sorted(runs, key=lambda r: r.cost):
-                plan = finish(step.program, run, config) if run.lack < EPS else None
-                if plan is not None:
-                    good.append((run.cost, plan))
-                worst = run if worst is None or run.lack < worst.lack else worst
-            if len(good) >= config.enough:
-                break
-        if good:
-            return _reported(min(good, key=lambda pair: pair[0])[1], program, step)
-    raise Unmet(_contradiction(program, worst))
+            valid += [run for run in runs if run.lack < EPS]
+            closest = min([*runs, *([closest] if closest else [])], key=lambda run: run.lack)
+            if len(valid) < config.enough:
+                continue
+            plan = _first(step.program, valid, config)
+            if plan is not None:
+                return _reported(plan, program, step)
+            valid = []
+        plan = _first(step.program, valid, config)
+        if plan is not None:
+            return _reported(plan, program, step)
+    raise Unmet(_contradiction(program, closest))
+
+
+def _first(program: Program, runs: list[Run], config: PlanConfig) -> Plan | None:
+    """The cheapest run that takes doors and windows, as a plan."""
+    plans = (finish(program, run, config) for run in sorted(runs, key=lambda run: run.cost))
+    return next((plan for plan in plans if plan is not None), None)
 
 
 def _reported(plan: Plan, program: Program, step: Step) -> Plan:
