@@ -1,8 +1,10 @@
 """The apartment after walkable-area optimisation."""
 
+from typing import Literal
+
 from pydantic import Field
 
-from schemas.base import Record
+from schemas.base import Number, Record, Vector
 from schemas.retrieve import Retrieve
 
 
@@ -16,6 +18,27 @@ class Replaced(Record):
     model_config = Record.model_config | {"populate_by_name": True}
 
 
+class Placement(Record):
+    """Where an object stands and how large it is."""
+
+    center: Vector
+    size: Vector
+    yaw: Number
+
+
+class Step(Record):
+    """One change and its reason: the target ratio ("ratio"), or the id of what could not be reached.
+
+    `after` is None where the object was dropped. What stands on a changed object goes with it.
+    """
+
+    action: Literal["replace", "nudge", "drop"]
+    object: str
+    reason: str
+    before: Placement
+    after: Placement | None
+
+
 class Report(Record):
     """Walkable ratio wanted, before, after and by room; `unreached` names what a robot cannot get to."""
 
@@ -27,6 +50,7 @@ class Report(Record):
     moved: list[str] = Field(default_factory=list)
     dropped: list[str] = Field(default_factory=list)
     unreached: list[str] = Field(default_factory=list)
+    steps: list[Step] = Field(default_factory=list, description="every change in order")
 
 
 class Walkable(Retrieve):

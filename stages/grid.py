@@ -17,6 +17,8 @@ from stages.boxes import Array, Boxes, Mask
 RESOLUTION = 0.05
 """Default cell size, m."""
 
+Count = NDArray[np.int16]
+"""Obstacles that keep the robot off each cell."""
 Labels = NDArray[np.int32]
 Window = tuple[slice, slice]
 

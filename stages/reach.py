@@ -4,7 +4,7 @@ The robot is a disc. It can be where its disc meets neither wall nor furniture; 
 it, its centre within `reach` of the face that opens, first with the parts closed and then with them open.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -104,43 +104,65 @@ def free(world: Space, objects: Sequence[Box]) -> Mask:
     return cells
 
 
-def survey(world: Space, objects: Sequence[Box], reach: float = REACH, cells: Mask | None = None) -> Reached:
-    """Everything the robot gets to from the entrance, and what it does not; `cells` may be given from `free`."""
+def survey(
+    world: Space, objects: Sequence[Box], reach: float = REACH, cells: Mask | None = None,
+    only: Collection[str] | None = None,
+) -> Reached:
+    """Everything the robot gets to from the entrance, and what it does not.
+
+    `cells` may be given from `free`; `only` limits the question to some ids of doors, rooms and objects.
+    """
     open_cells = free(world, objects) if cells is None else cells
     got = grid.from_seeds(open_cells, world.entry)
-    doors = [name for name, parts in world.doors.items() if not all((got & part).any() for part in parts)]
-    seen = set(np.unique(world.rooms[got]).tolist())
-    rooms = [room.id for i, room in enumerate(world.plan.rooms) if i not in seen]
-    closed, opened = _objects(world, objects, reach, open_cells, got)
+    doors = [name for name, parts in world.doors.items()
+             if _asked(name, only) and not all((got & part).any() for part in parts)]
+    rooms = [room.id for i, room in enumerate(world.plan.rooms)
+             if _asked(room.id, only) and not (got & (world.rooms == i)).any()]
+    closed, opened = _objects(world, [o for o in objects if _asked(o.id, only)], reach, open_cells, got)
     return Reached(got, doors, rooms, closed, opened)
+
+
+def _asked(name: str, only: Collection[str] | None) -> bool:
+    return only is None or name in only
 
 
 def _objects(
     world: Space, objects: Sequence[Box], reach: float, open_cells: Mask, got: Mask
 ) -> tuple[list[str], list[str]]:
     """Ids of articulated objects not reached with their parts closed, and with them open."""
-    moving = [o for o, moves in zip(objects, sweeps.articulated(objects), strict=True) if moves]
-    moving = [o for o in moving if footprints.is_obstacle(o)]
+    moving = [o for o, moves in zip(objects, sweeps.articulated(objects)) if moves and footprints.is_obstacle(o)]
     parts, owner = sweeps.opened(moving)
     index = {room.id: i for i, room in enumerate(world.plan.rooms)}
     closed, opened = [], []
     for i, o in enumerate(moving):
-        room = world.rooms == index[o.room]
-        if not (got & room & standing(o, world.grid, reach, world.radius)).any():
+        window, zone = standing(o, world.grid, reach, world.radius)
+        if not (got[window] & zone & (world.rooms[window] == index[o.room])).any():
             closed.append(o.id)
-            continue
-        mine = parts.take(owner == i)
-        shut_out = grid.near(mine, world.grid, world.radius) > 0
-        still = grid.from_seeds(open_cells & ~shut_out, world.entry) if (shut_out & got).any() else got
-        if not (still & room & standing(o, world.grid, reach, world.radius, mine)).any():
+        elif not _still(world, o, parts.take(owner == i), reach, open_cells, got, index[o.room]):
             opened.append(o.id)
     return closed, opened
 
 
-def standing(o: Box, cells: Grid, reach: float, radius: float, parts: Boxes | None = None) -> Mask:
+def _still(world: Space, o: Box, parts: Boxes, reach: float, open_cells: Mask, got: Mask, room: int) -> bool:
+    """Whether the robot can come and stand in front of an object whose parts are open."""
+    window, zone = standing(o, world.grid, reach, world.radius, parts)
+    shut_out = grid.near(parts, world.grid, world.radius) > 0
+    place = zone & (world.rooms[window] == room) & ~shut_out[window]
+    if not (got[window] & place).any():
+        return False
+    if not (got & shut_out).any():
+        return True
+    still = grid.from_seeds(open_cells & ~shut_out, world.entry)
+    return bool((still[window] & place).any())
+
+
+def standing(
+    o: Box, cells: Grid, reach: float, radius: float, parts: Boxes | None = None
+) -> tuple[grid.Window, Mask]:
     """Cells in front of an object from which it is used: within `reach` of its face, or of its open parts.
 
-    To the sides the zone is wider than the object by the robot's radius.
+    To the sides the zone is wider than the object by the robot's radius. Returns a window of the raster and the
+    cells in it.
     """
     box = boxes.of([o])
     face, half = o.size[0] / 2, o.size[1] / 2
@@ -149,8 +171,7 @@ def standing(o: Box, cells: Grid, reach: float, radius: float, parts: Boxes | No
         ahead = max(ahead, float(boxes.local(boxes.corners(parts).reshape(-1, 2), box)[0, :, 0].max()))
     corner = boxes.corners(boxes.spread(box, [[face, -half - radius, 0]], [[ahead + reach, half + radius, 1]]))[0]
     window = cells.around(corner.min(0), corner.max(0))
-    zone = np.zeros(cells.shape, bool)
     points = cells.centers(window)
     seen = boxes.local(points.reshape(-1, 2), box)[0].reshape(points.shape)
-    zone[window] = (seen[..., 0] > face) & (seen[..., 0] <= ahead + reach) & (np.abs(seen[..., 1]) <= half + radius)
-    return zone
+    ahead_of = (seen[..., 0] > face) & (seen[..., 0] <= ahead + reach)
+    return window, ahead_of & (np.abs(seen[..., 1]) <= half + radius)

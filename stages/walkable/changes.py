@@ -1,0 +1,47 @@
+"""Changes to a scene and how they are recorded."""
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+from schemas.retrieve import Furnishing
+from schemas.walkable import Placement, Step
+from stages.walkable.site import Scene, swapped
+
+Action = Literal["replace", "nudge", "drop"]
+
+
+class Change(NamedTuple):
+    """What is done to `object` and why; `to` has every object that changes with it, None where one goes."""
+
+    action: Action
+    object: Furnishing
+    to: dict[str, Furnishing | None]
+    reason: str
+
+
+def replaced(o: Furnishing, to: dict[str, Furnishing | None], reason: str) -> Change:
+    """Another asset for an object, what it carries included."""
+    return Change("replace", o, to, reason)
+
+
+def nudged(o: Furnishing, to: dict[str, Furnishing | None], reason: str) -> Change:
+    """Another place for an object and its company."""
+    return Change("nudge", o, to, reason)
+
+
+def dropped(o: Furnishing, carried: Sequence[Furnishing], reason: str) -> Change:
+    """An object left out, and what stands on it."""
+    return Change("drop", o, {p.id: None for p in (o, *carried)}, reason)
+
+
+def placement(o: Furnishing) -> Placement:
+    """Where an object stands, for the record."""
+    return Placement(center=o.center, size=o.size, yaw=o.yaw)
+
+
+def applied(scene: Scene, change: Change) -> tuple[Scene, Step]:
+    """The scene after a change, and the record of it."""
+    new = change.to[change.object.id]
+    step = Step(action=change.action, object=change.object.id, reason=change.reason, before=placement(change.object),
+                after=placement(new) if new else None)
+    return swapped(scene, change.to), step

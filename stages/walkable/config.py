@@ -1,0 +1,23 @@
+"""What can be set in the walkable stage."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from schemas.base import Positive, Record
+
+
+class WalkableConfig(Record):
+    """Target, effort, and which steps beyond Algorithm 2 are taken."""
+
+    target: float = Field(0.70, ge=0, le=1, description="least share of floor that stays free (τ)")
+    scope: Literal["apartment", "rooms"] = Field("apartment", description="meets it: all floors together, or each")
+    top_k: int = Field(3, ge=1, le=1000, description="largest objects replaced in an iteration (k)")
+    max_iterations: int = Field(20, ge=0, le=10_000, description="iterations at most (M)")
+    share: float = Field(0.9, gt=0, lt=1, description="sides of a smaller candidate, at most this share of the old")
+    drop: bool = Field(True, description="leave out the least important objects where smaller ones do not suffice")
+    connect: bool = Field(True, description="make the free space connected for a robot, up to all that opens")
+    robot_radius: Positive = 0.25
+    reach: Positive = Field(0.8, description="from the robot's centre to the front of what it uses, m")
+    resolution: Positive = Field(0.05, le=0.1, description="cells of the occupancy raster, m")
+    write_anyway: bool = Field(False, description="give the best apartment found although it misses the target")

@@ -1,0 +1,67 @@
+"""Algorithm 2: replace the largest objects by smaller ones until enough floor is free; then leave some out."""
+
+from collections.abc import Collection
+
+from schemas.retrieve import Furnishing
+from schemas.walkable import Step
+from stages import footprints
+from stages.walkable import importance, placing
+from stages.walkable.changes import applied, dropped, replaced
+from stages.walkable.site import Scene, Site, in_room
+from stages.walkable.smaller import smaller
+
+EPSILON = 1e-9
+
+
+def area_ratio(site: Site, scene: Scene, rooms: Collection[str]) -> float:
+    """AreaRatio(S): free share of the rooms' floors, footprints as a union."""
+    floors = {room: site.floors[room] for room in rooms}
+    free = [footprints.walkable_ratio(floor, in_room(scene, room)) * floor.area for room, floor in floors.items()]
+    return float(sum(free) / sum(floor.area for floor in floors.values()))
+
+
+def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, list[Step]]:
+    """The loop of Algorithm 2 over the objects of some rooms.
+
+    Valid objects are obstacles not yet found to have no smaller candidate.
+    """
+    config = site.config
+    r = area_ratio(site, scene, rooms)
+    spent: set[str] = set()
+    steps: list[Step] = []
+    iteration = 0
+    while r < config.target - EPSILON and iteration < config.max_iterations:
+        valid = [o for o in scene if o.room in rooms and o.id not in spent and footprints.is_obstacle(o)]
+        top = sorted(valid, key=lambda o: (-footprints.area(o), o.id))[: config.top_k]
+        if not top:
+            break
+        for o in top:
+            # An earlier replacement of the same iteration may have moved it with its support.
+            o = next(p for p in scene if p.id == o.id)
+            found = smaller(site, scene, o, config.share)
+            if found is None:
+                spent.add(o.id)
+                continue
+            scene, step = applied(scene, replaced(o, found, "ratio"))
+            steps.append(step)
+        r = area_ratio(site, scene, rooms)
+        iteration += 1
+    return scene, steps
+
+
+def thin_out(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, list[Step]]:
+    """Leave out the least important objects of some rooms until the target is met or only needed ones are left."""
+    steps: list[Step] = []
+    while area_ratio(site, scene, rooms) < site.config.target - EPSILON:
+        loose = [o for o in importance.droppable(scene, site.program) if o.room in rooms]
+        gone = next((o for o in loose if _frees(site, scene, o)), None)
+        if gone is None:
+            break
+        scene, step = applied(scene, dropped(gone, placing.carried(gone, scene), "ratio"))
+        steps.append(step)
+    return scene, steps
+
+
+def _frees(site: Site, scene: Scene, o: Furnishing) -> bool:
+    without = tuple(p for p in scene if p.id != o.id)
+    return area_ratio(site, without, [o.room]) > area_ratio(site, scene, [o.room]) + EPSILON

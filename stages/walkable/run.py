@@ -1,0 +1,76 @@
+"""The stage: real assets in, an apartment one can walk through out."""
+
+import logging
+from collections.abc import Iterable
+
+import numpy as np
+
+from schemas.errors import Unmet
+from schemas.retrieve import Furnishing, Retrieve
+from schemas.walkable import Replaced, Report, Step, Walkable
+from stages.walkable import repair
+from stages.walkable.config import WalkableConfig
+from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
+from stages.walkable.site import Candidates, Scene, Site, survey
+
+LOG = logging.getLogger("apartgen")
+
+
+def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, library: Candidates) -> Walkable:
+    """Algorithm 2, then connectivity for a robot; pure, and nothing is drawn from `rng`.
+
+    Raises Unmet, naming the rooms and the ratio reached, when the target can't be met (unless `write_anyway`).
+    """
+    site = survey(previous, config, library)
+    start: Scene = tuple(previous.objects)
+    whole = [room.id for room in previous.rooms]
+    parts = [[room] for room in whole] if config.scope == "rooms" else [whole]
+    scene, steps = start, list[Step]()
+    for rooms in parts:
+        scene, taken = optimize(site, scene, rooms)
+        steps += taken
+    unreached: list[str] = []
+    if config.connect:
+        scene, taken, unreached = repair.connect(site, scene)
+        steps += taken
+    for rooms in parts if config.drop else []:
+        scene, taken = thin_out(site, scene, rooms)
+        steps += taken
+        unreached = repair.missed(site, scene) if unreached and taken else unreached
+    _check(site, scene, parts)
+    for name in unreached:
+        LOG.warning("a robot of %.2f m radius does not get to %s", config.robot_radius, name)
+    report = _report(site, start, scene, steps, unreached)
+    fields = {name: getattr(previous, name) for name in Retrieve.model_fields}
+    return Walkable(**fields | {"objects": list(scene), "walkable": report})
+
+
+def _check(site: Site, scene: Scene, parts: Iterable[list[str]]) -> None:
+    """Raise Unmet where the target is missed; only warn with `write_anyway`."""
+    target = site.config.target
+    reached = {", ".join(rooms): area_ratio(site, scene, rooms) for rooms in parts}
+    short = {rooms: ratio for rooms, ratio in reached.items() if ratio < target - EPSILON}
+    if not short:
+        return
+    what = "; ".join(f"{rooms}: {ratio:.3f}" for rooms, ratio in short.items())
+    message = f"walkable ratio {target:g} can't be met, best reached: {what}; lower --target or ask for less furniture"
+    if not site.config.write_anyway:
+        raise Unmet(f"{message} (--write-anyway writes the best scene)")
+    LOG.warning("%s", message)
+
+
+def _swap(name: str, old: Furnishing, new: Furnishing) -> Replaced:
+    return Replaced.model_validate({"object": name, "from": old.asset.id, "to": new.asset.id})
+
+
+def _report(site: Site, start: Scene, scene: Scene, steps: list[Step], unreached: list[str]) -> Report:
+    whole = list(site.floors)
+    old, new = {o.id: o for o in start}, {o.id: o for o in scene}
+    swaps = [name for name, o in old.items() if name in new and new[name].asset != o.asset]
+    return Report(
+        target=site.config.target, before=area_ratio(site, start, whole), after=area_ratio(site, scene, whole),
+        rooms={room: area_ratio(site, scene, [room]) for room in site.floors},
+        replaced=[_swap(name, old[name], new[name]) for name in swaps],
+        moved=list(dict.fromkeys(s.object for s in steps if s.action == "nudge" and s.object in new)),
+        dropped=[name for name in old if name not in new], unreached=unreached, steps=steps,
+    )

@@ -1,0 +1,123 @@
+"""What stays the same while furniture changes: floors, doors, raster, library; and what a change must respect."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike
+from shapely import Geometry
+from shapely.ops import unary_union
+
+from schemas.layout import Box
+from schemas.plan import Opening, Plan, Program
+from schemas.retrieve import Furnishing
+from stages import boxes, categories, footprints, polygons, reach, sweeps
+from stages.asset import Asset
+from stages.walkable.config import WalkableConfig
+
+SLACK = 0.004
+"""Contact that a change may make, m: less than half of what counts as collision."""
+BEFORE_DOOR = 0.6
+"""Floor kept free on both sides of a door, m."""
+BEFORE_WINDOW = 0.3
+"""What is higher than the sill keeps this far from a window, m."""
+
+Scene = tuple[Furnishing, ...]
+
+
+class Candidates(Protocol):
+    """Where smaller assets come from (any asset library, or several)."""
+
+    def nearest(
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
+    ) -> Asset | None:
+        """The asset closest in size and shape latent, none of its sides above `limit`; None if none fits."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """The empty plan and everything measured on it once."""
+
+    program: Program
+    config: WalkableConfig
+    library: Candidates
+    floors: dict[str, Geometry]
+    doors: Geometry
+    windows: list[tuple[Geometry, float]]
+    world: reach.Space
+
+    @property
+    def area(self) -> float:
+        """All floors together, m²."""
+        return float(sum(floor.area for floor in self.floors.values()))
+
+
+def survey(plan: Plan, config: WalkableConfig, library: Candidates) -> Site:
+    """Everything about a plan that changes of furniture are checked against."""
+    doors = [polygons.clearance(o, plan, BEFORE_DOOR) for o in plan.openings if o.kind in ("door", "entrance")]
+    ways = [polygons.threshold(o, plan) for o in plan.openings if o.kind == "opening"]
+    windows = [(_before(o, plan), float(o.sill)) for o in plan.openings if o.kind == "window"]
+    floors = dict(polygons.floors(plan))
+    for floor in floors.values():
+        shapely.prepare(floor)
+    world = reach.space(plan, config.robot_radius, config.resolution)
+    return Site(plan.program, config, library, floors, unary_union([*doors, *ways]), windows, world)
+
+
+def _before(window: Opening, plan: Plan) -> Geometry:
+    normal, out = polygons.face(window, plan, window.rooms[0])
+    a, b = np.asarray(window.segment, float)
+    deep = (out + BEFORE_WINDOW) * normal
+    return shapely.Polygon([a, b, b + deep, a + deep])
+
+
+def in_room(scene: Iterable[Furnishing], room: str) -> list[Furnishing]:
+    """The objects of one room."""
+    return [o for o in scene if o.room == room]
+
+
+def swapped(scene: Scene, changes: dict[str, Furnishing | None]) -> Scene:
+    """The scene with some objects exchanged by id; None takes one away."""
+    every = [changes.get(o.id, o) for o in scene]
+    return tuple(o for o in every if o is not None)
+
+
+def fits(site: Site, scene: Scene, changes: dict[str, Furnishing | None]) -> bool:
+    """Whether a change breaks nothing that was whole: room, doors, windows, collisions, sweeps of moving parts."""
+    now = {o.id: o for o in scene}
+    changed = [o for o in changes.values() if o is not None]
+    if not all(_stands_well(site, now[o.id], o) for o in changed):
+        return False
+    after = swapped(scene, changes)
+    rooms = sorted({o.room for o in changed})
+    return all(_meets_nothing(in_room(scene, room), in_room(after, room), set(changes)) for room in rooms)
+
+
+def _stands_well(site: Site, old: Box, new: Box) -> bool:
+    before, after = boxes.footprints(boxes.of([old, new]))
+    floor = site.floors[new.room]
+    if shapely.difference(after, floor).area > shapely.difference(before, floor).area + SLACK**2:
+        return False
+    if not footprints.is_obstacle(new):
+        return True
+    zones = [site.doors, *(zone for zone, sill in site.windows if new.center[2] + new.size[2] / 2 > sill + 0.05)]
+    return all(shapely.intersection(after, zone).area <= shapely.intersection(before, zone).area + SLACK**2
+               for zone in zones)
+
+
+def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], changed: set[str]) -> bool:
+    """Whether no changed object of a room stands or opens deeper into another than it did."""
+    before = [o for o in before if not footprints.is_flat(o)]
+    after = [o for o in after if not footprints.is_flat(o)]
+    index = {o.id: i for i, o in enumerate(before)}
+    old = np.array([index[o.id] for o in after], int)
+    rows = np.array([o.id in changed for o in after], bool)
+    apart = np.array([[not categories.belong_together(a.category, b.category) for b in after] for a in after], bool)
+    for shapes in (boxes.of, sweeps.extended):
+        was = boxes.penetration(shapes(before))[np.ix_(old, old)]
+        new = boxes.penetration(shapes(after))
+        if ((new > np.maximum(was, SLACK) + 1e-6) & apart.reshape(new.shape))[rows].any():
+            return False
+    return True
