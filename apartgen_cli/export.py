@@ -1,9 +1,10 @@
 """Write an apartment for simulators, viewers and people."""
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from time import perf_counter
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from pydantic import Field
@@ -21,6 +22,10 @@ from schemas.plan import Plan
 from stages import registry
 from stages.retrieve.matching.config import RetrieveConfig
 
+if TYPE_CHECKING:
+    from stages.asset import Asset
+    from stages.retrieve import LibrarySet
+
 FORMATS = registry.members("stages.export")
 FORMAT = Annotated[list[str], typer.Option("--format", help=f"Any number of times; of {', '.join(FORMATS)}.")]
 LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of an indexed asset library in use.")]
@@ -36,10 +41,20 @@ class ExportSettings(Record):
 
 def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
     """Write one apartment."""
-    from stages import export, retrieve
+    from stages import export
 
-    libraries = retrieve.open_libraries(RetrieveConfig(libraries=settings.libraries))
-    return export.run(home, settings.format, folder, libraries.load)
+    def load(library: str, id: str) -> "Asset":
+        return _libraries(*settings.libraries).load(library, id)
+
+    return export.run(home, settings.format, folder, load)
+
+
+@cache
+def _libraries(*folders: str) -> "LibrarySet":
+    """Opened when the first asset is needed; a picture of a bare plan needs none."""
+    from stages import retrieve
+
+    return retrieve.open_libraries(RetrieveConfig(libraries=list(folders)))
 
 
 def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Export:

@@ -17,7 +17,7 @@ from apartgen_cli.console import fail, listen
 from schemas.errors import ApartgenError
 from stages import registry
 
-WORDS = ("plan", "layout", "retrieve", "export", "metrics", "schema")
+WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141
 _WIDTH = 100
@@ -84,21 +84,20 @@ def main() -> None:
 def status(args: list[str]) -> int:
     """Run one command line and return its exit status."""
     try:
-        code = application()(args=args, prog_name="apartgen", standalone_mode=False)
+        code = int(application()(args=args, prog_name="apartgen", standalone_mode=False) or 0)
         sys.stdout.flush()
-        return int(code or 0)
     except ApartgenError as error:
         fail(str(error))
         return error.exit_code
-    except (KeyboardInterrupt, typer.Abort):
-        fail("interrupted; what was finished is kept")
-        return INTERRUPTED
-    except BrokenPipeError:
+    except (BrokenPipeError, SystemExit):  # typer exits of itself only when a pipe is closed
         # Whoever read the output has gone; leave nothing for the interpreter to flush.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return PIPE_CLOSED
     except Exception as error:
         return _usage(error)
+    if code == INTERRUPTED:
+        fail("interrupted; what was finished is kept")
+    return code
 
 
 def _usage(error: Exception) -> int:

@@ -18,7 +18,7 @@ from apartgen_cli.streams import Target, sources, targets
 from schemas import artifact
 from schemas.artifact import STREAM, Artifact, Made
 from schemas.base import Record
-from schemas.errors import ApartgenError
+from schemas.errors import ApartgenError, Unmet
 
 BY = f"apartgen {__version__}"
 Outcome = Record | ApartgenError
@@ -30,7 +30,8 @@ class Stage:
     """One stage as the command line sees it.
 
     `advance(bodies, config, rngs)` gives, for each body and in order, the next body or the error that prevents it.
-    `names` maps fields of the configuration to other option names.
+    `names` maps fields of the configuration to other option names. `missed(body, config)` says what a result that
+    is written all the same falls short of.
     """
 
     word: str
@@ -38,6 +39,7 @@ class Stage:
     config: type[Record]
     advance: Advance
     names: Mapping[str, str] = field(default_factory=dict)
+    missed: Callable[[Any, Any], Unmet | None] = lambda body, config: None
 
     def command(self) -> Callable[..., Any]:
         """The stage as a command with an option for every described field of its configuration."""
@@ -86,6 +88,8 @@ def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int 
             errors.append(outcome)
             continue
         written(outcome, made(used, config, read, perf_counter() - began), place)
+        if short := stage.missed(outcome, config):
+            errors.append(short)
         began = perf_counter()
     return settled(errors, len(names))
 

@@ -37,6 +37,7 @@ def targets(word: str, names: Sequence[str], out: str | None) -> list[Target]:
     for place in places:
         if place.resolve() in taken:
             raise BadInput(f"-o {out}: {place} is an input and would be lost; give another folder")
+        made_folder(str(place.parent))
     return list(places)
 
 

@@ -1,0 +1,207 @@
+"""Command lines: where results go, what is said, and the exit status."""
+
+import json
+import os
+import pty
+import signal
+import subprocess
+import sys
+import time
+
+import commandline
+import handmade
+import pytest
+
+from apartgen_cli.main import WORDS
+from schemas import artifact
+from schemas.artifact import Made
+from schemas.plan import Plan
+
+
+@pytest.fixture
+def cli(capsys, monkeypatch):
+    return lambda *args, stdin=b"": commandline.run(capsys, monkeypatch, *args, stdin=stdin)
+
+
+@pytest.fixture(scope="module")
+def text() -> str:
+    return artifact.finish(handmade.plan(), Made(by="test", seed=5))[0]
+
+
+@pytest.fixture
+def plan(text, tmp_path):
+    file = tmp_path / "plan.json"
+    file.write_text(text)
+    return file
+
+
+def refused(done, code: int = 2) -> str:
+    """What a refusal says: a line or two, no traceback, nothing on standard output."""
+    assert done.code == code, done
+    assert done.out == "" and 1 <= done.err.count("\n") <= 2 and "Traceback" not in done.err, done
+    return done.err
+
+
+def test_a_sentence_becomes_a_plan_on_standard_output(cli):
+    done = cli("plan", "studio", "--seed", 3)
+    read = artifact.parse(done.out.encode(), "out", Plan)
+    assert done.code == 0 and read.made.seed == 3 and read.body.prompt == "studio"
+    assert "wrote" not in done.err
+
+
+@pytest.mark.parametrize("args", [["plan"], ["plan", "-"]])
+def test_the_prompt_may_come_from_a_pipe(cli, args):
+    assert json.loads(cli(*args, stdin="studio\n").out)["body"]["prompt"] == "studio"
+
+
+def test_a_result_goes_into_a_file_and_nothing_else_is_said_on_standard_output(cli, tmp_path):
+    done = cli("plan", "studio", "-o", tmp_path / "a.json")
+    assert done.code == 0 and done.out == "" and "a.json" in done.err
+    assert cli("--quiet", "plan", "studio", "-o", tmp_path / "b.json").err == ""
+    assert (tmp_path / "a.json").read_text().splitlines()[8:] == (tmp_path / "b.json").read_text().splitlines()[8:]
+
+
+def test_several_inputs_fill_a_folder(cli, tmp_path):
+    done = cli("plan", "studio", "one-bedroom flat", "-o", f"{tmp_path}/plans/")
+    assert done.code == 0 and sorted(os.listdir(tmp_path / "plans")) == ["one-bedroom-flat.json", "studio.json"]
+    done = cli("metrics", *(tmp_path / "plans").iterdir(), "-o", f"{tmp_path}/figures/")
+    assert done.code == 0 and sorted(os.listdir(tmp_path / "figures")) == ["one-bedroom-flat.json", "studio.json"]
+
+
+def test_a_plan_alone_or_among_others_is_the_same(cli, tmp_path):
+    cli("plan", "studio", "one-bedroom flat", "-o", f"{tmp_path}/", "--seed", 4)
+    alone = json.loads(cli("plan", "one-bedroom flat", "--seed", 4).out)
+    assert json.loads((tmp_path / "one-bedroom-flat.json").read_text())["body"] == alone["body"]
+
+
+def test_equal_names_are_told_apart_by_their_folders(cli, text, tmp_path):
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "plan.json").write_text(text)
+    assert cli("metrics", tmp_path / "a/plan.json", tmp_path / "b/plan.json", "-o", f"{tmp_path}/m/").code == 0
+    assert (tmp_path / "m/a/metrics.json").exists() and (tmp_path / "m/b/metrics.json").exists()
+
+
+def test_inputs_are_not_overwritten_by_results(cli, text, tmp_path):
+    file = tmp_path / "flat.json"
+    file.write_text(text)
+    assert "would be lost" in refused(cli("metrics", file, "-o", f"{tmp_path}/"))
+    assert file.read_text() == text
+
+
+def test_one_bad_input_of_several_does_not_stop_the_others(cli, plan, tmp_path):
+    (tmp_path / "bad.json").write_text("{}")
+    done = cli("metrics", plan, tmp_path / "bad.json", "-o", f"{tmp_path}/m/")
+    assert done.code == 2 and os.listdir(tmp_path / "m") == ["metrics.json"]
+    assert "bad.json" in done.err and "1 of 2" in done.err
+
+
+def test_the_seed_is_the_inputs_unless_given(cli, plan):
+    assert json.loads(cli("metrics", plan).out)["made"]["seed"] == 5
+
+
+def test_inputs_are_named_by_their_digest(cli, plan, text):
+    digest = artifact.parse(text.encode(), "plan", Plan).digest
+    assert json.loads(cli("metrics", plan).out)["made"]["inputs"] == {"plan": digest}
+
+
+REFUSALS = {
+    "no command": (["sell"], "No such command"),
+    "no such option": (["plan", "studio", "--floors", "2"], "--floors"),
+    "option without value": (["plan", "studio", "--seed"], "--seed"),
+    "negative seed": (["plan", "studio", "--seed", "-1"], "--seed"),
+    "seed no number": (["plan", "studio", "--seed", "x"], "--seed"),
+    "setting out of range": (["plan", "studio", "--restarts", "0"], "--restarts 0"),
+    "empty prompt": (["plan", "  "], "prompt is empty"),
+    "prompt not text": (["plan", "a\udcff"], "not UTF-8"),
+    "endless prompt": (["plan", "room " * 9000], "characters"),
+    "missing file": (["metrics", "nowhere.json"], "nowhere.json"),
+    "several results, no folder": (["plan", "studio", "loft", "-o", "a.json"], "give -o a.json/"),
+    "several results, a pipe": (["plan", "studio", "loft"], "give -o FOLDER/"),
+    "unknown kind": (["schema", "palace"], "walkable"),
+    "unknown metric": (["metrics", "PLAN", "--metric", "beauty"], "beauty"),
+    "unknown format": (["export", "PLAN", "--format", "papyrus", "-o", "x/"], "papyrus"),
+    "no format": (["export", "PLAN", "-o", "x/"], "--format"),
+    "export into a pipe": (["export", "PLAN", "--format", "svg", "-o", "-"], "folder"),
+    "no folder to make": (["make", "studio"], "--out"),
+    "settings missing": (["plan", "studio", "--config", "none.toml"], "none.toml"),
+    "unwritable": (["plan", "studio", "-o", "/proc/none/a.json"], "cannot be written"),
+    "plan where a layout is needed": (["retrieve", "PLAN"], "a plan artifact where layout"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSALS)
+def test_wrong_requests_end_in_a_line_and_status_2(cli, plan, tmp_path, monkeypatch, name):
+    monkeypatch.chdir(tmp_path)
+    args, message = REFUSALS[name]
+    assert message in refused(cli(*[str(plan) if arg == "PLAN" else arg for arg in args]))
+
+
+def test_what_cannot_be_met_ends_with_status_1(cli):
+    refused(cli("plan", "a 20 m² flat with four bedrooms of 15 m² each"), code=1)
+
+
+def test_an_empty_pipe_says_so(cli):
+    assert "standard input: empty" in refused(cli("metrics"))
+
+
+def test_settings_come_from_a_file_and_options_win(cli, tmp_path):
+    file = tmp_path / "settings.toml"
+    file.write_text("[plan]\nrestarts = 8\nenough = 1\n")
+    config = json.loads(cli("plan", "studio", "--config", file, "--enough", 2).out)["made"]["config"]
+    assert config["restarts"] == 8 and config["enough"] == 2
+    file.write_text("[plan]\nrooms = 8\n")
+    assert "'rooms' is unknown" in refused(cli("plan", "studio", "--config", file))
+    file.write_text("[plan\n")
+    assert "not TOML" in refused(cli("plan", "studio", "--config", file))
+
+
+def test_a_failed_run_leaves_the_old_result(cli, plan, tmp_path):
+    old = tmp_path / "old.json"
+    old.write_text("good")
+    refused(cli("metrics", tmp_path / "missing.json", "-o", old))
+    assert old.read_text() == "good"
+
+
+def test_an_export_appears_in_its_folder_with_its_list(cli, plan, tmp_path):
+    done = cli("export", plan, "--format", "svg", "-o", f"{tmp_path}/scene/")
+    assert done.code == 0, done.err
+    files = json.loads((tmp_path / "scene/export.json").read_text())["body"]["files"]
+    assert any(file["format"] == "svg" for file in files)
+    assert all((tmp_path / "scene" / file["path"]).is_file() for file in files)
+    assert cli("export", plan, "--format", "svg", "-o", f"{tmp_path}/scene/").code == 0, "it may be replaced"
+
+
+def test_nothing_is_read_from_a_terminal_or_written_to_one(tmp_path, plan):
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "apartgen_cli"]
+    try:
+        reading = subprocess.run([*command, "metrics"], stdin=theirs, capture_output=True, text=True, timeout=60)
+        writing = subprocess.run([*command, "metrics", plan], stdout=theirs, stderr=subprocess.PIPE, text=True,
+                                 timeout=60)
+    finally:
+        os.close(ours)
+        os.close(theirs)
+    assert reading.returncode == 2 and "nothing to read" in reading.stderr
+    assert writing.returncode == 2 and "nowhere to write" in writing.stderr
+
+
+def test_a_closed_pipe_is_no_error_to_speak_of(plan):
+    command = f"{sys.executable} -m apartgen_cli schema walkable | head -c 10"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, timeout=60)
+    assert done.stdout == '{\n  "$sche' and done.stderr == ""
+
+
+def test_an_interrupt_is_a_line(tmp_path):
+    waiting = subprocess.Popen([sys.executable, "-m", "apartgen_cli", "metrics"], stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(2.0)
+    waiting.send_signal(signal.SIGINT)
+    out, err = waiting.communicate(timeout=60)
+    assert waiting.returncode == 130 and out == "" and err == "apartgen: interrupted; what was finished is kept\n"
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_every_command_explains_itself(cli, word):
+    done = cli(word, "--help")
+    assert done.code == 0 and "Usage" in done.out

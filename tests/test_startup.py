@@ -1,0 +1,56 @@
+"""What commands import: a look at `sys.modules`, not at the clock."""
+
+import json
+import subprocess
+import sys
+
+import handmade
+import pytest
+
+from apartgen_cli.main import WORDS
+from schemas import artifact
+
+HEAVY = {"torch", "litellm", "trimesh", "pxr", "mujoco", "matplotlib"}
+LIGHT = HEAVY | {"scipy", "numba", "shapely", "networkx", "numpy", "pydantic"}
+"""What even the scientific packages are left out of."""
+
+CODE = """
+import json, sys
+from apartgen_cli.main import status
+assert status(sys.argv[1:]) == 0
+print(json.dumps(sorted({name.partition(".")[0] for name in sys.modules})), file=sys.stderr)
+"""
+
+
+def loaded(*args: str, stdin: str = "") -> set[str]:
+    """Top-level packages in memory after one command line."""
+    done = subprocess.run([sys.executable, "-c", CODE, *args], input=stdin, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    return set(json.loads(done.stderr.splitlines()[-1]))
+
+
+@pytest.fixture(scope="module")
+def plan() -> str:
+    return artifact.finish(handmade.plan(), artifact.Made(by="test", seed=0))[0]
+
+
+@pytest.mark.parametrize("args", [["--help"], ["--version"], ["-h"]])
+def test_help_needs_next_to_nothing(args):
+    assert not loaded(*args) & LIGHT
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_help_of_a_command_needs_nothing_heavy(word):
+    assert not loaded(word, "--help") & HEAVY
+
+
+def test_schema_needs_nothing_heavy():
+    assert not loaded("schema", "walkable") & HEAVY
+
+
+def test_a_plan_needs_nothing_heavy():
+    assert not loaded("plan", "studio") & HEAVY
+
+
+def test_metrics_need_nothing_heavy(plan):
+    assert not loaded("metrics", stdin=plan) & HEAVY
