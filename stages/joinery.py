@@ -67,7 +67,7 @@ def _leaf(width: float, face: float, opening: Opening, hinge: int) -> Link:
     for side in (0, 1):
         visuals += _lever(grip - [thick * (1 - side), 0, 0], 1 if side else -1, hinge)
     joint = Joint(
-        name="leaf", type="hinge", axis=(0.0, 0.0, float(-hinge)), origin=(face, hinge * width / 2, 0.0),
+        name="leaf", type="hinge", axis=(0.0, 0.0, float(hinge)), origin=(face, hinge * width / 2, 0.0),
         range=(0.0, float(np.pi / 2)), part="hinge_door", extent=(_vector(lo), _vector(hi)),
     )
     mass = _LEAF_DENSITY * float(np.prod(hi - lo))

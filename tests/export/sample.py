@@ -46,28 +46,28 @@ PLACED = [  # category, room, x, y, yaw in quarter turns, bottom
     ("sofa", "living_room_1", 0.46, 2.0, 0, 0.0), ("rug", "living_room_1", 2.2, 2.0, 0, 0.0),
     ("coffee_table", "living_room_1", 1.9, 2.0, 0, 0.0), ("tv_stand", "living_room_1", 4.98, 2.0, 2, 0.0),
     ("tv", "living_room_1", 4.98, 2.0, 2, 0.5), ("plant", "living_room_1", 0.3, 3.7, 0, 0.0),
-    ("chair", "living_room_1", 3.0, 0.8, 0, 0.0), ("ceiling_lamp", "living_room_1", 2.6, 2.0, 0, 2.2),
+    ("chair", "living_room_1", 2.6, 0.8, 0, 0.0), ("ceiling_lamp", "living_room_1", 2.6, 2.0, 0, 2.2),
     ("double_bed", "bedroom_1", 7.95, 1.9, 2, 0.0), ("nightstand", "bedroom_1", 8.79, 0.75, 2, 0.0),
-    ("wardrobe", "bedroom_1", 5.6, 1.2, 0, 0.0), ("bin", "bedroom_1", 6.0, 0.3, 0, 0.0),
+    ("display_cabinet", "bedroom_1", 5.51, 1.5, 0, 0.0), ("bin", "bedroom_1", 6.0, 0.3, 0, 0.0),
     ("shoe_cabinet", "hallway_1", 7.0, 5.36, 3, 0.0), ("wall_lamp", "hallway_1", 5.0, 5.43, 3, 1.65),
-    ("toilet", "bathroom_1", 0.33, 5.2, 0, 0.0), ("vanity", "bathroom_1", 0.9, 4.34, 1, 0.0),
+    ("toilet", "bathroom_1", 0.33, 5.2, 0, 0.0), ("vanity", "bathroom_1", 1.4, 4.34, 1, 0.0),
     ("bath", "bathroom_1", 1.2, 6.02, 3, 0.0),
 ]  # fmt: skip
 
 
 def home() -> Walkable:
-    """The flat with 17 objects, eight of which open."""
+    """The flat with 17 objects, seven of which open."""
     objects = []
     for k, (category, room, x, y, quarter, bottom) in enumerate(PLACED, 1):
-        size = categories.TABLE[category].size
+        size, joints = categories.TABLE[category].size, load("plain", category).joints
         objects.append(
             Furnishing(
                 id=f"{category}_{k}", room=room, category=category, center=(x, y, bottom + size[2] / 2), size=size,
-                yaw=quarter * np.pi / 2, asset=AssetKey(library="plain", id=category), joints=load("plain", category).joints,
+                yaw=quarter * np.pi / 2, asset=AssetKey(library="plain", id=category), joints=joints,
             )
         )
-    fields = plan().model_dump()
-    return Walkable(**fields, objects=[o.model_dump() for o in objects], walkable=Report(target=0.2, before=0.3, after=0.3))
+    report = Report(target=0.2, before=0.3, after=0.3)
+    return Walkable(**plan().model_dump(), objects=[o.model_dump() for o in objects], walkable=report)
 
 
 def load(library: str, id: str) -> Asset:

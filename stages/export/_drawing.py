@@ -1,0 +1,232 @@
+"""The furnished plan as an architect draws it: walls filled, doors with their swing, windows, symbols, names, scale."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from shapely import Geometry
+from shapely.ops import unary_union
+
+from schemas.layout import Box, Layout
+from schemas.plan import Opening, Plan, Room
+from schemas.retrieve import Furnishing, Joint
+from stages import boxes, polygons
+from stages.categories import TABLE
+from stages.export import _symbols
+from stages.export._pen import FAINT, INK, PAPER, Pen
+
+INCH = 0.72
+"""Inches of paper to a metre, before the sheet is fitted."""
+LARGEST = 13.0  # inches, longer side of the plan
+MARGIN = 1.1  # m about the outer walls, for dimensions and the scale bar
+POCHE = "#2f2d2b"
+TINTS = {
+    "living_room": "#fbf6ec", "dining_room": "#fbf6ec", "kitchen": "#f6f4f0", "bedroom": "#f7f3ee", "study": "#f7f3ee",
+    "bathroom": "#eef4f6", "utility": "#f1f4f4", "hallway": "#faf8f4", "storage": "#f3f2f0", "closet": "#f5f1ec",
+    "balcony": "#eef2ea",
+}  # fmt: skip
+TILED = {"bathroom": 0.3, "kitchen": 0.6, "utility": 0.3, "balcony": 0.15}
+"""Rooms with tiles or boards, and their pitch in metres."""
+SWEPT = "#c0683c"
+
+
+def figure(home: Plan) -> Figure:
+    """One sheet with the whole apartment, to scale, north up."""
+    x0, y0, x1, y1 = polygons.shell(home).bounds
+    x0, y0, x1, y1 = x0 - MARGIN, y0 - MARGIN, x1 + MARGIN, y1 + 0.9 * MARGIN
+    inch = min(INCH * 1.4, LARGEST / max(x1 - x0, y1 - y0))
+    sheet = Figure(figsize=((x1 - x0) * inch, (y1 - y0) * inch), facecolor=PAPER)
+    axes = sheet.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_xlim(x0, x1)
+    axes.set_ylim(y0, y1)
+    axes.axis("off")
+    _rooms(axes, home)
+    objects = home.objects if isinstance(home, Layout) else []
+    _furniture(axes, objects)
+    _fill(axes, polygons.walls(home), POCHE, 5.0)
+    for opening in home.openings:
+        _opening(axes, home, opening)
+    _names(axes, home, objects, inch)
+    _frame(axes, home)
+    return sheet
+
+
+def _fill(
+    axes: Axes, area: Geometry, color: str, order: float, ink: str = "none", width: float = 0.0
+) -> PathPatch | None:
+    rings = [shapely.get_coordinates(ring) for ring in shapely.get_rings(shapely.get_parts(area))]
+    if not rings:
+        return None
+    path = Path.make_compound_path(*(Path(ring, closed=True) for ring in rings))
+    patch = PathPatch(path, facecolor=color, edgecolor=ink, linewidth=width, zorder=order)
+    axes.add_patch(patch)
+    return patch
+
+
+def _rooms(axes: Axes, home: Plan) -> None:
+    _fill(axes, polygons.free_floor(home), "#faf8f4", 0.5)
+    for room in home.rooms:
+        patch = _fill(axes, polygons.floor(room), TINTS[room.type], 0.6)
+        if patch is not None and room.type in TILED:
+            _tiles(axes, room, patch, TILED[room.type])
+
+
+def _tiles(axes: Axes, room: Room, clip: PathPatch, pitch: float) -> None:
+    x0, y0, x1, y1 = polygons.floor(room).bounds
+    lines = [((x, x), (y0, y1)) for x in np.arange(x0 + pitch, x1, pitch)]
+    if room.type != "balcony":
+        lines += [((x0, x1), (y, y)) for y in np.arange(y0 + pitch, y1, pitch)]
+    for xs, ys in lines:
+        (line,) = axes.plot(xs, ys, color="#dcdfdf", linewidth=0.35, zorder=0.7)
+        line.set_clip_path(clip)
+
+
+def _layer(o: Box) -> float:
+    """Rugs lie lowest, then what stands by its height, then what hangs."""
+    if o.category in TABLE and TABLE[o.category].place == "flat":
+        return 1.0
+    top = min(o.center[2] + o.size[2] / 2, 2.6)
+    above = o.category in TABLE and TABLE[o.category].place == "ceiling"
+    return 4.6 if above else 2.0 + top / 1.2
+
+
+def _furniture(axes: Axes, objects: Sequence[Box]) -> None:
+    for o in objects:
+        pen = Pen(axes, o.center[0], o.center[1], o.yaw, _layer(o))
+        _symbols.draw(pen, o.category, o.size[0], o.size[1])
+        for joint in o.joints if isinstance(o, Furnishing) else []:
+            _swept(Pen(axes, o.center[0], o.center[1], o.yaw, 4.8), joint)
+
+
+def _swept(pen: Pen, joint: Joint) -> None:
+    """What a leaf turns through, or how far a drawer or flap comes out, dashed."""
+    if joint.extent is None:
+        return
+    outline = _swept_area(joint)
+    if outline.geom_type == "Polygon" and outline.area > 0.01:
+        pen.shape(shapely.get_coordinates(outline.exterior), None, SWEPT, 0.45, True)
+
+
+def _swept_area(joint: Joint) -> Geometry:
+    lo, hi = (np.array(v) for v in joint.extent or ((0, 0, 0), (0, 0, 0)))
+    corners = np.array([[x, y, z] for x in (lo[0], hi[0]) for y in (lo[1], hi[1]) for z in (lo[2], hi[2])])
+    axis, origin = np.array(joint.axis), np.array(joint.origin)
+    steps = np.linspace(*joint.range, 2 if joint.type == "slide" else 13)
+    shapes = []
+    for value in steps:
+        arm = corners - origin
+        if joint.type == "slide":
+            moved = corners + value * axis
+        else:
+            moved = origin + arm * np.cos(value) + np.cross(axis, arm) * np.sin(value)
+            moved += np.outer(arm @ axis, axis) * (1 - np.cos(value))
+        shapes.append(shapely.MultiPoint(moved[:, :2]).convex_hull)
+    hulls = [a.union(b).convex_hull for a, b in zip(shapes, shapes[1:], strict=False)]
+    return unary_union(hulls or shapes)
+
+
+def _opening(axes: Axes, home: Plan, opening: Opening) -> None:
+    if opening.kind == "window":
+        _window(axes, home, opening)
+        return
+    turn = polygons.hinge(opening, home)
+    if turn is not None:
+        _fill(axes, polygons.leaf(opening, home), PAPER, 5.6, INK, 0.7)
+        angle = np.degrees(np.arctan2(turn.shut[1], turn.shut[0]))
+        other = np.degrees(np.arctan2(turn.opened[1], turn.opened[0]))
+        start, end = (angle, other) if (other - angle) % 360 < 180 else (other, angle)
+        Pen(axes, float(turn.pivot[0]), float(turn.pivot[1]), order=5.5).arc(0, 0, turn.width, start, end, INK, 0.5)
+    if opening.kind == "entrance":
+        _entrance(axes, home, opening)
+
+
+def _window(axes: Axes, home: Plan, opening: Opening) -> None:
+    normal, reach = polygons.face(opening, home, opening.rooms[0])
+    a, b = np.asarray(opening.segment, float)
+    for lo, hi in ((-reach, reach), (-0.2 * reach, 0.2 * reach)):
+        corners = np.array([a + lo * normal, b + lo * normal, b + hi * normal, a + hi * normal])
+        Pen(axes, order=5.2).shape(corners, PAPER, INK, 0.7 if hi == reach else 0.5)
+    Pen(axes, order=5.3).line(tuple(a), tuple(b), ink=INK, width=0.4)
+
+
+def _entrance(axes: Axes, home: Plan, opening: Opening) -> None:
+    normal, reach = polygons.face(opening, home, opening.rooms[0])
+    middle = np.mean(np.asarray(opening.segment, float), axis=0)
+    tip = middle - (reach + 0.06) * normal
+    side = np.array([-normal[1], normal[0]])
+    Pen(axes, order=6).shape([tip, tip - 0.26 * normal + 0.15 * side, tip - 0.26 * normal - 0.15 * side], POCHE, POCHE)
+
+
+def _title(room: Room) -> str:
+    return room.type.replace("_", " ").title()
+
+
+def _names(axes: Axes, home: Plan, objects: Sequence[Box], inch: float) -> None:
+    """Each room's name and area where they cover least furniture."""
+    solid = [o for o in objects if o.category in TABLE and TABLE[o.category].place in ("floor", "top")]
+    prints = unary_union(list(boxes.footprints(boxes.of(solid)))) if solid else shapely.Polygon()
+    swings = unary_union([polygons.swing(o, home) for o in home.openings])
+    for room in home.rooms:
+        floor = polygons.floor(room)
+        name, area = _title(room), f"{floor.area:.1f} m²"
+        size = min(12.0, max(6.5, 2.4 * np.sqrt(floor.area) * inch))
+        width, height = 0.62 * size * max(len(name), len(area)) / 72 / inch, 2.7 * size / 72 / inch
+        x, y = _spot(floor, prints, swings, width, height)
+        halo = {"boxstyle": "round,pad=0.15", "facecolor": TINTS[room.type], "edgecolor": "none", "alpha": 0.82}
+        axes.text(x, y + 0.02, name, fontsize=size, color="#222222", ha="center", va="bottom", zorder=8, bbox=halo)
+        axes.text(x, y, area, fontsize=0.85 * size, color="#555555", ha="center", va="top", zorder=8)
+
+
+def _spot(floor: Geometry, prints: Geometry, swings: Geometry, width: float, height: float) -> tuple[float, float]:
+    """Where a label hides least, near the middle among equals."""
+    x0, y0, x1, y1 = floor.bounds
+    grid = np.meshgrid(np.arange(x0 + 0.1, x1, 0.12), np.arange(y0 + 0.1, y1, 0.12))
+    xs, ys = grid[0].ravel(), grid[1].ravel()
+    labels = shapely.box(xs - width / 2, ys - height / 2, xs + width / 2, ys + height / 2)
+    outside = shapely.area(labels) - shapely.area(shapely.intersection(labels, floor))
+    hidden = shapely.area(shapely.intersection(labels, prints))
+    hidden += 0.3 * shapely.area(shapely.intersection(labels, swings))
+    middle = floor.centroid
+    cost = 20 * outside + 4 * hidden + 0.05 * np.hypot(xs - middle.x, ys - middle.y)
+    k = int(np.argmin(cost))
+    return float(xs[k]), float(ys[k])
+
+
+def _frame(axes: Axes, home: Plan) -> None:
+    """Overall dimensions, scale bar, north, area, and the sentence asked for."""
+    x0, y0, x1, y1 = polygons.shell(home).bounds
+    _dimension(axes, (x0, y1 + 0.45), (x1, y1 + 0.45))
+    _dimension(axes, (x0 - 0.45, y0), (x0 - 0.45, y1))
+    pen = Pen(axes, x0, y0 - 0.75, 0.0, 6)
+    for k in range(4):
+        pen.rect(k, k + 1, 0, 0.07, POCHE if k % 2 == 0 else PAPER, width=0.5)
+    for k in range(5):
+        pen.word(k, -0.13, f"{k}" if k < 4 else "4 m", 6, INK)
+    north = Pen(axes, x1 - 0.2, y0 - 0.68, 0.0, 6)
+    north.shape([(0, 0.28), (0.11, -0.22), (0, -0.12)], POCHE, POCHE)
+    north.shape([(0, 0.28), (-0.11, -0.22), (0, -0.12)], PAPER, POCHE)
+    north.word(0, 0.4, "N", 6.5, INK)
+    area = sum(polygons.floor(room).area for room in home.rooms)
+    note = f"{home.prompt}  ·  {area:.0f} m²" if home.prompt else f"{area:.0f} m²"
+    axes.text(x1 - 0.55, y0 - 0.72, _shortened(note), fontsize=7, color="#555555", ha="right", va="center", zorder=6)
+
+
+def _shortened(text: str, most: int = 90) -> str:
+    return text if len(text) <= most else text[: most - 1].rstrip() + "…"
+
+
+def _dimension(axes: Axes, a: tuple[float, float], b: tuple[float, float]) -> None:
+    """A dimension line with ticks and its length in metres."""
+    pen = Pen(axes, order=6)
+    pen.line(a, b, ink=FAINT)
+    for x, y in (a, b):
+        pen.line((x - 0.07, y - 0.07), (x + 0.07, y + 0.07), ink=INK, width=0.9)
+    along = abs(b[0] - a[0]) > abs(b[1] - a[1])
+    length = max(abs(b[0] - a[0]), abs(b[1] - a[1]))
+    at = ((a[0] + b[0]) / 2, a[1] + 0.14) if along else (a[0] - 0.14, (a[1] + b[1]) / 2)
+    turn = 0 if along else 90
+    axes.text(*at, f"{length:.2f}", fontsize=6.5, color=INK, ha="center", va="center", rotation=turn, zorder=6)

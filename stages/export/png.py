@@ -1,0 +1,15 @@
+"""The furnished plan as a picture, plan.png."""
+
+from pathlib import Path
+
+from stages.export._drawing import figure
+from stages.scene import Scene
+
+DPI = 160
+
+
+def write(scene: Scene, out: Path) -> list[Path]:
+    """One file, plan.png."""
+    path = out / "plan.png"
+    figure(scene.home).savefig(path, format="png", dpi=DPI, metadata={"Software": "apartgen"})
+    return [path]

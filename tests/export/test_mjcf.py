@@ -1,0 +1,87 @@
+"""The MJCF in MuJoCo itself: it compiles, rests, and every joint turns through its range."""
+
+import mujoco
+import numpy as np
+import pytest
+from export import sample
+
+from stages import export
+from stages.scene import Scene
+
+
+@pytest.fixture(scope="module")
+def flat(tmp_path_factory):
+    out = tmp_path_factory.mktemp("mjcf") / "scene"
+    export.run(sample.home(), ["mjcf"], out, sample.load)
+    return mujoco.MjModel.from_xml_path(str(out / "mjcf" / "apartment.xml")), Scene(sample.home(), sample.load)
+
+
+def _jointed(scene):
+    return [(body, link) for body in scene.bodies for link in body.links if link.joint is not None]
+
+
+def test_bodies_stand_where_the_artifact_says(flat):
+    model, scene = flat
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    for body in scene.bodies:
+        at = data.body(body.name)
+        assert at.xpos == pytest.approx(body.position, abs=1e-6)
+        assert at.xmat.reshape(3, 3) == pytest.approx(body.pose()[:3, :3], abs=1e-6)
+        assert (model.body(body.name).dofnum[0] == 6) == body.free
+
+
+def test_joints_have_their_limits_in_radians_and_metres(flat):
+    model, scene = flat
+    for body, link in _jointed(scene):
+        joint = model.joint(body.joint_name(link.joint))
+        assert joint.range == pytest.approx(link.joint.range, abs=1e-6)
+        assert joint.axis == pytest.approx(link.joint.axis, abs=1e-6) and joint.pos == pytest.approx(link.joint.origin)
+        assert model.body(body.link_name(link)).mass == pytest.approx(link.mass, rel=1e-6)
+
+
+def test_nothing_moves_and_no_energy_appears(flat):
+    model, _ = flat
+    model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    start, energy = data.geom_xpos.copy(), float(data.energy.sum())
+    for _ in range(int(5 / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    assert np.linalg.norm(data.geom_xpos - start, axis=1).max() < 0.02
+    assert np.abs(data.qvel).max() < 0.01
+    assert float(data.energy.sum()) < energy + 0.1
+
+
+def test_nothing_stands_in_anything(flat):
+    model, _ = flat
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert min((contact.dist for contact in data.contact), default=0) > -0.002
+
+
+def test_every_joint_can_be_driven_to_both_ends_without_touching_its_own_object(flat):
+    model, scene = flat
+    for body, link in _jointed(scene):
+        joint = model.joint(body.joint_name(link.joint))
+        data = mujoco.MjData(model)
+        lo, hi = joint.range
+        most = min(15.0, 0.5 + 3 * link.mass)  # what a hand gives without lifting a bin by its lid
+        own = {model.body(body.link_name(part)).id for part in body.links}
+        for target in (hi, lo):
+            for _ in range(600):
+                push = 40 * (target - data.qpos[joint.qposadr[0]]) - 8 * data.qvel[joint.dofadr[0]]
+                data.qfrc_applied[joint.dofadr[0]] = np.clip(push, -most, most)
+                mujoco.mj_step(model, data)
+                touching = {frozenset(model.geom_bodyid[[c.geom1, c.geom2]].tolist()) for c in data.contact}
+                assert not any(pair <= own for pair in touching), body.name
+            assert data.qpos[joint.qposadr[0]] == pytest.approx(target, abs=0.05 * (hi - lo)), body.name
+
+
+def test_ceilings_are_in_a_group_of_their_own(flat):
+    model, scene = flat
+    ceilings = {body.name for body in scene.bodies if body.kind == "ceiling"}
+    for k in range(model.ngeom):
+        name = model.body(model.geom_bodyid[k]).name
+        shown = model.geom_contype[k] == 0
+        assert model.geom_group[k] == ((4 if name in ceilings else 2) if shown else 3)
