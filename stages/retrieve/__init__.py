@@ -6,7 +6,8 @@ Each public file here is one kind of asset library, found by its name (`parametr
 """
 
 from stages.retrieve.matching.config import RetrieveConfig
+from stages.retrieve.matching.indexing import Failure, Report, build, check, kinds
 from stages.retrieve.matching.libraries import LibrarySet, open_libraries
 from stages.retrieve.matching.run import run
 
-__all__ = ["LibrarySet", "RetrieveConfig", "open_libraries", "run"]
+__all__ = ["Failure", "LibrarySet", "Report", "RetrieveConfig", "build", "check", "kinds", "open_libraries", "run"]

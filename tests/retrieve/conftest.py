@@ -10,10 +10,28 @@ from schemas.layout import Layout
 from stages.asset import Array, Asset, Collider, Link, Material, Mesh
 
 STYLES = ("block", "legs", "panel", "steps")
-COLORS = {"block": (0.2, 0.2, 0.2, 1.0), "legs": (0.8, 0.6, 0.4, 1.0),
-          "panel": (0.9, 0.9, 0.9, 1.0), "steps": (0.3, 0.5, 0.7, 1.0)}
-FACES = np.array([[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4],
-                  [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6], [3, 0, 4], [3, 4, 7]])
+COLORS = {
+    "block": (0.2, 0.2, 0.2, 1.0),
+    "legs": (0.8, 0.6, 0.4, 1.0),
+    "panel": (0.9, 0.9, 0.9, 1.0),
+    "steps": (0.3, 0.5, 0.7, 1.0),
+}
+FACES = np.array(
+    [
+        [0, 2, 1],
+        [0, 3, 2],
+        [4, 5, 6],
+        [4, 6, 7],
+        [0, 1, 5],
+        [0, 5, 4],
+        [1, 2, 6],
+        [1, 6, 5],
+        [2, 3, 7],
+        [2, 7, 6],
+        [3, 0, 4],
+        [3, 4, 7],
+    ]
+)
 
 
 def box(lo: tuple[float, ...], hi: tuple[float, ...], material: Material) -> tuple[Mesh, Collider]:
@@ -49,7 +67,9 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
     material = Material(style, COLORS[style])
     made = [box(lo, hi, material) for lo, hi in _parts(style, np.asarray(size) / 2)]
     base = Link("base", [mesh for mesh, _ in made], [collider for _, collider in made], 10.0)
-    return Asset("parametric", f"{category}/{style}/{size[0]}x{size[1]}x{size[2]}/{seed}", category, style, size, [base])
+    return Asset(
+        "parametric", f"{category}/{style}/{size[0]}x{size[1]}x{size[2]}/{seed}", category, style, size, [base]
+    )
 
 
 def load(id: str) -> Asset:
@@ -92,10 +112,19 @@ def libraries(maker, trained):
 @pytest.fixture
 def flat():
     """Makes a layout of one room, 4 × 5 m, holding the given objects."""
+
     def make(*objects: dict, type: str = "bedroom") -> Layout:
         room = f"{type}_1"
         rooms = [{"id": room, "type": type, "polygon": [[0, 0], [4, 0], [4, 5], [0, 5]]}]
-        door = {"id": "d", "kind": "entrance", "rooms": [room], "segment": [[3, -0.15], [3.9, -0.15]], "sill": 0, "head": 2}
+        door = {
+            "id": "d",
+            "kind": "entrance",
+            "rooms": [room],
+            "segment": [[3, -0.15], [3.9, -0.15]],
+            "sill": 0,
+            "head": 2,
+        }
         named = [{"id": f"o{i}", "room": room, "yaw": 0.0} | each for i, each in enumerate(objects)]
         return Layout(program={"rooms": rooms}, rooms=rooms, openings=[door], objects=named)
+
     return make

@@ -14,7 +14,7 @@ class RetrieveConfig(Record):
     """
 
     libraries: list[str] = Field(default_factory=list, description="folders made by `apartgen assets index`")
-    tolerance: float = Field(0.25, ge=0, le=1, description="sides this share below the box's still fill it")
-    size_weight: float = Field(1.0, ge=0)
-    latent_weight: float = Field(4.0, ge=0)
-    static_cost: float = Field(4.0, ge=0)
+    tolerance: float = Field(default=0.25, ge=0, le=1, description="sides this share below the box's still fill it")
+    size_weight: float = Field(default=1.0, ge=0)
+    latent_weight: float = Field(default=4.0, ge=0)
+    static_cost: float = Field(default=4.0, ge=0)

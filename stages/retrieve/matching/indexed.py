@@ -70,7 +70,7 @@ class IndexedLibrary:
 
 def _read(path: Path) -> tuple[dict[str, Any], np.ndarray[Any, Any], np.ndarray[Any, Any]]:
     if not path.exists():
-        raise BadInput(f"{path.parent}: no indexed library; make one with `apartgen assets index DIR --as KIND -o {path.parent}`")
+        raise BadInput(f"{path.parent}: no indexed library; make one with `apartgen assets index DIR -o {path.parent}`")
     try:
         with safe_open(path, framework="np") as file:
             header = json.loads(file.metadata()["apartgen"])

@@ -23,7 +23,7 @@ class LibrarySet:
         self.embedded = own
         self.others = {library.name: library for library in others}
         if len(self.others) < len(others) or embedded.NAME in self.others:
-            raise BadInput(f"two libraries share a name: {sorted([embedded.NAME, *(o.name for o in others)])}; rename one")
+            raise BadInput(f"two libraries share a name: {sorted([embedded.NAME, *(o.name for o in others)])}")
         self.load = lru_cache(maxsize=KEPT)(self._load)
 
     def _load(self, library: str, id: str) -> Asset:
@@ -38,9 +38,12 @@ class LibrarySet:
     def nearest(
         self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
     ) -> Asset | None:
-        """The cheapest asset of all libraries that fits; one made to measure where none does; None if even that is too big."""
-        found = [(hit[1], i, hit[0]) for i, other in enumerate(self.others.values())
-                 if (hit := other.nearest(category, size, latent, limit))]
+        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big."""
+        found = [
+            (hit[1], i, hit[0])
+            for i, other in enumerate(self.others.values())
+            if (hit := other.nearest(category, size, latent, limit))
+        ]
         if not found:
             return self.embedded.nearest(category, size, latent, limit)
         _, which, row = min(found)
@@ -51,5 +54,3 @@ def open_libraries(config: RetrieveConfig | None = None) -> LibrarySet:
     """The libraries a configuration names, ready to search and load from."""
     config = config or RetrieveConfig()
     return LibrarySet(Embedded(config), [IndexedLibrary(Path(folder), config) for folder in config.libraries])
-
-

@@ -23,8 +23,9 @@ SURFACES = frozenset(under for kind in TABLE.values() if kind.place == "top" for
 """Categories that things stand on."""
 
 
-def run(previous: Layout, config: RetrieveConfig, rng: np.random.Generator, libraries: LibrarySet | None = None,
-        ) -> Retrieve:
+def run(
+    previous: Layout, config: RetrieveConfig, rng: np.random.Generator, libraries: LibrarySet | None = None
+) -> Retrieve:
     """Gives every object the nearest asset and its real box; pure, `rng` is left untouched since nothing is drawn."""
     libraries = libraries or open_libraries(config)
     floors = polygons.floors(previous)
@@ -32,7 +33,7 @@ def run(previous: Layout, config: RetrieveConfig, rng: np.random.Generator, libr
     own = [_choose(box, previous, libraries) for box in previous.objects]
     placed: list[Boxes | None] = [None] * len(own)
     for step in (_standing, _on_top):
-        step(previous, own, placed, floors, libraries)
+        step(previous, own, placed, floors)
     objects = [_furnishing(*row) for row in zip(previous.objects, own, placed, strict=True) if row[2] is not None]
     return Retrieve(**{name: getattr(previous, name) for name in Layout.model_fields} | {"objects": objects})
 
@@ -42,7 +43,7 @@ def _check(layout: Layout, rooms: set[str]) -> None:
         if box.category not in TABLE:
             raise BadInput(f"objects[{i}].category: {box.category!r} is unknown; one of: {', '.join(TABLE)}")
         if box.room not in rooms:
-            raise BadInput(f"objects[{i}].room: {box.room!r} is no room of this plan; one of: {', '.join(sorted(rooms))}")
+            raise BadInput(f"objects[{i}].room: {box.room!r} is no room of the plan: {', '.join(sorted(rooms))}")
 
 
 def _limit(box: Box, height: float) -> tuple[float, float, float]:
@@ -54,18 +55,20 @@ def _choose(box: Box, layout: Layout, libraries: LibrarySet) -> Asset:
     """The nearest asset within the box; where the box is below the category's least size, one of that size."""
     size = _limit(box, layout.height)
     asset = libraries.nearest(box.category, size, box.latent, size)
-    return asset or libraries.embedded.make(box.category, np.clip(size, TABLE[box.category].min, TABLE[box.category].max), box.latent)
+    if asset is None:
+        asset = libraries.embedded.nearest(box.category, size, box.latent)
+        assert asset is not None
+    return asset
 
 
-def _standing(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon],
-              libraries: LibrarySet) -> None:
+def _standing(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon]) -> None:
     """Places all that does not stand on something else."""
     rows = [i for i, box in enumerate(layout.objects) if TABLE[box.category].place != "top"]
     for i in rows:
         placed[i] = _resized(layout.objects[i], own[i], floors[layout.objects[i].room], layout.height)
     for i in rows:
         if _outgrew(own[i], layout.objects[i]):
-            own[i], placed[i] = _fitted(i, layout, own[i], placed, floors[layout.objects[i].room], libraries)
+            placed[i] = _fitted(i, layout, placed, floors[layout.objects[i].room])
 
 
 def _resized(box: Box, asset: Asset, room: Polygon, height: float) -> Boxes:
@@ -77,19 +80,16 @@ def _outgrew(asset: Asset, box: Box) -> bool:
     return any(side > room + 1e-6 for side, room in zip(asset.size, box.size, strict=True))
 
 
-def _fitted(i: int, layout: Layout, asset: Asset, placed: Sequence[Boxes | None], room: Polygon,
-            libraries: LibrarySet) -> tuple[Asset, Boxes]:
-    """An asset larger than its box, moved to where there is room, else made as small as the box after all."""
+def _fitted(i: int, layout: Layout, placed: Sequence[Boxes | None], room: Polygon) -> Boxes | None:
+    """A thing larger than its box, moved to where there is room for it; None where there is none."""
     box, now = layout.objects[i], placed[i]
     assert now is not None
     others = [j for j, other in enumerate(placed) if other is not None and j != i]
     stack = boxes.of([]) if not others else _stacked([placed[j] for j in others])
     spot = placing.grown(now, box.category, room, stack, [layout.objects[j].category for j in others])
-    if spot is not None:
-        return asset, spot
-    LOG.warning("%s (%s): smaller than any real one and no room for that; made to its box", box.id, box.category)
-    small = libraries.embedded.make(box.category, _limit(box, layout.height), box.latent)
-    return small, _resized(box, small, room, layout.height)
+    if spot is None:
+        LOG.warning("%s: smaller than any real %s, and there is no room for one; left out", box.id, box.category)
+    return spot
 
 
 def _stacked(each: Sequence[Boxes | None]) -> Boxes:
@@ -97,8 +97,7 @@ def _stacked(each: Sequence[Boxes | None]) -> Boxes:
     return Boxes(*(np.concatenate([getattr(box, name) for box in some]) for name in Boxes._fields))
 
 
-def _on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon],
-            libraries: LibrarySet) -> None:
+def _on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon]) -> None:
     """Puts each thing that stands on another exactly on its top."""
     tops: dict[int, supports.Top] = {}
     taken: dict[int, list[Boxes]] = {}
@@ -125,8 +124,11 @@ def _below(i: int, layout: Layout, placed: Sequence[Boxes | None]) -> list[int]:
     """What the object may stand on in its room: what it belongs on before other tops, the nearest first."""
     box = layout.objects[i]
     own = TABLE[box.category].belongs
-    able = [j for j, other in enumerate(layout.objects)
-            if other.room == box.room and other.category in SURFACES and placed[j] is not None]
+    able = [
+        j
+        for j, other in enumerate(layout.objects)
+        if other.room == box.room and other.category in SURFACES and placed[j] is not None
+    ]
 
     def order(j: int) -> tuple[bool, float, int]:
         apart = np.hypot(*np.subtract(layout.objects[j].center, box.center)[:2])
@@ -148,5 +150,8 @@ def _furnishing(box: Box, asset: Asset, at: Boxes | None) -> Furnishing:
     x, y, z = (round(float(v), 6) for v in at.center[0])
     return Furnishing(
         **box.model_dump(include={"id", "room", "category", "yaw", "latent"}),
-        center=(x, y, z), size=asset.size, asset=AssetKey(library=asset.library, id=asset.id), joints=asset.joints,
+        center=(x, y, z),
+        size=asset.size,
+        asset=AssetKey(library=asset.library, id=asset.id),
+        joints=asset.joints,
     )

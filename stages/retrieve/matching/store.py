@@ -20,15 +20,24 @@ def write(asset: Asset, path: Path) -> None:
     """Vertices are kept in single precision."""
     tensors: Tensors = {"latent": np.asarray(asset.latent, np.float32)}
     links = [_link(link, f"{i}", tensors) for i, link in enumerate(asset.links)]
-    about = {"library": asset.library, "id": asset.id, "category": asset.category, "style": asset.style,
-             "size": asset.size, "credit": asset.credit, "links": links}
+    about = {
+        "library": asset.library,
+        "id": asset.id,
+        "category": asset.category,
+        "style": asset.style,
+        "size": asset.size,
+        "credit": asset.credit,
+        "links": links,
+    }
     path.parent.mkdir(parents=True, exist_ok=True)
     save_file(tensors, path, metadata={"asset": json.dumps(about, sort_keys=True)})
 
 
 def _link(link: Link, key: str, tensors: Tensors) -> dict[str, Any]:
     return {
-        "name": link.name, "mass": link.mass, "friction": link.friction,
+        "name": link.name,
+        "mass": link.mass,
+        "friction": link.friction,
         "joint": link.joint.model_dump() if link.joint else None,
         "handle": None if link.handle is None else np.asarray(link.handle, float).tolist(),
         "visuals": [_mesh(mesh, f"{key}.v{i}", tensors) for i, mesh in enumerate(link.visuals)],
@@ -42,16 +51,28 @@ def _mesh(mesh: Mesh, key: str, tensors: Tensors) -> dict[str, Any]:
     if mesh.uv is not None:
         tensors[f"{key}.uv"] = np.ascontiguousarray(mesh.uv, np.float32)
     m = mesh.material
-    return {"key": key, "uv": mesh.uv is not None, "name": m.name, "color": list(m.color), "roughness": m.roughness,
-            "metalness": m.metalness, "texture": m.texture}
+    return {
+        "key": key,
+        "uv": mesh.uv is not None,
+        "name": m.name,
+        "color": list(m.color),
+        "roughness": m.roughness,
+        "metalness": m.metalness,
+        "texture": m.texture,
+    }
 
 
 def _collider(piece: Collider, key: str, tensors: Tensors) -> dict[str, Any]:
     if piece.vertices is not None:
         tensors[f"{key}.vertices"] = np.ascontiguousarray(piece.vertices, np.float32)
-    return {"key": key, "kind": piece.kind, "center": np.asarray(piece.center).tolist(),
-            "size": np.asarray(piece.size).tolist(), "rotation": np.asarray(piece.rotation).tolist(),
-            "hull": piece.vertices is not None}
+    return {
+        "key": key,
+        "kind": piece.kind,
+        "center": np.asarray(piece.center).tolist(),
+        "size": np.asarray(piece.size).tolist(),
+        "rotation": np.asarray(piece.rotation).tolist(),
+        "hull": piece.vertices is not None,
+    }
 
 
 def read(path: Path) -> Asset:

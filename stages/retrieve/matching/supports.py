@@ -60,7 +60,7 @@ def top(asset: Asset, box: Boxes) -> Top:
 
 
 def _covered(under: Top, item: Boxes) -> tuple[bool, float]:
-    """Whether nothing of the top rises into the item's footprint, and the share of the footprint's middle it carries."""
+    """Whether nothing of the top rises into the item, and the share of the item's middle that it carries."""
     seen = boxes.local(under.points @ boxes.axes(under.box)[0] + under.box.center[0, :2], item)[0]
     half = item.size[0, :2] / 2
     under_it = (np.abs(seen) <= half).all(1)

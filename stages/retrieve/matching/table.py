@@ -42,9 +42,7 @@ class Table:
         for group in np.split(order, np.flatnonzero(np.diff(np.unique(names[order], return_inverse=True)[1])) + 1):
             if len(group):
                 own, z = sizes[group], latents[group]
-                self._groups[str(names[group[0]])] = Rows(
-                    group, own, np.log(own), z, (z * z).sum(1), still[group]
-                )
+                self._groups[str(names[group[0]])] = Rows(group, own, np.log(own), z, (z * z).sum(1), still[group])
 
     def rows(self, category: str) -> Rows | None:
         """The assets of a category."""

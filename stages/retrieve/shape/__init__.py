@@ -1,1 +1,1 @@
-"""A 32-number description of an asset's shape: a variational autoencoder over its surface. Only `vae` and `train` need torch."""
+"""32 numbers that describe an asset's shape: a variational autoencoder. Only `vae` and `train` need torch."""

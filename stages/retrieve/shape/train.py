@@ -4,7 +4,7 @@ import json
 import logging
 import time
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 import torch
@@ -14,7 +14,7 @@ from safetensors.torch import save_file
 
 from schemas.base import Record
 from stages.retrieve.shape.designs import Maker, drawn, embedded_maker, fields
-from stages.retrieve.shape.vae import ShapeVAE, loss
+from stages.retrieve.shape.vae import LATENT, Batch, ShapeVAE, Weights, loss
 
 LOG = logging.getLogger("apartgen")
 
@@ -23,42 +23,60 @@ class ShapeTraining(Record):
     """How the autoencoder is trained; travels in the weights' header."""
 
     seed: int = 0
-    variants: int = Field(12, ge=1, description="pieces of every style to learn from")
-    epochs: int = Field(60, ge=1)
-    batch: int = Field(64, ge=2)
-    rate: float = Field(2e-3, gt=0)
-    beta: float = Field(0.3, ge=0, description="weight of the divergence from the prior")
-    color_weight: float = Field(4.0, ge=0)
+    variants: int = Field(default=12, ge=1, description="pieces of every style to learn from")
+    epochs: int = Field(default=40, ge=1)
+    batch: int = Field(default=64, ge=2)
+    rate: float = Field(default=2e-3, gt=0)
+    beta: float = Field(default=0.1, ge=0, description="weight of the divergence from the prior")
+    color_weight: float = Field(default=20.0, ge=0)
+    style_weight: float = Field(default=20.0, ge=0)
+
+
+class Pieces(NamedTuple):
+    """Fields (n, FEATURES), category and style of each piece."""
+
+    fields: NDArray[np.float32]
+    category: NDArray[np.str_]
+    style: NDArray[np.str_]
 
 
 def train(config: ShapeTraining, out: Path, work: Path | None = None, maker: Maker | None = None) -> dict[str, Any]:
     """Writes the weights to `out` and returns the training record; `work` keeps what is needed to resume."""
     started = time.process_time()
-    data = _data(config, work, maker)
-    model, record = _fit(config, torch.from_numpy(data), work)
-    record |= {"assets": len(data), "parameters": sum(p.numel() for p in model.parameters())}
+    pieces = _pieces(config, work, maker)
+    model, record = _fit(config, _whole(pieces), work)
+    record |= {"assets": len(pieces.fields), "parameters": sum(p.numel() for p in model.parameters())}
     record |= {"cpu_seconds": round(time.process_time() - started, 1)}
-    _save(model, data, config, record, out)
+    _save(model, pieces, config, record, out)
     return record
 
 
-def _data(config: ShapeTraining, work: Path | None, maker: Maker | None) -> NDArray[np.float32]:
-    kept = work / "fields.npy" if work else None
+def _pieces(config: ShapeTraining, work: Path | None, maker: Maker | None) -> Pieces:
+    kept = work / "pieces.npz" if work else None
     if kept and kept.exists():
-        return cast(NDArray[np.float32], np.load(kept))
-    if maker is None:
-        maker = embedded_maker()
+        with np.load(kept) as arrays:
+            return Pieces(**arrays)
     LOG.info("building the pieces to learn from")
-    data = fields(maker, drawn(maker, config.variants, np.random.default_rng(config.seed)))
+    maker = maker or embedded_maker()
+    designs = list(drawn(maker, config.variants, np.random.default_rng(config.seed)))
+    made = Pieces(fields(maker, designs), np.array([d.category for d in designs]), np.array([d.style for d in designs]))
     if kept:
         kept.parent.mkdir(parents=True, exist_ok=True)
-        np.save(kept, data)
-    return data
+        np.savez(kept, **made._asdict())
+    return made
 
 
-def _fit(config: ShapeTraining, data: torch.Tensor, work: Path | None) -> tuple[ShapeVAE, dict[str, Any]]:
+def _whole(pieces: Pieces) -> Batch:
+    """All pieces as one batch."""
+    names, style = np.unique([f"{c}/{s}" for c, s in zip(pieces.category, pieces.style)], return_inverse=True)
+    category = np.array([name.partition("/")[0] for name in names])
+    rivals = torch.from_numpy(category[style][:, None] == category[None])
+    return Batch(torch.from_numpy(pieces.fields), torch.from_numpy(style), rivals)
+
+
+def _fit(config: ShapeTraining, data: Batch, work: Path | None) -> tuple[ShapeVAE, dict[str, Any]]:
     torch.manual_seed(config.seed)
-    model = ShapeVAE()
+    model = ShapeVAE(data.rivals.shape[1])
     optimizer = torch.optim.AdamW(model.parameters(), config.rate, weight_decay=1e-4)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, config.epochs)
     parts: dict[str, Any] = {"model": model, "optimizer": optimizer, "schedule": schedule}
@@ -68,8 +86,8 @@ def _fit(config: ShapeTraining, data: torch.Tensor, work: Path | None) -> tuple[
         schedule.step()
         LOG.info("shape epoch %d of %d: %s", epoch + 1, config.epochs, record)
         if work:
-            torch.save({name: part.state_dict() for name, part in parts.items()} | {"epoch": epoch + 1, "record": record},
-                       work / "checkpoint.pt")
+            states = {name: part.state_dict() for name, part in parts.items()}
+            torch.save(states | {"epoch": epoch + 1, "record": record}, work / "checkpoint.pt")
     return model, record
 
 
@@ -82,30 +100,32 @@ def _resume(parts: dict[str, Any], work: Path | None) -> tuple[int, dict[str, An
     return int(state["epoch"]), dict(state["record"])
 
 
-def _epoch(model: ShapeVAE, optimizer: torch.optim.Optimizer, data: torch.Tensor, config: ShapeTraining,
-           epoch: int) -> dict[str, Any]:
+def _epoch(
+    model: ShapeVAE, optimizer: torch.optim.Optimizer, data: Batch, config: ShapeTraining, epoch: int
+) -> dict[str, Any]:
     # One stream per epoch, so that a resumed run draws what an unbroken one would have.
     stream = torch.Generator().manual_seed(config.seed * 100_003 + epoch)
-    sums = dict.fromkeys(("shape", "color", "divergence"), 0.0)
-    batches = torch.split(torch.randperm(len(data), generator=stream), config.batch)
+    sums: dict[str, float] = {}
+    weights = Weights(config.beta, config.color_weight, config.style_weight)
+    batches = torch.split(torch.randperm(len(data.fields), generator=stream), config.batch)
     for rows in batches:
-        noise = torch.randn(len(rows), 32, generator=stream)
-        total, terms = loss(model, data[rows], config.beta, config.color_weight, noise)
+        noise = torch.randn(len(rows), LATENT, generator=stream)
+        total, terms = loss(model, Batch(*(part[rows] for part in data)), weights, noise)
         optimizer.zero_grad()
         total.backward()  # type: ignore[no-untyped-call]
         optimizer.step()
-        for name, value in terms.items():
-            sums[name] += value
+        sums = {name: sums.get(name, 0.0) + value for name, value in terms.items()}
     return {"epochs": epoch + 1} | {name: round(value / len(batches), 3) for name, value in sums.items()}
 
 
-def _save(model: ShapeVAE, data: NDArray[np.float32], config: ShapeTraining, record: dict[str, Any], out: Path) -> None:
+def _save(model: ShapeVAE, pieces: Pieces, config: ShapeTraining, record: dict[str, Any], out: Path) -> None:
     with torch.no_grad():
-        mean, _ = model.posterior(torch.from_numpy(data))
-    active = (mean.var(0) > 0.01).sum().item()
-    tensors = {name: tensor.half() for name, tensor in model.state_dict().items()}
+        mean, _ = model.posterior(torch.from_numpy(pieces.fields))
+    record = record | {"active_dimensions": int((mean.var(0) > 0.01).sum().item())}
+    tensors = {name: tensor.half() for name, tensor in model.state_dict().items() if not name.startswith("style")}
     tensors |= {"latent.mean": mean.mean(0), "latent.std": mean.std(0).clamp(min=1e-6)}
-    header = {"config": config.model_dump(), "record": record | {"active_dimensions": active}}
+    header = {"config": config.model_dump(), "record": record}
     out.parent.mkdir(parents=True, exist_ok=True)
-    save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, out,
-              metadata={"apartgen": json.dumps(header, sort_keys=True)})
+    whole = {name: tensor.contiguous() for name, tensor in tensors.items()}
+    save_file(whole, out, metadata={"apartgen": json.dumps(header, sort_keys=True)})
+    out.chmod(0o644)

@@ -1,5 +1,7 @@
 """The variational autoencoder: fields → 32 latent dimensions → fields."""
 
+from typing import NamedTuple
+
 from torch import Tensor, nn
 from torch.nn import functional as F
 
@@ -9,9 +11,12 @@ LATENT = 32
 
 
 class ShapeVAE(nn.Module):
-    """Two small perceptrons; the posterior is a diagonal Gaussian."""
+    """Two small perceptrons; the posterior is a diagonal Gaussian.
 
-    def __init__(self, hidden: tuple[int, int] = (160, 128)) -> None:
+    `style` tells the `styles` of the library apart from the latent alone, which draws each style together.
+    """
+
+    def __init__(self, styles: int, hidden: tuple[int, int] = (160, 128)) -> None:
         super().__init__()
         wide, narrow = hidden
         self.encoder = nn.Sequential(
@@ -20,6 +25,7 @@ class ShapeVAE(nn.Module):
         self.decoder = nn.Sequential(
             nn.Linear(LATENT, narrow), nn.SiLU(), nn.Linear(narrow, wide), nn.SiLU(), nn.Linear(wide, FEATURES)
         )
+        self.style = nn.Linear(LATENT, styles)
 
     def posterior(self, x: Tensor) -> tuple[Tensor, Tensor]:
         """Mean and log variance, (b, 32) each, of fields (b, FEATURES)."""
@@ -32,12 +38,32 @@ class ShapeVAE(nn.Module):
         return out
 
 
-def loss(model: ShapeVAE, x: Tensor, beta: float, color_weight: float, noise: Tensor) -> tuple[Tensor, dict[str, float]]:
-    """Negative evidence lower bound per sample with β on the divergence; `noise` (b, 32) is standard normal."""
+class Batch(NamedTuple):
+    """Fields (b, FEATURES), style (b), and which styles are of the same category (b, styles)."""
+
+    fields: Tensor
+    style: Tensor
+    rivals: Tensor
+
+
+class Weights(NamedTuple):
+    """What the terms of the loss count beside the shape's reconstruction."""
+
+    divergence: float
+    color: float
+    style: float
+
+
+def loss(model: ShapeVAE, batch: Batch, weights: Weights, noise: Tensor) -> tuple[Tensor, dict[str, float]]:
+    """Negative evidence lower bound per sample, its terms weighted; `noise` (b, 32) is standard normal."""
+    x, n = batch.fields, len(batch.fields)
     mean, log_var = model.posterior(x)
-    logits = model.decoder(mean + noise * (0.5 * log_var).exp())
-    shape = F.binary_cross_entropy_with_logits(logits[:, :SHAPE], x[:, :SHAPE], reduction="sum") / len(x)
-    color = F.mse_loss(logits[:, SHAPE:].sigmoid(), x[:, SHAPE:], reduction="sum") / len(x)
-    divergence = 0.5 * (mean.square() + log_var.exp() - 1 - log_var).sum() / len(x)
-    total = shape + color_weight * color + beta * divergence
-    return total, {"shape": shape.item(), "color": color.item(), "divergence": divergence.item()}
+    z = mean + noise * (0.5 * log_var).exp()
+    logits = model.decoder(z)
+    shape = F.binary_cross_entropy_with_logits(logits[:, :SHAPE], x[:, :SHAPE], reduction="sum") / n
+    color = F.mse_loss(logits[:, SHAPE:].sigmoid(), x[:, SHAPE:], reduction="sum") / n
+    divergence = 0.5 * (mean.square() + log_var.exp() - 1 - log_var).sum() / n
+    style = F.cross_entropy(model.style(z).masked_fill(~batch.rivals, -1e4), batch.style)
+    total = shape + weights.color * color + weights.divergence * divergence + weights.style * style
+    terms = {"shape": shape, "color": color, "divergence": divergence, "style": style}
+    return total, {name: term.item() for name, term in terms.items()}

@@ -1,0 +1,1 @@
+"""Foreign files read with bounded memory and nothing executed, made into assets of this project's frame."""
