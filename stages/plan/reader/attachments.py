@@ -93,6 +93,9 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
     """Give every area or share to the room it speaks of, else to the flat."""
     out: list[Item] = []
     for k, item in enumerate(items):
+        phrase = item.room
+        if phrase is not None and phrase.areas and (phrase.headline or phrase.areas[0] > 5 * sense()["area"].get(phrase.type, 12.0)):
+            said.total_area, phrase.areas = phrase.areas[0], ()
         if item.kind not in ("area", "share"):
             out.append(item)
             continue
@@ -223,6 +226,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     kind = owner.type or "bedroom"
     if phrase.headline or kind not in OWNED_BY.get(phrase.type, ()):
         return False
+    if "adjoining" in phrase.labels and first:
+        return True
     if kind == "hallway":
         return not bare and (first or phrase.type in ("bedroom", "bathroom", "study"))
     if phrase.type == "bathroom":

@@ -142,10 +142,13 @@ class Household:
         labels = phrase.labels & {"master", "guest", "kids"}
         known = [e for e in self.of(phrase.type) if not labels or labels & e.labels]
         if phrase.quantifier in ("one_of", "other"):
+            if phrase.quantifier == "other" and phrase.count:
+                rest = [e for e in known if not e.picked and e not in self.last]
+                self.add(phrase.type, int(phrase.count) - len(rest))
             whole = self._ensure(phrase.type, int(phrase.count or 2) if phrase.quantifier == "one_of" else max(len(known), 1))
             free = [e for e in whole if not e.picked and (phrase.quantifier == "one_of" or e not in self.last)]
-            found = (free or whole[-1:])[: None if phrase.quantifier == "other" and phrase.plural else 1]
-            found = found[: int(phrase.count)] if phrase.quantifier == "other" and phrase.count else found
+            many = phrase.quantifier == "other" and (phrase.plural or phrase.count)
+            found = (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]
             for entity in found:
                 entity.picked = True
             return found
@@ -249,7 +252,7 @@ class Household:
 
     def _claim(self, owned: RoomPhrase, count: int) -> list[Entity]:
         free = [e for e in self.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}]
-        within = owned.type in self.totals or self._counted(free) or owned.quantifier == "the" or owned.type in ("kitchen", "dining_room")
+        within = owned.type in self.totals or any(e.counted for e in free) or owned.quantifier == "the" or owned.type in ("kitchen", "dining_room")
         named = [e for e in free if "ensuite" in e.labels]
         found = (named or (free if within else []))[:count]
         return found + self.add(owned.type, count - len(found))

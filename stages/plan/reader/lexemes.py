@@ -131,10 +131,13 @@ def _short(tokens: list[Token], i: int) -> tuple[Lexeme, int] | None:
     a, b = tokens[i], tokens[i + 1]
     if a.kind == "number" and b.text == "-" and i + 2 < len(tokens) and tokens[i + 2].glued and tokens[i + 2].text in ("bhk", "br", "ba"):
         b, i = tokens[i + 2], i + 1
-    if a.kind == "number" and b.text in _shorthand()["after"] and (b.glued or len(b.text) > 1) and a.value <= 99:
+    if a.kind == "number" and b.text in _shorthand()["after"] and (b.glued and a.value <= 9 or len(b.text) > 1) and a.value <= 99:
         bath = b.text == "b" and i > 0 and tokens[i - 1].text in ("b", "/") and a.glued
         parts = {"bathroom": "n"} if bath else _shorthand()["after"][b.text]
         return Lexeme("shorthand", b.text, a.text + b.text, parts=_counts(parts, a.value)), i + 2
+    c = tokens[i + 2] if i + 2 < len(tokens) else None
+    if a.kind == "number" and b.text == "+" and b.glued and c is not None and c.kind == "number" and c.glued and c.value <= 3:
+        return Lexeme("shorthand", "+", a.text + "+" + c.text, parts=(("bedroom", a.value), ("living_room", c.value))), i + 3
     if a.text in _shorthand()["before"] and b.kind == "number" and b.glued and 1 <= b.value <= 9:
         return Lexeme("shorthand", a.text, a.text + b.text, parts=_counts(_shorthand()["before"][a.text], b.value)), i + 2
     return None

@@ -7,6 +7,8 @@ from stages.plan.reader.lexicon import Lexicon
 
 OPEN_TYPES = ("living_room", "kitchen", "dining_room")
 COPULAS = ("is", "are", "be", "ist", "sind", "est", "sont", "es", "son", "lie", "lies")
+ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
+"""Relations that describe the room after them: `an adjoining kitchen`."""
 PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
 
 
@@ -94,6 +96,11 @@ class Phraser:
     def _step(self, words: list[Lexeme], i: int) -> int:
         word = words[i]
         following = words[i + 1] if i + 1 < len(words) else None
+        if word.text == "den" and following is not None and following.kind == "room":
+            return i + 1  # German article
+        if word.kind == "link" and word.text in ADJECTIVES and not self.pending.empty() and following is not None and following.kind == "room":
+            self.pending.labels.add("adjoining")
+            return i + 1
         if self._modifier(word, words, i):
             return i + 1
         if word.kind == "room" and not self._is_object(word, following):
@@ -170,7 +177,7 @@ class Phraser:
         phrase = RoomPhrase(kind, labels, p.number, p.quantifier, p.ordinals, word.plural, negated=p.negated, factor=p.factor, text=word.text)
         phrase.areas = p.area.values if p.area else ()
         phrase.share = p.share
-        phrase.headline = (word.joined and p.number is not None and word.kind == "room" and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in ("bed", "beds", "bath", "baths") and p.number is not None)
+        phrase.headline = (word.joined and p.number is not None and word.kind == "room" and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in ("bed", "beds", "bath", "baths", "室", "居 室", "房") and p.number is not None)
         self.items.append(Item("room", kind, word.text, phrase, joined=word.joined and p.empty()))
         self.pending = _Pending()
         return self._trailing_number(words, i + 1, phrase)
@@ -262,7 +269,9 @@ class Phraser:
         if p.empty():
             return
         partitive = p.quantifier in PARTITIVE or (p.number is not None and p.number <= 9) or p.ordinals or p.labels & {"master", "guest", "kids"}
-        if partitive and not p.negated and any(i.room and i.room.type for i in self.items):
+        if "own" in p.labels and p.number is None:
+            self.items.append(Item("room", "bathroom", "own", RoomPhrase("bathroom", {"ensuite", "own"}, text="own")))
+        elif partitive and not p.negated and any(i.room and i.room.type for i in self.items):
             phrase = RoomPhrase("", set(p.labels), p.number, p.quantifier, p.ordinals, factor=p.factor, text=" ".join(p.texts))
             self.items.append(Item("room", "", phrase.text, phrase))
         elif p.quantifier == "the" and p.factor != 1.0:

@@ -93,7 +93,7 @@ def _doors(statements: list[Statement], home: Household) -> _Doors:
     for e in home.rooms:
         if e.owner is not None:
             out.links.append((e.owner, e))
-            if {e.type, e.owner.type} <= set(OPEN_TYPES):
+            if {e.type, e.owner.type} <= set(OPEN_TYPES) and not e.labels & {"adjoining", "separate"}:
                 out.open.append((e.owner, e))
     _open_labels(home, out)
     return out
@@ -172,7 +172,8 @@ def _full_graph(said: Said, home: Household, doors: _Doors) -> bool:
 
 def _lone(said: Said, home: Household) -> bool:
     """One or two rooms and no word of a dwelling: exactly those."""
-    return len(home.rooms) < 3 and not said.dwelling and not home.totals and not said.main_rooms
+    homely = said.dwelling or home.totals or said.main_rooms or said.total_area or home.banned or len(home.of("bedroom")) > 1
+    return len(home.rooms) < 3 and not homely
 
 
 def _missing(said: Said, home: Household) -> None:
@@ -279,7 +280,7 @@ def _program(said: Said, home: Household, doors: _Doors, complete: bool) -> Prog
         weights=style["weights"],
         objects=_objects(said, home, ids),
         counts={ids[id(e)]: e.object_count for e in _ordered(home) if e.object_count is not None},
-        total_area=said.total_area,
+        total_area=None if said.total_area is None else round(said.total_area, 2),
         regularity=style["regularity"],
         envelope=_envelope(said),
         complete=complete,
@@ -347,8 +348,15 @@ def _compare(s: Statement, home: Household, ids: dict[int, str], base: dict[str,
                 stated.setdefault(j, stated[i] / s.number)
         elif right[0] in stated:
             stated[i] = reference * s.number
-        else:
+        elif not _holds(base[i] / base[right[0]], s.number):
             _meet(base, left, right, s.number)
+
+
+def _holds(ratio: float, number: float) -> bool:
+    """`larger than` holds for any larger ratio; `twice as large as` only for its own."""
+    if number in (1.15, 1.3, 1.6):
+        return ratio >= 1.15
+    return number in (0.6, 0.75, 0.9) and ratio <= 0.9
 
 
 def _meet(base: dict[str, float], left: list[str], right: list[str], number: float) -> None:

@@ -108,6 +108,9 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
     if gapped:
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
+    if last and _back_to_head(items, p, last, rooms, between):
+        p.subject, p.shared = last.subject, True
+        return
     if not rooms or (last and _verb_coordination(between)):
         p.subject = last.subject if last else (0, 0)
         if last and not rooms and p.form not in ("s", "p", ""):
@@ -118,11 +121,22 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
     if relative or p.form == "part":
         near = rooms[-1] == p.at - 1 or relative or is_mark(items[p.at - 1], ",)")
         p.subject = (_and_group(items, rooms[-1], start, whole=p.kind == "share"), rooms[-1] + 1)
-        if p.kind == "to" or p.form == "which" or not near or (relative and p.form == "s"):
+        crowded = last is not None and p.kind != "share" and p.subject[0] == rooms[0] and len(rooms) > 1
+        if last is not None and is_mark(items[p.subject[0] - 1], ",") and len(rooms) > 1 and not relative:
+            return
+        if p.kind == "to" or crowded or p.form == "which" or not near or (relative and p.form == "s"):
             p.subject = (rooms[-1], rooms[-1] + 1)
         p.shared = True
         return
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _back_to_head(items: list[Item], p: _Predicate, last: _Predicate, rooms: list[int], between: list[Item]) -> bool:
+    """`a corridor off the hall serves …`, `the kitchen, which opens to the hall, is reached …`."""
+    inserted = any(i.kind == "relative" for i in items[max(last.at - 2, 0) : last.at])
+    closed = bool(between) and is_mark(between[0], ",") and not any(i.kind in ("relative", "boundary") for i in between)
+    modifier = last.form == "part" and last.kind in ("door", "only", "near") and p.form in ("s", "p") and len(rooms) == 1 and not between[:1] and last.subject != (0, 0)
+    return (inserted and closed and len(rooms) == 1) or modifier
 
 
 def _verb_coordination(between: list[Item]) -> bool:

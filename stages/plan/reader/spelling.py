@@ -16,7 +16,12 @@ def split(word: str, lexicon: Lexicon) -> tuple[str, str] | None:
     if len(word) < 7:
         return None
     cuts = [(word[:k], word[k:]) for k in range(3, len(word) - 2)]
-    return next((c for c in cuts if (c[0],) in lexicon.entries and (c[1],) in lexicon.entries), None)
+    return next((c for c in cuts if (c[0],) in lexicon.entries and _noun(c[1], lexicon)), None)
+
+
+def _noun(word: str, lexicon: Lexicon) -> bool:
+    entries = lexicon.entries.get((word,))
+    return entries is not None and entries[0].kind in ("room", "dwelling")
 
 
 @cache

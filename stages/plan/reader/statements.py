@@ -63,8 +63,10 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
     while i < len(items):
         end = _run(items, i)
         group = rooms_of(items[i:end])
-        tight = any(is_mark(x, "/") or (x.joined and x.room) for x in items[i + 1 : end])
+        tight = any(x.room and (x.joined or not x.room.quantifier) and items[k].room or is_mark(x, "/") for k, x in enumerate(items[i + 1 : end], i))
         after = end < len(items) and items[end].kind == "open"
+        if len(group) == 1 and after:
+            group[0].labels.add("open")
         if len(group) > 1 and (tight or after or "open" in group[0].labels):
             out += chain(group)
             for phrase in group:
@@ -86,7 +88,7 @@ def _run(items: list[Item], i: int) -> int:
         item = items[j]
         separated = item.kind == "conjunction" or is_mark(item, "/,")
         if item.room is not None and item.value in OPEN_TYPES and item.value not in seen and not item.room.negated:
-            linked = item.joined or is_mark(items[j - 1], "/")
+            linked = item.joined or is_mark(items[j - 1], "/") or (items[j - 1].room is not None and _separates(items))
             listed = not is_mark(items[j - 1], ",") or any(x.kind == "conjunction" for x in items[j + 1 : j + 3]) or len(seen) > 1
             if (tight_only and not linked and not _open_after(items, j)) or item.room.quantifier == "a" or not listed:
                 break
@@ -96,6 +98,11 @@ def _run(items: list[Item], i: int) -> int:
             break
         j += 1
     return end
+
+
+def _separates(items: list[Item]) -> bool:
+    """Whether the writer puts marks between rooms, so that two without one belong together (`salón comedor`)."""
+    return any(is_mark(i, ",/") or i.kind == "conjunction" for i in items) or sum(i.room is not None for i in items) == 2
 
 
 def _open_after(items: list[Item], j: int) -> bool:
