@@ -1,0 +1,51 @@
+"""Figures over many apartments: means with bootstrap confidence intervals."""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from schemas.metrics import Metrics
+from stages.boxes import Array
+
+POOLED = ("Col_obj", "R_out", "R_blocked")
+"""Shares of all objects of all apartments; every other figure is a mean over apartments."""
+RESAMPLES = 1000
+LEVEL = 0.95
+
+
+class Row(NamedTuple):
+    """A figure over `n` apartments: its value and the ends of its 95 % interval."""
+
+    name: str
+    version: str
+    of: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    n: int
+
+
+def table(measured: Sequence[Metrics], rng: np.random.Generator, of: Iterable[str] = ("apartment",)) -> list[Row]:
+    """One row a figure, in the order of first appearance; apartments in which it is undefined are left out.
+
+    Intervals are percentiles of `RESAMPLES` bootstrap means over apartments, drawn from `rng`.
+    """
+    wanted = set(of)
+    cells: dict[tuple[str, str, str, str], list[tuple[float, float]]] = {}
+    for metrics in measured:
+        for v in metrics.values:
+            if v.of in wanted and v.value is not None:
+                weight = float(v.n) if v.name in POOLED and v.n else 1.0
+                cells.setdefault((v.name, v.version, v.of, v.unit), []).append((v.value, weight))
+    return [Row(*key, *interval(np.array(found), rng), len(found)) for key, found in cells.items()]
+
+
+def interval(found: Array, rng: np.random.Generator) -> tuple[float, float, float]:
+    """Weighted mean of (value, weight) pairs (n, 2), and its bootstrap interval."""
+    value, weight = found.T
+    drawn = rng.integers(len(value), size=(RESAMPLES, len(value)))
+    means = (value * weight)[drawn].sum(1) / weight[drawn].sum(1)
+    low, high = np.quantile(means, [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
+    return float((value * weight).sum() / weight.sum()), float(low), float(high)

@@ -1,0 +1,100 @@
+"""Figures over sets of apartments: counts, frequencies, relations, tables."""
+
+import handmade as h
+import numpy as np
+import pytest
+
+from schemas.errors import BadInput
+from schemas.metrics import Metrics, Value
+from schemas.plan import AskedObjects
+from stages import metrics
+from stages.metrics import frequencies, quantity, relations
+
+DOWN, UP = -np.pi / 2, np.pi / 2
+
+
+def values(found, name, version="ours", of="apartment"):
+    return next(v.value for v in found if (v.name, v.version, v.of) == (name, version, of))
+
+
+def asked(home, **program):
+    return home.model_copy(update={"program": home.program.model_copy(update=program)})
+
+
+def test_q_ratio_counts_rooms_with_exactly_the_number():
+    home = h.home(h.thing("sofa", 1, 1), h.thing("plant", 3, 2), h.thing("double_bed", 5.5, 1.5, room=h.BEDROOM))
+    found = quantity.measure(asked(home, counts={h.LIVING: 2, h.BEDROOM: 2}))
+    assert values(found, "Q_ratio", "published") == 0.5
+    assert values(found, "Q_ratio", "published", h.LIVING) == 1
+    wishes = [AskedObjects(room=h.LIVING, category=name, count=1) for name in ("sofa", "tv")]
+    assert values(quantity.measure(asked(home, objects=wishes)), "Q_ratio", "categories") == 0.5
+    assert values(quantity.measure(home), "Q_ratio", "published") is None
+
+
+def test_ckl_by_hand():
+    assert frequencies.divergence(["sofa", "bed"], ["bed", "sofa", "sofa", "bed"]) == pytest.approx(0)
+    by_hand = 0.5 * np.log(0.5 / 0.75) + 0.5 * np.log(0.5 / 0.25)
+    assert frequencies.divergence(["sofa"] * 3 + ["tv"], ["sofa", "tv"]) == pytest.approx(by_hand, abs=1e-5)
+    # A category that is never generated costs much, but not everything.
+    assert frequencies.divergence(["sofa"], ["sofa", "tv"]) == pytest.approx(
+        0.5 * np.log(0.5) + 0.5 * (np.log(0.5) - np.log(1e-6)), abs=1e-4)
+    assert frequencies.divergence([], ["tv"]) is None
+
+
+def test_relations_by_hand():
+    bed = h.thing("double_bed", 5.6, 1.95, DOWN, h.BEDROOM, size=(2.0, 1.6, 1.0))
+    at, away = h.thing("nightstand", 6.7, 2.75, DOWN, h.BEDROOM), h.thing("nightstand", 4.4, 0.3, 0.5, h.BEDROOM)
+    table, chair = h.thing("dining_table", 2, 2, 0, size=(1, 1, 0.75)), h.thing("chair", 1.2, 2, 0)
+    turned = h.thing("chair", 2.8, 2, 0)
+    found = relations.measure(h.home(bed, at, away, table, chair, turned))
+    assert values(found, "nightstand_at_bed") == 0.5
+    assert values(found, "seat_at_table") == 0.5
+    assert values(found, "tv_faces_sofa") is None
+    assert values(found, "back_to_wall") == pytest.approx(2 / 3)
+    assert values(found, "yaw_aligned") == pytest.approx(5 / 6)
+    assert values(found, "objects_a_room") == 3
+
+
+def test_a_tv_faces_its_sofa():
+    sofa = h.thing("sofa", 0.5, 1.5, 0)
+    facing, away = h.thing("tv_stand", 3.7, 1.5, np.pi), h.thing("tv_stand", 3.7, 1.5, 0)
+    assert values(relations.measure(h.home(sofa, facing)), "tv_faces_sofa") == 1
+    assert values(relations.measure(h.home(sofa, away)), "tv_faces_sofa") == 0
+
+
+def test_sets_are_compared_by_room_type():
+    homes, real = [h.home(h.thing("sofa", 1, 1))], [h.home(h.thing("sofa", 1, 1), h.thing("tv_stand", 3, 2))]
+    found = metrics.compare(homes, real).values
+    assert values(found, "CKL", "published") > 1 and values(found, "CKL", "published", "bedroom") is None
+    assert values(found, "objects_a_room", "real", "living_room") == 2
+    assert values(metrics.compare(real, real).values, "CKL", "published") == pytest.approx(0)
+    with pytest.raises(BadInput, match="does not compare"):
+        metrics.compare(homes, real, ["collision"])
+    with pytest.raises(BadInput, match="at least one"):
+        metrics.compare([], real)
+    with pytest.raises(BadInput, match="compares a set"):
+        metrics.run(homes[0], ["frequencies"])
+
+
+def one(name, value, n=None):
+    return Metrics(values=[Value(name=name, value=value, n=n), Value(name=name, value=9, of="bedroom_1")])
+
+
+def test_a_table_of_means_and_pooled_shares():
+    rng = np.random.default_rng(0)
+    (row,) = metrics.table([one("R_acoll", 0.0, 1), one("R_acoll", 1.0, 3), one("R_acoll", None)], rng)
+    assert (row.value, row.n) == (0.5, 2) and row.low == 0 and row.high == 1
+    (row,) = metrics.table([one("Col_obj", 0.0, 1), one("Col_obj", 1.0, 3)], rng)
+    assert row.value == 0.75
+    (row,) = metrics.table([one("R_acoll", 0.25)] * 5, rng)
+    assert row.low == row.value == row.high == 0.25
+
+
+def test_intervals_cover_the_mean_as_often_as_they_say():
+    rng = np.random.default_rng(1)
+    hits = 0
+    for _ in range(200):
+        drawn = [one("R_acoll", float(v)) for v in rng.normal(0.5, 0.1, 40)]
+        (row,) = metrics.table(drawn, rng)
+        hits += row.low <= 0.5 <= row.high
+    assert 0.88 < hits / 200 <= 0.99
