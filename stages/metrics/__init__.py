@@ -5,6 +5,8 @@ for a set of apartments against real ones, or both. `published` versions compute
 """
 
 from collections.abc import Sequence
+from functools import cache
+from types import ModuleType
 
 from schemas.errors import BadInput
 from schemas.layout import Layout
@@ -30,19 +32,28 @@ def run(home: Plan, names: Sequence[str] | None = None, against: Plan | Program 
     return Metrics(values=[value for name in _chosen(home, names) for value in _measure(name, home, against)])
 
 
+@cache
+def _member(name: str) -> ModuleType:
+    return registry.load(__name__, name)
+
+
+@cache
+def _able(function: str) -> tuple[str, ...]:
+    """The members that have a function of that name."""
+    return tuple(name for name in names() if hasattr(_member(name), function))
+
+
 def _measure(name: str, home: Plan, against: Plan | Program | None) -> list[Value]:
-    found: list[Value] = registry.load(__name__, name).measure(home, against)
+    found: list[Value] = _member(name).measure(home, against)
     return found
 
 
 def _chosen(home: Plan, wanted: Sequence[str] | None) -> list[str]:
-    able = [name for name in names() if hasattr(registry.load(__name__, name), "measure")]
-    fits = [name for name in able if isinstance(home, registry.load(__name__, name).NEEDS)]
+    fits = [name for name in _able("measure") if isinstance(home, _member(name).NEEDS)]
     if wanted is None:
         return fits
     for name in wanted:
-        registry.load(__name__, name)
-        if name not in able:
+        if not hasattr(_member(name), "measure"):
             raise BadInput(f"metric {name!r} compares a set of apartments with real ones; it says nothing of one")
         if name not in fits:
             raise BadInput(f"metric {name!r} needs objects, which a plan has not; give a layout or a later artifact")
@@ -51,11 +62,11 @@ def _chosen(home: Plan, wanted: Sequence[str] | None) -> list[str]:
 
 def compare(homes: Sequence[Layout], real: Sequence[Layout], names: Sequence[str] | None = None) -> Metrics:
     """Measure a set of apartments against a set of real ones by the named metrics, all by default."""
-    able = [name for name in registry.members(__name__) if hasattr(registry.load(__name__, name), "compare")]
+    able = _able("compare")
     unfit = [name for name in names or [] if name not in able]
     if unfit:
         raise BadInput(f"metric {unfit[0]!r} does not compare sets; those that do: {', '.join(able)}")
     if not homes or not real:
         raise BadInput("comparing sets needs at least one apartment on either side")
     chosen = able if names is None else names
-    return Metrics(values=[v for name in chosen for v in registry.load(__name__, name).compare(homes, real)])
+    return Metrics(values=[value for name in chosen for value in _member(name).compare(homes, real)])
