@@ -7,7 +7,7 @@ so that help and the light commands start without the heavy packages.
 import importlib
 import os
 import sys
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 from typer.core import TyperGroup
@@ -17,9 +17,10 @@ from apartgen_cli.console import fail, listen
 from schemas.errors import ApartgenError
 from stages import registry
 
-WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "schema")
+WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "assets", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141
+MARKUP: Literal["markdown"] = "markdown"
 _WIDTH = 100
 
 
@@ -28,17 +29,17 @@ class Lazily(TyperGroup):
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         if args and args[0] in WORDS:
-            self.commands[args[0]] = _loaded(args[0])
+            self.commands[args[0]] = _loaded(args[0], self.commands[args[0]].help)
         return super().resolve_command(ctx, args)
 
 
-def _loaded(word: str) -> Any:
+def _loaded(word: str, help: str | None) -> Any:
     module = importlib.import_module(f"apartgen_cli.{word}")
-    alone = typer.Typer(add_completion=False)
+    alone = typer.Typer(add_completion=False, rich_markup_mode=MARKUP)
     for name, function in module.commands().items():
         alone.command(name)(function)
     command = typer.main.get_command(alone)
-    command.name = word
+    command.name, command.help = word, help
     return command
 
 
@@ -63,7 +64,7 @@ def _global(
 
 def application() -> Any:
     """The command group; help of every command is the first line of its module."""
-    app = typer.Typer(cls=Lazily, no_args_is_help=True, rich_markup_mode="markdown", add_completion=False,
+    app = typer.Typer(cls=Lazily, no_args_is_help=True, rich_markup_mode=MARKUP, add_completion=False,
                       context_settings={"help_option_names": ["-h", "--help"], "max_content_width": _WIDTH})
     app.callback()(_global)
     helps = registry.members("apartgen_cli")

@@ -1,0 +1,103 @@
+"""Index, check and look into asset libraries."""
+
+import inspect
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from apartgen_cli.console import fail, say
+from schemas.errors import BadInput
+from stages.retrieve.matching.indexing import kinds
+
+if TYPE_CHECKING:
+    from stages.asset import Asset
+    from stages.retrieve.matching.indexing import Report
+
+FOLDER = Annotated[Path, typer.Argument(metavar="FOLDER", help="The folder, or archive, of the models.")]
+KIND = Annotated[str, typer.Option("--as", help=f"What it is: {', '.join(kinds())}.")]
+SCALE = Annotated[float | None, typer.Option("--scale", min=1e-6, help="Metres per unit of the models.")]
+FRONT = Annotated[str | None, typer.Option(
+    "--front", help="Axis the models face, e.g. +x, where their format leaves it open.")]
+LIBRARIES = Annotated[list[Path] | None, typer.Option(
+    "--library", help="Folder of an indexed library, any number of times; the embedded one by default.")]
+
+
+def index(
+    folder: FOLDER, kind: KIND, out: Annotated[Path, typer.Option("--out", "-o", help="The library's folder.")],
+    name: Annotated[str, typer.Option("--name", help="The library's name; the folder's by default.")] = "",
+    scale: SCALE = None, front: FRONT = None,
+) -> None:
+    """Make a library of the models in a folder; what is broken is named and left out."""
+    from stages.retrieve.matching import indexing
+
+    report = indexing.build(folder, kind, out, name, **_options(kind, scale, front))
+    say(f"wrote {out}: {report.indexed} assets, {len(report.broken)} broken ones left out")
+
+
+def check(folder: FOLDER, kind: KIND, scale: SCALE = None, front: FRONT = None) -> int:
+    """Read every model of a folder and name the broken ones; status 1 when there are any."""
+    from stages.retrieve.matching import indexing
+
+    report: Report = indexing.check(folder, kind, **_options(kind, scale, front))
+    for broken in report.broken:
+        fail(f"{broken.id}: {broken.reason}")
+    say(f"{report.indexed} assets can be indexed, {len(report.broken)} are broken")
+    return 1 if report.broken else 0
+
+
+def list_(library: LIBRARIES = None) -> None:
+    """List the assets of libraries: one line each, category, size in metres, name."""
+    if not library:
+        from stages.latents import index as embedded
+
+        table = embedded()
+        rows = [(c, s, "parametric", f"{style}-{seed}") for c, s, style, seed in zip(
+            table.category, table.size.tolist(), table.style, table.seed.tolist())]
+    else:
+        from stages.retrieve.matching.indexed import IndexedLibrary
+
+        opened = [IndexedLibrary(folder) for folder in library]
+        rows = [(entry.category, entry.size, one.name, entry.id) for one in opened for entry in one.entries]
+    for category, size, name, id in sorted(rows, key=lambda row: (row[0], row[2], row[3])):
+        typer.echo(f"{category}\t{' '.join(f'{side:.2f}' for side in size)}\t{name}\t{id}")
+
+
+def show(library: Annotated[Path, typer.Argument(metavar="LIBRARY", help="Folder of an indexed library.")],
+         id: Annotated[str, typer.Argument(metavar="ID", help="An asset's id, see `apartgen assets list`.")]) -> None:
+    """Show one asset's links, joints and credit as JSON."""
+    from stages.retrieve.matching.indexed import IndexedLibrary
+
+    json.dump(_told(IndexedLibrary(library).load(id)), sys.stdout, indent=2, ensure_ascii=False)
+    sys.stdout.write("\n")
+
+
+def _told(asset: "Asset") -> dict[str, Any]:
+    links = [
+        {"name": link.name, "mass": link.mass, "triangles": sum(len(mesh.faces) for mesh in link.visuals),
+         "colliders": len(link.colliders), "materials": sorted({mesh.material.name for mesh in link.visuals}),
+         "joint": link.joint.model_dump(mode="json") if link.joint else None}
+        for link in asset.links
+    ]
+    return {"library": asset.library, "id": asset.id, "category": asset.category, "style": asset.style,
+            "size": list(asset.size), "credit": asset.credit, "links": links}
+
+
+def _options(kind: str, scale: float | None, front: str | None) -> dict[str, Any]:
+    """What the reader of that kind is told beyond the folder; BadInput for what it does not take."""
+    from stages import registry
+
+    given = {name: value for name, value in (("scale", scale), ("front", front)) if value is not None}
+    if given and kind in kinds():
+        taken = inspect.signature(registry.load("stages.retrieve", kind).assets).parameters
+        if strange := sorted(set(given) - set(taken)):
+            raise BadInput(f"--{strange[0]}: libraries of kind {kind!r} say that themselves; leave it out")
+    return given
+
+
+def commands() -> dict[str, Callable[..., Any]]:
+    """The commands of this module."""
+    return {"index": index, "check": check, "list": list_, "show": show}
