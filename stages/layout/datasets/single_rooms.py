@@ -119,7 +119,7 @@ def _free_place(
     """A side and where on it an opening of that width begins; None where none is found."""
     for _ in range(12):
         side = int(rng.choice(sides)) if sides else -1
-        if side < 0 or length[side] < wide + 0.2:
+        if side < 0 or length[side] < wide + 0.21:
             continue
         s = float(np.round(rng.choice([0.1, length[side] - wide - 0.1, rng.uniform(0.1, length[side] - wide - 0.1)]), 3))
         if all(k != side or s > hi + 0.1 or s + wide < lo - 0.1 for k, lo, hi in taken):

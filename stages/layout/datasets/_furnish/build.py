@@ -6,13 +6,14 @@ import numpy as np
 from numpy.random import Generator
 
 from stages.boxes import Array
+from stages.categories import belong_together
 from stages.layout.datasets._furnish import kitchen, prefer, sizes
-from stages.layout.datasets._furnish.poses import PLACES
+from stages.layout.datasets._furnish.poses import PLACES, hangs, prior
 from stages.layout.datasets._furnish.shape import Shape
 from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Setup, Step, friends_of, setups, use_of
+from stages.layout.datasets._furnish.step import Setup, Step, floor_for, friends_of, most_of, setups, use_of
 
-ATTEMPTS = 3
+ATTEMPTS = 5
 NOISE = 0.35
 """Spread of taste among possible poses, in units of their preference, m."""
 CANDIDATES = 160
@@ -39,7 +40,8 @@ class Builder:
 
     def run(self, step: Step) -> None:
         """Carry out one rule, chance and repeats included."""
-        if self.full or self.rng.random() > step.chance or self.space.shape.area < step.least:
+        few = self.count - self.space.n < step.slots
+        if few or self.rng.random() > step.chance or self.space.shape.area < step.least:
             return
         for _ in range(int(self.rng.integers(step.repeat[0], step.repeat[1] + 1))):
             if self.full:
@@ -58,6 +60,9 @@ class Builder:
             return self.space.n - 1 if self.space.n > before else -1
         for lean in (step.size, -0.5, -1.0):
             name = str(self.rng.choice(step.put))
+            small = self.space.shape.area < floor_for(name)
+            if small or len(self.space.find(step.put)) >= most_of(step, name, self.space.shape.type):
+                continue
             size = self._size(name, lean, fresh=lean != step.size)
             i = self._try(name, size, step)
             if i >= 0:
@@ -74,15 +79,18 @@ class Builder:
     def _try(self, name: str, size: Array, step: Step) -> int:
         space, rng = self.space, self.rng
         at, partner = PLACES[step.at](space, name, size, step, rng)
+        at = at.take(hangs(name, at, space))
         if at.n > CANDIDATES:
             at = at.take(rng.permutation(at.n)[:CANDIDATES])
         if step.loose and step.at in ("wall", "corner"):
             at.center[:, :2] += rng.uniform(-0.5, 0.5, (at.n, 2)) * step.loose
         use, friends = use_of(step, name), friends_of(name)
+        if partner >= 0 and not belong_together(name, space.category[partner]):
+            partner = -1
         at = at.take(space.fits(name, at, use, friends, partner))
         if not at.n:
             return -1
-        liking = sum((w * prefer.FEATURES[key](space, at, step) for key, w in step.prefer.items()), np.zeros(at.n))
+        liking = prior(step, at.n) + sum((w * prefer.FEATURES[key](space, at, step) for key, w in step.prefer.items()), np.zeros(at.n))
         for k in np.argsort(-(liking + rng.gumbel(0, NOISE, at.n)))[:LOOKS]:
             if space.stays_open(name, at.take([k])):
                 return space.add(name, at.take([k]), use, step.gap[0] if step.at == "wall" else 0.0)
@@ -119,11 +127,12 @@ def _count(setup: Setup, shape: Shape, rng: Generator) -> int:
 
 
 def _carry_out(builder: Builder, setup: Setup) -> bool:
-    """Whether the first thing of the core could be placed."""
+    """Place core and extras; whether the room has what a room of its kind cannot do without."""
     for step in setup.core:
         builder.run(step)
-    cored = builder.space.n > 0
-    left = [step for step in setup.extra for _ in range(1)]
+    have = set(builder.space.category)
+    cored = all(have & set(names) for names in setup.must) and bool(have)
+    left = list(setup.extra)
     while left and not builder.full:
         weight = np.array([step.weight for step in left])
         k = int(builder.rng.choice(len(left), p=weight / weight.sum()))

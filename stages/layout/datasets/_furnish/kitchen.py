@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.random import Generator
+from numpy.typing import NDArray
 
 from stages import boxes
 from stages.boxes import Array, Boxes
@@ -12,7 +13,7 @@ from stages.layout.datasets._furnish.space import Space
 
 USE = (0.75, 0.0, 0.0)
 """Floor kept free before a run, m."""
-TRIES = 14
+TRIES = 7
 FILLERS = ("kitchen_base", "kitchen_drawers", "kitchen_base")
 
 
@@ -84,60 +85,82 @@ def _best_run(space: Space, units: list[str], style: Kitchen, rng: Generator) ->
     """Build the longest run found; the units that did not fit."""
     best: list[tuple[str, Boxes]] = []
     for k in range(TRIES):
-        keep = units if k < 2 * TRIES // 3 else units[: max(2, len(units) - k % 4 - 1)]
+        keep = units if k < 2 else units[: max(2, len(units) - k + 1)]
+        if len(keep) <= len(best):
+            break
         line = _order(keep, style, rng)
         run = _run(space, line, [_size(name, style, rng) for name in line], rng)
-        if len(run) > len(best):
+        if len(run) > len(best) and _passable(space, run):
             best = run
         if len(best) == len(units):
             break
     left = list(units)
-    before = space.n
     for name, box in best:
         space.add(name, box, USE)
         left.remove(name)
-    if best and not space.stays_open("kitchen_base", space.body.take([before])):
-        space.drop_last(before)
-        return units
     return left
 
 
+def _passable(space: Space, run: list[tuple[str, Boxes]]) -> bool:
+    """Whether doors and what stands already can still be reached, and every unit of the run too."""
+    before = space.n
+    for name, box in run:
+        space.add(name, box, USE)
+    ok = bool(run) and space.stays_open(run[-1][0], run[-1][1])
+    space.drop_last(before)
+    return ok
+
+
 def _run(space: Space, line: list[str], sizes: list[Array], rng: Generator) -> list[tuple[str, Boxes]]:
-    """The line along a random wall, cut down to the longest part that fits."""
-    shape = space.shape
+    """The longest stretch of the line that fits along any wall, at a corner rather than anywhere."""
     widths = np.array([size[1] for size in sizes])
-    side = int(rng.choice(len(shape.length), p=shape.length**2 / (shape.length**2).sum()))
-    free = shape.length[side] - widths.sum()
-    starts = np.array([0.0, 0.0, free, free, free / 2, rng.uniform(0, max(free, 0.01))]) + 1e-3
-    at = float(rng.choice(starts)) if free > 0 else 1e-3
-    along, normal = shape.along[side], shape.normal[side]
-    middle = at + np.cumsum(widths) - widths / 2
-    fitting: list[bool] = []
-    placed: list[tuple[str, Boxes]] = []
-    for name, size, s in zip(line, sizes, middle, strict=True):
-        xy = shape.start[side] + along * s + normal * (size[0] / 2 + 1e-3)
-        box = Boxes(np.array([[*xy, size[2] / 2]]), size[None], np.array([np.arctan2(normal[1], normal[0])]))
-        placed.append((name, box))
-        fitting.append(s + size[1] / 2 <= shape.length[side] and bool(space.fits(name, box, USE)[0]))
-    return _longest(placed, fitting)
+    side, start, liking = _starts(space, float(widths.sum()), rng)
+    middle = start[:, None] + np.cumsum(widths) - widths / 2
+    along, normal = space.shape.along[side], space.shape.normal[side]
+    yaw = np.arctan2(normal[:, 1], normal[:, 0])
+    fitting = np.zeros((len(side), len(line)), bool)
+    placed: list[Boxes] = []
+    for k, (name, size) in enumerate(zip(line, sizes, strict=True)):
+        xy = space.shape.start[side] + along * middle[:, k, None] + normal * (size[0] / 2 + 1e-3)
+        at = Boxes(np.column_stack([xy, np.full(len(xy), size[2] / 2)]), np.tile(size, (len(xy), 1)), yaw)
+        placed.append(at)
+        fitting[:, k] = space.fits(name, at, USE)
+    spans = [_longest(row) for row in fitting]
+    score = np.array([hi - lo for lo, hi in spans]) + liking
+    best = int(score.argmax())
+    lo, hi = spans[best]
+    return [(line[k], placed[k].take([best])) for k in range(lo, hi)]
 
 
-def _longest(placed: list[tuple[str, Boxes]], fitting: list[bool]) -> list[tuple[str, Boxes]]:
-    """The longest stretch without a gap."""
+def _starts(space: Space, wide: float, rng: Generator) -> tuple[NDArray[np.int64], Array, Array]:
+    """Where a run of that width may begin: side, place along it, how much it is liked (below 1)."""
+    side, start, liking = [], [], []
+    for k, length in enumerate(space.shape.length):
+        free = float(length) - wide
+        ends = [1e-3, free - 1e-3] if free > 2e-3 else [1e-3, length - wide - 1e-3]
+        for s in [*ends, free / 2, *rng.uniform(min(free, 0.0), max(free, 0.01), 6)]:
+            side.append(k)
+            start.append(s)
+            liking.append(0.5 * (s in ends) + 0.4 * rng.random())
+    return np.array(side), np.array(start), np.array(liking)
+
+
+def _longest(fitting: NDArray[np.bool_]) -> tuple[int, int]:
+    """First and past-the-last unit of the longest stretch without a gap."""
     best, start = (0, 0), 0
     for k, good in enumerate([*fitting, False]):
         if not good:
             if k - start > best[1] - best[0]:
                 best = (start, k)
             start = k + 1
-    return placed[best[0] : best[1]]
+    return best
 
 
 def _single(space: Space, name: str, style: Kitchen, rng: Generator) -> None:
     """A needed unit on its own."""
-    for _ in range(10):
+    for _ in range(6):
         run = _run(space, [name], [_size(name, style, rng)], rng)
-        if run and space.stays_open(name, run[0][1]):
+        if run and _passable(space, run):
             space.add(name, run[0][1], USE)
             return
 

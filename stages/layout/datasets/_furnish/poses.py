@@ -4,16 +4,21 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.random import Generator
+from numpy.typing import NDArray
 
 from stages import boxes
 from stages.boxes import Array, Boxes
 from stages.categories import TABLE
+from stages.layout.datasets._furnish.shape import within
 from stages.layout.datasets._furnish.space import Space
 from stages.layout.datasets._furnish.step import Step
 
 Poses = tuple[Boxes, int]
 ALONG = 0.1
 """Spacing of candidates along a wall, m."""
+HANG = 0.03
+"""Farthest that the back of what hangs on a wall is from it, m."""
+LAMPS_APART = 1.3
 UNDER = 0.2
 """How far a chair may be pushed under its table, m."""
 
@@ -34,6 +39,24 @@ def height_of(name: str, size: Array, ceiling: float) -> float:
     if kind.place == "wall":
         return float(min(kind.z, ceiling - size[2] - 0.02) + size[2] / 2)
     return float(size[2] / 2)
+
+
+def hangs(name: str, at: Boxes, space: Space) -> NDArray[np.bool_]:
+    """Which boxes have a wall right behind them, for what hangs on one; ceiling lamps keep apart."""
+    ok = np.ones(at.n, bool)
+    if (TABLE[name].place == "wall" or name == "tv_stand") and at.n:
+        behind = at.center[:, :2] - boxes.axes(at)[:, 0] * (at.size[:, :1] / 2 + HANG + 0.02 * (name == "tv_stand"))
+        ok &= ~within(behind, space.shape.start)
+    others = space.find(("ceiling_lamp",))
+    if name == "ceiling_lamp" and others:
+        offset = at.center[:, None, :2] - space.body.center[others, :2]
+        ok &= np.hypot(offset[..., 0], offset[..., 1]).min(1) > LAMPS_APART
+    return ok
+
+
+def prior(step: Step, n: int) -> Array:
+    """Seats are filled in the order given: opposite one another, ends last."""
+    return -0.6 * np.arange(n) if step.at == "around" else np.zeros(n)
 
 
 def _gap(step: Step, rng: Generator) -> float:
@@ -140,10 +163,10 @@ def across(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
     return _boxes(xy, np.full(len(xy), yaw + np.pi) + step.turn * rng.normal(size=len(xy)), size, name, space), i
 
 
-def _ahead(space: Space, i: int) -> float:
-    """Distance from the front of object `i` straight to the wall."""
-    origin, yaw = _relative(space, i, np.array([[space.body.size[i, 0] / 2, 0.0]]))
-    d = np.array([np.cos(yaw), np.sin(yaw)])
+def _ahead(space: Space, i: int, sign: float = 1.0) -> float:
+    """Distance from the front of object `i` straight to the wall; from its back with `sign` -1."""
+    origin, yaw = _relative(space, i, np.array([[sign * space.body.size[i, 0] / 2, 0.0]]))
+    d = sign * np.array([np.cos(yaw), np.sin(yaw)])
     shape = space.shape
     facing = shape.normal @ d
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -161,8 +184,9 @@ def around(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
     d, w, _ = space.body.size[i]
     if space.category[i] == "round_table":
         angle = rng.uniform(0, 2 * np.pi) if not _seats(space, i) else _seats(space, i)[0]
-        angle = angle + np.arange(8) * np.pi / (2 if d < 1.2 else 3)
-        reach = d / 2 + size[0] / 2 + rng.uniform(*step.gap, 8)
+        turns = np.array([0, 2, 1, 3]) * np.pi / 2 if d < 1.2 else np.array([0, 3, 1, 4, 2, 5]) * np.pi / 3
+        angle = angle + turns
+        reach = d / 2 + size[0] / 2 + rng.uniform(*step.gap, len(angle))
         offset, turn = np.column_stack([np.cos(angle), np.sin(angle)]) * reach[:, None], angle + np.pi
     else:
         offset, turn = _rows(d, w, size, rng.uniform(*step.gap, 20))
@@ -229,7 +253,7 @@ def above(space: Space, name: str, size: Array, step: Step, rng: Generator) -> P
         return _none(name, size, space)
     d, w, h = space.body.size[i]
     top = float(space.body.center[i, 2] + h / 2)
-    back = -d / 2 - space.gap[i] + size[0] / 2 + 0.005
+    back = -d / 2 - _ahead(space, i, -1.0) + size[0] / 2 + 0.005
     spare = max(0.0, (w - size[1]) / 2)
     aside = np.r_[0.0, rng.uniform(-spare, spare, 3)]
     xy, yaw = _relative(space, i, np.column_stack([np.full(4, back), aside]))
@@ -270,11 +294,18 @@ def under(space: Space, name: str, size: Array, step: Step, rng: Generator) -> P
     i = _anchor(space, step, rng)
     if i < 0:
         return _none(name, size, space)
-    d = space.body.size[i, 0]
-    ahead = 0.0 if "table" in space.category[i] else d / 2 + size[0] * rng.uniform(-0.35, 0.3)
-    xy, yaw = _relative(space, i, np.array([[ahead + s, 0.0] for s in (0.0, -0.2, 0.2, -0.5)]))
-    yaws = np.full(4, yaw) + rng.normal(0, step.turn, 4)
-    return _boxes(xy, yaws, size, name, space), i
+    d, w, _ = space.body.size[i]
+    if space.category[i] == "single_bed":
+        side = (w / 2 + size[0] * rng.uniform(0.1, 0.45)) * np.array([1, -1, 1, -1])
+        xy, yaw = _relative(space, i, np.column_stack([rng.uniform(-0.2, 0.5, 4), side]))
+        return _boxes(xy, np.full(4, yaw + np.pi / 2), size, name, space), i
+    ahead = 0.0
+    if space.category[i] == "double_bed":
+        ahead = rng.uniform(0.2, 0.6) * d
+    elif "sofa" in space.category[i]:
+        ahead = d / 2 + size[0] * rng.uniform(0.2, 0.4)
+    xy, yaw = _relative(space, i, np.array([[ahead + s, 0.0] for s in (0.0, -0.1, 0.15, -0.2)]))
+    return _boxes(xy, np.full(4, yaw) + rng.normal(0, step.turn, 4), size, name, space), i
 
 
 def middle(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:

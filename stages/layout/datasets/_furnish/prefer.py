@@ -84,6 +84,14 @@ def faced(space: Space, at: Boxes, step: Step) -> Array:
     return np.asarray(seen.max(1) / 2)
 
 
+def retreat(space: Space, at: Boxes, step: Step) -> Array:
+    """A wall some way in front, so that who sits there has it at the back and looks into the room."""
+    away, along = _sides(space, at)
+    facing = boxes.axes(at)[:, 0] @ space.shape.normal.T
+    ahead = np.where((facing < -0.9) & (along > 0) & (along < space.shape.length), away - at.size[:, :1] / 2, 9.0)
+    return -np.abs(ahead.min(1) - 1.2).clip(0, 2.0)
+
+
 def middle(space: Space, at: Boxes, step: Step) -> Array:
     """Far from all walls and from what stands there."""
     cell = ((at.center[:, None, :2] - space.flat_grid) ** 2).sum(-1).argmin(1)
@@ -91,5 +99,5 @@ def middle(space: Space, at: Boxes, step: Step) -> Array:
 
 
 FEATURES: dict[str, Callable[[Space, Boxes, Step], Array]] = {
-    f.__name__: f for f in (corner, centre, long, back, window, door, near, faced, middle)
+    f.__name__: f for f in (corner, centre, long, back, window, door, near, faced, retreat, middle)
 }

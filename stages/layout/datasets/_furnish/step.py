@@ -18,7 +18,8 @@ class Step:
     `of`: what it relates to · `gap`: distance kept from wall or neighbour, m · `distance`: range for `across` ·
     `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, m · `turn`: spread of yaw,
     rad · `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) ·
-    `least`: floor area it takes, m² ·
+    `least`: floor area it takes, m² · `most`: no more than this many in the
+    room · `slots`: not where fewer objects than this are still wanted ·
     `then`: what follows, related to what was placed (`anchor`, its index) unless it has its own `of`.
     """
 
@@ -37,13 +38,18 @@ class Step:
     size: float | None = None
     weight: float = 1.0
     least: float = 0.0
+    most: int = 0
+    slots: int = 1
     anchor: int = -1
     then: tuple["Step", ...] = ()
 
 
 @dataclass(frozen=True)
 class Setup:
-    """One way to furnish a room: `core` in order of importance, then `extra` in random order."""
+    """One way to furnish a room: `core` in order of importance, then `extra` in random order.
+
+    `count`: least, objects per m² beyond it, most · `must`: of each of these sets of categories at least one.
+    """
 
     weight: float
     least: float
@@ -51,6 +57,7 @@ class Setup:
     core: tuple[Step, ...]
     extra: tuple[Step, ...]
     count: tuple[float, float, float]
+    must: tuple[tuple[str, ...], ...]
 
 
 def _step(row: dict[str, Any]) -> Step:
@@ -78,6 +85,7 @@ def setups(type: RoomType) -> tuple[Setup, ...]:
             core=tuple(_step(step) for step in row.get("core", [])),
             extra=tuple(_step(step) for step in row.get("extra", [])) + shared,
             count=tuple(row.get("count", table["count"])),
+            must=tuple(tuple(names) for names in row.get("must", table.get("must", []))),
         )
         for row in table["setup"]
     )
@@ -100,3 +108,16 @@ def use_of(step: Step, category: str) -> tuple[float, float, float]:
 def friends_of(category: str) -> tuple[str, ...]:
     """What may stand in the floor kept for the category's use."""
     return tuple(sizes().get(category, {}).get("friends", ()))
+
+
+def floor_for(category: str) -> float:
+    """Floor area below which a room has none of the category, m²."""
+    return float(sizes().get(category, {}).get("room", 0.0))
+
+
+def most_of(step: Step, category: str, type: RoomType) -> int:
+    """How many of the category a room of this type holds at most."""
+    if step.most:
+        return step.most
+    limit = sizes().get(category, {}).get("most", 99)
+    return int(limit.get(type, limit.get("other", 99)) if isinstance(limit, dict) else limit)
