@@ -96,6 +96,8 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         phrase = item.room
         if phrase is not None and phrase.areas and (phrase.headline or phrase.areas[0] > 5 * sense()["area"].get(phrase.type, 12.0)):
             said.total_area, phrase.areas = phrase.areas[0], ()
+        if item.kind == "fraction":
+            item = Item("share", "", item.text, values=item.values)
         if item.kind not in ("area", "share"):
             out.append(item)
             continue

@@ -26,6 +26,7 @@ class Entity:
     object_count: int | None = None
     counted: bool = False
     picked: bool = False
+    vague: bool = False
 
 
 class Household:
@@ -57,14 +58,17 @@ class Household:
             self._ban(phrase)
             self.refs[id(phrase)] = []
             return []
+        before = len(self.rooms)
         found = self._find(phrase)
+        for entity in self.rooms[before:]:
+            entity.vague = phrase.definite and phrase.count is None
         self._lay(phrase, found)
         self.refs[id(phrase)] = found
         if len(found) > 1:
             self.group = found
         self.last = found or self.last
         for owned in phrase.owned:
-            self._own(owned, found)
+            self._own(owned, found, phrase.quantifier in PAIRED)
         return found
 
     def _ban(self, phrase: RoomPhrase) -> None:
@@ -191,6 +195,12 @@ class Household:
         mentioned = id(phrase) in self.mentions
         if phrase.quantifier == "another":
             return self.add(phrase.type, int(phrase.count or 1))
+        vague = [e for e in known if e.vague and not e.labels & set(DISTINCT)]
+        if vague and not phrase.definite and (phrase.count is not None or not mentioned):
+            for entity in vague:
+                entity.vague = False
+            count = math.ceil(phrase.count or 1)
+            return vague[:count] + self.add(phrase.type, count - len(vague))
         if phrase.count is None:
             return self._uncounted(phrase, known, mentioned)
         count = math.ceil(phrase.count)
@@ -211,6 +221,8 @@ class Household:
         single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
         refers = phrase.quantifier == "the" or (mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals))
         if known and mentioned and phrase.quantifier == "a" and all("entrance" in e.labels for e in known):
+            return self.add(phrase.type)
+        if phrase.type == "bathroom" and mentioned and known and all("ensuite" in e.labels or "half" in e.labels for e in known):
             return self.add(phrase.type)
         if known and refers:
             free = [e for e in known if e.owner is None] or known
@@ -233,11 +245,11 @@ class Household:
             entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
             entity.objects += phrase.objects
 
-    def _own(self, owned: RoomPhrase, owners: list[Entity]) -> None:
+    def _own(self, owned: RoomPhrase, owners: list[Entity], all_of_them: bool = False) -> None:
         """Rooms that open off their owners."""
         if not owners or owned.negated:
             return
-        every = owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
+        every = all_of_them or owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
         made: list[Entity] = []
         for owner in owners if every else owners[:1]:
             count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))

@@ -11,6 +11,7 @@ from stages.plan.reader.tokens import Token
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 METRES = {"m": 1.0, "ft": 0.3048}
+JOINTS = {"-": "-", "to": "-", "x": "x", "by": "x", "and": "and", ",": "and", "und": "and", "et": "and", "y": "and", "bis": "-"}
 ABBREVIATED = ("sq", "approx", "ca", "incl", "no", "apt", "ft", "env")
 """A full stop after these ends no sentence."""
 
@@ -150,7 +151,7 @@ def _counts(parts: dict[str, str], n: float) -> tuple[tuple[str, float], ...]:
 
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _areas(_shares(_numbers(words)))
+    return _listing(_areas(_shares(_numbers(words))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
@@ -211,37 +212,70 @@ def _areas(words: list[Lexeme]) -> list[Lexeme]:
         area, end = _area(words, i)
         out.append(area or words[i])
         i = end if area else i + 1
+    return _area_lists(out)
+
+
+def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
+    """`12 m² and 14 m²` as one, unless the second belongs to a room of its own; `between 8 and 10 m²` as 9."""
+    out: list[Lexeme] = []
+    for i, word in enumerate(words):
+        last = out[-2] if len(out) > 1 else None
+        own = i + 1 < len(words) and words[i + 1].kind in ("room", "size", "label") and not words[i + 1].plural
+        if word.kind == "area" and last is not None and last.kind == "area" and out[-1].text in ("and", ",", "und", "et", "y") and not own:
+            out[-2:] = [replace(last, values=last.values + word.values)]
+        elif word.kind == "area" and len(word.values) == 2 and out and out[-1].text == "between":
+            out[-1] = replace(word, values=(sum(word.values) / 2,))
+        else:
+            out.append(word)
+    return out
+
+
+def _listing(words: list[Lexeme]) -> list[Lexeme]:
+    """`Bedrooms: 3` and `bedrooms (3)` are counts, `kitchen (10)` is an area."""
+    out = list(words)
+    for i in range(len(out) - 2):
+        room, mark, number = out[i : i + 3]
+        closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
+        if room.kind != "room" or mark.text not in ("(", ":", "-", "=") or number.kind != "number" or not closed:
+            continue
+        if room.plural or (number.number <= 3 and number.number % 1 == 0):
+            out[i : i + 3] = [number, room, replace(mark, kind="stop", value="", text=",")]
+        elif number.number >= 2:
+            out[i + 2] = Lexeme("area", "", number.text, values=(number.number,))
     return out
 
 
 def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
-    """`12 m²`, `10-12 m²`, `12 and 14 m²`, `3 x 4 m`, `10 by 12 ft`."""
+    """`12 m²`, `10-12 m²`, `12 and 14 m²`, `3 x 4 m`, `3m x 4m`, `10 by 12 ft`."""
+    numbers, joints, j = _numbers_joined(words, i)
+    unit = words[j].value if numbers and j < len(words) and words[j].kind == "unit" else ""
+    if "x" in joints and len(numbers) == 2 and unit not in SQUARE_METRES:
+        end = j + 1 if unit in METRES else j
+        return _made([numbers[0] * numbers[1] * METRES.get(unit, 1.0) ** 2], words, i, end), end
+    if unit not in SQUARE_METRES:
+        return None, i
+    values = [sum(numbers) / 2] if joints == ["-"] else numbers
+    return _made([v * SQUARE_METRES[unit] for v in values], words, i, j + 1), j + 1
+
+
+def _numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str], int]:
+    """Numbers from `i` on, what stands between them, and where they end."""
     numbers: list[float] = []
     joints: list[str] = []
     j = i
     while j < len(words) and words[j].kind == "number":
         numbers.append(words[j].number)
         j += 1
-        if j < len(words) and words[j].value == "m" and j + 1 < len(words) and words[j + 1].text in ("x", "by"):
-            j += 1
-        if j + 1 >= len(words) or words[j + 1].kind != "number":
+        k = j + 1 if j + 1 < len(words) and words[j].value in METRES and words[j + 1].text in ("x", "by") else j
+        if k < len(words) and words[k].kind == "number" and words[k].joined:
+            joints.append("-")
+            j = k
+        elif k + 1 < len(words) and words[k + 1].kind == "number" and words[k].text in JOINTS:
+            joints.append(JOINTS[words[k].text])
+            j = k + 1
+        else:
             break
-        joint = "-" if words[j].text in ("-", "to") or words[j + 1].joined else words[j].text
-        if joint not in ("-", "x", "by", "and", ",", "und", "et", "y", "m"):
-            break
-        joints.append("x" if joint == "by" else joint)
-        j += 0 if words[j].kind == "number" else 1
-    if not numbers or j >= len(words) or words[j].kind != "unit":
-        if "x" in joints and len(numbers) == 2:
-            return _made([numbers[0] * numbers[1]], words, i, j), j
-        return None, i
-    unit = words[j].value
-    if "x" in joints and len(numbers) == 2 and unit in METRES:
-        return _made([numbers[0] * numbers[1] * METRES[unit] ** 2], words, i, j + 1), j + 1
-    if unit not in SQUARE_METRES:
-        return None, i
-    values = [sum(numbers) / 2] if joints == ["-"] else numbers
-    return _made([v * SQUARE_METRES[unit] for v in values], words, i, j + 1), j + 1
+    return numbers, joints, j
 
 
 def _made(values: list[float], words: list[Lexeme], i: int, j: int) -> Lexeme:

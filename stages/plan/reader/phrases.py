@@ -174,6 +174,8 @@ class Phraser:
         word, p = words[i], self.pending
         kind, _, label = word.value.partition(":")
         labels = set(p.labels) | ({label} if label else set())
+        if p.quantifier == "both" and not word.plural:
+            p.quantifier = "the"  # "both the bedroom and the hallway"
         phrase = RoomPhrase(kind, labels, p.number, p.quantifier, p.ordinals, word.plural, negated=p.negated, factor=p.factor, text=word.text)
         phrase.areas = p.area.values if p.area else ()
         phrase.share = p.share
@@ -193,7 +195,7 @@ class Phraser:
                 j += 1
             else:
                 break
-        if numbers and phrase.count is None and words[i].text[0].isdigit() and (len(numbers) == 1 or phrase.plural):
+        if numbers and phrase.count is None and (words[i].text[0].isdigit() or phrase.plural) and (len(numbers) == 1 or phrase.plural):
             phrase.ordinals = tuple(numbers)
             return j
         return i

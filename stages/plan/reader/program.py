@@ -37,14 +37,14 @@ def read(prompt: str) -> Program:
     said = parse(prompt)
     home = Household(mentions(said.statements))
     _counts_in_bounds(said)
-    for phrase in said.rooms:
+    for phrase in sorted(said.rooms, key=lambda p: not p.headline):
         home.resolve(phrase)
     if not home.rooms and not said.dwelling and not said.main_rooms:
         raise BadInput(f"no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. \"two-bedroom flat with a study\"")
     doors = _doors(said.statements, home)
     complete = said.only or _full_graph(said, home, doors)
     if not complete:
-        _missing(said, home)
+        _missing(said, home, doors)
     _every_room(said.statements, home, doors)
     _ensuites(home, doors)
     return _program(said, home, doors, complete)
@@ -176,7 +176,7 @@ def _lone(said: Said, home: Household) -> bool:
     return len(home.rooms) < 3 and not homely
 
 
-def _missing(said: Said, home: Household) -> None:
+def _missing(said: Said, home: Household, doors: _Doors) -> None:
     """Rooms a home has even when nobody says so."""
     data = sense()["missing"]
     banned = {kind for kind, label in home.banned if not label}
@@ -193,10 +193,25 @@ def _missing(said: Said, home: Household) -> None:
     for kind in data["always"]:
         if kind not in banned and not (home.of(kind) and kind != "bathroom"):
             _add_missing(kind, home, data)
-    if home.of("bedroom") and "hallway" not in banned and not home.of("hallway") and said.dwelling != "studio":
+    if home.of("bedroom") and "hallway" not in banned and not home.of("hallway") and not _around_living(said, home, doors):
         home.add("hallway")
     if not home.of("bedroom"):
         _studio(home)
+
+
+def _around_living(said: Said, home: Household, doors: _Doors) -> bool:
+    """Whether all private rooms have doors to lived-in rooms, so that no hallway is wanted."""
+    if said.dwelling == "studio":
+        return True
+    hubs = [e for s in said.statements for p in (*s.left, *s.right) for e in home.refs.get(id(p), []) if any(q.type == "any" for q in (*s.left, *s.right))]
+    if hubs:
+        return True
+
+    def served(e: Entity) -> bool:
+        near = [b if a is e else a for a, b in doors.links if e in (a, b)]
+        return any(n.type in OPEN_TYPES for n in near) or any(n.type == "bedroom" and e.type == "bathroom" for n in near)
+
+    return all(served(e) for kind in ("bedroom", "bathroom") for e in home.of(kind))
 
 
 def _bedrooms(said: Said, data: dict[str, Any]) -> int:
@@ -328,8 +343,7 @@ def _areas(said: Said, home: Household, rooms: list[AskedRoom], links: list[Link
 def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> None:
     for kind in ROOM_TYPES:
         same = [ids[id(e)] for e in home.of(kind) if "equal" in e.labels]
-        for i in same:
-            base[i] = sum(base[j] for j in same) / len(same)
+        base.update(dict.fromkeys(same, sum(base[j] for j in same) / max(len(same), 1)))
 
 
 def _compare(s: Statement, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]) -> None:
@@ -337,8 +351,7 @@ def _compare(s: Statement, home: Household, ids: dict[int, str], base: dict[str,
     left = [ids[id(e)] for e in _entities(s.left, home)]
     right = [ids[id(e)] for e in _entities(s.right, home)]
     if s.kind == "equal":
-        for i in left:
-            base[i] = sum(base[j] for j in left) / len(left)
+        base.update(dict.fromkeys(left, sum(base[j] for j in left) / max(len(left), 1)))
     if s.kind != "compare" or not left or not right:
         return
     reference = sum(stated.get(j, base[j]) for j in right) / len(right)

@@ -31,8 +31,21 @@ def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[
         left = _rooms(items, *p.subject) or before
         stop = found[k + 1] if k + 1 < len(found) else None
         right = _objects(items, p, stop, left)
+        if not right and p.form in ("s", "p"):
+            right = _relative_object(items, p)
+        if any(i.value == "except" for i in items[p.at :]):
+            for phrase in (*left, *right):
+                phrase.quantifier = "other" if phrase.type == "any" else phrase.quantifier
         out += _statement(p, left, right)
     return out
+
+
+def _relative_object(items: list[Item], p: _Predicate) -> list[RoomPhrase]:
+    """`a living room that all other rooms open onto`."""
+    j = p.subject[0] - 1
+    if j > 0 and items[j].kind == "relative" and items[j - 1].room is not None:
+        return _rooms(items, j - 1, j)
+    return []
 
 
 def _rooms(items: list[Item], start: int, end: int) -> list[RoomPhrase]:
@@ -47,6 +60,8 @@ def _predicates(items: list[Item], graph: bool) -> list[_Predicate]:
         first = not any(i.room for i in items[:k]) or (k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ",")))
         if _is_front(items, k, first):
             out.append(_Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
+        elif item.kind == "front" and _way_in(items, k):
+            out.append(_Predicate(k, "door", "part", negated))
         elif item.kind == "link":
             if out and out[-1].form == "front" and k <= out[-1].at:
                 continue
@@ -76,6 +91,12 @@ def _opens_to(items: list[Item], k: int) -> tuple[str, str] | None:
 
 def _near_room(items: list[Item], k: int) -> bool:
     return items[k - 1].room is not None or (k > 1 and is_mark(items[k - 1], ",") and items[k - 2].room is not None)
+
+
+def _way_in(items: list[Item], k: int) -> bool:
+    """`you enter the kitchen through the living room`."""
+    between = 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
+    return between and any(i.kind == "reach" for i in items[:k])
 
 
 def _is_front(items: list[Item], k: int, first: bool) -> bool:
@@ -191,7 +212,7 @@ def _objects(items: list[Item], p: _Predicate, following: _Predicate | None, lef
                 break
             if not phrase.negated and phrase not in left:
                 out.append(phrase)
-        elif item.kind in ("boundary", "dwelling") or is_mark(item, ":()") or (item.kind == "with" and out):
+        elif item.kind in ("boundary", "dwelling") or item.value == "except" or is_mark(item, ":()") or (item.kind == "with" and out):
             break
     return out
 

@@ -87,9 +87,9 @@ def _run(items: list[Item], i: int) -> int:
     while j < len(items):
         item = items[j]
         separated = item.kind == "conjunction" or is_mark(item, "/,")
-        if item.room is not None and item.value in OPEN_TYPES and item.value not in seen and not item.room.negated:
+        if item.room is not None and item.value in OPEN_TYPES and item.value not in seen and not item.room.negated and "separate" not in item.room.labels:
             linked = item.joined or is_mark(items[j - 1], "/") or (items[j - 1].room is not None and _separates(items))
-            listed = not is_mark(items[j - 1], ",") or any(x.kind == "conjunction" for x in items[j + 1 : j + 3]) or len(seen) > 1
+            listed = not is_mark(items[j - 1], ",") or any(x.kind == "conjunction" for x in items[j + 1 : j + 3]) or len(seen) > 1 or any(x.value in OPEN_TYPES for x in items[j + 2 : j + 3])
             if (tight_only and not linked and not _open_after(items, j)) or item.room.quantifier == "a" or not listed:
                 break
             seen.add(item.value)
