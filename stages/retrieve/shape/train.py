@@ -9,27 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from pydantic import Field
 from safetensors.torch import save_file
 
-from schemas.base import Record
+from stages.retrieve.shape.config import ShapeTraining
 from stages.retrieve.shape.designs import Maker, drawn, embedded_maker, fields
 from stages.retrieve.shape.vae import LATENT, Batch, ShapeVAE, Weights, loss
 
 LOG = logging.getLogger("apartgen")
-
-
-class ShapeTraining(Record):
-    """How the autoencoder is trained; travels in the weights' header."""
-
-    seed: int = 0
-    variants: int = Field(default=12, ge=1, description="pieces of every style to learn from")
-    epochs: int = Field(default=40, ge=1)
-    batch: int = Field(default=64, ge=2)
-    rate: float = Field(default=2e-3, gt=0)
-    beta: float = Field(default=0.1, ge=0, description="weight of the divergence from the prior")
-    color_weight: float = Field(default=20.0, ge=0)
-    style_weight: float = Field(default=20.0, ge=0)
 
 
 class Pieces(NamedTuple):
