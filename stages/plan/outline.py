@@ -16,8 +16,10 @@ from schemas.plan import Envelope, Side
 Array = NDArray[np.float64]
 SIDES: tuple[Side, ...] = ("south", "east", "north", "west")
 OPPOSITE: dict[Side, Side] = {"south": "north", "north": "south", "east": "west", "west": "east"}
-GREATEST_STRETCH = 1.75
+GREATEST_ASPECT = 1.8
 """Longest side of a free outline's bounding box over the other."""
+PLAY = 1.2
+"""Factor by which annealing may change the aspect that was drawn, either way."""
 
 
 class Outline(NamedTuple):
@@ -46,22 +48,24 @@ def entrance_sides(envelope: Envelope) -> list[Side]:
     return facades or list(SIDES)
 
 
-def draw(envelope: Envelope, gross: float, regularity: float, entrances: list[Side], rng: Generator) -> Outline:
-    """A free outline of area `gross`, or the given one."""
-    if envelope.outline is not None:
-        return taken_apart(Polygon(envelope.outline), envelope, entrances, "outline", (1.0, 1.0))
-    shape = envelope.shape
+def wish(envelope: Envelope, regularity: float, rng: Generator) -> tuple[str, float]:
+    """A shape and an aspect of the bounding box; irregular flats have more corners."""
+    shape: str = envelope.shape
     if shape == "auto":
         odds = 0.8 * (1 - regularity) ** 1.5
-        shape = str(rng.choice(["rectangle", "L", "notched"], p=[1 - odds, 0.6 * odds, 0.4 * odds]))  # type: ignore[assignment]
-    aspect = rng.uniform(0.7, 1.45)
+        shape = str(rng.choice(["rectangle", "L", "notched"], p=[1 - odds, 0.6 * odds, 0.4 * odds]))
+    return shape, float(np.exp(rng.uniform(-1, 1) * np.log(GREATEST_ASPECT / PLAY)))
+
+
+def draw(envelope: Envelope, gross: float, shape: str, aspect: float, rng: Generator) -> Outline:
+    """A free outline of area `gross` near an aspect, or the given one."""
+    if envelope.outline is not None:
+        return taken_apart(Polygon(envelope.outline), envelope, "outline", (1.0, 1.0))
     unit = _shape(shape, aspect, rng)
     scale = float(np.sqrt(gross / unit.area))
     polygon = shapely.transform(unit, lambda xy: xy * scale)
     # A stretch s makes the bounding box s² times as long.
-    least = np.sqrt(1 / GREATEST_STRETCH / aspect)
-    greatest = np.sqrt(GREATEST_STRETCH / aspect)
-    return taken_apart(polygon, envelope, entrances, shape, (float(least), float(greatest)))
+    return taken_apart(polygon, envelope, shape, (float(PLAY**-0.5), float(PLAY**0.5)))
 
 
 def _shape(shape: str, aspect: float, rng: Generator) -> Polygon:
@@ -89,10 +93,9 @@ def _less(whole: Polygon, cut: Polygon) -> Polygon:
     return rest
 
 
-def taken_apart(
-    polygon: Polygon, envelope: Envelope, entrances: list[Side], shape: str, stretch: tuple[float, float]
-) -> Outline:
+def taken_apart(polygon: Polygon, envelope: Envelope, shape: str, stretch: tuple[float, float]) -> Outline:
     """Blocks and edges of a rectilinear gross outline."""
+    entrances = entrance_sides(envelope)
     ring = shapely.geometry.polygon.orient(polygon).exterior.coords
     edges = [_edge(a, b, envelope, entrances) for a, b in zip(ring[:-1], ring[1:], strict=True)]
     return Outline(shape, blocks(polygon), np.array(edges, float).reshape(-1, 6), stretch)

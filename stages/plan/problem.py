@@ -9,7 +9,7 @@ from numpy.random import Generator
 from schemas.plan import AskedRoom, Program, Walls
 from stages.plan.check import entrance_room, links, neighbours
 from stages.plan.kernel import Ints, Problem, Scratch, Tree
-from stages.plan.outline import Outline
+from stages.plan.outline import Outline, wish
 from stages.plan.standards import LINK_WALL, STANDARDS
 
 WEIGHTS: dict[str, float] = {
@@ -25,7 +25,7 @@ WEIGHTS: dict[str, float] = {
     "narrow_passage": 5.0,
     "staircase_occupancy": 1.0,
     "staircase_iou": 0.5,
-    "near_rooms": 0.5,
+    "near_rooms": 1.0,
     "wide_corridor": 4.0,
 }
 """Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
@@ -41,6 +41,32 @@ class Slack:
     envelope: bool = False
 
 
+@dataclass(frozen=True)
+class Whim:
+    """What the programme leaves open, drawn once for many runs: it is what makes two seeds differ."""
+
+    parts: tuple[int, ...]
+    near: Ints
+    shape: str
+    aspect: float
+
+
+def whim(program: Program, rng: Generator) -> Whim:
+    """A corridor of one to three rectangles, few other rooms of two, pairs of rooms to be near, an outline."""
+    rooms = [i for i, r in enumerate(program.rooms) if r.type != "hallway"]
+    pairs = [rng.choice(rooms, 2, replace=False) for _ in range(2 if len(rooms) > 1 else 0)]
+    shape, aspect = wish(program.envelope, program.regularity, rng)
+    parts = tuple(_parts(program, room, area, rng) for room, area in zip(program.rooms, areas(program).values(), strict=True))
+    return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 3, axis=0), shape, aspect)
+
+
+def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
+    if room.type != "hallway":
+        return 2 if area >= 9 and rng.random() < (1 - program.regularity) ** 2 else 1
+    many = min(len(program.rooms) / 8, 1.0)
+    return int(rng.choice([1, 2, 3], p=[1 - 0.65 * many, 0.45 * many, 0.2 * many]))
+
+
 def areas(program: Program) -> dict[str, float]:
     """Net area wanted of every room, at least the least of its type."""
     return {r.id: max(r.area or 1.6 * STANDARDS[r.type].area, STANDARDS[r.type].area) for r in program.rooms}
@@ -51,19 +77,19 @@ def gross_area(program: Program, walls: Walls) -> float:
     return sum(a + 2.03 * np.sqrt(a) * walls.inner + walls.inner**2 for a in areas(program).values())
 
 
-def problem(program: Program, outline: Outline, parts: list[int], walls: Walls, slack: Slack) -> Problem:
-    """Arrays for one run; `parts` says of how many rectangles each room is made."""
+def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack: Slack) -> Problem:
+    """Arrays for one run; of the programme within an outline."""
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
     spec = [
         _spec(room, wanted[room.id], 2.0 + 2 * many, room.id in joined, slack)
-        for room, many in zip(rooms, parts, strict=True)
+        for room, many in zip(rooms, whim.parts, strict=True)
     ]
     return Problem(
         spec=np.array(spec),
         links=np.array([(index[a], index[b]) for a, b in links(program)], np.int64).reshape(-1, 2),
-        near=_near(program),
+        near=np.concatenate([_near(program), whim.near]),
         order=_ways(program, index),
         blocks=outline.blocks,
         edges=outline.edges,
@@ -113,20 +139,7 @@ def _ways(program: Program, index: dict[str, int]) -> Ints:
     return np.array([(i, before[program.rooms[i].id]) for i in order], np.int64)
 
 
-def parts(program: Program, rng: Generator) -> list[int]:
-    """Of how many rectangles each room is made: corridors of up to three, others rarely of two when regular."""
-    odd = (1 - program.regularity) ** 2
-    out = []
-    for room, area in zip(program.rooms, areas(program).values(), strict=True):
-        if room.type == "hallway":
-            many = min(len(program.rooms) / 8, 1.0)
-            out.append(int(rng.choice([1, 2, 3], p=[1 - 0.65 * many, 0.45 * many, 0.2 * many])))
-        else:
-            out.append(2 if area >= 9 and rng.random() < odd else 1)
-    return out
-
-
-def start(program: Program, parts: list[int], stretch: tuple[float, float], rng: Generator) -> Tree:
+def start(program: Program, parts: tuple[int, ...], stretch: tuple[float, float], rng: Generator) -> Tree:
     """A random tree over the rooms' parts."""
     wanted = list(areas(program).values())
     room = np.repeat(np.arange(len(parts)), parts)

@@ -16,12 +16,16 @@ from stages.plan import doors, kernel, windows
 from stages.plan.check import check
 from stages.plan.config import PlanConfig
 from stages.plan.kernel import EPS, Floats, Ints
-from stages.plan.outline import draw, entrance_sides
-from stages.plan.problem import Slack, copy, gross_area, parts, problem, scratch, start
+from stages.plan.outline import draw
+from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
 from stages.plan.relax import Step, ladder
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
+SPREAD = 8.0
+"""Difference of cost up to which one arrangement is as good as another."""
+PATIENCE = 2
+"""Waves of runs before a whim that has led nowhere is dropped."""
 
 log = logging.getLogger("apartgen")
 
@@ -36,16 +40,15 @@ class Run:
     owner: Ints
 
 
-def anneal(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Run:
+def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng: Generator) -> Run:
     """One run from a random start."""
-    entrances = entrance_sides(program.envelope)
-    outline = draw(program.envelope, gross_area(program, config.walls), program.regularity, entrances, rng)
-    many = parts(program, rng)
-    p = problem(program, outline, many, config.walls, slack)
-    tree = start(program, many, outline.stretch, rng)
-    new, best, z = copy(tree), copy(tree), scratch(len(many), sum(many), len(outline.blocks))
+    gross = gross_area(program, config.walls)
+    outline = draw(program.envelope, gross, wanted.shape, wanted.aspect, rng)
+    p = problem(program, outline, wanted, config.walls, slack)
+    tree = start(program, wanted.parts, outline.stretch, rng)
+    new, best, z = copy(tree), copy(tree), scratch(len(program.rooms), sum(wanted.parts), len(outline.blocks))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
-    cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(many), HOT, COLD)
+    cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(wanted.parts), HOT, COLD)
     count = kernel.lay(p, best, z)
     return Run(float(cost), float(z.terms[-1]), z.piece[:count].copy(), z.owner[:count].copy())
 
@@ -84,9 +87,11 @@ def ring(shape: Polygon) -> list[tuple[float, float]]:
 def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:
     """Annealing runs, a wave at a time; what they are does not depend on the number of threads."""
     with ThreadPoolExecutor(config.processes) as pool:
-        for _ in range(0, config.restarts, config.wave):
+        for i in range(0, config.restarts, config.wave):
+            if i % (PATIENCE * config.wave) == 0:
+                wanted = whim(program, rng)
             lanes = rng.spawn(config.wave)
-            yield list(pool.map(lambda lane: anneal(program, config, slack, lane), lanes))
+            yield list(pool.map(lambda lane: anneal(program, config, slack, wanted, lane), lanes))
 
 
 def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
@@ -100,19 +105,20 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             closest = min([*runs, *([closest] if closest else [])], key=lambda run: run.lack)
             if len(valid) < config.enough:
                 continue
-            plan = _first(step.program, valid, config)
+            plan = _first(step.program, valid, config, rng)
             if plan is not None:
                 return _reported(plan, program, step)
             valid = []
-        plan = _first(step.program, valid, config)
+        plan = _first(step.program, valid, config, rng)
         if plan is not None:
             return _reported(plan, program, step)
     raise Unmet(_contradiction(program, closest))
 
 
-def _first(program: Program, runs: list[Run], config: PlanConfig) -> Plan | None:
-    """The cheapest run that takes doors and windows, as a plan."""
-    plans = (finish(program, run, config) for run in sorted(runs, key=lambda run: run.cost))
+def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator) -> Plan | None:
+    """The first run that takes doors and windows, as a plan: cheap ones first, near ties by lot."""
+    keys = [run.cost + SPREAD * rng.random() for run in runs]
+    plans = (finish(program, runs[i], config) for i in np.argsort(keys))
     return next((plan for plan in plans if plan is not None), None)
 
 
