@@ -4,7 +4,7 @@ from schemas.base import RoomType
 from stages.asset import Material
 from stages.materials import PALETTE
 
-WALL = Material("wall_core", (0.60, 0.60, 0.60, 1.0), 0.9)
+WALL = Material("wall_render", (0.80, 0.785, 0.76, 1.0), 0.9)
 CONCRETE = PALETTE["concrete"]
 CEILING = Material("ceiling_paint", (0.96, 0.96, 0.95, 1.0), 0.9)
 SKIRTING = Material("skirting_paint", (0.95, 0.94, 0.92, 1.0), 0.5)
@@ -19,7 +19,7 @@ _OAK, _TILE, _DECK = PALETTE["floor_oak"], PALETTE["floor_tile"], PALETTE["decki
 _PAINT = Material("wall_paint", (0.93, 0.91, 0.87, 1.0), 0.9)
 _WARM = Material("wall_paint_sand", (0.90, 0.86, 0.78, 1.0), 0.9)
 _COOL = Material("wall_paint_mist", (0.84, 0.88, 0.88, 1.0), 0.9)
-_RENDER = Material("wall_render", (0.86, 0.85, 0.82, 1.0), 0.95)
+_RENDER = Material("balcony_render", (0.86, 0.85, 0.82, 1.0), 0.95)
 _TILED = PALETTE["tile_white"]
 
 _FLOORS: dict[RoomType, Material] = {

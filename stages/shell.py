@@ -98,14 +98,21 @@ def _storeys(plan: Plan) -> list[tuple[Geometry, float, float]]:
 
 def _walls(plan: Plan) -> Body:
     storeys = _storeys(plan)
-    visuals = [solids.extruded(area, z0, z1, finishes.WALL) for area, z0, z1 in storeys]
+    lined = unary_union([_skin(polygons.floor(room)) for room in plan.rooms])
+    cores = [(area.difference(lined), z0, z1) for area, z0, z1 in storeys]
+    visuals = [solids.extruded(area, z0, z1, finishes.WALL) for area, z0, z1 in cores if area.area > 1e-6]
     return _still("walls", "wall", "", visuals, [c for area, z0, z1 in storeys for c in solids.convex(area, z0, z1)])
+
+
+def _skin(floor: Polygon) -> Geometry:
+    """The outermost layer of the walls about a floor."""
+    return floor.buffer(LINING, join_style="mitre").difference(floor)
 
 
 def _linings(plan: Plan, room: Room) -> list[Body]:
     """The room's own finish of the walls about it, and its skirting."""
     floor = polygons.floor(room)
-    skin = floor.buffer(LINING, join_style="mitre").difference(floor)
+    skin = _skin(floor)
     finish = finishes.wall(room.type)
     faces = [
         solids.extruded(skin.intersection(area), z0, z1, finish)

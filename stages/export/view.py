@@ -1,0 +1,15 @@
+"""The furnished apartment seen from above with its ceilings off, as a picture, view.png."""
+
+from pathlib import Path
+
+from stages.export._render import picture
+from stages.scene import Scene
+
+
+def write(scene: Scene, out: Path) -> list[Path]:
+    """One file, view.png; needs no graphics card."""
+    from PIL import Image
+
+    path = out / "view.png"
+    Image.fromarray(picture(scene)).save(path, "PNG")
+    return [path]
