@@ -8,7 +8,7 @@ WORKERS ?= auto
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: demo test acceptance lint types check lock clean
+.PHONY: demo test acceptance lint types check docs lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -27,6 +27,11 @@ types: $(READY)
 	$(BIN)/mypy
 
 check: test lint types
+
+# Quotes the program's help in the documents anew.
+docs: $(READY)
+	-APARTGEN_WRITE_DOCS=1 $(BIN)/python -m pytest -q tests/test_docs.py
+	$(BIN)/python -m pytest -q tests/test_docs.py
 
 $(READY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'

@@ -2,7 +2,8 @@
 
 import logging
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from typing import TypeVar
 
 Item = TypeVar("Item")
@@ -35,11 +36,30 @@ def fail(message: str) -> None:
 
 
 def progress(items: Iterable[Item], what: str, total: int) -> Iterator[Item]:
-    """The items, with a bar on standard error while they come when a person watches several."""
-    if total < 2 or not sys.stderr.isatty() or log.level > logging.INFO:
+    """The items, with a bar while they come when there are several."""
+    if total < 2:
         yield from items
         return
-    from rich.console import Console
-    from rich.progress import track
+    with watched(what, total) as report:
+        for done, item in enumerate(items, 1):
+            yield item
+            report(done)
 
-    yield from track(items, what, total, console=Console(stderr=True), transient=True)
+
+@contextmanager
+def watched(what: str, total: int) -> Iterator[Callable[..., None]]:
+    """A bar on standard error where a person watches; `report(done, loss)` moves it."""
+    if not sys.stderr.isatty() or log.level > logging.INFO:
+        yield lambda done, loss=None: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(what, total=total)
+
+        def report(done: int, loss: float | None = None) -> None:
+            bar.update(task, completed=done, description=what if loss is None else f"{what} (loss {loss:.4f})")
+
+        yield report
