@@ -54,7 +54,10 @@ class Collider:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """One rigid part. `joint` is None for the base; `handle` is where a gripper takes hold, asset frame."""
+    """One rigid part. `joint` is None for the base; `handle` is where a gripper takes hold, asset frame.
+
+    `grip` is the handle's GAPartNet class (line_fixed_handle, round_fixed_handle), empty for a bare edge.
+    """
 
     name: str
     visuals: list[Mesh]
@@ -63,6 +66,7 @@ class Link:
     joint: Joint | None = None
     handle: Array | None = None
     friction: float = 0.6
+    grip: str = ""
 
 
 @dataclass(frozen=True, slots=True)

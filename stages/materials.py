@@ -1,0 +1,260 @@
+"""The palette of surfaces: physically based materials, their densities, and seeded procedural textures.
+
+A textured material's image carries its colour; `Material.color` is the image's mean, for renderers without
+textures, and must not be multiplied with it. Texture coordinates of the embedded library count repeats:
+one repeat of a pattern covers `span(name)` metres. Wood grain runs along the image's x axis (u).
+"""
+
+import zlib
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from schemas.errors import BadInput
+from stages.asset import Material
+
+Array = NDArray[np.float64]
+Image = NDArray[np.uint8]
+Pattern = Callable[[np.random.Generator, int, Array], Array]
+
+# name: (red, green, blue), roughness, metalness, pattern, density kg/m³
+_TABLE: dict[str, tuple[tuple[int, int, int], float, float, str, float]] = {
+    "oak": ((188, 146, 98), 0.55, 0, "wood", 700), "light_oak": ((214, 182, 138), 0.6, 0, "wood", 680),
+    "walnut": ((104, 70, 48), 0.5, 0, "wood", 640), "birch": ((226, 200, 160), 0.55, 0, "wood", 620),
+    "pine": ((222, 178, 118), 0.6, 0, "wood", 520), "cherry": ((142, 74, 46), 0.4, 0, "wood", 600),
+    "dark_oak": ((84, 62, 46), 0.55, 0, "wood", 720), "ash_black": ((48, 44, 42), 0.5, 0, "wood", 680),
+    "teak": ((158, 106, 64), 0.55, 0, "wood", 650), "bamboo": ((204, 170, 110), 0.5, 0, "wood", 600),
+    "chipboard": ((206, 198, 184), 0.7, 0, "", 680), "drawer_board": ((222, 214, 198), 0.7, 0, "", 650),
+    "white": ((240, 239, 235), 0.45, 0, "", 740), "cream": ((232, 223, 203), 0.5, 0, "", 740),
+    "sage": ((150, 166, 146), 0.5, 0, "", 740), "navy": ((46, 62, 88), 0.45, 0, "", 740),
+    "graphite": ((74, 77, 80), 0.5, 0, "", 740), "black": ((34, 34, 36), 0.5, 0, "", 740),
+    "greige": ((188, 178, 164), 0.5, 0, "", 740), "blush": ((214, 176, 164), 0.5, 0, "", 740),
+    "dusk_blue": ((134, 154, 172), 0.5, 0, "", 740), "mint": ((178, 208, 192), 0.5, 0, "", 740),
+    "yellow": ((226, 186, 84), 0.5, 0, "", 740),
+    "steel": ((190, 192, 194), 0.35, 1, "brushed", 7800), "chrome": ((214, 216, 220), 0.12, 1, "", 7800),
+    "aluminium": ((176, 178, 180), 0.45, 1, "brushed", 2700), "brass": ((196, 160, 92), 0.3, 1, "", 8400),
+    "copper": ((190, 120, 88), 0.3, 1, "", 8900), "black_metal": ((38, 39, 41), 0.5, 0.6, "", 7800),
+    "white_metal": ((232, 232, 230), 0.4, 0.2, "", 7800), "enamel": ((238, 239, 240), 0.25, 0, "", 2600),
+    "linen": ((206, 196, 178), 0.95, 0, "weave", 60), "grey_fabric": ((138, 140, 142), 0.95, 0, "weave", 60),
+    "charcoal_fabric": ((70, 72, 76), 0.95, 0, "weave", 60), "blue_fabric": ((78, 104, 132), 0.95, 0, "weave", 60),
+    "rust_fabric": ((176, 92, 58), 0.95, 0, "weave", 60), "mustard_fabric": ((202, 156, 66), 0.95, 0, "weave", 60),
+    "sage_fabric": ((134, 148, 122), 0.95, 0, "weave", 60), "cream_boucle": ((230, 224, 210), 1.0, 0, "boucle", 60),
+    "green_velvet": ((48, 88, 72), 0.8, 0, "velvet", 60), "blue_velvet": ((44, 60, 104), 0.8, 0, "velvet", 60),
+    "rose_velvet": ((184, 128, 126), 0.8, 0, "velvet", 60), "plum_velvet": ((96, 56, 80), 0.8, 0, "velvet", 60),
+    "tan_leather": ((160, 104, 62), 0.45, 0, "leather", 90), "brown_leather": ((92, 58, 40), 0.45, 0, "leather", 90),
+    "black_leather": ((44, 42, 42), 0.4, 0, "leather", 90), "mesh_black": ((52, 54, 58), 0.9, 0, "cane", 200),
+    "mattress": ((238, 236, 230), 0.95, 0, "quilt", 45), "bedding": ((240, 238, 234), 0.95, 0, "weave", 35),
+    "duvet_blue": ((122, 142, 164), 0.95, 0, "weave", 35), "duvet_sand": ((212, 196, 170), 0.95, 0, "weave", 35),
+    "duvet_green": ((142, 156, 132), 0.95, 0, "weave", 35), "duvet_rose": ((206, 168, 158), 0.95, 0, "weave", 35),
+    "duvet_grey": ((164, 166, 170), 0.95, 0, "weave", 35), "sheer": ((236, 234, 228), 0.95, 0, "weave", 250),
+    "towel": ((214, 222, 222), 1.0, 0, "boucle", 200), "paper_shade": ((242, 234, 214), 0.9, 0, "", 400),
+    "rug_kilim": ((176, 120, 92), 1.0, 0, "kilim", 250), "rug_plain": ((206, 198, 186), 1.0, 0, "boucle", 250),
+    "rug_border": ((120, 62, 56), 1.0, 0, "persian", 250), "rug_stripe": ((196, 188, 172), 1.0, 0, "stripe", 250),
+    "rug_berber": ((226, 220, 206), 1.0, 0, "berber", 250), "rug_blue": ((98, 118, 140), 1.0, 0, "persian", 250),
+    "jute": ((188, 158, 112), 1.0, 0, "wicker", 250), "fringe": ((222, 212, 192), 1.0, 0, "", 150),
+    "marble": ((232, 230, 226), 0.2, 0, "marble", 2700), "dark_marble": ((58, 60, 62), 0.2, 0, "marble", 2700),
+    "granite": ((96, 94, 92), 0.3, 0, "speckle", 2700), "terrazzo": ((218, 212, 202), 0.35, 0, "terrazzo", 2300),
+    "concrete": ((160, 158, 154), 0.8, 0, "cloud", 2300), "worktop_white": ((228, 226, 220), 0.35, 0, "speckle", 1700),
+    "tile_white": ((230, 232, 232), 0.25, 0, "tile", 2300), "floor_tile": ((190, 186, 178), 0.35, 0, "tile", 2300),
+    "floor_oak": ((196, 156, 110), 0.5, 0, "planks", 700), "plaster": ((240, 237, 230), 0.9, 0, "", 1200),
+    "carpet": ((178, 170, 158), 1.0, 0, "boucle", 250), "decking": ((146, 110, 78), 0.7, 0, "planks", 700),
+    "porcelain": ((244, 244, 242), 0.12, 0, "", 2400), "acrylic": ((245, 245, 244), 0.15, 0, "", 1200),
+    "glass": ((206, 226, 228), 0.05, 0, "", 2500), "smoked_glass": ((60, 64, 68), 0.08, 0, "", 2500),
+    "mirror": ((226, 232, 234), 0.03, 1, "", 2500), "screen": ((18, 19, 22), 0.15, 0, "", 1500),
+    "black_glass": ((24, 25, 28), 0.08, 0, "", 2500), "plastic_white": ((236, 236, 234), 0.4, 0, "", 950),
+    "plastic_black": ((40, 41, 44), 0.5, 0, "", 950), "plastic_grey": ((128, 131, 134), 0.5, 0, "", 950),
+    "rubber": ((46, 46, 48), 0.9, 0, "", 1100), "bulb": ((255, 244, 214), 0.3, 0, "", 400),
+    "leaf": ((70, 118, 58), 0.6, 0, "", 500), "leaf_dark": ((44, 88, 50), 0.5, 0, "", 500),
+    "leaf_light": ((124, 158, 84), 0.6, 0, "", 500), "leaf_grey": ((124, 142, 112), 0.7, 0, "", 500),
+    "flower_red": ((198, 62, 68), 0.7, 0, "", 300), "flower_pink": ((224, 142, 168), 0.7, 0, "", 300),
+    "flower_yellow": ((236, 196, 72), 0.7, 0, "", 300), "bark": ((112, 84, 60), 0.9, 0, "wood", 600),
+    "soil": ((66, 50, 38), 1.0, 0, "cloud", 1200), "terracotta": ((184, 106, 74), 0.85, 0, "cloud", 1900),
+    "rattan": ((196, 156, 104), 0.8, 0, "wicker", 350), "wicker_dark": ((110, 84, 60), 0.85, 0, "wicker", 350),
+    "cane": ((214, 182, 132), 0.8, 0, "cane", 350), "felt": ((120, 122, 124), 1.0, 0, "boucle", 200),
+    "keys_white": ((244, 243, 238), 0.3, 0, "", 1000), "piano_black": ((22, 22, 24), 0.1, 0, "", 740),
+}  # fmt: skip
+
+_ALPHA = {"glass": 0.28, "smoked_glass": 0.6, "sheer": 0.85}
+_SPAN = {
+    "wood": 1.2, "weave": 0.16, "boucle": 0.3, "velvet": 0.6, "leather": 0.3, "quilt": 0.25, "kilim": 0.8,
+    "persian": 0.7, "stripe": 0.5, "berber": 0.6, "wicker": 0.12, "marble": 1.2, "speckle": 0.5, "terrazzo": 0.6,
+    "cloud": 0.8, "tile": 0.6, "planks": 1.6, "brushed": 0.4, "cane": 0.08,
+}  # fmt: skip
+
+
+def _material(name: str) -> Material:
+    (r, g, b), roughness, metalness, pattern, _ = _TABLE[name]
+    color = (r / 255, g / 255, b / 255, _ALPHA.get(name, 1.0))
+    return Material(name, color, roughness, float(metalness), name if pattern else None)
+
+
+PALETTE: dict[str, Material] = {name: _material(name) for name in _TABLE}
+
+
+def density(name: str) -> float:
+    """kg/m³ of the solid material; upholstery and foliage as foam and air allow."""
+    return _TABLE[name][4]
+
+
+def span(name: str) -> float:
+    """Metres that one repeat of the material's texture covers; 1 for plain ones."""
+    return _SPAN.get(_TABLE[name][3], 1.0)
+
+
+def textures() -> tuple[str, ...]:
+    """Names that `texture` draws."""
+    return tuple(name for name, row in _TABLE.items() if row[3])
+
+
+@cache
+def texture(name: str, size: int = 256) -> Image:
+    """The tileable colour image (size, size, 3) of a textured material; the same bytes every time."""
+    if name not in _TABLE or not _TABLE[name][3]:
+        raise BadInput(f"no procedural texture {name!r}; one of {', '.join(textures())}")
+    color, _, _, pattern, _ = _TABLE[name]
+    rng = np.random.default_rng(zlib.crc32(name.encode()))
+    shade = _PATTERNS[pattern](rng, size, np.array(color, float))
+    image = np.clip(np.rint(shade), 0, 255).astype(np.uint8)
+    image.flags.writeable = False
+    return image
+
+
+def noise(rng: np.random.Generator, size: int, width: float, length: float | None = None) -> Array:
+    """Periodic Gaussian noise (size, size), unit variance; feature sizes in shares of the image, y then x."""
+    fy, fx = np.fft.fftfreq(size, 1 / size)[:, None], np.fft.fftfreq(size, 1 / size)[None, :]
+    keep = np.exp(-((fy * width) ** 2 + (fx * (width if length is None else length)) ** 2) * 4)
+    field = np.fft.ifft2(np.fft.fft2(rng.standard_normal((size, size))) * keep).real
+    return np.asarray((field - field.mean()) / (field.std() + 1e-12))
+
+
+def _lit(color: Array, change: Array) -> Array:
+    """The colour with a relative change of brightness (h, w)."""
+    return np.asarray(color * (1 + change[..., None]))
+
+
+def _grid(size: int) -> tuple[Array, Array]:
+    """Image coordinates in [0, 1): x (1, size), y (size, 1)."""
+    t = np.arange(size) / size
+    return t[None, :], t[:, None]
+
+
+def _wood(rng: np.random.Generator, size: int, color: Array) -> Array:
+    _, y = _grid(size)
+    warp = noise(rng, size, 0.25, 0.6)
+    rings = np.sin(2 * np.pi * (9 * y + 0.55 * warp))
+    return _lit(color, 0.05 * rings + 0.05 * noise(rng, size, 0.01, 0.5) + 0.04 * warp)
+
+
+def _weave(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    over = np.sin(64 * np.pi * x) * np.sin(64 * np.pi * y)
+    return _lit(color, 0.07 * over + 0.04 * noise(rng, size, 0.01, 0.12) + 0.04 * noise(rng, size, 0.12, 0.01))
+
+
+def _boucle(rng: np.random.Generator, size: int, color: Array) -> Array:
+    return _lit(color, 0.07 * noise(rng, size, 0.02) + 0.03 * noise(rng, size, 0.2))
+
+
+def _velvet(rng: np.random.Generator, size: int, color: Array) -> Array:
+    return _lit(color, 0.06 * noise(rng, size, 0.3) + 0.05 * noise(rng, size, 0.008))
+
+
+def _leather(rng: np.random.Generator, size: int, color: Array) -> Array:
+    cells = np.abs(noise(rng, size, 0.025))
+    return _lit(color, 0.12 * np.minimum(cells, 0.8) - 0.06 + 0.04 * noise(rng, size, 0.3))
+
+
+def _quilt(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    seam = np.minimum(np.abs(np.sin(2 * np.pi * (x + y))), np.abs(np.sin(2 * np.pi * (x - y))))
+    return _lit(color, -0.14 * np.exp(-seam * 9) + 0.01 * noise(rng, size, 0.01))
+
+
+def _stripe(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    band = np.where((x * 5 % 1) < 0.22, -0.38, 0.0) + 0 * y
+    return _lit(color, band + 0.05 * noise(rng, size, 0.01))
+
+
+def _berber(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    line = np.abs(np.abs((2 * x) % 1 - 0.5) + np.abs((2 * y) % 1 - 0.5) - 0.5)
+    return _lit(color, -0.65 * (line < 0.03) + 0.05 * noise(rng, size, 0.015))
+
+
+def _kilim(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    step = np.floor(16 * np.abs((2 * x) % 1 - 0.5)) / 16 + y * 2
+    tones = np.array([[1.0, 1.0, 1.0], [0.45, 0.5, 0.62], [1.3, 1.42, 1.5], [0.75, 0.55, 0.5]])
+    return np.asarray(color * tones[(step * 4 % 4).astype(int)] * (1 + 0.05 * noise(rng, size, 0.01))[..., None])
+
+
+def _persian(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    u, v = np.abs(x - 0.5), np.abs(y - 0.5)
+    figure = np.cos(10 * np.pi * u) * np.cos(10 * np.pi * v) + 0.6 * np.cos(30 * np.pi * np.hypot(u, v))
+    shade = np.where(figure > 0.75, 0.9, np.where(figure < -0.7, -0.4, 0.0))
+    return _lit(color, shade + 0.06 * noise(rng, size, 0.01))
+
+
+def _marble(rng: np.random.Generator, size: int, color: Array) -> Array:
+    vein = np.abs(noise(rng, size, 0.22) + 0.35 * noise(rng, size, 0.05))
+    sign = -1.0 if color.mean() > 128 else 1.6
+    return _lit(color, sign * 0.3 * np.exp(-vein * 14) + sign * 0.05 * noise(rng, size, 0.3))
+
+
+def _speckle(rng: np.random.Generator, size: int, color: Array) -> Array:
+    return _lit(color, 0.10 * noise(rng, size, 0.012) + 0.03 * noise(rng, size, 0.1))
+
+
+def _terrazzo(rng: np.random.Generator, size: int, color: Array) -> Array:
+    chips, tint = noise(rng, size, 0.05), noise(rng, size, 0.09)
+    shade = np.where(chips > 1.25, np.where(tint > 0, -0.35, -0.6), 0.0)
+    return np.asarray(_lit(color, shade) * np.where((chips > 1.25)[..., None], [1.1, 0.95, 0.85], 1.0))
+
+
+def _cloud(rng: np.random.Generator, size: int, color: Array) -> Array:
+    return _lit(color, 0.05 * noise(rng, size, 0.2) + 0.04 * noise(rng, size, 0.02))
+
+
+def _tile(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    edge = np.minimum(np.abs((2 * x) % 1 - 0.5), np.abs((2 * y) % 1 - 0.5)) < 0.008
+    each = rng.normal(0, 0.015, (2, 2)).repeat(size // 2 + 1, 0).repeat(size // 2 + 1, 1)[:size, :size]
+    each = np.roll(each, size // 4, (0, 1))
+    return _lit(color, np.where(edge, -0.22, each) + 0.01 * noise(rng, size, 0.1))
+
+
+def _planks(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    row = np.minimum((y * 10).astype(int), 9)
+    joint = np.abs((x + row * 0.37) % 1 - 0.5) < 0.002
+    tone = rng.normal(0, 0.06, 10)[row] + 0 * x
+    gap = ((y * 10) % 1 < 0.03) | joint
+    return np.asarray(_wood(rng, size, color) * (1 + tone - 0.35 * gap)[..., None])
+
+
+def _brushed(rng: np.random.Generator, size: int, color: Array) -> Array:
+    return _lit(color, 0.035 * noise(rng, size, 0.004, 0.8))
+
+
+def _wicker(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    strand = np.abs(np.sin(6 * np.pi * (x + (np.floor(y * 6) % 2) / 6)) * np.sin(6 * np.pi * y))
+    return _lit(color, 0.4 * strand - 0.25 + 0.04 * noise(rng, size, 0.02))
+
+
+def _cane(rng: np.random.Generator, size: int, color: Array) -> Array:
+    x, y = _grid(size)
+    hole = (((4 * x) % 1 - 0.5) ** 2 + ((4 * y) % 1 - 0.5) ** 2) < 0.07
+    return _lit(color, np.where(hole, -0.55, 0.0) + 0.04 * noise(rng, size, 0.03))
+
+
+_PATTERNS: dict[str, Pattern] = {
+    "wood": _wood, "weave": _weave, "boucle": _boucle, "velvet": _velvet, "leather": _leather, "quilt": _quilt,
+    "kilim": _kilim, "persian": _persian, "stripe": _stripe, "berber": _berber, "wicker": _wicker,
+    "marble": _marble, "speckle": _speckle, "terrazzo": _terrazzo, "cloud": _cloud, "tile": _tile,
+    "planks": _planks, "brushed": _brushed, "cane": _cane,
+}  # fmt: skip

@@ -1,0 +1,71 @@
+"""Parametric furniture: every category of the vocabulary in several styles, at any size within its range.
+
+`build(category, style, size, seed)` is pure: the same four give the same asset, and the asset's id holds them,
+`wardrobe/shaker/600x1500x2100/17` (millimetres), so `load(id)` makes it again.
+"""
+
+import importlib
+import zlib
+from functools import cache
+
+import numpy as np
+
+from schemas.errors import BadInput
+from stages import categories
+from stages.asset import Asset
+from stages.retrieve.furniture.kit import Kit
+from stages.retrieve.furniture.registry import DESIGNS
+
+FAMILIES = (
+    "beds", "storage", "shelves", "media", "sofas", "chairs", "tables", "desks", "kitchen", "appliances", "bath",
+    "bathroom", "lamps", "plants", "textiles", "household", "building",
+)  # fmt: skip
+BUILDING = ("door", "window")
+"""Parts of the building itself; any size goes."""
+
+
+@cache
+def _load_families() -> None:
+    for family in FAMILIES:
+        importlib.import_module(f"stages.retrieve.furniture.{family}")
+
+
+def styles(category: str) -> tuple[str, ...]:
+    """The styles a category comes in."""
+    _load_families()
+    if category not in DESIGNS:
+        raise BadInput(f"no parametric furniture of category {category!r}; one of {', '.join(sorted(DESIGNS))}")
+    return tuple(DESIGNS[category])
+
+
+def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
+    """The asset of that category and style whose box is `size`, [depth, width, height] in m, to the millimetre."""
+    if style not in styles(category):
+        raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")
+    mm = tuple(round(float(s) * 1000) for s in size)
+    _check(category, mm)
+    d, w, h = mm
+    rng = np.random.default_rng([zlib.crc32(f"{category}/{style}".encode()), seed])
+    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), rng)
+    DESIGNS[category][style](kit)
+    return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}")
+
+
+def _check(category: str, mm: tuple[int, ...]) -> None:
+    if category in BUILDING:
+        return
+    kind = categories.TABLE[category]
+    for value, least, most, side in zip(mm, kind.min, kind.max, ("depth", "width", "height"), strict=True):
+        if not round(least * 1000) <= value <= round(most * 1000):
+            raise BadInput(f"{category}: {side} {value / 1000} m is outside [{least}, {most}]; give a size within it")
+
+
+def load(id: str) -> Asset:
+    """The asset an id names."""
+    try:
+        category, style, size, seed = id.split("/")
+        d, w, h = (int(s) / 1000 for s in size.split("x"))
+        number = int(seed)
+    except ValueError as error:
+        raise BadInput(f"parametric asset {id!r}: not category/style/DxWxH/seed with the size in mm") from error
+    return build(category, style, (d, w, h), number)

@@ -1,0 +1,98 @@
+"""An asset under construction: its box, its fixed body, its moving parts."""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from schemas.retrieve import Joint
+from stages import categories
+from stages.asset import Asset, Collider, Link
+from stages.retrieve.furniture.body import Body
+
+QUARTER = float(np.pi / 2)
+
+_Moving = tuple[str, Body, dict[str, object], tuple[float, float, float] | None, str]
+
+
+class Kit:
+    """What a builder gets: size `d`, `w`, `h` in metres, `style`, `rng`, and `base`, the fixed body."""
+
+    def __init__(self, category: str, style: str, size: tuple[float, float, float], rng: np.random.Generator) -> None:
+        self.category, self.style, self.rng = category, style, rng
+        self.size = size
+        self.d, self.w, self.h = size
+        self.base = Body()
+        self.moving: list[_Moving] = []
+
+    @property
+    def x(self) -> tuple[float, float]:
+        """Back and front of the box."""
+        return -self.d / 2, self.d / 2
+
+    @property
+    def y(self) -> tuple[float, float]:
+        """Right and left of the box."""
+        return -self.w / 2, self.w / 2
+
+    @property
+    def reach(self) -> float:
+        """How far open parts may stand out in front, m; unbounded for what is no furniture category."""
+        return float(categories.reach(self.category, self.size)) if self.category in categories.TABLE else np.inf
+
+    def pick(self, *options: str) -> str:
+        """One of the options, by the seed."""
+        return options[int(self.rng.integers(len(options)))]
+
+    def hinge(
+        self, name: str, body: Body, origin: ArrayLike, axis: ArrayLike, part: str = "hinge_door",
+        upto: float = QUARTER, handle: tuple[float, float, float] | None = None, grip: str = "",
+    ) -> None:  # fmt: skip
+        """A part that turns from 0 to `upto` radians about an axis."""
+        joint = {"type": "hinge", "origin": np.asarray(origin, float), "axis": axis, "range": (0.0, upto), "part": part}
+        self.moving.append((self._free(name), body, joint, handle, grip))
+
+    def slide(
+        self, name: str, body: Body, travel: float, axis: ArrayLike = (1, 0, 0), part: str = "slider_drawer",
+        handle: tuple[float, float, float] | None = None, grip: str = "",
+    ) -> None:  # fmt: skip
+        """A part that slides from 0 to `travel` metres."""
+        lo, hi = body.bounds()
+        joint = {"type": "slide", "origin": (lo + hi) / 2, "axis": axis, "range": (0.0, travel), "part": part}
+        self.moving.append((self._free(name), body, joint, handle, grip))
+
+    def _free(self, name: str) -> str:
+        taken = sum(other[0].rsplit("_", 1)[0] == name for other in self.moving)
+        return f"{name}_{taken}"
+
+    def finish(self, id: str) -> Asset:
+        """The asset, in the frame whose origin is the centre of its box."""
+        drop = self.h / 2
+        links = [Link("base", self.base.meshes(drop), _lowered(self.base, drop), round(self.base.mass, 3))]
+        for name, body, joint, handle, grip in self.moving:
+            hold = None if handle is None else np.array(handle) - [0, 0, drop]
+            made = _joint(name, body, joint, drop)
+            links.append(
+                Link(name, body.meshes(drop), _lowered(body, drop), round(body.mass, 3), made, hold, grip=grip)
+            )
+        return Asset("parametric", id, self.category, self.style, self.size, links, credit="apartgen, CC0-1.0")
+
+
+def _lowered(body: Body, drop: float) -> list[Collider]:
+    return [replace(c, center=c.center - [0, 0, drop]) for c in body.colliders]
+
+
+def _vector(values: ArrayLike) -> tuple[float, float, float]:
+    x, y, z = (round(float(v), 6) for v in np.asarray(values, float))
+    return x, y, z
+
+
+def _joint(name: str, body: Body, joint: dict[str, object], drop: float) -> Joint:
+    lo, hi = body.bounds()
+    fields = joint | {
+        "name": name,
+        "axis": _vector(joint["axis"]),  # type: ignore[arg-type]
+        "origin": _vector(np.asarray(joint["origin"]) - [0, 0, drop]),
+        "extent": (_vector(lo - [0, 0, drop]), _vector(hi - [0, 0, drop])),
+    }
+    return Joint.model_validate(fields)

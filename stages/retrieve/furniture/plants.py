@@ -1,0 +1,193 @@
+"""Pot plants and planters: leaves are thin closed blades."""
+
+from functools import cache
+
+import numpy as np
+
+from stages.retrieve.furniture import mesh
+from stages.retrieve.furniture.body import Body
+from stages.retrieve.furniture.kit import Kit
+from stages.retrieve.furniture.mesh import Array, Shape
+from stages.retrieve.furniture.registry import design
+
+_STEPS = 5
+
+
+@cache
+def _blade(width: float, droop: float, widest: float) -> Shape:
+    """A unit leaf along +x, `width` wide, curving down by `droop` at its tip; its section is a thin diamond."""
+    t = np.linspace(0.0, 1.0, _STEPS + 1)
+    half = width / 2 * np.maximum(np.sin(np.pi * t ** (np.log(0.5) / np.log(widest))), 0.06)
+    rings = np.empty((_STEPS + 1, 4, 3))
+    rings[:, :, 0] = t[:, None]
+    rings[:, :, 1] = half[:, None] * [1, 0, -1, 0]
+    rings[:, :, 2] = -droop * t[:, None] ** 2 + half[:, None] * [0.25, 0.06, 0.25, -0.06]
+    return mesh.loft(rings)
+
+
+def leaf(b: Body, material: str, at: Array, heading: float, pitch: float, length: float, width: float = 0.35, droop: float = 0.25, widest: float = 0.45) -> None:
+    """A leaf from `at` toward `heading` (yaw) rising by `pitch` radians; collides as two hulls."""
+    c, s, cp, sp = np.cos(heading), np.sin(heading), np.cos(pitch), np.sin(pitch)
+    turn = np.array([[c * cp, -s, -c * sp], [s * cp, c, -s * sp], [sp, 0, cp]]) * length
+    shape = _blade(width, droop, widest).moved(at, turn)
+    b.add(material, shape, touch=False)
+    half = 4 * (_STEPS // 2 + 1)
+    b.hull(shape.vertices[:half])
+    b.hull(shape.vertices[half - 4 : 4 * (_STEPS + 1)])
+
+
+def pot(kit: Kit, kind: str, r: float, h: float, at: tuple[float, float] = (0.0, 0.0)) -> None:
+    """A pot with soil in it."""
+    b = kit.base
+    material = {"tapered": kit.pick("terracotta", "white", "graphite"), "bowl": kit.pick("porcelain", "sage", "concrete"),
+                "basket": "rattan", "cylinder": kit.pick("white", "concrete", "black", "terracotta")}[kind]  # fmt: skip
+    foot = {"tapered": 0.7, "bowl": 0.62, "basket": 0.85, "cylinder": 1.0}[kind]
+    t, p = min(0.012, 0.1 * r), (*at, 0.0)
+    b.shell(material, [(foot * r, 0), (r, h)], [(foot * r - t, 0.012), (r - t, h)], p, 24)
+    b.rod("soil", (*at, 0.012), (*at, 0.86 * h), foot * r - t - 0.001, n=24)
+
+
+def _fit(kit: Kit, grown: Body, low: float) -> None:
+    """Scales the foliage sideways and upward so that the plant fills its box, then adds it."""
+    lo, hi = grown.bounds()
+    scale = np.array([kit.d / (hi[0] - lo[0]), kit.w / (hi[1] - lo[1]), (kit.h - low) / (hi[2] - low)])
+    shift = np.array([kit.x[0] - lo[0] * scale[0], kit.y[0] - lo[1] * scale[1], low - low * scale[2]])
+    for material, shapes in grown.shapes.items():
+        for shape in shapes:
+            kit.base.add(material, Shape(shape.vertices * scale + shift, shape.faces, shape.uv), touch=False)
+    for c in grown.colliders:
+        points = (c.center + c.vertices) * scale + shift if c.vertices is not None else None
+        if points is not None:
+            kit.base.hull(points)
+
+
+@design("plant", "fig", "monstera", "snake", "palm", "olive", "cactus")
+def plant(kit: Kit) -> None:
+    """A plant in a pot; its crown fills the box."""
+    high = min(0.32, 0.3 * kit.h)
+    r = min(0.5 * min(kit.d, kit.w) - 0.01, 0.2, 0.62 * high + 0.04)
+    pot(kit, kit.pick("tapered", "cylinder", "basket", "bowl"), r, high)
+    grown = Body()
+    soil = 0.86 * high
+    {"fig": _fig, "monstera": _monstera, "snake": _snake, "palm": _palm, "olive": _olive, "cactus": _cactus}[kit.style](
+        kit, grown, soil, 0.5 * min(kit.d, kit.w)
+    )
+    _fit(kit, grown, soil)
+
+
+def _stem(b: Body, material: str, a: Array, c: Array, r0: float, r1: float) -> None:
+    b.add(material, mesh.rod(a, c, r0, r1, 6))
+
+
+def _fig(kit: Kit, b: Body, z: float, r: float) -> None:
+    top = kit.h - 0.5 * r
+    _stem(b, "bark", np.array([0, 0, z]), np.array([0, 0, top]), 0.014, 0.007)
+    n = 22
+    for i in range(n):
+        t = i / (n - 1)
+        at = np.array([0, 0, z + (0.3 + 0.7 * t) * (top - z)])
+        leaf(b, "leaf_dark", at, 2.4 * i, 0.15 + 0.9 * t, r * (1.05 - 0.35 * t), 0.6, 0.25, 0.6)
+
+
+def _monstera(kit: Kit, b: Body, z: float, r: float) -> None:
+    n = 13
+    for i in range(n):
+        a, t = 2.4 * i, i / (n - 1)
+        lift = (kit.h - z) * (0.35 + 0.5 * t)
+        out = r * (0.55 - 0.4 * t)
+        end = np.array([out * np.cos(a), out * np.sin(a), z + lift])
+        _stem(b, "leaf_light", np.array([0, 0, z]), end, 0.007, 0.005)
+        leaf(b, "leaf", end, a, 0.35 * t, r * 0.62, 0.85, 0.45, 0.4)
+
+
+def _snake(kit: Kit, b: Body, z: float, r: float) -> None:
+    for i in range(14):
+        a = 2.4 * i
+        at = np.array([0.05 * np.cos(a), 0.05 * np.sin(a), z])
+        length = (kit.h - z) * float(kit.rng.uniform(0.62, 1.0))
+        leaf(b, kit.pick("leaf_dark", "leaf_light"), at, a, 1.32 + 0.1 * (i % 3), length, 0.11, 0.06, 0.4)
+
+
+def _palm(kit: Kit, b: Body, z: float, r: float) -> None:
+    top = z + 0.5 * (kit.h - z)
+    _stem(b, "bark", np.array([0, 0, z]), np.array([0, 0, top]), 0.024, 0.016)
+    for i in range(16):
+        a, t = 2.4 * i, i / 15
+        at = np.array([0, 0, top - 0.02 + 0.02 * t])
+        leaf(b, "leaf", at, a, 0.55 + 0.65 * t, r * 1.35, 0.16, 0.75 - 0.45 * t, 0.4)
+
+
+def _olive(kit: Kit, b: Body, z: float, r: float) -> None:
+    top = z + 0.6 * (kit.h - z)
+    _stem(b, "bark", np.array([0, 0, z]), np.array([0, 0, top]), 0.018, 0.011)
+    for i in range(9):
+        a, t = 2.4 * i, i / 8
+        low = np.array([0, 0, z + (0.65 + 0.35 * t) * (top - z)])
+        end = low + [r * 0.6 * np.cos(a) * (1 - 0.5 * t), r * 0.6 * np.sin(a) * (1 - 0.5 * t), 0.3 * (kit.h - z) * (0.5 + 0.5 * t)]
+        _stem(b, "bark", low, end, 0.006, 0.004)
+        for k in range(4):
+            share = 0.5 + 0.5 * k / 3
+            leaf(b, "leaf_grey", low + (end - low) * share, a + (1.3 if k % 2 else -1.3), 0.5, 0.32 * r, 0.28, 0.1)
+
+
+def _cactus(kit: Kit, b: Body, z: float, r: float) -> None:
+    thick = min(0.5 * r, 0.07)
+    b.add("leaf_dark", mesh.pillow((-thick, -thick, z - 0.05), (thick, thick, kit.h), 3.0, 6))
+    for s, low in ((1, 0.35), (-1, 0.5)):
+        base, out = z + low * (kit.h - z), r - thick * 0.6
+        b.add("leaf_dark", mesh.pillow((min(0, s * out) - 0.0, -0.5 * thick, base), (max(0, s * out), 0.5 * thick, base + thick), 3, 4))
+        b.add("leaf_dark", mesh.pillow((s * out - 0.6 * thick, -0.6 * thick, base), (s * out + 0.6 * thick, 0.6 * thick, base + 0.3 * (kit.h - z)), 3, 4))
+    b.add("leaf_dark", mesh.pillow((-0.4 * thick, -r, z + 0.2 * (kit.h - z)), (0.4 * thick, 0, z + 0.2 * (kit.h - z) + thick), 3, 4))
+    b.add("leaf_dark", mesh.pillow((-0.5 * thick, -r, z + 0.2 * (kit.h - z)), (0.5 * thick, -r + thick, z + 0.45 * (kit.h - z)), 3, 4))
+
+
+@design("planter", "herbs", "flowers", "grasses")
+def planter(kit: Kit) -> None:
+    """A long box of growing things."""
+    b, t = kit.base, 0.02
+    box = min(0.6 * kit.h, 0.42)
+    material = kit.pick("decking", "graphite", "terracotta", "white")
+    for x in ((kit.x[0], kit.x[0] + t), (kit.x[1] - t, kit.x[1])):
+        b.box(material, x, kit.y, (0.02, box))
+    inner = (kit.x[0] + t, kit.x[1] - t)
+    for y in ((kit.y[0], kit.y[0] + t), (kit.y[1] - t, kit.y[1])):
+        b.box(material, inner, y, (0.02, box))
+    b.box(material, inner, (kit.y[0] + t, kit.y[1] - t), (0.02, 0.04))
+    b.fill = 0.4
+    b.box("soil", inner, (kit.y[0] + t, kit.y[1] - t), (0.04, box - 0.03))
+    b.fill = 1.0
+    for x in (kit.x[0] + 0.02, kit.x[1] - 0.06):
+        for y in (kit.y[0] + 0.05, kit.y[1] - 0.09):
+            b.box(material, (x, x + 0.04), (y, y + 0.04), (0, 0.02))
+    grown, soil = Body(), box - 0.03
+    _bed(kit, grown, soil)
+    _fit_planter(kit, grown, soil)
+
+
+def _bed(kit: Kit, b: Body, z: float) -> None:
+    tall, n = kit.h - z, max(6, round(kit.w / 0.07))
+    for i in range(n):
+        at = np.array([float(kit.rng.uniform(-0.25, 0.25)) * kit.d, kit.y[0] + 0.04 + (i + 0.5) * (kit.w - 0.08) / n, z])
+        green = kit.pick("leaf", "leaf_light", "leaf_dark")
+        for k in range(4):
+            a = 2.4 * k + i
+            wide, pitch = (0.1, 1.2) if kit.style == "grasses" else (0.4, 0.75 + 0.12 * k)
+            leaf(b, green, at, a, pitch, tall * float(kit.rng.uniform(0.6, 1.0)), wide, 0.2)
+        if kit.style == "flowers":
+            top = at + [0, 0, 0.9 * tall]
+            _stem(b, "leaf", at, top, 0.004, 0.003)
+            size = min(0.035, 0.25 * tall)
+            b.add(kit.pick("flower_red", "flower_pink", "flower_yellow"), mesh.pillow(top - size, top + size * np.array([1, 1, 0.6]), 2, 2))
+
+
+def _fit_planter(kit: Kit, grown: Body, low: float) -> None:
+    """As `_fit`, but foliage within the box stays as wide as it grew."""
+    lo, hi = grown.bounds()
+    over = [min(1.0, kit.d / 2 / max(-lo[0], hi[0])), min(1.0, kit.w / 2 / max(-lo[1], hi[1])), (kit.h - low) / (hi[2] - low)]
+    for material, shapes in grown.shapes.items():
+        for s in shapes:
+            moved = (s.vertices - [0, 0, low]) * over + [0, 0, low]
+            kit.base.add(material, Shape(moved, s.faces, s.uv), touch=False)
+    for c in grown.colliders:
+        if c.vertices is not None:
+            kit.base.hull((c.center + c.vertices - [0, 0, low]) * over + [0, 0, low])
