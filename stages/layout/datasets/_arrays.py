@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from schemas.layout import Box, Layout
+from schemas.plan import Room
 from stages.categories import CATEGORIES, TABLE
+from stages.layout.datasets._furnish.step import essentials
 from stages.layout.rooms import MAX_CORNERS, of_plan
 
 SLOTS = 24
@@ -38,8 +40,14 @@ def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, N
         "polygon": rooms.polygon, "room_type": rooms.type, "height": rooms.height, "openings": rooms.openings,
         "style": rng.integers(0, STYLES, n), "source": np.full(n, source),
     }
-    some = (category >= 0).any(1) & np.array([len(room.polygon) <= MAX_CORNERS for room in home.rooms])
+    some = np.array([_worth(room, home.objects) for room in home.rooms], bool)
     return {name: np.asarray(data[name], kind)[some] for name, kind in FORMAT.items()}
+
+
+def _worth(room: Room, objects: list[Box]) -> bool:
+    """Whether a room is furnished and has what a room of its type cannot do without."""
+    have = {o.category for o in objects if o.room == room.id}
+    return bool(have) and len(room.polygon) <= MAX_CORNERS and all(have & names for names in essentials(room.type))
 
 
 def _kept(objects: list[Box], rng: np.random.Generator) -> list[Box]:

@@ -11,12 +11,13 @@ from stages.layout.datasets._furnish import kitchen, prefer, sizes
 from stages.layout.datasets._furnish.poses import PLACES, hangs, prior
 from stages.layout.datasets._furnish.shape import Shape
 from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Setup, Step, floor_for, friends_of, most_of, setups, use_of
+from stages.layout.datasets._furnish.step import Setup, Step, floor_for, most_of, setups, use_of
 
 ATTEMPTS = 5
 NOISE = 0.35
 """Spread of taste among possible poses, in units of their preference, m."""
 CANDIDATES = 160
+GROUP_TRIES = 3
 LOOKS = 5
 """How many of the liked poses are tried for passage."""
 MATCHING = ("nightstand", "chair", "stool", "bookshelf", "balcony_chair", "shelving", "curtain", "armchair", "table_lamp")
@@ -40,17 +41,26 @@ class Builder:
 
     def run(self, step: Step) -> None:
         """Carry out one rule, chance and repeats included."""
-        few = self.count - self.space.n < step.slots
+        few = self.count - self.space.n < max(step.slots, step.need + 1)
         if few or self.rng.random() > step.chance or self.space.shape.area < step.least:
             return
         for _ in range(int(self.rng.integers(step.repeat[0], step.repeat[1] + 1))):
             if self.full:
                 return
-            i = self.put(step)
-            if i < 0:
+            if not any(self._group(step) for _ in range(GROUP_TRIES if step.need else 1)):
                 return
-            for after in step.then:
-                self.run(after if after.of else replace(after, anchor=i))
+
+    def _group(self, step: Step) -> bool:
+        """Place one object and what follows it; undone where too little of that finds a place."""
+        i = self.put(step)
+        if i < 0:
+            return False
+        for after in step.then:
+            self.run(after if after.of else replace(after, anchor=i))
+        if self.space.n - i - 1 < step.need:
+            self.space.drop_last(i)
+            return False
+        return True
 
     def put(self, step: Step) -> int:
         """Place one object; its index, -1 where nothing fits."""
@@ -84,10 +94,10 @@ class Builder:
             at = at.take(rng.permutation(at.n)[:CANDIDATES])
         if step.loose and step.at in ("wall", "corner"):
             at.center[:, :2] += rng.uniform(-0.5, 0.5, (at.n, 2)) * step.loose
-        use, friends = use_of(step, name), friends_of(name)
+        use = use_of(step, name)
         if partner >= 0 and not belong_together(name, space.category[partner]):
             partner = -1
-        at = at.take(space.fits(name, at, use, friends, partner))
+        at = at.take(space.fits(name, at, use, partner))
         if not at.n:
             return -1
         liking = prior(step, at.n) + sum((w * prefer.FEATURES[key](space, at, step) for key, w in step.prefer.items()), np.zeros(at.n))

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from stages import boxes
 from stages.boxes import Array, Boxes
 from stages.layout.datasets._furnish.sizes import draw
-from stages.layout.datasets._furnish.space import Space
+from stages.layout.datasets._furnish.space import NO_USE, Space
 
-USE = (0.75, 0.0, 0.0)
+USE = (0.75, 0.0, 0.0, 0.0)
 """Floor kept free before a run, m."""
 TRIES = 7
 FILLERS = ("kitchen_base", "kitchen_drawers", "kitchen_base")
@@ -178,7 +178,7 @@ def _hang(space: Space, budget: int, rng: Generator) -> None:
         size = draw("hood", rng) if name == "hood" else unit.copy()
         size[1] = np.clip(space.body.size[i, 1], *((0.5, 0.95) if name == "hood" else (0.3, 1.2)))
         box = _over(space, name, i, size)
-        if space.fits(name, box, (0, 0, 0))[0] and space.stays_open(name, box):
+        if space.fits(name, box, NO_USE)[0] and space.stays_open(name, box):
             space.add(name, box)
             budget -= 1
 

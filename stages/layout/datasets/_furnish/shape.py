@@ -16,6 +16,8 @@ WIDE = 1.5
 LIGHT = 0.25
 """Nothing higher than the sill stands within this of a window, m."""
 HEADROOM = 2.1
+LEAF_MARGIN = 0.03
+"""Kept free beside a door leaf's quarter circle, m."""
 CELL = 0.08
 """Step of the walking grid, m."""
 CLEAR, SWING, WINDOW = 0, 1, 2
@@ -110,7 +112,8 @@ def _zones(holes: list[Hole], corners: Array, normal: Array, height: float) -> t
         n = normal[_side((a + b) / 2, corners)]
         wide = float(np.hypot(*(b - a)))
         for kind, depth, lo, hi in _zone(hole, wide, height):
-            rows.append([*((a + b) / 2 + n * depth / 2), (lo + hi) / 2, depth, wide, hi - lo, np.arctan2(n[1], n[0])])
+            across = wide + 2 * LEAF_MARGIN * (kind == SWING)
+            rows.append([*((a + b) / 2 + n * depth / 2), (lo + hi) / 2, depth, across, hi - lo, np.arctan2(n[1], n[0])])
             kinds.append(kind)
     table = np.array(rows).reshape(-1, 7)
     return Boxes(table[:, :3], table[:, 3:6], table[:, 6]), np.array(kinds, np.int64)

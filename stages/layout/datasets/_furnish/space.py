@@ -10,6 +10,7 @@ from stages import boxes
 from stages.boxes import Array, Boxes, Mask
 from stages.categories import TABLE, reach
 from stages.layout.datasets._furnish.shape import CELL, SWING, Shape, within
+from stages.layout.datasets._furnish.step import friends_of
 
 TOUCH = 0.004
 """Contact no deeper than this is none, m."""
@@ -24,8 +25,9 @@ UNDERFOOT = 1.8
 """What hangs above this is no obstacle, m."""
 CAPACITY = 48
 
-Use = tuple[float, float, float]
-"""Floor kept free for use in front, to the left and to the right, m."""
+Use = tuple[float, float, float, float]
+"""Floor kept free for use in front, to the left, to the right and behind, m."""
+NO_USE: Use = (0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass
@@ -60,10 +62,10 @@ class Space:
         """Indices of the objects of these categories."""
         return [i for i, name in enumerate(self.category) if name in names]
 
-    def fits(self, name: str, at: Boxes, use: Use, friends: tuple[str, ...] = (), partner: int = -1) -> Mask:
+    def fits(self, name: str, at: Boxes, use: Use, partner: int = -1) -> Mask:
         """Which of the boxes (m,) can be had: inside, touching nothing, sweeps and use free, openings respected.
 
-        `friends` may stand in the room kept for use; `partner` may be touched.
+        `partner` may be touched.
         """
         kind = TABLE[name]
         swept = forward(at, reach(name, at.size))
@@ -76,7 +78,7 @@ class Space:
         where = np.flatnonzero(ok)
         bad = boxes.penetration(swept.take(where), self._swept.take(others)) > TOUCH
         if kind.place == "floor":
-            bad |= self._disturbs(at.take(where), use, others, friends)
+            bad |= self._disturbs(name, at.take(where), use, others)
         ok[where] = ~bad.any(1)
         return ok
 
@@ -92,15 +94,18 @@ class Space:
         hit = hit | ((boxes.penetration(swept, zones) > TOUCH) & (kind == SWING))
         return np.asarray(~hit.any(1))
 
-    def _disturbs(self, at: Boxes, use: Use, others: NDArray[np.int64], friends: tuple[str, ...]) -> Mask:
+    def _disturbs(self, name: str, at: Boxes, use: Use, others: NDArray[np.int64]) -> Mask:
         """Whether new and old (m, n) stand where the other is used."""
-        stands = np.array([TABLE[self.category[i]].place == "floor" and self.category[i] not in friends for i in others], bool)
-        hit = boxes.penetration(at, self._used.take(others)) > TOUCH
+        names = [self.category[i] for i in others]
+        stands = np.array([TABLE[other].place == "floor" for other in names], bool)
+        stranger = np.array([name not in friends_of(other) for other in names], bool)
+        hit = (boxes.penetration(at, self._used.take(others)) > TOUCH) & stands & stranger
         if max(use) > 0:
-            hit = hit | (boxes.penetration(used(at, use), self._body.take(others)) > TOUCH)
-        return np.asarray(hit & stands)
+            stranger = np.array([other not in friends_of(name) for other in names], bool)
+            hit |= (boxes.penetration(used(at, use), self._body.take(others)) > TOUCH) & stands & stranger
+        return np.asarray(hit)
 
-    def add(self, name: str, at: Boxes, use: Use = (0.0, 0.0, 0.0), gap: float = 0.0) -> int:
+    def add(self, name: str, at: Boxes, use: Use = NO_USE, gap: float = 0.0) -> int:
         """Place the single box `at` (1,); its index."""
         i = self.n
         for store, box in ((self._body, at), (self._swept, forward(at, reach(name, at.size))), (self._used, used(at, use))):
@@ -190,12 +195,12 @@ def forward(at: Boxes, by: Array) -> Boxes:
 
 
 def used(at: Boxes, use: Use) -> Boxes:
-    """The boxes with the room in front, left and right of them that their use takes."""
+    """The boxes with the room around them that their use takes."""
     if max(use) <= 0:
         return at
-    front, left, right = use
+    front, left, right, back = use
     half = at.size / 2
-    lo = np.stack([-half[:, 0], -half[:, 1] - right, -half[:, 2]], 1)
+    lo = np.stack([-half[:, 0] - back, -half[:, 1] - right, -half[:, 2]], 1)
     hi = np.stack([half[:, 0] + front, half[:, 1] + left, np.maximum(half[:, 2], USE_HEIGHT - at.center[:, 2])], 1)
     return boxes.spread(at, lo, hi)
 

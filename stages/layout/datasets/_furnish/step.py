@@ -16,10 +16,11 @@ class Step:
     """Put `repeat` objects of one of the categories `put` at a place named as in `poses.PLACES`.
 
     `of`: what it relates to · `gap`: distance kept from wall or neighbour, m · `distance`: range for `across` ·
-    `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, m · `turn`: spread of yaw,
+    `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, behind, m · `turn`: spread of yaw,
     rad · `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) ·
     `least`: floor area it takes, m² · `most`: no more than this many in the
     room · `slots`: not where fewer objects than this are still wanted ·
+    `need`: undone unless so many of what follows find a place ·
     `then`: what follows, related to what was placed (`anchor`, its index) unless it has its own `of`.
     """
 
@@ -32,7 +33,7 @@ class Step:
     gap: tuple[float, float] = (0.01, 0.04)
     distance: tuple[float, float] = (2.0, 3.6)
     prefer: dict[str, float] = field(default_factory=dict)
-    use: tuple[float, float, float] | None = None
+    use: tuple[float, ...] | None = None
     turn: float = 0.0
     loose: float = 0.0
     size: float | None = None
@@ -40,6 +41,7 @@ class Step:
     least: float = 0.0
     most: int = 0
     slots: int = 1
+    need: int = 0
     anchor: int = -1
     then: tuple["Step", ...] = ()
 
@@ -97,17 +99,17 @@ def sizes() -> dict[str, dict[str, Any]]:
     return tomllib.loads((RULES / "sizes.toml").read_text())
 
 
-def use_of(step: Step, category: str) -> tuple[float, float, float]:
-    """Floor kept free in front, left and right of the object, m."""
-    if step.use is not None:
-        return step.use
-    front, left, right = sizes().get(category, {}).get("use", (0.0, 0.0, 0.0))
-    return front, left, right
+def use_of(step: Step, category: str) -> tuple[float, float, float, float]:
+    """Floor kept free in front, left, right and behind the object, m."""
+    given = step.use if step.use is not None else sizes().get(category, {}).get("use", ())
+    front, left, right, back = (*given, *(0.0,) * (4 - len(given)))
+    return front, left, right, back
 
 
-def friends_of(category: str) -> tuple[str, ...]:
+@cache
+def friends_of(category: str) -> frozenset[str]:
     """What may stand in the floor kept for the category's use."""
-    return tuple(sizes().get(category, {}).get("friends", ()))
+    return frozenset(sizes().get(category, {}).get("friends", ()))
 
 
 def floor_for(category: str) -> float:
@@ -121,3 +123,9 @@ def most_of(step: Step, category: str, type: RoomType) -> int:
         return step.most
     limit = sizes().get(category, {}).get("most", 99)
     return int(limit.get(type, limit.get("other", 99)) if isinstance(limit, dict) else limit)
+
+
+@cache
+def essentials(type: RoomType) -> tuple[frozenset[str], ...]:
+    """Sets of categories of each of which a room of this type has at least one."""
+    return tuple(frozenset(names) for names in setups(type)[0].must)
