@@ -166,7 +166,11 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
         if item.kind == "with" and item.value == "including":
             pass
         elif owner is not None and not (owner.headline and (item.kind == "mark" or item.value == "with") and not _only_things(items, k + 1)):
+            before = len(owner.owned)
             k = _take(owner, items, k + 1, bare=item.kind == "mark")
+            if item.value == "has" and (owner.plural or (owner.count or 1) > 1):
+                for owned in owner.owned[before:]:
+                    owned.quantifier = "each" if owned.quantifier == "a" else owned.quantifier
             out += [item] if item.kind == "with" and item.value == "has" else []
             continue
         elif item.kind in ("object", "objects"):

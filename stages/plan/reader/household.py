@@ -67,6 +67,8 @@ class Household:
         if len(found) > 1:
             self.group = found
         self.last = found or self.last
+        if "suite" in phrase.labels and not any(o.type == "bathroom" for o in phrase.owned):
+            phrase.owned.append(RoomPhrase("bathroom", {"ensuite"}, quantifier="each"))
         for owned in phrase.owned:
             self._own(owned, found, phrase.quantifier in PAIRED)
         return found
@@ -132,7 +134,8 @@ class Household:
         elif phrase.quantifier == "other" and not phrase.count:
             found = free
         elif phrase.ordinals:
-            found = [pool[n - 1] for n in phrase.ordinals if n <= len(pool)]
+            whole = pool if max(phrase.ordinals) <= len(pool) else self._ensure(phrase.type, max(phrase.ordinals))
+            found = [whole[n - 1] for n in phrase.ordinals]
         else:
             found = free[: int(phrase.count or 1)]
         for entity in found if phrase.quantifier not in PAIRED else []:
@@ -144,6 +147,7 @@ class Household:
 
     def _partitive(self, phrase: RoomPhrase) -> list[Entity]:
         labels = phrase.labels & {"master", "guest", "kids"}
+        self._ensure(phrase.type, phrase.whole or 0)
         known = [e for e in self.of(phrase.type) if not labels or labels & e.labels]
         if phrase.quantifier in ("one_of", "other"):
             if phrase.quantifier == "other" and phrase.count:
@@ -230,8 +234,8 @@ class Household:
             return (last or ([e for e in free if not e.picked] or free))[:1]
         if known and phrase.subset:
             return [e for e in known if not e.picked][:1] or known[:1]
-        if phrase.type in self.totals and known and phrase.type == "bathroom":
-            return [e for e in known if e.owner is None][:1] or known[:1]
+        if phrase.type in self.totals and known:
+            return [e for e in known if e.owner is None and not e.picked][:1] or known[:1]
         return self.add(phrase.type)
 
     def _lay(self, phrase: RoomPhrase, found: list[Entity]) -> None:
@@ -251,6 +255,8 @@ class Household:
             return
         every = all_of_them or owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
         made: list[Entity] = []
+        if owned.type == "bathroom" and owned.count and len(owners) > 1:
+            owners, owned.count, every = owners[: int(owned.count)], None, True
         for owner in owners if every else owners[:1]:
             count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))
             found = self._claim(owned, count)

@@ -46,7 +46,7 @@ def _lists_home(after: list[Item]) -> bool:
     """Whether `only`, `just`, `exactly` is said of a whole list of rooms rather than of one."""
     run = 0
     for item in after[1:]:
-        if is_mark(item, ".;"):
+        if item.kind not in ("room", "conjunction", "mark", "with", "size", "label", "area") or is_mark(item, "."):
             break
         run += item.room is not None
     return run >= 2

@@ -7,6 +7,7 @@ from stages.plan.reader.lexicon import Lexicon
 
 OPEN_TYPES = ("living_room", "kitchen", "dining_room")
 COPULAS = ("is", "are", "be", "ist", "sind", "est", "sont", "es", "son", "lie", "lies")
+MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
 ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
 """Relations that describe the room after them: `an adjoining kitchen`."""
 PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
@@ -30,6 +31,7 @@ class RoomPhrase:
     factor: float = 1.0
     negated: bool = False
     headline: bool = False
+    whole: int | None = None
     subset: bool = False
     owned: list["RoomPhrase"] = field(default_factory=list)
     objects: list[tuple[str, int]] = field(default_factory=list)
@@ -70,7 +72,7 @@ class _Pending:
     share: float | None = None
     negated: bool = False
     texts: list[str] = field(default_factory=list)
-    style: Lexeme | None = None
+    whole: int | None = None
 
     def empty(self) -> bool:
         return not self.texts
@@ -119,6 +121,8 @@ class Phraser:
                 self._determiner(word)
             case "number" if p.number is None or p.ordinals:
                 p.number = word.number
+            case "number" if p.quantifier == "the" and "of" in p.texts:
+                p.whole = int(word.number)
             case "number":
                 self._flush()
                 self.pending.number = word.number
@@ -134,6 +138,14 @@ class Phraser:
                 p.area = word
             case "compare" if word.number == -1 and _noun_ahead(words, i + 1):
                 p.labels.add("equal")
+            case "adjective" if not p.empty() or _noun_ahead(words, i + 1):
+                pass
+            case "unknown" if not p.empty() and _noun_ahead(words, i + 1):
+                self.unread.append(word.text)
+            case "style" if not p.empty() and _noun_ahead(words, i + 1):
+                self.items.append(Item("style", word.value, word.text))
+            case "stop" if word.text in ("of", "de", "von") and p.number is not None and _noun_ahead(words, i + 1 + (words[i + 1].kind == "determiner")):
+                p.quantifier = "the"
             case "negation" if word.value in ("no", "without"):
                 self._flush()
                 self.pending.negated = True
@@ -173,12 +185,13 @@ class Phraser:
     def _room(self, words: list[Lexeme], i: int) -> int:
         word, p = words[i], self.pending
         kind, _, label = word.value.partition(":")
-        labels = set(p.labels) | ({label} if label else set())
+        labels = set(p.labels) | (set(label.split("+")) if label else set())
         if p.quantifier == "both" and not word.plural:
             p.quantifier = "the"  # "both the bedroom and the hallway"
         phrase = RoomPhrase(kind, labels, p.number, p.quantifier, p.ordinals, word.plural, negated=p.negated, factor=p.factor, text=word.text)
         phrase.areas = p.area.values if p.area else ()
         phrase.share = p.share
+        phrase.whole = p.whole
         phrase.headline = (word.joined and p.number is not None and word.kind == "room" and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in ("bed", "beds", "bath", "baths", "室", "居 室", "房") and p.number is not None)
         self.items.append(Item("room", kind, word.text, phrase, joined=word.joined and p.empty()))
         self.pending = _Pending()
@@ -235,7 +248,8 @@ class Phraser:
         p, self.pending = self.pending, _Pending()
         if p.number is not None and p.quantifier not in PARTITIVE:
             self.items.append(Item("main_rooms", "", word.text, number=p.number))
-        elif p.quantifier in ("all", "each", "other"):
+        elif p.quantifier in ("all", "each", "other") or word.value == "everything":
+            p.quantifier = p.quantifier or ("other" if "else" in word.text else "all")
             self.items.append(Item("room", "any", word.text, RoomPhrase("any", set(), None, p.quantifier, plural=True, text=word.text)))
 
     def _dwelling(self, word: Lexeme) -> None:
@@ -290,7 +304,8 @@ class Phraser:
 
 def _noun_ahead(words: list[Lexeme], i: int) -> bool:
     """Whether a room or dwelling follows after modifiers only."""
-    while i < len(words) and words[i].kind in ("size", "label", "ordinal", "style", "number", "area"):
+    start = i
+    while i < len(words) and i < start + 5 and words[i].kind in MODIFIERS:
         i += 1
     return i < len(words) and words[i].kind in ("room", "dwelling", "shorthand")
 

@@ -12,7 +12,7 @@ from stages.plan.reader.areas import fill, typical
 from stages.plan.reader.household import MOST, Entity, Household
 from stages.plan.reader.links import complete_links, edge
 from stages.plan.reader.parse import mentions, parse
-from stages.plan.reader.phrases import OPEN_TYPES
+from stages.plan.reader.phrases import OPEN_TYPES, RoomPhrase
 from stages.plan.reader.sense import sense
 from stages.plan.reader.statements import Said, Statement
 
@@ -37,10 +37,12 @@ def read(prompt: str) -> Program:
     said = parse(prompt)
     home = Household(mentions(said.statements))
     _counts_in_bounds(said)
-    for phrase in sorted(said.rooms, key=lambda p: not p.headline):
+    for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
     if not home.rooms and not said.dwelling and not said.main_rooms:
         raise BadInput(f"no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. \"two-bedroom flat with a study\"")
+    if len(home.rooms) > MOST:
+        raise BadInput(f"the prompt asks for more than {MOST} rooms; ask for fewer")
     doors = _doors(said.statements, home)
     complete = said.only or _full_graph(said, home, doors)
     if not complete:
@@ -48,6 +50,17 @@ def read(prompt: str) -> Program:
     _every_room(said.statements, home, doors)
     _ensuites(home, doors)
     return _program(said, home, doors, complete)
+
+
+def _introduced_first(phrases: list[RoomPhrase]) -> list[RoomPhrase]:
+    """Totals first; `each bedroom … three bedrooms` is read the other way round."""
+    early: set[int] = set()
+    for k, phrase in enumerate(phrases):
+        universal = phrase.quantifier in ("each", "all", "both") and phrase.count is None
+        known = any(p.type == phrase.type for p in phrases[:k])
+        if universal and not known and any(p.type == phrase.type and p.count for p in phrases[k:]):
+            early.add(id(phrase))
+    return sorted(phrases, key=lambda p: 0 if p.headline else 2 if id(p) in early else 1)
 
 
 def _quoted(prompt: str) -> str:
@@ -74,7 +87,7 @@ def _doors(statements: list[Statement], home: Household) -> _Doors:
     for s in statements:
         left = _entities(s.left, home)
         right = _entities(s.right, home)
-        pairs = [(a, b) for a in left for b in right if a is not b]
+        pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b)]
         match s.kind:
             case "open":
                 out.open += pairs
@@ -99,6 +112,12 @@ def _doors(statements: list[Statement], home: Household) -> _Doors:
     return out
 
 
+def _served(a: Entity, b: Entity) -> bool:
+    """A family bathroom that serves a bedroom has no door to it."""
+    bath = a if a.type == "bathroom" else b
+    return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & {"family", "shared"})
+
+
 def _entities(phrases: list[Any], home: Household) -> list[Entity]:
     out: list[Entity] = []
     for phrase in phrases:
@@ -113,7 +132,7 @@ def _every_room(statements: list[Statement], home: Household, doors: _Doors) -> 
             if s.kind in ("door", "only") and any(p.type == "any" for p in some):
                 hubs = _entities(others, home)
                 linked = {id(e) for pair in doors.links for e in pair} if any(p.quantifier == "other" for p in some) else set()
-                rooms = [e for e in home.rooms if e not in hubs and e.owner is None and e.type not in ("balcony", "closet") and id(e) not in linked]
+                rooms = [e for e in home.rooms if e not in hubs and e.owner is None and e.type not in ("balcony", "closet") and "ensuite" not in e.labels and id(e) not in linked]
                 doors.links += [(hub, e) for hub in hubs for e in rooms]
 
 
@@ -352,7 +371,7 @@ def _compare(s: Statement, home: Household, ids: dict[int, str], base: dict[str,
     right = [ids[id(e)] for e in _entities(s.right, home)]
     if s.kind == "equal":
         base.update(dict.fromkeys(left, sum(base[j] for j in left) / max(len(left), 1)))
-    if s.kind != "compare" or not left or not right:
+    if s.kind != "compare" or not left or not right or s.number <= 0:
         return
     reference = sum(stated.get(j, base[j]) for j in right) / len(right)
     for i in left:
@@ -390,7 +409,7 @@ def _compared(
     """Unequal stretching must not spoil a comparison: its two sides are fixed to their ratio, the rest refilled."""
     left = [ids[id(e)] for e in _entities(s.left, home)]
     right = [ids[id(e)] for e in _entities(s.right, home)]
-    if not left or not right or set(left + right) & set(stated):
+    if not left or not right or s.number <= 0 or set(left + right) & set(stated):
         return filled
     both = sum(filled[i] for i in {*left, *right})
     unit = both / (len(left) * s.number + len([j for j in right if j not in left]))

@@ -31,6 +31,9 @@ def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[
         left = _rooms(items, *p.subject) or before
         stop = found[k + 1] if k + 1 < len(found) else None
         right = _objects(items, p, stop, left)
+        barred = [x for x in right if _barred(items, x)]
+        right = [x for x in right if x not in barred]
+        out += [Statement("not", left, barred)] if barred and left else []
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
         if any(i.value == "except" for i in items[p.at :]):
@@ -38,6 +41,13 @@ def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[
                 phrase.quantifier = "other" if phrase.type == "any" else phrase.quantifier
         out += _statement(p, left, right)
     return out
+
+
+def _barred(items: list[Item], phrase: RoomPhrase) -> bool:
+    """`from the hallway and not from the bedroom`."""
+    at = next(j for j, i in enumerate(items) if i.room is phrase)
+    k = at - 2 if at and items[at - 1].kind in ("front", "link") else at - 1
+    return k > 0 and items[k].kind == "negation" and items[k].value == "not"
 
 
 def _relative_object(items: list[Item], p: _Predicate) -> list[RoomPhrase]:
@@ -62,6 +72,10 @@ def _predicates(items: list[Item], graph: bool) -> list[_Predicate]:
             out.append(_Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
         elif item.kind == "front" and _way_in(items, k):
             out.append(_Predicate(k, "door", "part", negated))
+        elif item.kind == "front" and out and _between_rooms(items, k) and _new_clause(items, k - 2):
+            out.append(_Predicate(k, "gap", "part", negated))
+        elif item.kind == "with" and item.value == "in" and _between_rooms(items, k):
+            out.append(_Predicate(k, "in", "part", negated))
         elif item.kind == "link":
             if out and out[-1].form == "front" and k <= out[-1].at:
                 continue
@@ -95,8 +109,16 @@ def _near_room(items: list[Item], k: int) -> bool:
 
 def _way_in(items: list[Item], k: int) -> bool:
     """`you enter the kitchen through the living room`."""
-    between = 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
-    return between and any(i.kind == "reach" for i in items[:k])
+    return _between_rooms(items, k) and any(i.kind == "reach" for i in items[:k])
+
+
+def _between_rooms(items: list[Item], k: int) -> bool:
+    return 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
+
+
+def _new_clause(items: list[Item], k: int) -> bool:
+    """Whether a gapped clause may begin after `k`: `…, the dining room from the living room`."""
+    return k > 0 and (items[k].kind == "conjunction" or is_mark(items[k], ","))
 
 
 def _is_front(items: list[Item], k: int, first: bool) -> bool:
@@ -125,7 +147,7 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
     start = last.at + 1 if last else 0
     rooms = [j for j in range(start, p.at) if items[j].room is not None]
     between = items[rooms[-1] + 1 : p.at] if rooms else items[start : p.at]
-    gapped = last is not None and len(rooms) > 1 and p.kind in ("to", "only") and rooms[-1] == p.at - 1 and items[p.at - 2].kind == "conjunction"
+    gapped = last is not None and len(rooms) > 1 and p.kind in ("to", "only", "gap") and rooms[-1] == p.at - 1 and _new_clause(items, p.at - 2)
     if gapped:
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
@@ -168,7 +190,7 @@ def _verb_coordination(between: list[Item]) -> bool:
 
 def _and_group(items: list[Item], at: int, floor: int, whole: bool = False) -> int:
     """Start of the rooms joined by `and` that end at `at`."""
-    while at - 2 >= floor and items[at - 2].room is not None and (items[at - 1].kind == "conjunction" or (whole and is_mark(items[at - 1], ","))):
+    while at - 2 >= floor and items[at - 2].room is not None and ((items[at - 1].kind == "conjunction" and items[at - 1].value != "plus") or (whole and is_mark(items[at - 1], ","))):
         at -= 2
     return at
 
@@ -221,7 +243,9 @@ def _continues(items: list[Item], p: _Predicate, j: int, out: list[RoomPhrase]) 
     """Whether the room at `j` is one more object of the relation."""
     phrase, first = items[j].room, out[0]
     assert phrase is not None
-    if p.kind == "to" or (p.form == "which" and is_mark(items[j - 1], ",")):
+    if items[j - 1].value == "plus" and p.form == "part":
+        return False
+    if p.kind in ("to", "in", "gap") or (p.form == "which" and is_mark(items[j - 1], ",")):
         return False
     if p.kind == "between":
         return len(out) < 2 or items[j - 1].kind == "conjunction"
@@ -244,6 +268,6 @@ def _statement(p: _Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -
         if hubs:
             return [Statement("door", hubs[-1:], right)] if right else []
         return [Statement("door", right[:1], right[1:])] if len(right) > 1 else []
-    if kind == "to":
-        kind = "door"
+    if kind in ("to", "in", "gap"):
+        kind = "open" if kind == "in" and {x.type for x in (*left, *right)} <= set(OPEN_TYPES) else "door"
     return [Statement(kind, left, right)] if left and right else []

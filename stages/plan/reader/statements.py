@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from stages.plan.reader.sense import sense
 from stages.plan.reader.phrases import OPEN_TYPES, Item, RoomPhrase
 
 
@@ -69,11 +70,22 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             group[0].labels.add("open")
         if len(group) > 1 and (tight or after or "open" in group[0].labels):
             out += chain(group)
+            _split_area(group)
             for phrase in group:
                 phrase.labels.discard("open")
         kept += items[i : end + 1] if not after else items[i:end]
         i = end + 1
     return kept, out
+
+
+def _split_area(group: list[RoomPhrase]) -> None:
+    """`living/kitchen (30 m²)`: an area far above its own room's is that of the whole group."""
+    usual = [sense()["area"][r.type] for r in group]
+    given = [(k, r) for k, r in enumerate(group) if len(r.areas) == 1]
+    if len(given) == 1 and given[0][1].areas[0] > 1.3 * usual[given[0][0]]:
+        whole = given[0][1].areas[0]
+        for room, share in zip(group, usual, strict=True):
+            room.areas = (whole * share / sum(usual),)
 
 
 def _run(items: list[Item], i: int) -> int:
@@ -94,6 +106,8 @@ def _run(items: list[Item], i: int) -> int:
                 break
             seen.add(item.value)
             end = j + 1
+            if items[j - 1].kind == "conjunction" and len(seen) > 1:
+                break
         elif not separated:
             break
         j += 1
