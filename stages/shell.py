@@ -36,7 +36,7 @@ def bodies(plan: Plan) -> list[Body]:
     floors = [_floor(plan, room) for room in plan.rooms]
     ceilings = [_ceiling(plan, room) for room in plan.rooms if room.type != "balcony"]
     linings = [lined for room in plan.rooms for lined in _linings(plan, room)]
-    leaves = [_opening(plan, opening) for opening in plan.openings]
+    leaves = [_opening(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
     return [_ground(plan), *floors, _walls(plan), *linings, *ceilings, *leaves]
 
 
@@ -75,7 +75,12 @@ def _cut(opening: Opening, plan: Plan) -> Polygon:
     return polygons.threshold(opening, plan).difference(within)
 
 
-def _low(plan: Plan) -> Geometry:
+def in_parapet(opening: Opening, plan: Plan) -> bool:
+    """Whether a window is where the wall is only a balcony's parapet, so that there is nothing to glaze."""
+    return opening.kind == "window" and low(plan).contains(_cut(opening, plan).centroid)
+
+
+def low(plan: Plan) -> Geometry:
     """Where walls are only parapets: about balconies and nothing else."""
     indoors = [room for room in plan.rooms if room.type != "balcony"]
     if not indoors or len(indoors) == len(plan.rooms):
@@ -85,13 +90,13 @@ def _low(plan: Plan) -> Geometry:
 
 def _storeys(plan: Plan) -> list[tuple[Geometry, float, float]]:
     """Wall bodies as prisms (area, z0, z1): the wall proper, what is above openings, what is below windows."""
-    cuts = {o.id: _cut(o, plan) for o in plan.openings}
+    cuts = {o.id: _cut(o, plan) for o in plan.openings if not in_parapet(o, plan)}
     solid = polygons.shell(plan).difference(unary_union([*polygons.floors(plan).values(), *cuts.values()]))
-    low = _low(plan)
-    pieces = [(solid.difference(low), 0.0, plan.height), (solid.intersection(low), 0.0, PARAPET)]
-    for opening in plan.openings:
+    about = low(plan)
+    pieces = [(solid.difference(about), 0.0, plan.height), (solid.intersection(about), 0.0, PARAPET)]
+    for opening in (o for o in plan.openings if o.id in cuts):
         area = cuts[opening.id]
-        top = PARAPET if area.intersects(low) and low.contains(area.centroid) else plan.height
+        top = PARAPET if about.contains(area.centroid) else plan.height
         pieces += [(area, 0.0, min(opening.sill, top)), (area, opening.head, top)]
     return [(area, z0, z1) for area, z0, z1 in pieces if area.area > 1e-6 and z1 - z0 > 1e-3]
 

@@ -6,9 +6,9 @@ import numpy as np
 
 from stages.export._soup import Array, Index, length
 
-AZIMUTH, ELEVATION = np.radians(-72.0), np.radians(61.0)
+AZIMUTH, ELEVATION = np.radians(-74.0), np.radians(66.0)
 """Where it stands, seen from the middle of the house."""
-FIELD = np.radians(24.0)
+FIELD = np.radians(32.0)
 BORDER = 0.04
 """Share of the picture left about what is shown."""
 
@@ -25,8 +25,8 @@ class Camera:
     columns: int
 
     @classmethod
-    def at(cls, points: Array, columns: int) -> "Camera":
-        """One that sees all of the points (n, 3), its image cut to fit."""
+    def at(cls, points: Array, pixels: int) -> "Camera":
+        """One that sees all of the points (n, 3); its image of so many pixels is cut to fit."""
         points = np.unique(points.round(2), axis=0).astype(float)
         flat = np.cos(ELEVATION)
         back = np.array([np.cos(AZIMUTH) * flat, np.sin(AZIMUTH) * flat, np.sin(ELEVATION)])
@@ -39,7 +39,8 @@ class Camera:
         lo, hi = flat_points.min(0), flat_points.max(0)
         half = (hi - lo) / 2 + BORDER * (hi - lo).max()
         single = np.float32
-        rows = round(columns * float(half[1] / half[0]))
+        shape = float(half[1] / half[0])
+        rows, columns = round((pixels * shape) ** 0.5), round((pixels / shape) ** 0.5)
         return cls(eye.astype(single), frame.astype(single), half, (lo + hi) / 2, rows, columns)
 
     def rays(self, pixels: Index, within: Array) -> Array:

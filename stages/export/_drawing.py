@@ -14,7 +14,7 @@ from shapely.ops import unary_union
 from schemas.layout import Box, Layout
 from schemas.plan import Opening, Plan, Room
 from schemas.retrieve import Furnishing, Joint
-from stages import boxes, polygons
+from stages import boxes, polygons, shell
 from stages.categories import TABLE
 from stages.export import _symbols
 from stages.export._pen import FAINT, INK, PAPER, Pen
@@ -23,7 +23,7 @@ INCH = 0.72
 """Inches of paper to a metre, before the sheet is fitted."""
 LARGEST = 13.0  # inches, longer side of the plan
 MARGIN = 1.1  # m about the outer walls, for dimensions and the scale bar
-POCHE = "#2f2d2b"
+POCHE, PARAPET = "#2f2d2b", "#d5d1ca"
 TINTS = {
     "living_room": "#fbf6ec", "dining_room": "#fbf6ec", "kitchen": "#f6f4f0", "bedroom": "#f7f3ee", "study": "#f7f3ee",
     "bathroom": "#eef4f6", "utility": "#f1f4f4", "hallway": "#faf8f4", "storage": "#f3f2f0", "closet": "#f5f1ec",
@@ -48,7 +48,8 @@ def figure(home: Plan) -> Figure:
     objects = home.objects if isinstance(home, Layout) else []
     _furniture(axes, objects)
     _fill(axes, polygons.walls(home), POCHE, 5.0)
-    for opening in home.openings:
+    _fill(axes, polygons.walls(home).intersection(shell.low(home)), PARAPET, 5.1, INK, 0.5)
+    for opening in (o for o in home.openings if not shell.in_parapet(o, home)):
         _opening(axes, home, opening)
     _names(axes, home, objects, inch)
     _frame(axes, home)

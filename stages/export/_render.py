@@ -5,12 +5,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from stages.body import Body
+from stages.categories import TABLE
 from stages.export._camera import Camera
 from stages.export._soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, soup, split
 from stages.scene import Scene
 
-WIDTH = 1400
-"""Pixels across; the height follows from what is shown."""
+PIXELS = 1_300_000
+"""Of the whole picture; its shape follows from what is shown."""
 PASSES, EDGE_PASSES = 2, 6
 """Rays through each pixel, and further ones through those where something begins or ends."""
 SKY_RAYS = 3
@@ -45,10 +47,10 @@ class Seen(NamedTuple):
 
 def picture(scene: Scene) -> NDArray[np.uint8]:
     """The image, (rows, columns, 3)."""
-    every = soup(body for body in scene.bodies if body.kind != "ceiling")
+    every = soup(body for body in scene.bodies if not _overhead(body))
     clear = np.array([m.color[3] < 1 for m in every.materials])[every.material]
     glass, solid = split(every, clear)
-    camera = Camera.at(every.corners.reshape(-1, 3), WIDTH)
+    camera = Camera.at(every.corners.reshape(-1, 3), PIXELS)
     traced = Tracer(solid), Tracer(glass)
     whole = np.arange(camera.rows * camera.columns)
     seen = Seen(*(sum(part) / PASSES for part in zip(*(_pass(camera, *traced, whole, k) for k in range(PASSES)))))
@@ -59,6 +61,11 @@ def picture(scene: Scene) -> NDArray[np.uint8]:
     fine = [_pass(camera, *traced, edge, PASSES + k) for k in range(EDGE_PASSES)]
     image[edge] = sum(_toned(part.color * _falling(light[edge], part.normal)) for part in fine) / EDGE_PASSES
     return np.asarray(np.rint(encoded(_toned(image)).reshape(*shape, 3) * 255), np.uint8)
+
+
+def _overhead(body: Body) -> bool:
+    """What is taken off with the roof."""
+    return body.kind == "ceiling" or (body.category in TABLE and TABLE[body.category].place == "ceiling")
 
 
 def _falling(light: Array, normal: Array) -> Array:
