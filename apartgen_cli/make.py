@@ -87,10 +87,14 @@ def _advanced(stage: Stage, previous: Artifact[Any], config: Record, seed: int, 
 
 
 def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> list[Path]:
+    """The main file of every format, which each format names first."""
     old = _kept(scene / "export.json", Export, made(seed, settings, home))
-    if old is None or not all(_intact(scene / file.path, file.sha256) for file in old.body.files):
-        return [scene / file.path for file in export.finished(home, settings, scene).files]
-    return [scene / file.path for file in old.body.files]
+    if old is not None and all(_intact(scene / file.path, file.sha256) for file in old.body.files):
+        files = old.body.files
+    else:
+        files = export.finished(home, settings, scene).files
+    main = {file.format: file.path for file in reversed(files)}
+    return [scene / path for path in reversed(main.values())]
 
 
 def _intact(file: Path, sha256: str) -> bool:
