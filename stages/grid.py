@@ -4,14 +4,13 @@ Cells are squares of `resolution` metres addressed [row, column] = [y, x]; a cel
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import Geometry
 
-from stages import boxes as boxes_
 from stages.boxes import Array, Boxes, Mask
 
 RESOLUTION = 0.05
@@ -58,6 +57,12 @@ class Grid:
         (left, below), (right, above) = first.clip(0), last.clip(0)
         return slice(below, above), slice(left, right)
 
+    def part(self, window: Window) -> "Grid":
+        """The grid of a window's cells alone."""
+        rows, columns = (w.indices(n) for w, n in zip(window, self.shape))
+        x, y = self.origin[0] + columns[0] * self.resolution, self.origin[1] + rows[0] * self.resolution
+        return Grid((x, y), (max(rows[1] - rows[0], 0), max(columns[1] - columns[0], 0)), self.resolution)
+
 
 def over(area: Geometry, resolution: float = RESOLUTION) -> Grid:
     """A grid that covers a geometry, with one free cell about it."""
@@ -87,27 +92,33 @@ def _rings(area: Geometry) -> list[Array]:
     return [shapely.get_coordinates(ring) for ring in rings]
 
 
-def near(boxes: Boxes, grid: Grid, radius: float) -> NDArray[np.int16]:
+def near(boxes: Boxes, grid: Grid, radius: float) -> Count:
     """How many of the footprints come closer than `radius` to each cell's centre, (rows, columns)."""
     count = np.zeros(grid.shape, np.int16)
     for i in range(boxes.n):
-        window, hit = _near(boxes.take([i]), grid, radius)
-        count[window] += hit
+        change(count, boxes.take([i]), grid, radius, 1)
     return count
 
 
-def change(count: NDArray[np.int16], box: Boxes, grid: Grid, radius: float, by: int) -> None:
+def change(count: Count, box: Boxes, grid: Grid, radius: float, by: int) -> None:
     """Add (`by` = 1) or take away (-1) one box (n = 1) in the result of `near`, in place."""
-    window, hit = _near(box, grid, radius)
-    count[window] += np.int16(by) * hit
+    x, y = (float(v) for v in box.center[0, :2])
+    d, w = (float(v) for v in box.size[0, :2])
+    window, hit = _shade(x, y, d, w, float(box.yaw[0]), grid, radius)
+    count[window] += hit if by == 1 else np.int16(by) * hit
 
 
-def _near(box: Boxes, grid: Grid, radius: float) -> tuple[Window, Mask]:
-    reach = np.abs(boxes_.corners(box)[0] - box.center[0, :2]).max(0) + radius
-    window = grid.around(box.center[0, :2] - reach, box.center[0, :2] + reach)
-    points = grid.centers(window)
-    apart = boxes_.distance(points.reshape(-1, 2), box)[:, 0].reshape(points.shape[:2])
-    return window, apart < radius - 1e-9
+@lru_cache(maxsize=4096)
+def _shade(x: float, y: float, d: float, w: float, yaw: float, grid: Grid, radius: float) -> tuple[Window, Count]:
+    """The cells closer than `radius` to one footprint; kept, because repairs ask for the same again and again."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    reach = np.array([abs(c) * d + abs(s) * w, abs(s) * d + abs(c) * w]) / 2 + radius
+    window = grid.around(np.array([x, y]) - reach, np.array([x, y]) + reach)
+    across, up = grid.x[window[1]][None, :] - x, grid.y[window[0]][:, None] - y
+    ahead = (np.abs(across * c + up * s) - d / 2).clip(0)
+    aside = (np.abs(up * c - across * s) - w / 2).clip(0)
+    hit: Count = (ahead**2 + aside**2 < (radius - 1e-9) ** 2 if radius > 0 else ahead + aside <= 0).astype(np.int16)
+    return window, hit
 
 
 def connected(free: Mask) -> tuple[Labels, NDArray[np.int64]]:
@@ -129,8 +140,10 @@ def largest(free: Mask) -> Mask:
 
 def from_seeds(free: Mask, seeds: Mask) -> Mask:
     """All free cells connected to any free cell among the seeds."""
-    labels, sizes = connected(free)
-    reached = np.zeros(len(sizes), bool)
+    from scipy import ndimage
+
+    labels, count = ndimage.label(free)
+    reached = np.zeros(count + 1, bool)
     reached[labels[seeds]] = True
     reached[0] = False
     found: Mask = reached[labels]

@@ -69,6 +69,24 @@ def space(plan: Plan, radius: float = RADIUS, resolution: float = grid.RESOLUTIO
     return Space(plan, radius, cells, free, rooms, _entry(plan, free, cells, radius), doors)
 
 
+def part(world: Space, rooms: Collection[str], cells: Mask, margin: float = 0.6) -> Space:
+    """The space about some rooms alone, for questions about them while nothing outside them changes.
+
+    The robot comes in where it gets to the rim without passing through these rooms; `cells` are those of `free`.
+    """
+    shapes = [polygons.floor(room).bounds for room in world.plan.rooms if room.id in rooms]
+    lo, hi = np.min(shapes, axis=0)[:2] - margin, np.max(shapes, axis=0)[2:] + margin
+    window = world.grid.around(lo, hi)
+    inside = np.isin(world.rooms, [i for i, room in enumerate(world.plan.rooms) if room.id in rooms])
+    rim = np.ones(world.grid.shape, bool)[window]
+    rim[1:-1, 1:-1] = False
+    entry = world.entry[window] | (rim & grid.from_seeds(cells & ~inside, world.entry)[window])
+    doors = {name: [side[window] for side in sides] for name, sides in world.doors.items()
+             if all(side[window].sum() == side.sum() for side in sides)}
+    here = world.grid.part(window)
+    return Space(world.plan, world.radius, here, world.open[window], world.rooms[window], entry, doors)
+
+
 def _strip(opening: Opening, plan: Plan, room: str, depth: float) -> Polygon:
     """The floor of `room` before an opening, as wide as it and `depth` deep."""
     normal, reach = polygons.face(opening, plan, room)

@@ -1,12 +1,41 @@
-"""A library of plain boxes in any size a category allows."""
+"""A library of plain boxes in any size a category allows, with fronts that open as the category says."""
 
 import numpy as np
 
+from schemas.retrieve import Joint
 from stages.asset import Asset, Link, Material, Mesh
-from stages.categories import TABLE
+from stages.categories import DRAWER_TRAVEL, TABLE, leaves
+
+FRONT = 0.02
 
 FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6],
                   [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+
+
+def joints(category, size):
+    """Leaves hung in turn on their left and right, one drawer, or one flap, as wide as the box."""
+    d, w, h = size
+    kind = TABLE[category]
+    front, back = d / 2, d / 2 - FRONT
+    if kind.opens == "drawer":
+        extent = ((-d / 2 + 0.02, -w / 2, -h / 2), (front, w / 2, h / 2))
+        return [Joint(name="drawer", type="slide", axis=(1, 0, 0), origin=(0, 0, 0), range=(0, DRAWER_TRAVEL * d),
+                      part="slider_drawer", extent=extent)]
+    if kind.opens == "flap":
+        extent = ((back, -w / 2, -h / 2), (front, w / 2, -h / 2 + kind.flap * h))
+        return [Joint(name="flap", type="hinge", axis=(0, 1, 0), origin=(front, 0, -h / 2), range=(0, np.pi / 2),
+                      part="hinge_door", extent=extent)]
+    if kind.opens == "leaf":
+        n = leaves(category, w)
+        return [_leaf(i, w / n, -w / 2 + i * w / n, back, front, h) for i in range(n)]
+    return []
+
+
+def _leaf(i, width, right, back, front, h):
+    left_hung = i % 2 == 1
+    return Joint(name=f"leaf_{i}", type="hinge", axis=(0, 0, 1 if left_hung else -1),
+                 origin=(front, right + width * left_hung, 0), range=(0, np.pi / 2), part="hinge_door",
+                 extent=((back, right, -h / 2), (front, right + width, h / 2)))
 
 
 class Boxes:
@@ -27,7 +56,8 @@ class Boxes:
         corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * np.array(size) / 2
         mesh = Mesh(corners, FACES, Material("plain"))
         name = "x".join(f"{s:.3f}" for s in size)
-        return Asset("boxes", name, category, "plain", size, [Link("body", [mesh], [], 1.0)])
+        moving = [Link(joint.name, [], [], 1.0, joint) for joint in joints(category, size)]
+        return Asset("boxes", name, category, "plain", size, [Link("body", [mesh], [], 1.0), *moving])
 
 
 class Empty:

@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from schemas.retrieve import Furnishing
 from schemas.walkable import Placement, Step
-from stages.walkable.site import Scene, swapped
+from stages.walkable.site import Changes, Scene, swapped
 
 Action = Literal["replace", "nudge", "drop"]
 
@@ -15,16 +15,16 @@ class Change(NamedTuple):
 
     action: Action
     object: Furnishing
-    to: dict[str, Furnishing | None]
+    to: Changes
     reason: str
 
 
-def replaced(o: Furnishing, to: dict[str, Furnishing | None], reason: str) -> Change:
+def replaced(o: Furnishing, to: Changes, reason: str) -> Change:
     """Another asset for an object, what it carries included."""
     return Change("replace", o, to, reason)
 
 
-def nudged(o: Furnishing, to: dict[str, Furnishing | None], reason: str) -> Change:
+def nudged(o: Furnishing, to: Changes, reason: str) -> Change:
     """Another place for an object and its company."""
     return Change("nudge", o, to, reason)
 

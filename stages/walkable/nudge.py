@@ -8,7 +8,7 @@ import numpy as np
 from schemas.retrieve import Furnishing
 from stages import boxes, categories
 from stages.walkable import placing
-from stages.walkable.site import Scene, Site, fits
+from stages.walkable.site import Changes, Scene, Site
 
 SHIFTS = (0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Along each of the object's axes, m."""
@@ -16,17 +16,15 @@ DRAWN_UP = 0.15
 """Seats this close to what they belong to go with it, m."""
 
 
-def nudges(site: Site, scene: Scene, o: Furnishing) -> Iterator[dict[str, Furnishing | None]]:
-    """Shifts that fit, short ones first; backs and sides at walls slide along them."""
+def nudges(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    """Shifts, short ones first; backs and sides at walls slide along them. Whether they fit is not looked at."""
     along, across = placing.anchors(o, site)
     axes = boxes.axes(boxes.of([o]))[0]
     company = [o, *placing.carried(o, scene), *_seats(scene, o)]
     shifts = [s for s in product((0.0,) if along else SHIFTS, (0.0,) if across else SHIFTS) if any(s)]
     for shift in sorted(shifts, key=lambda s: (np.hypot(*s), s)):
         by = np.asarray(shift) @ axes
-        changes: dict[str, Furnishing | None] = {p.id: placing.moved(p, by.tolist()) for p in company}
-        if fits(site, scene, changes):
-            yield changes
+        yield {p.id: placing.moved(p, by.tolist()) for p in company}
 
 
 def _seats(scene: Scene, o: Furnishing) -> list[Furnishing]:

@@ -6,11 +6,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from schemas.retrieve import AssetKey, Furnishing
+from schemas.retrieve import AssetKey, Furnishing, Joint
 from stages import boxes, categories
 from stages.asset import Asset
 from stages.boxes import Array, Boxes
-from stages.walkable.site import Scene, Site
+from stages.walkable.site import Changes, Scene, Site
 
 NEAR = 0.12
 """A side this close to a wall stays at its distance from it, m."""
@@ -33,15 +33,33 @@ def anchors(o: Furnishing, site: Site) -> tuple[int, int]:
     return (-1 if back else ahead), beside - right
 
 
-def resized(o: Furnishing, asset: Asset, site: Site) -> Furnishing:
-    """The object with another asset: anchored ends, and its underside, stay where they were."""
-    lost = (np.asarray(o.size) - asset.size) / 2
+def resized(o: Furnishing, size: Sequence[float], site: Site) -> Furnishing:
+    """The object in another size: anchored ends, and its underside, stay where they were."""
+    lost = (np.asarray(o.size) - size) / 2
     shift = np.array(anchors(o, site)) * lost[:2] @ boxes.axes(boxes.of([o]))[0]
     x, y, z = np.asarray(o.center) + [*shift, -lost[2]]
-    return o.model_copy(update={
-        "center": (float(x), float(y), float(z)), "size": tuple(float(s) for s in asset.size), "joints": asset.joints,
-        "asset": AssetKey(library=asset.library, id=asset.id),
-    })
+    return o.model_copy(update={"center": (float(x), float(y), float(z)), "size": tuple(float(s) for s in size)})
+
+
+def scaled(o: Furnishing, size: Sequence[float], site: Site) -> Furnishing:
+    """The object in another size with its parts scaled along, for a guess at what an asset of that size would do."""
+    ratio = np.asarray(size) / o.size
+    joints = [_scaled(joint, ratio) for joint in o.joints]
+    return resized(o, size, site).model_copy(update={"joints": joints})
+
+
+def _scaled(joint: Joint, ratio: Array) -> Joint:
+    lo, hi = joint.range
+    by = float(np.abs(np.asarray(joint.axis)) @ ratio / np.abs(joint.axis).sum()) if joint.type == "slide" else 1.0
+    extent = None if joint.extent is None else tuple(tuple((np.asarray(end) * ratio).tolist()) for end in joint.extent)
+    origin = tuple((np.asarray(joint.origin) * ratio).tolist())
+    return joint.model_copy(update={"range": (lo * by, hi * by), "extent": extent, "origin": origin})
+
+
+def furnished(o: Furnishing, asset: Asset, site: Site) -> Furnishing:
+    """The object with another asset, placed as `resized` does."""
+    key = AssetKey(library=asset.library, id=asset.id)
+    return resized(o, asset.size, site).model_copy(update={"joints": asset.joints, "asset": key})
 
 
 def moved(o: Furnishing, by: Sequence[float]) -> Furnishing:
@@ -72,9 +90,9 @@ def _below(o: Furnishing, scene: Scene) -> str | None:
     return max(held, key=lambda p: p.center[2] + p.size[2] / 2).id if held else None
 
 
-def settled(old: Furnishing, new: Furnishing, asset: Asset, scene: Scene) -> dict[str, Furnishing | None] | None:
+def settled(old: Furnishing, new: Furnishing, asset: Asset, scene: Scene) -> Changes | None:
     """The changed object and, by id, what it carries on the new asset's top; None if that no longer holds it."""
-    changes: dict[str, Furnishing | None] = {new.id: new}
+    changes: Changes = {new.id: new}
     for item in carried(old, scene):
         placed = _on(new, item, asset)
         if placed is None:

@@ -25,6 +25,8 @@ BEFORE_WINDOW = 0.3
 """What is higher than the sill keeps this far from a window, m."""
 
 Scene = tuple[Furnishing, ...]
+Changes = dict[str, Furnishing | None]
+"""New states by id; None takes an object away."""
 
 
 class Candidates(Protocol):
@@ -78,13 +80,13 @@ def in_room(scene: Iterable[Furnishing], room: str) -> list[Furnishing]:
     return [o for o in scene if o.room == room]
 
 
-def swapped(scene: Scene, changes: dict[str, Furnishing | None]) -> Scene:
-    """The scene with some objects exchanged by id; None takes one away."""
+def swapped(scene: Scene, changes: Changes) -> Scene:
+    """The scene with some objects exchanged by id."""
     every = [changes.get(o.id, o) for o in scene]
     return tuple(o for o in every if o is not None)
 
 
-def fits(site: Site, scene: Scene, changes: dict[str, Furnishing | None]) -> bool:
+def fits(site: Site, scene: Scene, changes: Changes) -> bool:
     """Whether a change breaks nothing that was whole: room, doors, windows, collisions, sweeps of moving parts."""
     now = {o.id: o for o in scene}
     changed = [o for o in changes.values() if o is not None]

@@ -8,7 +8,8 @@ import pytest
 from schemas.errors import Unmet
 from schemas.plan import AskedObjects
 from schemas.retrieve import Retrieve
-from stages import boxes, polygons, reach
+from stages import boxes, categories, polygons, reach, sweeps
+from stages.categories import TABLE
 from stages.metrics import collision, doorways, outside
 from stages.walkable import WalkableConfig, run
 
@@ -171,3 +172,12 @@ def test_nothing_is_broken_on_the_way(seed):
 def test_every_flat_becomes_connected_and_open_enough(seed):
     result = walk(furnished(seed), target=0.8)
     assert result.walkable.unreached == [] and result.walkable.after >= 0.8
+
+
+@pytest.mark.parametrize("name", [name for name, kind in TABLE.items() if kind.opens in ("leaf", "drawer", "flap")])
+def test_the_library_keeps_the_categories_reach(name):
+    size = TABLE[name].size
+    item = h.thing(name, 0, 0, joints=tuple(fake.joints(name, size)))
+    grown = sweeps.extended([item])
+    assert grown.size[0, 0] <= size[0] + categories.reach(name, size) + 1e-9
+    assert grown.size[0, 1] == pytest.approx(size[1], abs=1e-3)
