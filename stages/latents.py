@@ -17,7 +17,7 @@ from schemas.errors import BadInput
 Array = NDArray[np.float64]
 
 DIMENSIONS = 32
-INDEX = Path(__file__).parent / "retrieve" / "parametric_index.safetensors"
+INDEX = Path(__file__).parent / "retrieve" / "shape" / "index.safetensors"
 
 
 class Index(NamedTuple):

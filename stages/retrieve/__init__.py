@@ -1,13 +1,31 @@
-"""Retrieve: every box of a layout becomes a real asset, nearest in category, size and shape latent.
+"""Retrieval: every box of a layout becomes a real asset, nearest in category, size and shape latent.
 
-Each public file here is one kind of asset library, found by its name (`parametric`, `gapartnet`, `future3d`,
-`folder`, `simobjects`, `sweethome3d`); `matching/` finds and places, `reading/` opens foreign files safely,
-`shape/` learns the latent, `furniture/` is the embedded library.
+Each public file here is one kind of asset library, found by its name (`folder`, `future3d`, `gapartnet`, `parametric`,
+`simobjects`, `sweethome3d`); `matching/` finds and places, `reading/` opens foreign files safely, `shape/` learns the
+latent, `furniture/` is the embedded library. Names are loaded when asked for, since command lines only need few.
 """
 
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.retrieve.matching.indexing import Failure, Report, build, check, kinds
-from stages.retrieve.matching.libraries import LibrarySet, open_libraries
-from stages.retrieve.matching.run import run
+import importlib
+from typing import TYPE_CHECKING, Any
 
-__all__ = ["Failure", "LibrarySet", "Report", "RetrieveConfig", "build", "check", "kinds", "open_libraries", "run"]
+if TYPE_CHECKING:
+    from stages.retrieve.matching.config import RetrieveConfig as RetrieveConfig
+    from stages.retrieve.matching.indexing import Failure as Failure
+    from stages.retrieve.matching.indexing import Report as Report
+    from stages.retrieve.matching.indexing import build as build
+    from stages.retrieve.matching.indexing import check as check
+    from stages.retrieve.matching.indexing import kinds as kinds
+    from stages.retrieve.matching.libraries import LibrarySet as LibrarySet
+    from stages.retrieve.matching.libraries import open_libraries as open_libraries
+    from stages.retrieve.matching.stage import run as run
+
+_HOME = {
+    "RetrieveConfig": "config", "Failure": "indexing", "Report": "indexing", "build": "indexing", "check": "indexing",
+    "kinds": "indexing", "LibrarySet": "libraries", "open_libraries": "libraries", "run": "stage",
+}  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"stages.retrieve.matching.{_HOME[name]}"), name)

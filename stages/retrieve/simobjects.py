@@ -13,7 +13,7 @@ from stages.retrieve.reading import limits, mjcf, sdf, tree, urdf
 from stages.retrieve.reading.model import FRONT_MINUS_Y, Z_UP, Model, asset
 from stages.retrieve.reading.source import Source, credit, files
 from stages.retrieve.reading.tree import Body
-from stages.retrieve.reading.words import category
+from stages.retrieve.reading.words import OTHER, category
 
 FRONTS = {"x": Z_UP, "-y": FRONT_MINUS_Y, "y": -FRONT_MINUS_Y * (1, 1, -1), "-x": np.diag([-1.0, -1.0, 1.0])}
 """Turns the named side to the front."""
@@ -32,9 +32,8 @@ def assets(root: Path, scale: float = 1.0, front: str = "") -> Iterator[Source]:
             yield Source(stem, partial(_refuse, error))
             continue
         for name, load in found:
-            yield Source(
-                stem if len(found) == 1 else f"{stem}/{name}", partial(_load, load, stem, name, scale, front, by)
-            )
+            id = stem if len(found) == 1 else f"{stem}/{name}"
+            yield Source(id, partial(_load, load, id, name, path.stem, scale, front, by))
 
 
 def _refuse(error: BadInput) -> Asset:
@@ -67,13 +66,12 @@ def _sdf(model: Element, path: Path, root: Path) -> list[Body]:
     return sdf.bodies(model, path, root)
 
 
-def _load(read: partial[list[Body]], stem: str, name: str, scale: float, front: str, by: str) -> Asset:
+def _load(read: partial[list[Body]], id: str, name: str, stem: str, scale: float, front: str, by: str) -> Asset:
     bodies = read()
-    kind = category(Path(stem).name)
-    own = category(name)
-    id = stem if name == Path(stem).name else f"{stem}/{name}"
+    kind = category(name)
     turn = FRONTS[front or _opens_to(bodies)]
-    return asset(Model(id, own if own != "other" else kind, tree.parts(bodies), credit=by, turn=turn, scale=scale), "")
+    named = kind if kind != OTHER else category(stem)
+    return asset(Model(id, named, tree.parts(bodies), credit=by, turn=turn, scale=scale), "")
 
 
 def _opens_to(bodies: list[Body]) -> str:

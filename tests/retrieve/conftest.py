@@ -88,14 +88,12 @@ def maker():
 def trained(maker, tmp_path_factory):
     """Weights and index of a small shape model of the stand-in library."""
     pytest.importorskip("torch")
-    from stages.retrieve.shape import catalogue
-    from stages.retrieve.shape.train import ShapeTraining, train
+    from stages.retrieve.shape.config import ShapeTraining
+    from stages.retrieve.shape.train import train
 
     folder = tmp_path_factory.mktemp("shape")
-    weights, index = folder / "weights.safetensors", folder / "index.safetensors"
-    train(ShapeTraining(variants=2, epochs=8), weights, maker=maker)
-    catalogue.write(maker, index, weights)
-    return weights, index
+    train(ShapeTraining(variants=2, epochs=8), folder / "weights.safetensors", maker=maker)
+    return folder / "weights.safetensors", folder / "index.safetensors"
 
 
 @pytest.fixture(scope="session")

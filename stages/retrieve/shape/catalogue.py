@@ -26,4 +26,5 @@ def write(maker: Maker, out: Path = INDEX, weights: Path = WEIGHTS) -> int:
         "size": np.asarray([d.size for d in designs], np.float32),
     }
     save_file(tensors, out, metadata={"apartgen": json.dumps(header, sort_keys=True)})
+    out.chmod(0o644)
     return len(designs)

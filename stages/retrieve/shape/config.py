@@ -13,6 +13,6 @@ class ShapeTraining(Record):
     epochs: int = Field(default=40, ge=1, description="passes over all pieces")
     batch: int = Field(default=64, ge=2, description="pieces of a step")
     rate: float = Field(default=2e-3, gt=0, description="learning rate at the start")
-    beta: float = Field(default=0.1, ge=0, description="weight of the divergence from the prior")
+    beta: float = Field(default=0.5, ge=0, description="weight of the divergence from the prior")
     color_weight: float = Field(default=20.0, ge=0, description="weight of a surface's colour")
-    style_weight: float = Field(default=20.0, ge=0, description="weight of telling the styles of a category apart")
+    style_weight: float = Field(default=400.0, ge=0, description="weight of telling the styles of a category apart")

@@ -2,6 +2,7 @@
 
 import json
 import logging
+import shutil
 import time
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -11,6 +12,9 @@ import torch
 from numpy.typing import NDArray
 from safetensors.torch import save_file
 
+from schemas.errors import BadInput
+from stages.latents import INDEX
+from stages.retrieve.shape import catalogue
 from stages.retrieve.shape.config import ShapeTraining
 from stages.retrieve.shape.designs import Maker, drawn, embedded_maker, fields
 from stages.retrieve.shape.vae import LATENT, Batch, ShapeVAE, Weights, loss
@@ -26,29 +30,36 @@ class Pieces(NamedTuple):
     style: NDArray[np.str_]
 
 
-def train(config: ShapeTraining, out: Path, work: Path | None = None, maker: Maker | None = None) -> dict[str, Any]:
-    """Writes the weights to `out` and returns the training record; `work` keeps what is needed to resume."""
+def train(config: ShapeTraining, out: Path, resume: bool = True, maker: Maker | None = None) -> dict[str, Any]:
+    """Writes the weights to `out` and the library's index beside it; returns the training record.
+
+    What a broken-off run left beside `out` is gone on from, or with `resume` false thrown away.
+    """
     started = time.process_time()
+    maker = maker or embedded_maker()
+    work = out.with_name(f"{out.stem}.training")
+    if not resume:
+        shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True, exist_ok=True)
     pieces = _pieces(config, work, maker)
     model, record = _fit(config, _whole(pieces), work)
     record |= {"assets": len(pieces.fields), "parameters": sum(p.numel() for p in model.parameters())}
     record |= {"cpu_seconds": round(time.process_time() - started, 1)}
     _save(model, pieces, config, record, out)
+    catalogue.write(maker, out.with_name(INDEX.name), out)
+    shutil.rmtree(work)
     return record
 
 
-def _pieces(config: ShapeTraining, work: Path | None, maker: Maker | None) -> Pieces:
-    kept = work / "pieces.npz" if work else None
-    if kept and kept.exists():
+def _pieces(config: ShapeTraining, work: Path, maker: Maker) -> Pieces:
+    kept = work / f"pieces-{config.seed}-{config.variants}.npz"
+    if kept.exists():
         with np.load(kept) as arrays:
             return Pieces(**arrays)
     LOG.info("building the pieces to learn from")
-    maker = maker or embedded_maker()
     designs = list(drawn(maker, config.variants, np.random.default_rng(config.seed)))
     made = Pieces(fields(maker, designs), np.array([d.category for d in designs]), np.array([d.style for d in designs]))
-    if kept:
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        np.savez(kept, **made._asdict())
+    np.savez(kept, **made._asdict())
     return made
 
 
@@ -60,27 +71,31 @@ def _whole(pieces: Pieces) -> Batch:
     return Batch(torch.from_numpy(pieces.fields), torch.from_numpy(style), rivals)
 
 
-def _fit(config: ShapeTraining, data: Batch, work: Path | None) -> tuple[ShapeVAE, dict[str, Any]]:
+def _fit(config: ShapeTraining, data: Batch, work: Path) -> tuple[ShapeVAE, dict[str, Any]]:
     torch.manual_seed(config.seed)
     model = ShapeVAE(data.rivals.shape[1])
     optimizer = torch.optim.AdamW(model.parameters(), config.rate, weight_decay=1e-4)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, config.epochs)
     parts: dict[str, Any] = {"model": model, "optimizer": optimizer, "schedule": schedule}
-    first, record = _resume(parts, work)
+    kept = work / "checkpoint.pt"
+    first, record = _resume(parts, kept, config)
     for epoch in range(first, config.epochs):
         record = _epoch(model, optimizer, data, config, epoch)
         schedule.step()
         LOG.info("shape epoch %d of %d: %s", epoch + 1, config.epochs, record)
-        if work:
-            states = {name: part.state_dict() for name, part in parts.items()}
-            torch.save(states | {"epoch": epoch + 1, "record": record}, work / "checkpoint.pt")
+        states = {name: part.state_dict() for name, part in parts.items()}
+        about = {"epoch": epoch + 1, "record": record, "config": config.model_dump()}
+        torch.save(states | about, kept.with_suffix(".new"))
+        kept.with_suffix(".new").replace(kept)
     return model, record
 
 
-def _resume(parts: dict[str, Any], work: Path | None) -> tuple[int, dict[str, Any]]:
-    if work is None or not (work / "checkpoint.pt").exists():
+def _resume(parts: dict[str, Any], kept: Path, config: ShapeTraining) -> tuple[int, dict[str, Any]]:
+    if not kept.exists():
         return 0, {}
-    state = torch.load(work / "checkpoint.pt", weights_only=True)
+    state = torch.load(kept, weights_only=True)
+    if state["config"] != config.model_dump():
+        raise BadInput(f"{kept}: from a run with other settings; give those, or begin afresh with --fresh")
     for name, part in parts.items():
         part.load_state_dict(state[name])
     return int(state["epoch"]), dict(state["record"])
