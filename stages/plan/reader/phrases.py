@@ -144,7 +144,7 @@ class Phraser:
                 self.unread.append(word.text)
             case "style" if not p.empty() and _noun_ahead(words, i + 1):
                 self.items.append(Item("style", word.value, word.text))
-            case "stop" if word.text in ("of", "de", "von") and p.number is not None and _noun_ahead(words, i + 1 + (words[i + 1].kind == "determiner")):
+            case "stop" if word.text in ("of", "de", "von") and p.number is not None and _noun_ahead(words, i + 1 + (i + 1 < len(words) and words[i + 1].kind == "determiner")):
                 p.quantifier = "the"
             case "negation" if word.value in ("no", "without"):
                 self._flush()

@@ -16,6 +16,9 @@ from stages.plan.reader.phrases import OPEN_TYPES, RoomPhrase
 from stages.plan.reader.sense import sense
 from stages.plan.reader.statements import Said, Statement
 
+LONGEST = 8000
+"""Characters of a prompt."""
+
 Pair = tuple[Entity, Entity]
 
 
@@ -34,22 +37,31 @@ def read(prompt: str) -> Program:
 
     BadInput when no room can be read or the request is absurd.
     """
+    refuse_absurd(prompt)
     said = parse(prompt)
     home = Household(mentions(said.statements))
-    _counts_in_bounds(said)
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
     if not home.rooms and not said.dwelling and not said.main_rooms:
         raise BadInput(f"no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. \"two-bedroom flat with a study\"")
-    if len(home.rooms) > MOST:
-        raise BadInput(f"the prompt asks for more than {MOST} rooms; ask for fewer")
     doors = _doors(said.statements, home)
     complete = said.only or _full_graph(said, home, doors)
     if not complete:
         _missing(said, home, doors)
     _every_room(said.statements, home, doors)
     _ensuites(home, doors)
+    if len(home.rooms) > MOST:
+        raise BadInput(f"the prompt asks for more than {MOST} rooms; ask for fewer")
     return _program(said, home, doors, complete)
+
+
+def refuse_absurd(prompt: str) -> None:
+    """BadInput for an empty prompt, for more rooms than a home has, for areas out of range."""
+    if not prompt.strip():
+        raise BadInput('the prompt is empty; name rooms, e.g. "two-bedroom flat"')
+    if len(prompt) > LONGEST:
+        raise BadInput(f"the prompt has {len(prompt)} characters; keep it below {LONGEST}")
+    _counts_in_bounds(parse(prompt))
 
 
 def _introduced_first(phrases: list[RoomPhrase]) -> list[RoomPhrase]:

@@ -1,0 +1,115 @@
+"""What a model is told, and how its reply becomes a programme or a nameable problem."""
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from schemas.base import Record
+from schemas.plan import Program
+from stages.categories import CATEGORIES
+from stages.plan.llm.model import Answer
+
+TERMS = (
+    "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",
+    "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou",
+)  # fmt: skip
+"""The solver's reward terms."""
+
+
+class Reply(Record):
+    """What a model sends: a programme, or why there is none."""
+
+    program: Program | None = None
+    refusal: str | None = None
+
+
+class Broken(Exception):
+    """A reply that is no valid programme; the text says what is wrong, for the model to correct."""
+
+
+class Declined(Exception):
+    """The model will not answer; the text is its reason."""
+
+
+@cache
+def instructions() -> str:
+    """The system prompt: `prompt.md` with the vocabulary filled in."""
+    text = (Path(__file__).parent / "prompt.md").read_text(encoding="utf-8")
+    return text.replace("{categories}", ", ".join(CATEGORIES)).replace("{terms}", ", ".join(TERMS))
+
+
+@cache
+def reply_schema() -> dict[str, Any]:
+    """JSON Schema of a reply."""
+    return Reply.model_json_schema()
+
+
+def programme(answer: Answer) -> Program:
+    """The programme in a reply. Raises Declined or Broken."""
+    if answer.refusal:
+        raise Declined(_line(answer.refusal))
+    if not answer.text.strip():
+        raise Broken("the reply is empty")
+    raw = _object(answer)
+    try:
+        reply = Reply.model_validate(raw if "program" in raw or "refusal" in raw else {"program": raw})
+    except ValidationError as e:
+        raise Broken(_first_errors(e)) from e
+    if reply.program is None:
+        raise Declined(_line(reply.refusal or "no reason given"))
+    problems = faults(reply.program)
+    if problems:
+        raise Broken("; ".join(problems[:6]))
+    return reply.program
+
+
+def faults(program: Program) -> list[str]:
+    """Contradictions inside a programme that its types do not rule out, in words."""
+    ids = [r.id for r in program.rooms]
+    known = set(ids)
+    out = [f"rooms holds the id {i} twice" for i in sorted({i for i in ids if ids.count(i) > 1})]
+    out += [f"room {r.id} is of type {r.type}; its id must begin with the type" for r in program.rooms if r.id.rsplit("_", 1)[0] != r.type]
+    named = [("links", i) for pair in program.links for i in pair] + [("open_links", i) for pair in program.open_links for i in pair]
+    named += [("objects", o.room) for o in program.objects] + [("counts", i) for i in program.counts]
+    named += [("private_to", r.private_to) for r in program.rooms if r.private_to]
+    out += [f"{where} names {i}, which is not in rooms" for where, i in dict.fromkeys(named) if i not in known]
+    out += [f"links joins {a} to itself" for a, b in program.links if a == b]
+    out += [f"objects names the unknown category {c}" for c in sorted({o.category for o in program.objects} - set(CATEGORIES))]
+    out += [f"weights names the unknown term {w}" for w in sorted(set(program.weights) - set(TERMS))]
+    out += [f"counts gives {n} objects to {i}; 0 to 60 are possible" for i, n in program.counts.items() if not 0 <= n <= 60]
+    return out
+
+
+def _object(answer: Answer) -> dict[str, Any]:
+    """The first JSON object in the reply's text, which may stand in prose or a code block."""
+    start = answer.text.find("{")
+    if start < 0:
+        if answer.cut_off:
+            raise Broken("the reply was cut off before any JSON")
+        raise Declined(_line(answer.text)) if _sounds_declining(answer.text) else Broken("the reply holds no JSON object")
+    try:
+        raw, _ = json.JSONDecoder().raw_decode(answer.text[start:])
+    except json.JSONDecodeError as e:
+        why = "the reply was cut off; be brief, leave out whitespace" if answer.cut_off else f"the JSON is broken: {e.msg} at character {e.pos}"
+        raise Broken(why) from e
+    except RecursionError as e:
+        raise Broken("the JSON is nested too deep") from e
+    return dict(raw)
+
+
+def _sounds_declining(text: str) -> bool:
+    words = text.lower().replace("’", "'")
+    return any(w in words for w in ("i can't", "i cannot", "i'm sorry", "i am sorry", "unable to", "i won't"))
+
+
+def _first_errors(e: ValidationError) -> str:
+    rows = e.errors(include_url=False, include_input=False)[:5]
+    return "; ".join(f"{'.'.join(str(p) for p in row['loc'])}: {row['msg']}" for row in rows)
+
+
+def _line(text: str) -> str:
+    short = " ".join(text.split())
+    return short if len(short) <= 200 else short[:199] + "…"
