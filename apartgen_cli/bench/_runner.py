@@ -1,0 +1,151 @@
+"""Runs the trials of an experiment on several cores, keeps every finished one, writes table and figure."""
+
+import json
+import os
+import platform
+import subprocess
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from multiprocessing import get_context
+from pathlib import Path
+from time import perf_counter
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from apartgen_cli import __version__
+from apartgen_cli.console import watched
+from schemas import artifact
+from schemas.errors import BadInput
+
+Record = dict[str, Any]
+Job = tuple[str, int, int]
+
+
+def jobs(experiment: ModuleType, scenes: int, seed: int) -> list[Job]:
+    """(setting, seed, scenes) of every trial; a trial's seed is the same in every setting, so that scenes pair up."""
+    chunk = min(experiment.CHUNK, scenes)
+    starts = range(0, scenes, chunk)
+    return [(s, seed * 1_000_003 + start, min(chunk, scenes - start)) for s in experiment.SETTINGS for start in starts]
+
+
+def run(
+    experiment: ModuleType, name: str, out: Path, scenes: int | None, seed: int, processes: int | None
+) -> Iterator[Path]:
+    """All trials not yet in `out`, then its results.json, table.md and figure.png, yielded as written."""
+    out.mkdir(parents=True, exist_ok=True)
+    n = scenes or experiment.SCENES
+    wanted = jobs(experiment, n, seed)
+    done = _finished(out / "trials.jsonl")
+    todo = [job for job in wanted if _key(job) not in done]
+    with (out / "trials.jsonl").open("a") as log, watched(name, len(wanted)) as report:
+        report(len(wanted) - len(todo))
+        for count, (job, records, seconds) in enumerate(_worked(name, todo, out, processes), 1):
+            done[_key(job)] = {"records": records, "seconds": seconds}
+            log.write(json.dumps({"job": job, "records": records, "seconds": seconds}) + "\n")
+            log.flush()
+            report(len(wanted) - len(todo) + count)
+    trials = [done[_key(job)] for job in wanted]
+    yield from _written(experiment, name, out, trials, n, seed)
+
+
+def _key(job: Job | list[Any]) -> str:
+    return json.dumps(list(job))
+
+
+def _finished(path: Path) -> dict[str, Record]:
+    """Trials of an earlier run; a line cut short by a kill is done again."""
+    out: dict[str, Record] = {}
+    for line in path.read_text().splitlines() if path.exists() else []:
+        try:
+            row = json.loads(line)
+        except json.JSONDecodeError:
+            continue
+        out[_key(row["job"])] = row
+    return out
+
+
+def _worked(name: str, todo: list[Job], out: Path, processes: int | None) -> Iterator[tuple[Job, list[Record], float]]:
+    workers = min(processes or os.cpu_count() or 1, max(1, len(todo)))
+    if workers == 1:
+        for job in todo:
+            yield job, *_trial(name, job, out)
+        return
+    with ProcessPoolExecutor(workers, get_context("spawn"), initializer=_quiet) as pool:
+        futures = {pool.submit(_trial, name, job, out): job for job in todo}
+        for future in as_completed(futures):
+            yield futures[future], *future.result()
+
+
+def _quiet() -> None:
+    """One core a worker."""
+    os.environ["OMP_NUM_THREADS"] = "1"
+
+
+def _trial(name: str, job: Job, out: Path) -> tuple[list[Record], float]:
+    from stages import registry
+
+    experiment = registry.load("apartgen_cli.bench", name)
+    setting, seed, scenes = job
+    began = perf_counter()
+    found = [{"setting": setting, **record} for record in experiment.trial(setting, seed, scenes, out)]
+    return found, round(perf_counter() - began, 3)
+
+
+def _written(
+    experiment: ModuleType, name: str, out: Path, trials: list[Record], scenes: int, seed: int
+) -> Iterator[Path]:
+    records = [record for trial in trials for record in trial["records"]]
+    if not records:
+        raise BadInput(f"{name}: no scene gave anything to measure; ask for more with --n")
+    rows = experiment.rows(records, np.random.default_rng(seed))
+    facts = {
+        "experiment": name, "made_by": f"apartgen {__version__}", "commit": _commit(), "seed": seed, "scenes": scenes,
+        "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}",
+        "core_seconds": round(sum(trial["seconds"] for trial in trials), 1),
+    }
+    body = {**facts, "note": experiment.NOTE, "paper": experiment.PAPER, "rows": rows}
+    artifact.write(json.dumps(body, indent=1) + "\n", out / "results.json")
+    yield out / "results.json"
+    artifact.write(_markdown(name, facts, experiment.NOTE, rows, experiment.PAPER), out / "table.md")
+    yield out / "table.md"
+    if hasattr(experiment, "draw"):
+        yield _figure(experiment, rows, out / "figure.png")
+
+
+def _commit() -> str | None:
+    root = Path(__file__).parent
+    asked = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=root, capture_output=True, text=True, check=False)
+    return asked.stdout.strip() or None
+
+
+def _markdown(name: str, facts: Record, note: str, rows: list[Record], paper: list[Record]) -> str:
+    about = ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in facts.items() if key != "experiment")
+    parts = [f"# {name}", note, "## Measured", _table(rows)]
+    if paper:
+        parts += ["## The paper", _table(paper)]
+    return "\n\n".join([*parts, f"{about}."]) + "\n"
+
+
+def _table(rows: list[Record]) -> str:
+    columns = list(dict.fromkeys(key for row in rows for key in row))
+    lines = [columns, ["---"] * len(columns), *([_cell(row.get(c)) for c in columns] for row in rows)]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, list) and len(value) == 3:
+        return f"{value[0]:.4g} [{value[1]:.4g}, {value[2]:.4g}]"
+    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def _figure(experiment: ModuleType, rows: list[Record], path: Path) -> Path:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7, 4.2), dpi=120, layout="constrained")
+    experiment.draw(rows, figure.subplots())
+    part = path.with_suffix(".part")
+    figure.savefig(part, format="png", metadata={"Software": None})
+    part.replace(path)
+    return path

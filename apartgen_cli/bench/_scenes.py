@@ -1,0 +1,95 @@
+"""Scenes that experiments share: plans of the eight archetypes, furnished under a named setting."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from schemas import artifact
+from schemas.layout import Layout
+from schemas.plan import Plan
+from schemas.retrieve import Retrieve
+from stages.layout.config import LayoutConfig
+
+SPATIAL = {"articulation": 1.0, "inside": 1.0, "openings": 1.0}
+BARE: dict[str, Any] = {"guidance": {}, "projection": False}
+METHODS: dict[str, dict[str, Any]] = {
+    "no guidance": BARE,
+    "articulation, Eq. 2 with Σ": {"guidance": {"articulation": 1.0}, "projection": False, "scaling": "sigma",
+                                   "guide_below": 0.01, "guidance_scale": 2000.0},
+    "articulation": {"guidance": {"articulation": 1.0}, "projection": False},
+    "all guidance": {"guidance": SPATIAL, "projection": False},
+    "all guidance + projection": {"guidance": SPATIAL},
+}
+"""Layout settings by the names used in tables."""
+
+
+def plans(seed: int, n: int, work: Path) -> list[Plan]:
+    """`n` plans, archetypes in turn; kept in `work`, so that every setting furnishes the same ones."""
+    return [_plan(seed + i, work / "plans") for i in range(n)]
+
+
+def _plan(seed: int, folder: Path) -> Plan:
+    from stages import plan
+    from stages.plan.config import PlanConfig
+    from stages.plan.study import archetypes
+
+    path = folder / f"{seed}.json"
+    if path.exists():
+        return Plan.model_validate_json(path.read_text())
+    programs = list(archetypes().values())
+    made = plan.build(programs[seed % len(programs)], PlanConfig(processes=1), np.random.default_rng([seed, 77]))
+    folder.mkdir(parents=True, exist_ok=True)
+    artifact.write(made.model_dump_json(), path)
+    return made
+
+
+def config(method: str, **changes: Any) -> LayoutConfig:
+    """The layout settings of a method."""
+    return LayoutConfig(**(METHODS[method] | changes))
+
+
+def furnished(homes: list[Plan], settings: LayoutConfig, seed: int) -> list[Layout]:
+    """The plans furnished; the same seeds in every setting."""
+    from stages import layout
+
+    return layout.run_many(homes, settings, [np.random.default_rng([seed, i, 5]) for i in range(len(homes))])
+
+
+def retrieved(home: Layout, seed: int) -> Retrieve:
+    """With assets of the embedded library."""
+    from stages import retrieve
+    from stages.retrieve.matching.config import RetrieveConfig
+
+    return retrieve.run(home, RetrieveConfig(), np.random.default_rng([seed, 6]))
+
+
+def measured(home: Layout, names: list[str]) -> list[dict[str, Any]]:
+    """One record a room: figures as "name/version", with `of` the room's type."""
+    from stages import metrics
+
+    types = {room.id: room.type for room in home.rooms}
+    rooms: dict[str, dict[str, Any]] = {room.id: {} for room in home.rooms}
+    for value in metrics.run(home, names).values:
+        if value.of in rooms and value.value is not None:
+            rooms[value.of][f"{value.name}/{value.version}"] = value.value
+    return [{"of": types[room], **found} for room, found in rooms.items() if found]
+
+
+def intervals(
+    records: Iterable[dict[str, Any]], settings: Iterable[str], names: list[str], rng: np.random.Generator
+) -> list[dict[str, Any]]:
+    """A row a setting: n, and mean with a 95 % bootstrap interval over scenes of every figure."""
+    from stages.metrics._table import interval
+
+    found, out = list(records), []
+    for setting in settings:
+        mine = [r for r in found if r["setting"] == setting]
+        row: dict[str, Any] = {"setting": setting, "scenes": len(mine)}
+        for name in names:
+            values = [(r[name], 1.0) for r in mine if name in r]
+            if values:
+                row[name] = [round(v, 5) for v in interval(np.array(values), rng)]
+        out.append(row)
+    return out
