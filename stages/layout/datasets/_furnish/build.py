@@ -8,7 +8,8 @@ from numpy.random import Generator
 from stages.boxes import Array
 from stages.categories import belong_together
 from stages.layout.datasets._furnish import kitchen, prefer, sizes
-from stages.layout.datasets._furnish.poses import PLACES, hangs, prior
+from stages.layout.datasets._furnish.pose import hangs, prior
+from stages.layout.datasets._furnish.poses import PLACES
 from stages.layout.datasets._furnish.shape import Shape
 from stages.layout.datasets._furnish.space import Space
 from stages.layout.datasets._furnish.step import Setup, Step, floor_for, most_of, setups, use_of
