@@ -237,7 +237,7 @@ def _planks(rng: np.random.Generator, size: int, color: Array) -> Array:
 
 
 def _brushed(rng: np.random.Generator, size: int, color: Array) -> Array:
-    return _lit(color, 0.035 * noise(rng, size, 0.004, 0.8))
+    return _lit(color, 0.02 * noise(rng, size, 0.004, 0.8))
 
 
 def _wicker(rng: np.random.Generator, size: int, color: Array) -> Array:

@@ -66,7 +66,7 @@ def oven(kit: Kit) -> None:
     edge = face - thick - 0.002
     b.box("plastic_black", (kit.x[0] + 0.03, edge - 0.04), (kit.y[0] + 0.02, kit.y[1] - 0.02), (0, 0.06))
     panel = h - 0.11
-    low = 0.22
+    low = max(0.22, panel - 0.6 * h)
     _housing(kit, material, "plastic_grey", (kit.x[0], edge), kit.y, (low, panel), 0.05)
     b.fill = _SHEET
     b.box(material, (kit.x[0], face), kit.y, (panel, h - 0.006))
@@ -112,8 +112,8 @@ def fridge(kit: Kit) -> None:
     """Fridge over freezer, or side by side when it is wide; shelves inside."""
     material, metal = {"white": ("enamel", "plastic_grey"), "steel": ("steel", "steel"), "panelled": ("graphite", "black_metal"),
                        "retro": (kit.pick("mint", "cream", "blush", "dusk_blue"), "chrome")}[kit.style]  # fmt: skip
-    own = _look(material, metal)
-    b, thick, foot, wall = kit.base, 0.05, 0.05, 0.04
+    own = _look(material, metal, "edge" if kit.style in ("white", "panelled") else "bar")
+    b, thick, foot, wall = kit.base, 0.045, 0.05, 0.04
     front = kit.x[1]
     edge = front - fronts.projection(own) - thick - 0.003
     b.box("plastic_black", (kit.x[0] + 0.03, edge - 0.03), (kit.y[0] + 0.02, kit.y[1] - 0.02), (0, foot))
@@ -125,13 +125,14 @@ def fridge(kit: Kit) -> None:
         for i in range(n):
             y = (kit.y[0] + i * kit.w / n, kit.y[0] + (i + 1) * kit.w / n)
             left = i == n - 1 if n > 1 else True
-            body = fronts.door(kit, own, front, y, (low, high), left, thick)
+            body = fronts.door(kit, own, front, y, (low, high), left, thick, 0.045 if n == 1 else 0.0)
             body.mass *= _SHEET * (0.35 if material == "steel" else 1.4)
-            _bins(body, (edge - 0.075, edge + 0.003), y, (low + wall, high - wall), wall)
+            if n == 1:
+                _bins(body, (edge - 0.042, edge + 0.003), y, (low + wall, high - wall), wall)
         levels = max(1, round((inner_z[1] - inner_z[0]) / 0.3))
         for k in range(1, levels):
             z = inner_z[0] + k * (inner_z[1] - inner_z[0]) / levels
-            b.box("glass", (back, edge - 0.085), (inner_y[0] + 0.001, inner_y[1] - 0.001), (z, z + 0.006))
+            b.box("glass", (back, edge - 0.05), (inner_y[0] + 0.001, inner_y[1] - 0.001), (z, z + 0.006))
 
 
 def _zones(kit: Kit, foot: float) -> list[Span]:
@@ -257,8 +258,8 @@ def _round_door(kit: Kit, face: float, middle: Array, r: float, accent: str) -> 
     at = (face + 0.002, *middle)
     out = kit.x[1] - at[0]
     body.fill = 0.5
-    body.turned(accent, [(r + 0.03, 0), (r + 0.03, 0.6 * out), (r + 0.012, out)], at, 32, along=(1, 0, 0))
-    body.turned("smoked_glass", [(0.7 * r, 0), (0.55 * r, 0.0005)], (kit.x[1] - 0.001, *middle), 24, along=(1, 0, 0))
+    body.turned(accent, [(r + 0.03, 0), (r + 0.03, 0.6 * out), (r + 0.016, out - 0.003)], at, 32, along=(1, 0, 0))
+    body.turned("black_glass", [(r - 0.01, 0), (r - 0.02, 0.003)], (kit.x[1] - 0.003, *middle), 32, along=(1, 0, 0))
     hold = (kit.x[1], middle[0] - r - 0.015, middle[1])
     kit.hinge("door", body, (kit.x[1], middle[0] + r + 0.03, middle[1]), (0, 0, 1), handle=hold)
 

@@ -14,7 +14,7 @@ LEAF = 0.018
 """Thickness of a cabinet door, m."""
 GAP = 0.0015
 """Half the gap between two fronts, m."""
-PROJECTION = {"bar": 0.028, "knob": 0.024, "cup": 0.02, "edge": 0.012, "tab": 0.014, "none": 0.0}
+PROJECTION = {"bar": 0.028, "knob": 0.024, "cup": 0.024, "edge": 0.012, "tab": 0.014, "none": 0.0}
 """How far each handle stands out in front of its leaf, m."""
 GRIP = {"bar": "line_fixed_handle", "cup": "line_fixed_handle", "edge": "line_fixed_handle",
         "knob": "round_fixed_handle", "tab": "line_fixed_handle", "none": ""}  # fmt: skip
@@ -46,7 +46,7 @@ def handle(body: Body, look: Look, x: float, y: float, z: float, length: float, 
             profile = [(0.007, 0.0), (0.006, 0.009), (0.0145, 0.015), (0.0145, 0.02), (0.009, 0.024)]
             body.turned(look.metal, profile, (x, y, z), 10, along=(1, 0, 0))
         case "cup":
-            arch = [(z - 0.016, x), (z - 0.016, x + 0.016), (z - 0.006, out), (z + 0.008, out - 0.004), (z + 0.016, x)]
+            arch = [(z - 0.018, x), (z - 0.018, x + 0.018), (z - 0.007, out), (z + 0.009, out - 0.005), (z + 0.018, x)]
             body.prism(look.metal, arch, y - min(half, 0.045), y + min(half, 0.045), 1)
         case "edge":
             width = (y - half, y + half) if not upright else (y - 0.007, y + 0.007)
@@ -59,7 +59,9 @@ def handle(body: Body, look: Look, x: float, y: float, z: float, length: float, 
 def leaf(body: Body, look: Look, x: Span, y: Span, z: Span) -> None:
     """A front board in the look's profile; its relief is at most 5 mm, so one box collides for it."""
     wide, tall = y[1] - y[0], z[1] - z[0]
-    profile = look.profile if min(wide, tall) > 0.16 else "slab"
+    profile = look.profile if min(wide, tall) > 0.1 else "slab"
+    if profile == "plank" and wide > tall:
+        profile = "slab"
     if profile in ("shaker", "raised", "woven", "glass"):
         _framed(body, look, profile, x, y, z)
     elif profile in ("fluted", "plank"):
@@ -98,10 +100,15 @@ def _ribbed(body: Body, look: Look, pitch: float, x: Span, y: Span, z: Span) -> 
         body.box(look.front, (x[1] - 0.004, x[1]), rib, z, touch=False)
 
 
-def door(kit: Kit, look: Look, front: float, y: Span, z: Span, left: bool, thick: float = LEAF, name: str = "door") -> Body:
-    """A hinged leaf over the cell (y, z); `front` is the plane its handle touches, `left` the side of its hinge."""
+def door(kit: Kit, look: Look, front: float, y: Span, z: Span, left: bool, thick: float = LEAF, behind: float = 0.0) -> Body:
+    """A hinged leaf over the cell (y, z); `front` is the plane its handle touches, `left` the side of its hinge.
+
+    `behind` is how deep what will be put on the leaf's back is.
+    """
+    if look.handle == "cup":
+        look = look.with_(handle="knob")
     out = projection(look)
-    slack = (out + thick) ** 2 / (2 * (y[1] - y[0]))
+    slack = (out + thick + behind) ** 2 / (2 * (y[1] - y[0]))
     tip = GAP + slack
     own_y = (y[0] + tip, y[1] - GAP / 2) if left else (y[0] + GAP / 2, y[1] - tip)
     own_z = (z[0] + GAP, z[1] - GAP)
@@ -110,20 +117,20 @@ def door(kit: Kit, look: Look, front: float, y: Span, z: Span, left: bool, thick
     leaf(body, look, (face - thick, face), own_y, own_z)
     inset = 0.03 if look.handle == "edge" else 0.045
     at_y = own_y[0] + inset if left else own_y[1] - inset
-    at_z = _handle_height(own_z)
     length = min(0.5, max(0.12, 0.3 * (own_z[1] - own_z[0]))) if look.handle in ("bar", "edge") else 0.09
-    handle(body, look, face, at_y, at_z, min(length, own_z[1] - own_z[0] - 0.04), upright=look.handle != "cup")
+    length = min(length, own_z[1] - own_z[0] - 0.04)
+    at_z = _handle_height(own_z, length / 2 + 0.05)
+    handle(body, look, face, at_y, at_z, length, upright=True)
     pivot, axis = (y[1], (0, 0, 1)) if left else (y[0], (0, 0, -1))
-    kit.hinge(name, body, (front, pivot, at_z), axis, handle=(front, at_y, at_z), grip=GRIP[look.handle])
+    kit.hinge("door", body, (front, pivot, at_z), axis, handle=(front, at_y, at_z), grip=GRIP[look.handle])
     return body
 
 
-def _handle_height(z: Span) -> float:
-    """At hand height where the door has it, else at the near end."""
-    middle = (z[0] + z[1]) / 2
+def _handle_height(z: Span, inset: float) -> float:
+    """At hand height where the door has it, else `inset` from the near end."""
     if z[1] - z[0] > 1.2:
         return min(max(1.02, z[0] + 0.3), z[1] - 0.3)
-    return z[1] - 0.14 if middle < 1.0 else z[0] + 0.14
+    return max(z[1] - inset, (z[0] + z[1]) / 2) if z[0] + z[1] < 2.0 else min(z[0] + inset, (z[0] + z[1]) / 2)
 
 
 def drawer(

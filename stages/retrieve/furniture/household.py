@@ -13,13 +13,15 @@ def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: 
     """An open vessel whose lid turns about its rear edge."""
     b, rim, n = kit.base, kit.h - thick - 0.002, 32
     half, start = (kit.d / 2, kit.w / 2), 0.015
-    outer = [ring((0, 0), (half[0] * s, half[1] * s), z, exponent, n) for s, z in ((foot, 0), (0.985, rim))]
-    inner = [ring((0, 0), (half[0] * s - wall, half[1] * s - wall), z, exponent, n) for s, z in ((0.985, rim), (foot, start))]
+    outer = [ring((0, 0), (half[0] * s, half[1] * s), z, exponent, n) for s, z in ((foot, 0), (1.0, rim))]
+    inner = [ring((0, 0), (half[0] * s - wall, half[1] * s - wall), z, exponent, n) for s, z in ((1.0, rim), (foot, start))]
     b.hollow(body, np.array(outer), np.array(inner))
     cover = Body()
     z = (rim + 0.002, kit.h)
-    cover.prism(lid, ring((0, 0), half, 0, exponent, n)[:, :2], *z, smooth=True)
-    kit.hinge("lid", cover, (kit.x[0], 0, z[1]), (0, -1, 0), "hinge_lid", handle=(kit.x[1], 0, z[0]))
+    # Turning up, a thick lid's lower front edge first moves forward a little.
+    short = thick**2 / (2 * kit.d) + 0.001
+    cover.prism(lid, ring((-short / 2, 0), (half[0] - short / 2, half[1]), 0, exponent, n)[:, :2], *z, smooth=True)
+    kit.hinge("lid", cover, (kit.x[0], 0, z[1]), (0, -1, 0), "hinge_lid", handle=(kit.x[1] - short, 0, z[0]))
 
 
 @design("bin", "pedal", "square", "swing")

@@ -79,7 +79,8 @@ def _sliding_doors(kit: Kit, own: Look, n: int, y: tuple[float, float], z: tuple
         x = (kit.x[1] - 0.03, kit.x[1] - 0.008) if ahead else (kit.x[1] - 0.065, kit.x[1] - 0.043)
         # Doors of one track are two apart and may move by one door's width; in a row of three the middle one may too.
         sign = 1 if i == 0 or (n == 4 and i == 1) else -1
-        fronts.sliding(kit, own, x, (lo, lo + wide), (z[0] + 0.02, z[1] - 0.033), (wide - lap) * (0.98 if n < 4 else 0.48), sign)
+        travel = 0.98 * (wide - lap) if n < 4 else 0.48 * (wide - 2 * lap)
+        fronts.sliding(kit, own, x, (lo, lo + wide), (z[0] + 0.02, z[1] - 0.033), travel, sign)
 
 
 @design("chest", *CASE_STYLES)
@@ -154,7 +155,7 @@ def shoe_cabinet(kit: Kit) -> None:
     edge = front - out - fronts.LEAF - 0.002
     cases.stand(kit, own, (kit.x[0], front - out), kit.y, foot)
     inner_y, _, back = cases.carcass(kit, own, (kit.x[0], edge), kit.y, z)
-    rows = max(2, -int(-(z[1] - z[0]) // 0.36))
+    rows = max(3, -int(-(z[1] - z[0]) // 0.36))
     tall = (z[1] - z[0]) / rows
     upto = 0.85
     for i in range(rows):

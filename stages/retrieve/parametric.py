@@ -1,0 +1,25 @@
+"""Parametric furniture made by this program: every category in several styles, each at its usual size.
+
+The folder is not read. Furniture of any other size is made on demand, see `stages.retrieve.furniture`.
+"""
+
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+
+from stages.categories import CATEGORIES, TABLE
+from stages.retrieve import furniture
+from stages.retrieve.reading.source import Source
+
+
+def assets(root: Path | None = None) -> Iterator[Source]:
+    """One piece of every category and style; `load` builds it."""
+    for category in CATEGORIES:
+        for style in furniture.styles(category):
+            yield _source(category, style)
+
+
+def _source(category: str, style: str) -> Source:
+    d, w, h = (round(side * 1000) for side in TABLE[category].size)
+    name = f"{category}/{style}/{d}x{w}x{h}/0"
+    return Source(name, partial(furniture.load, name))
