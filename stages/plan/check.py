@@ -1,6 +1,7 @@
 """Whether a programme can be read as a flat at all, and what contradicts what."""
 
 from collections import deque
+from collections.abc import Mapping
 
 from schemas.errors import BadInput, Unmet
 from schemas.plan import AskedRoom, Program
@@ -83,7 +84,7 @@ def _check_ways(program: Program) -> None:
     _check_through(program, types, near, start)
 
 
-def _check_through(program: Program, types: dict[str, str], near: dict[str, list[str]], start: str) -> None:
+def _check_through(program: Program, types: Mapping[str, str], near: dict[str, list[str]], start: str) -> None:
     """Every room must be reachable without crossing a bedroom or bathroom that it does not belong to."""
     open_to = {start}
     queue = deque([start])
@@ -99,4 +100,5 @@ def _check_through(program: Program, types: dict[str, str], near: dict[str, list
         owner = [r for r in near[room.id] if types[r] in ("bedroom", "bathroom") and r in open_to]
         belongs = room.type in ("bathroom", "closet", "balcony", "storage", "utility", "study") or room.private_to
         if room.id not in open_to and not (owner and belongs):
-            raise Unmet(f"{room.id} can only be reached through {near[room.id][0]}: link it to a hallway or living room")
+            through = near[room.id][0]
+            raise Unmet(f"{room.id} can only be reached through {through}: link it to a hallway or living room")

@@ -1,3 +1,4 @@
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """Simulated annealing over slicing trees, compiled.
 
 A slicing tree cuts the outline by straight walls; each leaf is a rectangle of it and belongs to a room, so rooms
@@ -6,7 +7,7 @@ inner wall inside of that. A cost is the weighted sum of the reward terms plus `
 in metres. One file, because numba's cache does not see changes in the modules that a compiled function calls.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -15,11 +16,16 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+# Wrappers to call a function from Python cost as much to compile as the function; only one is called so.
+WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+inner = njit(cache=True, nogil=True, error_model="numpy", **WITHIN)
+
 LACK = 60.0
 EPS = 1e-6
 TERMS = (
     "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",
-    "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou", "near_rooms", "wide_corridor",
+    "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou", "near_rooms",
+    "wide_corridor",
 )  # fmt: skip
 PATH, AREA, ASPECT, CONVEX, CONCISE, OUTER, CORNER, LINES, FUNCTION, NARROW, _, _, NEAR, WIDE = range(14)
 LACKING = 14
@@ -55,7 +61,7 @@ class Scratch(NamedTuple):
     """Measures of the state evaluated last."""
 
     box: Floats  # (2L-1, 5) x0 y0 x1 y1, area wanted
-    seq: Ints  # (2L-1,)
+    seq: Ints  # (2L,) nodes, parents first; then the number of pieces
     piece: Floats  # (P, 4) rectangles of rooms
     owner: Ints  # (P,)
     wall: Floats  # (n, n, 3) longest straight wall between two rooms, its middle
@@ -65,7 +71,7 @@ class Scratch(NamedTuple):
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _random(state):
     x = state[0]
     x ^= x << np.uint64(13)
@@ -75,7 +81,7 @@ def _random(state):
     return float(x >> np.uint64(11)) / 9007199254740992.0
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _covered(blocks, s, x0, y0, x1, y1):  # area of the outline within a box
     area = 0.0
     for k in range(blocks.shape[0]):
@@ -86,7 +92,7 @@ def _covered(blocks, s, x0, y0, x1, y1):  # area of the outline within a box
     return area
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covered area before it
     a, b = (box[0], box[2]) if upright else (box[1], box[3])
     if p.blocks.shape[0] == 1:
@@ -108,9 +114,8 @@ def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covere
     return c
 
 
-@njit(cache=True, nogil=True)
-def lay(p, t, z):
-    """Boxes of all nodes and pieces of all rooms; returns the number of pieces."""
+@inner
+def _lay(p, t, z):  # boxes of all nodes, pieces of all rooms; returns the number of pieces
     leaves = t.share.shape[0] - 1
     s, nodes, box, seq = t.share[leaves], t.nodes, z.box, z.seq
     top = nodes[2 * leaves - 1, 0]
@@ -129,7 +134,7 @@ def lay(p, t, z):
         box[top, 1] = min(box[top, 1], p.blocks[k, 1] / s)
         box[top, 2] = max(box[top, 2], p.blocks[k, 2] * s)
         box[top, 3] = max(box[top, 3], p.blocks[k, 3] / s)
-    count = 0
+    count -= count
     for i in range(2 * leaves - 1):
         node = seq[i]
         if node < leaves:
@@ -143,7 +148,7 @@ def lay(p, t, z):
     return count
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _part(blocks, s, box, room, piece, owner, count):  # the pieces of the outline within a leaf's box
     one = blocks.shape[0] == 1
     one = one or _covered(blocks, s, box[0], box[1], box[2], box[3]) > (box[2] - box[0]) * (box[3] - box[1]) - EPS
@@ -159,7 +164,7 @@ def _part(blocks, s, box, room, piece, owner, count):  # the pieces of the outli
     return count
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _measure(p, z, count):  # areas, extents and parts of the rooms; walls between them
     thick = p.limits[L_WALL]
     for r in range(z.room.shape[0]):
@@ -197,7 +202,7 @@ def _measure(p, z, count):  # areas, extents and parts of the rooms; walls betwe
                 z.wall[r, o, 2] = z.wall[o, r, 2] = 0.5 * (y0 + y1)
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall for the entrance
     z.entry[2], z.entry[3] = 0.0, 1e9
     for i in range(count):
@@ -218,7 +223,7 @@ def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall f
                 z.entry[axis], z.entry[1 - axis], z.entry[2] = at, max(lo, q[1 - axis]) + 0.5 * long, long
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _corners(z, count, r):  # corners of a room of several pieces
     found = 0
     for i in range(4 * count):
@@ -238,7 +243,7 @@ def _corners(z, count, r):  # corners of a room of several pieces
     return found
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _shape(p, z, count):  # terms and lacks of each room's own form
     thick, total, wanted = p.limits[L_WALL], 0.0, 0.0
     for r in range(p.spec.shape[0]):
@@ -265,14 +270,14 @@ def _shape(p, z, count):  # terms and lacks of each room's own form
         z.terms[LACKING] += lack
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _gap(z, a, b):  # distance between two rooms' bounding boxes, Manhattan
     x = max(z.room[a, R_X0], z.room[b, R_X0]) - min(z.room[a, R_X1], z.room[b, R_X1])
     y = max(z.room[a, R_Y0], z.room[b, R_Y0]) - min(z.room[a, R_Y1], z.room[b, R_Y1])
     return max(0.0, x) + max(0.0, y)
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _relations(p, t, z, count):  # ways, outside walls, rooms that should be near, wall lines
     n = p.spec.shape[0]
     total, functional, outer, held, lines = 0.0, 0.0, 0.0, 0.0, 0
@@ -308,7 +313,7 @@ def _relations(p, t, z, count):  # ways, outside walls, rooms that should be nea
     z.terms[LINES] = lines
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _weighed(p, z):
     cost = LACK * z.terms[LACKING]
     for i in range(14):
@@ -316,10 +321,10 @@ def _weighed(p, z):
     return cost
 
 
-@njit(cache=True, nogil=True)
+@inner
 def evaluate(p, t, z, bar):
     """Cost of a tree, its measures in `z`; gives up early, with a partial cost above `bar`, once that is certain."""
-    count = lay(p, t, z)
+    count = z.seq[z.seq.shape[0] - 1] = _lay(p, t, z)
     for i in range(15):
         z.terms[i] = 0.0
     _measure(p, z, count)
@@ -338,7 +343,7 @@ def evaluate(p, t, z, bar):
     return _weighed(p, z)
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _replace(t, old, new):  # hang `new` where `old` hung
     last = t.nodes.shape[0] - 1
     if t.nodes[last, 0] == old:
@@ -351,7 +356,7 @@ def _replace(t, old, new):  # hang `new` where `old` hung
                 t.nodes[node, RIGHT] = new
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _regraft(t, leaf, onto, upright, before):  # move a leaf beside another node
     up = -1
     for node in range(t.share.shape[0] - 1, t.nodes.shape[0] - 1):
@@ -365,7 +370,7 @@ def _regraft(t, leaf, onto, upright, before):  # move a leaf beside another node
     t.nodes[up, UPRIGHT] = upright
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _propose(p, t, area, rng):
     leaves = t.share.shape[0] - 1
     move, u = _random(rng), _random(rng)
@@ -390,7 +395,7 @@ def _propose(p, t, area, rng):
         t.share[leaves] = min(max(t.share[leaves] * np.exp(0.12 * (u - 0.5)), p.limits[L_SHORT]), p.limits[L_LONG])
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _copy(a, b):
     for i in range(a.nodes.shape[0]):
         for j in range(3):
@@ -399,32 +404,33 @@ def _copy(a, b):
         b.share[i] = a.share[i]
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def anneal(p, t, new, best, z, rng, steps, hot, cold):
     """Anneal `t` in place; leaves in `best` the cheapest state that lacks nothing, else the cheapest.
 
     Returns its cost. `new` is room for a state, `rng` a (1,) uint64 seed, not 0; the temperature falls geometrically
     from `hot` to `cold`.
     """
-    cost = evaluate(p, t, z, np.inf)
-    low, valid, temperature = cost, z.terms[LACKING] < EPS, hot
+    cost = low = np.inf
+    valid, temperature = False, hot
     area = z.room[:, 0].copy()
-    _copy(t, best)
-    for _ in range(steps):
-        temperature *= (cold / hot) ** (1 / steps)
-        _copy(t, new)
-        if new.share.shape[0] > 2:
-            _propose(p, new, area, rng)
-        bar = cost - temperature * np.log(1 - _random(rng))
+    for step in range(steps + 2):  # the first looks at the start, the last measures the best
+        bar = np.inf
+        _copy(best if step > steps else t, new)
+        if 0 < step <= steps:
+            temperature *= (cold / hot) ** (1 / steps)
+            bar = cost - temperature * np.log(1 - _random(rng))
+            if new.share.shape[0] > 2:
+                _propose(p, new, area, rng)
         tried = evaluate(p, new, z, bar)
-        if tried <= bar:
-            _copy(new, t)
-            cost = tried
-            for r in range(area.shape[0]):
-                area[r] = z.room[r, R_AREA]
-            ok = z.terms[LACKING] < EPS
-            if (ok and not valid) or (ok == valid and tried < low):
-                low, valid = tried, ok
-                _copy(t, best)
-    evaluate(p, best, z, np.inf)
+        if tried > bar:
+            continue
+        _copy(new, t)
+        cost = tried
+        for r in range(area.shape[0]):
+            area[r] = z.room[r, R_AREA]
+        ok = z.terms[LACKING] < EPS
+        if (ok and not valid) or (ok == valid and tried < low):
+            low, valid = tried, ok
+            _copy(t, best)
     return low

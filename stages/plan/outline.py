@@ -76,7 +76,8 @@ def _shape(shape: str, aspect: float, rng: Generator) -> Polygon:
         return _less(whole, _corner(aspect, rng.uniform(0.3, 0.5), rng.uniform(0.3, 0.5), int(rng.integers(4))))
     if rng.random() < 0.5:
         first = int(rng.integers(4))
-        cuts = [_corner(aspect, *rng.uniform(0.18, 0.32, 2), corner=(first + i) % 4) for i in (0, 1 + int(rng.integers(2)))]
+        corners = (first, (first + 1 + int(rng.integers(2))) % 4)
+        cuts = [_corner(aspect, rng.uniform(0.18, 0.32), rng.uniform(0.18, 0.32), corner) for corner in corners]
         return _less(whole, shapely.union_all(cuts))
     at, wide, deep = rng.uniform(0.25, 0.45), rng.uniform(0.25, 0.35), rng.uniform(0.18, 0.3)
     notch = box(at * aspect, -1, (at + wide) * aspect, deep)

@@ -2,6 +2,7 @@
 
 from collections import deque
 from dataclasses import dataclass
+from math import sqrt
 
 import numpy as np
 from numpy.random import Generator
@@ -56,7 +57,8 @@ def whim(program: Program, rng: Generator) -> Whim:
     rooms = [i for i, r in enumerate(program.rooms) if r.type != "hallway"]
     pairs = [rng.choice(rooms, 2, replace=False) for _ in range(2 if len(rooms) > 1 else 0)]
     shape, aspect = wish(program.envelope, program.regularity, rng)
-    parts = tuple(_parts(program, room, area, rng) for room, area in zip(program.rooms, areas(program).values(), strict=True))
+    wanted = areas(program)
+    parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
     return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 3, axis=0), shape, aspect)
 
 
@@ -74,7 +76,7 @@ def areas(program: Program) -> dict[str, float]:
 
 def gross_area(program: Program, walls: Walls) -> float:
     """Floor and walls of all rooms between wall centre lines, taking rooms of aspect 1.4."""
-    return sum(a + 2.03 * np.sqrt(a) * walls.inner + walls.inner**2 for a in areas(program).values())
+    return sum(a + 2.03 * sqrt(a) * walls.inner + walls.inner**2 for a in areas(program).values())
 
 
 def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack: Slack) -> Problem:
@@ -103,7 +105,7 @@ def _spec(room: AskedRoom, area: float, corners: float, joined: bool, slack: Sla
     passage = room.type in ("hallway", "balcony")
     return (
         area,
-        3 * slack.area if passage else slack.area,
+        2.5 * slack.area if passage else slack.area,
         min(norm.width, 0.95 * np.sqrt(area)),
         min(norm.width, 1.5),
         norm.aspect * slack.aspect,
@@ -121,7 +123,7 @@ def _near(program: Program) -> Ints:
     types = [r.type for r in program.rooms]
     wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
     meals = [(i, j) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == ("kitchen", "dining_room")]
-    return np.array([*zip(wet, wet[1:], strict=False), *meals], np.int64).reshape(-1, 2)
+    return np.array([*zip(wet, wet[1:], strict=False), *meals * 3], np.int64).reshape(-1, 2)
 
 
 def _ways(program: Program, index: dict[str, int]) -> Ints:
@@ -165,7 +167,7 @@ def scratch(n: int, leaves: int, k: int) -> Scratch:
     """Room for the measures of a state of `n` rooms."""
     return Scratch(
         box=np.zeros((2 * leaves - 1, 5)),
-        seq=np.zeros(2 * leaves - 1, np.int64),
+        seq=np.zeros(2 * leaves, np.int64),
         piece=np.zeros((leaves * k, 4)),
         owner=np.zeros(leaves * k, np.int64),
         wall=np.zeros((n, n, 3)),

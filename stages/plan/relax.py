@@ -57,7 +57,7 @@ def with_hallway(program: Program) -> Program | None:
     rest = [pair for pair in program.links if pair not in moved]
     over = [(name, a if b == busy else b) for a, b in moved]
     area = 0.08 * sum(room.area or 8.0 for room in program.rooms)
-    hall = AskedRoom(id=name, type="hallway", area=max(3.0, area))
+    hall = AskedRoom(id=name, type="hallway", area=max(3.0, area), private_to=None)
     return program.model_copy(update={"rooms": [*program.rooms, hall], "links": [*rest, (busy, name), *over]})
 
 

@@ -1,4 +1,4 @@
-"""From a programme to a plan: annealing runs in waves, doors and windows for the best, relaxation where none is valid."""
+"""From a programme to a plan: annealing in waves, doors and windows for the best, relaxation where none is valid."""
 
 import logging
 from collections.abc import Iterator
@@ -15,6 +15,7 @@ from schemas.plan import Plan, Program, Room
 from stages.plan import doors, kernel, windows
 from stages.plan.check import check
 from stages.plan.config import PlanConfig
+from stages.plan.contradict import lacks, told
 from stages.plan.kernel import EPS, Floats, Ints
 from stages.plan.outline import draw
 from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
@@ -24,8 +25,8 @@ HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
 SPREAD = 8.0
 """Difference of cost up to which one arrangement is as good as another."""
-PATIENCE = 2
-"""Waves of runs before a whim that has led nowhere is dropped."""
+PATIENCE = 3
+"""Waves of runs on one whim."""
 
 log = logging.getLogger("apartgen")
 
@@ -38,6 +39,7 @@ class Run:
     lack: float
     boxes: Floats
     owner: Ints
+    missed: tuple[str, ...]
 
 
 def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng: Generator) -> Run:
@@ -49,8 +51,10 @@ def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng
     new, best, z = copy(tree), copy(tree), scratch(len(program.rooms), sum(wanted.parts), len(outline.blocks))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
     cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(wanted.parts), HOT, COLD)
-    count = kernel.lay(p, best, z)
-    return Run(float(cost), float(z.terms[-1]), z.piece[:count].copy(), z.owner[:count].copy())
+    count = int(z.seq[-1])
+    lack = float(z.terms[-1])
+    missed = tuple(lacks(program, p, z)) if lack > EPS else ()
+    return Run(float(cost), lack, z.piece[:count].copy(), z.owner[:count].copy(), missed)
 
 
 def floors(program: Program, run: Run, inner: float) -> dict[str, Polygon]:
@@ -68,11 +72,12 @@ def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
     shapes = floors(program, run, config.walls.inner)
     if any(not isinstance(shape, Polygon) or shape.is_empty for shape in shapes.values()):
         return None
-    passages = doors.place(program, shapes, config.walls)
-    if passages is None:
+    try:
+        passages = doors.place(program, shapes, config.walls)
+    except Unmet:
         return None
     glass = windows.place(program, shapes, passages, config.walls)
-    if glass is None:
+    if windows.dark(program, glass):
         return None
     rooms = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
     return Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
@@ -85,11 +90,10 @@ def ring(shape: Polygon) -> list[tuple[float, float]]:
 
 
 def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:
-    """Annealing runs, a wave at a time; what they are does not depend on the number of threads."""
+    """Annealing runs on one whim, a wave at a time; what they are does not depend on the number of threads."""
+    wanted = whim(program, rng)
     with ThreadPoolExecutor(config.processes) as pool:
-        for i in range(0, config.restarts, config.wave):
-            if i % (PATIENCE * config.wave) == 0:
-                wanted = whim(program, rng)
+        for _ in range(PATIENCE):
             lanes = rng.spawn(config.wave)
             yield list(pool.map(lambda lane: anneal(program, config, slack, wanted, lane), lanes))
 
@@ -97,22 +101,19 @@ def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) ->
 def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     """The best plan found; raises Unmet naming the contradiction where even relaxed requirements admit none."""
     check(program)
-    closest: Run | None = None
+    closest: list[Run] = []
     for step in ladder(program):
-        valid: list[Run] = []
-        for runs in waves(step.program, config, step.slack, rng):
-            valid += [run for run in runs if run.lack < EPS]
-            closest = min([*runs, *([closest] if closest else [])], key=lambda run: run.lack)
-            if len(valid) < config.enough:
-                continue
+        for _ in range(config.whims):
+            valid: list[Run] = []
+            for runs in waves(step.program, config, step.slack, rng):
+                valid += [run for run in runs if run.lack < EPS]
+                closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
+                if len(valid) >= config.enough:
+                    break
             plan = _first(step.program, valid, config, rng)
             if plan is not None:
                 return _reported(plan, program, step)
-            valid = []
-        plan = _first(step.program, valid, config, rng)
-        if plan is not None:
-            return _reported(plan, program, step)
-    raise Unmet(_contradiction(program, closest))
+    raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
 
 
 def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator) -> Plan | None:
@@ -125,9 +126,5 @@ def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator
 def _reported(plan: Plan, program: Program, step: Step) -> Plan:
     for line in step.given_up:
         log.warning("plan: %s", line)
-    return plan.model_copy(update={"program": step.program if step.changed else program, "relaxed": list(step.given_up)})
-
-
-def _contradiction(program: Program, run: Run | None) -> str:
-    lack = f"the best arrangement still lacks {run.lack:.1f} m of wall or width" if run else "nothing fits"
-    return f"no floor plan meets the {len(program.rooms)} rooms and their links ({lack}): ask for fewer links or more area"
+    built = step.program if step.changed else program
+    return plan.model_copy(update={"program": built, "relaxed": list(step.given_up)})

@@ -75,7 +75,8 @@ def _sizes(plan: Plan, shapes: Shapes) -> Iterator[str]:
         if shape.buffer(-min(width, 1.1) / 2 + NEAR, join_style="mitre").geom_type != "Polygon":
             yield f"{room.id} has a neck narrower than {min(width, 1.1):.2f} m"
         x0, y0, x1, y1 = shape.bounds
-        if norm.functional and not plan.relaxed and max(x1 - x0, y1 - y0) > (GREATEST_ASPECT + 0.05) * min(x1 - x0, y1 - y0):
+        long, short = max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0)
+        if norm.functional and not plan.relaxed and long > (GREATEST_ASPECT + 0.05) * short:
             yield f"{room.id} is long and thin"
 
 

@@ -15,21 +15,24 @@ NARROWEST = 0.6
 WIDEST = 2.4
 
 
-def place(program: Program, floors: dict[str, Polygon], doors: list[Opening], walls: Walls) -> list[Opening] | None:
-    """Windows of all rooms, or None where one that must have daylight gets none."""
+def place(program: Program, floors: dict[str, Polygon], doors: list[Opening], walls: Walls) -> list[Opening]:
+    """Windows of all rooms that can have one."""
     out: list[Opening] = []
-    joined = {r for pair in program.open_links for r in pair}
     for room in program.rooms:
         norm = STANDARDS[room.type]
         if room.type != "balcony" and norm.glass == 0:
             continue
         others = [floor for r, floor in floors.items() if r != room.id]
         free = _facades(faces.outside(floors[room.id], others), program.envelope.party_walls, doors)
-        found = _glazed(room.id, norm, floors[room.id].area, free, walls, balcony=room.type == "balcony")
-        if not found and norm.lit and not (room.type == "kitchen" and room.id in joined):
-            return None
-        out += found
+        out += _glazed(room.id, norm, floors[room.id].area, free, walls, balcony=room.type == "balcony")
     return [window.model_copy(update={"id": f"window_{i + 1}"}) for i, window in enumerate(out)]
+
+
+def dark(program: Program, windows: list[Opening]) -> list[str]:
+    """Rooms that must have daylight and get none; a kitchen open to another room borrows its light."""
+    lit = {room for window in windows for room in window.rooms}
+    lit |= {r.id for r in program.rooms if r.type == "kitchen" and any(r.id in pair for pair in program.open_links)}
+    return [room.id for room in program.rooms if STANDARDS[room.type].lit and room.id not in lit]
 
 
 def _facades(found: list[Face], party_walls: list[Side], doors: list[Opening]) -> list[Face]:
@@ -65,8 +68,9 @@ def _glazed(name: str, norm: Standard, area: float, free: list[Face], walls: Wal
         if (lack <= 0.2 and out) or (not norm.lit and out):
             break
         most = face.length - 2 * JAMB
-        clear = most if balcony else float(np.clip(lack / (norm.head - sill), NARROWEST if not norm.lit else 0.9, WIDEST))
-        clear = round(min(clear, most, 0.9 if not norm.lit else most), 2)
+        least, widest = (0.9, WIDEST) if norm.lit else (NARROWEST, 0.9)
+        clear = most if balcony else float(np.clip(lack / (norm.head - sill), least, widest))
+        clear = round(min(clear, most), 2)
         lo = 0.5 * (face.length - clear)
         segment = face.segment(lo, lo + clear, walls.outer / 2)
         out.append(Opening(id="window", kind="window", rooms=[name], segment=segment, sill=sill, head=norm.head))
