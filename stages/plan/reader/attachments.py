@@ -200,6 +200,8 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: bool) -> int:
     taken = k
     while k < len(items):
         item = items[k]
+        if item.kind == "object" and k + 2 < len(items) and items[k + 1].value == "in" and items[k + 2].room is not None:
+            break
         if item.kind == "object":
             owner.objects.append((item.value, int(item.number)))
         elif item.kind == "objects":

@@ -92,10 +92,19 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
     if first.kind == "word":
         fixed = {j: correct(tokens[j].text, lexicon) for j in range(i, min(i + 3, len(tokens))) if tokens[j].kind == "word"}
         found = _longest(tokens, i, lexicon, fixed) if fixed[i] != first.text else None
-        return found or (Lexeme("unknown", first.text, first.text), i + 1)
+        return found or (_compound(first, lexicon), i + 1)
     if first.text == "." and i and tokens[i - 1].text in ABBREVIATED and i + 1 < len(tokens):
         return Lexeme("stop", "", "."), i + 1
     return Lexeme("mark", "." if first.text in "\n;!?." else first.text, first.text, glued=first.glued), i + 1
+
+
+def _compound(token: Token, lexicon: Lexicon) -> Lexeme:
+    """`Einbauküche` by its end, else an unknown word."""
+    ends = [end for end in lexicon.suffixes if token.text.endswith(end) and len(token.text) > len(end) + 2]
+    if not ends:
+        return Lexeme("unknown", token.text, token.text)
+    entry = lexicon.suffixes[max(ends, key=len)]
+    return Lexeme(entry.kind, entry.value, token.text)
 
 
 def _starts_phrase(tokens: list[Token], i: int, lexicon: Lexicon) -> bool:

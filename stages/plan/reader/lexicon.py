@@ -36,6 +36,7 @@ class Lexicon:
 
     entries: dict[Phrase, tuple[Entry, ...]]
     also_object: dict[str, str]
+    suffixes: dict[str, Entry]
     words: frozenset[str]
     longest: int
 
@@ -71,15 +72,18 @@ def load() -> Lexicon:
     """Read every language file once."""
     found: dict[Phrase, dict[str, Entry]] = {}
     also_object: dict[str, str] = {}
+    suffixes: dict[str, Entry] = {}
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
         table = tomllib.loads(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
+        for name, ends in table.pop("suffix", {}).items():
+            suffixes |= {end: Entry(*name.split("/")) for end in ends}
         for kind, group in table.items():
             _add_group(found, kind, group)
     _add_group(found, "furniture", _furniture())
     ranked = {p: tuple(sorted(es.values(), key=lambda e: PRIORITY.index(e.kind))) for p, es in found.items()}
     words = frozenset(w for p, es in ranked.items() if es[0].kind not in ("stop", "reach") for w in p if len(w) >= 5 and w.isascii())
-    return Lexicon(ranked, also_object, words, max(map(len, ranked)))
+    return Lexicon(ranked, also_object, suffixes, words, max(map(len, ranked)))
 
 
 def _add_group(found: dict[Phrase, dict[str, Entry]], kind: str, group: dict[str, list[str]]) -> None:

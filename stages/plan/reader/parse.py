@@ -1,12 +1,23 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
-from stages.plan.reader.attachments import attach_areas, attach_owned, comparisons, mark_headlines, merge_ensuites, spread_negation
+from stages.plan.reader.attachments import (
+    attach_areas,
+    attach_owned,
+    comparisons,
+    mark_headlines,
+    merge_ensuites,
+    spread_negation,
+)
 from stages.plan.reader.lexemes import lexemes
 from stages.plan.reader.lexicon import load
 from stages.plan.reader.phrases import Item, Phraser, RoomPhrase
 from stages.plan.reader.relations import relations
 from stages.plan.reader.statements import Said, Statement, is_mark, open_groups, rooms_of, sentences
 from stages.plan.reader.tokens import fold, tokenize
+
+
+DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
+"""Kinds that say nothing more once the whole prompt has been looked through."""
 
 
 def parse(prompt: str) -> Said:
@@ -61,7 +72,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[R
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     items = merge_ensuites(items)
     items = attach_areas(items, said)
-    items = [i for i in items if i.kind not in ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "pronoun", "unit", "ordinal")]
+    items = [i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))]
     items = _adjectives(items)
     items, found = open_groups(items)
     said.statements += found
@@ -71,7 +82,12 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[R
     said.rooms += [r for r in rooms_of(items) if r not in said.rooms]
     doors = relations(items, before, said.graph)
     said.statements += doors
-    return (doors[-1].left if doors and not before else doors[0].left if doors else rooms_of(items)[-1:]) or before
+    return (doors[-1].left if doors and not before else doors[0].left if doors else [r for r in rooms_of(items) if not r.negated][-1:]) or before
+
+
+def _of_link(items: list[Item], k: int) -> bool:
+    """`it` as the object of a relation: `the bedrooms open off it`."""
+    return k > 0 and items[k].value == "it" and items[k - 1].kind == "link"
 
 
 def _adjectives(items: list[Item]) -> list[Item]:

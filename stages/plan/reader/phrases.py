@@ -294,7 +294,7 @@ class Phraser:
             self.items.append(Item("room", "", " ".join(p.texts), RoomPhrase("", {"size"}, None, "the", factor=p.factor)))
         elif p.labels & {"open"}:
             self.items.append(Item("open", "", "open"))
-        elif p.number is not None:
+        elif p.number not in (None, 1):
             self.unread.append(" ".join(p.texts))
         elif p.factor != 1.0:
             self.items.append(Item("size", "", p.texts[-1], number=p.factor))

@@ -39,6 +39,10 @@ def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[
         if any(i.value == "except" for i in items[p.at :]):
             for phrase in (*left, *right):
                 phrase.quantifier = "other" if phrase.type == "any" else phrase.quantifier
+        if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
+            right = [r for r in before if r not in left]
+        if not right and len(left) > 1:
+            left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
         out += _statement(p, left, right)
     return out
 
@@ -234,7 +238,9 @@ def _objects(items: list[Item], p: _Predicate, following: _Predicate | None, lef
                 break
             if not phrase.negated and phrase not in left:
                 out.append(phrase)
-        elif item.kind in ("boundary", "dwelling") or item.value == "except" or is_mark(item, ":()") or (item.kind == "with" and out):
+        elif item.kind in ("boundary", "dwelling", "with") or item.value == "except":
+            break
+        elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1:
             break
     return out
 

@@ -35,7 +35,7 @@ def _by_length() -> dict[int, list[str]]:
 @cache
 def _nearest(word: str) -> str:
     most = 1 if len(word) < 8 else 2
-    best, least = word, most + 1
+    best, least = word, most + 0.9
     for length in range(len(word) - most, len(word) + most + 1):
         for other in _by_length().get(length, []):
             slips = distance(word, other, least)
@@ -44,16 +44,20 @@ def _nearest(word: str) -> str:
     return best
 
 
-def distance(a: str, b: str, limit: int) -> int:
+SUBSTITUTION = 1.2
+"""A letter left out, doubled or swapped is a likelier slip than a wrong one."""
+
+
+def distance(a: str, b: str, limit: float) -> float:
     """Damerau-Levenshtein distance (neighbours swapped count once), `limit` when it is not below."""
     if abs(len(a) - len(b)) >= limit:
         return limit
-    before: list[int] = []
-    row = list(range(len(b) + 1))
+    before: list[float] = []
+    row: list[float] = [float(j) for j in range(len(b) + 1)]
     for i, x in enumerate(a, 1):
-        new = [i]
+        new = [float(i)]
         for j, y in enumerate(b, 1):
-            cost = min(row[j] + 1, new[j - 1] + 1, row[j - 1] + (x != y))
+            cost = min(row[j] + 1, new[j - 1] + 1, row[j - 1] + SUBSTITUTION * (x != y))
             if i > 1 and j > 1 and x == b[j - 2] and y == a[i - 2]:
                 cost = min(cost, before[j - 2] + 1)
             new.append(cost)

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass, field
 
-from stages.plan.reader.sense import sense
 from stages.plan.reader.phrases import OPEN_TYPES, Item, RoomPhrase
+from stages.plan.reader.sense import sense
 
 
 @dataclass(eq=False)
