@@ -1,6 +1,6 @@
 """How much floor furniture takes: footprints, walkable area, standing on and behind.
 
-An obstacle is what people and robots walk around: higher than 3 cm (no rugs) and hanging lower than 1.8 m.
+An obstacle is what people walk around: higher than 3 cm (no rugs), hanging lower than 1.8 m, not from the ceiling.
 """
 
 from collections.abc import Iterable, Sequence
@@ -23,7 +23,11 @@ HEADROOM = categories.LEAST_CLEARANCE_HEIGHT
 def is_obstacle(o: Box) -> bool:
     """Whether one walks around it."""
     bottom, top = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
-    return top > FLAT and bottom < HEADROOM
+    return top > FLAT and bottom < HEADROOM and _place(o) != "ceiling"
+
+
+def _place(o: Box) -> str | None:
+    return categories.TABLE[o.category].place if o.category in categories.TABLE else None
 
 
 def is_flat(o: Box) -> bool:
@@ -57,9 +61,5 @@ def plain_ratio(floor: Geometry, objects: Iterable[Box]) -> float:
 
     What stands on other furniture has no footprint on the floor.
     """
-    standing = [o for o in objects if is_obstacle(o) and not _is_on_top(o)]
+    standing = [o for o in objects if is_obstacle(o) and _place(o) != "top"]
     return 1.0 - sum(area(o) for o in standing) / float(floor.area)
-
-
-def _is_on_top(o: Box) -> bool:
-    return o.category in categories.TABLE and categories.TABLE[o.category].place == "top"

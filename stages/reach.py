@@ -21,6 +21,8 @@ RADIUS = 0.25
 """Default radius of the robot, m."""
 REACH = 0.80
 """Default greatest distance from the robot's centre to the front of what it uses, m."""
+HEIGHT = 1.5
+"""The robot passes under what hangs above this, m."""
 _STEP_IN = 0.15  # how far inside a room the robot's centre must get for the door to count as passed, m
 
 
@@ -112,8 +114,12 @@ def _entry(plan: Plan, free: Mask, cells: Grid, radius: float) -> Mask:
 
 def count(world: Space, objects: Sequence[Box]) -> NDArray[np.int16]:
     """How many obstacles keep the robot's centre off each cell."""
-    standing = [o for o in objects if footprints.is_obstacle(o)]
-    return grid.near(boxes.of(standing), world.grid, world.radius)
+    return grid.near(boxes.of([o for o in objects if in_the_way(o)]), world.grid, world.radius)
+
+
+def in_the_way(o: Box) -> bool:
+    """Whether the robot has to go around an object."""
+    return footprints.is_obstacle(o) and o.center[2] - o.size[2] / 2 < HEIGHT
 
 
 def free(world: Space, objects: Sequence[Box]) -> Mask:
@@ -179,17 +185,18 @@ def standing(
 ) -> tuple[grid.Window, Mask]:
     """Cells in front of an object from which it is used: within `reach` of its face, or of its open parts.
 
-    To the sides the zone is wider than the object by the robot's radius. Returns a window of the raster and the
-    cells in it.
+    To the sides the zone is wider than the object by the robot's radius, beside open parts by its width. Returns a
+    window of the raster and the cells in it.
     """
     box = boxes.of([o])
-    face, half = o.size[0] / 2, o.size[1] / 2
+    face, half = o.size[0] / 2, o.size[1] / 2 + radius
     ahead = face
     if parts is not None and parts.n:
         ahead = max(ahead, float(boxes.local(boxes.corners(parts).reshape(-1, 2), box)[0, :, 0].max()))
-    corner = boxes.corners(boxes.spread(box, [[face, -half - radius, 0]], [[ahead + reach, half + radius, 1]]))[0]
+        half += radius
+    corner = boxes.corners(boxes.spread(box, [[face, -half, 0]], [[ahead + reach, half, 1]]))[0]
     window = cells.around(corner.min(0), corner.max(0))
     points = cells.centers(window)
     seen = boxes.local(points.reshape(-1, 2), box)[0].reshape(points.shape)
     ahead_of = (seen[..., 0] > face) & (seen[..., 0] <= ahead + reach)
-    return window, ahead_of & (np.abs(seen[..., 1]) <= half + radius)
+    return window, ahead_of & (np.abs(seen[..., 1]) <= half)

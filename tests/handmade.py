@@ -68,10 +68,10 @@ def drawer(size: tuple[float, float, float], travel: float = 0.4) -> Joint:
     )
 
 
-def chest(x: float, y: float, yaw: float = 0.0, room: str = LIVING, **more: Any) -> Furnishing:
-    """A 0.5 × 1.0 × 0.8 chest whose drawer comes out by 0.4."""
+def chest(x: float, y: float, yaw: float = 0.0, room: str = LIVING, travel: float = 0.4, **more: Any) -> Furnishing:
+    """A 0.5 × 1.0 × 0.8 chest whose drawer comes out by `travel`."""
     size = (0.5, 1.0, 0.8)
-    return thing("chest", x, y, yaw, room, size=size, joints=(drawer(size),), **more)
+    return thing("chest", x, y, yaw, room, size=size, joints=(drawer(size, travel),), **more)
 
 
 def home(*objects: Furnishing) -> Retrieve:

@@ -36,12 +36,27 @@ def test_a_chest_needs_its_front_free():
 
 
 def test_an_open_drawer_needs_room_beyond_it():
-    # A sofa leaves 0.65 m before the chest (y 1.85 to 2.5), entered from the left: enough with the drawer shut only.
-    sofa = h.thing("sofa", 2.6, 1.45, size=(0.8, 2.6, 0.8), yaw=np.pi / 2)
-    got = survey(h.chest(2, 2.75, -np.pi / 2, id="chest"), sofa)
+    # Opposite the entrance, 1.05 m away: with its drawer out by 0.8 the robot can't come in any more.
+    facing = h.chest(1.3, 1.45, np.pi, travel=0.8, id="chest")
+    got = survey(facing)
     assert got.closed == [] and got.opened == ["chest"]
-    wall_to_wall = h.thing("sofa", 2.0, 1.45, size=(0.8, 3.9, 0.8), yaw=np.pi / 2)
+    assert survey(h.chest(1.3, 1.45, np.pi, travel=0.4)).missed == []
+    # Between a chest and a sofa 0.45 m away there is no standing at all.
+    wall_to_wall = h.thing("sofa", 2.0, 1.65, size=(0.8, 3.9, 0.8), yaw=np.pi / 2)
     assert survey(h.chest(2, 2.75, -np.pi / 2, id="chest"), wall_to_wall).closed == ["chest"]
+
+
+def test_beside_an_open_drawer_is_good_enough():
+    # The sofa leaves 0.65 m before the chest: less than the drawer and the robot, but the robot may stand beside it.
+    sofa = h.thing("sofa", 2.6, 1.45, size=(0.8, 2.6, 0.8), yaw=np.pi / 2)
+    assert survey(h.chest(2, 2.75, -np.pi / 2), sofa).opened == []
+
+
+def test_what_hangs_high_is_passed_under():
+    lamps = [h.thing("wall_lamp", 2, y, size=(0.14, 0.35, 0.3), bottom=1.6) for y in np.arange(0.2, 3, 0.4)]
+    assert survey(*lamps).missed == []
+    low = [h.thing("wall_lamp", 2, y, size=(0.14, 0.35, 0.3), bottom=1.2) for y in np.arange(0.2, 3, 0.4)]
+    assert survey(*low).rooms == [h.BEDROOM]
 
 
 def test_rugs_and_lamps_are_no_obstacles():

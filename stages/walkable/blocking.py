@@ -53,7 +53,7 @@ def blockers(site: Site, scene: Scene, here: View) -> tuple[list[Furnishing], li
     Both begin with what matters least; of the set only what may be left out is given. Nothing at all is returned when
     an empty room would not help.
     """
-    near = [o for o in here.near(scene) if footprints.is_obstacle(o) and o.id != here.target]
+    near = [o for o in here.near(scene) if reach.in_the_way(o) and o.id != here.target]
     near.sort(key=lambda o: (importance.rank(o, scene), footprints.area(o), o.id))
     count = reach.count(here.space, here.near(scene))
     single = [o for o in near if _without(scene, here, count, [o])]

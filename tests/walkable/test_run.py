@@ -111,11 +111,11 @@ def test_two_things_that_block_together():
     assert result.walkable.unreached == [] and set(result.walkable.dropped) <= {"low", "high"}
 
 
-def test_a_sofa_before_an_open_drawer_moves():
-    chest = h.chest(2, 2.75, DOWN, id="chest")
-    tight = h.thing("sofa", 2.2, 1.5, UP, size=(0.8, 2.2, 0.8), id="sofa")
-    result = walk(h.home(chest, tight), fake.Empty(), target=0.5)
-    assert result.walkable.moved == ["sofa"] and result.walkable.unreached == []
+def test_what_cannot_be_opened_where_it_stands_moves():
+    chest = h.chest(1.3, 1.45, np.pi, travel=0.8, id="chest")
+    result = walk(h.home(chest), fake.Empty(), target=0.5)
+    assert result.walkable.moved == ["chest"] and result.walkable.unreached == []
+    assert [(s.action, s.reason) for s in result.walkable.steps] == [("nudge", "chest")]
 
 
 def test_dropping_meets_a_target_that_smaller_ones_do_not():
