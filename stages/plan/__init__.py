@@ -11,9 +11,9 @@ from stages.plan.config import PlanConfig
 if TYPE_CHECKING:
     from numpy.random import Generator
 
-    from schemas.plan import Plan, Program
+    from schemas.plan import Plan, Program, Room
 
-__all__ = ["PlanConfig", "build", "validate"]
+__all__ = ["PlanConfig", "build", "build_variants", "from_polygons", "validate"]
 
 
 def build(program: "Program", config: PlanConfig, rng: "Generator", prompt: str = "") -> "Plan":
@@ -24,6 +24,26 @@ def build(program: "Program", config: PlanConfig, rng: "Generator", prompt: str 
     from stages.plan.solve import solve
 
     return solve(program, config, rng).model_copy(update={"prompt": prompt})
+
+
+def build_variants(
+    program: "Program", config: PlanConfig, rng: "Generator", k: int, prompt: str = ""
+) -> "list[Plan]":
+    """`k` clearly different floor plans for a programme; raises as `build` does."""
+    from stages.plan.variants import several
+
+    return [plan.model_copy(update={"prompt": prompt}) for plan in several(program, config, rng, k)]
+
+
+def from_polygons(rooms: "list[Room]", config: PlanConfig, program: "Program | None" = None) -> "Plan":
+    """A plan drawn by hand, rooms touching or a wall apart, with walls, doors and windows.
+
+    Without a programme the links are what touches, corridors first. Raises BadInput for overlapping or broken
+    polygons, Unmet naming the door that finds no place.
+    """
+    from stages.plan.drawn import built
+
+    return built(rooms, config, program)
 
 
 def validate(plan: "Plan") -> list[str]:

@@ -48,6 +48,12 @@ def entrance_sides(envelope: Envelope) -> list[Side]:
     return facades or list(SIDES)
 
 
+def ring(shape: Polygon) -> list[tuple[float, float]]:
+    """Counter-clockwise corners, the first not repeated, without points on straight edges."""
+    clean = shapely.geometry.polygon.orient(shape.simplify(1e-6))
+    return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in clean.exterior.coords[:-1]]
+
+
 def wish(envelope: Envelope, regularity: float, rng: Generator) -> tuple[str, float]:
     """A shape and an aspect of the bounding box; irregular flats have more corners."""
     shape: str = envelope.shape

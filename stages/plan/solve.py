@@ -11,15 +11,16 @@ from numpy.random import Generator
 from shapely.geometry import Polygon
 
 from schemas.errors import Unmet
-from schemas.plan import Plan, Program, Room
+from schemas.plan import Envelope, Plan, Program, Room
 from stages.plan import doors, kernel, windows
 from stages.plan.check import check
 from stages.plan.config import PlanConfig
 from stages.plan.contradict import lacks, told
 from stages.plan.kernel import EPS, Floats, Ints
-from stages.plan.outline import draw
+from stages.plan.outline import draw, ring
 from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
 from stages.plan.relax import Step, ladder
+from stages.plan.turn import askew, turned, turned_plan
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
@@ -83,12 +84,6 @@ def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
     return Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
 
 
-def ring(shape: Polygon) -> list[tuple[float, float]]:
-    """Counter-clockwise corners, the first not repeated, without points on straight edges."""
-    clean = shapely.geometry.polygon.orient(shape.simplify(1e-6))
-    return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in clean.exterior.coords[:-1]]
-
-
 def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:
     """Annealing runs on one whim, a wave at a time; what they are does not depend on the number of threads."""
     wanted = whim(program, rng)
@@ -101,6 +96,8 @@ def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) ->
 def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     """The best plan found; raises Unmet naming the contradiction where even relaxed requirements admit none."""
     check(program)
+    envelope = program.envelope
+    program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
         for _ in range(config.whims):
@@ -112,8 +109,22 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
                     break
             plan = _first(step.program, valid, config, rng)
             if plan is not None:
-                return _reported(plan, program, step)
+                plan = turned_plan(_reported(plan, program, step), angle)
+                return plan if angle == 0.0 else _with_envelope(plan, envelope)
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
+
+
+def _upright(program: Program) -> tuple[Program, float]:
+    """The programme with its outline turned to the axes, and the angle to turn the plan back by."""
+    if program.envelope.outline is None:
+        return program, 0.0
+    angle = askew([Polygon(program.envelope.outline)])
+    outline = turned(program.envelope.outline, -angle)
+    return program.model_copy(update={"envelope": program.envelope.model_copy(update={"outline": outline})}), angle
+
+
+def _with_envelope(plan: Plan, envelope: Envelope) -> Plan:
+    return plan.model_copy(update={"program": plan.program.model_copy(update={"envelope": envelope})})
 
 
 def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator) -> Plan | None:

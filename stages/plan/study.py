@@ -3,7 +3,6 @@
 import json
 import time
 from collections.abc import Iterator
-from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ from schemas.plan import AskedRoom, Plan, Program
 from stages import polygons
 from stages.plan import PlanConfig, build, validate
 from stages.plan.standards import STANDARDS
+from stages.plan.variants import touching
 
 
 def archetypes() -> dict[str, Program]:
@@ -51,13 +51,6 @@ def edge_score(plan: Plan) -> float:
     return len(built & asked) / max(len(built), len(asked), 1)
 
 
-def signature(plan: Plan) -> frozenset[tuple[str, str]]:
-    """Which rooms share at least half a metre of wall: two plans that differ here are different arrangements."""
-    grown = {r.id: polygons.floor(r).buffer(plan.walls.inner / 2 + 0.01, join_style="mitre") for r in plan.rooms}
-    pairs = combinations(sorted(grown), 2)
-    return frozenset((a, b) for a, b in pairs if grown[a].intersection(grown[b]).length > 1.0)
-
-
 def measured(plan: Plan) -> dict[str, float]:
     """Figures of one plan."""
     shapes = polygons.floors(plan)
@@ -89,7 +82,7 @@ def _over_seeds(program: Program, n: int, rng: Generator, config: PlanConfig) ->
         plan = build(program, config, lane)
         seconds.append(time.process_time() - before)
         rows.append(measured(plan))
-        shapes.add(signature(plan))
+        shapes.add(touching(plan))
     mean = {k: float(np.mean([r[k] for r in rows])) for k in ("S_edge", "S_constraint", "corridor", "rectangular")}
     return {
         "n": n,

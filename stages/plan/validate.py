@@ -20,6 +20,8 @@ NEAR = 0.005
 """Tolerance of lengths, m."""
 DEEP = 3.0
 """Depth of open air required before a window or an entrance, m."""
+THICKEST = 0.4
+"""Floors further apart than this have more than a wall between them, m."""
 GREATEST_ASPECT = 2.2
 
 
@@ -52,7 +54,7 @@ def _apart(plan: Plan, shapes: Shapes) -> Iterator[str]:
     for a, b in combinations(shapes, 2):
         if shapes[a].distance(shapes[b]) < plan.walls.inner - NEAR:
             yield f"{a} and {b} are closer than a wall"
-    joined = shapely.union_all(list(shapes.values())).buffer(plan.walls.inner / 2 + NEAR, join_style="mitre")
+    joined = shapely.union_all(list(shapes.values())).buffer(THICKEST / 2, join_style="mitre")
     if len(shapely.get_parts(joined)) > 1:
         yield "the rooms do not form one building"
     elif joined.interiors:
