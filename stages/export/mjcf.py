@@ -8,10 +8,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from stages.asset import Array, Collider, Link, Material
+from stages.asset import Collider, Link, Material
 from stages.body import Body, counterbalanced, inertia
 from stages.export._obj import Files
 from stages.export._pieces import image_name, names, pieces
+from stages.export._rotation import about_z, quaternion
 from stages.export._xml import Element, add, number, numbers, save
 from stages.scene import Scene
 
@@ -87,9 +88,7 @@ class _Writer:
                 specular=[0.05] * 3, castshadow="false", cutoff=80, attenuation=[1, 0.1, 0.1])
 
     def _body(self, body: Body) -> None:
-        half = body.yaw / 2
-        quat = [float(np.cos(half)), 0.0, 0.0, float(np.sin(half))]
-        element = add(self.world, "body", name=body.name, pos=body.position, quat=quat)
+        element = add(self.world, "body", name=body.name, pos=body.position, quat=about_z(body.yaw))
         if body.free:
             add(element, "freejoint", name=f"{body.name}__free")
         base, *moving = body.links
@@ -143,10 +142,3 @@ class _Writer:
         for key, value in (("size", extents[c.kind]), ("pos", c.center), ("quat", quaternion(c.rotation))):
             geom.set(key, numbers(value))
 
-
-def quaternion(rotation: Array) -> Array:
-    """w, x, y, z of a rotation matrix."""
-    from scipy.spatial.transform import Rotation
-
-    x, y, z, w = Rotation.from_matrix(rotation).as_quat(canonical=True)
-    return np.array([w, x, y, z])

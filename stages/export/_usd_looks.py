@@ -1,0 +1,77 @@
+"""Materials of a USD stage: what surfaces look like, and their friction; each defined once."""
+
+from typing import Any
+
+from pxr import Gf, Sdf, UsdGeom, UsdPhysics, UsdShade
+
+from stages.asset import Material
+from stages.export._obj import Files
+
+
+class Looks:
+    """Materials under the prim `path`; textures go to `files`, a folder beside the stage's file."""
+
+    def __init__(self, stage: Any, path: str, files: Files) -> None:
+        self.stage, self.path, self.files = stage, path, files
+        self._known: dict[str, Any] = {}
+
+    def bind(self, prim: Any, material: Material, name: str) -> None:
+        """Give a mesh its surface."""
+        self._scope()
+        if name not in self._known:
+            self._known[name] = self._surface(f"{self.path}/{name}", material)
+        UsdShade.MaterialBindingAPI.Apply(prim).Bind(self._known[name])
+
+    def bind_friction(self, prim: Any, friction: float) -> None:
+        """Give the colliders below a prim their friction."""
+        self._scope()
+        name = f"friction_{round(friction * 100):03d}"
+        if name not in self._known:
+            made = UsdShade.Material.Define(self.stage, f"{self.path}/{name}")
+            api = UsdPhysics.MaterialAPI.Apply(made.GetPrim())
+            api.CreateStaticFrictionAttr(friction)
+            api.CreateDynamicFrictionAttr(0.9 * friction)
+            api.CreateRestitutionAttr(0.0)
+            self._known[name] = made
+        binding = UsdShade.MaterialBindingAPI.Apply(prim)
+        binding.Bind(self._known[name], UsdShade.Tokens.weakerThanDescendants, "physics")
+
+    def _scope(self) -> None:
+        if not self._known:
+            UsdGeom.Scope.Define(self.stage, self.path)
+
+    def _surface(self, path: str, m: Material) -> Any:
+        made = UsdShade.Material.Define(self.stage, path)
+        shader = UsdShade.Shader.Define(self.stage, f"{path}/surface")
+        shader.CreateIdAttr("UsdPreviewSurface")
+        shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(m.roughness)
+        shader.CreateInput("metallic", Sdf.ValueTypeNames.Float).Set(m.metalness)
+        shader.CreateInput("opacity", Sdf.ValueTypeNames.Float).Set(m.color[3])
+        color = shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f)
+        if m.texture:
+            color.ConnectToSource(self._texture(path, m.texture).ConnectableAPI(), "rgb")
+        else:
+            color.Set(Gf.Vec3f(*(_linear(c) for c in m.color[:3])))
+        made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+        return made
+
+    def _texture(self, path: str, texture: str) -> Any:
+        reader = UsdShade.Shader.Define(self.stage, f"{path}/st")
+        reader.CreateIdAttr("UsdPrimvarReader_float2")
+        reader.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
+        reader.CreateOutput("result", Sdf.ValueTypeNames.Float2)
+        image = UsdShade.Shader.Define(self.stage, f"{path}/image")
+        image.CreateIdAttr("UsdUVTexture")
+        file = f"./{self.files.folder.name}/{self.files.texture(texture)}"
+        image.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(file))
+        image.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+        for wrap in ("wrapS", "wrapT"):
+            image.CreateInput(wrap, Sdf.ValueTypeNames.Token).Set("repeat")
+        image.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(reader.ConnectableAPI(), "result")
+        image.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
+        return image
+
+
+def _linear(c: float) -> float:
+    """sRGB to linear light."""
+    return c / 12.92 if c <= 0.04045 else float(((c + 0.055) / 1.055) ** 2.4)

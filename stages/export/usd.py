@@ -1,0 +1,178 @@
+"""OpenUSD with physics: rigid bodies, colliders, limited and damped joints, articulations, semantics, materials.
+
+One crate file in metres, z up, with its textures beside it. What never moves has colliders and no rigid body; what
+has joints is an articulation whose links lie side by side, its base fixed to the world unless it is loose.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from schemas.errors import BadInput
+from stages.asset import Array, Link
+from stages.body import Body, Light, counterbalanced, inertia
+from stages.export._obj import Files
+from stages.export._pieces import names, pieces, shaded
+from stages.export._rotation import about_z, from_x, quaternion
+from stages.scene import Scene, identifier
+
+try:
+    from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, Vt
+
+    from stages.export._usd_looks import Looks
+    from stages.export._usd_shapes import collider, extent, mesh, place
+except ImportError as error:
+    raise BadInput("format usd needs the package usd-core; pip install 'apartgen[usd]'") from error
+
+FOLDER = "usd"
+ROOT = "/Apartment"
+GROUPS = {"ceiling": "Ceilings", "object": "Furniture"}
+DAMPING = {"hinge": 0.4, "slide": 8.0}
+"""N·m·s/rad and N·s/m, as in the other formats."""
+LAMP = 0.05
+"""Radius of a light's sphere, m."""
+
+
+def write(scene: Scene, out: Path) -> list[Path]:
+    """usd/apartment.usd and usd/textures."""
+    folder = out / FOLDER
+    files = Files(folder / "textures")
+    stage = Usd.Stage.CreateInMemory()
+    _Writer(stage, scene, Looks(stage, f"{ROOT}/Looks", files)).all()
+    path = folder / "apartment.usd"
+    stage.GetRootLayer().Export(str(path))
+    return [path, *files.written]
+
+
+class _Writer:
+    """The stage as it is filled."""
+
+    def __init__(self, stage: Any, scene: Scene, looks: Looks) -> None:
+        self.stage, self.scene, self.looks = stage, scene, looks
+        used = (m.material for body in scene.bodies for link in body.links for m in link.visuals)
+        self.names = names(used)
+
+    def all(self) -> None:
+        UsdGeom.SetStageUpAxis(self.stage, UsdGeom.Tokens.z)
+        UsdGeom.SetStageMetersPerUnit(self.stage, 1.0)
+        UsdPhysics.SetStageKilogramsPerUnit(self.stage, 1.0)
+        root = UsdGeom.Xform.Define(self.stage, ROOT)
+        self.stage.SetDefaultPrim(root.GetPrim())
+        Usd.ModelAPI(root).SetKind("assembly")
+        root.GetPrim().SetAssetInfoByKey("credits", "; ".join(self.scene.credits))
+        physics = UsdPhysics.Scene.Define(self.stage, f"{ROOT}/PhysicsScene")
+        physics.CreateGravityDirectionAttr(Gf.Vec3f(0, 0, -1))
+        physics.CreateGravityMagnitudeAttr(9.81)
+        for group in ("Shell", "Ceilings", "Furniture", "Lights"):
+            Usd.ModelAPI(UsdGeom.Xform.Define(self.stage, f"{ROOT}/{group}")).SetKind("group")
+        for body in self.scene.bodies:
+            self._body(body)
+        for light in self.scene.lights:
+            self._light(light)
+
+    def _body(self, body: Body) -> None:
+        path = f"{ROOT}/{GROUPS.get(body.kind, 'Shell')}/{body.name}"
+        top = UsdGeom.Xform.Define(self.stage, path)
+        place(top, body.position, about_z(body.yaw))
+        prim = top.GetPrim()
+        Usd.ModelAPI(prim).SetKind("component")
+        UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([body.category])
+        facts = {"id": body.id, "room": body.room, "asset": body.model, "kind": body.kind}
+        prim.SetCustomDataByKey("apartgen", {k: v for k, v in facts.items() if v})
+        if len(body.links) == 1:
+            if body.free:
+                _rigid(prim, body.links[0])
+            self._link(path, body.links[0])
+        else:
+            self._articulation(path, body)
+
+    def _articulation(self, path: str, body: Body) -> None:
+        UsdPhysics.ArticulationRootAPI.Apply(self.stage.GetPrimAtPath(path))
+        base = body.links[0]
+        for link in body.links:
+            own = f"{path}/{identifier(link.name)}"
+            _rigid(UsdGeom.Xform.Define(self.stage, own).GetPrim(), link)
+            self._link(own, link)
+        UsdGeom.Scope.Define(self.stage, f"{path}/Joints")
+        if not body.free:
+            fixed = UsdPhysics.FixedJoint.Define(self.stage, f"{path}/Joints/to_world")
+            fixed.CreateBody1Rel().SetTargets([f"{path}/{identifier(base.name)}"])
+            _frames(fixed, (body.position, about_z(body.yaw)), (np.zeros(3), about_z(0.0)))
+        for link in body.links[1:]:
+            self._joint(path, base, link)
+
+    def _joint(self, path: str, base: Link, link: Link) -> None:
+        joint = link.joint
+        assert joint is not None
+        hinge = joint.type == "hinge"
+        kind = UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint
+        made = kind.Define(self.stage, f"{path}/Joints/{identifier(joint.name)}")
+        made.CreateBody0Rel().SetTargets([f"{path}/{identifier(base.name)}"])
+        made.CreateBody1Rel().SetTargets([f"{path}/{identifier(link.name)}"])
+        made.CreateAxisAttr("X")
+        frame = np.array(joint.origin), from_x(np.array(joint.axis, float))
+        _frames(made, frame, frame)
+        made.CreateCollisionEnabledAttr(False)
+        scale = 180 / np.pi if hinge else 1.0
+        made.CreateLowerLimitAttr(joint.range[0] * scale)
+        made.CreateUpperLimitAttr(joint.range[1] * scale)
+        drive = UsdPhysics.DriveAPI.Apply(made.GetPrim(), "angular" if hinge else "linear")
+        drive.CreateTypeAttr("force")
+        drive.CreateStiffnessAttr(0.0)
+        drive.CreateDampingAttr(DAMPING[joint.type] / scale)
+        drive.CreateTargetVelocityAttr(0.0)
+        made.GetPrim().SetCustomDataByKey("apartgen", {"part": joint.part})
+
+    def _link(self, path: str, link: Link) -> None:
+        """Shapes that show, and under `Colliders` those that don't."""
+        for k, piece in enumerate(pieces(link)):
+            vertices, normals, uv, faces = shaded(piece)
+            shown = mesh(self.stage, f"{path}/visual_{k}", vertices, faces)
+            shown.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(normals.astype(np.float32)))
+            shown.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+            if uv is not None:
+                kind = Sdf.ValueTypeNames.TexCoord2fArray
+                primvar = UsdGeom.PrimvarsAPI(shown).CreatePrimvar("st", kind, UsdGeom.Tokens.vertex)
+                primvar.Set(Vt.Vec2fArray.FromNumpy(uv.astype(np.float32)))
+            self.looks.bind(shown.GetPrim(), piece.material, identifier(self.names[piece.material]))
+        if link.colliders:
+            group = UsdGeom.Scope.Define(self.stage, f"{path}/Colliders")
+            group.CreatePurposeAttr(UsdGeom.Tokens.guide)
+            self.looks.bind_friction(group.GetPrim(), link.friction)
+        for k, solid in enumerate(link.colliders):
+            shape = collider(self.stage, f"{path}/Colliders/collider_{k}", solid)
+            UsdPhysics.CollisionAPI.Apply(shape.GetPrim())
+
+    def _light(self, light: Light) -> None:
+        lamp = UsdLux.SphereLight.Define(self.stage, f"{ROOT}/Lights/{light.name}")
+        lamp.AddTranslateOp().Set(Gf.Vec3d(*map(float, light.position)))
+        lamp.CreateRadiusAttr(LAMP)
+        lamp.CreateExtentAttr(extent(np.array([[-LAMP] * 3, [LAMP] * 3])))
+        lamp.CreateColorAttr(Gf.Vec3f(1.0, 0.93, 0.82))
+        # Luminance of an even sphere that gives so many lumens.
+        lamp.CreateIntensityAttr(light.lumens / (4 * np.pi**2 * LAMP**2))
+
+
+def _rigid(prim: Any, link: Link) -> None:
+    UsdPhysics.RigidBodyAPI.Apply(prim)
+    mass, center, tensor = inertia(link)
+    moments, axes = np.linalg.eigh(tensor)
+    axes = axes * np.sign(np.linalg.det(axes))
+    api = UsdPhysics.MassAPI.Apply(prim)
+    api.CreateMassAttr(mass)
+    api.CreateCenterOfMassAttr(Gf.Vec3f(*map(float, center)))
+    api.CreateDiagonalInertiaAttr(Gf.Vec3f(*map(float, moments)))
+    api.CreatePrincipalAxesAttr(Gf.Quatf(*map(float, quaternion(axes))))
+    if counterbalanced(link):
+        # A PhysX extension; an engine that does not know it lets the part fall open.
+        prim.AddAppliedSchema("PhysxRigidBodyAPI")
+        prim.CreateAttribute("physxRigidBody:disableGravity", Sdf.ValueTypeNames.Bool).Set(True)
+
+
+def _frames(joint: Any, first: tuple[Array, Array], second: tuple[Array, Array]) -> None:
+    """Where the joint is, seen from its two bodies: position and quaternion (w, x, y, z)."""
+    joint.CreateLocalPos0Attr(Gf.Vec3f(*map(float, first[0])))
+    joint.CreateLocalRot0Attr(Gf.Quatf(*map(float, first[1])))
+    joint.CreateLocalPos1Attr(Gf.Vec3f(*map(float, second[0])))
+    joint.CreateLocalRot1Attr(Gf.Quatf(*map(float, second[1])))

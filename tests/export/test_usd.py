@@ -1,0 +1,128 @@
+"""The USD stage reopened: validators find nothing, and bodies, joints, masses are those of the artifact."""
+
+import numpy as np
+import pytest
+from export import sample
+
+from stages import export
+from stages.body import inertia
+from stages.scene import Scene
+
+pytest.importorskip("pxr")
+from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdValidation  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    out = tmp_path_factory.mktemp("usd") / "scene"
+    export.run(sample.home(), ["usd"], out, sample.load)
+    return Usd.Stage.Open(str(out / "usd" / "apartment.usd")), Scene(sample.home(), sample.load)
+
+
+def _faults(stage):
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    assert len(validators) >= 25
+    return [error.GetMessage() for error in UsdValidation.ValidationContext(validators).Validate(stage)]
+
+
+def _at(stage, path):
+    matrix = UsdGeom.Xformable(stage.GetPrimAtPath(path)).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
+    return np.array(matrix).T
+
+
+def _path(body, link=None):
+    group = {"ceiling": "Ceilings", "object": "Furniture"}.get(body.kind, "Shell")
+    path = f"/Apartment/{group}/{body.name}"
+    return path if link is None or len(body.links) == 1 else f"{path}/{link.name}"
+
+
+def test_all_validators_are_clean(made):
+    assert _faults(made[0]) == []
+
+
+def test_the_validators_see_a_fault(made):
+    stage = Usd.Stage.Open(made[0].Flatten())
+    joint = UsdPhysics.Joint(stage.GetPrimAtPath("/Apartment/Furniture/bin_12/Joints/lid"))
+    joint.GetBody1Rel().SetTargets(["/Apartment/Furniture/bin_12/nowhere"])
+    assert any("non existent" in fault for fault in _faults(stage))
+
+
+def test_units(made):
+    stage = made[0]
+    assert UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z and UsdGeom.GetStageMetersPerUnit(stage) == 1
+    assert UsdPhysics.GetStageKilogramsPerUnit(stage) == 1 and stage.GetDefaultPrim().GetName() == "Apartment"
+
+
+def test_bodies_stand_where_the_artifact_says(made):
+    stage, scene = made
+    for body in scene.bodies:
+        for link in body.links:
+            assert _at(stage, _path(body, link)) == pytest.approx(body.pose(), abs=1e-6)
+        labels = UsdSemantics.LabelsAPI(stage.GetPrimAtPath(_path(body)), "class").GetLabelsAttr().Get()
+        assert list(labels) == [body.category]
+
+
+def test_joints_have_limits_axes_and_drives(made):
+    stage, scene = made
+    kinds = UsdPhysics.RevoluteJoint, UsdPhysics.PrismaticJoint
+    found = [prim for prim in stage.Traverse() if any(prim.IsA(kind) for kind in kinds)]
+    jointed = [(body, link) for body in scene.bodies for link in body.links if link.joint]
+    assert len(found) == len(jointed) == 11
+    for body, link in jointed:
+        joint, prim = link.joint, stage.GetPrimAtPath(f"{_path(body)}/Joints/{link.joint.name}")
+        scale = np.pi / 180 if joint.type == "hinge" else 1.0
+        limits = [prim.GetAttribute(f"physics:{end}Limit").Get() * scale for end in ("lower", "upper")]
+        assert limits == pytest.approx(joint.range, abs=1e-4) and limits[0] < limits[1]
+        made_ = UsdPhysics.Joint(prim)
+        for rotation, position in ((made_.GetLocalRot0Attr(), made_.GetLocalPos0Attr()),
+                                   (made_.GetLocalRot1Attr(), made_.GetLocalPos1Attr())):
+            axis = Gf.Rotation(Gf.Quatd(rotation.Get())).TransformDir(Gf.Vec3d(1, 0, 0))
+            assert np.array(axis) == pytest.approx(joint.axis, abs=1e-5)
+            assert np.array(position.Get()) == pytest.approx(joint.origin, abs=1e-5)
+        assert made_.GetBody0Rel().GetTargets() == [_path(body, body.links[0])]
+        assert made_.GetBody1Rel().GetTargets() == [_path(body, link)]
+        kind = "angular" if joint.type == "hinge" else "linear"
+        assert UsdPhysics.DriveAPI(prim, kind).GetDampingAttr().Get() > 0
+
+
+def test_masses_and_no_nested_bodies(made):
+    stage, scene = made
+    rigid = {str(p.GetPath()) for p in stage.Traverse() if p.HasAPI(UsdPhysics.RigidBodyAPI)}
+    assert not any(a != b and a.startswith(f"{b}/") for a in rigid for b in rigid)
+    moving = [(b, link) for b in scene.bodies for link in b.links if b.free or len(b.links) > 1]
+    assert rigid == {_path(body, link) for body, link in moving}
+    for body, link in moving:
+        mass = UsdPhysics.MassAPI(stage.GetPrimAtPath(_path(body, link)))
+        assert mass.GetMassAttr().Get() == pytest.approx(inertia(link).mass, rel=1e-6)
+        axes = np.array(Gf.Matrix3d(Gf.Rotation(Gf.Quatd(mass.GetPrincipalAxesAttr().Get())))).T
+        tensor = axes @ np.diag(mass.GetDiagonalInertiaAttr().Get()) @ axes.T
+        assert tensor == pytest.approx(inertia(link).tensor, rel=1e-4, abs=1e-5)
+
+
+def test_articulations_are_fixed_unless_loose(made):
+    stage, scene = made
+    for body in scene.bodies:
+        prim = stage.GetPrimAtPath(_path(body))
+        assert prim.HasAPI(UsdPhysics.ArticulationRootAPI) == (len(body.links) > 1)
+        fixed = stage.GetPrimAtPath(f"{_path(body)}/Joints/to_world")
+        assert fixed.IsValid() == (len(body.links) > 1 and not body.free)
+        if fixed.IsValid():
+            assert np.array(UsdPhysics.Joint(fixed).GetLocalPos0Attr().Get()) == pytest.approx(body.position, abs=1e-5)
+
+
+def test_colliders_are_where_they_belong(made):
+    stage, scene = made
+    cache = UsdGeom.BBoxCache(Usd.TimeCode.Default(), [UsdGeom.Tokens.guide])
+    count = 0
+    for body in scene.bodies:
+        for link in body.links:
+            for k, collider in enumerate(link.colliders):
+                prim = stage.GetPrimAtPath(f"{_path(body, link)}/Colliders/collider_{k}")
+                assert prim.HasAPI(UsdPhysics.CollisionAPI)
+                box = cache.ComputeRelativeBound(prim, stage.GetPrimAtPath(_path(body, link))).ComputeAlignedRange()
+                lo, hi = collider.center - collider.size / 2, collider.center + collider.size / 2
+                if collider.kind == "hull":
+                    lo, hi = (f(collider.center + collider.vertices, axis=0) for f in (np.min, np.max))
+                assert np.array([box.GetMin(), box.GetMax()]) == pytest.approx(np.array([lo, hi]), abs=1e-5)
+                count += 1
+    assert count == sum(p.HasAPI(UsdPhysics.CollisionAPI) for p in stage.Traverse())
