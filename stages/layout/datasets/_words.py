@@ -22,18 +22,21 @@ PATTERNS: tuple[tuple[str, str | None], ...] = (
     (r"office chair|swivel chair|desk chair|gaming chair|task chair", "office_chair"),
     (r"arm ?chair|lounge chair|recliner|rocking chair|accent chair|wingback|lazy|bean bag", "armchair"),
     (r"chair\b", "chair"), (r"headboard|\bbed\b|bed frame", "double_bed"), (r"wardrobe|armoire|closet", "wardrobe"),
-    (r"bookcase|book ?shel|shelving|display shel|bookrack", "bookshelf"), (r"wine cabinet|display cabinet|glass cabinet|china cabinet|vitrine|wine cooler", "display_cabinet"),
+    (r"bookcase|book ?shel|shelving|display shel|bookrack", "bookshelf"),
+    (r"wine cabinet|display cabinet|china cabinet|vitrine|wine cooler", "display_cabinet"),
     (r"shoe cabinet|shoe rack", "shoe_cabinet"), (r"sideboard|buffet|credenza", "sideboard"),
     (r"chest of drawers|dresser|drawer chest|chest|drawer", "chest"), (r"\bdesk\b|writing table", "desk"),
     (r"bench\b", "bench"), (r"plant|potted|\bpot\b|palm|planter|tree\b", "plant"), (r"refrigerator|fridge", "fridge"),
-    (r"piano", "piano"), (r"washing machine", "washing_machine"), (r"coat (rack|stand)|hanger|clothes rack", "coat_rack"),
+    (r"piano", "piano"), (r"washing machine", "washing_machine"),
+    (r"coat (rack|stand)|hanger|clothes rack", "coat_rack"),
     (r"cabinet", "sideboard"), (r"shelf|shelves", "wall_shelf"), (r"curtain|drape", "curtain"), (r"mirror", "mirror"),
     (r"rug|carpet", "rug"), (r"table\b", "dining_table"), (r"lamp|light", "ceiling_lamp"),
 )
 """Tried in order on the lower-case text; None stands for things that are no furniture."""
 
 ROOMS: dict[str, RoomType] = {
-    "livingroom": "living_room", "livingdiningroom": "living_room", "lounge": "living_room", "diningroom": "dining_room",
+    "livingroom": "living_room", "livingdiningroom": "living_room", "lounge": "living_room",
+    "diningroom": "dining_room",
     "bedroom": "bedroom", "masterbedroom": "bedroom", "secondbedroom": "bedroom", "kidsroom": "bedroom",
     "elderlyroom": "bedroom", "nannyroom": "bedroom", "kitchen": "kitchen", "bathroom": "bathroom",
     "masterbathroom": "bathroom", "secondbathroom": "bathroom", "library": "study", "study": "study",
@@ -59,7 +62,7 @@ def category(text: str) -> str | None:
 
 
 def by_size(name: str, size: tuple[float, float, float]) -> str:
-    """The category once the size [depth, width, height] is known: narrow beds are single, deep sofas go round a corner."""
+    """The category once the size [depth, width, height] is known: narrow beds are single, deep sofas angular."""
     if name in ("double_bed", "single_bed"):
         return "single_bed" if size[1] < 1.35 else "double_bed"
     if name in ("sofa", "corner_sofa"):

@@ -28,6 +28,7 @@ LEAST = {"living_room": 3.0, "kitchen": 1.8, "dining_room": 2.4, "bedroom": 2.4,
 SHARE = {"living_room": 5.0, "bedroom": 5.0, "kitchen": 3.0, "dining_room": 2.2, "study": 2.2, "bathroom": 2.0,
          "hallway": 1.0, "utility": 0.6, "storage": 0.5, "closet": 0.6, "balcony": 0.7}
 """How often each type is made, relative to the others."""
+SMALL_WINDOW = ("bathroom", "utility")
 SILL = {"living_room": (0.0, 0.3, 0.6, 0.6), "bathroom": (1.4,), "kitchen": (1.0, 1.05, 1.1), "study": (0.6, 0.9),
         "utility": (1.4,), "hallway": (0.9,), "dining_room": (0.0, 0.6, 0.9), "bedroom": (0.6, 0.9, 0.9)}
 
@@ -96,18 +97,20 @@ def _openings(type: RoomType, id: str, corners: Array, rng: Generator) -> list[O
 
 
 def _kinds(type: RoomType, rng: Generator) -> list[str]:
-    doors = {"hallway": int(rng.integers(2, 6)), "living_room": int(rng.integers(1, 4))}.get(type, 1 + int(rng.random() < 0.2))
-    kinds = ["entrance" if type == "hallway" and rng.random() < 0.5 else "door"] + ["door"] * (doors - 1)
+    doors = {"hallway": int(rng.integers(2, 6)), "living_room": int(rng.integers(1, 4))}
+    extra = doors.get(type, 1 + int(rng.random() < 0.2)) - 1
+    kinds = ["entrance" if type == "hallway" and rng.random() < 0.5 else "door"] + ["door"] * extra
     if type in ("living_room", "dining_room", "kitchen", "hallway") and rng.random() < 0.35:
         kinds.append("opening")
     habitable = type in ("living_room", "dining_room", "kitchen", "bedroom", "study")
-    windows = int(rng.choice([1, 1, 2, 2, 3])) if habitable else int(rng.random() < 0.4 * (type in ("bathroom", "utility")))
+    some = int(rng.random() < 0.4 * (type in SMALL_WINDOW))
+    windows = int(rng.choice([1, 1, 2, 2, 3])) if habitable else some
     return kinds + ["window"] * windows
 
 
 def _width(kind: str, type: RoomType, rng: Generator) -> float:
     if kind == "window":
-        return float(rng.choice([0.6, 0.9]) if type in ("bathroom", "utility") else rng.choice([0.9, 1.2, 1.4, 1.5, 1.8, 2.1, 2.4]))
+        return float(rng.choice([0.6, 0.9] if type in SMALL_WINDOW else [0.9, 1.2, 1.4, 1.5, 1.8, 2.1, 2.4]))
     if kind == "opening":
         return float(rng.choice([1.0, 1.2, 1.6, 2.4]))
     return 1.0 if kind == "entrance" else float(rng.choice([0.8, 0.9, 0.9]))
@@ -121,7 +124,8 @@ def _free_place(
         side = int(rng.choice(sides)) if sides else -1
         if side < 0 or length[side] < wide + 0.21:
             continue
-        s = float(np.round(rng.choice([0.1, length[side] - wide - 0.1, rng.uniform(0.1, length[side] - wide - 0.1)]), 3))
+        last = length[side] - wide - 0.1
+        s = float(np.round(rng.choice([0.1, last, rng.uniform(0.1, last)]), 3))
         if all(k != side or s > hi + 0.1 or s + wide < lo - 0.1 for k, lo, hi in taken):
             return side, s
     return None
@@ -130,8 +134,10 @@ def _free_place(
 def _opening(kind: str, type: RoomType, id: str, n: int, a: Array, b: Array, rng: Generator) -> Opening:
     window = kind == "window"
     sill = float(rng.choice(SILL.get(type, (0.9,)))) if window else 0.0
-    inwards = kind in ("door", "entrance") and rng.random() < (0.3 if type in ("hallway", "closet", "storage", "balcony") else 0.75)
+    outward = type in ("hallway", "closet", "storage", "balcony")
+    inwards = kind in ("door", "entrance") and rng.random() < (0.3 if outward else 0.75)
     return Opening(
-        id=f"{kind}_{n + 1}", kind=kind, rooms=[id], segment=((float(a[0]), float(a[1])), (float(b[0]), float(b[1]))),  # type: ignore[arg-type]
-        sill=sill, head=2.2 if window else 2.05, hinge=int(rng.integers(2)), into=id if inwards else None,  # type: ignore[arg-type]
+        id=f"{kind}_{n + 1}", kind=kind, rooms=[id],  # type: ignore[arg-type]
+        segment=((float(a[0]), float(a[1])), (float(b[0]), float(b[1]))), sill=sill, head=2.2 if window else 2.05,
+        hinge=1 if rng.random() < 0.5 else 0, into=id if inwards else None,
     )

@@ -21,7 +21,9 @@ CANDIDATES = 160
 GROUP_TRIES = 3
 LOOKS = 5
 """How many of the liked poses are tried for passage."""
-MATCHING = ("nightstand", "chair", "stool", "bookshelf", "balcony_chair", "shelving", "curtain", "armchair", "table_lamp")
+MATCHING = (
+    "nightstand", "chair", "stool", "bookshelf", "balcony_chair", "shelving", "curtain", "armchair", "table_lamp",
+)
 """What people buy several of the same."""
 
 
@@ -101,7 +103,9 @@ class Builder:
         at = at.take(space.fits(name, at, use, partner))
         if not at.n:
             return -1
-        liking = prior(step, at.n) + sum((w * prefer.FEATURES[key](space, at, step) for key, w in step.prefer.items()), np.zeros(at.n))
+        liking = prior(step, at.n)
+        for feature, weight in step.prefer.items():
+            liking = liking + weight * prefer.FEATURES[feature](space, at, step)
         for k in np.argsort(-(liking + rng.gumbel(0, NOISE, at.n)))[:LOOKS]:
             if space.stays_open(name, at.take([k])):
                 return space.add(name, at.take([k]), use, step.gap[0] if step.at == "wall" else 0.0)

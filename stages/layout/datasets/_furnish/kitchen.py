@@ -28,7 +28,8 @@ class Kitchen:
 
 def furnish(space: Space, budget: int, rng: Generator) -> None:
     """Put up to `budget` kitchen units and what hangs above them."""
-    style = Kitchen(float(rng.choice([0.6, 0.6, 0.62])), float(rng.choice([0.88, 0.9, 0.92])), bool(rng.random() < 0.45))
+    depth, height = float(rng.choice([0.6, 0.6, 0.62])), float(rng.choice([0.88, 0.9, 0.92]))
+    style = Kitchen(depth, height, tall_oven=bool(rng.random() < 0.45))
     units = _units(budget, style, rng)
     rest = _best_run(space, units, style, rng)
     for _ in range(2):
@@ -167,9 +168,9 @@ def _single(space: Space, name: str, style: Kitchen, rng: Generator) -> None:
 
 def _hang(space: Space, budget: int, rng: Generator) -> None:
     """A hood over the hob or cooker and wall units over the rest."""
-    cookers = [i for i in range(space.n) if space.category[i] == "hob"]
-    cookers += [i for i in range(space.n) if space.category[i] == "oven" and space.body.size[i, 2] < 1.2 and not cookers]
-    low = [i for i in range(space.n) if space.category[i] not in ("fridge", "hob", "oven") and space.body.size[i, 2] < 1.2]
+    low = [i for i in range(space.n) if space.body.size[i, 2] < 1.2]
+    cookers = [i for i in low if space.category[i] == "hob"] or [i for i in low if space.category[i] == "oven"]
+    low = [i for i in low if space.category[i] not in ("fridge", "hob", "oven")]
     hung = [("hood", i) for i in cookers] + [("wall_unit", int(i)) for i in rng.permutation(low)]
     unit = draw("wall_unit", rng)
     for name, i in hung:

@@ -54,7 +54,7 @@ def _nearest(points: Array, at: Boxes) -> Array:
     if not len(points):
         return np.zeros(at.n)
     offset = at.center[:, None, :2] - points
-    return np.hypot(offset[..., 0], offset[..., 1]).min(1).clip(0, 4.0)
+    return np.asarray(np.hypot(offset[..., 0], offset[..., 1]).min(1).clip(0, 4.0))
 
 
 def window(space: Space, at: Boxes, step: Step) -> Array:
@@ -89,13 +89,13 @@ def retreat(space: Space, at: Boxes, step: Step) -> Array:
     away, along = _sides(space, at)
     facing = boxes.axes(at)[:, 0] @ space.shape.normal.T
     ahead = np.where((facing < -0.9) & (along > 0) & (along < space.shape.length), away - at.size[:, :1] / 2, 9.0)
-    return -np.abs(ahead.min(1) - 1.2).clip(0, 2.0)
+    return np.asarray(-np.abs(ahead.min(1) - 1.2).clip(0, 2.0))
 
 
 def middle(space: Space, at: Boxes, step: Step) -> Array:
     """Far from all walls and from what stands there."""
     cell = ((at.center[:, None, :2] - space.flat_grid) ** 2).sum(-1).argmin(1)
-    return space.clear.ravel()[cell].clip(0, 2.0)
+    return np.asarray(space.clear.ravel()[cell].clip(0, 2.0))
 
 
 FEATURES: dict[str, Callable[[Space, Boxes, Step], Array]] = {

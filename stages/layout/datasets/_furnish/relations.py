@@ -86,9 +86,9 @@ def around(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
         return nowhere(name, size, space)
     d, w, _ = space.body.size[i]
     if space.category[i] == "round_table":
-        angle = rng.uniform(0, 2 * np.pi) if not _seats(space, i) else _seats(space, i)[0]
+        first = (_seats(space, i) or [rng.uniform(0, 2 * np.pi)])[0]
         turns = np.array([0, 2, 1, 3]) * np.pi / 2 if d < 1.2 else np.array([0, 3, 1, 4, 2, 5]) * np.pi / 3
-        angle = angle + turns
+        angle = first + turns
         reach = d / 2 + size[0] / 2 + rng.uniform(*step.gap, len(angle))
         offset, turn = np.column_stack([np.cos(angle), np.sin(angle)]) * reach[:, None], angle + np.pi
     else:
@@ -112,7 +112,8 @@ def _rows(d: float, w: float, size: Array, gap: Array) -> tuple[Array, Array]:
     rows = []
     n = max(1, int((w - 0.05) / max(0.55, size[1] + 0.06)))
     for k, s in enumerate((np.arange(n) + 0.5) / n * w - w / 2):
-        rows += [(d / 2 + size[0] / 2 + gap[2 * k % 20], s, np.pi), (-d / 2 - size[0] / 2 - gap[(2 * k + 1) % 20], s, 0.0)]
+        rows.append(((d + size[0]) / 2 + gap[2 * k % 20], s, np.pi))
+        rows.append((-(d + size[0]) / 2 - gap[(2 * k + 1) % 20], s, 0.0))
     rows += [(0.0, w / 2 + size[0] / 2 + gap[-1], -np.pi / 2), (0.0, -w / 2 - size[0] / 2 - gap[-2], np.pi / 2)]
     table = np.array(rows)
     return table[:, :2], table[:, 2]

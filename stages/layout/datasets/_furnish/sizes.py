@@ -26,4 +26,4 @@ def draw(name: str, rng: Generator, lean: float | None = None) -> Array:
             size[k] = steps[np.argsort(near, kind="stable")[min(len(steps) - 1, int(rng.geometric(0.6)) - 1)]]
     if row.get("square"):
         size[1] = size[0]
-    return np.round(np.clip(size, lo, hi), 3)
+    return np.asarray(np.round(np.clip(size, lo, hi), 3))

@@ -20,6 +20,8 @@ ARM = 0.75
 """How far in front of a moving part one may stand to use it, m."""
 NEAR = 0.6
 """How near one must come to anything else that stands on the floor, m."""
+COUNTER = 0.3
+"""How much farther one reaches over a counter, m."""
 USE_HEIGHT = 1.6
 UNDERFOOT = 1.8
 """What hangs above this is no obstacle, m."""
@@ -108,7 +110,8 @@ class Space:
     def add(self, name: str, at: Boxes, use: Use = NO_USE, gap: float = 0.0) -> int:
         """Place the single box `at` (1,); its index."""
         i = self.n
-        for store, box in ((self._body, at), (self._swept, forward(at, reach(name, at.size))), (self._used, used(at, use))):
+        swept = forward(at, reach(name, at.size))
+        for store, box in ((self._body, at), (self._swept, swept), (self._used, used(at, use))):
             store.center[i], store.size[i], store.yaw[i] = box.center[0], box.size[0], box.yaw[0]
         self.category.append(name)
         self.gap.append(gap)
@@ -165,8 +168,8 @@ class Space:
         if kind.articulated and at.center[0, 2] - at.size[0, 2] / 2 < UNDERFOOT:
             seen = boxes.local(self.flat_grid, at)[0]
             front, half = seen[:, 0] - at.size[0, 0] / 2, at.size[0, 1] / 2
-            reachable = (front > 0) & (front < ARM + (0.3 if kind.place != "floor" else 0)) & (np.abs(seen[:, 1]) < half + CELL)
-            return np.flatnonzero(reachable)
+            arm = ARM if kind.place == "floor" else ARM + COUNTER
+            return np.flatnonzero((front > 0) & (front < arm) & (np.abs(seen[:, 1]) < half + CELL))
         if kind.place == "floor" and at.size[0, :2].min() > 0.3:
             return np.flatnonzero(boxes.distance(self.flat_grid, at)[:, 0] < NEAR)
         return None

@@ -16,8 +16,8 @@ class Step:
     """Put `repeat` objects of one of the categories `put` at a place named as in `poses.PLACES`.
 
     `of`: what it relates to · `gap`: distance kept from wall or neighbour, m · `distance`: range for `across` ·
-    `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, behind, m · `turn`: spread of yaw,
-    rad · `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) ·
+    `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, behind, m ·
+    `turn`: spread of yaw, rad · `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) ·
     `least`: floor area it takes, m² · `most`: no more than this many in the
     room · `slots`: not where fewer objects than this are still wanted ·
     `need`: undone unless so many of what follows find a place ·
@@ -102,7 +102,7 @@ def sizes() -> dict[str, dict[str, Any]]:
 def use_of(step: Step, category: str) -> tuple[float, float, float, float]:
     """Floor kept free in front, left, right and behind the object, m."""
     given = step.use if step.use is not None else sizes().get(category, {}).get("use", ())
-    front, left, right, back = (*given, *(0.0,) * (4 - len(given)))
+    front, left, right, back = (float(v) for v in [*given, 0.0, 0.0, 0.0, 0.0][:4])
     return front, left, right, back
 
 
@@ -121,8 +121,8 @@ def most_of(step: Step, category: str, type: RoomType) -> int:
     """How many of the category a room of this type holds at most."""
     if step.most:
         return step.most
-    limit = sizes().get(category, {}).get("most", 99)
-    return int(limit.get(type, limit.get("other", 99)) if isinstance(limit, dict) else limit)
+    limit: int | dict[str, int] = sizes().get(category, {}).get("most", 99)
+    return limit.get(type, limit["other"]) if isinstance(limit, dict) else limit
 
 
 @cache
