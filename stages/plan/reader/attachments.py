@@ -2,7 +2,7 @@
 
 from stages.plan.reader.phrases import Item, RoomPhrase
 from stages.plan.reader.sense import sense
-from stages.plan.reader.statements import Said, Statement, is_mark, rooms_of
+from stages.plan.reader.statements import Said, Statement, is_mark, rooms_of, split_area
 
 OWNED_BY = {
     "closet": ("bedroom", "hallway"),
@@ -106,12 +106,27 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
             said.total_area = item.values[0] if said.total_area is None else said.total_area
         elif not owners:
             said.unread.append(item.text)
+        together = any(i.kind == "sum" for i in items[max(k - 3, 0) : k + 2])
+        if together and len(owners) == 1 and not owners[0].plural:
+            owners = _coordinated(out, owners[0])
+            split_area(owners, item.values[0]) if item.kind == "area" else None
         for owner in owners:
+            owner.together = together or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
             if item.kind == "area":
                 owner.areas = owner.areas or item.values
             else:
                 owner.share = item.values[0]
-    return [i for i in out if not (i.kind == "area_word")]
+    return [i for i in out if i.kind not in ("area_word", "sum")]
+
+
+def _coordinated(before: list[Item], last: RoomPhrase) -> list[RoomPhrase]:
+    """`the kitchen and the living room` that end in `last`."""
+    at = next(j for j, i in enumerate(before) if i.room is last)
+    out = [last]
+    while at > 1 and before[at - 1].kind == "conjunction" and (phrase := before[at - 2].room) is not None:
+        out.insert(0, phrase)
+        at -= 2
+    return out
 
 
 def _total_near(items: list[Item], k: int) -> bool:
@@ -120,13 +135,16 @@ def _total_near(items: list[Item], k: int) -> bool:
 
 
 def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
+    if items[k].kind == "share" and k + 2 < len(items) and items[k + 1].value == "with" and (ahead := items[k + 2].room):
+        return [ahead]
     j = len(before) - 1
-    while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in ("copula", "with", "area_word", "reach", "label", "size")):
+    while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in ("copula", "with", "area_word", "reach", "label", "size", "compare", "sum")):
         j -= 1
     if j >= 0 and before[j].room is not None and not _speaks_of_flat(before, j, items[k]):
         group = [before[j].room]
         each = any(i.room is not None and i.room.quantifier in ("each", "both") for i in items[k + 1 : k + 2])
-        each = each or (before[j].room.type == "" and before[j].room.quantifier in ("each", "both"))
+        if before[j].room.type == "" and before[j].room.quantifier in ("each", "both") and j and (last := before[j - 1].room):
+            each, group, j = True, [last], j - 1
         if each and not group[0].plural:
             while j > 1 and (before[j - 1].kind == "conjunction" or is_mark(before[j - 1], ",")) and before[j - 2].room is not None:
                 j -= 2
@@ -326,6 +344,19 @@ def spread_negation(items: list[Item]) -> None:
             scope = phrase.negated
         elif item.kind not in ("conjunction",) and not is_mark(item, ","):
             scope = False
+
+
+def drop_alternatives(items: list[Item], said: Said) -> list[Item]:
+    """`two bedrooms or three bedrooms`: the first is taken, the other reported."""
+    out: list[Item] = []
+    for item in items:
+        phrase, last = item.room, out[-2].room if len(out) > 1 else None
+        if phrase and last and phrase.count and last.count and phrase.type == last.type and out[-1].value == "or":
+            out.pop()
+            said.unread.append(f"or {phrase.count:g} {phrase.text}")
+        else:
+            out.append(item)
+    return out
 
 
 def _closes_with_or(items: list[Item]) -> bool:

@@ -61,7 +61,8 @@ class Household:
         before = len(self.rooms)
         found = self._find(phrase)
         for entity in self.rooms[before:]:
-            entity.vague = phrase.definite and phrase.count is None
+            named = phrase.quantifier == "" and id(phrase) in self.mentions
+            entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
         self._lay(phrase, found)
         self.refs[id(phrase)] = found
         if len(found) > 1:
@@ -129,6 +130,8 @@ class Household:
             return []
         phrase.type = pool[0].type
         free = [e for e in pool if not e.picked] or pool
+        if len(pool) == 1 and phrase.another and phrase.count:
+            return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
         if phrase.quantifier in PAIRED and not phrase.count:
             found = pool
         elif phrase.quantifier == "other" and not phrase.count:
@@ -199,7 +202,8 @@ class Household:
         mentioned = id(phrase) in self.mentions
         if phrase.quantifier == "another":
             return self.add(phrase.type, int(phrase.count or 1))
-        vague = [e for e in known if e.vague and not e.labels & set(DISTINCT)]
+        plain = mentioned or phrase.count in (None, 1)
+        vague = [e for e in known if e.vague and not (plain and e.labels & set(DISTINCT))]
         if vague and not phrase.definite and (phrase.count is not None or not mentioned):
             for entity in vague:
                 entity.vague = False
@@ -243,7 +247,9 @@ class Household:
         for k, entity in enumerate(found):
             if phrase.areas and entity.area is None:
                 entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
-            entity.share = phrase.share if phrase.share is not None else entity.share
+            entity.share = entity.share if phrase.share is None else phrase.share / (len(found) if phrase.together else 1)
+            if phrase.together and phrase.areas:
+                entity.area = phrase.areas[0] / len(found)
             entity.factor *= phrase.factor
             entity.labels |= phrase.labels - {"size", "ensuite?", "own", "halls"}
             entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count

@@ -166,8 +166,14 @@ def _quantities(words: list[Lexeme]) -> list[Lexeme]:
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
     """`twenty five` → 25, `eight hundred` → 800."""
     out: list[Lexeme] = []
-    for word in words:
+    for k, word in enumerate(words):
         last = out[-1] if out else None
+        hundred = last is not None and last.kind == "number" and last.number >= 100 and last.number % 100 == 0
+        either = last is not None and last.kind == "number" and word.text == "or" and k + 1 < len(words) and words[k + 1].kind == "number"
+        if either or (out and k and words[k - 1].text == "or" and last is not None and last.kind == word.kind == "number"):
+            continue  # "two or three bedrooms": two
+        if hundred and word.text == "and" and k + 1 < len(words) and words[k + 1].kind == "number" and words[k + 1].number < 100:
+            continue
         if last and word.kind == last.kind == "number" and not word.text[0].isdigit():
             n, m = last.number, word.number
             total = n * m if m in (100, 1000) else n + m if (n >= 20 and n % 10 == 0 and m < 10) or (n >= 100 > m) else None

@@ -16,7 +16,7 @@ NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with", "reach", "relative",
     "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun", "only", "style", "shape", "side_role",
-    "side", "furniture", "furniture_count", "graph", "main_rooms", "compound", "adjective", "stop",
+    "side", "furniture", "furniture_count", "graph", "main_rooms", "compound", "sum", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
 

@@ -65,6 +65,7 @@ def _lists_home(after: list[Item]) -> bool:
 
 def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[RoomPhrase]:
     """Add one sentence to `said`; returns what "it" may mean in the next."""
+    items = drop_alternatives(items, said)
     spread_negation(items)
     mark_headlines(items, said)
     for item in items:

@@ -10,6 +10,8 @@ COPULAS = ("is", "are", "be", "ist", "sind", "est", "sont", "es", "son", "lie", 
 MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
 ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
 """Relations that describe the room after them: `an adjoining kitchen`."""
+OTHER_NOUNS = ("side", "end", "level", "storey", "story", "floor", "person", "persons", "people", "students", "student", "family")
+"""`one side` counts no rooms."""
 PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
 
 
@@ -32,6 +34,8 @@ class RoomPhrase:
     negated: bool = False
     headline: bool = False
     whole: int | None = None
+    together: bool = False
+    another: bool = False
     subset: bool = False
     owned: list["RoomPhrase"] = field(default_factory=list)
     objects: list[tuple[str, int]] = field(default_factory=list)
@@ -186,6 +190,8 @@ class Phraser:
         word, p = words[i], self.pending
         kind, _, label = word.value.partition(":")
         labels = set(p.labels) | (set(label.split("+")) if label else set())
+        if kind == "bathroom" and "own" in labels:
+            labels.add("ensuite")
         if p.quantifier == "both" and not word.plural:
             p.quantifier = "the"  # "both the bedroom and the hallway"
         phrase = RoomPhrase(kind, labels, p.number, p.quantifier, p.ordinals, word.plural, negated=p.negated, factor=p.factor, text=word.text)
@@ -236,7 +242,7 @@ class Phraser:
             self.items.append(Item("compare", str(p.number), word.text, number=p.number))
             self.pending = _Pending()
             return None
-        self._flush()
+        self._flush(word)
         if word.kind == "unknown":
             self.unread.append(word.text)
             return None
@@ -279,16 +285,17 @@ class Phraser:
                 phrase = RoomPhrase(kind, set(), count, headline=True, text=word.text)
                 self.items.append(Item("room", kind, word.text, phrase))
 
-    def _flush(self) -> None:
+    def _flush(self, following: Lexeme | None = None) -> None:
         """Modifiers without a noun: an elliptical room ("one of them", "the largest"), or a loose adjective."""
         p, self.pending = self.pending, _Pending()
-        if p.empty():
+        if p.empty() or (following is not None and following.text in OTHER_NOUNS):
             return
         partitive = p.quantifier in PARTITIVE or (p.number is not None and p.number <= 9) or p.ordinals or p.labels & {"master", "guest", "kids"}
         if "own" in p.labels and p.number is None:
             self.items.append(Item("room", "bathroom", "own", RoomPhrase("bathroom", {"ensuite", "own"}, text="own")))
         elif partitive and not p.negated and any(i.room and i.room.type for i in self.items):
             phrase = RoomPhrase("", set(p.labels), p.number, p.quantifier, p.ordinals, factor=p.factor, text=" ".join(p.texts))
+            phrase.another = following is not None and following.kind == "with" and p.number is not None
             self.items.append(Item("room", "", phrase.text, phrase))
         elif p.quantifier == "the" and p.factor != 1.0:
             self.items.append(Item("room", "", " ".join(p.texts), RoomPhrase("", {"size"}, None, "the", factor=p.factor)))

@@ -127,7 +127,7 @@ def _doors(statements: list[Statement], home: Household) -> _Doors:
 def _served(a: Entity, b: Entity) -> bool:
     """A family bathroom that serves a bedroom has no door to it."""
     bath = a if a.type == "bathroom" else b
-    return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & {"family", "shared"})
+    return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & {"family", "shared", "guest"})
 
 
 def _entities(phrases: list[Any], home: Household) -> list[Entity]:
@@ -155,9 +155,8 @@ def _share(users: list[Entity], shared: list[Entity], out: _Doors, home: Househo
     users = [u for u in users if u.type == "bedroom"] if shared and shared[0].type == "bathroom" else users
     for room in shared:
         others = [e for e in home.of("bathroom") if e is not room and e.owner is None]
-        if room.type == "bathroom" and "shared_pair" not in room.labels and not others:
-            continue
-        if len(users) > 3:
+        if room.type == "bathroom" and ("shared_pair" not in room.labels and not others or len(shared) > 1 or len(users) > 3):
+            room.labels.add("shared")
             continue
         out.links += [(u, room) for u in users]
 

@@ -25,11 +25,17 @@ def _noun(word: str, lexicon: Lexicon) -> bool:
 
 
 @cache
-def _by_length() -> dict[int, list[str]]:
-    out: dict[int, list[str]] = {}
+def _by_length() -> dict[int, dict[str, list[str]]]:
+    """Words by length and first letter, which is seldom mistyped."""
+    out: dict[int, dict[str, list[str]]] = {}
     for word in sorted(load().words):
-        out.setdefault(len(word), []).append(word)
+        out.setdefault(len(word), {}).setdefault(word[0], []).append(word)
     return out
+
+
+def _swapped(word: str, length: int) -> list[str]:
+    """Candidates should the first two letters have changed places."""
+    return [w for w in _by_length().get(length, {}).get(word[1], []) if w[1] == word[0] and word[0] != word[1]]
 
 
 @cache
@@ -37,9 +43,9 @@ def _nearest(word: str) -> str:
     most = 1 if len(word) < 8 else 2
     best, least = word, most + 0.9
     for length in range(len(word) - most, len(word) + most + 1):
-        for other in _by_length().get(length, []):
+        for other in _by_length().get(length, {}).get(word[0], []) + _swapped(word, length):
             slips = distance(word, other, least)
-            if slips < least and (other[0] == word[0] or other[:2] == word[1::-1]):
+            if slips < least:
                 best, least = other, slips
     return best
 

@@ -70,7 +70,7 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             group[0].labels.add("open")
         if len(group) > 1 and (tight or after or "open" in group[0].labels):
             out += chain(group)
-            _split_area(group)
+            _share_area(group)
             for phrase in group:
                 phrase.labels.discard("open")
         kept += items[i : end + 1] if not after else items[i:end]
@@ -78,14 +78,18 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
     return kept, out
 
 
-def _split_area(group: list[RoomPhrase]) -> None:
+def _share_area(group: list[RoomPhrase]) -> None:
     """`living/kitchen (30 m²)`: an area far above its own room's is that of the whole group."""
-    usual = [sense()["area"][r.type] for r in group]
-    given = [(k, r) for k, r in enumerate(group) if len(r.areas) == 1]
-    if len(given) == 1 and given[0][1].areas[0] > 1.3 * usual[given[0][0]]:
-        whole = given[0][1].areas[0]
-        for room, share in zip(group, usual, strict=True):
-            room.areas = (whole * share / sum(usual),)
+    given = [r for r in group if len(r.areas) == 1]
+    if len(given) == 1 and given[0].areas[0] > 1.3 * sense()["area"][given[0].type]:
+        split_area(group, given[0].areas[0])
+
+
+def split_area(group: list[RoomPhrase], whole: float) -> None:
+    """One area for several rooms, in the ratio of their usual areas."""
+    usual = [sense()["area"].get(r.type, 12.0) for r in group]
+    for room, part in zip(group, usual, strict=True):
+        room.areas = (whole * part / sum(usual),)
 
 
 def _run(items: list[Item], i: int) -> int:
