@@ -1,8 +1,8 @@
 """Where an asset stands once its real size is known: against its wall, inside its room, clear of the others."""
 
-import logging
 from collections.abc import Sequence
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +13,12 @@ from stages import boxes
 from stages.boxes import TOLERANCE, Boxes
 from stages.categories import TABLE, belong_together
 
-LOG = logging.getLogger("apartgen")
 Array = NDArray[np.float64]
 
 NEAR = 0.12
 """A side this close to a wall stays at that distance from it, m."""
 STEPS = (0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Shifts tried along each axis when a box had to grow, m."""
-MOUNTED = ("wall", "ceiling")
 
 
 def _sides(box: Boxes) -> Array:
@@ -67,20 +65,22 @@ def at_height(box: Boxes, low: float) -> Boxes:
     return box._replace(center=center)
 
 
-def free(box: Boxes, category: str, others: Boxes, categories: Sequence[str]) -> bool:
-    """Whether one box meets none of the others, but for those it belongs with."""
-    apart = np.array([belong_together(category, other) or other == "rug" for other in categories], bool)
-    if category == "rug" or not len(categories):
-        return True
-    return bool(((boxes.penetration(box, others)[0] <= TOLERANCE) | apart).all())
+class Others(NamedTuple):
+    """What else stands in the way, and how deep each may be entered: the contact tolerance, or as deep as before."""
+
+    boxes: Boxes
+    allowed: Array
 
 
-def inside(box: Boxes, room: Polygon) -> bool:
-    """Whether the footprint lies in the room, to within the contact tolerance."""
-    return bool(room.buffer(TOLERANCE, join_style="mitre").covers(boxes.footprints(box)[0]))
+def others(box: Boxes, category: str, stack: Boxes, categories: Sequence[str]) -> Others:
+    """The objects a box must keep clear of; what it belongs with, and rugs, are none."""
+    apart = [not belong_together(category, name) and "rug" not in (category, name) for name in categories]
+    kept = stack.take(np.array(apart, bool))
+    before = boxes.penetration(box, kept)[0] if kept.n else np.zeros(0)
+    return Others(kept, np.maximum(before, TOLERANCE) + 1e-9)
 
 
-def grown(box: Boxes, category: str, room: Polygon, others: Boxes, categories: Sequence[str]) -> Boxes | None:
+def grown(box: Boxes, room: Polygon, others: Others) -> Boxes | None:
     """The nearest place for a box that outgrew the one it had; None if there is none within `STEPS`."""
     wide = room.buffer(TOLERANCE, join_style="mitre")
     prepare(wide)
@@ -88,7 +88,8 @@ def grown(box: Boxes, category: str, room: Polygon, others: Boxes, categories: S
     for shift in sorted(product(STEPS, STEPS), key=lambda s: (abs(s[0]) + abs(s[1]), s)):
         center = box.center + np.array([[*(np.asarray(shift) @ axes), 0.0]])
         moved = box._replace(center=center)
-        if wide.covers(boxes.footprints(moved)[0]) and free(moved, category, others, categories):
+        clear = not others.boxes.n or (boxes.penetration(moved, others.boxes)[0] <= others.allowed).all()
+        if clear and wide.covers(boxes.footprints(moved)[0]):
             return moved
     return None
 

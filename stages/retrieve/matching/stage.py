@@ -21,6 +21,7 @@ LOG = logging.getLogger("apartgen")
 
 SURFACES = frozenset(under for kind in TABLE.values() if kind.place == "top" for under in kind.belongs)
 """Categories that things stand on."""
+_NONE = boxes.of([])
 
 
 def run(
@@ -84,35 +85,43 @@ def _fitted(i: int, layout: Layout, placed: Sequence[Boxes | None], room: Polygo
     """A thing larger than its box, moved to where there is room for it; None where there is none."""
     box, now = layout.objects[i], placed[i]
     assert now is not None
-    others = [j for j, other in enumerate(placed) if other is not None and j != i]
-    stack = boxes.of([]) if not others else _stacked([placed[j] for j in others])
-    spot = placing.grown(now, box.category, room, stack, [layout.objects[j].category for j in others])
+    rest = [j for j, other in enumerate(placed) if other is not None and j != i]
+    names = [layout.objects[j].category for j in rest]
+    spot = placing.grown(now, room, placing.others(placing.one(box), box.category, _stacked(placed, rest), names))
     if spot is None:
         LOG.warning("%s: smaller than any real %s, and there is no room for one; left out", box.id, box.category)
     return spot
 
 
-def _stacked(each: Sequence[Boxes | None]) -> Boxes:
-    some = [box for box in each if box is not None]
-    return Boxes(*(np.concatenate([getattr(box, name) for box in some]) for name in Boxes._fields))
+def _stacked(placed: Sequence[Boxes | None], rows: Sequence[int]) -> Boxes:
+    some = [box for j in rows if (box := placed[j]) is not None]
+    return Boxes(*(np.concatenate([getattr(box, name) for box in some]) for name in Boxes._fields)) if some else _NONE
 
 
 def _on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon]) -> None:
-    """Puts each thing that stands on another exactly on its top."""
+    """Puts each thing that stands on another exactly on its top, clear of all the rest where that can be."""
     tops: dict[int, supports.Top] = {}
-    taken: dict[int, list[Boxes]] = {}
     for i, box in enumerate(layout.objects):
         if TABLE[box.category].place != "top":
             continue
         item = placing.resized(placing.one(box), own[i].size, floors[box.room])
-        for j in _below(i, layout, placed):
-            under = tops.setdefault(j, _top(own[j], placed[j]))
-            placed[i] = supports.stand(item, under, taken.setdefault(j, []))
-            if (spot := placed[i]) is not None:
-                taken[j].append(spot)
+        below = _below(i, layout, placed)
+        for j in below:
+            tops.setdefault(j, _top(own[j], placed[j]))
+        for small in (False, True):
+            spots = (supports.stand(item, tops[j], _stacked(placed, _near(i, j, layout, small))) for j in below)
+            placed[i] = next((spot for spot in spots if spot is not None), None)
+            if placed[i] is not None:
                 break
         else:
             placed[i] = _unsupported(box, item)
+
+
+def _near(i: int, under: int, layout: Layout, small: bool) -> list[int]:
+    """What a thing on top of another must keep clear of: all in its room, or only what stands on something too."""
+    room = layout.objects[i].room
+    rest = [j for j, other in enumerate(layout.objects) if other.room == room and j not in (i, under)]
+    return [j for j in rest if TABLE[layout.objects[j].category].place == "top" or not small]
 
 
 def _top(asset: Asset, box: Boxes | None) -> supports.Top:

@@ -1,6 +1,5 @@
 """Tops that things stand on: how high an asset is at a point, and where on it another one fits."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -53,9 +52,11 @@ def top(asset: Asset, box: Boxes) -> Top:
     ticks = np.linspace(-1, 1, CELLS)
     points = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), -1).reshape(-1, 2) * half
     z = heights(asset, points)
-    near = np.abs(z[:, None] - z[None]) <= FLAT
-    best = int(np.argmax(near.sum(1)))
-    level = float(z[near[best]].max())
+    seen = z[np.isfinite(z)]
+    if not len(seen):
+        return Top(box, float(box.center[0, 2] + box.size[0, 2] / 2), points, np.zeros(len(points), bool))
+    near = np.abs(seen[:, None] - seen[None]) <= FLAT
+    level = float(seen[near[int(np.argmax(near.sum(1)))]].max())
     return Top(box, float(box.center[0, 2] + level), points, np.abs(z - level) <= FLAT)
 
 
@@ -69,7 +70,7 @@ def _covered(under: Top, item: Boxes) -> tuple[bool, float]:
     return bool(under.clear[under_it].all()), carried
 
 
-def stand(item: Boxes, under: Top, taken: Sequence[Boxes]) -> Boxes | None:
+def stand(item: Boxes, under: Top, taken: Boxes) -> Boxes | None:
     """The item (1) on the top's level, as near as can be to where it was and clear of what stands there already."""
     reach = np.maximum((under.box.size[0, :2] - _turned(item, under)) / 2, 0)
     ticks = np.linspace(-1, 1, 9)
@@ -81,7 +82,7 @@ def stand(item: Boxes, under: Top, taken: Sequence[Boxes]) -> Boxes | None:
         xy = under.box.center[0, :2] + spot @ boxes.axes(under.box)[0]
         placed = item._replace(center=np.array([[*xy, under.level + item.size[0, 2] / 2]]))
         level, carried = _covered(under, placed)
-        if level and carried > 0.6 and all(boxes.penetration(placed, other)[0, 0] <= 0 for other in taken):
+        if level and carried > 0.6 and (not taken.n or boxes.penetration(placed, taken).max() <= 1e-9):
             return placed
     return None
 

@@ -19,7 +19,7 @@ SLACK = 1e-4
 
 @dataclass(frozen=True)
 class Rows:
-    """Assets of one category: `row` numbers them in their library, the rest is what a query looks at."""
+    """Assets of one category: `row` (k) numbers them in their library; sizes are kept side by side (3, k)."""
 
     row: NDArray[np.int64]
     size: Array
@@ -34,30 +34,33 @@ class Table:
 
     def __init__(self, category: Sequence[str], size: ArrayLike, latent: ArrayLike, moving: ArrayLike) -> None:
         """`category` (n), `size` (n, 3) metres, `latent` (n, 32), `moving` (n) whether it has a joint."""
-        names = np.asarray(category, dtype=np.str_)
+        names, label = np.unique(np.asarray(category, dtype=np.str_), return_inverse=True)
         sizes, latents = np.asarray(size, np.float32).reshape(-1, 3), np.asarray(latent, np.float32).reshape(-1, 32)
         still = ~np.asarray(moving, bool)
         self._groups: dict[str, Rows] = {}
-        order = np.argsort(names, kind="stable")
-        for group in np.split(order, np.flatnonzero(np.diff(np.unique(names[order], return_inverse=True)[1])) + 1):
-            if len(group):
-                own, z = sizes[group], latents[group]
-                self._groups[str(names[group[0]])] = Rows(group, own, np.log(own), z, (z * z).sum(1), still[group])
+        for i, name in enumerate(names):
+            own = np.flatnonzero(label == i)
+            side, z = np.ascontiguousarray(sizes[own].T), latents[own]
+            self._groups[str(name)] = Rows(own, side, np.log(side), z, (z * z).sum(1), still[own])
 
     def rows(self, category: str) -> Rows | None:
         """The assets of a category."""
         return self._groups.get(category)
 
-    def costs(self, category: str, size: ArrayLike, latent: ArrayLike, config: RetrieveConfig) -> Array:
-        """Cost (k,) of each asset of the category, as `RetrieveConfig` defines it; an empty latent costs nothing."""
+    def costs(
+        self, category: str, size: ArrayLike, latent: ArrayLike, config: RetrieveConfig,
+        among: NDArray[np.int64] | slice = slice(None),
+    ) -> Array:  # fmt: skip
+        """Cost of the category's assets, or those `among` them, as `RetrieveConfig` says; no latent costs nothing."""
         rows = self._groups[category]
-        off = (rows.log_size - np.log(np.asarray(size, np.float32))) / SIZE_SCALE
-        cost = config.size_weight * np.einsum("ij,ij->i", off, off)
+        off = (rows.log_size[:, among] - np.log(np.asarray(size, np.float32))[:, None]) / SIZE_SCALE
+        cost = config.size_weight * (off * off).sum(0)
         z = np.asarray(latent, np.float32)
         if z.size:
-            cost += config.latent_weight * np.maximum(rows.square - 2 * (rows.latent @ z) + z @ z, 0) / z.size
+            distance = rows.square[among] - 2 * (rows.latent[among] @ z) + z @ z
+            cost += config.latent_weight * np.maximum(distance, 0) / z.size
         if TABLE[category].articulated:
-            cost += config.static_cost * rows.static
+            cost += config.static_cost * rows.static[among]
         return np.asarray(cost, np.float32)
 
     def nearest(
@@ -70,9 +73,12 @@ class Table:
         wanted = np.asarray(size, np.float32)
         top = (wanted * (1 + config.tolerance) if limit is None else np.asarray(limit, np.float32)) + SLACK
         least = np.minimum(wanted, top) * (1 - config.tolerance) - SLACK
-        fits = ((rows.size <= top) & (rows.size >= least)).all(1)
-        if not fits.any():
+        fits = np.ones(len(rows.row), bool)
+        for side, low, high in zip(rows.size, least, top, strict=True):
+            fits &= (side >= low) & (side <= high)
+        among = np.flatnonzero(fits)
+        if not len(among):
             return None
-        cost = np.where(fits, self.costs(category, size, latent, config), np.inf)
+        cost = self.costs(category, size, latent, config, among)
         best = int(np.argmin(cost))
-        return int(rows.row[best]), float(cost[best])
+        return int(rows.row[among[best]]), float(cost[best])

@@ -37,7 +37,7 @@ def train(config: ShapeTraining, out: Path, resume: bool = True, maker: Maker | 
     """
     started = time.process_time()
     maker = maker or embedded_maker()
-    work = out.with_name(f"{out.stem}.training")
+    work = out.with_name(f"{out.stem}.work")
     if not resume:
         shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True, exist_ok=True)
