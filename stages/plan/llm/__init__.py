@@ -8,7 +8,7 @@ from schemas.plan import Program
 from stages.plan.llm.answers import Broken, Declined, instructions, programme, reply_schema
 from stages.plan.llm.cache import Cache
 from stages.plan.llm.model import Answer, Model
-from stages.plan.reader import complete_program, refuse_absurd
+from stages.plan.reader import bounded, complete_program
 
 REPAIRS = 1
 """How often a model may correct an invalid reply."""
@@ -32,7 +32,7 @@ def read(
     "cost" (US dollars or None), "rounds", "cached"}`. Raises BadInput for an unknown model, a missing key or an absurd
     prompt, Unmet when the model declines, times out, or never gives a valid programme.
     """
-    refuse_absurd(prompt)
+    bounded(prompt)  # absurd requests end before anything is sent
     store = Cache(cache, model, prompt)
     kept = store.load()
     if kept is not None:

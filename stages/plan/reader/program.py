@@ -37,8 +37,7 @@ def read(prompt: str) -> Program:
 
     BadInput when no room can be read or the request is absurd.
     """
-    refuse_absurd(prompt)
-    said = parse(prompt)
+    said = bounded(prompt)
     home = Household(mentions(said.statements))
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
@@ -55,13 +54,15 @@ def read(prompt: str) -> Program:
     return _program(said, home, doors, complete)
 
 
-def refuse_absurd(prompt: str) -> None:
-    """BadInput for an empty prompt, for more rooms than a home has, for areas out of range."""
+def bounded(prompt: str) -> Said:
+    """What a prompt says; BadInput when it is empty, asks for more rooms than a home has, for areas out of range."""
     if not prompt.strip():
         raise BadInput('the prompt is empty; name rooms, e.g. "two-bedroom flat"')
     if len(prompt) > LONGEST:
         raise BadInput(f"the prompt has {len(prompt)} characters; keep it below {LONGEST}")
-    _counts_in_bounds(parse(prompt))
+    said = parse(prompt)
+    _counts_in_bounds(said)
+    return said
 
 
 def _introduced_first(phrases: list[RoomPhrase]) -> list[RoomPhrase]:
