@@ -1,11 +1,10 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
 from stages.plan.reader.attachments import (
-    attach_areas, attach_owned, comparisons, drop_alternatives, mark_headlines, merge_ensuites, spread_negation,
-)  # fmt: skip
     attach_areas,
     attach_owned,
     comparisons,
+    drop_alternatives,
     mark_headlines,
     merge_ensuites,
     spread_negation,
