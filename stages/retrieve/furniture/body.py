@@ -77,9 +77,9 @@ class Body:
         self.add(material, mesh.loft(np.array(rings)))
 
     def tube(self, material: str, path: Sequence[Sequence[float]], radius: float, n: int = 8) -> None:
-        """A bent round bar; one collision cylinder a straight."""
-        self.add(material, mesh.tube(path, radius, n), touch=False)
-        p = np.asarray(path, float)
+        """A bent round bar with rounded bends; one collision cylinder a straight."""
+        p = _bent(np.asarray(path, float), 2.5 * radius)
+        self.add(material, mesh.tube(p, radius, n), touch=False)
         for a, b in zip(p[:-1], p[1:], strict=True):
             size = np.array([radius, radius, np.linalg.norm(b - a)])
             self.colliders.append(Collider("cylinder", (a + b) / 2, size, mesh.frame_of(b - a)))
@@ -140,10 +140,11 @@ class Body:
         """Collision pieces of a vessel: wedges between its skins, slabs under its floor."""
         m = outer.shape[1]
         for high, low in zip(inner[:-1], inner[1:], strict=True):
-            wall = [_at_height(outer, high), _at_height(outer, low)]
+            bends = [r for r in outer if low[0, 2] < r[0, 2] < high[0, 2]]
+            wall = [high, low, _at_height(outer, high), _at_height(outer, low), *bends]
             for i in range(m):
                 j = [i, (i + 1) % m]
-                self.hull(np.concatenate([high[j], low[j], wall[0][j], wall[1][j]]))
+                self.hull(np.concatenate([r[j] for r in wall]))
         below = [r for r in outer if r[0, 2] < inner[-1][0, 2] - 1e-6]
         floor = [*below, _at_height(outer, inner[-1])]
         for low, high in zip(floor[:-1], floor[1:], strict=True):
@@ -160,6 +161,21 @@ class Body:
         """One mesh a material, `drop` metres lower."""
         names = sorted({*self.boxes, *self.shapes})
         return [_joined(name, self.boxes.get(name, []), self.shapes.get(name, []), drop) for name in names]
+
+
+def _bent(path: Array, radius: float) -> Array:
+    """A path (k, 3) with its sharp corners replaced by three points of an arc about `radius` wide."""
+    points = [path[0]]
+    for before, corner, after in zip(path[:-2], path[1:-1], path[2:], strict=True):
+        a, b = before - corner, after - corner
+        la, lb = float(np.linalg.norm(a)), float(np.linalg.norm(b))
+        if a @ b < -0.85 * la * lb:
+            points.append(corner)
+            continue
+        cut = min(radius, 0.45 * la, 0.45 * lb)
+        start, end = corner + a / la * cut, corner + b / lb * cut
+        points += [start, (start + end) / 4 + corner / 2, end]
+    return np.array([*points, path[-1]])
 
 
 def _at_height(rings: Array, ring: Array) -> Array:
@@ -210,7 +226,7 @@ def _joined(name: str, boxes: list[tuple[float, ...]], shapes: list[Shape], drop
     if boxes:
         k = np.arange(len(boxes))
         vertices, faces, uv = _box_shapes(np.array(boxes, float), 0.37 * k)
-        parts.append(Shape(vertices + 1e-6 * k.repeat(24)[:, None], faces, uv))
+        parts.append(Shape(vertices + 1e-6 * (0.5 + k.repeat(24)[:, None] + len(parts)), faces, uv))
     start = np.cumsum([0] + [len(p.vertices) for p in parts])
     nudge = -1e-6 * np.arange(len(parts)) - np.array([0, 0, drop])[:, None]
     vertices = np.concatenate([p.vertices + nudge[:, i] for i, p in enumerate(parts)])

@@ -21,19 +21,18 @@ def _blade(width: float, droop: float, widest: float) -> Shape:
     rings = np.empty((_STEPS + 1, 4, 3))
     rings[:, :, 0] = t[:, None]
     rings[:, :, 1] = half[:, None] * [1, 0, -1, 0]
-    rings[:, :, 2] = -droop * t[:, None] ** 2 + half[:, None] * [0.25, 0.06, 0.25, -0.06]
+    rings[:, :, 2] = -droop * t[:, None] ** 2 + half[:, None] * [0.12, 0.05, 0.12, -0.05]
     return mesh.loft(rings)
 
 
 def leaf(b: Body, material: str, at: Array, heading: float, pitch: float, length: float, width: float = 0.35, droop: float = 0.25, widest: float = 0.45) -> None:
-    """A leaf from `at` toward `heading` (yaw) rising by `pitch` radians; collides as two hulls."""
+    """A leaf from `at` toward `heading` (yaw) rising by `pitch` radians; collides as three hulls."""
     c, s, cp, sp = np.cos(heading), np.sin(heading), np.cos(pitch), np.sin(pitch)
     turn = np.array([[c * cp, -s, -c * sp], [s * cp, c, -s * sp], [sp, 0, cp]]) * length
     shape = _blade(width, droop, widest).moved(at, turn)
     b.add(material, shape, touch=False)
-    half = 4 * (_STEPS // 2 + 1)
-    b.hull(shape.vertices[:half])
-    b.hull(shape.vertices[half - 4 : 4 * (_STEPS + 1)])
+    for first, last in ((0, 2), (2, 4), (4, _STEPS)):
+        b.hull(shape.vertices[4 * first : 4 * last + 4])
 
 
 def pot(kit: Kit, kind: str, r: float, h: float, at: tuple[float, float] = (0.0, 0.0)) -> None:

@@ -89,8 +89,8 @@ def _backs(kit: Kit, s: Seat, cover: str, x: float, y: Span, seat: float, n: int
 
 
 def _tufts(kit: Kit, cover: str, x: float, y: Span, z: Span) -> None:
-    cols = min(9, max(3, round((y[1] - y[0]) / 0.2)))
-    rows = 2 if cols > 5 else 3
+    cols = min(8, max(3, round((y[1] - y[0]) / 0.22)))
+    rows = 2 if cols > 3 else 3
     wide, tall = (y[1] - y[0]) / cols, (z[1] - z[0]) / rows
     for i in range(cols):
         for k in range(rows):
