@@ -19,6 +19,7 @@ NOISE = 0.35
 """Spread of taste among possible poses, in units of their preference, m."""
 CANDIDATES = 160
 GROUP_TRIES = 3
+COUNT_SPREAD = 0.42
 LOOKS = 5
 """How many of the liked poses are tried for passage."""
 MATCHING = (
@@ -138,7 +139,10 @@ def _count(setup: Setup, shape: Shape, rng: Generator) -> int:
     """Objects wanted: around what is usual for the floor area, widely spread."""
     least, per_area, most = setup.count
     usual = least + per_area * shape.area
-    return int(np.clip(round(usual * rng.lognormal(0, 0.38)), max(2, least - 1), most))
+    wanted = round(usual * rng.lognormal(0, COUNT_SPREAD))
+    if wanted > most:
+        wanted = int(rng.integers(min(usual, most), most + 1))
+    return int(max(2, least - 1, wanted))
 
 
 def _carry_out(builder: Builder, setup: Setup) -> bool:

@@ -14,6 +14,8 @@ from stages.layout.datasets._furnish.space import NO_USE, Space
 USE = (0.75, 0.0, 0.0, 0.0)
 """Floor kept free before a run, m."""
 TRIES = 7
+WORTH = {"kitchen_sink": 3.0, "hob": 2.6, "oven": 2.2, "fridge": 2.0}
+"""How much more than a filler a unit matters."""
 FILLERS = ("kitchen_base", "kitchen_drawers", "kitchen_base")
 
 
@@ -87,11 +89,9 @@ def _best_run(space: Space, units: list[str], style: Kitchen, rng: Generator) ->
     best: list[tuple[str, Boxes]] = []
     for k in range(TRIES):
         keep = units if k < 2 else units[: max(2, len(units) - k + 1)]
-        if len(keep) <= len(best):
-            break
         line = _order(keep, style, rng)
         run = _run(space, line, [_size(name, style, rng) for name in line], rng)
-        if len(run) > len(best) and _passable(space, run):
+        if _worth(run) > _worth(best) and _passable(space, run):
             best = run
         if len(best) == len(units):
             break
@@ -100,6 +100,10 @@ def _best_run(space: Space, units: list[str], style: Kitchen, rng: Generator) ->
         space.add(name, box, USE)
         left.remove(name)
     return left
+
+
+def _worth(run: list[tuple[str, Boxes]]) -> float:
+    return sum(WORTH.get(name, 1.0) for name, _ in run)
 
 
 def _passable(space: Space, run: list[tuple[str, Boxes]]) -> bool:
@@ -126,8 +130,9 @@ def _run(space: Space, line: list[str], sizes: list[Array], rng: Generator) -> l
         at = Boxes(np.column_stack([xy, np.full(len(xy), size[2] / 2)]), np.tile(size, (len(xy), 1)), yaw)
         placed.append(at)
         fitting[:, k] = space.fits(name, at, USE)
-    spans = [_longest(row) for row in fitting]
-    score = np.array([hi - lo for lo, hi in spans]) + liking
+    spans = [_longest(row, line) for row in fitting]
+    worth = [WORTH.get(name, 1.0) for name in line]
+    score = np.array([sum(worth[lo:hi]) for lo, hi in spans]) + liking
     best = int(score.argmax())
     lo, hi = spans[best]
     return [(line[k], placed[k].take([best])) for k in range(lo, hi)]
@@ -146,13 +151,14 @@ def _starts(space: Space, wide: float, rng: Generator) -> tuple[NDArray[np.int64
     return np.array(side), np.array(start), np.array(liking)
 
 
-def _longest(fitting: NDArray[np.bool_]) -> tuple[int, int]:
-    """First and past-the-last unit of the longest stretch without a gap."""
-    best, start = (0, 0), 0
+def _longest(fitting: NDArray[np.bool_], line: list[str]) -> tuple[int, int]:
+    """First and past-the-last unit of the stretch without a gap that matters most."""
+    best, start, most = (0, 0), 0, 0.0
     for k, good in enumerate([*fitting, False]):
         if not good:
-            if k - start > best[1] - best[0]:
-                best = (start, k)
+            worth = sum(WORTH.get(name, 1.0) for name in line[start:k])
+            if worth > most:
+                best, most = (start, k), worth
             start = k + 1
     return best
 

@@ -1,5 +1,7 @@
 """What the functions that find poses share."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
@@ -50,10 +52,10 @@ def relative(space: Space, i: int, offset: Array) -> tuple[Array, float]:
     return box.center[0, :2] + offset @ boxes.axes(box)[0], float(box.yaw[0])
 
 
-def anchor_of(space: Space, step: Step, rng: Generator) -> int:
-    if step.anchor >= 0:
-        return step.anchor
-    found = space.find(step.of)
+def anchor_of(space: Space, step: Step, rng: Generator, but: Sequence[int] = ()) -> int:
+    """What a step relates to: its own anchor, or one of the categories `of`; -1 for none. Not one of `but`."""
+    found = [step.anchor] if step.anchor >= 0 else space.find(step.of)
+    found = [i for i in found if i not in but]
     return int(rng.choice(found)) if found else -1
 
 

@@ -136,7 +136,7 @@ def gather(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
 
 def on(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
     """On top of the anchor, towards its back."""
-    i = anchor_of(space, step, rng)
+    i = anchor_of(space, step, rng, _laden(space))
     if i < 0:
         return nowhere(name, size, space)
     d, w, h = space.body.size[i]
@@ -148,6 +148,16 @@ def on(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Pose
     if size[0] > d + 0.03 or size[1] > w + 0.1:
         return nowhere(name, size, space)
     return boxed(xy, np.full(6, yaw) + rng.normal(0, step.turn, 6), size, name, space, z), i
+
+
+def _laden(space: Space) -> list[int]:
+    """Small things that already carry something."""
+    tops = [k for k, name in enumerate(space.category) if TABLE[name].place == "top"]
+    small = space.find(("nightstand", "side_table", "chest"))
+    if not tops or not small:
+        return []
+    over = boxes.distance(space.body.center[tops, :2], space.body.take(small)) < 0
+    return [small[k] for k in np.flatnonzero(over.any(0))]
 
 
 def above(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:

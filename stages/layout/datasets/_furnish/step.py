@@ -15,12 +15,12 @@ RULES = Path(__file__).parent / "rules"
 class Step:
     """Put `repeat` objects of one of the categories `put` at a place named as in `poses.PLACES`.
 
-    `of`: what it relates to · `gap`: distance kept from wall or neighbour, m · `distance`: range for `across` ·
-    `prefer`: weights of `prefer.FEATURES` · `use`: floor kept free in front, left, right, behind, m ·
-    `turn`: spread of yaw, rad · `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) ·
-    `least`: floor area it takes, m² · `most`: no more than this many in the
-    room · `slots`: not where fewer objects than this are still wanted ·
-    `need`: undone unless so many of what follows find a place ·
+    `of`: what it relates to · `near`: what `prefer` looks at · `chance`: of being tried · `repeat`: how many, least
+    and most · `gap`: kept from wall or neighbour, m · `distance`: range for `across`, m · `prefer`: weights of
+    `prefer.FEATURES` · `use`: floor kept free in front, left, right, behind, m · `turn`: spread of yaw, rad ·
+    `loose`: spread of place, m · `size`: share of the way from the usual to the greatest size (−1 … 1) · `weight`:
+    among extras · `least`: floor area it takes, m² · `most`: no more than this many in the room · `slots`: not where
+    fewer objects than this are still wanted · `need`: undone unless so many of what follows find a place ·
     `then`: what follows, related to what was placed (`anchor`, its index) unless it has its own `of`.
     """
 
