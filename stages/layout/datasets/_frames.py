@@ -3,12 +3,17 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
+from shapely import unary_union
+from shapely.geometry import MultiPolygon, Polygon
 
 from schemas.base import Point, RoomType
 from schemas.layout import Box, Layout
 from schemas.plan import AskedRoom, Opening, Program, Room
 
 Vector = tuple[float, float, float]
+SEAM = 1e-4
+"""Triangles closer than twice this are joined, m."""
 
 
 def turned(yaw: float) -> float:
@@ -24,6 +29,16 @@ def counter_clockwise(points: Sequence[Point]) -> list[Point]:
     x, y = np.array(ring).T
     area = (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
     return ring if area > 0 else ring[::-1]
+
+
+def outline(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> Polygon | None:
+    """Outline in our plan of a floor mesh with y up, its largest part; None where it has no area."""
+    corners = (vertices[:, [0, 2]] * [1, -1])[faces.reshape(-1, 3)]
+    parts = [Polygon(t).buffer(SEAM, join_style="mitre") for t in corners if Polygon(t).area > 1e-6]
+    whole = unary_union(parts).buffer(-SEAM, join_style="mitre").simplify(0.005)
+    if isinstance(whole, MultiPolygon):
+        whole = max(whole.geoms, key=lambda part: part.area)
+    return whole if isinstance(whole, Polygon) and whole.area > 0.5 else None
 
 
 def home(rooms: list[Room], openings: list[Opening], objects: list[Box], height: float) -> Layout:

@@ -137,7 +137,7 @@ def _opening(kind: str, type: RoomType, id: str, n: int, a: Array, b: Array, rng
     outward = type in ("hallway", "closet", "storage", "balcony")
     inwards = kind in ("door", "entrance") and rng.random() < (0.3 if outward else 0.75)
     return Opening(
-        id=f"{kind}_{n + 1}", kind=kind, rooms=[id],  # type: ignore[arg-type]
+        id=f"{kind}_{n + 1}", kind=kind, rooms=[id],
         segment=((float(a[0]), float(a[1])), (float(b[0]), float(b[1]))), sill=sill, head=2.2 if window else 2.05,
         hinge=1 if rng.random() < 0.5 else 0, into=id if inwards else None,
     )

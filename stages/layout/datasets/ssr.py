@@ -4,8 +4,6 @@
 turning, `rot` a quaternion [x, y, z, w]; its front is +z.
 """
 
-import gzip
-import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,34 +12,19 @@ import numpy as np
 
 from schemas.errors import BadInput
 from schemas.layout import Layout
-from stages.layout.datasets import _frames, _words
+from stages.layout.datasets import _frames, _json, _words
 
 
 def homes(root: Path | None) -> Iterator[Layout]:
     """Every room below `root` (a file or folder of .json, .jsonl, .jsonl.gz) of a type that we have."""
-    if root is None:
-        raise BadInput("ssr: name a file or folder of .json or .jsonl rooms")
-    files = [root] if root.is_file() else sorted(p for p in root.rglob("*") if ".json" in p.name)
-    for path in files:
-        for number, row in enumerate(_rows(path), 1):
+    for path in _json.files(root, "ssr", "rooms in ReSpace's format"):
+        for number, row in enumerate(_json.rows(path), 1):
             try:
                 found = layout(row.get("scene", row))
-            except (KeyError, TypeError, ValueError) as error:
+            except (KeyError, TypeError, ValueError, AttributeError) as error:
                 raise BadInput(f"{path}, row {number}: not an SSR room ({error!r})") from error
             if found is not None:
                 yield found
-
-
-def _rows(path: Path) -> Iterator[dict[str, Any]]:
-    opened = gzip.open(path, "rt") if path.suffix == ".gz" else path.open()
-    try:
-        with opened as file:
-            if ".jsonl" in path.name:
-                yield from (json.loads(line) for line in file if line.strip())
-            else:
-                yield json.loads(file.read())
-    except (OSError, ValueError) as error:
-        raise BadInput(f"{path}: cannot be read as JSON ({error})") from error
 
 
 def layout(scene: dict[str, Any]) -> Layout | None:

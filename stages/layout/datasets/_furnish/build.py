@@ -141,7 +141,7 @@ def _count(setup: Setup, shape: Shape, rng: Generator) -> int:
     usual = least + per_area * shape.area
     wanted = round(usual * rng.lognormal(0, COUNT_SPREAD))
     if wanted > most:
-        wanted = int(rng.integers(min(usual, most), most + 1))
+        wanted = round(rng.uniform(min(usual, most), most))
     return int(max(2, least - 1, wanted))
 
 

@@ -74,4 +74,4 @@ def hangs(name: str, at: Boxes, space: Space) -> NDArray[np.bool_]:
 
 def prior(step: Step, n: int) -> Array:
     """Seats are filled in the order given: opposite one another, ends last."""
-    return np.arange(n) * (-0.6 if step.at == "around" else 0.0)
+    return np.arange(n, dtype=np.float64) * (-0.6 if step.at == "around" else 0.0)
