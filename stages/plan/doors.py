@@ -14,9 +14,9 @@ from schemas.base import RoomType
 from schemas.errors import Unmet
 from schemas.plan import Opening, Program, Walls
 from stages.plan import faces
+from stages.plan.blocks import entrance_sides, facing
 from stages.plan.check import entrance_room, links
 from stages.plan.faces import Face
-from stages.plan.outline import entrance_sides, facing
 from stages.plan.standards import LINK_WALL, STANDARDS
 
 Floors = dict[str, Polygon]

@@ -73,9 +73,7 @@ def programme(rooms: list[Room], floors: Floors) -> Program:
         raise BadInput("rooms: there is none")
     types = {room.id: room.type for room in rooms}
     near = [(a, b) for a, b in combinations(types, 2) if _doorway(floors[a], floors[b])]
-    asked = [
-        AskedRoom(id=r.id, type=r.type, area=round(float(floors[r.id].area), 2), private_to=None) for r in rooms
-    ]
+    asked = [AskedRoom(id=r.id, type=r.type, area=round(float(floors[r.id].area), 2), private_to=None) for r in rooms]
     found = _tree(types, near)
     lost = sorted(set(types) - {r for pair in found for r in pair})
     if lost and len(rooms) > 1:

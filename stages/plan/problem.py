@@ -8,9 +8,10 @@ import numpy as np
 from numpy.random import Generator
 
 from schemas.plan import AskedRoom, Program, Walls
+from stages.plan.blocks import Outline
 from stages.plan.check import entrance_room, links, neighbours
 from stages.plan.kernel import Ints, Problem, Scratch, Tree
-from stages.plan.outline import Outline, wish
+from stages.plan.outline import wish
 from stages.plan.standards import LINK_WALL, STANDARDS
 
 WEIGHTS: dict[str, float] = {
@@ -31,6 +32,10 @@ WEIGHTS: dict[str, float] = {
 }
 """Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
 (wet rooms, and kitchen and dining room, apart) and `wide_corridor` are added to the field's twelve."""
+
+
+ODD = 0.6
+"""Share of large rooms that are made of two rectangles where nothing need be regular."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +69,7 @@ def whim(program: Program, rng: Generator) -> Whim:
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
     if room.type != "hallway":
-        return 2 if area >= 9 and rng.random() < (1 - program.regularity) ** 2 else 1
+        return 2 if area >= 9 and rng.random() < ODD * (1 - program.regularity) ** 1.5 else 1
     many = min(len(program.rooms) / 8, 1.0)
     return int(rng.choice([1, 2, 3], p=[1 - 0.65 * many, 0.45 * many, 0.2 * many]))
 

@@ -13,6 +13,7 @@ from shapely.geometry import Polygon
 from schemas.errors import Unmet
 from schemas.plan import Envelope, Plan, Program, Room
 from stages.plan import doors, kernel, windows
+from stages.plan.blocks import Outline, given, gross
 from stages.plan.check import check
 from stages.plan.config import PlanConfig
 from stages.plan.contradict import lacks, told
@@ -21,11 +22,13 @@ from stages.plan.outline import draw, ring
 from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
 from stages.plan.relax import Step, ladder
 from stages.plan.turn import askew, turned, turned_plan
+from stages.plan.validate import faults
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
 SPREAD = 8.0
 """Difference of cost up to which one arrangement is as good as another."""
+BEYOND = 5.0
 PATIENCE = 3
 """Waves of runs on one whim."""
 
@@ -45,26 +48,42 @@ class Run:
 
 def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng: Generator) -> Run:
     """One run from a random start."""
-    gross = gross_area(program, config.walls)
-    outline = draw(program.envelope, gross, wanted.shape, wanted.aspect, rng)
+    outline = _outline(program, config, wanted, rng)
     p = problem(program, outline, wanted, config.walls, slack)
     tree = start(program, wanted.parts, outline.stretch, rng)
     new, best, z = copy(tree), copy(tree), scratch(len(program.rooms), sum(wanted.parts), len(outline.blocks))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
     cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(wanted.parts), HOT, COLD)
-    count = int(z.seq[-1])
     lack = float(z.terms[-1])
     missed = tuple(lacks(program, p, z)) if lack > EPS else ()
-    return Run(float(cost), lack, z.piece[:count].copy(), z.owner[:count].copy(), missed)
+    leaves = len(best.share) - 1
+    if program.envelope.outline is not None:
+        return Run(float(cost), lack, _to_the_edge(z.box[:leaves, :4]), best.nodes[:leaves, 0], missed)
+    count = int(z.seq[-1])
+    return Run(float(cost), lack, np.round(z.piece[:count], 2), z.owner[:count].copy(), missed)
+
+
+def _outline(program: Program, config: PlanConfig, wanted: Whim, rng: Generator) -> Outline:
+    if program.envelope.outline is not None:
+        return given(program.envelope, config.walls.inner)
+    return draw(program.envelope, gross_area(program, config.walls), wanted.shape, wanted.aspect, rng)
+
+
+def _to_the_edge(boxes: Floats) -> Floats:
+    """Boxes at the rim of all boxes, drawn out beyond any corner that steps for slanting walls cut off."""
+    lo, hi = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
+    lows = np.where(boxes[:, :2] < lo + EPS, boxes[:, :2] - BEYOND, boxes[:, :2])
+    return np.hstack([lows, np.where(boxes[:, 2:] > hi - EPS, boxes[:, 2:] + BEYOND, boxes[:, 2:])])
 
 
 def floors(program: Program, run: Run, inner: float) -> dict[str, Polygon]:
-    """Clear floors: the rooms' rectangles on whole centimetres, joined, and half a wall inset."""
-    boxes = np.round(run.boxes, 2)
+    """Clear floors: the rooms' rectangles, joined, within a given outline, and half a wall inset."""
     out = {}
     for i, room in enumerate(program.rooms):
-        gross = shapely.union_all(shapely.box(*boxes[run.owner == i].T))
-        out[room.id] = gross.buffer(-inner / 2, join_style="mitre")
+        shape = shapely.union_all(shapely.box(*run.boxes[run.owner == i].T))
+        if program.envelope.outline is not None:
+            shape = shape.intersection(gross(program.envelope, inner))
+        out[room.id] = shape.buffer(-inner / 2, join_style="mitre")
     return out
 
 
@@ -81,7 +100,8 @@ def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
     if windows.dark(program, glass):
         return None
     rooms = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
-    return Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
+    plan = Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
+    return plan if program.envelope.outline is None or not faults(plan) else None
 
 
 def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:

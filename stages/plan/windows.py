@@ -5,8 +5,8 @@ from shapely.geometry import LineString, Polygon
 
 from schemas.plan import Opening, Program, Side, Walls
 from stages.plan import faces
+from stages.plan.blocks import facing
 from stages.plan.faces import Face
-from stages.plan.outline import facing
 from stages.plan.standards import STANDARDS, Standard
 
 JAMB = 0.35
