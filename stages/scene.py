@@ -4,7 +4,7 @@ Formats read this and nothing else, so that they can't disagree.
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
@@ -98,13 +98,14 @@ def identifier(text: str) -> str:
     return plain if re.match(r"[A-Za-z]", plain) else f"n{plain}"
 
 
+def untaken(name: str, taken: Container[str]) -> str:
+    """The name, numbered if it is taken."""
+    numbered = (name if k == 1 else f"{name}_{k}" for k in count(1))
+    return next(n for n in numbered if n not in taken)
+
+
 def _renamed(body: Body, taken: set[str]) -> Body:
     """The body under a name not yet taken, which it then takes."""
-    name = next(n for n in _numbered(identifier(body.name)) if n not in taken)
+    name = untaken(identifier(body.name), taken)
     taken.add(name)
     return replace(body, name=name)
-
-
-def _numbered(name: str) -> Iterator[str]:
-    yield name
-    yield from (f"{name}_{k}" for k in count(2))

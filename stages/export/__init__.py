@@ -38,7 +38,7 @@ def run(home: Plan, formats: list[str], out: Path, load: Load) -> Export:
             for name, writer in writers.items()
             for path in writer.write(scene, folder)
         ]
-        credits = scene.credits if any(name not in ("svg", "png", "nav2") for name in writers) else []
+        credits = scene.credits if any(name not in ("svg", "png") for name in writers) else []
         files.append(_credits(folder, credits))
         lines = [f"{file.sha256}  {file.path}\n" for file in sorted(files, key=lambda f: f.path)]
         (folder / CONTENTS).write_text("# written by apartgen export, which replaces this folder\n" + "".join(lines))

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from stages.asset import Array, Mesh
+from stages.asset import Array, Material, Mesh
 from stages.export._pieces import image, image_name, mesh_digest, shaded
+from stages.export._xml import number, numbers
 
 
 class Files:
@@ -41,6 +42,12 @@ class Files:
             self._known[name] = name
             self._write(name, image(texture))
         return name
+
+    def surface(self, m: Material) -> str:
+        """MTL lines of a material; its texture lies beside the mesh."""
+        r, g, b, alpha = (1.0, 1.0, 1.0, m.color[3]) if m.texture else m.color
+        lines = f"Kd {numbers([r, g, b])}\nd {number(alpha)}\nNs {number(1000 * (1 - m.roughness) ** 2)}\n"
+        return lines + (f"map_Kd {self.texture(m.texture)}\n" if m.texture else "")
 
     def _write(self, name: str, data: bytes) -> None:
         path = self.folder / name

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from pxr import Gf, UsdGeom, UsdPhysics, Vt
 
 from stages.asset import Array, Collider
+from stages.export._hull import hull
 from stages.export._rotation import quaternion
 
 
@@ -35,17 +36,7 @@ def collider(stage: Any, path: str, c: Collider) -> Any:
 
 
 def _hull(stage: Any, path: str, c: Collider) -> Any:
-    from scipy.spatial import ConvexHull
-
-    assert c.vertices is not None
-    points = c.vertices @ c.rotation.T + c.center
-    hull = ConvexHull(points)
-    faces = hull.simplices.copy()
-    outward = np.einsum("ij,ij->i", np.cross(points[faces[:, 1]] - points[faces[:, 0]],
-                                             points[faces[:, 2]] - points[faces[:, 0]]), hull.equations[:, :3])
-    faces[outward < 0] = faces[outward < 0][:, ::-1]
-    used, index = np.unique(faces, return_inverse=True)
-    made = mesh(stage, path, points[used], index.reshape(-1, 3))
+    made = mesh(stage, path, *hull(c))
     UsdPhysics.MeshCollisionAPI.Apply(made.GetPrim()).CreateApproximationAttr(UsdPhysics.Tokens.convexHull)
     return made
 

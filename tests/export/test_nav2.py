@@ -1,0 +1,69 @@
+"""Nav2's maps: read as map_server reads them, free space is what the metrics call walkable."""
+
+import numpy as np
+import pytest
+import yaml
+from export import sample
+from PIL import Image
+from shapely.geometry import Point
+from shapely.ops import unary_union
+
+from stages import export, footprints, polygons
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    out = tmp_path_factory.mktemp("nav2") / "scene"
+    export.run(sample.home(), ["nav2"], out, sample.load)
+    return out / "nav2"
+
+
+def _read(folder, name):
+    """Cells as map_server's trinary mode has them: 0 free, 100 occupied, -1 unknown; and cell centres (x, y)."""
+    about = yaml.safe_load((folder / f"{name}.yaml").read_text())
+    grey = np.asarray(Image.open(folder / about["image"]))[::-1]
+    share = (255 - grey) / 255
+    cells = np.where(share > about["occupied_thresh"], 100, np.where(share < about["free_thresh"], 0, -1))
+    x, y = (about["origin"][k] + (np.arange(grey.shape[1 - k]) + 0.5) * about["resolution"] for k in (0, 1))
+    return cells, x, y, about
+
+
+def test_free_space_agrees_with_the_walkable_ratio(folder):
+    home = sample.home()
+    cells, x, y, about = _read(folder, "map")
+    floors = unary_union(list(polygons.floors(home).values()))
+    inside = np.array([[floors.contains(Point(a, b)) for a in x] for b in y])
+    measured = (cells[inside] == 0).sum() * about["resolution"] ** 2 / floors.area
+    assert measured == pytest.approx(footprints.walkable_ratio(floors, home.objects), abs=0.01)
+
+
+def _value(found, x, y):
+    cells, xs, ys, _ = found
+    return cells[int(np.abs(ys - y).argmin()), int(np.abs(xs - x).argmin())]
+
+
+def test_walls_doors_furniture_and_outside(folder):
+    found, lidar, keepout = (_read(folder, name) for name in ("map", "lidar", "keepout"))
+    assert _value(found, 5.25, 1.0) == 100 and _value(found, 3.6, 4.05) == 0  # inner wall, door
+    assert _value(found, -0.15, 2.0) == 100 and _value(found, 8.0, 6.5) == -1  # outer wall, open air
+    assert _value(found, 0.46, 2.0) == 100 and _value(lidar, 0.46, 2.0) == 100  # sofa
+    assert _value(found, 5.0, 5.43) == 0 and _value(lidar, 2.2, 2.9) == 0  # lamp high on a wall, rug
+    assert _value(keepout, 9.15, 4.7) == 100 and _value(keepout, 2.6, 3.0) == 0  # the way out, open floor
+
+
+def test_waypoints_are_free_and_in_their_rooms(folder):
+    home, points = sample.home(), yaml.safe_load((folder / "waypoints.yaml").read_text())
+    assert set(points["rooms"]) == {room.id for room in home.rooms}
+    floors = polygons.floors(home)
+    standing = footprints.covered(home.objects)
+    for name, pose in points["rooms"].items():
+        spot = Point(pose["x"], pose["y"])
+        assert floors[name].contains(spot) and standing.distance(spot) > points["robot_radius"] - 0.05
+    assert floors["hallway_1"].contains(Point(points["entrance"]["x"], points["entrance"]["y"]))
+    assert len(points["objects"]) >= 5
+    for name, pose in points["objects"].items():
+        o = next(o for o in home.objects if o.id == name)
+        to = np.array(o.center[:2]) - [pose["x"], pose["y"]]
+        front = np.array([np.cos(o.yaw), np.sin(o.yaw)])
+        assert to @ front < -o.size[0] / 2  # stands before its front
+        assert np.cos(pose["yaw"]) * to[0] + np.sin(pose["yaw"]) * to[1] == pytest.approx(np.hypot(*to), abs=1e-3)
