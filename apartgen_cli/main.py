@@ -17,7 +17,7 @@ from apartgen_cli.console import fail, listen
 from schemas.errors import ApartgenError
 from stages import registry
 
-WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "train", "assets", "schema")
+WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "train", "assets", "bench", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141
 MARKUP: Literal["markdown"] = "markdown"

@@ -56,7 +56,7 @@ def _kept(file: Path, model: type[Any], wanted: Made) -> Artifact[Any] | None:
     except BadInput as error:
         say(f"{error}; making it again")
         return None
-    same = read.made.model_copy(update={"seconds": wanted.seconds}) == wanted
+    same = read.made.model_copy(update={"seconds": wanted.seconds, "model": wanted.model}) == wanted
     return read if same and read.kind == file.stem else None
 
 
@@ -71,7 +71,8 @@ def _planned(prompt: str, config: Any, seed: int, folder: Path) -> Artifact[Any]
     old = _kept(folder / "plan.json", Plan, wanted)
     if old is not None and old.body.prompt == prompt:
         return old
-    return _saved(plan.draw(prompt, config, seed), wanted, began, folder / "plan.json")
+    drawn, used = plan.draw(prompt, config, seed)
+    return _saved(drawn, wanted.model_copy(update={"model": used}), began, folder / "plan.json")
 
 
 def _advanced(stage: Stage, previous: Artifact[Any], config: Record, seed: int, folder: Path) -> Artifact[Any]:

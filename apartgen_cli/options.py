@@ -71,7 +71,10 @@ def _plain(annotation: Any) -> Any:
         return _plain(get_args(annotation)[0])
     if get_origin(annotation) in (Union, UnionType):
         return _plain(next(arg for arg in get_args(annotation) if arg is not NoneType))
-    if get_origin(annotation) in (list, dict, Literal) or annotation in (int, float, bool, str):
+    origin, parts = get_origin(annotation), get_args(annotation)
+    if origin in (dict, Literal) or annotation in (int, float, bool, str):
+        return annotation
+    if origin is list and _plain(parts[0]) is not None and get_origin(parts[0]) is not list:
         return annotation
     return None
 

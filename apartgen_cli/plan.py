@@ -1,8 +1,10 @@
 """Draw a floor plan from a sentence."""
 
+import os
 import re
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from time import perf_counter
 from typing import Annotated, Any
 
@@ -10,42 +12,66 @@ import typer
 from pydantic import Field
 
 from apartgen_cli.console import progress
+from apartgen_cli.drawn import Wanted, outline, wanted
 from apartgen_cli.options import CONFIG, OUT, SEED, configured, tables, with_options
 from apartgen_cli.stage import lane, made, settled, written
 from apartgen_cli.streams import Target, is_folder, targets
-from schemas.artifact import STREAM
+from schemas.artifact import STREAM, Made
+from schemas.base import Polygon
 from schemas.errors import ApartgenError, BadInput
-from schemas.plan import Plan, Program
+from schemas.plan import Envelope, Plan, Program, Side
 from stages.plan.config import PlanConfig
 
 PROMPTS = Annotated[list[str] | None, typer.Argument(
     metavar="PROMPT", help='What is wanted, e.g. "two-bedroom flat"; - or a pipe is standard input.')]
+FROM = Annotated[str | None, typer.Option(
+    "--from", metavar="FILE", help="A programme, or rooms drawn by hand, as JSON, instead of a prompt.")]
+OUTLINE = Annotated[Path | None, typer.Option(
+    "--outline", metavar="FILE", help="The clear outline to fill, a JSON list of [x, y] in metres.")]
+VARIANTS = Annotated[int, typer.Option("--variants", min=1, max=100, help="Clearly different plans for each prompt.")]
 _LONGEST = 10_000
 _SLUG = 48
 
 
 class PlanSettings(PlanConfig):
-    """The solver's settings, and how the prompt is read."""
+    """The solver's settings, how the prompt is read, and what stands fixed around the flat."""
 
     llm: str | None = Field(None, description="Language model that reads the prompt, by its litellm name; "
-                                              "the embedded reader by default.")
+                                              "the embedded reader by default")
+    entrance: Side | None = Field(None, description="Side of the entrance")
+    party_walls: list[Side] = Field(default_factory=list, description="Side without windows, any number of times")
+    outline: Polygon | None = None
 
 
-def draw(prompt: str, config: PlanSettings, seed: int) -> Plan:
-    """The plan for one prompt."""
-    from stages import plan
-
-    return plan.build(_read(prompt, config), config, lane(seed, "plan"), prompt)
+NAMES = {"party_walls": "party_wall"}
 
 
-def _read(prompt: str, config: PlanSettings) -> Program:
+def read(prompt: str, config: PlanSettings) -> tuple[Program, dict[str, Any]]:
+    """The programme of a prompt, and what a language model took to read it."""
     if config.llm is None:
         from stages.plan import reader
 
-        return reader.read(prompt)
-    from stages.plan import llm
+        program, used = reader.read(prompt), dict[str, Any]()
+    else:
+        from stages.plan import llm
 
-    return llm.read(prompt, config.llm)[0]
+        program, used = llm.read(prompt, config.llm, _cache())
+    return enclosed(program, config), used
+
+
+def enclosed(program: Program, config: PlanSettings) -> Program:
+    """The programme with what the settings say of its surroundings."""
+    given = {"entrance": config.entrance, "party_walls": config.party_walls, "outline": config.outline}
+    envelope = program.envelope.model_dump() | {name: value for name, value in given.items() if value}
+    return program.model_copy(update={"envelope": Envelope.model_validate(envelope)})
+
+
+def draw(prompt: str, config: PlanSettings, seed: int) -> tuple[Plan, dict[str, Any]]:
+    """The plan for one prompt, and what a language model took to read it."""
+    from stages import plan
+
+    program, used = read(prompt, config)
+    return plan.build(program, config, lane(seed, "plan"), prompt), used
 
 
 def prompts(given: list[str] | None) -> list[str]:
@@ -64,43 +90,80 @@ def checked(text: str) -> str:
         raise BadInput('the prompt is empty; say what is wanted, e.g. "two-bedroom flat"')
     if len(text) > _LONGEST:
         raise BadInput(f"the prompt has {len(text)} characters; at most {_LONGEST} are read")
-    if not text.isprintable() and any("\ud800" <= c <= "\udfff" or c == "\0" for c in text):
+    if any("\ud800" <= c <= "\udfff" or c == "\0" for c in text):
         raise BadInput("the prompt is not UTF-8 text; give it in that encoding")
     return text
 
 
-def _places(texts: list[str], out: str | None) -> list[Target]:
-    """One place a prompt; in a folder, named after the prompt's words."""
+def _cache() -> Path:
+    base = os.environ.get("XDG_CACHE_HOME")
+    return (Path(base) if base else Path.home() / ".cache") / "apartgen" / "llm"
+
+
+def _places(texts: list[str], variants: int, out: str | None) -> list[Target]:
+    """One place a plan; in a folder, named after the prompt's words."""
     if out is None or not is_folder(out):
-        return targets("plan", [STREAM] * len(texts), out)
+        return targets("plan", [STREAM] * len(texts) * variants, out)
     slugs = ["-".join(re.findall(r"\w+", text.lower()))[:_SLUG].strip("-") or "plan" for text in texts]
-    names = [f"{slug}-{slugs[:i].count(slug) + 1}" if slugs.count(slug) > 1 else slug for i, slug in enumerate(slugs)]
-    return targets("plan", ["plan.json"] if len(texts) == 1 else [f"{name}.json" for name in names], out)
+    if len(texts) == 1:
+        slugs = ["plan"]
+    each = [slug for slug in slugs for _ in range(variants)]
+    names = [f"{slug}-{each[:i].count(slug) + 1}" if each.count(slug) > 1 else slug for i, slug in enumerate(each)]
+    return targets("plan", [f"{name}.json" for name in names], out)
 
 
-def _drawn(texts: list[str], config: PlanSettings, seed: int) -> Iterator[Plan | ApartgenError]:
-    for text in texts:
-        try:
-            yield draw(text, config, seed)
-        except ApartgenError as error:
-            yield error
-
-
-def _run(inputs: PROMPTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None, *, given: Any) -> int:
-    settings = configured(PlanSettings, given, tables(config).get("plan"))
-    texts = prompts(inputs)
-    places, seed = _places(texts, out), seed or 0
-    errors: list[ApartgenError] = []
-    began = perf_counter()
-    for place, plan in zip(places, progress(_drawn(texts, settings, seed), "plan", len(texts))):
-        if isinstance(plan, ApartgenError):
-            errors.append(plan)
-            continue
-        written(plan, made(seed, settings, seconds=perf_counter() - began), place)
+def _outcomes(
+    work: list[Wanted], config: PlanSettings, seed: int, k: int
+) -> Iterator[tuple[Plan, Made] | ApartgenError]:
+    """`k` plans, or errors, for everything wanted."""
+    for one in work:
         began = perf_counter()
-    return settled(errors, len(texts))
+        try:
+            plans, used = _several(one, config, seed, k)
+        except ApartgenError as error:
+            yield from [error] * k
+            continue
+        record = made(seed, config, seconds=(perf_counter() - began) / k)
+        for plan in plans:
+            yield plan, record.model_copy(update={"model": used})
+
+
+def _several(one: Wanted, config: PlanSettings, seed: int, k: int) -> tuple[list[Plan], dict[str, Any]]:
+    from stages import plan
+
+    if one.rooms:
+        return [plan.from_polygons(one.rooms, config, one.program)] * k, {}
+    if one.program is None and k == 1:
+        single, used = draw(one.prompt, config, seed)
+        return [single], used
+    program, used = (enclosed(one.program, config), {}) if one.program else read(one.prompt, config)
+    rng = lane(seed, "plan")
+    if k == 1:
+        return [plan.build(program, config, rng, one.prompt)], used
+    return plan.build_variants(program, config, rng, k, one.prompt), used
+
+
+def _run(inputs: PROMPTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None, from_: FROM = None,
+         outline_: OUTLINE = None, variants: VARIANTS = 1, *, given: Any) -> int:
+    if outline_ is not None:
+        given["outline"] = outline(outline_)
+    settings = configured(PlanSettings, given, tables(config).get("plan"), NAMES)
+    if from_ and inputs:
+        raise BadInput("--from stands instead of a prompt; give one of them")
+    work = [wanted(from_)] if from_ else [Wanted(prompt=text) for text in prompts(inputs)]
+    if work[0].rooms and variants > 1:
+        raise BadInput("--variants: rooms drawn by hand make one plan; leave it out")
+    places = _places([one.prompt for one in work], variants, out)
+    errors: list[ApartgenError] = []
+    outcomes = _outcomes(work, settings, seed or 0, variants)
+    for place, outcome in zip(places, progress(outcomes, "plan", len(places))):
+        if isinstance(outcome, ApartgenError):
+            errors += [outcome] if outcome not in errors else []
+            continue
+        written(*outcome, place)
+    return settled(errors, len(work))
 
 
 def commands() -> dict[str, Callable[..., Any]]:
     """The commands of this module."""
-    return {"plan": with_options(_run, PlanSettings)}
+    return {"plan": with_options(_run, PlanSettings, NAMES)}

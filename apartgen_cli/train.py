@@ -1,9 +1,7 @@
 """Train the models whose weights are shipped."""
 
 import inspect
-import shutil
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -63,26 +61,12 @@ def _layout(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *,
 
 def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
     """Train the shape model on the embedded library, and index the library by it."""
-    from stages.latents import INDEX
-    from stages.retrieve.shape import catalogue, encoder
-    from stages.retrieve.shape.designs import embedded_maker
+    from stages.retrieve.shape import encoder
     from stages.retrieve.shape.train import train
 
     settings, place = configured(ShapeTraining, given, tables(config).get("train-shape")), out or encoder.WEIGHTS
-    index = INDEX if out is None else out.with_name(f"{out.stem}_index.safetensors")
-    with _kept(place.with_suffix(".work"), fresh) as work:
-        train(settings, place, work)
-    say(f"wrote {place}")
-    say(f"wrote {index}: {catalogue.write(embedded_maker(), index, place)} pieces")
-
-
-@contextmanager
-def _kept(work: Path, fresh: bool) -> Iterator[Path]:
-    """A folder to go on from, which an interrupted run leaves behind and a finished one does not."""
-    if fresh:
-        shutil.rmtree(work, ignore_errors=True)
-    yield work
-    shutil.rmtree(work, ignore_errors=True)
+    train(settings, place, resume=not fresh)
+    say(f"wrote {place} and the index beside it")
 
 
 def commands() -> dict[str, Callable[..., Any]]:

@@ -52,6 +52,7 @@ class Made(Record):
     seed: int = Field(ge=0)
     config: dict[str, Any] = Field(default_factory=dict)
     inputs: dict[str, str] = Field(default_factory=dict)
+    model: dict[str, Any] = Field(default_factory=dict, description="a language model asked, its tokens and cost")
     seconds: Number = 0.0
 
 
@@ -90,13 +91,14 @@ def read(source: str | Path, model: type[Body], whole: bool = False) -> Artifact
     The body comes as a `model`, fields of later stages left out; with `whole`, as the type of the file's own kind.
     Raises BadInput, naming the file and the place in it.
     """
-    name = "standard input" if str(source) == STREAM else str(source)
-    return parse(_bytes(source, name), name, model, whole)
+    return parse(contents(source), _name(source), model, whole)
 
 
 def parse(data: bytes, name: str, model: type[Body], whole: bool = False) -> Artifact[Body]:
     """An artifact from its bytes; `name` says in errors where they came from."""
-    raw = _json(data, name)
+    raw = json_value(data, name)
+    if not isinstance(raw, dict) or "apartgen" not in raw:
+        raise BadInput(f'{name}: not an apartgen artifact (no "apartgen" at its top); make one with `apartgen plan`')
     kind = _kind(raw, name, model)
     digest = _digest(raw)
     raw = migrate(raw, name)
@@ -105,7 +107,7 @@ def parse(data: bytes, name: str, model: type[Body], whole: bool = False) -> Art
         text = json.dumps(raw)
         envelope = Envelope[asked].model_validate_json(text, strict=True)  # type: ignore[valid-type]
     except ValidationError as error:
-        raise BadInput(f"{name}: {_first(error)}; `apartgen schema {kind}` says what belongs there") from None
+        raise BadInput(f"{name}: {first_fault(error)}; `apartgen schema {kind}` says what belongs there") from None
     if fault := next(consistency.faults(envelope.body), None):
         raise BadInput(f"{name}: body.{fault.where}: {fault.what}")
     return Artifact(kind, envelope.made, envelope.body, digest)
@@ -142,14 +144,16 @@ def json_schema(kind: str) -> dict[str, Any]:
     """JSON Schema of an artifact file; BadInput for an unknown kind."""
     if kind not in BODIES:
         raise BadInput(f"no artifact kind {kind!r}; there are: {', '.join(BODIES)}")
-    schema = Envelope[BODIES[kind]].model_json_schema(by_alias=True)  # type: ignore[misc]
+    schema = Envelope[BODIES[kind]].model_json_schema(by_alias=True)  # type: ignore[valid-type]
     schema["properties"]["apartgen"] = {"const": kind, "type": "string"}
     schema["properties"]["version"] = {"const": VERSION, "type": "integer"}
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     return head | schema | {"title": kind, "description": (BODIES[kind].__doc__ or "").partition("\n")[0]}
 
 
-def _bytes(source: str | Path, name: str) -> bytes:
+def contents(source: str | Path) -> bytes:
+    """The bytes of a file, or of standard input for "-"; BadInput where they cannot be had or are too many."""
+    name = _name(source)
     try:
         if str(source) == STREAM:
             data = sys.stdin.buffer.read(LARGEST + 1)
@@ -163,11 +167,16 @@ def _bytes(source: str | Path, name: str) -> bytes:
     return data
 
 
+def _name(source: str | Path) -> str:
+    return "standard input" if str(source) == STREAM else str(source)
+
+
 def _constant(word: str) -> None:
     raise ValueError(f"{word} is not a number in JSON")
 
 
-def _json(data: bytes, name: str) -> dict[str, Any]:
+def json_value(data: bytes, name: str) -> Any:
+    """What JSON text holds; BadInput, naming the place, for what is none."""
     if not data.strip():
         raise BadInput(f"{name}: empty; what should have written it failed or was never run")
     try:
@@ -183,8 +192,6 @@ def _json(data: bytes, name: str) -> dict[str, Any]:
         raise BadInput(f"{name}: not JSON at {where}: {error.msg}{cut}") from None
     except ValueError as error:
         raise BadInput(f"{name}: not JSON: {error}") from None
-    if not isinstance(raw, dict) or "apartgen" not in raw:
-        raise BadInput(f'{name}: not an apartgen artifact (no "apartgen" at its top); make one with `apartgen plan`')
     return raw
 
 
@@ -202,7 +209,8 @@ def _remedy(kind: str) -> str:
     return f"make it with `apartgen {kind}`"
 
 
-def _first(error: ValidationError) -> str:
+def first_fault(error: ValidationError) -> str:
+    """Place and nature of the first of a type's complaints, and how many more there are."""
     problems = error.errors(include_url=False)
     first = problems[0]
     path = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")

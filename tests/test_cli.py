@@ -111,7 +111,7 @@ REFUSALS = {
     "option without value": (["plan", "studio", "--seed"], "--seed"),
     "negative seed": (["plan", "studio", "--seed", "-1"], "--seed"),
     "seed no number": (["plan", "studio", "--seed", "x"], "--seed"),
-    "setting out of range": (["plan", "studio", "--restarts", "0"], "--restarts 0"),
+    "setting out of range": (["plan", "studio", "--wave", "0"], "--wave 0"),
     "empty prompt": (["plan", "  "], "prompt is empty"),
     "prompt not text": (["plan", "a\udcff"], "not UTF-8"),
     "endless prompt": (["plan", "room " * 9000], "characters"),
@@ -147,9 +147,9 @@ def test_an_empty_pipe_says_so(cli):
 
 def test_settings_come_from_a_file_and_options_win(cli, tmp_path):
     file = tmp_path / "settings.toml"
-    file.write_text("[plan]\nrestarts = 8\nenough = 1\n")
+    file.write_text("[plan]\nwave = 8\nenough = 1\n")
     config = json.loads(cli("plan", "studio", "--config", file, "--enough", 2).out)["made"]["config"]
-    assert config["restarts"] == 8 and config["enough"] == 2
+    assert config["wave"] == 8 and config["enough"] == 2
     file.write_text("[plan]\nrooms = 8\n")
     assert "'rooms' is unknown" in refused(cli("plan", "studio", "--config", file))
     file.write_text("[plan\n")
