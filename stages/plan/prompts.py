@@ -62,7 +62,7 @@ def _case(row: dict[str, Any]) -> Case:
 
 
 def _areas(row: dict[str, Any], types: dict[str, str]) -> dict[str, float]:
-    rooms = [AskedRoom(id=i, type=t) for i, t in types.items()]  # type: ignore[arg-type]
+    rooms = [AskedRoom(id=i, type=t, private_to=None) for i, t in types.items()]  # type: ignore[arg-type]
     links = [(a, b) for a, b in row["links"]]
     mark_private(rooms, links)
     traits = {i: set(names) for i, names in row.get("traits", {}).items()}

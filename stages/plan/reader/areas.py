@@ -50,7 +50,7 @@ def fill(
     return {r.id: round(fixed[r.id] if r.id in fixed else scaled[r.id], 2) for r in rooms}
 
 
-def _scaled(base: dict[str, float], kind: dict[str, str], wanted: float) -> dict[str, float]:
+def _scaled(base: dict[str, float], kind: Mapping[str, str], wanted: float) -> dict[str, float]:
     """Bisection for the scale at which stretched areas, not below their least, add up to `wanted`."""
     data = sense()
 

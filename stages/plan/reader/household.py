@@ -1,32 +1,9 @@
 """Room phrases resolved to rooms: which mentions are new rooms, which speak of known ones."""
 
 import math
-from dataclasses import dataclass, field
 
-from stages.plan.reader.phrases import RoomPhrase
-
-DISTINCT = ("master", "guest", "kids", "small", "double", "ensuite", "half", "shower", "family", "shared_pair", "entrance", "eat_in", "size")
-"""Labels that tell one room from another of its type."""
-PAIRED = ("all", "each", "both")
-MOST = 40
-"""Rooms of one home."""
-
-
-@dataclass(eq=False)
-class Entity:
-    """One room of the home being described."""
-
-    type: str
-    labels: set[str] = field(default_factory=set)
-    area: float | None = None
-    share: float | None = None
-    factor: float = 1.0
-    owner: "Entity | None" = None
-    objects: list[tuple[str, int]] = field(default_factory=list)
-    object_count: int | None = None
-    counted: bool = False
-    picked: bool = False
-    vague: bool = False
+from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
+from stages.plan.reader.mention import RoomPhrase
 
 
 class Household:
@@ -145,7 +122,9 @@ class Household:
             entity.picked = True
         if "ensuite?" in phrase.labels:
             phrase.labels = {"ensuite"} if phrase.type == "bathroom" else set()
-            phrase.owned += [] if phrase.type == "bathroom" else [RoomPhrase("bathroom", {"ensuite"}, quantifier="each")]
+            phrase.owned += (
+                [] if phrase.type == "bathroom" else [RoomPhrase("bathroom", {"ensuite"}, quantifier="each")]
+            )
         return found
 
     def _partitive(self, phrase: RoomPhrase) -> list[Entity]:
@@ -156,7 +135,9 @@ class Household:
             if phrase.quantifier == "other" and phrase.count:
                 rest = [e for e in known if not e.picked and e not in self.last]
                 self.add(phrase.type, int(phrase.count) - len(rest))
-            whole = self._ensure(phrase.type, int(phrase.count or 2) if phrase.quantifier == "one_of" else max(len(known), 1))
+            whole = self._ensure(
+                phrase.type, int(phrase.count or 2) if phrase.quantifier == "one_of" else max(len(known), 1)
+            )
             free = [e for e in whole if not e.picked and (phrase.quantifier == "one_of" or e not in self.last)]
             many = phrase.quantifier == "other" and (phrase.plural or phrase.count)
             found = (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]
@@ -183,7 +164,15 @@ class Household:
                 return free[:1]
         free = [e for e in self.of(phrase.type) if not e.labels & set(DISTINCT) and not e.picked and e.owner is None]
         total = phrase.type in self.totals or phrase.subset
-        take = [] if phrase.quantifier == "another" or ("half" in labels and not phrase.subset) else free if total else free if phrase.quantifier == "the" or self._counted(free) else []
+        take = (
+            []
+            if phrase.quantifier == "another" or ("half" in labels and not phrase.subset)
+            else free
+            if total
+            else free
+            if phrase.quantifier == "the" or self._counted(free)
+            else []
+        )
         found = take[:count]
         if phrase.type in self.totals and phrase.quantifier != "another" and "half" not in labels:
             count = max(len(found), 1) if found else count
@@ -227,10 +216,17 @@ class Household:
             few = 3 if phrase.quantifier == "several" else 2
             return known if len(known) > 1 else self._ensure(phrase.type, few)
         single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
-        refers = phrase.quantifier == "the" or (mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals))
+        refers = phrase.quantifier == "the" or (
+            mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals)
+        )
         if known and mentioned and phrase.quantifier == "a" and all("entrance" in e.labels for e in known):
             return self.add(phrase.type)
-        if phrase.type == "bathroom" and mentioned and known and all("ensuite" in e.labels or "half" in e.labels for e in known):
+        if (
+            phrase.type == "bathroom"
+            and mentioned
+            and known
+            and all("ensuite" in e.labels or "half" in e.labels for e in known)
+        ):
             return self.add(phrase.type)
         if known and refers:
             free = [e for e in known if e.owner is None] or known
@@ -247,7 +243,9 @@ class Household:
         for k, entity in enumerate(found):
             if phrase.areas and entity.area is None:
                 entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
-            entity.share = entity.share if phrase.share is None else phrase.share / (len(found) if phrase.together else 1)
+            entity.share = (
+                entity.share if phrase.share is None else phrase.share / (len(found) if phrase.together else 1)
+            )
             if phrase.together and phrase.areas:
                 entity.area = phrase.areas[0] / len(found)
             entity.factor *= phrase.factor
@@ -275,8 +273,15 @@ class Household:
             self._own(inner, made)
 
     def _claim(self, owned: RoomPhrase, count: int) -> list[Entity]:
-        free = [e for e in self.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}]
-        within = owned.type in self.totals or any(e.counted for e in free) or owned.quantifier == "the" or owned.type in ("kitchen", "dining_room")
+        free = [
+            e for e in self.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}
+        ]
+        within = (
+            owned.type in self.totals
+            or any(e.counted for e in free)
+            or owned.quantifier == "the"
+            or owned.type in ("kitchen", "dining_room")
+        )
         named = [e for e in free if "ensuite" in e.labels]
         found = (named or (free if within else []))[:count]
         return found + self.add(owned.type, count - len(found))

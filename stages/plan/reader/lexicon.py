@@ -14,9 +14,10 @@ Phrase = tuple[str, ...]
 
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
-    "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with", "reach", "relative",
-    "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun", "only", "style", "shape", "side_role",
-    "side", "furniture", "furniture_count", "graph", "main_rooms", "compound", "sum", "adjective", "stop",
+    "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
+    "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
+    "only", "style", "shape", "side_role", "side", "furniture", "furniture_count", "graph", "main_rooms",
+    "compound", "sum", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
 
@@ -82,7 +83,9 @@ def load() -> Lexicon:
             _add_group(found, kind, group)
     _add_group(found, "furniture", _furniture())
     ranked = {p: tuple(sorted(es.values(), key=lambda e: PRIORITY.index(e.kind))) for p, es in found.items()}
-    words = frozenset(w for p, es in ranked.items() if es[0].kind not in ("stop", "reach") for w in p if len(w) >= 5 and w.isascii())
+    words = frozenset(
+        w for p, es in ranked.items() if es[0].kind not in ("stop", "reach") for w in p if len(w) >= 5 and w.isascii()
+    )
     return Lexicon(ranked, also_object, suffixes, words, max(map(len, ranked)))
 
 

@@ -49,7 +49,10 @@ def reached(rooms: list[AskedRoom], links: list[Link], start: str) -> set[str]:
 
 
 def complete_links(
-    rooms: list[AskedRoom], links: list[Link], forbidden: set[Link], near: set[Link] = frozenset()  # type: ignore[assignment]
+    rooms: list[AskedRoom],
+    links: list[Link],
+    forbidden: set[Link],
+    near: set[Link] = frozenset(),  # type: ignore[assignment]
 ) -> list[Link]:
     """`links` and as many more as needed, by `sense.toml`; those of `near` do not stand for a room's usual doors."""
     out = sorted({edge(a, b) for a, b in links}, key=_natural)
@@ -72,10 +75,16 @@ def _natural(link: Link) -> tuple[str, str]:
     return link
 
 
-def _partner(room: AskedRoom, rooms: list[AskedRoom], links: list[Link], seen: set[str], forbidden: set[Link]) -> str | None:
+def _partner(
+    room: AskedRoom, rooms: list[AskedRoom], links: list[Link], seen: set[str], forbidden: set[Link]
+) -> str | None:
     """The best reached room for a new door; a second hallway serves the private rooms."""
     for kind in opens_onto(room.type):
-        near = [r for r in rooms if r.type == kind and r.id in seen and r.id != room.id and edge(r.id, room.id) not in forbidden]
+        near = [
+            r
+            for r in rooms
+            if r.type == kind and r.id in seen and r.id != room.id and edge(r.id, room.id) not in forbidden
+        ]
         if kind == "hallway" and room.type in ("bedroom", "bathroom", "study"):
             near = near[::-1]
         if near:

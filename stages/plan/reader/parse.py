@@ -1,21 +1,16 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
-from stages.plan.reader.attachments import (
-    attach_areas,
-    attach_owned,
-    comparisons,
-    drop_alternatives,
-    mark_headlines,
-    merge_ensuites,
-    spread_negation,
-)
+from stages.plan.reader.attachments import attach_owned, merge_ensuites
 from stages.plan.reader.lexemes import lexemes
 from stages.plan.reader.lexicon import load
-from stages.plan.reader.phrases import Item, Phraser, RoomPhrase
+from stages.plan.reader.measures import attach_areas, comparisons, mark_headlines
+from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from stages.plan.reader.openplan import open_groups
+from stages.plan.reader.phrases import Phraser
 from stages.plan.reader.relations import relations
-from stages.plan.reader.statements import Said, Statement, is_mark, open_groups, rooms_of, sentences
+from stages.plan.reader.scope import drop_alternatives, spread_negation
+from stages.plan.reader.statements import Said, Statement, sentences
 from stages.plan.reader.tokens import fold, tokenize
-
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
@@ -74,7 +69,9 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[R
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     items = merge_ensuites(items)
     items = attach_areas(items, said)
-    items = [i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))]
+    items = [
+        i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
+    ]
     items = _adjectives(items)
     items, found = open_groups(items)
     said.statements += found
@@ -84,7 +81,13 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[R
     said.rooms += [r for r in rooms_of(items) if r not in said.rooms]
     doors = relations(items, before, said.graph)
     said.statements += doors
-    return (doors[-1].left if doors and not before else doors[0].left if doors else [r for r in rooms_of(items) if not r.negated][-1:]) or before
+    return (
+        doors[-1].left
+        if doors and not before
+        else doors[0].left
+        if doors
+        else [r for r in rooms_of(items) if not r.negated][-1:]
+    ) or before
 
 
 def _of_link(items: list[Item], k: int) -> bool:

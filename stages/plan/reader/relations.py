@@ -1,27 +1,13 @@
 """Doors between rooms: finds the subject and the objects of every relation in a sentence."""
 
-from dataclasses import dataclass
-
-from stages.plan.reader.phrases import OPEN_TYPES, Item, RoomPhrase
-from stages.plan.reader.statements import Statement, is_mark
-
-
-@dataclass
-class _Predicate:
-    """A relation at `at`; its subject lies in items[subject[0]:subject[1]], shared with what came before if `after`."""
-
-    at: int
-    kind: str
-    form: str
-    negated: bool
-    subject: tuple[int, int] = (0, 0)
-    shared: bool = False
-    objects: int = 0
+from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from stages.plan.reader.predicates import Predicate, new_clause, predicates
+from stages.plan.reader.statements import Statement
 
 
 def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[Statement]:
     """Statements of one sentence; `before` is what "it" at its start refers to."""
-    found = _predicates(items, graph)
+    found = predicates(items, graph)
     floor = 0
     for k, p in enumerate(found):
         _find_subject(items, p, found[k - 1] if k else None, floor)
@@ -54,7 +40,7 @@ def _barred(items: list[Item], phrase: RoomPhrase) -> bool:
     return k > 0 and items[k].kind == "negation" and items[k].value == "not"
 
 
-def _relative_object(items: list[Item], p: _Predicate) -> list[RoomPhrase]:
+def _relative_object(items: list[Item], p: Predicate) -> list[RoomPhrase]:
     """`a living room that all other rooms open onto`."""
     j = p.subject[0] - 1
     if j > 0 and items[j].kind == "relative" and items[j - 1].room is not None:
@@ -66,84 +52,7 @@ def _rooms(items: list[Item], start: int, end: int) -> list[RoomPhrase]:
     return [i.room for i in items[start:end] if i.room is not None and not i.room.negated]
 
 
-def _predicates(items: list[Item], graph: bool) -> list[_Predicate]:
-    out: list[_Predicate] = []
-    for k, item in enumerate(items):
-        negated = any(i.kind == "negation" and i.value == "not" for i in items[max(0, k - 2) : k])
-        aux = next((i.value for i in reversed(items[max(0, k - 2) : k]) if i.kind == "copula"), None)
-        first = not any(i.room for i in items[:k]) or (k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ",")))
-        if _is_front(items, k, first):
-            out.append(_Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
-        elif item.kind == "front" and _way_in(items, k):
-            out.append(_Predicate(k, "door", "part", negated))
-        elif item.kind == "front" and out and _between_rooms(items, k) and _new_clause(items, k - 2):
-            out.append(_Predicate(k, "gap", "part", negated))
-        elif item.kind == "with" and item.value == "in" and _between_rooms(items, k):
-            out.append(_Predicate(k, "in", "part", negated))
-        elif item.kind == "link":
-            if out and out[-1].form == "front" and k <= out[-1].at:
-                continue
-            if item.value == "to" and not (k and items[k - 1].room is not None and k + 1 < len(items) and items[k + 1].room is not None):
-                continue
-            kind, form = _opens_to(items, k) or (item.value, item.form or aux or "part")
-            out.append(_Predicate(k, kind, form, negated))
-        elif item.kind == "with" and item.value == "has":
-            out.append(_Predicate(k, "has", "s", negated))
-        elif item.kind == "relative" and item.value == "from_which":
-            out.append(_Predicate(k, "door", "which", negated))
-        elif item.kind == "boundary" and item.value == "then" and k + 1 < len(items) and items[k + 1].room is not None and k and _near_room(items, k):
-            out.append(_Predicate(k, "door", "which", False))
-        elif is_mark(item, "-" if not graph else "-:") and 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None:
-            out.append(_Predicate(k, "door", "part" if item.value == "-" else "s", False))
-    return out
-
-
-def _opens_to(items: list[Item], k: int) -> tuple[str, str] | None:
-    """`a kitchen open to the living room` is no verb: one room, no wall."""
-    last = items[k - 1].room if k else None
-    alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
-    if items[k].text in ("open to", "open onto") and last is not None and not last.plural and alone and last.quantifier != "both":
-        return "open", "part"
-    return None
-
-
-def _near_room(items: list[Item], k: int) -> bool:
-    return items[k - 1].room is not None or (k > 1 and is_mark(items[k - 1], ",") and items[k - 2].room is not None)
-
-
-def _way_in(items: list[Item], k: int) -> bool:
-    """`you enter the kitchen through the living room`."""
-    return _between_rooms(items, k) and any(i.kind == "reach" for i in items[:k])
-
-
-def _between_rooms(items: list[Item], k: int) -> bool:
-    return 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
-
-
-def _new_clause(items: list[Item], k: int) -> bool:
-    """Whether a gapped clause may begin after `k`: `…, the dining room from the living room`."""
-    return k > 0 and (items[k].kind == "conjunction" or is_mark(items[k], ","))
-
-
-def _is_front(items: list[Item], k: int, first: bool) -> bool:
-    """`from the hallway you reach …`, `off the hall are …`."""
-    item = items[k]
-    starts = item.kind == "front" or (item.kind == "link" and item.value == "door" and item.form == "" and item.text in ("off", "off of"))
-    follows = k + 1 < len(items) and items[k + 1].room is not None
-    return starts and first and follows and _reach(items, k) > k
-
-
-def _reach(items: list[Item], k: int) -> int:
-    """Where the verb of a fronted clause stands, k when there is none."""
-    for j in range(k + 2, len(items)):
-        if items[j].kind in ("reach", "copula") or (items[j].kind == "link" and items[j].form in ("s", "p")):
-            return j
-        if items[j].room is None and items[j].kind != "conjunction":
-            return k
-    return k
-
-
-def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, floor: int) -> None:
+def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor: int) -> None:
     """Set `p.subject` and `p.shared`."""
     p.objects = p.at + 1
     if p.form == "front":
@@ -151,7 +60,13 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
     start = last.at + 1 if last else 0
     rooms = [j for j in range(start, p.at) if items[j].room is not None]
     between = items[rooms[-1] + 1 : p.at] if rooms else items[start : p.at]
-    gapped = last is not None and len(rooms) > 1 and p.kind in ("to", "only", "gap") and rooms[-1] == p.at - 1 and _new_clause(items, p.at - 2)
+    gapped = (
+        last is not None
+        and len(rooms) > 1
+        and p.kind in ("to", "only", "gap")
+        and rooms[-1] == p.at - 1
+        and new_clause(items, p.at - 2)
+    )
     if gapped:
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
@@ -178,11 +93,18 @@ def _find_subject(items: list[Item], p: _Predicate, last: _Predicate | None, flo
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
 
 
-def _back_to_head(items: list[Item], p: _Predicate, last: _Predicate, rooms: list[int], between: list[Item]) -> bool:
+def _back_to_head(items: list[Item], p: Predicate, last: Predicate, rooms: list[int], between: list[Item]) -> bool:
     """`a corridor off the hall serves …`, `the kitchen, which opens to the hall, is reached …`."""
     inserted = any(i.kind == "relative" for i in items[max(last.at - 2, 0) : last.at])
     closed = bool(between) and is_mark(between[0], ",") and not any(i.kind in ("relative", "boundary") for i in between)
-    modifier = last.form == "part" and last.kind in ("door", "only", "near") and p.form in ("s", "p") and len(rooms) == 1 and not between[:1] and last.subject != (0, 0)
+    modifier = (
+        last.form == "part"
+        and last.kind in ("door", "only", "near")
+        and p.form in ("s", "p")
+        and len(rooms) == 1
+        and not between[:1]
+        and last.subject != (0, 0)
+    )
     return (inserted and closed and len(rooms) == 1) or modifier
 
 
@@ -194,12 +116,19 @@ def _verb_coordination(between: list[Item]) -> bool:
 
 def _and_group(items: list[Item], at: int, floor: int, whole: bool = False) -> int:
     """Start of the rooms joined by `and` that end at `at`."""
-    while at - 2 >= floor and items[at - 2].room is not None and ((items[at - 1].kind == "conjunction" and items[at - 1].value != "plus") or (whole and is_mark(items[at - 1], ","))):
+    while (
+        at - 2 >= floor
+        and items[at - 2].room is not None
+        and (
+            (items[at - 1].kind == "conjunction" and items[at - 1].value != "plus")
+            or (whole and is_mark(items[at - 1], ","))
+        )
+    ):
         at -= 2
     return at
 
 
-def _clause_start(items: list[Item], rooms: list[int], p: _Predicate, last: _Predicate | None) -> int:
+def _clause_start(items: list[Item], rooms: list[int], p: Predicate, last: Predicate | None) -> int:
     """Where the subject of a finite verb begins."""
     one = items[rooms[-1]].room
     if p.form == "s" and one is not None and not one.plural and one.quantifier not in ("all", "both"):
@@ -223,7 +152,7 @@ def _comma_and(items: list[Item], j: int) -> bool:
     return j + 1 < len(items) and items[j + 1].kind == "conjunction"
 
 
-def _objects(items: list[Item], p: _Predicate, following: _Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
+def _objects(items: list[Item], p: Predicate, following: Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
     """Rooms after the relation, up to the next clause."""
     end = len(items)
     if following is not None:
@@ -245,7 +174,7 @@ def _objects(items: list[Item], p: _Predicate, following: _Predicate | None, lef
     return out
 
 
-def _continues(items: list[Item], p: _Predicate, j: int, out: list[RoomPhrase]) -> bool:
+def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase]) -> bool:
     """Whether the room at `j` is one more object of the relation."""
     phrase, first = items[j].room, out[0]
     assert phrase is not None
@@ -265,7 +194,7 @@ def _continues(items: list[Item], p: _Predicate, j: int, out: list[RoomPhrase]) 
     return same or not phrase.definite
 
 
-def _statement(p: _Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
+def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
     if p.kind == "has":
         return []
     kind = "not" if p.negated or p.kind == "apart" else p.kind

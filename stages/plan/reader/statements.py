@@ -1,9 +1,8 @@
-"""What a sentence says about its rooms, as statements between room phrases."""
+"""What a prompt says, as statements between room phrases."""
 
 from dataclasses import dataclass, field
 
-from stages.plan.reader.phrases import OPEN_TYPES, Item, RoomPhrase
-from stages.plan.reader.sense import sense
+from stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 
 @dataclass(eq=False)
@@ -35,11 +34,6 @@ class Said:
     unread: list[str] = field(default_factory=list)
 
 
-def is_mark(item: Item, marks: str) -> bool:
-    """Whether the item is one of these punctuation marks."""
-    return item.kind == "mark" and item.value in marks
-
-
 def sentences(items: list[Item]) -> list[list[Item]]:
     """Items cut at full stops."""
     out: list[list[Item]] = [[]]
@@ -49,86 +43,3 @@ def sentences(items: list[Item]) -> list[list[Item]]:
         else:
             out[-1].append(item)
     return [s for s in out if s]
-
-
-def rooms_of(items: list[Item]) -> list[RoomPhrase]:
-    """The room phrases among items."""
-    return [i.room for i in items if i.room is not None]
-
-
-def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
-    """Open-plan rooms: `kitchen/living room`, `open-plan kitchen, dining and living`, `lounge-diner`."""
-    out: list[Statement] = []
-    kept: list[Item] = []
-    i = 0
-    while i < len(items):
-        end = _run(items, i)
-        group = rooms_of(items[i:end])
-        tight = any(x.room and (x.joined or not x.room.quantifier) and items[k].room or is_mark(x, "/") for k, x in enumerate(items[i + 1 : end], i))
-        after = end < len(items) and items[end].kind == "open"
-        if len(group) == 1 and after:
-            group[0].labels.add("open")
-        if len(group) > 1 and (tight or after or "open" in group[0].labels):
-            out += chain(group)
-            _share_area(group)
-            for phrase in group:
-                phrase.labels.discard("open")
-        kept += items[i : end + 1] if not after else items[i:end]
-        i = end + 1
-    return kept, out
-
-
-def _share_area(group: list[RoomPhrase]) -> None:
-    """`living/kitchen (30 m²)`: an area far above its own room's is that of the whole group."""
-    given = [r for r in group if len(r.areas) == 1]
-    if len(given) == 1 and given[0].areas[0] > 1.3 * sense()["area"][given[0].type]:
-        split_area(group, given[0].areas[0])
-
-
-def split_area(group: list[RoomPhrase], whole: float) -> None:
-    """One area for several rooms, in the ratio of their usual areas."""
-    usual = [sense()["area"].get(r.type, 12.0) for r in group]
-    for room, part in zip(group, usual, strict=True):
-        room.areas = (whole * part / sum(usual),)
-
-
-def _run(items: list[Item], i: int) -> int:
-    """End of the run of open-plan candidates that starts at `i`."""
-    if items[i].room is None or items[i].value not in OPEN_TYPES:
-        return i + (0 if items[i].room is None else 1)
-    first, end, j = items[i], i + 1, i + 1
-    assert first.room is not None
-    seen = {first.value}
-    tight_only = "open" not in first.room.labels
-    while j < len(items):
-        item = items[j]
-        separated = item.kind == "conjunction" or is_mark(item, "/,")
-        if item.room is not None and item.value in OPEN_TYPES and item.value not in seen and not item.room.negated and "separate" not in item.room.labels:
-            linked = item.joined or is_mark(items[j - 1], "/") or (items[j - 1].room is not None and _separates(items))
-            listed = not is_mark(items[j - 1], ",") or any(x.kind == "conjunction" for x in items[j + 1 : j + 3]) or len(seen) > 1 or any(x.value in OPEN_TYPES for x in items[j + 2 : j + 3])
-            if (tight_only and not linked and not _open_after(items, j)) or item.room.quantifier == "a" or not listed:
-                break
-            seen.add(item.value)
-            end = j + 1
-            if items[j - 1].kind == "conjunction" and len(seen) > 1:
-                break
-        elif not separated:
-            break
-        j += 1
-    return end
-
-
-def _separates(items: list[Item]) -> bool:
-    """Whether the writer puts marks between rooms, so that two without one belong together (`salón comedor`)."""
-    return any(is_mark(i, ",/") or i.kind == "conjunction" for i in items) or sum(i.room is not None for i in items) == 2
-
-
-def _open_after(items: list[Item], j: int) -> bool:
-    return j + 1 < len(items) and items[j + 1].kind == "open"
-
-
-def chain(group: list[RoomPhrase]) -> list[Statement]:
-    """Open links along kitchen - dining - living, the order in which food travels."""
-    order = ["kitchen", "dining_room", "living_room"]
-    line = sorted(group, key=lambda r: order.index(r.type) if r.type in order else 3)
-    return [Statement("open", [a], [b]) for a, b in zip(line, line[1:], strict=False)]

@@ -8,7 +8,9 @@ from typing import Literal
 CJK = "\u3400-\u9fff"
 
 _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
-_QUOTES = str.maketrans({"’": "'", "‘": "'", "`": "'", "–": "-", "—": "-", "−": "-", "×": "x", "，": ",", "。": ".", "；": ";", "、": ","})
+_QUOTES = str.maketrans(
+    {"’": "'", "‘": "'", "`": "'", "–": "-", "—": "-", "−": "-", "×": "x", "，": ",", "。": ".", "；": ";", "、": ","}
+)
 _TOKEN = re.compile(
     rf"""(?P<number>\d{{1,3}}(?:[,' ]\d{{3}})+(?![\d])|\d+[.,]\d+|\.\d+|\d+)
     |(?P<word>m\^?2|ft\^?2|w/o|w/|[a-z]+(?:'[a-z]+)*'?|[{CJK}])
@@ -46,7 +48,7 @@ def tokenize(text: str) -> list[Token]:
     for found in _TOKEN.finditer(text):
         kind = found.lastgroup
         body = found.group()
-        assert kind in ("number", "word", "mark")
+        assert kind == "number" or kind == "word" or kind == "mark"
         word = body.rstrip("'").replace("^", "") if kind == "word" else body
         value = _number(body) if kind == "number" else 0.0
         out.append(Token(word, kind, found.start(), found.end(), found.start() == end, value))

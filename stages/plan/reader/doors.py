@@ -1,0 +1,163 @@
+"""The doors a prompt names, between rooms."""
+
+from dataclasses import dataclass, field
+
+from stages.plan.reader.entity import Entity
+from stages.plan.reader.household import Household
+from stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
+from stages.plan.reader.statements import Statement
+
+Pair = tuple[Entity, Entity]
+
+
+@dataclass
+class Doors:
+    """Doors said and doors forbidden, between entities."""
+
+    links: list[Pair] = field(default_factory=list)
+    open: list[Pair] = field(default_factory=list)
+    forbidden: list[Pair] = field(default_factory=list)
+    near: list[Pair] = field(default_factory=list)
+
+
+def doors_said(statements: list[Statement], home: Household) -> Doors:
+    out = Doors()
+    for s in statements:
+        left = entities(s.left, home)
+        right = entities(s.right, home)
+        pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b)]
+        match s.kind:
+            case "open":
+                out.open += pairs
+                out.links += pairs
+            case "not":
+                out.forbidden += pairs
+            case "near":
+                out.near += [
+                    (a, b)
+                    for a, b in pairs
+                    if a.type in (*OPEN_TYPES, "balcony") and b.type in (*OPEN_TYPES, "balcony")
+                ]
+            case "share":
+                _share(left, right, out, home)
+            case "compare" | "equal":
+                continue
+            case _:
+                out.links += pairs
+    out.links += out.near
+    for e in home.rooms:
+        if e.owner is not None:
+            out.links.append((e.owner, e))
+            if {e.type, e.owner.type} <= set(OPEN_TYPES) and not e.labels & {"adjoining", "separate"}:
+                out.open.append((e.owner, e))
+    _open_labels(home, out)
+    return out
+
+
+def _served(a: Entity, b: Entity) -> bool:
+    """A family bathroom that serves a bedroom has no door to it."""
+    bath = a if a.type == "bathroom" else b
+    return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & {"family", "shared", "guest"})
+
+
+def entities(phrases: list[RoomPhrase], home: Household) -> list[Entity]:
+    out: list[Entity] = []
+    for phrase in phrases:
+        out += [e for e in home.refs.get(id(phrase), []) if e not in out]
+    return out
+
+
+def every_room(statements: list[Statement], home: Household, doors: Doors) -> None:
+    """`every room opens onto the hallway`, once all rooms are known."""
+    for s in statements:
+        for some, others in ((s.left, s.right), (s.right, s.left)):
+            if s.kind in ("door", "only") and any(p.type == "any" for p in some):
+                hubs = entities(others, home)
+                linked = (
+                    {id(e) for pair in doors.links for e in pair}
+                    if any(p.quantifier == "other" for p in some)
+                    else set()
+                )
+                rooms = [
+                    e
+                    for e in home.rooms
+                    if e not in hubs
+                    and e.owner is None
+                    and e.type not in ("balcony", "closet")
+                    and "ensuite" not in e.labels
+                    and id(e) not in linked
+                ]
+                doors.links += [(hub, e) for hub in hubs for e in rooms]
+
+
+def _share(users: list[Entity], shared: list[Entity], out: Doors, home: Household) -> None:
+    """Bedrooms that share a bathroom: between them where the flat has another one, else off the hallway."""
+    if shared and shared[0].type == "bedroom":
+        users, shared = shared, users
+    users = [u for u in users if u.type == "bedroom"] if shared and shared[0].type == "bathroom" else users
+    for room in shared:
+        others = [e for e in home.of("bathroom") if e is not room and e.owner is None]
+        if room.type == "bathroom" and (
+            "shared_pair" not in room.labels and not others or len(shared) > 1 or len(users) > 3
+        ):
+            room.labels.add("shared")
+            continue
+        out.links += [(u, room) for u in users]
+
+
+def _open_labels(home: Household, out: Doors) -> None:
+    """`open kitchen`, `jack-and-jill bathroom` with nothing more said."""
+    opened = [e for e in home.rooms if "open" in e.labels and e.type in OPEN_TYPES]
+    if home.open_kitchen:
+        opened += home.of("kitchen")
+    for entity in opened:
+        if any(entity in pair for pair in out.open):
+            continue
+        order = ("living_room", "dining_room", "kitchen")
+        partner = next((e for kind in order for e in home.rooms if e.type == kind and e.type != entity.type), None)
+        entity.labels.add("open")
+        if partner is not None:
+            out.open.append((entity, partner))
+            out.links.append((entity, partner))
+    for entity in home.rooms:
+        if "shared_pair" in entity.labels and not any(entity in pair for pair in out.links):
+            beds = [e for e in home.of("bedroom") if "master" not in e.labels]
+            beds = (beds if len(beds) > 1 else home.of("bedroom"))[-2:]
+            out.links += [(bed, entity) for bed in beds]
+
+
+def ensuites(home: Household, doors: Doors) -> None:
+    """One bathroom serves the home; further full ones, where nothing is said of them, open off bedrooms."""
+
+    def linked(e: Entity) -> bool:
+        return any(e in pair for pair in doors.links)
+
+    _open_labels(home, doors)
+    beds = [
+        e
+        for e in home.of("bedroom")
+        if not any(r.type == "bathroom" and (r.owner is e or (e, r) in doors.links) for r in home.rooms)
+    ]
+    beds.sort(key=lambda e: "master" not in e.labels)
+    if ("bathroom", "ensuite") in home.banned:
+        beds = []
+    plain = [e for e in home.of("bathroom") if "half" not in e.labels and e.owner is None and not linked(e)]
+    named = [e for e in plain if "ensuite" in e.labels]
+    others = [e for e in plain if e not in named and not e.labels & {"family", "shared", "guest", "separate"}]
+    serves = len(plain) - len(others) - len(named) + sum(_serves(e, doors) for e in home.of("bathroom"))
+    spare = others if serves else others[: len(others) - 1] if len(beds) > 0 else []
+    if len(home.of("bedroom")) < 2 and not home.totals.get("bathroom") and not named:
+        spare = others[1:] if not serves else others
+    for bath, bed in zip([*named, *spare], beds, strict=False):
+        bath.owner = bed
+        doors.links.append((bed, bath))
+    for closet in home.of("closet"):
+        if closet.owner is None and not linked(closet) and home.of("bedroom"):
+            closet.owner = min(home.of("bedroom"), key=lambda e: "master" not in e.labels)
+            doors.links.append((closet.owner, closet))
+
+
+def _serves(bath: Entity, doors: Doors) -> bool:
+    """Whether a bathroom is entered from elsewhere than a bedroom."""
+    near = [b if a is bath else a for a, b in doors.links if bath in (a, b)]
+    return "half" not in bath.labels and any(e.type != "bedroom" for e in near)

@@ -1,0 +1,178 @@
+"""Areas, shares and comparisons, given to the rooms they speak of."""
+
+from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from stages.plan.reader.sense import sense
+from stages.plan.reader.statements import Said, Statement
+
+
+def mark_headlines(items: list[Item], said: Said) -> None:
+    """`80 m² two-bedroom, two-bath flat`: counts before the dwelling are totals, the area is the flat's."""
+    for k, item in enumerate(items):
+        phrase = item.room
+        if phrase is not None and phrase.count is not None and _totals(items, k):
+            phrase.headline = True
+        if item.kind != "dwelling" or said.dwelling:
+            continue
+        j = k - 1
+        while j >= 0 and (
+            items[j].room is not None or is_mark(items[j], "/,-") or items[j].kind in ("conjunction", "style")
+        ):
+            phrase = items[j].room
+            if phrase is not None:
+                if phrase.count is None and not phrase.headline and not item.joined and j != k - 1:
+                    break
+                phrase.headline = phrase.count is not None
+                if phrase.areas:
+                    said.total_area, phrase.areas = phrase.areas[0], ()
+                if phrase.headline:
+                    said.flat_size, phrase.factor = said.flat_size * phrase.factor, 1.0
+            j -= 1
+
+
+def _totals(items: list[Item], k: int) -> bool:
+    """`piso de dos dormitorios`, `three bedrooms in total`."""
+    before, after = items[max(k - 1, 0)], items[k + 1 : k + 2]
+    return (k > 0 and before.kind == "dwelling") or any(i.kind == "area_word" and i.value == "total" for i in after)
+
+
+def attach_areas(items: list[Item], said: Said) -> list[Item]:
+    """Give every area or share to the room it speaks of, else to the flat."""
+    out: list[Item] = []
+    for k, item in enumerate(items):
+        phrase = item.room
+        if (
+            phrase is not None
+            and phrase.areas
+            and (phrase.headline or phrase.areas[0] > 5 * sense()["area"].get(phrase.type, 12.0))
+        ):
+            said.total_area, phrase.areas = phrase.areas[0], ()
+        if item.kind == "fraction":
+            item = Item("share", "", item.text, values=item.values)
+        if item.kind not in ("area", "share"):
+            out.append(item)
+            continue
+        owners = [] if item.value == "total" or _total_near(items, k) else _owners(out, items, k)
+        if not owners and item.kind == "area":
+            said.total_area = item.values[0] if said.total_area is None else said.total_area
+        elif not owners:
+            said.unread.append(item.text)
+        together = any(i.kind == "sum" for i in items[max(k - 3, 0) : k + 2])
+        if together and len(owners) == 1 and not owners[0].plural:
+            owners = _coordinated(out, owners[0])
+            split_area(owners, item.values[0]) if item.kind == "area" else None
+        for owner in owners:
+            owner.together = together or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
+            if item.kind == "area":
+                owner.areas = owner.areas or item.values
+            else:
+                owner.share = item.values[0]
+    return [i for i in out if i.kind not in ("area_word", "sum")]
+
+
+def _coordinated(before: list[Item], last: RoomPhrase) -> list[RoomPhrase]:
+    """`the kitchen and the living room` that end in `last`."""
+    at = next(j for j, i in enumerate(before) if i.room is last)
+    out = [last]
+    while at > 1 and before[at - 1].kind == "conjunction" and (phrase := before[at - 2].room) is not None:
+        out.insert(0, phrase)
+        at -= 2
+    return out
+
+
+def _total_near(items: list[Item], k: int) -> bool:
+    before = [i for i in items[max(0, k - 3) : k] if i.kind not in ("copula",) and not is_mark(i, ":")]
+    return any(i.kind == "area_word" and i.value == "total" for i in before[-1:] + items[k + 1 : k + 2])
+
+
+SKIPPED = ("copula", "with", "area_word", "reach", "label", "size", "compare", "sum")
+"""What may stand between a room and its area."""
+
+
+def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
+    """The rooms the area or share at `items[k]` is said of; none means the flat."""
+    ahead = rooms_of(items[k + 2 : k + 3])
+    if items[k].kind == "share" and ahead and items[k + 1].value == "with":
+        return ahead
+    j = len(before) - 1
+    while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in SKIPPED):
+        j -= 1
+    last = before[j].room if j >= 0 else None
+    if last is not None:
+        return [] if _speaks_of_flat(before, j, items[k]) else _each_of(before, items, j, k)
+    if j >= 0 and before[j].kind == "dwelling":
+        return []
+    follows = k + 1 < len(items) and items[k + 1].kind in ("with", "link", "front")
+    homely = any(i.kind == "dwelling" for i in items[:k])
+    if items[k].kind == "share" or (follows and not homely):
+        return rooms_of(items[k + 1 : k + 4])[:1]
+    return []
+
+
+def _each_of(before: list[Item], items: list[Item], j: int, k: int) -> list[RoomPhrase]:
+    """The room at `before[j]`, or all of `a bedroom and a study, 12 m² each`."""
+    room, earlier = before[j].room, before[j - 1].room if j else None
+    assert room is not None
+    each = any(r.quantifier in ("each", "both") for r in rooms_of(items[k + 1 : k + 2]))
+    if room.type == "" and room.quantifier in ("each", "both") and earlier is not None:
+        each, room, j = True, earlier, j - 1
+    group = [room]
+    while each and not room.plural and j > 1 and (before[j - 1].kind == "conjunction" or is_mark(before[j - 1], ",")):
+        j -= 2
+        phrase = before[j].room
+        if phrase is None:
+            break
+        group.append(phrase)
+    return group
+
+
+def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
+    """`2BHK, 80 m²`, `… and a bathroom, 85 m²`: more than such a room ever has."""
+    phrase = before[j].room
+    if phrase is None or area.kind == "share":
+        return False
+    usual = sense()["area"].get(phrase.type, 12.0)
+    apart = any(is_mark(i, ",") for i in before[j + 1 :])
+    return phrase.headline or area.values[0] > (2.2 if apart else 5.0) * usual
+
+
+def split_area(group: list[RoomPhrase], whole: float) -> None:
+    """One area for several rooms, in the ratio of their usual areas."""
+    usual = [sense()["area"].get(r.type, 12.0) for r in group]
+    for room, part in zip(group, usual, strict=True):
+        room.areas = (whole * part / sum(usual),)
+
+
+def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
+    """`A is twice as large as B`, `bedrooms of equal size`."""
+    out: list[Item] = []
+    found: list[Statement] = []
+    skip = False
+    for k, item in enumerate(items):
+        if item.kind != "compare":
+            if not skip or item.room is None:
+                out.append(item)
+            skip = skip and item.room is None
+            continue
+        before = rooms_of(out)
+        after = rooms_of(items[k + 1 :])
+        if item.number == -1 and before:
+            clause = _clause(out)
+            found.append(Statement("equal", clause, clause))
+        elif before and after:
+            found.append(Statement("compare", before[-1:], after[:1], item.number))
+            out.append(Item("room", after[0].type, after[0].text, after[0]))
+            skip = True
+    return out, found
+
+
+def _clause(items: list[Item]) -> list[RoomPhrase]:
+    """Rooms of the last coordination."""
+    out: list[RoomPhrase] = []
+    for item in reversed(items):
+        if item.room is not None:
+            out.append(item.room)
+        elif item.kind not in ("conjunction", "copula") and not is_mark(item, ","):
+            break
+        if out and item.room is not None and item.room.plural:
+            break
+    return out[::-1]

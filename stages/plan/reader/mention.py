@@ -1,0 +1,64 @@
+"""What a prompt mentions: room phrases, and the items a sentence is made of."""
+
+from dataclasses import dataclass, field
+
+OPEN_TYPES = ("living_room", "kitchen", "dining_room")
+
+PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
+
+
+@dataclass(eq=False)
+class RoomPhrase:
+    """A mention of rooms. `type` is "" for an elliptical one ("one of them") until it is resolved.
+
+    `quantifier` is the determiner's value; `area` has one value, or one per room, in m².
+    """
+
+    type: str = ""
+    labels: set[str] = field(default_factory=set)
+    count: float | None = None
+    quantifier: str = ""
+    ordinals: tuple[int, ...] = ()
+    plural: bool = False
+    areas: tuple[float, ...] = ()
+    share: float | None = None
+    factor: float = 1.0
+    negated: bool = False
+    headline: bool = False
+    whole: int | None = None
+    together: bool = False
+    another: bool = False
+    subset: bool = False
+    owned: list["RoomPhrase"] = field(default_factory=list)
+    objects: list[tuple[str, int]] = field(default_factory=list)
+    object_count: int | None = None
+    text: str = ""
+
+    @property
+    def definite(self) -> bool:
+        """Whether it speaks of rooms known already."""
+        return self.quantifier in ("the", *PARTITIVE)
+
+
+@dataclass(eq=False)
+class Item:
+    """One element of a sentence; `kind` is room, object, objects, area, share, or the kind of a lexeme."""
+
+    kind: str
+    value: str = ""
+    text: str = ""
+    room: RoomPhrase | None = None
+    number: float = 1.0
+    values: tuple[float, ...] = ()
+    joined: bool = False
+    form: str = ""
+
+
+def is_mark(item: Item, marks: str) -> bool:
+    """Whether the item is one of these punctuation marks."""
+    return item.kind == "mark" and item.value in marks
+
+
+def rooms_of(items: list[Item]) -> list[RoomPhrase]:
+    """The room phrases among items."""
+    return [i.room for i in items if i.room is not None]

@@ -1,0 +1,117 @@
+"""Rooms a home has even when nobody says so."""
+
+from typing import Any
+
+from stages.plan.reader.doors import Doors
+from stages.plan.reader.entity import Entity
+from stages.plan.reader.household import Household
+from stages.plan.reader.mention import OPEN_TYPES
+from stages.plan.reader.sense import sense
+from stages.plan.reader.statements import Said
+
+
+def full_graph(said: Said, home: Household, doors: Doors) -> bool:
+    """Whether the doors said connect all rooms named and make a home of them."""
+    if len(home.rooms) < (3 if not said.graph else 2) or not doors.links:
+        return _lone(said, home)
+    seen, queue = {id(home.rooms[0])}, [home.rooms[0]]
+    while queue:
+        here = queue.pop()
+        for a, b in doors.links:
+            there = b if a is here else a if b is here else None
+            if there is not None and id(there) not in seen:
+                seen.add(id(there))
+                queue.append(there)
+    kinds = {e.type for e in home.rooms}
+    home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals)
+    met = all(len(home.of(kind)) == n for kind, n in home.totals.items())
+    return len(seen) == len(home.rooms) and home_like and met
+
+
+def _lone(said: Said, home: Household) -> bool:
+    """One or two rooms and no word of a dwelling: exactly those."""
+    homely = (
+        said.dwelling or home.totals or said.main_rooms or said.total_area or home.banned or len(home.of("bedroom")) > 1
+    )
+    return len(home.rooms) < 3 and not homely
+
+
+def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
+    """Rooms a home has even when nobody says so."""
+    data = sense()["missing"]
+    banned = {kind for kind, label in home.banned if not label}
+    if said.dwelling == "studio" and not home.of("bedroom"):
+        banned.add("bedroom")
+    if said.main_rooms and not home.totals.get("bedroom") and not home.of("bedroom"):
+        others = len(home.of("dining_room")) + len(home.of("study"))
+        home.add("bedroom", max(said.main_rooms - 1 - others, 0))
+        if said.main_rooms == 1:
+            said.dwelling = "studio"
+            banned.add("bedroom")
+    if not home.of("bedroom") and "bedroom" not in banned:
+        home.add("bedroom", _bedrooms(said, data))
+    for kind in data["always"]:
+        if kind not in banned and not (home.of(kind) and kind != "bathroom"):
+            _add_missing(kind, home, data)
+    if (
+        home.of("bedroom")
+        and "hallway" not in banned
+        and not home.of("hallway")
+        and not _around_living(said, home, doors)
+    ):
+        home.add("hallway")
+    if not home.of("bedroom"):
+        _studio(home)
+
+
+def _around_living(said: Said, home: Household, doors: Doors) -> bool:
+    """Whether all private rooms have doors to lived-in rooms, so that no hallway is wanted."""
+    if said.dwelling == "studio":
+        return True
+    hubs = [
+        e
+        for s in said.statements
+        for p in (*s.left, *s.right)
+        for e in home.refs.get(id(p), [])
+        if any(q.type == "any" for q in (*s.left, *s.right))
+    ]
+    if hubs:
+        return True
+
+    def served(e: Entity) -> bool:
+        near = [b if a is e else a for a, b in doors.links if e in (a, b)]
+        return any(n.type in OPEN_TYPES for n in near) or any(
+            n.type == "bedroom" and e.type == "bathroom" for n in near
+        )
+
+    return all(served(e) for kind in ("bedroom", "bathroom") for e in home.of(kind))
+
+
+def _bedrooms(said: Said, data: dict[str, Any]) -> int:
+    if said.total_area is None:
+        return int(data["bedrooms"])
+    return int(next(n for most, n in data["bedrooms_from_area"] if said.total_area < most))
+
+
+def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:
+    if kind != "bathroom":
+        home.add(kind)
+        return
+    beds = len(home.of("bedroom"))
+    have = home.of("bathroom")
+    full = [e for e in have if "half" not in e.labels]
+    common = [e for e in full if e.owner is None]
+    if not have:
+        home.add("bathroom", data["bathrooms"][min(beds, len(data["bathrooms"]) - 1)])
+    elif "bathroom" not in home.totals and not common and (not full or beds > len({id(e.owner) for e in full})):
+        home.add("bathroom")
+
+
+def _studio(home: Household) -> None:
+    """One room to live and sleep in, the kitchen open to it."""
+    for living in home.of("living_room")[:1]:
+        if not any(c in ("double_bed", "single_bed", "bunk_bed") for c, _ in living.objects) and home.of("bathroom"):
+            living.objects.append(("double_bed", 1))
+    for kitchen in home.of("kitchen"):
+        if "separate" not in kitchen.labels:
+            kitchen.labels |= {"open", "small"}

@@ -1,0 +1,98 @@
+"""Modifiers waiting for their noun, and how far ahead a noun stands."""
+
+from dataclasses import dataclass, field
+
+from stages.plan.reader.lexeme import Lexeme
+from stages.plan.reader.mention import PARTITIVE, RoomPhrase
+
+MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
+LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房")
+"""Words of listings, whose numbers are totals."""
+
+
+@dataclass
+class Pending:
+    """Modifiers read, waiting for their noun."""
+
+    quantifier: str = ""
+    number: float | None = None
+    ordinals: tuple[int, ...] = ()
+    labels: set[str] = field(default_factory=set)
+    factor: float = 1.0
+    area: Lexeme | None = None
+    negated: bool = False
+    texts: list[str] = field(default_factory=list)
+    whole: int | None = None
+
+    def empty(self) -> bool:
+        """Whether nothing is waiting."""
+        return not self.texts
+
+    def room(self, word: Lexeme) -> RoomPhrase:
+        """The phrase these modifiers make with their noun."""
+        kind, _, label = word.value.partition(":")
+        phrase = RoomPhrase(kind, self.labels | set(label.split("+") if label else ()), self.number, self.quantifier)
+        phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
+        phrase.negated, phrase.factor, phrase.whole = self.negated, self.factor, self.whole
+        phrase.areas = self.area.values if self.area else ()
+        if kind == "bathroom" and "own" in phrase.labels:
+            phrase.labels.add("ensuite")
+        if phrase.quantifier == "both" and not word.plural:
+            phrase.quantifier = "the"  # "both the bedroom and the hallway"
+        counted = (word.joined and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in LISTED)
+        phrase.headline = counted and self.number is not None
+        return phrase
+
+    def elliptical(self, known: bool, following: Lexeme | None) -> RoomPhrase | None:
+        """A room without a noun, `known` when one was named before: `one of them`, `the largest`, `its own`."""
+        if "own" in self.labels and self.number is None:
+            return RoomPhrase("bathroom", {"ensuite", "own"}, text="own")
+        few = self.number is not None and self.number <= 9
+        named = self.quantifier in PARTITIVE or few or self.ordinals or self.labels & {"master", "guest", "kids"}
+        if named and known and not self.negated:
+            phrase = RoomPhrase("", set(self.labels), self.number, self.quantifier, self.ordinals, factor=self.factor)
+            phrase.another = following is not None and following.kind == "with" and self.number is not None
+            phrase.text = " ".join(self.texts)
+            return phrase
+        sized = self.quantifier == "the" and self.factor != 1.0
+        return RoomPhrase("", {"size"}, None, "the", factor=self.factor) if sized else None
+
+
+def noun_ahead(words: list[Lexeme], i: int) -> bool:
+    """Whether a room or dwelling follows after modifiers only."""
+    start = i
+    while i < len(words) and i < start + 5 and words[i].kind in MODIFIERS:
+        i += 1
+    return i < len(words) and words[i].kind in ("room", "dwelling", "shorthand")
+
+
+def counts_next(words: list[Lexeme], j: int) -> bool:
+    """Whether the number belongs to what follows it."""
+    k = j + 1
+    return noun_ahead(words, k) or (
+        k < len(words)
+        and (words[k].kind in ("unit", "furniture", "furniture_count", "main_rooms") or words[k].text in ("%", "x"))
+    )
+
+
+def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
+    """`bedroom 2`, `bedrooms 1 and 2`: sets the ordinals, returns where reading goes on."""
+    numbers: list[int] = []
+    j = i
+    while j < len(words) and _is_ordinal(words, j):
+        numbers.append(int(words[j].number))
+        j += 1
+        if not (
+            phrase.plural and j + 1 < len(words) and words[j].text in ("and", "&", ",") and _is_ordinal(words, j + 1)
+        ):
+            break
+        j += 1
+    fits = phrase.plural or (len(numbers) == 1 and words[i].text[0].isdigit())
+    if not numbers or phrase.count is not None or not fits:
+        return i
+    phrase.ordinals = tuple(numbers)
+    return j
+
+
+def _is_ordinal(words: list[Lexeme], j: int) -> bool:
+    return words[j].kind == "number" and words[j].number in range(1, 10) and not counts_next(words, j)

@@ -1,0 +1,119 @@
+"""Relations between rooms as they stand in a sentence."""
+
+from dataclasses import dataclass
+
+from stages.plan.reader.mention import Item, is_mark
+
+
+@dataclass
+class Predicate:
+    """A relation at `at`; its subject lies in items[subject[0]:subject[1]], shared with what came before if `after`."""
+
+    at: int
+    kind: str
+    form: str
+    negated: bool
+    subject: tuple[int, int] = (0, 0)
+    shared: bool = False
+    objects: int = 0
+
+
+def predicates(items: list[Item], graph: bool) -> list[Predicate]:
+    out: list[Predicate] = []
+    for k, item in enumerate(items):
+        negated = any(i.kind == "negation" and i.value == "not" for i in items[max(0, k - 2) : k])
+        aux = next((i.value for i in reversed(items[max(0, k - 2) : k]) if i.kind == "copula"), None)
+        first = not any(i.room for i in items[:k]) or (
+            k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ","))
+        )
+        if _is_front(items, k, first):
+            out.append(Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
+        elif item.kind == "front" and _way_in(items, k):
+            out.append(Predicate(k, "door", "part", negated))
+        elif item.kind == "front" and out and _between_rooms(items, k) and new_clause(items, k - 2):
+            out.append(Predicate(k, "gap", "part", negated))
+        elif item.kind == "with" and item.value == "in" and _between_rooms(items, k):
+            out.append(Predicate(k, "in", "part", negated))
+        elif item.kind == "link":
+            if out and out[-1].form == "front" and k <= out[-1].at:
+                continue
+            if item.value == "to" and not (
+                k and items[k - 1].room is not None and k + 1 < len(items) and items[k + 1].room is not None
+            ):
+                continue
+            kind, form = _opens_to(items, k) or (item.value, item.form or aux or "part")
+            out.append(Predicate(k, kind, form, negated))
+        elif item.kind == "with" and item.value == "has":
+            out.append(Predicate(k, "has", "s", negated))
+        elif item.kind == "relative" and item.value == "from_which":
+            out.append(Predicate(k, "door", "which", negated))
+        elif (
+            item.kind == "boundary"
+            and item.value == "then"
+            and k + 1 < len(items)
+            and items[k + 1].room is not None
+            and k
+            and _near_room(items, k)
+        ):
+            out.append(Predicate(k, "door", "which", False))
+        elif (
+            is_mark(item, "-" if not graph else "-:")
+            and 0 < k < len(items) - 1
+            and items[k - 1].room is not None
+            and items[k + 1].room is not None
+        ):
+            out.append(Predicate(k, "door", "part" if item.value == "-" else "s", False))
+    return out
+
+
+def _opens_to(items: list[Item], k: int) -> tuple[str, str] | None:
+    """`a kitchen open to the living room` is no verb: one room, no wall."""
+    last = items[k - 1].room if k else None
+    alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
+    if (
+        items[k].text in ("open to", "open onto")
+        and last is not None
+        and not last.plural
+        and alone
+        and last.quantifier != "both"
+    ):
+        return "open", "part"
+    return None
+
+
+def _near_room(items: list[Item], k: int) -> bool:
+    return items[k - 1].room is not None or (k > 1 and is_mark(items[k - 1], ",") and items[k - 2].room is not None)
+
+
+def _way_in(items: list[Item], k: int) -> bool:
+    """`you enter the kitchen through the living room`."""
+    return _between_rooms(items, k) and any(i.kind == "reach" for i in items[:k])
+
+
+def _between_rooms(items: list[Item], k: int) -> bool:
+    return 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
+
+
+def new_clause(items: list[Item], k: int) -> bool:
+    """Whether a gapped clause may begin after `k`: `…, the dining room from the living room`."""
+    return k > 0 and (items[k].kind == "conjunction" or is_mark(items[k], ","))
+
+
+def _is_front(items: list[Item], k: int, first: bool) -> bool:
+    """`from the hallway you reach …`, `off the hall are …`."""
+    item = items[k]
+    starts = item.kind == "front" or (
+        item.kind == "link" and item.value == "door" and item.form == "" and item.text in ("off", "off of")
+    )
+    follows = k + 1 < len(items) and items[k + 1].room is not None
+    return starts and first and follows and _reach(items, k) > k
+
+
+def _reach(items: list[Item], k: int) -> int:
+    """Where the verb of a fronted clause stands, k when there is none."""
+    for j in range(k + 2, len(items)):
+        if items[j].kind in ("reach", "copula") or (items[j].kind == "link" and items[j].form in ("s", "p")):
+            return j
+        if items[j].room is None and items[j].kind != "conjunction":
+            return k
+    return k

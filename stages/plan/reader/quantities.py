@@ -1,0 +1,185 @@
+"""Numbers with their units: areas, shares, counts of listings."""
+
+from dataclasses import replace
+
+from stages.plan.reader.lexeme import Lexeme
+
+SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
+
+METRES = {"m": 1.0, "ft": 0.3048}
+
+JOINTS = {
+    "-": "-",
+    "to": "-",
+    "x": "x",
+    "by": "x",
+    "and": "and",
+    ",": "and",
+    "und": "and",
+    "et": "and",
+    "y": "and",
+    "bis": "-",
+}
+
+
+def quantities(words: list[Lexeme]) -> list[Lexeme]:
+    """Merge compound numbers, then numbers with their units into areas and shares."""
+    return _listing(_areas(_shares(_numbers(words))))
+
+
+def _numbers(words: list[Lexeme]) -> list[Lexeme]:
+    """`twenty five` → 25, `eight hundred` → 800."""
+    out: list[Lexeme] = []
+    for k, word in enumerate(words):
+        last = out[-1] if out else None
+        hundred = last is not None and last.kind == "number" and last.number >= 100 and last.number % 100 == 0
+        either = (
+            last is not None
+            and last.kind == "number"
+            and word.text == "or"
+            and k + 1 < len(words)
+            and words[k + 1].kind == "number"
+        )
+        if either or (
+            out and k and words[k - 1].text == "or" and last is not None and last.kind == word.kind == "number"
+        ):
+            continue  # "two or three bedrooms": two
+        if (
+            hundred
+            and word.text == "and"
+            and k + 1 < len(words)
+            and words[k + 1].kind == "number"
+            and words[k + 1].number < 100
+        ):
+            continue
+        if last and word.kind == last.kind == "number" and not word.text[0].isdigit():
+            n, m = last.number, word.number
+            total = (
+                n * m if m in (100, 1000) else n + m if (n >= 20 and n % 10 == 0 and m < 10) or (n >= 100 > m) else None
+            )
+            if total is not None:
+                out[-1] = replace(last, value=str(total), text=f"{last.text} {word.text}", values=(total,))
+                continue
+        out.append(word)
+    return out
+
+
+def _shares(words: list[Lexeme]) -> list[Lexeme]:
+    """`half of the floor area`, `40 %`."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        word = words[i]
+        percent = i + 1 < len(words) and (words[i + 1].text == "%" or words[i + 1].value == "percent")
+        if word.kind == "number" and percent:
+            value, end = word.number / 100, i + 2
+        elif word.kind == "fraction" or (word.text == "half" and _of_area(words, i + 1) > i + 1):
+            value, end = word.number if word.values else 0.5, i + 1
+        else:
+            out.append(word)
+            i += 1
+            continue
+        after = _of_area(words, end)
+        if after > end or percent:
+            out.append(Lexeme("share", str(value), word.text, values=(value,)))
+            end = after
+        else:
+            out.append(word)
+        i = end
+    return out
+
+
+def _of_area(words: list[Lexeme], i: int) -> int:
+    """Where `of the [total] [floor] area` or `of the flat` ends; i when it does not stand here."""
+    j = i
+    while j < len(words) and (
+        words[j].text in ("of", "the", "its", "de", "la", "der", "del") or words[j].kind == "determiner"
+    ):
+        j += 1
+    ends = j
+    while ends < len(words) and words[ends].kind in ("area_word", "dwelling"):
+        ends += 1
+    return ends if ends > j else i
+
+
+def _areas(words: list[Lexeme]) -> list[Lexeme]:
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        area, end = _area(words, i)
+        out.append(area or words[i])
+        i = end if area else i + 1
+    return _area_lists(out)
+
+
+def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
+    """`12 m²`, `10-12 m²`, `12 and 14 m²`, `3 x 4 m`, `3m x 4m`, `10 by 12 ft`."""
+    numbers, joints, j = _numbers_joined(words, i)
+    unit = words[j].value if numbers and j < len(words) and words[j].kind == "unit" else ""
+    if "x" in joints and len(numbers) == 2 and unit not in SQUARE_METRES:
+        end = j + 1 if unit in METRES else j
+        return _made([numbers[0] * numbers[1] * METRES.get(unit, 1.0) ** 2], words, i, end), end
+    if unit not in SQUARE_METRES:
+        return None, i
+    values = [sum(numbers) / 2] if joints == ["-"] else numbers
+    return _made([v * SQUARE_METRES[unit] for v in values], words, i, j + 1), j + 1
+
+
+def _numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str], int]:
+    """Numbers from `i` on, what stands between them, and where they end."""
+    numbers: list[float] = []
+    joints: list[str] = []
+    j = i
+    while j < len(words) and words[j].kind == "number":
+        numbers.append(words[j].number)
+        j += 1
+        k = j + 1 if j + 1 < len(words) and words[j].value in METRES and words[j + 1].text in ("x", "by") else j
+        if k < len(words) and words[k].kind == "number" and words[k].joined:
+            joints.append("-")
+            j = k
+        elif k + 1 < len(words) and words[k + 1].kind == "number" and words[k].text in JOINTS:
+            joints.append(JOINTS[words[k].text])
+            j = k + 1
+        else:
+            break
+    return numbers, joints, j
+
+
+def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
+    """`12 m² and 14 m²` as one, unless the second belongs to a room of its own; `between 8 and 10 m²` as 9."""
+    out: list[Lexeme] = []
+    for i, word in enumerate(words):
+        last = out[-2] if len(out) > 1 else None
+        own = i + 1 < len(words) and words[i + 1].kind in ("room", "size", "label") and not words[i + 1].plural
+        if (
+            word.kind == "area"
+            and last is not None
+            and last.kind == "area"
+            and out[-1].text in ("and", ",", "und", "et", "y")
+            and not own
+        ):
+            out[-2:] = [replace(last, values=last.values + word.values)]
+        elif word.kind == "area" and len(word.values) == 2 and out and out[-1].text == "between":
+            out[-1] = replace(word, values=(sum(word.values) / 2,))
+        else:
+            out.append(word)
+    return out
+
+
+def _listing(words: list[Lexeme]) -> list[Lexeme]:
+    """`Bedrooms: 3` and `bedrooms (3)` are counts, `kitchen (10)` is an area."""
+    out = list(words)
+    for i in range(len(out) - 2):
+        room, mark, number = out[i : i + 3]
+        closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
+        if room.kind != "room" or mark.text not in ("(", ":", "-", "=") or number.kind != "number" or not closed:
+            continue
+        if room.plural or (number.number <= 3 and number.number % 1 == 0):
+            out[i : i + 3] = [number, room, replace(mark, kind="stop", value="", text=",")]
+        elif number.number >= 2:
+            out[i + 2] = Lexeme("area", "", number.text, values=(number.number,))
+    return out
+
+
+def _made(values: list[float], words: list[Lexeme], i: int, j: int) -> Lexeme:
+    return Lexeme("area", "", " ".join(w.text for w in words[i:j]), values=tuple(values), joined=words[i].joined)

@@ -1,0 +1,53 @@
+"""How far `no` and `or` reach."""
+
+from stages.plan.reader.mention import Item, is_mark
+from stages.plan.reader.statements import Said
+
+
+def spread_negation(items: list[Item]) -> None:
+    """`no study or balcony`, `without a dining room and balcony`."""
+    word, scope = "", False
+    for k, item in enumerate(items):
+        if item.kind == "negation":
+            word = item.value
+        elif item.room is not None:
+            phrase = item.room
+            joint = items[k - 1].value if k and items[k - 1].kind == "conjunction" else ""
+            plain = phrase.count is None and phrase.quantifier in ("", "a") and not phrase.labels & {"separate"}
+            if (
+                scope
+                and not phrase.negated
+                and plain
+                and (joint == "or" or (joint == "and" and (word == "without" or phrase.quantifier == "")))
+            ):
+                phrase.negated = True
+            elif (
+                scope and not phrase.negated and plain and k and is_mark(items[k - 1], ",") and phrase.quantifier == ""
+            ):
+                phrase.negated = _closes_with_or(items[k:])
+            scope = phrase.negated
+        elif item.kind not in ("conjunction",) and not is_mark(item, ","):
+            scope = False
+
+
+def drop_alternatives(items: list[Item], said: Said) -> list[Item]:
+    """`two bedrooms or three bedrooms`: the first is taken, the other reported."""
+    out: list[Item] = []
+    for item in items:
+        phrase, last = item.room, out[-2].room if len(out) > 1 else None
+        if phrase and last and phrase.count and last.count and phrase.type == last.type and out[-1].value == "or":
+            out.pop()
+            said.unread.append(f"or {phrase.count:g} {phrase.text}")
+        else:
+            out.append(item)
+    return out
+
+
+def _closes_with_or(items: list[Item]) -> bool:
+    """Whether this list ends in `or`: `no study, balcony or dining room`."""
+    for item in items:
+        if item.kind == "conjunction":
+            return item.value == "or"
+        if item.room is None and not is_mark(item, ","):
+            return False
+    return False

@@ -1,0 +1,92 @@
+"""Areas said, shared and compared, as target areas of all rooms."""
+
+import math
+
+from schemas.base import ROOM_TYPES
+from schemas.plan import AskedRoom, Link
+from stages.plan.reader.areas import fill, typical
+from stages.plan.reader.doors import entities
+from stages.plan.reader.household import Household
+from stages.plan.reader.statements import Said, Statement
+from stages.plan.reader.style import style_of
+
+
+def room_areas(
+    said: Said, home: Household, rooms: list[AskedRoom], links: list[Link], ids: dict[int, str]
+) -> dict[str, float]:
+    labels = {ids[id(e)]: e.labels for e in home.rooms}
+    base = typical(rooms, links, labels)
+    style = style_of(said)
+    for e in home.rooms:
+        base[ids[id(e)]] *= e.factor * (style["hallway"] if e.type == "hallway" else 1.0)
+        base[ids[id(e)]] *= style["scale"] * said.flat_size if said.total_area is None else 1.0
+    stated = {ids[id(e)]: e.area for e in home.rooms if e.area is not None}
+    shares = {ids[id(e)]: e.share for e in home.rooms if e.share is not None and e.area is None}
+    _equalise(base, home, ids)
+    for statement in said.statements:
+        _compare(statement, home, ids, base, stated)
+    filled = fill(rooms, base, stated, shares, said.total_area)
+    for statement in said.statements:
+        if statement.kind == "compare" and said.total_area is not None:
+            filled = _compared(statement, home, ids, filled, rooms, stated, shares, said.total_area)
+    return filled
+
+
+def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> None:
+    for kind in ROOM_TYPES:
+        same = [ids[id(e)] for e in home.of(kind) if "equal" in e.labels]
+        base.update(dict.fromkeys(same, sum(base[j] for j in same) / max(len(same), 1)))
+
+
+def _compare(
+    s: Statement, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]
+) -> None:
+    """`left = number × right`, whichever side is known."""
+    left = [ids[id(e)] for e in entities(s.left, home)]
+    right = [ids[id(e)] for e in entities(s.right, home)]
+    if s.kind == "equal":
+        base.update(dict.fromkeys(left, sum(base[j] for j in left) / max(len(left), 1)))
+    if s.kind != "compare" or not left or not right or s.number <= 0:
+        return
+    reference = sum(stated.get(j, base[j]) for j in right) / len(right)
+    for i in left:
+        if i in stated:
+            for j in right:
+                stated.setdefault(j, stated[i] / s.number)
+        elif right[0] in stated:
+            stated[i] = reference * s.number
+        elif not _holds(base[i] / base[right[0]], s.number):
+            _meet(base, left, right, s.number)
+
+
+def _holds(ratio: float, number: float) -> bool:
+    """`larger than` holds for any larger ratio; `twice as large as` only for its own."""
+    if number in (1.15, 1.3, 1.6):
+        return ratio >= 1.15
+    return number in (0.6, 0.75, 0.9) and ratio <= 0.9
+
+
+def _meet(base: dict[str, float], left: list[str], right: list[str], number: float) -> None:
+    """Both sides give way so that their sum stays."""
+    a = sum(base[i] for i in left) / len(left)
+    b = sum(base[j] for j in right) / len(right)
+    small = math.sqrt(a * b / number)
+    for j in right:
+        base[j] = small if j not in left else base[j]
+    for i in left:
+        base[i] = small * number
+
+
+def _compared(
+    s: Statement, home: Household, ids: dict[int, str], filled: dict[str, float], rooms: list[AskedRoom],
+    stated: dict[str, float], shares: dict[str, float], total: float,
+) -> dict[str, float]:  # fmt: skip
+    """Unequal stretching must not spoil a comparison: its two sides are fixed to their ratio, the rest refilled."""
+    left = [ids[id(e)] for e in entities(s.left, home)]
+    right = [ids[id(e)] for e in entities(s.right, home)]
+    if not left or not right or s.number <= 0 or set(left + right) & set(stated):
+        return filled
+    both = sum(filled[i] for i in {*left, *right})
+    unit = both / (len(left) * s.number + len([j for j in right if j not in left]))
+    fixed = dict(stated) | {j: unit for j in right} | {i: unit * s.number for i in left}
+    return fill(rooms, filled, fixed, shares, total)
