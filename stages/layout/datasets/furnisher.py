@@ -21,9 +21,10 @@ from stages.layout.datasets._furnish.shape import Hole, Shape
 
 def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
     """Every plan below `root` in name order, furnished `times` times; BadInput for what is no plan."""
-    if root is None:
-        raise BadInput("furnisher: name a folder of plan artifacts (*.json)")
-    for path in sorted(root.rglob("*.json")):
+    paths = sorted(root.rglob("*.json")) if root is not None else []
+    if not paths:
+        raise BadInput(f"furnisher: {root} holds no plan artifact (*.json); make some with `apartgen plan`")
+    for path in paths:
         plan = _read(path)
         for rng in np.random.default_rng([seed, *path.name.encode()]).spawn(times):
             yield Layout(**dict(plan), objects=furnish(plan, rng))

@@ -1,0 +1,78 @@
+"""The corpus file: what is written is what training reads."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from schemas.base import ROOM_TYPES
+from schemas.layout import Layout
+from stages.categories import CATEGORIES
+from stages.layout.datasets import _arrays, single_rooms
+
+
+@pytest.fixture(scope="module")
+def homes() -> list[Layout]:
+    return list(single_rooms.homes(None, seed=3, rooms=8))
+
+
+def test_training_reads_every_object_where_it_stands(homes: list[Layout], tmp_path: Path) -> None:
+    from stages.layout.corpus import read_corpus
+
+    n = _arrays.write_corpus(tmp_path / "c.npz", [(home, 1) for home in homes])
+    corpus = read_corpus(tmp_path / "c.npz")
+    assert len(corpus) == n >= 6
+    kept = [home for home in homes if len(_arrays.rows(home, np.random.default_rng(0))["height"])]
+    for k, home in enumerate(kept):
+        corners = np.array(home.rooms[0].polygon)
+        origin = (corners.min(0) + corners.max(0)) / 2
+        seen = [(o.category, *np.round(np.array(o.center[:2]) - origin, 3), o.center[2]) for o in home.objects]
+        want = sorted(seen)
+        used = corpus.category[k] >= 0
+        assert used.sum() == len(home.objects)
+        got = sorted(zip([CATEGORIES[c] for c in corpus.category[k][used]], corpus.center[k][used], strict=True),
+                     key=lambda row: (row[0], *np.round(row[1][:2].astype(float), 3)))
+        assert [w[0] for w in want] == [g[0] for g in got]
+        assert np.allclose([w[1:4] for w in want], [g[1] for g in got], atol=2e-3)
+        assert ROOM_TYPES[corpus.rooms.type[k]] == home.rooms[0].type
+        assert np.isclose(corpus.rooms.area[k], _area(corners), rtol=1e-4)
+
+
+def _area(corners: np.ndarray) -> float:
+    x, y = corners.T
+    return float((x * np.roll(y, -1) - y * np.roll(x, -1)).sum() / 2)
+
+
+def test_arrays_have_the_agreed_shapes(homes: list[Layout], tmp_path: Path) -> None:
+    n = _arrays.write_corpus(tmp_path / "c.npz", [(home, 2) for home in homes])
+    with np.load(tmp_path / "c.npz", allow_pickle=False) as data:
+        shapes = {name: data[name].shape for name in data}
+        assert shapes == {
+            "category": (n, 24), "center": (n, 24, 3), "size": (n, 24, 3), "yaw": (n, 24), "polygon": (n, 32, 2),
+            "room_type": (n,), "height": (n,), "openings": (n, 8, 7), "style": (n,), "source": (n,),
+        }
+        assert (data["source"] == 2).all() and (data["style"] >= 0).all() and (data["style"] < 8).all()
+        assert (np.abs(data["yaw"]) <= np.pi + 1e-6).all()
+
+
+def test_writing_twice_gives_the_same_arrays(homes: list[Layout], tmp_path: Path) -> None:
+    for name in ("a", "b"):
+        _arrays.write_corpus(tmp_path / f"{name}.npz", [(home, 0) for home in homes], seed=4)
+    with np.load(tmp_path / "a.npz") as a, np.load(tmp_path / "b.npz") as b:
+        assert all(np.array_equal(a[name], b[name], equal_nan=True) for name in a)
+
+
+def test_more_objects_than_slots_keep_what_matters(homes: list[Layout]) -> None:
+    home = next(h for h in homes if len(h.objects) >= 8)
+    many = [o.model_copy(update={"id": f"{o.id}_{k}"}) for k in range(6) for o in home.objects]
+    crowded = home.model_copy(update={"objects": many})
+    row = _arrays.rows(crowded, np.random.default_rng(0))
+    assert (row["category"][0] >= 0).all()
+    floor = [CATEGORIES.index(o.category) for o in many if o.center[2] - o.size[2] / 2 < 1e-3 and o.category != "rug"]
+    assert np.isin(row["category"][0], floor).sum() >= min(24, len(floor))
+
+
+def test_rooms_without_essentials_are_left_out(homes: list[Layout]) -> None:
+    home = next(h for h in homes if h.rooms[0].type in ("bedroom", "kitchen", "living_room", "study", "dining_room"))
+    bare = home.model_copy(update={"objects": [o for o in home.objects if o.category == "ceiling_lamp"]})
+    assert len(_arrays.rows(bare, np.random.default_rng(0))["height"]) == 0
