@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stages import categories
+from stages import categories, materials
 from stages.retrieve.furniture import cases, fronts, mesh
 from stages.retrieve.furniture.body import Body
 from stages.retrieve.furniture.cases import Cell
@@ -13,14 +13,19 @@ from stages.retrieve.furniture.looks import Look
 from stages.retrieve.furniture.mesh import Array
 from stages.retrieve.furniture.registry import design
 
-_SHEET = 0.12
-"""Share of an appliance's walls that is sheet steel and insulation at enamel's density."""
+_WALL = 260.0
+"""Sheet steel with insulation between, kg/m³."""
+
+
+def _sheet(material: str) -> float:
+    """Share of a solid of the material that weighs as much as an appliance's wall."""
+    return _WALL / materials.density(material)
 
 
 def _housing(kit: Kit, material: str, lining: str, x: Span, y: Span, z: Span, wall: float) -> tuple[Span, Span, float]:
     """Insulated walls on five sides; returns inner y, z and the inner x of the back."""
     b = kit.base
-    b.fill = _SHEET
+    b.fill = _sheet(material)
     for side in ((y[0], y[0] + wall), (y[1] - wall, y[1])):
         b.box(material, x, side, z)
     inner_y, inner_z = (y[0] + wall, y[1] - wall), (z[0] + wall, z[1] - wall)
@@ -68,7 +73,8 @@ def oven(kit: Kit) -> None:
     panel = h - 0.11
     low = max(0.22, panel - 0.6 * h)
     _housing(kit, material, "plastic_grey", (kit.x[0], edge), kit.y, (low, panel), 0.05)
-    b.fill = _SHEET
+    b.fill = _sheet(material)
+    b.mass += 12.0
     b.box(material, (kit.x[0], face), kit.y, (panel, h - 0.006))
     b.box(material, (kit.x[0], edge), (kit.y[0], kit.y[0] + 0.02), (0.06, low))
     b.box(material, (kit.x[0], edge), (kit.y[1] - 0.02, kit.y[1]), (0.06, low))
@@ -80,9 +86,11 @@ def oven(kit: Kit) -> None:
         y = kit.y[0] + (i + 0.5) * kit.w / n
         b.turned("plastic_black" if kit.style != "range" else "brass", [(0.02, 0), (0.018, 0.02)], (face, y, panel + 0.055), 12, along=(1, 0, 0))
     door = fronts.flap(kit, own, front, (kit.y[0], kit.y[1]), (low, panel), thick, bar=0.8)
+    door.mass *= 3 * _sheet(material)
     _glazed(door, (face - thick, face), (kit.y[0] + 0.08, kit.y[1] - 0.08), (low + 0.07, panel - 0.11))
     _racks(kit, (kit.x[0] + 0.06, edge - 0.01), (kit.y[0] + 0.05, kit.y[1] - 0.05), np.linspace(low + 0.12, panel - 0.16, 2))
-    fronts.drawer(kit, own.with_(handle="none"), front - fronts.projection(own), kit.y, (0.06, low), (kit.y[0] + 0.02, kit.y[1] - 0.02), kit.d * 0.7, thick, "plastic_grey")
+    pans = fronts.drawer(kit, own.with_(handle="none"), front - fronts.projection(own), kit.y, (0.06, low), (kit.y[0] + 0.02, kit.y[1] - 0.02), kit.d * 0.7, thick, "plastic_grey")
+    pans.mass *= 2 * _sheet(material)
 
 
 def _tower(kit: Kit) -> None:
@@ -97,11 +105,13 @@ def _tower(kit: Kit) -> None:
     cases.cabinet(kit, own, kit.x, kit.y, (high, kit.h), top)
     metal = _look("steel" if kit.style != "black" else "black", "steel")
     _housing(kit, metal.body, "plastic_grey", (kit.x[0], edge - 0.02), kit.y, (low, high - 0.1), 0.04)
-    b.fill = _SHEET
+    b.fill = _sheet(metal.body)
+    b.mass += 25.0
     b.box(metal.body, (kit.x[0], kit.x[1] - out), kit.y, (high - 0.1, high))
     b.fill = 1.0
     b.box("screen", (kit.x[1] - out - 0.001, kit.x[1] - out + 0.001), (-0.08, 0.08), (high - 0.075, high - 0.035), False)
     door = fronts.flap(kit, metal, kit.x[1], kit.y, (low, high - 0.1), 0.035, bar=0.8)
+    door.mass *= 3 * _sheet(metal.body)
     face = kit.x[1] - out
     _glazed(door, (face - 0.035, face), (kit.y[0] + 0.07, kit.y[1] - 0.07), (low + 0.05, high - 0.2))
     _racks(kit, (kit.x[0] + 0.05, edge - 0.04), (kit.y[0] + 0.04, kit.y[1] - 0.04), np.linspace(low + 0.1, high - 0.25, 2))
@@ -119,14 +129,14 @@ def fridge(kit: Kit) -> None:
     b.box("plastic_black", (kit.x[0] + 0.03, edge - 0.03), (kit.y[0] + 0.02, kit.y[1] - 0.02), (0, foot))
     zones = _zones(kit, foot)
     n = categories.leaves("fridge", kit.w)
-    b.fill = _SHEET
+    b.mass += 16.0
     for low, high in zones:
         inner_y, inner_z, back = _housing(kit, material, "plastic_white", (kit.x[0], edge), kit.y, (low, high), wall)
         for i in range(n):
             y = (kit.y[0] + i * kit.w / n, kit.y[0] + (i + 1) * kit.w / n)
             left = i == n - 1 if n > 1 else True
             body = fronts.door(kit, own, front, y, (low, high), left, thick, 0.045 if n == 1 else 0.0)
-            body.mass *= _SHEET * (0.35 if material == "steel" else 1.4)
+            body.mass *= 1.2 * _sheet(material)
             if n == 1:
                 _bins(body, (edge - 0.042, edge + 0.003), y, (low + wall, high - wall), wall)
         levels = max(1, round((inner_z[1] - inner_z[0]) / 0.3))
@@ -164,11 +174,12 @@ def dishwasher(kit: Kit) -> None:
     edge = face - thick - 0.002
     low, high = 0.1, kit.h - 0.02
     b.box("plastic_black", (kit.x[0] + 0.03, edge - 0.02), (kit.y[0] + 0.005, kit.y[1] - 0.005), (0, low))
-    b.fill = _SHEET
+    b.fill = 1.0
+    b.mass += 18.0
     b.box("white" if kit.style == "integrated" else material, (kit.x[0], face), kit.y, (high, kit.h))
     inner_y, inner_z, back = _housing(kit, "enamel", "steel", (kit.x[0], edge), kit.y, (low, high), 0.025)
     body = fronts.flap(kit, own, front, kit.y, (low, high), thick, bar=0.7)
-    body.mass *= 0.2
+    body.mass *= 2 * _sheet(material)
     if kit.style != "integrated":
         body.box("screen", (face - 0.001, face + 0.001), (-0.15, 0.15), (high - 0.09, high - 0.07), False)
     _racks(kit, (back + 0.01, edge - 0.01), (inner_y[0], inner_y[1]), np.array([inner_z[0] + 0.06, inner_z[0] + 0.34]))
@@ -188,14 +199,15 @@ def microwave(kit: Kit) -> None:
             b.box("rubber", (x, x + 0.03), (y, y + 0.03), (0, foot))
     z = (foot, kit.h)
     inner_y, inner_z, back = _housing(kit, material, "plastic_grey", (kit.x[0], edge), (panel, kit.y[1]), z, 0.02)
-    b.fill = _SHEET
+    b.fill = _sheet(material)
+    b.mass += 6.0
     b.box(material, (kit.x[0], edge), (kit.y[0], panel), z)
     b.box("black_glass", (edge, face), (kit.y[0], panel), z)
     b.fill = 1.0
     b.box("screen", (face - 0.001, face + 0.001), (kit.y[0] + 0.02, panel - 0.02), (kit.h - 0.06, kit.h - 0.03), False)
     b.turned("chrome", [(0.022, 0), (0.02, 0.018)], (face, (kit.y[0] + panel) / 2, z[0] + 0.07), 16, along=(1, 0, 0))
     body = fronts.door(kit, own, front, (panel, kit.y[1]), z, True, thick)
-    body.mass *= 0.25
+    body.mass *= 3 * _sheet(material)
     _glazed(body, (face - thick, face), (panel + 0.08, kit.y[1] - 0.03), (z[0] + 0.04, z[1] - 0.04))
     middle = ((back + edge) / 2, (inner_y[0] + inner_y[1]) / 2)
     b.rod("glass", (*middle, inner_z[0]), (*middle, inner_z[0] + 0.008), min(edge - back, inner_y[1] - inner_y[0]) / 2 - 0.01, n=24)
@@ -211,7 +223,8 @@ def _porthole(kit: Kit, material: str, accent: str, drum: str) -> None:
         for y in (kit.y[0] + 0.05, kit.y[1] - 0.08):
             b.box("rubber", (x, x + 0.03), (y, y + 0.03), (0, foot))
     panel = h - 0.13
-    b.fill = _SHEET
+    b.fill = 3 * _sheet(material)
+    b.mass += 38.0
     wall, back = 0.015, kit.x[0] + 0.015
     for side in ((kit.y[0], kit.y[0] + wall), (kit.y[1] - wall, kit.y[1])):
         b.box(material, (kit.x[0], face - plate), side, (foot, h - 0.02))
@@ -257,7 +270,7 @@ def _round_door(kit: Kit, face: float, middle: Array, r: float, accent: str) -> 
     body = Body()
     at = (face + 0.002, *middle)
     out = kit.x[1] - at[0]
-    body.fill = 0.5
+    body.fill = 900 / materials.density(accent)
     body.turned(accent, [(r + 0.03, 0), (r + 0.03, 0.6 * out), (r + 0.016, out - 0.003)], at, 32, along=(1, 0, 0))
     body.turned("black_glass", [(r - 0.01, 0), (r - 0.02, 0.003)], (kit.x[1] - 0.003, *middle), 32, along=(1, 0, 0))
     hold = (kit.x[1], middle[0] - r - 0.015, middle[1])

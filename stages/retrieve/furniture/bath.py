@@ -65,7 +65,7 @@ def _built_in(kit: Kit, rim: float) -> None:
     deep = rim - 0.1
     inner = [ring((0, 0), (half[0] * s, half[1] * t), rim - deep * u, e, n) for s, t, u, e in
              ((1, 1, 0, 5), (0.97, 0.985, 0.12, 5), (0.88, 0.93, 0.7, 4), (0.66, 0.84, 1, 4))]  # fmt: skip
-    b.fill = 0.25
+    b.fill = 0.1
     b.add("acrylic", mesh.loft(np.array([*box, *inner]), sharp=(1, 2, 3)), touch=False)
     b.fill = 1.0
     b.vessel_hulls(np.array(box), np.array(inner))
@@ -122,7 +122,7 @@ def _bowl(kit: Kit, centre: tuple[float, float], half: tuple[float, float], rim:
         return ring((centre[0], 0), ((half[0] - lip) * scale, (half[1] - lip) * scale), z, 2.3, 28)
 
     inner = [inside(1, rim), inside(0.96, rim - 0.04), inside(0.7, rim - 0.12), inside(0.35, rim - 0.18)]
-    b.fill = 0.45
+    b.fill = 0.25
     b.hollow("porcelain", np.array(outer), np.array(inner))
     b.fill = 1.0
     # The seat is a fixed ring on the rim: it could not rise before the lid.
@@ -137,7 +137,7 @@ def _bowl(kit: Kit, centre: tuple[float, float], half: tuple[float, float], rim:
 def _cistern(kit: Kit, tank: float, rim: float) -> None:
     b = kit.base
     low = rim - 0.02 if kit.style != "classic" else max(rim - 0.02, kit.h - 0.36)
-    b.fill = 0.3
+    b.fill = 0.2
     b.rounded("porcelain", (kit.x[0], kit.x[0] + tank - 0.006), (kit.y[0] + 0.006, kit.y[1] - 0.006), (low, kit.h - 0.03), 0.02)
     b.rounded("porcelain", (kit.x[0], kit.x[0] + tank), kit.y, (kit.h - 0.035, kit.h - 0.004), 0.012)
     b.box("porcelain", (kit.x[0], kit.x[0] + tank + 0.004), (-0.12, 0.12), (0.0 if kit.style != "wall_hung" else rim - 0.3, low + 0.01))

@@ -28,14 +28,14 @@ def shower(kit: Kit) -> None:
     b.fill = 0.3
     b.rod("chrome", (0, 0, 0.025), (0, 0, 0.028), 0.045)
     front = kit.x[1] - 0.024
-    for x in (kit.x[0], front - post):
-        for y in (kit.y[0], kit.y[1] - post):
-            b.box(metal, (x, x + post), (y, y + post), (tray, kit.h))
+    for px in (kit.x[0], front - post):
+        for py in (kit.y[0], kit.y[1] - post):
+            b.box(metal, (px, px + post), (py, py + post), (tray, kit.h))
     b.fill = 1.0
-    for y in (kit.y[0] + 0.004, kit.y[1] - 0.004 - _PANE):
-        b.box("glass", (kit.x[0] + post, front - post), (y, y + _PANE), (tray, kit.h - 0.03))
+    for py in (kit.y[0] + 0.004, kit.y[1] - 0.004 - _PANE):
+        b.box("glass", (kit.x[0] + post, front - post), (py, py + _PANE), (tray, kit.h - 0.03))
         if kit.style != "frameless":
-            b.box(metal, (kit.x[0] + post, front - post), (y - 0.002, y + _PANE + 0.002), (kit.h - 0.03, kit.h))
+            b.box(metal, (kit.x[0] + post, front - post), (py - 0.002, py + _PANE + 0.002), (kit.h - 0.03, kit.h))
     _glass_front(kit, metal, front, post, tray)
     _fittings(kit, metal)
 
@@ -105,8 +105,8 @@ def mirror(kit: Kit) -> None:
         b.box("mirror", (kit.x[1] - min(0.006, 0.3 * kit.d), kit.x[1]), kit.y, (0, kit.h))
         b.box("plastic_grey", (kit.x[0], kit.x[1] - min(0.006, 0.3 * kit.d)), (kit.y[0] + 0.03, kit.y[1] - 0.03), (0.03, kit.h - 0.03))
         return
-    for y in ((kit.y[0], kit.y[0] + t), (kit.y[1] - t, kit.y[1])):
-        b.box(frame, kit.x, y, (0, kit.h))
+    for side in ((kit.y[0], kit.y[0] + t), (kit.y[1] - t, kit.y[1])):
+        b.box(frame, kit.x, side, (0, kit.h))
     inner = (kit.y[0] + t, kit.y[1] - t)
     for z in ((0, t), (kit.h - t, kit.h)):
         b.box(frame, kit.x, inner, z)
@@ -121,10 +121,10 @@ def towel_rail(kit: Kit) -> None:
     b.fill = 0.3
     x = kit.x[1] - r - 0.012
     for s in (-1, 1):
-        y = s * (kit.w / 2 - r)
-        b.rod(metal, (x, y, 0), (x, y, kit.h), r)
+        at = s * (kit.w / 2 - r)
+        b.rod(metal, (x, at, 0), (x, at, kit.h), r)
         for z in (0.1 * kit.h, 0.9 * kit.h):
-            b.rod(metal, (kit.x[0], y, z), (x, y, z), 0.008, n=8)
+            b.rod(metal, (kit.x[0], at, z), (x, at, z), 0.008, n=8)
     n = max(3, round(kit.h / (0.07 if kit.style == "ladder" else 0.16)))
     towel = n - 2
     for i in range(n):
@@ -166,8 +166,8 @@ def radiator(kit: Kit) -> None:
         r = min(0.02, kit.w / n / 2 - 0.001, kit.d / 4)
         for i in range(n):
             y = kit.y[0] + r + i * (kit.w - 2 * r) / (n - 1)
-            for x in (kit.x[0] + r, kit.x[1] - r):
-                b.rod(metal, (x, y, 0.05), (x, y, kit.h - 0.02), r, n=8)
+            for px in (kit.x[0] + r, kit.x[1] - r):
+                b.rod(metal, (px, y, 0.05), (px, y, kit.h - 0.02), r, n=8)
         for z in ((0.0, 0.05), (kit.h - 0.05, kit.h)):
             b.box(metal, (kit.x[0], kit.x[1]), (kit.y[0], kit.y[1]), z)
         b.fill = 1.0
@@ -177,10 +177,12 @@ def radiator(kit: Kit) -> None:
         b.box(metal, x, kit.y, (0.02, kit.h - 0.015))
     b.box(metal, (kit.x[0], kit.x[1] - 0.004), kit.y, (kit.h - 0.015, kit.h))
     n = max(6, round(kit.w / 0.045))
+    if kit.style == "flat":
+        b.box(metal, (kit.x[1] - 0.004, kit.x[1]), (kit.y[0] + 0.004, kit.y[1] - 0.004), (0.024, kit.h - 0.02), touch=False)
+        n = 0
     for i in range(n):
         y = kit.y[0] + (i + 0.2) * kit.w / n
-        wide = (y, y + 0.6 * kit.w / n) if kit.style == "panel" else (y - 0.1 * kit.w / n, y + 0.7 * kit.w / n)
-        b.box(metal, (kit.x[1] - 0.004, kit.x[1]), wide, (0.05, kit.h - 0.05), touch=False)
+        b.box(metal, (kit.x[1] - 0.004, kit.x[1]), (y, y + 0.6 * kit.w / n), (0.05, kit.h - 0.05), touch=False)
     b.rod("chrome", (0, kit.y[1] - 0.03, 0), (0, kit.y[1] - 0.03, 0.06), 0.008, n=8)
     b.rod("chrome", (0, kit.y[0] + 0.03, 0), (0, kit.y[0] + 0.03, 0.06), 0.008, n=8)
     b.fill = 1.0

@@ -46,7 +46,9 @@ def _platform(kit: Kit, board: float, rail: float, frame: float) -> None:
     b, wood = kit.base, kit.pick("oak", "walnut", "light_oak", "ash_black")
     b.box(wood, (kit.x[0], kit.x[0] + board), kit.y, (0.0, kit.h))
     _rails(kit, wood, rail, board, 0.08, frame + 0.04)
+    b.fill = 0.15
     b.box("graphite", (kit.x[0] + 0.2, kit.x[1] - 0.25), (kit.y[0] + 0.2, kit.y[1] - 0.2), (0, 0.08))
+    b.fill = 1.0
 
 
 def _rails(kit: Kit, material: str, rail: float, board: float, low: float, high: float) -> None:
@@ -88,9 +90,9 @@ def _scandi(kit: Kit, board: float, rail: float, frame: float) -> None:
         for i in range(1, n):
             y = kit.y[0] + 0.045 + i * (kit.w - 0.09) / n
             b.rod(wood, (kit.x[0] + board / 2, y, frame + 0.03), (kit.x[0] + board / 2, y, kit.h - 0.03), 0.009, n=8)
-    for x in (kit.x[1] - 0.1,):
-        for s in (-1, 1):
-            b.leg(wood, (x + 0.03, s * (kit.w / 2 - 0.06), 0), (x, s * (kit.w / 2 - 0.07), frame - 0.06), 0.015, 0.025)
+    x = kit.x[1] - 0.1
+    for s in (-1, 1):
+        b.leg(wood, (x + 0.03, s * (kit.w / 2 - 0.06), 0), (x, s * (kit.w / 2 - 0.07), frame - 0.06), 0.015, 0.025)
 
 
 def _classic(kit: Kit, board: float, rail: float, frame: float) -> None:
@@ -167,22 +169,22 @@ def cot(kit: Kit) -> None:
     """Barred sides, solid or barred ends, a mattress."""
     b, wood = kit.base, kit.pick("white", "birch", "light_oak", "greige")
     s, rail, low = 0.04, 0.025, 0.22
-    for x in (kit.x[0] + s / 2, kit.x[1] - s / 2):
-        for y in (kit.y[0] + s / 2, kit.y[1] - s / 2):
+    for px in (kit.x[0] + s / 2, kit.x[1] - s / 2):
+        for py in (kit.y[0] + s / 2, kit.y[1] - s / 2):
             if kit.style == "turned":
-                b.turned(wood, [(0.012, 0), (s / 2, 0.05), (s / 2, kit.h - 0.05), (0.012, kit.h - 0.03), (0.018, kit.h - 0.012), (0.008, kit.h)], (x, y, 0), 12)
+                b.turned(wood, [(0.012, 0), (s / 2, 0.05), (s / 2, kit.h - 0.05), (0.012, kit.h - 0.03), (0.018, kit.h - 0.012), (0.008, kit.h)], (px, py, 0), 12)
             else:
-                b.box(wood, (x - s / 2, x + s / 2), (y - s / 2, y + s / 2), (0, kit.h))
+                b.box(wood, (px - s / 2, px + s / 2), (py - s / 2, py + s / 2), (0, kit.h))
     high = kit.h - 0.08
     for y in ((kit.y[0] + 0.008, kit.y[0] + 0.008 + rail), (kit.y[1] - 0.008 - rail, kit.y[1] - 0.008)):
         x = (kit.x[0] + s, kit.x[1] - s)
         _bars(kit, wood, x, y, low, high)
-    for x in ((kit.x[0] + 0.008, kit.x[0] + 0.008 + rail), (kit.x[1] - 0.008 - rail, kit.x[1] - 0.008)):
-        y = (kit.y[0] + s, kit.y[1] - s)
+    across = (kit.y[0] + s, kit.y[1] - s)
+    for end in ((kit.x[0] + 0.008, kit.x[0] + 0.008 + rail), (kit.x[1] - 0.008 - rail, kit.x[1] - 0.008)):
         if kit.style == "modern":
-            b.box(wood, x, y, (low, high))
+            b.box(wood, end, across, (low, high))
         else:
-            _bars(kit, wood, x, y, low, high)
+            _bars(kit, wood, end, across, low, high)
     inner = (kit.x[0] + s, kit.x[1] - s), (kit.y[0] + s, kit.y[1] - s)
     b.box("birch", *inner, (low, low + 0.02))
     b.rounded("mattress", *inner, (low + 0.02, low + 0.13), 0.03)

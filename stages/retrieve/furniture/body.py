@@ -76,6 +76,15 @@ class Body:
         rings = [np.column_stack([r * mesh.circle(n) + p[:2], np.full(n, p[2])]) for p, r in ((np.asarray(foot, float), r0), (np.asarray(head, float), r1))]
         self.add(material, mesh.loft(np.array(rings)))
 
+    def slab(self, material: str, upper: Array, lower: Array, strips: int = 3) -> None:
+        """The solid between two grids (k, m, 3); collides cell by cell along k, in `strips` across m."""
+        self.add(material, mesh.slab(upper, lower), touch=False)
+        edges = np.linspace(0, upper.shape[1] - 1, strips + 1).round().astype(int)
+        for i in range(len(upper) - 1):
+            for a, b in zip(edges[:-1], edges[1:], strict=True):
+                pieces = [grid[i : i + 2, a : b + 1].reshape(-1, 3) for grid in (upper, lower)]
+                self.hull(np.concatenate(pieces))
+
     def tube(self, material: str, path: Sequence[Sequence[float]], radius: float, n: int = 8) -> None:
         """A bent round bar with rounded bends; one collision cylinder a straight."""
         p = _bent(np.asarray(path, float), 2.5 * radius)
@@ -207,7 +216,7 @@ def _straight(points: Array) -> bool:
     return bool(np.abs(chord - points[:, 0]).max() < _BEND and (np.diff(z) > 1e-6).all())
 
 
-def _box_shapes(rows: Array, phase: Array) -> tuple[Array, Array, Array]:
+def _box_shapes(rows: Array, phase: Array) -> tuple[Array, mesh.Faces, Array]:
     """Vertices, faces and texture coordinates of boxes (k, 6); the texture's u runs along each box's longest side."""
     lo, size = rows[:, None, :3], rows[:, None, 3:] - rows[:, None, :3]
     vertices = lo + _BOX * size
@@ -225,7 +234,7 @@ def _joined(name: str, boxes: list[tuple[float, ...]], shapes: list[Shape], drop
     parts = list(shapes)
     if boxes:
         k = np.arange(len(boxes))
-        vertices, faces, uv = _box_shapes(np.array(boxes, float), 0.37 * k)
+        vertices, faces, uv = _box_shapes(np.array(boxes, float), np.asarray(0.37 * k, float))
         parts.append(Shape(vertices + 1e-6 * (0.5 + k.repeat(24)[:, None] + len(parts)), faces, uv))
     start = np.cumsum([0] + [len(p.vertices) for p in parts])
     nudge = -1e-6 * np.arange(len(parts)) - np.array([0, 0, drop])[:, None]

@@ -57,11 +57,8 @@ def soft_chair(kit: Kit) -> None:
         return
     if kit.style == "shell":
         cover = kit.pick("plastic_white", "plastic_black", "sage", "mustard_fabric")
-        b.fill = 0.3
-        b.pillow(cover, (kit.x[0] + 0.03, kit.x[1]), kit.y, (seat - 0.06, seat), 3.2)
-        _bent_back(kit, cover, seat - 0.03)
-        b.fill = 1.0
-        splayed(kit, "oak", seat - 0.03, kit.x, kit.y)
+        _moulded(kit, cover, seat)
+        splayed(kit, kit.pick("oak", "walnut"), seat - 0.035, (kit.x[0], kit.x[1]), kit.y)
         return
     b.fill = 3.0
     b.rounded(cloth, (kit.x[0] + 0.03, kit.x[1]), kit.y, (seat - 0.09, seat), 0.03)
@@ -70,16 +67,24 @@ def soft_chair(kit: Kit) -> None:
     splayed(kit, kit.pick("walnut", "black_metal", "oak"), seat - 0.08, (kit.x[0] + 0.03, kit.x[1] - 0.02), (kit.y[0] + 0.02, kit.y[1] - 0.02))
 
 
-def _bent_back(kit: Kit, cover: str, seat: float) -> None:
-    """A back curved about the sitter, in five upright staves."""
-    n = 5
-    t = np.linspace(-1, 1, n + 1) * 0.9
-    r_y, r_x = kit.w / 2 - 0.01, 0.16 * kit.d
-    y, x = r_y * np.sin(t) / np.sin(0.9), kit.x[0] + r_x * (1 - np.cos(t)) / (1 - np.cos(0.9))
-    for i in range(n):
-        outline = [(x[i], y[i]), (x[i] + 0.022, y[i]), (x[i + 1] + 0.022, y[i + 1]), (x[i + 1], y[i + 1])]
-        tall = kit.h - 0.05 * (abs(i - 2) / 2) ** 2
-        kit.base.prism(cover, outline, seat, tall)
+def _moulded(kit: Kit, cover: str, seat: float) -> None:
+    """One shell for seat and back, dished across, 12 mm thick."""
+    d, h, m = kit.d, kit.h, 7
+    path = np.array([
+        (kit.x[1], seat - 0.02), (kit.x[1] - 0.1 * d, seat), (kit.x[1] - 0.45 * d, seat - 0.015), (kit.x[0] + 0.3 * d, seat - 0.01),
+        (kit.x[0] + 0.17 * d, seat + 0.05), (kit.x[0] + 0.1 * d, seat + 0.15), (kit.x[0] + 0.04 * d, 0.55 * seat + 0.45 * h), (kit.x[0] + 0.012, h - 0.05), (kit.x[0] + 0.012, h),
+    ])  # fmt: skip
+    half = kit.w / 2 * np.array([0.86, 0.94, 1.0, 0.97, 0.94, 0.95, 0.92, 0.78, 0.52])
+    dish = np.array([0.0, 0.005, 0.02, 0.025, 0.03, 0.035, 0.03, 0.02, 0.012])
+    step = np.gradient(path, axis=0)
+    normal = np.stack([step[:, 1], -step[:, 0]], 1) / np.linalg.norm(step, axis=1, keepdims=True)
+    across = np.linspace(-1, 1, m)
+    flat = path[:, None] + (dish[:, None] * across**2)[..., None] * np.abs(normal)[:, None]
+    upper = np.stack([flat[..., 0], half[:, None] * across, flat[..., 1]], -1)
+    shift = np.stack([normal[:, 0], 0 * half, normal[:, 1]], 1)
+    shift[0], shift[-1] = [0, 0, -1], [-1, 0, 0]
+    shift *= np.sign(shift @ np.array([-1.0, 0, -1.0]))[:, None]
+    kit.base.slab(cover, upper, upper + 0.012 * shift[:, None])
 
 
 def _cantilever(kit: Kit, cloth: str, seat: float) -> None:
@@ -181,7 +186,7 @@ def office_chair(kit: Kit) -> None:
     if kit.style != "shell":
         for s in (-1, 1):
             y = s * (half_y + 0.03)
-            b.box(metal, (-0.05, -0.01), tuple(sorted((s * half_y * 0.8, y))), (seat - 0.075, seat - 0.045))  # type: ignore[arg-type]
+            b.box(metal, (-0.05, -0.01), tuple(sorted((s * half_y * 0.8, y))), (seat - 0.075, seat - 0.045))
             b.box(metal, (-0.045, -0.015), (y - 0.012, y + 0.012), (seat - 0.07, seat + 0.19))
             b.rounded("plastic_black", (-0.14, 0.12), (y - 0.025, y + 0.025), (seat + 0.19, seat + 0.215), 0.01)
 

@@ -187,6 +187,7 @@ def flap(
 def sliding(kit: Kit, look: Look, x: Span, y: Span, z: Span, travel: float, sign: int) -> None:
     """A door that slides sideways along y inside the box."""
     body = Body()
+    body.fill = 0.35 if look.front in ("mirror", "smoked_glass") else 1.0
     leaf(body, look.with_(handle="none"), x, y, z)
     at_y = y[0] + 0.05 if sign > 0 else y[1] - 0.05
     middle = (z[0] + z[1]) / 2

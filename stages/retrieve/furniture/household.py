@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from stages import materials
 from stages.retrieve.furniture.bath import ring
 from stages.retrieve.furniture.body import Body
 from stages.retrieve.furniture.kit import Kit
@@ -17,6 +18,7 @@ def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: 
     inner = [ring((0, 0), (half[0] * s - wall, half[1] * s - wall), z, exponent, n) for s, z in ((1.0, rim), (foot, start))]
     b.hollow(body, np.array(outer), np.array(inner))
     cover = Body()
+    cover.fill = 500 / materials.density(lid)
     z = (rim + 0.002, kit.h)
     # Turning up, a thick lid's lower front edge first moves forward a little.
     short = thick**2 / (2 * kit.d) + 0.001

@@ -1,6 +1,7 @@
 """An asset under construction: its box, its fixed body, its moving parts."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +13,7 @@ from stages.retrieve.furniture.body import Body
 
 QUARTER = float(np.pi / 2)
 
-_Moving = tuple[str, Body, dict[str, object], tuple[float, float, float] | None, str]
+_Moving = tuple[str, Body, dict[str, Any], tuple[float, float, float] | None, str]
 
 
 class Kit:
@@ -49,7 +50,7 @@ class Kit:
         upto: float = QUARTER, handle: tuple[float, float, float] | None = None, grip: str = "",
     ) -> None:  # fmt: skip
         """A part that turns from 0 to `upto` radians about an axis."""
-        joint = {"type": "hinge", "origin": np.asarray(origin, float), "axis": axis, "range": (0.0, upto), "part": part}
+        joint: dict[str, Any] = {"type": "hinge", "origin": np.asarray(origin, float), "axis": axis, "range": (0.0, upto), "part": part}
         self.moving.append((self._free(name), body, joint, handle, grip))
 
     def slide(
@@ -58,7 +59,7 @@ class Kit:
     ) -> None:  # fmt: skip
         """A part that slides from 0 to `travel` metres."""
         lo, hi = body.bounds()
-        joint = {"type": "slide", "origin": (lo + hi) / 2, "axis": axis, "range": (0.0, travel), "part": part}
+        joint: dict[str, Any] = {"type": "slide", "origin": (lo + hi) / 2, "axis": axis, "range": (0.0, travel), "part": part}
         self.moving.append((self._free(name), body, joint, handle, grip))
 
     def _free(self, name: str) -> str:
@@ -87,11 +88,11 @@ def _vector(values: ArrayLike) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _joint(name: str, body: Body, joint: dict[str, object], drop: float) -> Joint:
+def _joint(name: str, body: Body, joint: dict[str, Any], drop: float) -> Joint:
     lo, hi = body.bounds()
     fields = joint | {
         "name": name,
-        "axis": _vector(joint["axis"]),  # type: ignore[arg-type]
+        "axis": _vector(joint["axis"]),
         "origin": _vector(np.asarray(joint["origin"]) - [0, 0, drop]),
         "extent": (_vector(lo - [0, 0, drop]), _vector(hi - [0, 0, drop])),
     }

@@ -194,7 +194,11 @@ def hood(kit: Kit) -> None:
     b.fill = 0.06
     skirt = min(0.06, 0.2 * kit.h)
     if kit.style == "box":
-        b.box(metal, kit.x, kit.y, (0.02, kit.h))
+        b.box(metal, (kit.x[0], kit.x[1] - 0.004), kit.y, (0.02, kit.h))
+        b.box(kit.pick("black_glass", "steel"), (kit.x[1] - 0.004, kit.x[1]), (kit.y[0] + 0.01, kit.y[1] - 0.01), (0.07, kit.h - 0.01), touch=False)
+        for i in range(4):
+            y = -0.06 + 0.04 * i
+            b.box("chrome", (kit.x[1] - 0.004, kit.x[1] - 0.001), (y - 0.008, y + 0.008), (0.04, 0.056), touch=False)
         b.box("plastic_black", (kit.x[0] + 0.03, kit.x[1] - 0.03), (kit.y[0] + 0.03, kit.y[1] - 0.03), (0.0, 0.02))
         b.fill = 1.0
         return

@@ -9,6 +9,10 @@ from stages.retrieve.furniture.mesh import Array
 from stages.retrieve.furniture.registry import design
 
 
+_HOLLOW = 0.06
+"""Share of a lamp's outer volume that is material."""
+
+
 def shade(kit: Kit, material: str, z: Span, low: float = 1.0, high: float = 0.7, at: tuple[float, float] = (0.0, 0.0), r: float = 0.0) -> None:
     """A thin conical shade, its wide end filling the footprint (or of radius r), open at both ends."""
     n, t = 24, 0.003
@@ -36,18 +40,19 @@ def _spider(kit: Kit, metal: str, z: float, r: float) -> None:
         kit.base.rod(metal, (0, 0, z), (r * np.cos(a), r * np.sin(a), z), 0.002, n=6)
 
 
-@design("floor_lamp", "drum", "tripod", "arc", "globe", "paper")
+@design("floor_lamp", "drum", "tripod", "reading", "globe", "paper")
 def floor_lamp(kit: Kit) -> None:
     """A standing lamp."""
     b, h = kit.base, kit.h
+    b.fill = 4 * _HOLLOW
     metal = kit.pick("brass", "black_metal", "chrome")
     linen = kit.pick("linen", "paper_shade", "charcoal_fabric")
     r = min(kit.d, kit.w) / 2
     if kit.style == "paper":
         _paper(kit)
         return
-    if kit.style == "arc":
-        _arc(kit, metal)
+    if kit.style == "reading":
+        _reading(kit, metal)
         return
     if kit.style == "globe":
         b.turned(metal, [(0.55 * r, 0), (0.55 * r, 0.015), (0.02, 0.025)], n=24)
@@ -70,28 +75,21 @@ def floor_lamp(kit: Kit) -> None:
             b.leg(wood, foot, (0.02 * np.cos(a), 0.02 * np.sin(a), hub + 0.02), 0.011, 0.015, 10)
 
 
-def _arc(kit: Kit, metal: str) -> None:
+def _reading(kit: Kit, metal: str) -> None:
+    """A stem that bends over to a conical shade; the foot is an oval slab."""
     b, h = kit.base, kit.h
-    b.rod("marble", (kit.x[0] + 0.1, 0, 0), (kit.x[0] + 0.1, 0, 0.04), 0.0999, n=24)
-    t = np.linspace(0, np.pi, 15)
-    span = kit.d - 0.1 - min(0.11, 0.3 * kit.w)
-    path = [(kit.x[0] + 0.1, 0.0, 0.04)]
-    rise = min(0.38 * h, 0.6 * span)
-    low = h - 0.0111 - rise
-    path += [(kit.x[0] + 0.1 + span / 2 * (1 - np.cos(a)), 0.0, low + rise * np.sin(a)) for a in t]
-    b.tube(metal, path, 0.011)
-    end = path[-1]
-    r = min(0.11, 0.3 * kit.w, kit.x[1] - end[0])
-    b.rod(metal, (end[0], 0, end[2] - 0.08), (end[0], 0, end[2] + 0.01), 0.012, n=10)
-    shade(kit, metal, (end[2] - 0.16, end[2] - 0.03), 1.0, 0.35, (end[0], 0.0), r)
-    b.rod(metal, (end[0], 0, end[2] - 0.08), (end[0], 0, end[2] - 0.028), 0.4 * r, n=12)
-    for y in (kit.y[0], kit.y[1] - 0.01):
-        b.box("marble", (kit.x[0] + 0.05, kit.x[0] + 0.15), (y, y + 0.01) if y > 0 else (y, y + 0.01), (0, 0.03))
-    b.box("marble", (kit.x[0] + 0.05, kit.x[0] + 0.15), (kit.y[0] + 0.01, kit.y[1] - 0.01), (0.0, 0.03))
-    b.box(metal, (kit.x[0], kit.x[0] + 0.01), (-0.02, 0.02), (0.0, 0.03))
-    b.box("marble", (kit.x[0] + 0.01, kit.x[0] + 0.05), (-0.02, 0.02), (0, 0.03))
-    if end[0] + r < kit.x[1] - 1e-4:
-        b.rod(metal, (end[0] + 0.5 * r, 0, end[2] - 0.1), (kit.x[1], 0, end[2] - 0.1), 0.003, n=6)
+    t = 2 * np.pi * np.arange(32) / 32
+    b.prism(kit.pick("marble", metal), np.stack([kit.d / 2 * np.cos(t), kit.w / 2 * np.sin(t)], 1), 0, 0.025, smooth=True)
+    r = min(0.11, 0.25 * kit.d)
+    foot, end = kit.x[0] + 0.2 * kit.d, kit.x[1] - r
+    rise = min(0.3 * h, 0.6 * (end - foot))
+    low, turn = h - 0.0111 - rise, np.linspace(0, np.pi, 13)
+    arc = [((foot + end) / 2 - (end - foot) / 2 * np.cos(a), 0.0, low + rise * np.sin(a)) for a in turn]
+    b.tube(metal, [(foot, 0.0, 0.025), *arc], 0.011)
+    top = arc[-1][2]
+    b.rod(metal, (end, 0, top - 0.08), (end, 0, top + 0.01), 0.013, n=10)
+    shade(kit, metal, (top - 0.2, top - 0.05), 1.0, 0.3, (end, 0.0), r)
+    b.rod(metal, (end, 0, top - 0.06), (end, 0, top - 0.048), 0.34 * r, n=12)
 
 
 def _paper(kit: Kit) -> None:
@@ -115,6 +113,7 @@ def _paper(kit: Kit) -> None:
 def table_lamp(kit: Kit) -> None:
     """A small lamp to stand on furniture."""
     b, h, r = kit.base, kit.h, min(kit.d, kit.w) / 2
+    b.fill = 4 * _HOLLOW
     linen = kit.pick("linen", "paper_shade", "cream")
     if kit.style == "mushroom":
         colour = kit.pick("cream", "rust_fabric", "sage", "mustard_fabric", "white")
@@ -141,6 +140,7 @@ def table_lamp(kit: Kit) -> None:
 def ceiling_lamp(kit: Kit) -> None:
     """A lamp that hangs from the ceiling, or a flush one when it is low."""
     b, h, r = kit.base, kit.h, min(kit.d, kit.w) / 2
+    b.fill = _HOLLOW
     metal = kit.pick("black_metal", "brass", "white_metal")
     if kit.style == "flush" or h < 0.2:
         b.pillow("bulb", kit.x, kit.y, (0, min(h, 0.9 * h + 0.02)), 3.0, 8)
@@ -178,6 +178,7 @@ def _cluster(kit: Kit, metal: str, h: float) -> None:
 def wall_lamp(kit: Kit) -> None:
     """A plate on the wall with a shade in front."""
     b, h, metal = kit.base, kit.h, kit.pick("brass", "black_metal", "white_metal")
+    b.fill = _HOLLOW
     b.box(metal, (kit.x[0], kit.x[0] + 0.012), (-0.18 * kit.w, 0.18 * kit.w), (0.3 * h, 0.7 * h))
     deep = kit.d - 0.025
     r = min(deep / 2, kit.w / 2)

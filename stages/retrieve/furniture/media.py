@@ -33,7 +33,7 @@ def tv(kit: Kit) -> None:
 def monitor(kit: Kit) -> None:
     """A screen on a post and foot."""
     b = kit.base
-    b.fill = 0.4
+    b.fill = 0.25
     low, dark = 0.32 * kit.h, kit.pick("plastic_black", "aluminium")
     b.box(dark, (-kit.d / 2, kit.d / 2 - 0.02), (-0.2 * kit.w, 0.2 * kit.w), (0, 0.012))
     b.box(dark, (-kit.d / 2 + 0.02, -kit.d / 2 + 0.05), (-0.035, 0.035), (0.012, 0.7 * kit.h))
@@ -63,7 +63,7 @@ def piano(kit: Kit) -> None:
         b.box(case, (kit.x[1] - 0.07, kit.x[1] - 0.02), y, (0, key - 0.1))
         b.box(case, (kit.x[0] + 0.05, kit.x[1] - 0.071), y, (0, 0.05))
     inner = (kit.y[0] + 0.035, kit.y[1] - 0.035)
-    b.fill = 0.6
+    b.fill = 0.3
     b.box(case, (kit.x[0], kit.x[0] + 0.06), inner, (0.05, h - 0.03))
     b.box(case, (back - 0.03, back), inner, (0.05, key - 0.1))
     b.box(case, (back - 0.03, back), inner, (key + 0.09, h - 0.03))

@@ -169,7 +169,8 @@ def _cube_grid(n: int) -> tuple[Array, Faces]:
     a, b = (g.ravel() for g in np.meshgrid(t, t, indexing="ij"))
     k = (np.arange(n)[:, None] * (n + 1) + np.arange(n)[None]).ravel()
     quad = np.concatenate([np.stack([k, k + n + 1, k + n + 2], 1), np.stack([k, k + n + 2, k + 1], 1)])
-    points, faces = [], []
+    points: list[Array] = []
+    faces: list[Faces] = []
     for axis in range(3):
         for side in (-1, 1):
             grid = np.empty((len(a), 3))
@@ -221,6 +222,19 @@ def ribbon(outline: Array, lo: float, hi: float) -> Shape:
     i = np.arange(m // 2 - 1)
     cap = np.concatenate([np.stack([i, i + 1, m - 2 - i], 1), np.stack([i, m - 2 - i, m - 1 - i], 1)])
     return mapped(np.concatenate(points), np.concatenate([wall, cap[:, ::-1] + 2 * m, cap + 3 * m]))
+
+
+def slab(upper: Array, lower: Array) -> Shape:
+    """The solid between two grids of points (k, m, 3), such as a moulded seat or a folded cloth."""
+    k, m = upper.shape[:2]
+    i = (np.arange(k - 1)[:, None] * m + np.arange(m - 1)[None]).ravel()
+    sheet = np.concatenate([np.stack([i, i + m, i + m + 1], 1), np.stack([i, i + m + 1, i + 1], 1)])
+    along, across = np.arange(k) * m, np.arange(m)
+    rim = np.concatenate([across[:-1], along[:-1] + m - 1, across[:0:-1] + (k - 1) * m, along[:0:-1]])
+    nxt, n = np.roll(rim, -1), k * m
+    wall = np.concatenate([np.stack([rim, nxt, nxt + n], 1), np.stack([rim, nxt + n, rim + n], 1)])
+    both = np.concatenate([upper.reshape(-1, 3), lower.reshape(-1, 3)])
+    return mapped(np.concatenate([both, both]), np.concatenate([sheet, sheet[:, ::-1] + n, wall + 2 * n]))
 
 
 def facets(rings: Array) -> Shape:

@@ -46,25 +46,32 @@ def pot(kit: Kit, kind: str, r: float, h: float, at: tuple[float, float] = (0.0,
     b.rod("soil", (*at, 0.012), (*at, 0.86 * h), foot * r - t - 0.001, n=24)
 
 
-def _fit(kit: Kit, grown: Body, low: float) -> None:
-    """Scales the foliage sideways and upward so that the plant fills its box, then adds it."""
+def _fit(kit: Kit, grown: Body, low: float, stretch: bool = True) -> None:
+    """Scales foliage about the soil at height `low` so that it fills the box, or only keeps within its sides."""
     lo, hi = grown.bounds()
-    scale = np.array([kit.d / (hi[0] - lo[0]), kit.w / (hi[1] - lo[1]), (kit.h - low) / (hi[2] - low)])
-    shift = np.array([kit.x[0] - lo[0] * scale[0], kit.y[0] - lo[1] * scale[1], low - low * scale[2]])
+    half = np.array([kit.d, kit.w]) / 2
+    scale = 2 * half / (hi - lo)[:2] if stretch else np.minimum(1.0, half / np.maximum(-lo, hi)[:2])
+    shift = -half - lo[:2] * scale if stretch else np.zeros(2)
+    up = (kit.h - low) / (hi[2] - low)
+    down = min(1.0, (low - 0.005) / max(low - lo[2], 1e-9))
+
+    def fitted(points: Array) -> Array:
+        z = points[:, 2] - low
+        return np.column_stack([points[:, :2] * scale + shift, low + z * np.where(z > 0, up, down)])
+
     for material, shapes in grown.shapes.items():
         for shape in shapes:
-            kit.base.add(material, Shape(shape.vertices * scale + shift, shape.faces, shape.uv), touch=False)
+            kit.base.add(material, Shape(fitted(shape.vertices), shape.faces, shape.uv), touch=False)
     for c in grown.colliders:
-        points = (c.center + c.vertices) * scale + shift if c.vertices is not None else None
-        if points is not None:
-            kit.base.hull(points)
+        if c.vertices is not None:
+            kit.base.hull(fitted(c.center + c.vertices))
 
 
 @design("plant", "fig", "monstera", "snake", "palm", "olive", "cactus")
 def plant(kit: Kit) -> None:
     """A plant in a pot; its crown fills the box."""
     high = min(0.32, 0.3 * kit.h)
-    r = min(0.5 * min(kit.d, kit.w) - 0.01, 0.2, 0.62 * high + 0.04)
+    r = min(0.36 * min(kit.d, kit.w), 0.2, 0.62 * high + 0.02)
     pot(kit, kit.pick("tapered", "cylinder", "basket", "bowl"), r, high)
     grown = Body()
     soil = 0.86 * high
@@ -81,22 +88,22 @@ def _stem(b: Body, material: str, a: Array, c: Array, r0: float, r1: float) -> N
 def _fig(kit: Kit, b: Body, z: float, r: float) -> None:
     top = kit.h - 0.5 * r
     _stem(b, "bark", np.array([0, 0, z]), np.array([0, 0, top]), 0.014, 0.007)
-    n = 22
+    n = 30
     for i in range(n):
         t = i / (n - 1)
-        at = np.array([0, 0, z + (0.3 + 0.7 * t) * (top - z)])
-        leaf(b, "leaf_dark", at, 2.4 * i, 0.15 + 0.9 * t, r * (1.05 - 0.35 * t), 0.6, 0.25, 0.6)
+        at = np.array([0, 0, z + (0.2 + 0.8 * t) * (top - z)])
+        leaf(b, "leaf_dark", at, 2.4 * i, 0.15 + 0.9 * t, r * (1.15 - 0.35 * t), 0.62, 0.25, 0.6)
 
 
 def _monstera(kit: Kit, b: Body, z: float, r: float) -> None:
-    n = 13
+    n = 18
     for i in range(n):
         a, t = 2.4 * i, i / (n - 1)
-        lift = (kit.h - z) * (0.35 + 0.5 * t)
-        out = r * (0.55 - 0.4 * t)
+        lift = (kit.h - z) * (0.2 + 0.7 * t)
+        out = r * (0.6 - 0.5 * t)
         end = np.array([out * np.cos(a), out * np.sin(a), z + lift])
         _stem(b, "leaf_light", np.array([0, 0, z]), end, 0.007, 0.005)
-        leaf(b, "leaf", end, a, 0.35 * t, r * 0.62, 0.85, 0.45, 0.4)
+        leaf(b, "leaf", end, a, 0.5 * t - 0.1, r * 0.95, 0.9, 0.4, 0.38)
 
 
 def _snake(kit: Kit, b: Body, z: float, r: float) -> None:
@@ -108,25 +115,26 @@ def _snake(kit: Kit, b: Body, z: float, r: float) -> None:
 
 
 def _palm(kit: Kit, b: Body, z: float, r: float) -> None:
-    top = z + 0.5 * (kit.h - z)
-    _stem(b, "bark", np.array([0, 0, z]), np.array([0, 0, top]), 0.024, 0.016)
-    for i in range(16):
-        a, t = 2.4 * i, i / 15
-        at = np.array([0, 0, top - 0.02 + 0.02 * t])
-        leaf(b, "leaf", at, a, 0.55 + 0.65 * t, r * 1.35, 0.16, 0.75 - 0.45 * t, 0.4)
+    for k, (share, off) in enumerate(((0.62, 0.0), (0.42, 0.05), (0.25, -0.05))):
+        foot = np.array([off, -off, z])
+        top = foot + [off, -off, share * (kit.h - z)]
+        _stem(b, "bark", foot, top, 0.022, 0.014)
+        for i in range(12):
+            a, t = 2.4 * i + k, i / 11
+            leaf(b, "leaf", top + [0, 0, 0.02 * t], a, 0.35 + 0.9 * t, r * (1.5 - 0.25 * k), 0.15, 0.7 - 0.4 * t, 0.4)
 
 
 def _olive(kit: Kit, b: Body, z: float, r: float) -> None:
     top = z + 0.6 * (kit.h - z)
     _stem(b, "bark", np.array([0, 0, z]), np.array([0, 0, top]), 0.018, 0.011)
-    for i in range(9):
-        a, t = 2.4 * i, i / 8
-        low = np.array([0, 0, z + (0.65 + 0.35 * t) * (top - z)])
-        end = low + [r * 0.6 * np.cos(a) * (1 - 0.5 * t), r * 0.6 * np.sin(a) * (1 - 0.5 * t), 0.3 * (kit.h - z) * (0.5 + 0.5 * t)]
-        _stem(b, "bark", low, end, 0.006, 0.004)
-        for k in range(4):
-            share = 0.5 + 0.5 * k / 3
-            leaf(b, "leaf_grey", low + (end - low) * share, a + (1.3 if k % 2 else -1.3), 0.5, 0.32 * r, 0.28, 0.1)
+    for i in range(13):
+        a, t = 2.4 * i, i / 12
+        low = np.array([0, 0, z + (0.55 + 0.45 * t) * (top - z)])
+        end = low + [r * 0.75 * np.cos(a) * (1 - 0.5 * t), r * 0.75 * np.sin(a) * (1 - 0.5 * t), 0.28 * (kit.h - z) * (0.4 + 0.6 * t)]
+        _stem(b, "bark", low, end, 0.005, 0.003)
+        for k in range(6):
+            share = 0.35 + 0.65 * k / 5
+            leaf(b, "leaf_grey", low + (end - low) * share, a + (1.2 if k % 2 else -1.2), 0.45, 0.45 * r, 0.34, 0.1)
 
 
 def _cactus(kit: Kit, b: Body, z: float, r: float) -> None:
@@ -155,12 +163,12 @@ def planter(kit: Kit) -> None:
     b.fill = 0.4
     b.box("soil", inner, (kit.y[0] + t, kit.y[1] - t), (0.04, box - 0.03))
     b.fill = 1.0
-    for x in (kit.x[0] + 0.02, kit.x[1] - 0.06):
-        for y in (kit.y[0] + 0.05, kit.y[1] - 0.09):
-            b.box(material, (x, x + 0.04), (y, y + 0.04), (0, 0.02))
+    for px in (kit.x[0] + 0.02, kit.x[1] - 0.06):
+        for py in (kit.y[0] + 0.05, kit.y[1] - 0.09):
+            b.box(material, (px, px + 0.04), (py, py + 0.04), (0, 0.02))
     grown, soil = Body(), box - 0.03
     _bed(kit, grown, soil)
-    _fit_planter(kit, grown, soil)
+    _fit(kit, grown, soil, stretch=False)
 
 
 def _bed(kit: Kit, b: Body, z: float) -> None:
@@ -177,16 +185,3 @@ def _bed(kit: Kit, b: Body, z: float) -> None:
             _stem(b, "leaf", at, top, 0.004, 0.003)
             size = min(0.035, 0.25 * tall)
             b.add(kit.pick("flower_red", "flower_pink", "flower_yellow"), mesh.pillow(top - size, top + size * np.array([1, 1, 0.6]), 2, 2))
-
-
-def _fit_planter(kit: Kit, grown: Body, low: float) -> None:
-    """As `_fit`, but foliage within the box stays as wide as it grew."""
-    lo, hi = grown.bounds()
-    over = [min(1.0, kit.d / 2 / max(-lo[0], hi[0])), min(1.0, kit.w / 2 / max(-lo[1], hi[1])), (kit.h - low) / (hi[2] - low)]
-    for material, shapes in grown.shapes.items():
-        for s in shapes:
-            moved = (s.vertices - [0, 0, low]) * over + [0, 0, low]
-            kit.base.add(material, Shape(moved, s.faces, s.uv), touch=False)
-    for c in grown.colliders:
-        if c.vertices is not None:
-            kit.base.hull((c.center + c.vertices - [0, 0, low]) * over + [0, 0, low])

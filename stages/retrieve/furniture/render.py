@@ -73,7 +73,7 @@ def rotation(joint: Joint, angle: float) -> Array:
     return np.asarray(np.eye(3) + np.sin(angle) * k + (1 - np.cos(angle)) * k @ k)
 
 
-@njit(cache=True)  # type: ignore[misc]
+@njit(cache=True)
 def _raster(screen, depth, owner, weight):  # type: ignore[no-untyped-def]  # pragma: no cover
     """Nearest triangle of every pixel and the pixel's barycentric weights in it; screen is (t, 3, 3) in pixels."""
     height, width = depth.shape
@@ -136,7 +136,7 @@ def picture(soup: Soup, size: int = 160, toward: tuple[float, float, float] = (1
                  np.concatenate([soup.uv[~clear], floor[..., :2]]), np.append(soup.material[~clear], [-1, -1]), soup.names)  # fmt: skip
     image = _shaded(solid, back, light, axes, scale)
     if clear.any():
-        panes = Soup(*(part[clear] for part in soup[:4]), soup.names)
+        panes = Soup(soup.points[clear], soup.normals[clear], soup.uv[clear], soup.material[clear], soup.names)
         front = _drawn(project(panes.points), (fine, fine))
         seen = (front.owner >= 0) & (front.depth < back.depth)
         glass = _shaded(panes, front, light, axes, scale)

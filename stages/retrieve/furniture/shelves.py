@@ -157,12 +157,14 @@ def coat_rack(kit: Kit) -> None:
             c, s = np.cos(angle), np.sin(angle)
             tip = (out * kit.d / 2 * c, out * kit.w / 2 * s, z + 0.1)
             b.rod(material, (0.3 * thick * c, 0.3 * thick * s, z), tip, 0.009, n=8)
-            b.pillow(material, *((tip[k] - 0.016, tip[k] + 0.016) for k in range(3)), 2, 4)
+            x, y, up = ((at - 0.016, at + 0.016) for at in tip)
+            b.pillow(material, x, y, up, 2, 4)
 
 
 def _star(kit: Kit, material: str, thick: float, r: float) -> None:
     b = kit.base
     if kit.style == "metal":
+        b.fill = 0.3
         b.prism(material, np.stack([kit.d / 2 * np.cos(t := np.arange(32) * np.pi / 16), kit.w / 2 * np.sin(t)], 1), 0, 0.025, smooth=True)
         return
     for ax, half in ((0, kit.d / 2), (1, kit.w / 2)):

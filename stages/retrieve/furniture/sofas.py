@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from stages.retrieve.furniture import mesh
 from stages.retrieve.furniture.fronts import Span
 from stages.retrieve.furniture.kit import Kit
 from stages.retrieve.furniture.registry import design
@@ -89,7 +90,7 @@ def _backs(kit: Kit, s: Seat, cover: str, x: float, y: Span, seat: float, n: int
 
 
 def _tufts(kit: Kit, cover: str, x: float, y: Span, z: Span) -> None:
-    cols = min(8, max(3, round((y[1] - y[0]) / 0.22)))
+    cols = min(7, max(3, round((y[1] - y[0]) / 0.22)))
     rows = 2 if cols > 3 else 3
     wide, tall = (y[1] - y[0]) / cols, (z[1] - z[0]) / rows
     for i in range(cols):
@@ -118,11 +119,13 @@ def sofa(kit: Kit) -> None:
     cushion = (seat - 0.17, seat + 0.01)
     for i in range(n):
         y = (inner[0] + i * wide + 0.002, inner[0] + (i + 1) * wide - 0.002)
-        b.pillow(cover, (kit.x[0] + frame_back, kit.x[1] - 0.004), y, cushion, s.soft)
+        b.pillow(cover, (kit.x[0] + frame_back, kit.x[1] - 0.004), y, cushion, s.soft, 4 if s.arm == "roll" else 6)
     _backs(kit, s, cover, kit.x[0] + frame_back - 0.05, inner, seat, n, min(0.24, 0.26 * kit.d))
     if kit.style == "wing":
         _wings(kit, cover, arm)
     b.fill = 1.0
+    if kit.category == "sofa":
+        _throws(kit, inner, kit.x[0] + frame_back + 0.18, seat)
     legs(kit, s.leg, wood, s.leg_high, (kit.x[0] + 0.01, kit.x[1] - 0.01), kit.y)
 
 
@@ -145,9 +148,21 @@ def _shell(kit: Kit, s: Seat, cover: str, wood: str, inner: Span, seat: float, b
     b.rounded(cover, (kit.x[0], kit.x[0] + back), (kit.y[0] + 0.01, kit.y[1] - 0.01), (s.leg_high, kit.h - 0.06), 0.035)
 
 
+def _throws(kit: Kit, y: Span, x: float, seat: float) -> None:
+    """A scatter cushion at each end, leaning back."""
+    half = min(0.2, 0.42 * (kit.h - seat))
+    cover = kit.pick("mustard_fabric", "rust_fabric", "sage_fabric", "blue_velvet", "linen", "cream_boucle")
+    for side, at in ((1, y[0] + half + 0.03), (-1, y[1] - half - 0.03)):
+        lean, turn = -0.28, 0.22 * side
+        c, s, ct, st = np.cos(lean), np.sin(lean), np.cos(turn), np.sin(turn)
+        matrix = np.array([[ct, -st, 0], [st, ct, 0], [0, 0, 1]]) @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+        flat = mesh.pillow((-0.06, -half, -half), (0.06, half, half), 2.6, 4)
+        kit.base.add(cover, flat.moved((x + 0.08, at, seat + 0.98 * half), matrix))
+
+
 def _wings(kit: Kit, cover: str, arm: float) -> None:
     for y in ((kit.y[0], kit.y[0] + arm), (kit.y[1] - arm, kit.y[1])):
-        kit.base.pillow(cover, (kit.x[0] + 0.02, kit.x[0] + 0.38 * kit.d), y, (0.5 * kit.h, kit.h - 0.01), 4, 4)
+        kit.base.pillow(cover, (kit.x[0] + 0.02, kit.x[0] + 0.5 * kit.d), y, (0.45 * kit.h, kit.h - 0.002), 3, 6)
 
 
 @design("corner_sofa", "modern", "midcentury", "cloud", "scandi")
@@ -201,6 +216,7 @@ def pouffe(kit: Kit) -> None:
         b.pillow(kit.pick("cream_boucle", "grey_fabric"), kit.x, kit.y, (0, kit.h), 2.8, 8)
     elif kit.style == "cube":
         b.rounded(cover, kit.x, kit.y, (0.02, kit.h), 0.04, 3)
+        b.fill = 0.1
         b.box("black_metal", (kit.x[0] + 0.05, kit.x[1] - 0.05), (kit.y[0] + 0.05, kit.y[1] - 0.05), (0, 0.02))
     else:
         t = np.arange(32) * np.pi / 16

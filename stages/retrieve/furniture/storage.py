@@ -1,6 +1,7 @@
 """Wardrobes, chests, nightstands, sideboards, cabinets."""
 
 from stages.retrieve.furniture import cases, fronts
+from stages.retrieve.furniture.body import Body
 from stages.retrieve.furniture.cases import Cell
 from stages.retrieve.furniture.kit import Kit
 from stages.retrieve.furniture.looks import CASE_STYLES, Look, look
@@ -166,7 +167,7 @@ def shoe_cabinet(kit: Kit) -> None:
 
 
 def _shoe_tray(
-    kit: Kit, body: "fronts.Body", edge: float, back: float, y: tuple[float, float], low: float, tall: float, front: float
+    kit: Kit, body: Body, edge: float, back: float, y: tuple[float, float], low: float, tall: float, front: float
 ) -> None:
     # The tray's far upper corner turns about the hinge; it must pass under the board or flap above.
     deep = min(edge - back - 0.02, 0.55 * tall, 0.16)

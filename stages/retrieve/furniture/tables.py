@@ -131,6 +131,7 @@ def round_table(kit: Kit) -> None:
         splayed(kit, wood, z, (k * kit.x[0], k * kit.x[1]), (k * kit.y[0], k * kit.y[1]), 0.015, 0.028)
     elif kit.style == "drum":
         n = 28
+        b.fill = 0.5
         b.turned(wood, [(0.5 * r, 0), (0.5 * r, 0.02)], n=32)
         for i in range(n):
             a = 2 * np.pi * i / n
@@ -166,7 +167,9 @@ def coffee_table(kit: Kit) -> None:
         b.box(wood, (kit.x[0] + 0.081, kit.x[1] - 0.081), (kit.y[0] + 0.062, kit.y[1] - 0.062), (0.12, 0.14))
     elif kit.style == "drum":
         b.prism(kit.pick("walnut", "oak", "white"), ellipse(kit, n=48), h - 0.025, h, smooth=True)
-        b.prism("brass" if kit.rng.random() < 0.3 else wood, ellipse(kit, 0.8, n=32), 0.0, h - 0.024, smooth=False)
+        b.fill = 0.12
+        b.prism(kit.pick(wood, wood, "brass"), ellipse(kit, 0.8, n=32), 0.0, h - 0.024, smooth=True)
+        b.fill = 1.0
     elif kit.style == "marble":
         b.prism(kit.pick("marble", "dark_marble"), ellipse(kit, n=40, exponent=3), h - 0.022, h, smooth=True)
         _wire(kit, kit.pick("brass", "black_metal"), h - 0.022)

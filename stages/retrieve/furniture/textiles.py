@@ -58,9 +58,9 @@ def curtain(kit: Kit) -> None:
         for s in (-1, 1):
             lo, hi = sorted((s * kit.w / 2, s * (kit.w / 2 - 0.04)))
             b.pillow(metal, (-0.02, 0.02), (lo, hi), (kit.h - 0.05, kit.h - 0.01), 2, 4)
-            y = s * (kit.w / 2 - 0.07)
-            b.box(metal, (kit.x[0], -r), (y - 0.006, y + 0.006), (rail - 0.008, rail + 0.008))
-            b.box(metal, (kit.x[0], kit.x[0] + 0.006), (y - 0.015, y + 0.015), (rail - 0.05, kit.h))
+            at = s * (kit.w / 2 - 0.07)
+            b.box(metal, (kit.x[0], -r), (at - 0.006, at + 0.006), (rail - 0.008, rail + 0.008))
+            b.box(metal, (kit.x[0], kit.x[0] + 0.006), (at - 0.015, at + 0.015), (rail - 0.05, kit.h))
         top = rail - r - 0.002 if kit.style != "eyelet" else rail + 0.02
     gather = 0.3 if kit.style != "sheer" else 0.42
     wide = gather * kit.w
