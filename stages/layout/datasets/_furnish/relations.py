@@ -130,7 +130,7 @@ def gather(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
     edge = np.minimum((d / 2) / np.maximum(np.abs(c), 1e-6), (w / 2) / np.maximum(np.abs(s), 1e-6))
     reach = edge + rng.uniform(*step.gap, 24) + size[0] / 2 * 1.1
     xy, yaw = relative(space, i, np.column_stack([c, s]) * reach[:, None])
-    snapped = np.where(rng.random(24) < 0.6, np.round(angle / (np.pi / 2)) * np.pi / 2, angle)
+    snapped = np.where(rng.random(24) < 0.75, np.round(angle / (np.pi / 2)) * np.pi / 2, angle)
     return boxed(xy, yaw + snapped + np.pi + rng.normal(0, step.turn, 24), size, name, space), i
 
 
