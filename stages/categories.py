@@ -7,7 +7,7 @@ import tomllib
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -47,7 +47,7 @@ class Category:
 
 def _load() -> dict[str, Category]:
     table = tomllib.loads((Path(__file__).parent / "categories.toml").read_text())
-    frozen = {name: {k: tuple(v) if isinstance(v, list) else v for k, v in row.items()} for name, row in table.items()}
+    frozen: dict[str, dict[str, Any]] = {name: {k: tuple(v) if isinstance(v, list) else v for k, v in row.items()} for name, row in table.items()}
     return {name: Category(name=name, **frozen[name]) for name in sorted(frozen)}
 
 

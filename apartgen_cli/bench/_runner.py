@@ -101,7 +101,11 @@ def _written(
         raise BadInput(f"{name}: no scene gave anything to measure; ask for more with --n")
     rows = experiment.rows(records, np.random.default_rng(seed))
     facts = {
-        "experiment": name, "made_by": f"apartgen {__version__}", "commit": _commit(), "seed": seed, "scenes": scenes,
+        "experiment": name,
+        "made_by": f"apartgen {__version__}",
+        "commit": _commit(),
+        "seed": seed,
+        "scenes": scenes,
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}",
         "core_seconds": round(sum(trial["seconds"] for trial in trials), 1),
     }
@@ -116,7 +120,9 @@ def _written(
 
 def _commit() -> str | None:
     root = Path(__file__).parent
-    asked = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=root, capture_output=True, text=True, check=False)
+    asked = subprocess.run(
+        ["git", "rev-parse", "--short", "HEAD"], cwd=root, capture_output=True, text=True, check=False
+    )
     return asked.stdout.strip() or None
 
 

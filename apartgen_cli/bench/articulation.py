@@ -7,9 +7,14 @@ import numpy as np
 
 from apartgen_cli.bench import _scenes
 
-PAPER = [{"setting": "baseline", "R_acoll": 0.191, "R_reach": 0.742}, {"setting": "with guidance", "R_acoll": 0.109, "R_reach": 0.808}]
-NOTE = ("A scene is one room. `ours` leaves out contacts that belong to use (a chair at its desk), `published` counts all; "
-        "contacts up to 1 cm deep are none. Boxes before retrieval, so that nothing but the sampler differs.")
+PAPER = [
+    {"setting": "baseline", "R_acoll": 0.191, "R_reach": 0.742},
+    {"setting": "with guidance", "R_acoll": 0.109, "R_reach": 0.808},
+]
+NOTE = (
+    "A scene is one room. `ours` leaves out contacts that belong to use (a chair at its desk), `published` counts all; "
+    "contacts up to 1 cm deep are none. Boxes before retrieval, so that nothing but the sampler differs."
+)
 SETTINGS = list(_scenes.METHODS)
 SCENES, CHUNK = 100, 20
 FIGURES = ["R_acoll/ours", "R_acoll/published", "R_reach/ours", "Col_obj/ours", "R_out/ours"]
@@ -19,7 +24,11 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
     """Rooms of `scenes` / 6 apartments, furnished under the setting and measured."""
     homes = _scenes.plans(seed, -(-scenes // 6), work)
     made = _scenes.furnished(homes, _scenes.config(setting), seed)
-    found = [record for home in made for record in _scenes.measured(home, ["articulation", "reachable", "collision", "outside"])]
+    found = [
+        record
+        for home in made
+        for record in _scenes.measured(home, ["articulation", "reachable", "collision", "outside"])
+    ]
     return found[:scenes]
 
 

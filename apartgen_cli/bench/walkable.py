@@ -9,8 +9,10 @@ from apartgen_cli.bench import _scenes
 
 THRESHOLDS = [0.60, 0.65, 0.70, 0.75, 0.80, 0.85, 0.90, 0.95]
 PAPER: list[dict[str, Any]] = []
-NOTE = ("A scene is one apartment; the ratio is of the whole free floor, footprints taken as a union. The paper shows its "
-        "curves without numbers; it is above its baseline at every threshold.")
+NOTE = (
+    "A scene is one apartment; the ratio is of the whole free floor, footprints taken as a union. The paper shows its "
+    "curves without numbers; it is above its baseline at every threshold."
+)
 SETTINGS = ["baseline", *(f"walkable {t:.2f}" for t in THRESHOLDS)]
 SCENES, CHUNK = 100, 10
 
@@ -40,11 +42,15 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
     out = []
     for t in THRESHOLDS:
         mine = [r for r in records if r["setting"] == f"walkable {t:.2f}"]
-        out.append({
-            "threshold": t, "SR, baseline": float(np.mean([r >= t for r in base])),
-            "SR, walkable": float(np.mean([r["ratio"] >= t - 1e-6 for r in mine])),
-            "connected": float(np.mean([r["unreached"] == 0 for r in mine])), "scenes": len(mine),
-        })
+        out.append(
+            {
+                "threshold": t,
+                "SR, baseline": float(np.mean([r >= t for r in base])),
+                "SR, walkable": float(np.mean([r["ratio"] >= t - 1e-6 for r in mine])),
+                "connected": float(np.mean([r["unreached"] == 0 for r in mine])),
+                "scenes": len(mine),
+            }
+        )
     return out
 
 

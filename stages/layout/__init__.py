@@ -30,9 +30,9 @@ def run_many(previous: list[Plan], config: LayoutConfig, rngs: list[np.random.Ge
 
     network, record = weights.load(Path(config.weights) if config.weights else None)
     parts = [room_arrays.of_plan(plan) for plan in previous]
-    rooms = room_arrays.Rooms(**{
-        f.name: np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(room_arrays.Rooms)
-    })
+    rooms = room_arrays.Rooms(
+        **{f.name: np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(room_arrays.Rooms)}
+    )
     # Few rooms are done before a second core has started.
     torch.set_num_threads(config.threads or (1 if len(rooms) < MANY_ROOMS else os.cpu_count() or 1))
     lanes = [lane for plan, rng in zip(previous, rngs, strict=True) for lane in rng.spawn(len(plan.rooms))]

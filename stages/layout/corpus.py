@@ -44,15 +44,22 @@ def read_corpus(path: Path) -> Corpus:
     except (OSError, ValueError, KeyError) as error:
         raise BadInput(f"{path}: not a layout corpus ({error}); make one with `apartgen corpus`") from error
     n = len(data["category"])
-    floats = {name: data[name].astype(np.float32) for name in ("polygon", "openings", "height", "center", "size", "yaw")}
+    floats = {
+        name: data[name].astype(np.float32) for name in ("polygon", "openings", "height", "center", "size", "yaw")
+    }
     rooms = Rooms(
-        polygon=floats["polygon"], openings=floats["openings"], type=data["room_type"].astype(np.int64),
-        height=floats["height"], count=np.full(n, UNKNOWN), wanted=np.full((n, len(CATEGORIES)), UNKNOWN),
+        polygon=floats["polygon"],
+        openings=floats["openings"],
+        type=data["room_type"].astype(np.int64),
+        height=floats["height"],
+        count=np.full(n, UNKNOWN),
+        wanted=np.full((n, len(CATEGORIES)), UNKNOWN),
         origin=np.zeros((n, 2), np.float32),
     )
     category = data["category"].astype(np.int64)
-    return Corpus(oriented(rooms), category, floats["center"], floats["size"], floats["yaw"],
-                  data["style"].astype(np.int64))
+    return Corpus(
+        oriented(rooms), category, floats["center"], floats["size"], floats["yaw"], data["style"].astype(np.int64)
+    )
 
 
 def mirrored(rooms: Rooms) -> Rooms:
@@ -73,7 +80,11 @@ def turned(points: NDArray[np.float32], quarter: int) -> NDArray[np.float32]:
 
 
 def batch(
-    corpus: Corpus, index: NDArray[np.int64], slots: int, rng: np.random.Generator, shapes: NDArray[np.float32],
+    corpus: Corpus,
+    index: NDArray[np.int64],
+    slots: int,
+    rng: np.random.Generator,
+    shapes: NDArray[np.float32],
     config: TrainConfig,
 ) -> tuple[Objects, Rooms]:
     """The rooms `index`, one random symmetry for all, their objects shuffled into the first `slots` slots."""
@@ -110,10 +121,10 @@ def conditions(
 
 
 def shape_latents() -> NDArray[np.float32]:
-    """Shape latents (C+1, S, 32) of every category's styles in the embedded library, repeated to S; the last is zero."""
-    from stages.latents import latents
+    """Shape latents (C+1, S, 32) of each category's styles in the embedded library, repeated to S; the last is 0."""
+    from stages.latents import style_latents
 
-    rows = [np.asarray(latents(name)[1], np.float32) for name in CATEGORIES]
+    rows = [np.asarray(style_latents(name)[1], np.float32) for name in CATEGORIES]
     most = max(len(row) for row in rows)
     table = np.zeros((len(CATEGORIES) + 1, most, LATENT), np.float32)
     for i, row in enumerate(rows):

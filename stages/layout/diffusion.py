@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from stages.layout.config import T, ModelConfig
+from stages.layout.config import ModelConfig, T
 from stages.layout.features import CLASS, HEADING, PLACE, SHAPE, SIZE
 from stages.layout.network import Context, Denoiser
 
@@ -67,7 +67,12 @@ def noised(x0: Tensor, t: Tensor, noise: Tensor) -> Tensor:
 
 
 def loss(
-    network: Denoiser, x0: Tensor, t: Tensor, noise: Tensor, room: Context, shift: Callable[[Prediction, Tensor], Tensor] | None = None
+    network: Denoiser,
+    x0: Tensor,
+    t: Tensor,
+    noise: Tensor,
+    room: Context,
+    shift: Callable[[Prediction, Tensor], Tensor] | None = None,
 ) -> tuple[Tensor, Prediction]:
     """Eq. 1 over a batch; `shift` gives λΣg to be taken off ε (constraint anticipation), None is plain denoising."""
     x = noised(x0, t, noise)

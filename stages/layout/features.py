@@ -30,7 +30,7 @@ SIZE_SPREAD = torch.tensor([0.60, 0.60, 0.85])
 
 @dataclass
 class Objects:
-    """Objects of a batch of rooms in metres and radians: center, size (B, N, 3), yaw, category (B, N), latent (B, N, 32)."""
+    """Objects in metres and radians: center, size (B, N, 3), yaw, category (B, N), latent (B, N, 32)."""
 
     center: Tensor
     size: Tensor
@@ -51,10 +51,12 @@ def join(parts: list[Objects]) -> Objects:
         shape = (value.shape[0], slots - value.shape[1], *value.shape[2:])
         return torch.cat([value, torch.full(shape, fill, dtype=value.dtype)], 1)
 
-    return Objects(*(
-        torch.cat([wide(getattr(part, f.name), -1 if f.name == "category" else 0) for part in parts])
-        for f in fields(Objects)
-    ))
+    return Objects(
+        *(
+            torch.cat([wide(getattr(part, f.name), -1 if f.name == "category" else 0) for part in parts])
+            for f in fields(Objects)
+        )
+    )
 
 
 def encode(objects: Objects, config: ModelConfig) -> Tensor:

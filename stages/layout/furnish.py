@@ -24,7 +24,7 @@ def furnish(plan: Plan, rooms: Rooms, objects: Objects, config: LayoutConfig) ->
     out: list[Box] = []
     for i, room in enumerate(plan.rooms):
         filled = np.flatnonzero(objects.category[i].numpy() >= 0)
-        items = [_item(objects, i, j) for j in filled]
+        items = [_item(objects, i, int(j)) for j in filled]
         if config.projection and items:
             items, kept = settled(items, space_of(rooms, i), room, asked=room.id in plan.program.counts)
             filled = filled[kept]
@@ -36,8 +36,12 @@ def furnish(plan: Plan, rooms: Rooms, objects: Objects, config: LayoutConfig) ->
 def _item(objects: Objects, room: int, slot: int) -> Item:
     from stages.categories import CATEGORIES
 
-    return Item(CATEGORIES[int(objects.category[room, slot])], objects.center[room, slot].double().numpy(),
-                objects.size[room, slot].double().numpy(), float(objects.yaw[room, slot]))
+    return Item(
+        CATEGORIES[int(objects.category[room, slot])],
+        objects.center[room, slot].double().numpy(),
+        objects.size[room, slot].double().numpy(),
+        float(objects.yaw[room, slot]),
+    )
 
 
 def settled(items: list[Item], space: Space, room: Room, asked: bool) -> tuple[list[Item], list[int]]:
@@ -87,10 +91,15 @@ def _boxes(room: Room, items: list[Item], latents: np.ndarray, origin: np.ndarra
         seen[item.category] = seen.get(item.category, 0) + 1
         x, y = item.center[:2] + origin
         turn = (item.yaw + np.pi) % (2 * np.pi) - np.pi
-        out.append(Box(
-            id=f"{room.id}_{item.category}_{seen[item.category]}", room=room.id, category=item.category,
-            center=(round(float(x), 4), round(float(y), 4), round(float(item.center[2]), 4)),
-            size=tuple(round(float(s), 4) for s in item.size), yaw=round(float(turn), 5),
-            latent=[round(float(v), 3) for v in latent],
-        ))
+        out.append(
+            Box(
+                id=f"{room.id}_{item.category}_{seen[item.category]}",
+                room=room.id,
+                category=item.category,
+                center=(round(float(x), 4), round(float(y), 4), round(float(item.center[2]), 4)),
+                size=tuple(round(float(s), 4) for s in item.size),
+                yaw=round(float(turn), 5),
+                latent=[round(float(v), 3) for v in latent],
+            )
+        )
     return out

@@ -35,8 +35,15 @@ class Boxes:
         """b′ of Eq. 4: grown in front to cover the sweep of every moving part."""
         forward = torch.nn.functional.pad(self.heading * (self.reach / 2)[..., None], (0, 1))
         depth = torch.stack([self.reach, torch.zeros_like(self.reach), torch.zeros_like(self.reach)], -1)
-        return Boxes(self.center + forward, self.size + depth, self.heading, self.category, self.filled,
-                     torch.zeros_like(self.reach), self.empty)
+        return Boxes(
+            self.center + forward,
+            self.size + depth,
+            self.heading,
+            self.category,
+            self.filled,
+            torch.zeros_like(self.reach),
+            self.empty,
+        )
 
 
 @dataclass
@@ -61,15 +68,24 @@ def boxes_of(made: Prediction, class_scale: float) -> Boxes:
     category = made.logits.detach().argmax(-1)
     filled = (category != EMPTY).float()
     sizes = size(x0)
-    return Boxes(place(x0), sizes, heading, category, filled, reach(category, sizes.detach()),
-                 x0[..., CLASS][..., -1] / class_scale)
+    return Boxes(
+        place(x0),
+        sizes,
+        heading,
+        category,
+        filled,
+        reach(category, sizes.detach()),
+        x0[..., CLASS][..., -1] / class_scale,
+    )
 
 
 @cache
 def _reach_table() -> Tensor:
     """Per class: 1 where leaves open, widest leaf, share of depth, share of height."""
-    rows = [[float(c.opens == "leaf"), c.leaf_max, DRAWER_TRAVEL * (c.opens == "drawer"),
-             c.flap * (c.opens == "flap")] for c in (TABLE[name] for name in CATEGORIES)]
+    rows = [
+        [float(c.opens == "leaf"), c.leaf_max, DRAWER_TRAVEL * (c.opens == "drawer"), c.flap * (c.opens == "flap")]
+        for c in (TABLE[name] for name in CATEGORIES)
+    ]
     return torch.tensor([*rows, [0.0, 1.0, 0.0, 0.0]])
 
 
@@ -123,6 +139,7 @@ def overlap_area(p: Tensor, q: Tensor) -> Tensor:
     The corners of the intersection are corners of one inside the other and crossings of sides; sorted about
     their mean they give the area by the shoelace formula.
     """
+
     def inside(points: Tensor, quad: Tensor) -> Tensor:
         side = torch.roll(quad, -1, 1) - quad
         return (cross(side[:, None], points[:, :, None] - quad[:, None]) >= -1e-9).all(-1)
@@ -161,8 +178,10 @@ def iou(a: Boxes, b: Boxes, pairs: Tensor) -> Tensor:
 
 def close_pairs(a: Boxes, b: Boxes) -> Tensor:
     """Pairs (M, 3) of [room, i, j], i ≠ j, both filled, whose bounding circles and heights meet."""
+
     def circle(boxes: Boxes) -> Tensor:
-        return boxes.size[..., :2].norm(dim=-1) / 2
+        half: Tensor = boxes.size[..., :2].norm(dim=-1) / 2
+        return half
 
     with torch.no_grad():
         apart = torch.cdist(a.center[..., :2], b.center[..., :2])
@@ -179,8 +198,15 @@ def floor_of(rooms: Rooms) -> Floor:
     used = max(4, int((~np.isnan(rooms.polygon[..., 0])).sum(1).max()))
     start, end = torch.from_numpy(a[:, :used]).float(), torch.from_numpy(b[:, :used]).float()
     zones, low = clear_zones(rooms.openings)
-    return Floor(start.nan_to_num(0.0), end.nan_to_num(0.0), ~start[..., 0].isnan(), zones, low,
-                 torch.from_numpy(rooms.height).float(), torch.zeros(len(rooms), 0))
+    return Floor(
+        start.nan_to_num(0.0),
+        end.nan_to_num(0.0),
+        ~start[..., 0].isnan(),
+        zones,
+        low,
+        torch.from_numpy(rooms.height).float(),
+        torch.zeros(len(rooms), 0),
+    )
 
 
 def clear_zones(openings: np.ndarray) -> tuple[Tensor, Tensor]:

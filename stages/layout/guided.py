@@ -32,7 +32,11 @@ def gradient(terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room:
 
 
 def guided(
-    denoise: Denoise, terms: list[tuple[float, Energy]], room: Floor, model: ModelConfig, config: LayoutConfig,
+    denoise: Denoise,
+    terms: list[tuple[float, Energy]],
+    room: Floor,
+    model: ModelConfig,
+    config: LayoutConfig,
     below: float,
 ) -> Denoise:
     """A denoiser whose posterior mean is shifted by -λΣ∇φ for t < `below`·T (Eq. 2).
@@ -41,6 +45,7 @@ def guided(
     1000-step schedule. `scaling="plain"` leaves Σ out and takes the gradient at the predicted x_0, which few-step
     samplers need because their μ is still noisy.
     """
+
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
         made, step = denoise(x, t), int(t[0])
         if not terms or step > below * T or step == 0:
@@ -57,10 +62,15 @@ def guided(
 
 
 def quantity_guided(
-    denoise: Denoise, count: Tensor, terms: list[tuple[float, Energy]], room: Floor, model: ModelConfig,
-    config: LayoutConfig, below: float,
+    denoise: Denoise,
+    count: Tensor,
+    terms: list[tuple[float, Energy]],
+    room: Floor,
+    model: ModelConfig,
+    config: LayoutConfig,
+    below: float,
 ) -> Denoise:
-    """Eq. 3: at the first step under `below`·T the `count` (B,) slots of lowest empty logit are to be filled, for good."""
+    """Eq. 3: from the first step under `below`·T on, the `count` (B,) slots of lowest empty logit are to be filled."""
     state: dict[str, Tensor] = {}
 
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
@@ -81,6 +91,7 @@ def fixed_categories(denoise: Denoise, wanted: Tensor, filled: Tensor, model: Mo
     Slots are given to wanted categories greedily by their logits at every step, so that the finished sample holds
     at least as many of each as asked (exactly as many, where the count leaves room for no others).
     """
+
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
         made = denoise(x, t)
         logits = made.logits.clone()
@@ -128,6 +139,7 @@ def anticipation(rooms: Rooms, config: TrainConfig) -> Callable[[Prediction, Ten
 
 def without_empty(denoise: Denoise, filled: Tensor) -> Denoise:
     """Exact by construction: the first `filled` (B,) slots never take the empty class, the rest always do."""
+
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
         made = denoise(x, t)
         there = torch.arange(x.shape[1])[None] < filled[:, None]
@@ -136,4 +148,3 @@ def without_empty(denoise: Denoise, filled: Tensor) -> Denoise:
         return Prediction(made.x0, logits)
 
     return wrapped
-

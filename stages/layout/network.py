@@ -92,7 +92,8 @@ class RoomEncoder(nn.Module):
         scalars = torch.stack([area.clamp_min(0.1).log() - 2.5, *(extent.log() - 0.6).unbind(-1)], -1)
         slots = self.slots.weight[int(all_slots)]
         types = self.kind(torch.from_numpy(rooms.type))
-        return types + self.count(count) + self.wanted(asked) + self.scalars(scalars) + slots
+        total: Tensor = types + self.count(count) + self.wanted(asked) + self.scalars(scalars) + slots
+        return total
 
 
 class Block(nn.Module):
@@ -115,16 +116,17 @@ class Block(nn.Module):
 
     def forward(self, x: Tensor, room: Tensor, time: Tensor, bias: tuple[Tensor, Tensor]) -> Tensor:
         """x (B, N, W), room tokens (B, K, W), time (B, 9, W), biases (B, heads, N, N) and (B, heads, N, K)."""
-        shift_a, scale_a, gate_a, shift_c, scale_c, gate_c, shift_m, scale_m, gate_m = (
-            (self.modulation + time)[:, :, None].unbind(1)
-        )
+        shift_a, scale_a, gate_a, shift_c, scale_c, gate_c, shift_m, scale_m, gate_m = (self.modulation + time)[
+            :, :, None
+        ].unbind(1)
         h = self.norms[0](x) * (1 + scale_a) + shift_a
         q, k, v = self.split(self.qkv(h), 3)
         x = x + gate_a * self.out[0](scaled_dot_product_attention(q, k, v, bias[0]).transpose(1, 2).flatten(2))
         h = self.norms[1](x) * (1 + scale_c) + shift_c
         (q,), (k, v) = self.split(self.query(h), 1), self.split(self.key_value(room), 2)
         x = x + gate_c * self.out[1](scaled_dot_product_attention(q, k, v, bias[1]).transpose(1, 2).flatten(2))
-        return x + gate_m * self.mlp(self.norms[2](x) * (1 + scale_m) + shift_m)
+        out: Tensor = x + gate_m * self.mlp(self.norms[2](x) * (1 + scale_m) + shift_m)
+        return out
 
 
 class Denoiser(nn.Module):
@@ -185,8 +187,9 @@ def wall_pairs(x: Tensor, frames: Tensor) -> Tensor:
     aside = heading[..., 1] * normal[..., 0] - heading[..., 0] * normal[..., 1]
     past = along.abs() - half
     depth, width = (x[:, :, None, i].expand_as(away) for i in (SIZE.start, SIZE.start + 1))
-    return torch.stack([away, along, past, facing, aside, away.exp().reciprocal().clamp_max(4), depth, width,
-                        half.expand_as(away)], -1)
+    return torch.stack(
+        [away, along, past, facing, aside, away.exp().reciprocal().clamp_max(4), depth, width, half.expand_as(away)], -1
+    )
 
 
 def object_pairs(x: Tensor) -> Tensor:

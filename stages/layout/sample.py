@@ -46,7 +46,7 @@ def draw_counts(rooms: Rooms, table: list[list[list[int]]], lanes: list[np.rando
         near = np.exp(-np.abs(np.arange(len(AREA_BINS)) - (np.digitize(area, AREA_BINS) - 1)) * 3.0)
         weight = (rows * near[:, None]).sum(0) + 1e-9
         out[i] = np.searchsorted(np.cumsum(weight) / weight.sum(), share)
-    return np.minimum(np.maximum(out, np.minimum(asked, N_MAX)), N_MAX)
+    return np.asarray(np.minimum(np.maximum(out, asked), N_MAX))
 
 
 @cache
@@ -57,11 +57,12 @@ def _essentials() -> list[list[list[int]]]:
 
 def with_essentials(denoise: Denoise, rooms: Rooms, count: Tensor, scale: float) -> Denoise:
     """A denoiser that never leaves out what a room cannot do without, if the count has place for it."""
+
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
         made = denoise(x, t)
         logits = made.logits.clone()
         for b, kind in enumerate(rooms.type):
-            here, taken = logits[b, : int(count[b])], []
+            here, taken = logits[b, : int(count[b])], list[int]()
             for group in _essentials()[kind]:
                 if (rooms.wanted[b, group] == 0).any() or len(taken) >= len(here):
                     continue
@@ -86,8 +87,14 @@ def _recruit(logits: Tensor, group: list[int], taken: list[int]) -> list[int]:
     return [slot]
 
 
-def sample(network: Denoiser, rooms: Rooms, config: LayoutConfig, table: list[list[list[int]]], lanes: list[np.random.Generator]) -> Objects:
-    """Objects (B, N) of a batch of rooms; `lanes` has one generator a room, so that no room's result hangs on another's."""
+def sample(
+    network: Denoiser,
+    rooms: Rooms,
+    config: LayoutConfig,
+    table: list[list[list[int]]],
+    lanes: list[np.random.Generator],
+) -> Objects:
+    """Objects (B, N) of a batch of rooms; one generator a room, so that no room's result hangs on another's."""
     rooms.count = draw_counts(rooms, table, lanes)
     count = torch.from_numpy(rooms.count)
     exact = config.count == "exact"
@@ -106,7 +113,9 @@ def sample(network: Denoiser, rooms: Rooms, config: LayoutConfig, table: list[li
     return objects
 
 
-def _wrapped(denoise: Denoise, network: Denoiser, rooms: Rooms, count: Tensor, config: LayoutConfig, exact: bool) -> Denoise:
+def _wrapped(
+    denoise: Denoise, network: Denoiser, rooms: Rooms, count: Tensor, config: LayoutConfig, exact: bool
+) -> Denoise:
     """The denoiser with everything that steers it, innermost first."""
     model, room = network.config, floor_of(rooms)
     filled = count if exact else torch.full_like(count, N_MAX)
@@ -116,16 +125,18 @@ def _wrapped(denoise: Denoise, network: Denoiser, rooms: Rooms, count: Tensor, c
     denoise = with_essentials(denoise, rooms, filled, model.class_scale)
     if config.count == "guided":
         gamma = config.guidance.get("quantity", 1.0)
-        denoise = guided.quantity_guided(denoise, count, guided.energies({"quantity": gamma}), room, model, config, EARLY)
+        denoise = guided.quantity_guided(
+            denoise, count, guided.energies({"quantity": gamma}), room, model, config, EARLY
+        )
     weights = {name: gamma for name, gamma in config.guidance.items() if name != "quantity"}
     return guided.guided(denoise, guided.energies(weights), room, model, config, config.guide_below)
 
 
 def _noise(lanes: list[np.random.Generator], slots: int) -> samplers.Noise:
     """Unit Gaussian states (B, slots, D), every room from its own lane."""
+
     def draw() -> Tensor:
         rows = [lane.standard_normal((N_MAX, DIM), np.float32)[:slots] for lane in lanes]
         return torch.from_numpy(np.stack(rows))
 
     return draw
-

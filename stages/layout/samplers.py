@@ -19,7 +19,7 @@ def timesteps(steps: int) -> list[int]:
     if steps >= T:
         return list(range(T, -1, -1))
     share = torch.linspace(1, 0, steps + 1).double()
-    spaced = (T * share ** 1.5).round().long().tolist()
+    spaced = (T * share**1.5).round().long().tolist()
     return [max(t, steps - i) for i, t in enumerate(spaced)]
 
 

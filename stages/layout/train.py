@@ -32,7 +32,9 @@ def learning_rate(step: int, config: TrainConfig) -> float:
     return config.lr * (0.02 + 0.98 * 0.5 * (1 + math.cos(math.pi * min(1.0, share))))
 
 
-def indices(corpus: Corpus, config: TrainConfig, start: int) -> Iterator[tuple[NDArray[np.int64], int, np.random.Generator]]:
+def indices(
+    corpus: Corpus, config: TrainConfig, start: int
+) -> Iterator[tuple[NDArray[np.int64], int, np.random.Generator]]:
     """Room indices and slots of every step from `start`: one object count a batch, or all slots with empty ones.
 
     Each step has its own generator, so that a resumed run repeats an unbroken one.
@@ -59,7 +61,8 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
     network = Denoiser(config.model)
     average = copy.deepcopy(network).requires_grad_(False)
     optimizer = torch.optim.AdamW(network.parameters(), config.lr, betas=(0.9, 0.99), weight_decay=0.01)
-    saved, record = out.with_suffix(".checkpoint"), {"losses": [], "step": 0, "seconds": 0.0}
+    saved = out.with_suffix(".checkpoint")
+    record: dict[str, Any] = {"losses": [], "step": 0}
     if resume and saved.exists():
         state = torch.load(saved, weights_only=True)
         network.load_state_dict(state["network"])
@@ -78,8 +81,12 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
             report(step + 1, mean)
         if (step + 1) % config.save_every == 0 or step + 1 == config.steps:
             record["losses"].append([step + 1, round(mean, 5)])
-            state = {"network": network.state_dict(), "average": average.state_dict(),
-                     "optimizer": optimizer.state_dict(), "record": record}
+            state = {
+                "network": network.state_dict(),
+                "average": average.state_dict(),
+                "optimizer": optimizer.state_dict(),
+                "record": record,
+            }
             torch.save(state, saved.with_suffix(".part"))
             saved.with_suffix(".part").replace(saved)
             weights.save(average, out, config, record | facts)
@@ -88,8 +95,15 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
 
 
 def train_step(
-    network: Denoiser, optimizer: torch.optim.Optimizer, corpus: Corpus, index: NDArray[np.int64], slots: int,
-    rng: np.random.Generator, shapes: NDArray[np.float32], config: TrainConfig, lr: float,
+    network: Denoiser,
+    optimizer: torch.optim.Optimizer,
+    corpus: Corpus,
+    index: NDArray[np.int64],
+    slots: int,
+    rng: np.random.Generator,
+    shapes: NDArray[np.float32],
+    config: TrainConfig,
+    lr: float,
 ) -> float:
     """One gradient step of Eq. 1; returns its loss."""
     objects, rooms = batch(corpus, index, slots, rng, shapes, config)
@@ -107,7 +121,7 @@ def train_step(
         room = network.encoder(rooms, slots == N_MAX)
         value: Tensor = diffusion.loss(network, x0, t, noise, room, shift)[0]
     optimizer.zero_grad(set_to_none=True)
-    value.backward()
+    value.backward()  # type: ignore[no-untyped-call]
     torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
     optimizer.step()
     return value.item()

@@ -17,7 +17,14 @@ def some_rooms(n: int, seed: int = 0) -> Rooms:
     for i, (_, y) in enumerate(half):
         openings[i, 0] = [-0.4, -y, 0.5, -y, 0, 1, 0]
         openings[i, 1] = [0.6, y, -0.6, y, 3, 0, 0]
-    return oriented(Rooms(
-        polygon, openings, rng.integers(len(ROOM_TYPES), size=n), np.full(n, 2.6, np.float32), np.full(n, 6),
-        np.full((n, len(CATEGORIES)), -1), np.zeros((n, 2), np.float32),
-    ))
+    return oriented(
+        Rooms(
+            polygon,
+            openings,
+            rng.integers(len(ROOM_TYPES), size=n),
+            np.full(n, 2.6, np.float32),
+            np.full(n, 6),
+            np.full((n, len(CATEGORIES)), -1),
+            np.zeros((n, 2), np.float32),
+        )
+    )

@@ -24,8 +24,10 @@ def network() -> Denoiser:
 def test_encoding_round_trip() -> None:
     rng = np.random.default_rng(0)
     objects = Objects(
-        torch.from_numpy(rng.uniform(-2, 2, (3, 7, 3))).float(), torch.from_numpy(rng.uniform(0.05, 2, (3, 7, 3))).float(),
-        torch.from_numpy(rng.uniform(-3, 3, (3, 7))).float(), torch.from_numpy(rng.integers(EMPTY, size=(3, 7))),
+        torch.from_numpy(rng.uniform(-2, 2, (3, 7, 3))).float(),
+        torch.from_numpy(rng.uniform(0.05, 2, (3, 7, 3))).float(),
+        torch.from_numpy(rng.uniform(-3, 3, (3, 7))).float(),
+        torch.from_numpy(rng.integers(EMPTY, size=(3, 7))),
         torch.from_numpy(rng.normal(size=(3, 7, 32))).float(),
     )
     again = decode(encode(objects, TINY), TINY)

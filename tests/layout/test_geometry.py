@@ -16,8 +16,13 @@ def random_boxes(rng: np.random.Generator, n: int = 12, rooms: int = 2) -> Boxes
     size = torch.from_numpy(rng.uniform(0.3, 2.0, (rooms, n, 3)))
     category = torch.from_numpy(rng.integers(len(CATEGORIES), size=(rooms, n)))
     return Boxes(
-        torch.from_numpy(rng.uniform(-1.5, 1.5, (rooms, n, 3))), size, torch.stack([yaw.cos(), yaw.sin()], -1),
-        category, torch.ones(rooms, n), geometry.reach(category, size).double(), torch.zeros(rooms, n),
+        torch.from_numpy(rng.uniform(-1.5, 1.5, (rooms, n, 3))),
+        size,
+        torch.stack([yaw.cos(), yaw.sin()], -1),
+        category,
+        torch.ones(rooms, n),
+        geometry.reach(category, size).double(),
+        torch.zeros(rooms, n),
     )
 
 
@@ -65,8 +70,12 @@ def test_outside_of_an_l_shaped_room() -> None:
     corners = np.array([[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]], float)
     ends = np.roll(corners, -1, 0)
     room = geometry.Floor(
-        *(torch.from_numpy(a)[None] for a in (corners, ends)), torch.ones(1, 6, dtype=torch.bool),
-        torch.zeros(1, 0, 4, 2), torch.zeros(1, 0), torch.tensor([2.6]), torch.zeros(1, 0),
+        *(torch.from_numpy(a)[None] for a in (corners, ends)),
+        torch.ones(1, 6, dtype=torch.bool),
+        torch.zeros(1, 0, 4, 2),
+        torch.zeros(1, 0),
+        torch.tensor([2.6]),
+        torch.zeros(1, 0),
     )
     points = torch.tensor([[[1, 1], [3, 3], [2.5, 2.1], [-0.5, 1], [5, 3], [1.9, 3.9]]], dtype=torch.float64)
     far = geometry.outside(points, room)[0]

@@ -24,8 +24,15 @@ def boxes(*rows: tuple[str, float, float, float]) -> Boxes:
     yaw = torch.tensor([[row[3] for row in rows]])
     size = torch.full_like(center, 0.8)
     n = len(rows)
-    return Boxes(center, size, torch.stack([yaw.cos(), yaw.sin()], -1), category, torch.ones(1, n),
-                 geometry.reach(category, size), torch.zeros(1, n))
+    return Boxes(
+        center,
+        size,
+        torch.stack([yaw.cos(), yaw.sin()], -1),
+        category,
+        torch.ones(1, n),
+        geometry.reach(category, size),
+        torch.zeros(1, n),
+    )
 
 
 def energy(name: str, found: Boxes) -> float:
@@ -66,8 +73,13 @@ def test_gradient_descends(name: str) -> None:
         "openings": [("sofa", 0.3, south + 0.5, 0.2)],
     }[name]
     start = boxes(*found)
-    objects = Objects(start.center, start.size, torch.atan2(start.heading[..., 1], start.heading[..., 0]),
-                      start.category, torch.zeros(1, len(found), 32))
+    objects = Objects(
+        start.center,
+        start.size,
+        torch.atan2(start.heading[..., 1], start.heading[..., 0]),
+        start.category,
+        torch.zeros(1, len(found), 32),
+    )
     x = encode(objects, MODEL)
     logits = x[..., CLASS] * 10
     module = registry.load("stages.layout.guidance", name)
@@ -132,11 +144,17 @@ def test_schedule_is_respected() -> None:
 
     def counting(boxes: Boxes, room: geometry.Floor) -> torch.Tensor:
         calls.append(1)
-        return (boxes.center ** 2).sum((-1, -2))
+        return (boxes.center**2).sum((-1, -2))
 
     x = torch.randn(1, 2, 8 + N_CLASSES + 32)
-    steered = guided.guided(lambda x, t: Prediction(x, x[..., CLASS]), [(1.0, counting)], floor_of(some_rooms(1)),
-                            MODEL, LayoutConfig(), 0.01)
+    steered = guided.guided(
+        lambda x, t: Prediction(x, x[..., CLASS]),
+        [(1.0, counting)],
+        floor_of(some_rooms(1)),
+        MODEL,
+        LayoutConfig(),
+        0.01,
+    )
     steered(x, torch.tensor([11]))
     assert not calls
     steered(x, torch.tensor([10]))

@@ -11,16 +11,31 @@ from stages.layout.projection import Item, project
 from stages.layout.projection.costs import BROKEN, SOFT
 from stages.layout.projection.space import outside, space_of
 
-KINDS = ["double_bed", "nightstand", "wardrobe", "chair", "desk", "plant", "bookshelf", "ceiling_lamp", "rug", "curtain"]
+KINDS = [
+    "double_bed",
+    "nightstand",
+    "wardrobe",
+    "chair",
+    "desk",
+    "plant",
+    "bookshelf",
+    "ceiling_lamp",
+    "rug",
+    "curtain",
+]
 
 
 def random_items(rng: np.random.Generator, n: int) -> list[Item]:
-    return [Item(name := str(rng.choice(KINDS)), rng.uniform(-2, 2, 3), np.array(TABLE[name].size), rng.uniform(-3, 3))
-            for _ in range(n)]
+    return [
+        Item(name := str(rng.choice(KINDS)), rng.uniform(-2, 2, 3), np.array(TABLE[name].size), rng.uniform(-3, 3))
+        for _ in range(n)
+    ]
 
 
 def as_boxes(items: list[Item]) -> Boxes:
-    return Boxes(np.array([o.center for o in items]), np.array([o.size for o in items]), np.array([o.yaw for o in items]))
+    return Boxes(
+        np.array([o.center for o in items]), np.array([o.size for o in items]), np.array([o.yaw for o in items])
+    )
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -53,10 +68,17 @@ def test_open_parts_stay_clear(seed: int) -> None:
         if a.cost >= BROKEN or far == 0:
             continue
         heading = np.array([np.cos(a.yaw), np.sin(a.yaw), 0])
-        swept = Boxes((a.center + heading * far / 2)[None], np.array([[a.size[0] + far, a.size[1], a.size[2]]]), np.array([a.yaw]))
+        swept = Boxes(
+            (a.center + heading * far / 2)[None], np.array([[a.size[0] + far, a.size[1], a.size[2]]]), np.array([a.yaw])
+        )
         assert outside(swept, space)[0] <= 0.01
         for b in done:
-            if b is not a and b.category not in SOFT and b.cost < BROKEN and not belong_together(a.category, b.category):
+            if (
+                b is not a
+                and b.category not in SOFT
+                and b.cost < BROKEN
+                and not belong_together(a.category, b.category)
+            ):
                 assert boxes.penetration(swept, as_boxes([b]))[0, 0] <= 0.01
 
 
@@ -71,7 +93,9 @@ def test_a_good_room_is_left_as_it_is() -> None:
 def test_wall_furniture_has_its_back_at_a_wall() -> None:
     for seed in range(6):
         space = space_of(some_rooms(1, seed), 0)
-        for item in project([Item("wardrobe", np.array([0.3, 0.2, 1.0]), np.array([0.6, 1.4, 2.1]), 0.4 + seed)], space):
+        for item in project(
+            [Item("wardrobe", np.array([0.3, 0.2, 1.0]), np.array([0.6, 1.4, 2.1]), 0.4 + seed)], space
+        ):
             back = item.center[:2] - np.array([np.cos(item.yaw), np.sin(item.yaw)]) * item.size[0] / 2
             gaps = ((back - space.start) * space.normal).sum(1)
             assert np.abs(gaps).min() < 0.01

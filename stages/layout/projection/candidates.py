@@ -9,7 +9,9 @@ from stages.layout.projection.space import Space
 Array = NDArray[np.float64]
 GAP = 0.006
 """Between a back and its wall, m: below any tolerance, above rounding."""
-SLIDES = np.concatenate([[0], *([s, -s] for s in (0.04, 0.08, 0.13, 0.2, 0.28, 0.38, 0.5, 0.65, 0.85, 1.1, 1.4, 1.8, 2.3, 3.0))])
+SLIDES = np.concatenate(
+    [[0], *([s, -s] for s in (0.04, 0.08, 0.13, 0.2, 0.28, 0.38, 0.5, 0.65, 0.85, 1.1, 1.4, 1.8, 2.3, 3.0))]
+)
 RINGS = (0.04, 0.08, 0.14, 0.22, 0.32, 0.45, 0.6, 0.8, 1.05, 1.4, 1.9)
 SNAP = np.deg2rad(16)
 
@@ -30,7 +32,9 @@ def along_walls(center: Array, size: Array, space: Space, others: Boxes) -> Boxe
         if length < width:
             continue
         base = float((center[:2] - start) @ along)
-        at = np.concatenate([base + SLIDES, [width / 2 + GAP, length - width / 2 - GAP], _beside(start, along, normal, width, others)])
+        at = np.concatenate(
+            [base + SLIDES, [width / 2 + GAP, length - width / 2 - GAP], _beside(start, along, normal, width, others)]
+        )
         at = np.unique(np.clip(at, width / 2 + GAP / 2, length - width / 2 - GAP / 2).round(4))
         found_at.append(start + at[:, None] * along + normal * (depth / 2 + GAP))
         found_yaw.append(np.full(len(at), np.arctan2(normal[1], normal[0])))

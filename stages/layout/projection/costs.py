@@ -22,7 +22,7 @@ BROKEN = 10.0
 
 @dataclass
 class Placed:
-    """Objects that already have their place (m): boxes, b′, which are no hindrance, which belong to the one to place."""
+    """What already stands: boxes, b′, which of it is no hindrance, which belongs to the object to place."""
 
     boxes: Boxes
     grown: Boxes
@@ -47,17 +47,19 @@ def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed,
     beyond = outside(found, space)
     total += np.where(beyond > SLACK, 40 + 100 * beyond, 0)
     if category in SOFT:
-        return total
+        return np.asarray(total)
     wide = grown(category, found)
     has_reach = wide.size[0, 0] > found.size[0, 0] + 1e-6
     if has_reach:
         total += _price(outside(wide, space), 12)
     if space.zones.n and TABLE[category].place != "ceiling":
         blocked = penetration(found, space.zones)
-        total += _price(blocked[:, ~space.window].max(1, initial=-1), 30) + _price(blocked[:, space.window].max(1, initial=-1), 12)
+        total += _price(blocked[:, ~space.window].max(1, initial=-1), 30) + _price(
+            blocked[:, space.window].max(1, initial=-1), 12
+        )
         if has_reach:
             total += _price(penetration(wide, space.zones)[:, ~space.window].max(1, initial=-1), 3)
-    return total + _meetings(found, wide, category, placed, has_reach)
+    return np.asarray(total + _meetings(found, wide, category, placed, has_reach))
 
 
 def _meetings(found: Boxes, wide: Boxes, category: str, placed: Placed, has_reach: bool) -> Array:

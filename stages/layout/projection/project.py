@@ -44,7 +44,9 @@ class Standing:
         self.grown = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
         self.there = np.zeros(n, bool)
         self.soft = np.array([item.category in SOFT for item in items], bool)
-        self.kin = np.array([[belong_together(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
+        self.kin = np.array([[belong_together(a.category, b.category) for b in items] for a in items], bool).reshape(
+            n, n
+        )
 
     def put(self, i: int, item: Item) -> None:
         """Give object `i` its place."""
@@ -201,6 +203,8 @@ def _at_window(item: Item, space: Space) -> Item:
     if not len(spans):
         return item
     span = spans[np.argmin(np.linalg.norm(spans.mean(1) - item.center[:2], axis=1))]
-    width = np.clip(np.linalg.norm(span[1] - span[0]) + 2 * WINDOW_MARGIN, TABLE["curtain"].min[1], TABLE["curtain"].max[1])
+    width = np.clip(
+        np.linalg.norm(span[1] - span[0]) + 2 * WINDOW_MARGIN, TABLE["curtain"].min[1], TABLE["curtain"].max[1]
+    )
     mid = span.mean(0)
     return replace(item, center=np.array([*mid, item.center[2]]), size=np.array([item.size[0], width, item.size[2]]))
