@@ -36,7 +36,8 @@ class Embedded:
             from stages.retrieve import furniture
 
             maker = furniture
-        self._config, self._maker = config, maker
+        self._maker = maker
+        self._loose = config.model_copy(update={"size_weight": 0.01 * config.size_weight})
         self._index = index() if table is None else table
         self._table = Table(
             self._index.category, self._index.size, self._index.latent, np.ones(len(self._index.category), bool)
@@ -46,31 +47,34 @@ class Embedded:
         """The piece of that id; BadInput when there is none."""
         return self._maker.load(id)
 
-    def design(self, category: str, size: ArrayLike, latent: ArrayLike) -> tuple[str, int]:
-        """Style and seed of the nearest indexed piece; size only decides between equal latents."""
+    def costs(self, category: str, size: ArrayLike, latent: ArrayLike) -> dict[tuple[str, int], float]:
+        """Cost of each design of a category, by style and seed; size only decides between equal latents."""
         rows = self._table.rows(category)
         if rows is None:
             raise BadInput(f"the embedded library has no {category!r}; make its index anew with `apartgen train shape`")
-        loose = self._config.model_copy(update={"size_weight": self._config.size_weight * 0.01})
-        best = int(rows.row[int(np.argmin(self._table.costs(category, size, latent, loose)))])
-        return self._index.style[best], int(self._index.seed[best])
+        cost = self._table.costs(category, size, latent, self._loose)
+        found: dict[tuple[str, int], float] = {}
+        for row, value in zip(rows.row.tolist(), cost.tolist(), strict=True):
+            design = self._index.style[row], int(self._index.seed[row])
+            found[design] = min(value, found.get(design, np.inf))
+        return found
 
     def nearest(
-        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
-    ) -> Asset | None:
-        """A piece of the nearest design at `size`, brought into the category's range and under `limit`."""
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None,
+        design: tuple[str, int] | None = None,
+    ) -> Asset | None:  # fmt: skip
+        """A piece at `size`, brought into the category's range and under `limit`, of a given or the nearest design."""
         kind = TABLE[category]
         wanted = np.clip(np.asarray(size, float), kind.min, kind.max)
         if limit is not None:
             wanted = np.minimum(wanted, limit)
             if (wanted < np.asarray(kind.min) - 1e-6).any():
                 return None
-        return self.make(category, wanted, latent)
-
-    def make(self, category: str, size: ArrayLike, latent: ArrayLike) -> Asset:
-        """A piece of the nearest design of exactly this size, rounded down to whole millimetres."""
-        style, seed = self.design(category, size, latent)
-        return self._maker.build(category, style, millimetres(np.asarray(size, float).tolist()), seed=seed)
+        if design is None:
+            costs = self.costs(category, wanted, latent)
+            design = min(costs, key=lambda one: (costs[one], one))
+        style, seed = design
+        return self._maker.build(category, style, millimetres(wanted.tolist()), seed=seed)
 
 
 def millimetres(size: Sequence[float]) -> tuple[float, float, float]:

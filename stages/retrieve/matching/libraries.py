@@ -36,18 +36,23 @@ class LibrarySet:
         return self.others[library].load(id)
 
     def nearest(
-        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
-    ) -> Asset | None:
-        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big."""
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None,
+        design: tuple[str, int] | None = None,
+    ) -> Asset | None:  # fmt: skip
+        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big.
+
+        `design` is the style and seed of what is made.
+        """
+        others = list(self.others.values())
         found = [
             (hit[1], i, hit[0])
-            for i, other in enumerate(self.others.values())
+            for i, other in enumerate(others)
             if (hit := other.nearest(category, size, latent, limit))
         ]
         if not found:
-            return self.embedded.nearest(category, size, latent, limit)
+            return self.embedded.nearest(category, size, latent, limit, design)
         _, which, row = min(found)
-        return list(self.others.values())[which].at(row)
+        return others[which].at(row)
 
 
 def open_libraries(config: RetrieveConfig | None = None) -> LibrarySet:

@@ -13,7 +13,7 @@ from stages import boxes, polygons
 from stages.asset import Asset
 from stages.boxes import Boxes
 from stages.categories import TABLE
-from stages.retrieve.matching import placing, supports
+from stages.retrieve.matching import placing, sets, supports
 from stages.retrieve.matching.config import RetrieveConfig
 from stages.retrieve.matching.libraries import LibrarySet, open_libraries
 
@@ -31,7 +31,7 @@ def run(
     libraries = libraries or open_libraries(config)
     floors = polygons.floors(previous)
     _check(previous, set(floors))
-    own = [_choose(box, previous, libraries) for box in previous.objects]
+    own = _chosen(previous, libraries)
     placed: list[Boxes | None] = [None] * len(own)
     for step in (_standing, _on_top):
         step(previous, own, placed, floors)
@@ -47,19 +47,17 @@ def _check(layout: Layout, rooms: set[str]) -> None:
             raise BadInput(f"objects[{i}].room: {box.room!r} is no room of the plan: {', '.join(sorted(rooms))}")
 
 
-def _limit(box: Box, height: float) -> tuple[float, float, float]:
-    d, w, h = box.size
-    return d, w, min(h, height)
-
-
-def _choose(box: Box, layout: Layout, libraries: LibrarySet) -> Asset:
-    """The nearest asset within the box; where the box is below the category's least size, one of that size."""
-    size = _limit(box, layout.height)
-    asset = libraries.nearest(box.category, size, box.latent, size)
-    if asset is None:
-        asset = libraries.embedded.nearest(box.category, size, box.latent)
+def _chosen(layout: Layout, libraries: LibrarySet) -> list[Asset]:
+    """The nearest asset within each box; where a box is below the category's least size, one of that size."""
+    wished = sets.wishes(layout.objects, layout.height)
+    made = sets.designs(layout.objects, wished, libraries.embedded)
+    found = []
+    for box, (size, latent), design in zip(layout.objects, wished, made, strict=True):
+        asset = libraries.nearest(box.category, size, latent, size, design)
+        asset = asset or libraries.embedded.nearest(box.category, size, latent, None, design)
         assert asset is not None
-    return asset
+        found.append(asset)
+    return found
 
 
 def _standing(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon]) -> None:

@@ -1,4 +1,7 @@
-"""The index of the embedded library: which piece has which latent."""
+"""The index of the embedded library: which piece has which latent.
+
+`python -m stages.retrieve.shape.catalogue` makes it anew with the present weights, after the library has changed.
+"""
 
 import hashlib
 import json
@@ -10,7 +13,7 @@ from numpy.typing import NDArray
 from safetensors.numpy import save_file
 
 from stages.latents import INDEX
-from stages.retrieve.shape.designs import Maker, fields, indexed
+from stages.retrieve.shape.designs import Maker, embedded_maker, fields, indexed
 from stages.retrieve.shape.encoder import WEIGHTS, encode
 
 
@@ -28,3 +31,7 @@ def write(maker: Maker, out: Path = INDEX, weights: Path = WEIGHTS) -> int:
     save_file(tensors, out, metadata={"apartgen": json.dumps(header, sort_keys=True)})
     out.chmod(0o644)
     return len(designs)
+
+
+if __name__ == "__main__":
+    write(embedded_maker())

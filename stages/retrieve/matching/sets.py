@@ -1,0 +1,100 @@
+"""What belongs to one set: equal things of a room look equal, and a kitchen or a room's cabinets share one style."""
+
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Sequence
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from schemas.layout import Box
+from stages.categories import TABLE
+from stages.retrieve.matching.embedded import Embedded
+
+Array = NDArray[np.float64]
+Size = tuple[float, float, float]
+Design = tuple[str, int]
+Name = TypeVar("Name", str, int)
+
+KITCHEN = ("kitchen_base", "kitchen_drawers", "kitchen_sink", "hob", "kitchen_corner", "island", "wall_unit")
+CASES = (
+    "wardrobe", "sliding_wardrobe", "chest", "nightstand", "dressing_table", "sideboard", "tv_stand",
+    "display_cabinet", "bookshelf", "shoe_cabinet", "desk",
+)  # fmt: skip
+FAMILY = {name: "kitchen" for name in KITCHEN} | {name: "cases" for name in CASES}
+"""Categories whose pieces share a style within a room; any other category is a family of its own."""
+RUN = KITCHEN[:5]
+"""Units under one worktop, all as deep and as high."""
+CLOSE = 1.15
+"""Sides within this ratio are made equal."""
+LACKING = 4.0
+"""Cost of a style that a member's category does not come in; that member then takes its own nearest."""
+
+
+class Wish(NamedTuple):
+    """What is looked for in place of a box: never larger than it, with the latent of its set."""
+
+    size: Size
+    latent: Array
+
+
+def wishes(objects: Sequence[Box], height: float) -> list[Wish]:
+    """Sizes and latents, those of a set made equal where they nearly are."""
+    size = np.array([o.size for o in objects], float).reshape(-1, 3)
+    size[:, 2] = np.minimum(size[:, 2], height)
+    latent: list[Array] = [np.asarray(o.latent, float) for o in objects]
+    for rows in _grouped(objects, lambda o: (o.room, o.category)):
+        same = [i for i in rows if latent[i].size]
+        mean = np.mean([latent[i] for i in same], axis=0) if same else None
+        for i in same:
+            latent[i] = np.asarray(mean)
+        _level(size, rows, [objects[i].category for i in rows], (0, 1, 2))
+    for rows in _grouped(objects, lambda o: (o.room, "run" if o.category in RUN else o.id)):
+        _level(size, rows, [objects[i].category for i in rows], (0, 2))
+    return [Wish((s[0], s[1], s[2]), z) for s, z in zip(size.tolist(), latent, strict=True)]
+
+
+def _level(size: Array, rows: list[int], names: list[str], axes: Sequence[int]) -> None:
+    """Brings sides that are close to each other down to the least, but not below what is real."""
+    least = np.max([TABLE[name].min for name in names], axis=0)
+    for axis in axes:
+        sides = size[rows, axis]
+        if len(rows) > 1 and sides.max() <= CLOSE * sides.min():
+            size[rows, axis] = np.minimum(sides, max(float(sides.min()), float(least[axis])))
+
+
+def _grouped(objects: Sequence[Box], key: Callable[[Box], Hashable]) -> list[list[int]]:
+    groups: dict[Hashable, list[int]] = defaultdict(list)
+    for i, box in enumerate(objects):
+        groups[key(box)].append(i)
+    return list(groups.values())
+
+
+def designs(objects: Sequence[Box], wished: Sequence[Wish], embedded: Embedded) -> list[Design]:
+    """Style and seed of each object: within a family of a room those that cost all its members least."""
+    chosen: list[Design] = [("", 0)] * len(objects)
+    for rows in _grouped(objects, lambda o: (o.room, FAMILY.get(o.category, o.category))):
+        costs = [embedded.costs(objects[i].category, wished[i].size, wished[i].latent) for i in rows]
+        style = _cheapest([_by_style(cost) for cost in costs])
+        seed = _cheapest([{own: c for (name, own), c in cost.items() if name == style} for cost in costs])
+        for i, cost in zip(rows, costs, strict=True):
+            own = min(cost, key=lambda design: (cost[design], design))
+            chosen[i] = (style, seed) if (style, seed) in cost else own
+    return chosen
+
+
+def _by_style(cost: dict[Design, float]) -> dict[str, float]:
+    best: dict[str, float] = {}
+    for (style, _), value in cost.items():
+        best[style] = min(value, best.get(style, np.inf))
+    return best
+
+
+def _cheapest(costs: Sequence[dict[Name, float]]) -> Name:
+    """The name of least total cost over all members; one that a member lacks costs it its own best and `LACKING`."""
+    names = sorted({name for cost in costs for name in cost})
+
+    def total(name: Name) -> float:
+        return sum(cost[name] if name in cost else min(cost.values(), default=0.0) + LACKING for cost in costs)
+
+    return min(names, key=lambda name: (round(total(name), 9), name))
