@@ -20,17 +20,35 @@ def area_ratio(site: Site, scene: Scene, rooms: Collection[str]) -> float:
     return float(sum(free) / sum(floor.area for floor in floors.values()))
 
 
+class _Ratios:
+    """AreaRatio of some rooms, kept up to date room by room."""
+
+    def __init__(self, site: Site, scene: Scene, rooms: Collection[str]) -> None:
+        self._site = site
+        self._free = {room: area_ratio(site, scene, [room]) * site.floors[room].area for room in rooms}
+        self._area = sum(site.floors[room].area for room in rooms)
+
+    def update(self, scene: Scene, room: str) -> None:
+        """Take in what changed in a room."""
+        self._free[room] = area_ratio(self._site, scene, [room]) * self._site.floors[room].area
+
+    @property
+    def whole(self) -> float:
+        """Free share of all the rooms' floors."""
+        return float(sum(self._free.values()) / self._area)
+
+
 def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, list[Step]]:
     """The loop of Algorithm 2 over the objects of some rooms.
 
     Valid objects are obstacles not yet found to have no smaller candidate.
     """
     config = site.config
-    r = area_ratio(site, scene, rooms)
+    r = _Ratios(site, scene, rooms)
     spent: set[str] = set()
     steps: list[Step] = []
     iteration = 0
-    while r < config.target - EPSILON and iteration < config.max_iterations:
+    while r.whole < config.target - EPSILON and iteration < config.max_iterations:
         valid = [o for o in scene if o.room in rooms and o.id not in spent and footprints.is_obstacle(o)]
         top = sorted(valid, key=lambda o: (-footprints.area(o), o.id))[: config.top_k]
         if not top:
@@ -44,7 +62,7 @@ def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, l
                 continue
             scene, step = applied(scene, replaced(o, found, "ratio"))
             steps.append(step)
-        r = area_ratio(site, scene, rooms)
+            r.update(scene, o.room)
         iteration += 1
     return scene, steps
 
@@ -52,13 +70,15 @@ def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, l
 def thin_out(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, list[Step]]:
     """Leave out the least important objects of some rooms until the target is met or only needed ones are left."""
     steps: list[Step] = []
-    while area_ratio(site, scene, rooms) < site.config.target - EPSILON:
+    r = _Ratios(site, scene, rooms)
+    while r.whole < site.config.target - EPSILON:
         loose = [o for o in importance.droppable(scene, site.program) if o.room in rooms]
         gone = next((o for o in loose if _frees(site, scene, o)), None)
         if gone is None:
             break
         scene, step = applied(scene, dropped(gone, placing.carried(gone, scene), "ratio"))
         steps.append(step)
+        r.update(scene, gone.room)
     return scene, steps
 
 

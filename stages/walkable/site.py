@@ -19,6 +19,8 @@ from stages.walkable.config import WalkableConfig
 
 SLACK = 0.004
 """Contact that a change may make, m: less than half of what counts as collision."""
+COMPANY = 0.25
+"""What belongs together and is closer than this stays so, m."""
 BEFORE_DOOR = 0.6
 """Floor kept free on both sides of a door, m."""
 BEFORE_WINDOW = 0.3
@@ -110,16 +112,20 @@ def _stands_well(site: Site, old: Box, new: Box) -> bool:
 
 
 def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], changed: set[str]) -> bool:
-    """Whether no changed object of a room stands or opens deeper into another than it did."""
+    """Whether no changed object of a room stands or opens deeper into another than it did, or leaves its company."""
     before = [o for o in before if not footprints.is_flat(o)]
     after = [o for o in after if not footprints.is_flat(o)]
     index = {o.id: i for i, o in enumerate(before)}
     old = np.array([index[o.id] for o in after], int)
     rows = np.array([o.id in changed for o in after], bool)
-    apart = np.array([[not categories.belong_together(a.category, b.category) for b in after] for a in after], bool)
+    kin = np.array([[categories.belong_together(a.category, b.category) for b in after] for a in after], bool)
+    kin, apart = kin.reshape(len(after), -1), ~kin.reshape(len(after), -1)
+    parted = (boxes.gap(boxes.of(after)) > COMPANY) & (boxes.gap(boxes.of(before))[np.ix_(old, old)] <= COMPANY)
+    if (parted & kin)[rows].any():
+        return False
     for shapes in (boxes.of, sweeps.extended):
         was = boxes.penetration(shapes(before))[np.ix_(old, old)]
         new = boxes.penetration(shapes(after))
-        if ((new > np.maximum(was, SLACK) + 1e-6) & apart.reshape(new.shape))[rows].any():
+        if ((new > np.maximum(was, SLACK) + 1e-6) & apart)[rows].any():
             return False
     return True
