@@ -51,6 +51,8 @@ def _parameter(option: str, info: FieldInfo) -> inspect.Parameter:
     if kind is bool:
         name = f"{name}/--no-{name[2:]}"
     help_ = _sentence(info.description or option.replace("_", " "))
+    if origin is list and get_origin(get_args(kind)[0]) is Literal:
+        help_, kind = f"{help_} Of {', '.join(get_args(get_args(kind)[0]))}.", list[str]
     if origin is dict:
         help_, kind = f"{help_} As NAME=VALUE, any number of times.", list[str]
     default = info.get_default(call_default_factory=True, validated_data={})

@@ -188,7 +188,8 @@ def json_value(data: bytes, name: str) -> Any:
         raise BadInput(f"{name}: nested too deeply; give a JSON file that apartgen wrote") from None
     except json.JSONDecodeError as error:
         where = f"line {error.lineno} column {error.colno}"
-        cut = "; the file may be cut off, make it again" if error.pos >= len(error.doc.rstrip()) else ""
+        ended = error.pos >= len(error.doc.rstrip()) or error.msg.startswith("Unterminated string")
+        cut = "; the file may be cut off, make it again" if ended else ""
         raise BadInput(f"{name}: not JSON at {where}: {error.msg}{cut}") from None
     except ValueError as error:
         raise BadInput(f"{name}: not JSON: {error}") from None
