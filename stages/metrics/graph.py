@@ -20,12 +20,11 @@ class Graph(NamedTuple):
 
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
-    """The scores against a programme, a built reference plan, or the apartment's own programme.
+    """The scores against a programme, that of a reference plan, or the apartment's own.
 
     S_constraint is None where the reference leaves an area open.
     """
-    reference = home.program if against is None else against
-    gen, gt = of_plan(home), of_program(reference) if isinstance(reference, Program) else of_plan(reference)
+    gen, gt = of_plan(home), _reference(home.program if against is None else against)
     pairs, edges = matched(gen.types, gen.edges, gt.types, gt.edges)
     most = max(len(gen.edges), len(gt.edges))
     return [
@@ -33,6 +32,18 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
         Value(name="S_constraint", value=constraint(gen, gt), unit="score", version="published"),
         Value(name="S_edge", value=edges / most if most else 1.0, unit="score", version="published"),
     ]
+
+
+def _reference(against: Plan | Program) -> Graph:
+    """A programme's graph; a plan's own programme, with what was built where that leaves areas or links open."""
+    if isinstance(against, Program):
+        return of_program(against)
+    asked, built = of_program(against.program), of_plan(against)
+    if not asked.edges:
+        return built
+    by_id = {room.id: area for room, area in zip(against.rooms, built.areas)}
+    areas = [by_id.get(room.id) if room.area is None else room.area for room in against.program.rooms]
+    return asked._replace(areas=areas)
 
 
 def constraint(gen: Graph, gt: Graph) -> float | None:

@@ -51,6 +51,15 @@ def test_a_plan_is_its_own_reference():
     assert scores(h.plan()) == pytest.approx({"S_node": 1, "S_constraint": 1, "S_edge": 1})
 
 
+def test_a_plan_as_reference_means_its_programme():
+    asked = program([("living_room", 1, 12.0), ("bedroom", 1, None), ("bathroom", 1, 4.0)],
+                    [(("living_room", 1), ("bedroom", 1)), (("living_room", 1), ("bathroom", 1))])
+    reference = h.plan().model_copy(update={"program": asked})
+    assert scores(reference) == pytest.approx({"S_node": 2 / 3, "S_edge": 1 / 2, "S_constraint": 1 - 4 / 25})
+    bare = h.plan().model_copy(update={"program": program([("bathroom", 1, 4.0)], [])})
+    assert scores(bare) == pytest.approx({"S_node": 1, "S_constraint": 1, "S_edge": 1})
+
+
 def brute(types_a, edges_a, types_b, edges_b):
     """Most matched edges over all maximum matchings, by trying all of them."""
     size = max(len(types_a), len(types_b))

@@ -83,6 +83,15 @@ def test_what_stands_on_a_replaced_object_stays_on_it():
     assert here[0].buffer(1e-6).covers(here[1])
 
 
+def test_a_bed_does_not_shrink_away_from_its_nightstands():
+    size = (0.4, 0.45, 0.5)
+    tables = [h.thing("nightstand", x, 2.75, DOWN, h.BEDROOM, size=size, id=f"n{x}") for x in (4.6, 6.7)]
+    bed = h.thing("double_bed", 5.65, 2.0, DOWN, h.BEDROOM, size=(2.0, 1.6, 1.0), id="bed")
+    result = walk(h.home(bed, *tables), target=1, write_anyway=True, **PAPER)
+    gaps = boxes.gap(boxes.of([object_of(result, "bed")]), boxes.of(result.objects[1:]))
+    assert gaps.max() <= 0.25 and object_of(result, "bed").size[1] < 1.6
+
+
 def test_a_shelf_before_the_door_is_got_out_of_the_way():
     shelf = h.thing("bookshelf", 3.3, 1.5, np.pi, size=(0.3, 2.2, 2.0), id="shelf")
     result = walk(h.home(shelf), target=0.5)
