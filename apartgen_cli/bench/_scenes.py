@@ -50,6 +50,12 @@ def _plan(seed: int, folder: Path) -> Plan:
     return made
 
 
+def area(polygon: list[tuple[float, float]]) -> float:
+    """Area of a counter-clockwise polygon, m²."""
+    x, y = np.array(polygon).T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
 def config(method: str, **changes: Any) -> LayoutConfig:
     """The layout settings of a method."""
     return LayoutConfig(**(METHODS[method] | changes))

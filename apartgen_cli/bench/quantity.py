@@ -27,18 +27,13 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
     count, n = setting.split()
     homes = []
     for home in _scenes.plans(seed, scenes, work):
-        wanted = [room for room in home.rooms if room.type in ROOMS and _area(room.polygon) >= LEAST_AREA]
+        wanted = [room for room in home.rooms if room.type in ROOMS and _scenes.area(room.polygon) >= LEAST_AREA]
         for room in wanted[:1]:
             program = home.program.model_copy(update={"counts": {room.id: int(n)}, "objects": []})
             openings = [o for o in home.openings if room.id in o.rooms]
             homes.append(home.model_copy(update={"rooms": [room], "openings": openings, "program": program}))
     made = _scenes.furnished(homes, _scenes.config("all guidance + projection", count=count), seed)
     return [{"N": int(n), "count": count, "hit": float(len(home.objects) == int(n))} for home in made]
-
-
-def _area(polygon: list[tuple[float, float]]) -> float:
-    x, y = np.array(polygon).T
-    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
 
 def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:
