@@ -30,7 +30,9 @@ def fake(log: list[Any]) -> Any:
     def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:
         return [{"n": len(records), "mean": float(np.mean([r["value"] for r in records]))}]
 
-    return SimpleNamespace(SETTINGS=["a", "b"], SCENES=10, CHUNK=4, PAPER=[{"mean": 1}], NOTE="n", trial=trial, rows=rows)
+    return SimpleNamespace(
+        SETTINGS=["a", "b"], SCENES=10, CHUNK=4, PAPER=[{"mean": 1}], NOTE="n", trial=trial, rows=rows
+    )
 
 
 def test_settings_share_seeds_and_all_scenes_are_covered() -> None:
