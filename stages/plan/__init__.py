@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from schemas.plan import Plan, Program, Room
 
-__all__ = ["PlanConfig", "build", "build_variants", "from_polygons", "validate"]
+__all__ = ["PlanConfig", "build", "build_variants", "from_polygons", "validate", "warm"]
 
 
 def build(program: "Program", config: PlanConfig, rng: "Generator", prompt: str = "") -> "Plan":
@@ -48,6 +48,15 @@ def from_polygons(rooms: "list[Room]", config: PlanConfig, program: "Program | N
 
 def validate(plan: "Plan") -> list[str]:
     """What is wrong with a plan, in words; empty when every hard requirement is met."""
-    from stages.plan.validate import faults
+    from stages.plan.judge import faults
 
     return faults(plan)
+
+
+def warm() -> None:
+    """Compile the solver into its cache, so that the first plan does not wait for it; needs write access to it."""
+    import numpy as np
+
+    from stages.plan.study import archetypes
+
+    build(archetypes()["studio"], PlanConfig(whims=1), np.random.default_rng(0))

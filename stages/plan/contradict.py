@@ -3,7 +3,7 @@
 import numpy as np
 
 from schemas.plan import Program
-from stages.plan.kernel import (
+from stages.plan.slicing import (
     EPS,
     L_ENTRY,
     L_LINK,

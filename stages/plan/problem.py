@@ -10,8 +10,8 @@ from numpy.random import Generator
 from schemas.plan import AskedRoom, Program, Walls
 from stages.plan.blocks import Outline
 from stages.plan.check import entrance_room, links, neighbours
-from stages.plan.kernel import Ints, Problem, Scratch, Tree
 from stages.plan.outline import wish
+from stages.plan.slicing import Ints, Problem, Scratch, Tree
 from stages.plan.standards import LINK_WALL, STANDARDS
 
 WEIGHTS: dict[str, float] = {

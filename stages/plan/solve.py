@@ -17,12 +17,12 @@ from stages.plan.blocks import Outline, given, gross
 from stages.plan.check import check
 from stages.plan.config import PlanConfig
 from stages.plan.contradict import lacks, told
-from stages.plan.kernel import EPS, Floats, Ints
 from stages.plan.outline import draw, ring
 from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
 from stages.plan.relax import Step, ladder
+from stages.plan.slicing import EPS, Floats, Ints
 from stages.plan.turn import askew, turned, turned_plan
-from stages.plan.validate import faults
+from stages.plan.judge import faults
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""

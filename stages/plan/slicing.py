@@ -1,0 +1,153 @@
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+"""Slicing trees, compiled: what a state is, and the rectangles it cuts an outline into.
+
+A slicing tree cuts the outline by straight walls; each leaf is a rectangle of it and belongs to a room, so rooms
+tile the outline without gaps or overlaps. Lengths are metres between wall centre lines ("gross"); floors lie half an
+inner wall inside of that.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+# Not cached one by one (`kernel.anneal` is, with all it calls), and not callable from Python: those wrappers cost as
+# much to compile as the functions.
+WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+inner = njit(nogil=True, error_model="numpy", **WITHIN)
+
+EPS = 1e-6
+TERMS = (
+    "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",
+    "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou", "near_rooms",
+    "wide_corridor",
+)  # fmt: skip
+PATH, AREA, ASPECT, CONVEX, CONCISE, OUTER, CORNER, LINES, FUNCTION, NARROW, _, _, NEAR, WIDE = range(14)
+LACKING = 14
+SPEC = ("target", "loose", "width", "joint", "aspect", "form", "corners", "face", "corridor", "functional", "outer")
+S_TARGET, S_LOOSE, S_WIDTH, S_JOINT, S_ASPECT, S_FORM, S_CORNERS, S_FACE, S_CORRIDOR, S_FUNCTION, S_OUTER = range(11)
+LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall")
+L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY = range(5)
+R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS = range(13)
+LEFT, RIGHT, UPRIGHT = range(3)
+
+
+class Problem(NamedTuple):
+    """What does not change while annealing; `n` rooms, `m` links, `k` blocks, `e` edges."""
+
+    spec: Floats  # (n, 11) of each room, by SPEC; lengths and areas net
+    links: Ints  # (m, 2)
+    near: Ints  # (q, 2) rooms that should be close to one another
+    order: Ints  # (n, 2) rooms breadth first from the entrance, and the room before each, -1 at the start
+    blocks: Floats  # (k, 4) x0 y0 x1 y1, disjoint, together the outline
+    edges: Floats  # (e, 6) axis (0: x is constant), coordinate, lo, hi, window allowed, entrance allowed
+    weights: Floats  # (14,) by TERMS
+    limits: Floats  # (5,) by LIMITS
+
+
+class Tree(NamedTuple):
+    """A state. Nodes 0..L-1 are leaves, L..2L-2 cuts; row 2L-1 of `nodes` holds the root."""
+
+    nodes: Ints  # (2L, 3) left, right, upright of a cut; the room (in `left`) of a leaf
+    share: Floats  # (L + 1,) gross area wanted by each leaf, any unit; then x times this, y divided by it
+
+
+class Scratch(NamedTuple):
+    """Measures of the state evaluated last."""
+
+    box: Floats  # (2L-1, 5) x0 y0 x1 y1, area wanted
+    seq: Ints  # (2L,) nodes, parents first; then the number of pieces
+    piece: Floats  # (P, 4) rectangles of rooms
+    owner: Ints  # (P,)
+    wall: Floats  # (n, n, 3) longest straight wall between two rooms, its middle
+    room: Floats  # (n, 13) by the R_ columns
+    terms: Floats  # (15,) by TERMS, then the lack
+    entry: Floats  # (4,) entrance x, y, length of its wall, distance of its room from such a wall
+    walked: Floats  # (n, 3) distance to the room's door, x, y of it
+
+
+@inner
+def _covered(blocks, s, x0, y0, x1, y1):  # area of the outline within a box
+    area = 0.0
+    for k in range(blocks.shape[0]):
+        w = min(x1, blocks[k, 2] * s) - max(x0, blocks[k, 0] * s)
+        h = min(y1, blocks[k, 3] / s) - max(y0, blocks[k, 1] / s)
+        if w > 0 and h > 0:
+            area += w * h
+    return area
+
+
+@inner
+def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covered area before it
+    a, b = (box[0], box[2]) if upright else (box[1], box[3])
+    if p.blocks.shape[0] == 1:
+        return a + share * (b - a)
+    goal = share * _covered(p.blocks, s, box[0], box[1], box[2], box[3])
+    lo, hi = a, b
+    for _ in range(18):
+        c = 0.5 * (lo + hi)
+        x1, y1 = (c, box[3]) if upright else (box[2], c)
+        if _covered(p.blocks, s, box[0], box[1], x1, y1) < goal:
+            lo = c
+        else:
+            hi = c
+    for e in range(p.edges.shape[0]):  # follow a nearby corner of the outline
+        if (p.edges[e, 0] == 0) == (upright == 1):
+            line = p.edges[e, 1] * s if upright else p.edges[e, 1] / s
+            if abs(line - c) < 0.45 and line - a > 0.9 and b - line > 0.9:
+                return line
+    return c
+
+
+@inner
+def _part(blocks, s, box, room, piece, owner, count):  # the pieces of the outline within a leaf's box
+    one = blocks.shape[0] == 1
+    one = one or _covered(blocks, s, box[0], box[1], box[2], box[3]) > (box[2] - box[0]) * (box[3] - box[1]) - EPS
+    for k in range(1 if one else blocks.shape[0]):
+        x0, y0, x1, y1 = box[0], box[1], box[2], box[3]
+        if not one:
+            x0, x1 = max(x0, blocks[k, 0] * s), min(x1, blocks[k, 2] * s)
+            y0, y1 = max(y0, blocks[k, 1] / s), min(y1, blocks[k, 3] / s)
+        if x1 - x0 > EPS and y1 - y0 > EPS:
+            piece[count, 0], piece[count, 1], piece[count, 2], piece[count, 3] = x0, y0, x1, y1
+            owner[count] = room
+            count += 1
+    return count
+
+
+@inner
+def lay(p, t, z):  # boxes of all nodes, pieces of all rooms; returns the number of pieces
+    leaves = t.share.shape[0] - 1
+    s, nodes, box, seq = t.share[leaves], t.nodes, z.box, z.seq
+    top = nodes[2 * leaves - 1, 0]
+    seq[0], count = top, 1
+    for i in range(2 * leaves - 1):
+        node = seq[i]
+        if node >= leaves:
+            seq[count], seq[count + 1] = nodes[node, LEFT], nodes[node, RIGHT]
+            count += 2
+    for i in range(2 * leaves - 2, -1, -1):
+        node = seq[i]
+        box[node, 4] = t.share[node] if node < leaves else box[nodes[node, LEFT], 4] + box[nodes[node, RIGHT], 4]
+    box[top, 0], box[top, 1], box[top, 2], box[top, 3] = 1e9, 1e9, -1e9, -1e9
+    for k in range(p.blocks.shape[0]):
+        box[top, 0] = min(box[top, 0], p.blocks[k, 0] * s)
+        box[top, 1] = min(box[top, 1], p.blocks[k, 1] / s)
+        box[top, 2] = max(box[top, 2], p.blocks[k, 2] * s)
+        box[top, 3] = max(box[top, 3], p.blocks[k, 3] / s)
+    count -= count
+    for i in range(2 * leaves - 1):
+        node = seq[i]
+        if node < leaves:
+            count = _part(p.blocks, s, box[node], nodes[node, 0], z.piece, z.owner, count)
+            continue
+        left, right, upright = nodes[node, LEFT], nodes[node, RIGHT], nodes[node, UPRIGHT]
+        c = _cut(p, s, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))
+        for j in range(4):
+            box[left, j] = box[right, j] = box[node, j]
+        box[left, 3 - upright] = box[right, 1 - upright] = c
+    return count
