@@ -59,13 +59,20 @@ class Handler(BaseHTTPRequestHandler):
         self.script.keys.append(self.headers.get("Authorization", ""))
         kind = (body.get("response_format") or {}).get("type", "text")
         if kind in self.script.formats_rejected:
-            return self._send(400, json.dumps({"error": {"message": f"response_format {kind} is not supported", "type": "invalid_request_error"}}))
+            return self._send(
+                400,
+                json.dumps(
+                    {"error": {"message": f"response_format {kind} is not supported", "type": "invalid_request_error"}}
+                ),
+            )
         step = self.script.next()
         time.sleep(step.delay)
         if step.raw is not None:
             return self._send(step.status, step.raw.decode())
         if step.status != 200:
-            return self._send(step.status, json.dumps({"error": {"message": step.text or "no", "type": "error", "code": None}}))
+            return self._send(
+                step.status, json.dumps({"error": {"message": step.text or "no", "type": "error", "code": None}})
+            )
         message = {"role": "assistant", "content": step.text, "refusal": step.refusal}
         reply = {
             "id": "r1", "object": "chat.completion", "created": 1, "model": body["model"],

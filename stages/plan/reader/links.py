@@ -89,7 +89,8 @@ def _partner(
             near = near[::-1]
         if near:
             return near[0].id
-    return None
+    rest = [r for r in rooms if r.id in seen and r.id != room.id and edge(r.id, room.id) not in forbidden]
+    return min(rest, key=lambda r: not may_cross(r.type)).id if rest else None
 
 
 def _also(rooms: list[AskedRoom], said: list[Link], forbidden: set[Link]) -> list[Link]:

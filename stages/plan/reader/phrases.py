@@ -214,6 +214,9 @@ class Phraser:
         elif word.kind == "shorthand":
             phrases = [RoomPhrase(kind, count=n, headline=True, text=word.text) for kind, n in word.parts]
             self.items += [Item("room", phrase.type, word.text, phrase) for phrase in phrases]
+        elif word.kind == "compound":
+            self.items.append(Item("main_rooms", "", word.text, number=float(word.value)))
+            self.items.append(Item("dwelling", "flat", word.text))
         elif word.kind == "stop":
             self.items += [Item("copula", COPULAS[word.text], word.text)] if word.text in COPULAS else []
         else:

@@ -85,8 +85,8 @@ def _counts_in_bounds(said: Said) -> None:
                 raise BadInput(
                     f"an area of {area:g} m² for a {phrase.type or 'room'} is out of range; give 0.5 to 1000 m²"
                 )
-    if said.total_area is not None and not 5 <= said.total_area <= 5000:
-        raise BadInput(f"a total area of {said.total_area:g} m² is out of range; give 5 to 5000 m²")
+    if said.total_area is not None and not 5 <= said.total_area <= 2000:
+        raise BadInput(f"a total area of {said.total_area:g} m² is out of range; give 5 to 2000 m²")
 
 
 def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Program:

@@ -17,7 +17,9 @@ MODEL = "openai/gpt-4o-mini"
 PROMPT = "one-bedroom flat with two desks in the bedroom"
 
 
-def ask(script: Script, prompt: str = PROMPT, cache: Path | None = None, **options: Any) -> tuple[Program, dict[str, Any]]:
+def ask(
+    script: Script, prompt: str = PROMPT, cache: Path | None = None, **options: Any
+) -> tuple[Program, dict[str, Any]]:
     return llm.read(prompt, MODEL, cache, **({"api_base": script.url, "backoff": 0.01, "timeout": 5.0} | options))
 
 
@@ -121,7 +123,8 @@ def test_a_refusal_is_unmet_and_not_argued_with(script: Script, step: Step) -> N
 
 
 @pytest.mark.parametrize(
-    "prompt", ["a flat with 10 000 rooms", "a flat with 10000 bedrooms", "", "   ", "flat " * 4000, "a kitchen of 100000 m²"]
+    "prompt",
+    ["a flat with 10 000 rooms", "a flat with 10000 bedrooms", "", "   ", "flat " * 4000, "a kitchen of 100000 m²"],
 )
 def test_absurd_prompts_are_refused_before_anything_is_sent(script: Script, prompt: str) -> None:
     script.steps = [Step(good())]
@@ -229,6 +232,6 @@ def test_failures_are_not_cached(script: Script, tmp_path: Path) -> None:
 
 
 def test_litellm_is_imported_only_when_a_model_is_asked() -> None:
-    code = "import sys, stages.plan.llm, stages.plan.reader; print([m for m in ('litellm', 'torch', 'openai') if m in sys.modules])"
+    code = "import sys, stages.plan.llm; print([m for m in ('litellm', 'torch', 'openai') if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
