@@ -15,6 +15,8 @@ from stages.asset import Collider, Link
 Array = NDArray[np.float64]
 Kind = Literal["object", "wall", "lining", "floor", "ceiling", "trim", "door", "window"]
 
+DAMPING = {"hinge": 0.4, "slide": 8.0}
+"""Of joints, N·m·s/rad and N·s/m: a part pushed and let go stops within some tenths of a second."""
 LEAST_MASS = 0.01
 """Engines reject links lighter than this, kg."""
 

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from stages.asset import Collider, Link, Material
-from stages.body import Body, counterbalanced, inertia
+from stages.body import DAMPING, Body, counterbalanced, inertia
 from stages.export._obj import Files
 from stages.export._pieces import image_name, names, pieces
 from stages.export._rotation import about_z, quaternion
@@ -17,8 +17,6 @@ from stages.export._xml import Element, add, number, numbers, save
 from stages.scene import Scene
 
 FOLDER = "mjcf"
-DAMPING = {"hinge": 0.4, "slide": 8.0}
-"""N·m·s and N·s/m: a part pushed and let go stops within some tenths of a second."""
 ARMATURE = 0.002
 GEOMS = {"box": "box", "cylinder": "cylinder", "sphere": "sphere", "hull": "mesh"}
 

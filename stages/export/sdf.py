@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from stages.asset import Collider, Link, Material, Mesh
-from stages.body import Body, Light, counterbalanced, inertia
+from stages.body import DAMPING, Body, Light, counterbalanced, inertia
 from stages.export._hull import hull
 from stages.export._obj import Files
 from stages.export._pieces import pieces
@@ -16,8 +16,6 @@ from stages.export._xml import Element, add, number, numbers, save
 from stages.scene import Scene
 
 FOLDER = "sdf"
-DAMPING = {"hinge": 0.4, "slide": 8.0}
-"""N·m·s/rad and N·s/m, as in the other formats."""
 
 
 def write(scene: Scene, out: Path) -> list[Path]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from schemas.errors import BadInput
 from stages.asset import Array, Link
-from stages.body import Body, Light, counterbalanced, inertia
+from stages.body import DAMPING, Body, Light, counterbalanced, inertia
 from stages.export._obj import Files
 from stages.export._pieces import names, pieces, shaded
 from stages.export._rotation import about_z, from_x, quaternion
@@ -28,8 +28,6 @@ except ImportError as error:
 FOLDER = "usd"
 ROOT = "/Apartment"
 GROUPS = {"ceiling": "Ceilings", "object": "Furniture"}
-DAMPING = {"hinge": 0.4, "slide": 8.0}
-"""N·m·s/rad and N·s/m, as in the other formats."""
 LAMP = 0.05
 """Radius of a light's sphere, m."""
 

@@ -1,0 +1,133 @@
+"""Habitat scene dataset: a stage, objects, articulated objects as URDF, and the scene instance that places them.
+
+Habitat's world is y up: (x, y, z) here is (x, z, -y) there. Objects' files are y up; URDF files stay z up and their
+placing turns them.
+"""
+
+import json
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+
+from stages.body import Body, Light
+from stages.export._gltf import packed
+from stages.export._obj import Files
+from stages.export._urdf import body_links
+from stages.export._xml import save
+from stages.scene import Scene, identifier, untaken
+
+FOLDER = "habitat"
+NAME = "apartment"
+UPRIGHT = 0.5**0.5
+Config = dict[str, Any]
+
+
+def write(scene: Scene, out: Path) -> list[Path]:
+    """habitat/apartment.scene_dataset_config.json and what it names."""
+    folder = out / FOLDER
+    writer = _Writer(folder, scene.credits)
+    fixed = [body for body in scene.bodies if body.kind not in ("object", "door")]
+    writer.stage(fixed)
+    for body in scene.bodies:
+        if body.kind in ("object", "door"):
+            writer.place(body)
+    writer.lights(scene.lights)
+    writer.instance()
+    writer.dataset()
+    return [*writer.written, *writer.files.written]
+
+
+class _Writer:
+    """Files as they are written, and what stands where."""
+
+    def __init__(self, folder: Path, credits: list[str]) -> None:
+        self.folder, self.credits = folder, credits
+        self.written: list[Path] = []
+        self.files = Files(folder / "urdf" / "meshes")
+        self.models: dict[str, str] = {}
+        self.objects: list[Config] = []
+        self.articulated: list[Config] = []
+
+    def stage(self, bodies: list[Body]) -> None:
+        """The shell, which never moves."""
+        self._bytes(f"stages/{NAME}.glb", packed(bodies, [], self.credits))
+        self._json(f"stages/{NAME}.stage_config.json", {
+            "render_asset": f"{NAME}.glb", "collision_asset": f"{NAME}.glb", "up": [0, 1, 0], "front": [0, 0, -1],
+            "units_to_meters": 1.0, "requires_lighting": True, "is_collidable": True, "friction_coefficient": 0.6,
+        })  # fmt: skip
+
+    def place(self, body: Body) -> None:
+        """An object; its model's files are written once."""
+        moves = len(body.links) > 1
+        key = body.model or body.name
+        if key not in self.models:
+            self.models[key] = untaken(identifier(key), self.models.values())
+            (self._urdf if moves else self._object)(body, self.models[key])
+        into = self.articulated if moves else self.objects
+        entry = {
+            "template_name": self.models[key], "translation": _y_up(body.position), "translation_origin": "asset_local",
+            "rotation": _turned(body.yaw, z_up=moves), "motion_type": "DYNAMIC" if body.free or moves else "STATIC",
+        }
+        into.append(entry | ({"fixed_base": not body.free} if moves else {}))
+
+    def _object(self, body: Body, name: str) -> None:
+        alone = Body(body.name, "object", body.category, "", np.zeros(3), 0.0, body.links)
+        self._bytes(f"objects/{name}.glb", packed([alone], [], self.credits))
+        self._json(f"objects/{name}.object_config.json", {
+            "render_asset": f"{name}.glb", "collision_asset": f"{name}.glb", "requires_lighting": True,
+            "mass": body.links[0].mass, "friction_coefficient": body.links[0].friction,
+            "is_collidable": bool(body.links[0].colliders), "semantic_category": body.category,
+        })  # fmt: skip
+
+    def _urdf(self, body: Body, name: str) -> None:
+        robot = ElementTree.Element("robot", name=name)
+        body_links(robot, body, self.files, "meshes")
+        self.written.append(save(robot, self.folder / "urdf" / f"{name}.urdf"))
+
+    def lights(self, lights: list[Light]) -> None:
+        """Lamps, as Habitat's lighting layout."""
+        found = {
+            light.name: {
+                "position": _y_up(light.position), "type": "point", "color": [1.0, 0.93, 0.82],
+                "intensity": light.lumens / 1100,
+            }
+            for light in lights
+        }  # fmt: skip
+        self._json(f"lighting/{NAME}.lighting_config.json", {"lights": found})
+
+    def instance(self) -> None:
+        """What stands where."""
+        self._json(f"scenes/{NAME}.scene_instance.json", {
+            "stage_instance": {"template_name": NAME}, "default_lighting": NAME,
+            "object_instances": self.objects, "articulated_object_instances": self.articulated,
+        })  # fmt: skip
+
+    def dataset(self) -> None:
+        """The file that a simulator is given; it names the folders of the others."""
+        self._json(f"{NAME}.scene_dataset_config.json", {
+            "stages": {"paths": {".json": ["stages"]}}, "objects": {"paths": {".json": ["objects"]}},
+            "articulated_objects": {"paths": {".urdf": ["urdf"]}}, "scene_instances": {"paths": {".json": ["scenes"]}},
+            "light_setups": {"paths": {".json": ["lighting"]}},
+        })  # fmt: skip
+
+    def _json(self, name: str, content: Config) -> None:
+        self._bytes(name, (json.dumps(content, indent=1) + "\n").encode())
+
+    def _bytes(self, name: str, content: bytes) -> None:
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+        self.written.append(path)
+
+
+def _y_up(point: Any) -> list[float]:
+    x, y, z = (float(v) for v in point)
+    return [x, z, -y]
+
+
+def _turned(yaw: float, z_up: bool) -> list[float]:
+    """w, x, y, z of a turn about the vertical, after one that stands a z-up model upright."""
+    c, s = float(np.cos(yaw / 2)), float(np.sin(yaw / 2))
+    return [c * UPRIGHT, -c * UPRIGHT, s * UPRIGHT, s * UPRIGHT] if z_up else [c, 0.0, s, 0.0]

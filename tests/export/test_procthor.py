@@ -1,0 +1,82 @@
+"""The ProcTHOR house: shape of the published houses, shared walls, holes where the openings are."""
+
+import json
+
+import numpy as np
+import pytest
+from export import sample
+from shapely.geometry import LineString, Point, Polygon
+
+from stages import export, polygons
+
+KEYS = {
+    "rooms": "id roomType floorPolygon floorMaterial children ceilings", "walls": "id roomId polygon material",
+    "doors": "id room0 room1 wall0 wall1 assetId assetPosition holePolygon openable openness",
+    "windows": "id room0 room1 wall0 wall1 assetId assetPosition holePolygon",
+    "objects": "id assetId position rotation kinematic",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory):
+    out = tmp_path_factory.mktemp("procthor") / "scene"
+    export.run(sample.home(), ["procthor"], out, sample.load)
+    return json.loads((out / "house.json").read_text())
+
+
+def _plan(points):
+    return [(p["x"], p["z"]) for p in points]
+
+
+def test_rooms_are_clockwise_and_fill_the_flat(house):
+    plan = sample.plan()
+    for room, own in zip(plan.rooms, house["rooms"]):
+        found = Polygon(_plan(own["floorPolygon"]))
+        assert not found.exterior.is_ccw
+        assert found.buffer(1e-6).contains(polygons.floor(room))
+        assert found.area == pytest.approx(polygons.floor(room).buffer(0.05, join_style="mitre").area, abs=0.01)
+
+
+def test_every_wall_has_another_side(house):
+    """Each stretch is in two sheets that run opposite ways: two rooms', or a room's and the open air's."""
+    ends = {}
+    for wall in house["walls"]:
+        a, b, above_a, above_b = wall["polygon"]
+        assert above_a == {**a, "y": 2.6} and above_b == {**b, "y": 2.6}
+        ends.setdefault(wall["id"].split("|", 2)[2], []).append(_plan([a, b]))
+    for pair in ends.values():
+        assert len(pair) == 2 and pair[0] == pair[1][::-1]
+
+
+def test_openings_are_holes_in_walls_of_their_rooms(house):
+    plan = sample.plan()
+    walls = {wall["id"]: wall for wall in house["walls"]}
+    parts = {part["id"].split("|")[1]: part for part in house["doors"] + house["windows"]}
+    for opening in plan.openings:
+        part = parts[opening.id]
+        first, second = walls[part["wall0"]], walls[part["wall1"]]
+        assert first["roomId"] == f"room|{opening.rooms[0]}"
+        assert second["roomId"] == (f"room|{opening.rooms[1]}" if len(opening.rooms) > 1 else "exterior")
+        side = LineString(_plan(first["polygon"][:2]))
+        lo, hi = part["holePolygon"]
+        assert 0 <= lo["x"] < hi["x"] <= side.length
+        assert (lo["y"], hi["y"]) == (opening.sill, opening.head)
+        middle = side.interpolate((lo["x"] + hi["x"]) / 2)
+        assert middle.distance(Point(*np.mean(opening.segment, axis=0))) < 0.16
+
+
+def test_objects_are_placed_in_thors_axes(house):
+    for o, got in zip(sample.home().objects, house["objects"]):
+        assert [got["position"][k] for k in "xzy"] == pytest.approx(o.center, abs=1e-4)
+        heading = np.radians(got["rotation"]["y"])
+        front = np.array([np.sin(heading), np.cos(heading)])  # THOR's front at heading 0 is +z
+        assert front == pytest.approx([np.cos(o.yaw), np.sin(o.yaw)], abs=1e-4)
+
+
+def test_every_part_has_the_fields_that_published_houses_have(house):
+    assert set(KEYS) | {"proceduralParameters", "metadata"} <= set(house)
+    for part, keys in KEYS.items():
+        assert all(set(keys.split()) <= set(found) for found in house[part]), part
+    assert {"ceilingMaterial", "floorColliderThickness", "lights", "reflections", "skyboxId"} <= set(
+        house["proceduralParameters"])
+    assert set(house["metadata"]["agent"]) == {"position", "rotation", "standing", "horizon"}
