@@ -195,7 +195,8 @@ def test_costs_are_what_the_configuration_says(maker):
 
 
 @pytest.mark.parametrize("folder, kind, options, count", [
-    pytest.param("kenney", "folder", {"scale": 2.0}, 139, marks=pytest.mark.slow), ("furniture_sim", "simobjects", {}, 29),
+    pytest.param("kenney", "folder", {"scale": 2.0}, 139, marks=pytest.mark.slow),
+    ("furniture_sim", "simobjects", {}, 29),
 ])  # fmt: skip
 def test_real_sets_index_without_loss(folder, kind, options, count):
     if not (SHARED / folder).exists():

@@ -37,7 +37,7 @@ def loaded(sources) -> dict:
 
 @pytest.fixture
 def partnet(tmp_path: Path) -> Path:
-    """One cabinet in PartNet's frame (y up, front +z, unit sphere): a body, a door hinged left with a handle, a drawer."""
+    """A cabinet in PartNet's frame (y up, front +z, unit sphere): body, door hinged left with a handle, drawer."""
     folder = tmp_path / "45661"
     (folder / "textured_objs").mkdir(parents=True)
     (folder / "images").mkdir()
