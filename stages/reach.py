@@ -31,7 +31,8 @@ class Space:
     """An empty plan as a robot sees it, on a raster.
 
     `open` holds where the robot's centre may be without furniture, `rooms` the index of the room (-1 in walls),
-    `entry` where it comes in, `doors` the cells of (threshold, first side, second side) by opening id.
+    `entry` where it comes in, `doors` by opening id the cells of (threshold, first side, second side), of an entrance
+    those inside.
     """
 
     plan: Plan
@@ -67,7 +68,7 @@ def space(plan: Plan, radius: float = RADIUS, resolution: float = grid.RESOLUTIO
     for i, room in enumerate(plan.rooms):
         rooms[grid.raster(polygons.floor(room), cells)] = i
     free = grid.raster(floor.buffer(-radius), cells)
-    doors = {o.id: _door(o, plan, cells) for o in plan.openings if o.kind in ("door", "opening")}
+    doors = {o.id: _door(o, plan, cells, radius) for o in plan.openings if o.kind in polygons.PASSAGES}
     return Space(plan, radius, cells, free, rooms, _entry(plan, free, cells, radius), doors)
 
 
@@ -97,7 +98,9 @@ def _strip(opening: Opening, plan: Plan, room: str, depth: float) -> Polygon:
     return Polygon([a + near, b + near, b + far, a + far]).buffer(0)
 
 
-def _door(opening: Opening, plan: Plan, cells: Grid) -> list[Mask]:
+def _door(opening: Opening, plan: Plan, cells: Grid, radius: float) -> list[Mask]:
+    if len(opening.rooms) == 1:
+        return [grid.raster(_strip(opening, plan, opening.rooms[0], 2 * radius + _STEP_IN), cells)]
     sides = [grid.raster(_strip(opening, plan, room, _STEP_IN), cells) for room in opening.rooms]
     return [grid.raster(polygons.threshold(opening, plan), cells), *sides]
 

@@ -27,6 +27,13 @@ class Row(NamedTuple):
     n: int
 
 
+def markdown(rows: Sequence[Row], seed: int) -> str:
+    """A table for people; how the intervals were made stands below it."""
+    head = "| figure | version | of | value | 95 % interval | n |\n|---|---|---|---|---|---|\n"
+    lines = [f"| {r.name} | {r.version} | {r.of} | {r.value:.3f} | {r.low:.3f} - {r.high:.3f} | {r.n} |" for r in rows]
+    return f"{head}" + "\n".join(lines) + f"\n\nn apartments; bootstrap of {RESAMPLES} resamples, seed {seed}\n"
+
+
 def table(measured: Sequence[Metrics], rng: np.random.Generator, of: Iterable[str] = ("apartment",)) -> list[Row]:
     """One row a figure, in the order of first appearance; apartments in which it is undefined are left out.
 

@@ -90,6 +90,12 @@ def test_a_table_of_means_and_pooled_shares():
     assert row.low == row.value == row.high == 0.25
 
 
+def test_a_table_for_people_says_how_it_was_made():
+    rows = metrics.table([one("R_acoll", 0.25)] * 5, np.random.default_rng(3))
+    text = metrics.markdown(rows, seed=3)
+    assert "| R_acoll | ours | apartment | 0.250 | 0.250 - 0.250 | 5 |" in text and text.endswith("seed 3\n")
+
+
 def test_intervals_cover_the_mean_as_often_as_they_say():
     rng = np.random.default_rng(1)
     hits = 0

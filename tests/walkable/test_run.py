@@ -103,6 +103,18 @@ def test_a_shelf_before_the_door_is_got_out_of_the_way():
     assert walk(h.home(shelf), target=0.5, connect=False).walkable.steps == []
 
 
+def test_the_way_in_is_cleared_first():
+    shelf = h.thing("shelving", 0.5, 1.5, np.pi, size=(0.3, 1.4, 1.8), id="shelf")
+    result = walk(h.home(shelf), fake.Empty(), target=0.5)
+    assert result.walkable.steps[0].reason == "entrance_1" and result.walkable.unreached == []
+
+
+def test_homes_without_furniture_or_without_a_way_in():
+    assert walk(h.home(), target=1.0).walkable.after == 1.0
+    closed = h.home(sofa()).model_copy(update={"openings": []})
+    assert walk(closed, target=0.5).walkable.unreached == [h.BEDROOM]
+
+
 def test_what_cannot_shrink_or_move_is_left_out_unless_asked_for():
     shelf = h.thing("shelving", 3.0, 1.5, np.pi, size=(0.3, 2.9, 1.8), id="shelf")
     home = h.home(shelf)
