@@ -7,7 +7,8 @@ prompt leaves open follows these rules:
    One bathroom up to two bedrooms, two up to four, three beyond. A prompt that excludes a room wins.
 2. Every room opens onto the hallway; without one, onto the living room. A dining room lies between kitchen and
    living room, a balcony off the living room, a walk-in closet off the main bedroom.
-3. One bathroom serves the home; further full ones are ensuite, from the main bedroom on; half baths are off the hallway.
+3. One bathroom serves the home; further full ones are ensuite, from the main bedroom on; half baths are off the
+   hallway.
 4. Rooms named together ("kitchen-diner", "open-plan kitchen and living room") are one room per function, linked
    without a wall in the order kitchen, dining, living, and entered through the living room, else the kitchen.
    A studio's kitchen is a kitchenette open to the room.
@@ -62,7 +63,7 @@ def _case(row: dict[str, Any]) -> Case:
 
 
 def _areas(row: dict[str, Any], types: dict[str, str]) -> dict[str, float]:
-    rooms = [AskedRoom(id=i, type=t, private_to=None) for i, t in types.items()]  # type: ignore[arg-type]
+    rooms = [AskedRoom(id=i, type=t, private_to=None) for i, t in types.items()]
     links = [(a, b) for a, b in row["links"]]
     mark_private(rooms, links)
     traits = {i: set(names) for i, names in row.get("traits", {}).items()}

@@ -35,6 +35,8 @@ class Household:
             self._ban(phrase)
             self.refs[id(phrase)] = []
             return []
+        if phrase.plural and phrase.count is None and len(phrase.areas) > 1:
+            phrase.count = float(len(phrase.areas))  # "the bedrooms are 12, 13 and 15 m²"
         before = len(self.rooms)
         found = self._find(phrase)
         for entity in self.rooms[before:]:

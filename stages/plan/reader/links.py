@@ -63,12 +63,20 @@ def complete_links(
     start = hub(rooms).id
     order = sense()["order"]["types"]
     for room in sorted(rooms, key=lambda r: order.index(r.type)):
-        seen = reached(rooms, out, start)
+        seen = reached(rooms, _without_short_cuts(room, rooms, out, start), start)
         if room.id not in seen:
             partner = _partner(room, rooms, out, seen, forbidden)
             if partner is not None:
                 out.append(edge(room.id, partner))
     return sorted(set(out) | set(_also(rooms, [p for p in links if p not in near], forbidden)), key=_natural)
+
+
+def _without_short_cuts(room: AskedRoom, rooms: list[AskedRoom], links: list[Link], start: str) -> list[Link]:
+    """A kitchen with doors to both hallway and living room is no way in to the living room."""
+    if room.type != "living_room":
+        return links
+    kitchens = [r.id for r in rooms if r.type == "kitchen" and edge(r.id, start) in links]
+    return [pair for pair in links if not (room.id in pair and set(pair) & set(kitchens))]
 
 
 def _natural(link: Link) -> tuple[str, str]:

@@ -93,6 +93,9 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     ahead = rooms_of(items[k + 2 : k + 3])
     if items[k].kind == "share" and ahead and items[k + 1].value == "with":
         return ahead
+    leading = not before or before[-1].kind == "conjunction" or is_mark(before[-1], ",:")
+    if items[k].kind == "share" and leading and rooms_of(items[k + 1 : k + 2]):
+        return rooms_of(items[k + 1 : k + 2])
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in SKIPPED):
         j -= 1

@@ -91,7 +91,7 @@ def _counts_in_bounds(said: Said) -> None:
 
 def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Program:
     ids = _ids(home)
-    rooms = [AskedRoom(id=ids[id(e)], type=e.type, area=None, private_to=_private(e, ids)) for e in _ordered(home)]  # type: ignore[arg-type]
+    rooms = [AskedRoom(id=ids[id(e)], type=e.type, area=None, private_to=_private(e, ids)) for e in _ordered(home)]
 
     def pairs(found: list[Pair]) -> list[Link]:
         return sorted({edge(ids[id(a)], ids[id(b)]) for a, b in found})

@@ -28,40 +28,43 @@ def quantities(words: list[Lexeme]) -> list[Lexeme]:
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
-    """`twenty five` → 25, `eight hundred` → 800."""
+    """`twenty five` → 25, `eight hundred and ten` → 810, `two and a half` → 2.5, `two or three` → 2."""
     out: list[Lexeme] = []
     for k, word in enumerate(words):
-        last = out[-1] if out else None
-        hundred = last is not None and last.kind == "number" and last.number >= 100 and last.number % 100 == 0
-        either = (
-            last is not None
-            and last.kind == "number"
-            and word.text == "or"
-            and k + 1 < len(words)
-            and words[k + 1].kind == "number"
-        )
-        if either or (
-            out and k and words[k - 1].text == "or" and last is not None and last.kind == word.kind == "number"
-        ):
-            continue  # "two or three bedrooms": two
-        if (
-            hundred
-            and word.text == "and"
-            and k + 1 < len(words)
-            and words[k + 1].kind == "number"
-            and words[k + 1].number < 100
-        ):
-            continue
-        if last and word.kind == last.kind == "number" and not word.text[0].isdigit():
-            n, m = last.number, word.number
-            total = (
-                n * m if m in (100, 1000) else n + m if (n >= 20 and n % 10 == 0 and m < 10) or (n >= 100 > m) else None
-            )
-            if total is not None:
+        last = out[-1] if out and out[-1].kind == "number" else None
+        joint = words[k - 1].text if k and words[k - 1].text in ("and", "or") else ""
+        following = words[k + 1] if k + 1 < len(words) else None
+        if last is None or not (word.kind in ("number", "fraction") or (following and _binds(last, word, following))):
+            out.append(word)
+        elif word.kind in ("number", "fraction"):
+            total = _joined(last, joint, word)
+            if total is None:
+                out.append(word)
+            else:
                 out[-1] = replace(last, value=str(total), text=f"{last.text} {word.text}", values=(total,))
-                continue
-        out.append(word)
     return out
+
+
+def _binds(last: Lexeme, word: Lexeme, following: Lexeme) -> bool:
+    """Whether `and` or `or` stands inside one number."""
+    if word.text == "and" and following.kind == "number":
+        return last.number >= 100 and last.number % 100 == 0 and following.number < 100
+    half = word.text == "and" and following.kind == "fraction" and following.text in ("a half", "half")
+    return half or (word.text == "or" and following.kind == "number")
+
+
+def _joined(last: Lexeme, joint: str, word: Lexeme) -> float | None:
+    """The value of two numbers in a row, None when they are two numbers."""
+    n, m = last.number, word.number
+    if joint == "or":
+        return n
+    if word.kind == "fraction":
+        return n + 0.5 if joint == "and" and word.text in ("a half", "half") else None
+    if word.text[0].isdigit() and not joint:
+        return None
+    if m in (100, 1000):
+        return n * m
+    return n + m if (n >= 20 and n % 10 == 0 and m < 10) or (n >= 100 > m) else None
 
 
 def _shares(words: list[Lexeme]) -> list[Lexeme]:

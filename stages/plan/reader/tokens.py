@@ -3,7 +3,9 @@
 import re
 import unicodedata
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, cast
+
+Kind = Literal["number", "word", "mark"]
 
 CJK = "\u3400-\u9fff"
 
@@ -24,7 +26,7 @@ class Token:
     """`text` is folded; `glued` says that nothing stands between this token and the one before."""
 
     text: str
-    kind: Literal["number", "word", "mark"]
+    kind: Kind
     start: int
     end: int
     glued: bool
@@ -46,9 +48,8 @@ def tokenize(text: str) -> list[Token]:
     out: list[Token] = []
     end = -1
     for found in _TOKEN.finditer(text):
-        kind = found.lastgroup
+        kind = cast(Kind, found.lastgroup)
         body = found.group()
-        assert kind == "number" or kind == "word" or kind == "mark"
         word = body.rstrip("'").replace("^", "") if kind == "word" else body
         value = _number(body) if kind == "number" else 0.0
         out.append(Token(word, kind, found.start(), found.end(), found.start() == end, value))
