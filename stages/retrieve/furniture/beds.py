@@ -56,7 +56,8 @@ def _rails(kit: Kit, material: str, rail: float, board: float, low: float, high:
     for y in ((kit.y[0], kit.y[0] + rail), (kit.y[1] - rail, kit.y[1])):
         b.box(material, (kit.x[0] + board, kit.x[1] - rail), y, (low, high))
     b.box(material, (kit.x[1] - rail, kit.x[1]), kit.y, (low, high))
-    b.box("pine", (kit.x[0] + board, kit.x[1] - rail), (kit.y[0] + rail, kit.y[1] - rail), (max(low, high - 0.09), high - 0.065))
+    slats = max(low, high - 0.09)
+    b.box("pine", (kit.x[0] + board, kit.x[1] - rail), (kit.y[0] + rail, kit.y[1] - rail), (slats, slats + 0.02))
 
 
 def _upholstered(kit: Kit, board: float, rail: float, frame: float) -> None:

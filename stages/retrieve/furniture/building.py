@@ -19,7 +19,7 @@ def leaf(body: Body, style: str, x: Span, y: Span, z: Span, paint: str) -> None:
         body.box(paint, x, y, z)
         return
     stile, mid = 0.11, z[0] + 0.95
-    panes = [(z[0] + 0.22, mid), (mid + 0.12, z[1] - stile)] if style != "boarded" else [(z[0] + 0.12, z[1] - stile)]
+    panes = [(z[0] + 0.22, mid), (mid + 0.12, z[1] - stile)] if style != "boarded" and z[1] > 1.6 else [(z[0] + 0.12, z[1] - stile)]
     inner = (y[0] + stile, y[1] - stile)
     for side in ((y[0], inner[0]), (inner[1], y[1])):
         body.box(paint, x, side, z)

@@ -85,7 +85,7 @@ def _framed(body: Body, look: Look, profile: str, x: Span, y: Span, z: Span) -> 
     panel = {"woven": "cane", "glass": "glass"}.get(profile, look.front)
     body.box(panel, recess, inner_y, inner_z, touch=False)
     if profile == "raised":
-        b = min(0.035, 0.2 * (inner_y[1] - inner_y[0]))
+        b = min(0.035, 0.2 * (inner_y[1] - inner_y[0]), 0.3 * (inner_z[1] - inner_z[0]))
         field = (inner_y[0] + b, inner_y[1] - b), (inner_z[0] + b, inner_z[1] - b)
         body.box(look.front, (recess[1], x[1] - 0.001), *field, touch=False)
 

@@ -40,7 +40,7 @@ def _rail(kit: Kit, y: tuple[float, float], z: float, whole: bool) -> None:
 def sliding_wardrobe(kit: Kit) -> None:
     """Two to four doors that run on two tracks in front of the carcass."""
     plain = {"mirrored": "modern", "glass": "industrial"}.get(kit.style, kit.style)
-    own = look(plain, kit.rng).with_(handle="none", base="plinth")
+    own = look(plain, kit.rng).with_(handle="none", base="plinth", leg="graphite")
     front = {"mirrored": "mirror", "glass": "smoked_glass"}.get(kit.style, own.front)
     own = own.with_(front=front, profile="slab" if kit.style != "japandi" else "woven")
     y, z, tracks = kit.y, (0.06, kit.h - 0.05), 0.085

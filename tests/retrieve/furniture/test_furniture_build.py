@@ -1,0 +1,143 @@
+"""Every category and style at many sizes: the box is met, shapes are closed, open parts stay where they may."""
+
+import numpy as np
+import pytest
+import trimesh
+
+from schemas.errors import BadInput
+from stages import categories, sweeps
+from stages.retrieve import furniture, parametric
+
+LARGE = (
+    "double_bed", "single_bed", "wardrobe", "sliding_wardrobe", "chest", "sofa", "corner_sofa", "armchair", "dining_table",
+    "round_table", "coffee_table", "chair", "office_chair", "bookshelf", "kitchen_base", "kitchen_drawers", "wall_unit",
+    "sideboard", "desk", "tv_stand", "floor_lamp", "table_lamp", "ceiling_lamp", "plant", "rug", "vanity", "fridge",
+)  # fmt: skip
+
+
+def sizes(category):
+    """The usual size, the extremes, and one in between, in whole millimetres."""
+    kind, rng = categories.TABLE[category], np.random.default_rng(len(category))
+    drawn = tuple(float(side) for side in rng.uniform(kind.min, kind.max).round(3))
+    return [kind.size, kind.min, kind.max, drawn]
+
+
+def built(category, which=slice(None)):
+    return [
+        furniture.build(category, style, size, seed)
+        for style in furniture.styles(category)
+        for seed, size in enumerate(sizes(category)[which])
+    ]
+
+
+def bounds(meshes):
+    points = np.concatenate([mesh.vertices for mesh in meshes])
+    return points.min(0), points.max(0)
+
+
+def test_every_category_comes_in_several_styles():
+    counts = {name: len(furniture.styles(name)) for name in categories.CATEGORIES}
+    assert min(counts.values()) >= 2
+    assert not {name: counts[name] for name in LARGE if counts[name] < 4}
+
+
+@pytest.mark.parametrize("category", categories.CATEGORIES)
+def test_the_box_is_met_to_a_millimetre(category):
+    for asset in built(category):
+        lo, hi = bounds([mesh for link in asset.links for mesh in link.visuals])
+        half = np.array(asset.size) / 2
+        assert np.abs(np.concatenate([lo + half, hi - half])).max() < 1e-3, asset.id
+
+
+@pytest.mark.parametrize("category", categories.CATEGORIES)
+def test_every_piece_is_closed_and_faces_outward(category):
+    for asset in built(category, slice(0, 2)):
+        faces = 0
+        assert all(c.size.min() > 0 for link in asset.links for c in link.colliders), asset.id
+        for mesh in (mesh for link in asset.links for mesh in link.visuals):
+            shape = trimesh.Trimesh(mesh.vertices, mesh.faces)
+            assert shape.is_watertight and shape.is_winding_consistent and shape.volume > 0, (asset.id, mesh.material.name)
+            assert mesh.uv is not None and mesh.uv.shape == (len(mesh.vertices), 2) and np.isfinite(mesh.uv).all()
+            faces += len(mesh.faces)
+        assert faces <= 6500, (asset.id, faces)
+
+
+@pytest.mark.parametrize("category", [c.name for c in categories.TABLE.values() if c.articulated])
+def test_open_parts_keep_to_their_reach_and_between_the_sides(category):
+    for asset in built(category):
+        half = np.array(asset.size) / 2
+        reach = float(categories.reach(category, asset.size))
+        for joint in asset.joints:
+            lo, hi = sweeps.swept(joint)
+            assert hi[0] <= half[0] + reach + 1e-3, (asset.id, joint.name)
+            assert lo[1] >= -half[1] - 1e-3 and hi[1] <= half[1] + 1e-3, (asset.id, joint.name)
+            assert lo[0] >= -half[0] - 1e-3 and lo[2] >= -half[2] - 1e-3, (asset.id, joint.name)
+
+
+def test_what_opens_opens_in_most_styles():
+    for kind in categories.TABLE.values():
+        opening = [asset for asset in built(kind.name, slice(0, 1)) if asset.joints]
+        assert len(opening) >= (len(furniture.styles(kind.name)) - 1 if kind.articulated else 0), kind.name
+        assert kind.articulated or not opening
+
+
+def test_joints_carry_the_extent_and_part_class_of_what_they_move():
+    for asset in (asset for name in categories.CATEGORIES for asset in built(name, slice(0, 1))):
+        for link in asset.links[1:]:
+            lo, hi = bounds(link.visuals)
+            assert np.allclose(link.joint.extent, [lo, hi], atol=2e-4)
+            assert link.joint.part in {"hinge_door", "slider_drawer", "hinge_lid", "slider_door"}
+            assert link.joint.range[0] == 0.0 < link.joint.range[1]
+            assert link.grip in {"", "line_fixed_handle", "round_fixed_handle"}
+            assert (link.handle >= lo - 0.06).all() and (link.handle <= hi + 0.06).all(), (asset.id, link.name)
+
+
+def test_links_weigh_what_furniture_weighs():
+    for asset in (asset for name in categories.CATEGORIES for asset in built(name, slice(0, 1))):
+        total = sum(link.mass for link in asset.links)
+        assert 0.2 < total < 600, (asset.id, total)
+        assert all(0.2 < link.mass < 60 for link in asset.links[1:]), asset.id
+
+
+def test_boards_and_legs_do_not_stretch():
+    def thinnest(size):
+        asset = furniture.build("wardrobe", "modern", size, 0)
+        return sorted({round(float(c.size.min()), 4) for c in asset.links[0].colliders if c.kind == "box"})
+
+    assert thinnest((0.5, 0.8, 1.8)) == thinnest((0.7, 2.9, 2.4))
+    small, large = (furniture.build("bench", "upholstered", size, 0) for size in ((0.3, 0.7, 0.45), (0.5, 1.8, 0.45)))
+    legs = [sorted(c.size.round(4).tolist() for c in bench.links[0].colliders[1:]) for bench in (small, large)]
+    assert len(legs[0]) == 4 and legs[0] == legs[1]
+
+
+def test_the_same_four_make_the_same_asset_and_its_id_makes_it_again():
+    size = categories.TABLE["plant"].size
+    first, second = (furniture.build("plant", "fig", size, 5) for _ in range(2))
+    again = furniture.load(first.id)
+    for other in (second, again):
+        assert other.id == first.id == "plant/fig/450x450x1100/5"
+        for a, b in zip(first.links[0].visuals, other.links[0].visuals, strict=True):
+            assert a.vertices.tobytes() == b.vertices.tobytes() and a.uv.tobytes() == b.uv.tobytes()
+    assert furniture.build("plant", "fig", size, 6).links[0].mass != first.links[0].mass
+
+
+@pytest.mark.parametrize(
+    "id", ["", "wardrobe", "wardrobe/modern/600x1500/0", "wardrobe/gothic/600x1500x2100/0", "wardrobe/modern/600x1500x9100/0", "castle/modern/1x1x1/0"]
+)  # fmt: skip
+def test_an_unknown_id_is_refused_with_what_to_do(id):
+    with pytest.raises(BadInput):
+        furniture.load(id)
+
+
+def test_the_library_lists_every_style_once_and_loads_it():
+    sources = list(parametric.assets())
+    assert len({source.id for source in sources}) == len(sources) == sum(len(furniture.styles(c)) for c in categories.CATEGORIES)
+    assert all(source.load().id == source.id for source in sources[::25])
+
+
+def test_doors_and_windows_of_the_building_come_at_any_size():
+    for category, size in (("door", (0.12, 0.82, 2.03)), ("window", (0.12, 2.1, 0.6)), ("window", (0.1, 0.6, 1.9))):
+        for style in furniture.styles(category):
+            asset = furniture.build(category, style, size, 1)
+            lo, hi = bounds(asset.links[0].visuals)
+            assert np.allclose(hi - lo, size, atol=1e-3)

@@ -1,0 +1,96 @@
+"""No part meets another of the same object anywhere along its range, as the simulator's own collision test sees it."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from stages import categories
+from stages.retrieve import furniture
+
+TOUCH = 2e-4
+"""Pieces may press this deep into each other, m: rounding and what lies on what."""
+
+
+def model(asset):
+    """Each link a body of the world, so that the simulator leaves no pair out."""
+    spec = mujoco.MjSpec()
+    spec.option.gravity = [0, 0, 0]
+    for i, link in enumerate(asset.links):
+        body = spec.worldbody.add_body() if i else spec.worldbody
+        if link.joint is not None:
+            hinge = link.joint.type == "hinge"
+            body.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE if hinge else mujoco.mjtJoint.mjJNT_SLIDE,
+                           axis=link.joint.axis, pos=link.joint.origin)  # fmt: skip
+        for k, collider in enumerate(link.colliders):
+            add_geom(spec, body, collider, f"{i}:{k}")
+    return spec.compile()
+
+
+def add_geom(spec, body, c, name):
+    quat = np.zeros(4)
+    mujoco.mju_mat2Quat(quat, np.ascontiguousarray(c.rotation).ravel())
+    place = {"pos": c.center, "quat": quat, "name": name}
+    if c.kind == "box":
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=c.size / 2, **place)
+    elif c.kind == "cylinder":
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_CYLINDER, size=[c.size[0], c.size[2] / 2, 0], **place)
+    else:
+        mesh = spec.add_mesh(name=name)
+        mesh.uservert = c.vertices.ravel().tolist()
+        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **place)
+
+
+def positions(asset, steps, rng):
+    """Each joint alone through its range, all together, and at random."""
+    top = np.array([joint.range[1] for joint in asset.joints])
+    yield 0 * top
+    for t in np.linspace(0, 1, steps + 1)[1:]:
+        yield from (top * t * (np.arange(len(top)) == i) for i in range(len(top)))
+        yield top * t
+    yield from (top * rng.random(len(top)) for _ in range(steps))
+
+
+def deepest(asset, places):
+    """How deep any two links of an asset are in each other, m, and which."""
+    compiled = model(asset)
+    data = mujoco.MjData(compiled)
+    worst = (0.0, "")
+    for place in places:
+        data.qpos[:] = place
+        mujoco.mj_kinematics(compiled, data)
+        mujoco.mj_comPos(compiled, data)
+        mujoco.mj_collision(compiled, data)
+        for contact in data.contact[: data.ncon]:
+            pair = f"{compiled.geom(contact.geom1).name} {compiled.geom(contact.geom2).name}"
+            worst = min(worst, (float(contact.dist), f"{asset.id} {pair} at {np.round(place, 3).tolist()}"))
+    return worst
+
+
+MOVING = [name for name in (*categories.CATEGORIES, *furniture.BUILDING)
+          if name in furniture.BUILDING or categories.TABLE[name].articulated]  # fmt: skip
+
+
+@pytest.mark.parametrize("category", MOVING)
+def test_no_part_meets_another(category):
+    rng = np.random.default_rng(len(category))
+    for style in furniture.styles(category):
+        for seed, size in enumerate(sizes(category, rng)):
+            asset = furniture.build(category, style, size, seed)
+            if asset.joints:
+                depth, where = deepest(asset, positions(asset, 8, rng))
+                assert depth > -TOUCH, f"{where}: {-depth * 1000:.1f} mm"
+
+
+def sizes(category, rng):
+    if category in furniture.BUILDING:
+        return [(0.1, 0.9, 2.1), (0.12, 1.3, 1.2)]
+    kind = categories.TABLE[category]
+    return [kind.size, kind.min, kind.max, tuple(rng.uniform(kind.min, kind.max))]
+
+
+def test_the_probe_sees_a_drawer_pushed_through_the_back_and_doors_turned_inward():
+    chest = furniture.build("chest", "modern", categories.TABLE["chest"].size, 0)
+    assert deepest(chest, [np.full(len(chest.joints), -0.05)])[0] < -0.005
+    wardrobe = furniture.build("wardrobe", "modern", categories.TABLE["wardrobe"].size, 0)
+    assert deepest(wardrobe, [np.full(len(wardrobe.joints), -0.2)])[0] < -0.005
