@@ -15,7 +15,7 @@ from schemas.errors import BadInput
 from schemas.layout import Layout
 from schemas.plan import Plan
 from schemas.retrieve import Furnishing, Retrieve
-from stages import polygons, shell
+from stages import boxes, polygons, shell
 from stages.asset import Asset, Link
 from stages.body import Body, Light
 from stages.categories import TABLE
@@ -26,7 +26,9 @@ LOOSE = frozenset({
     "armchair", "balcony_chair", "balcony_table", "bin", "chair", "coat_rack", "floor_lamp", "laundry_basket",
     "microwave", "monitor", "office_chair", "plant", "pouffe", "side_table", "stool", "table_lamp", "tv",
 })
-"""Categories light enough to be pushed about; everything else is fixed where it stands."""
+"""Categories light enough to be pushed about where they stand on something; everything else is fixed."""
+REST = 0.02
+"""What is no further above the floor or a top stands on it, m."""
 _LUMENS = {"ceiling_lamp": 1100.0, "floor_lamp": 700.0, "table_lamp": 350.0, "wall_lamp": 300.0}
 
 
@@ -66,12 +68,24 @@ class Scene:
         """Who made the assets used, sorted."""
         return sorted({self.load(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
 
+    def _stands(self, o: Furnishing) -> bool:
+        """Whether it would stay where it is, on the floor or on a top; a television on a wall would not."""
+        others = (other for other in _furnishings(self.home) if other is not o)
+        return o.center[2] - o.size[2] / 2 <= REST or any(_on(o, other) for other in others)
+
     def _body(self, o: Furnishing) -> Body:
         asset = self.load(o.asset.library, o.asset.id)
         return Body(
             o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, _links(asset, o.category),
-            o.category in LOOSE, o.id, f"{o.asset.library}/{o.asset.id}",
+            o.category in LOOSE and self._stands(o), o.id, f"{o.asset.library}/{o.asset.id}",
         )
+
+
+def _on(o: Furnishing, below: Furnishing) -> bool:
+    """Whether it stands on another's top."""
+    beside = np.abs(boxes.local([o.center[:2]], boxes.of([below]))[0, 0])
+    top, bottom = below.center[2] + below.size[2] / 2, o.center[2] - o.size[2] / 2
+    return abs(top - bottom) <= REST and bool((beside <= np.array(below.size[:2]) / 2).all())
 
 
 def _links(asset: Asset, category: str) -> list[Link]:

@@ -135,3 +135,13 @@ def test_mass_properties_agree_with_an_independent_computation():
     hull.density = 5.0 / hull.volume
     assert got.center == pytest.approx(hull.center_mass + [1, 2, 3])
     assert got.tensor == pytest.approx(hull.moment_inertia, abs=1e-3)
+
+
+def test_what_hangs_is_fixed_and_what_stands_is_loose():
+    home = sample.home()
+    free = {body.id: body.free for body in Scene(home, sample.load).bodies}
+    assert free["tv_5"] and free["chair_7"] and free["bin_12"]
+    assert not free["sofa_1"] and not free["ceiling_lamp_8"] and not free["wall_lamp_14"]
+    tv = next(o for o in home.objects if o.id == "tv_5")
+    tv.center = (tv.center[0], tv.center[1], 1.4)
+    assert not {body.id: body.free for body in Scene(home, sample.load).bodies}["tv_5"]
