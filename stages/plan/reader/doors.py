@@ -28,7 +28,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
         pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b)]
         match s.kind:
             case "open":
-                out.open += pairs
+                out.open += [(a, b) for a, b in pairs if {a.type, b.type} <= set(OPEN_TYPES)]
                 out.links += pairs
             case "not":
                 out.forbidden += pairs

@@ -166,15 +166,7 @@ class Household:
                 return free[:1]
         free = [e for e in self.of(phrase.type) if not e.labels & set(DISTINCT) and not e.picked and e.owner is None]
         total = phrase.type in self.totals or phrase.subset
-        take = (
-            []
-            if phrase.quantifier == "another" or ("half" in labels and not phrase.subset)
-            else free
-            if total
-            else free
-            if phrase.quantifier == "the" or self._counted(free)
-            else []
-        )
+        take = free if self._among_known(phrase, labels, free, total) else []
         found = take[:count]
         if phrase.type in self.totals and phrase.quantifier != "another" and "half" not in labels:
             count = max(len(found), 1) if found else count
@@ -183,6 +175,14 @@ class Household:
             entity.labels |= labels
             entity.picked = True
         return found
+
+    def _among_known(self, phrase: RoomPhrase, labels: set[str], free: list[Entity], total: bool) -> bool:
+        """Whether a labelled room is one of those counted before: `three bedrooms, master with ensuite`."""
+        if phrase.quantifier == "another" or ("half" in labels and not phrase.subset):
+            return False
+        bare = phrase.quantifier == "" and phrase.count is None and (phrase.text == "master" or bool(phrase.owned))
+        attribute = "master" in labels and bare and len([e for e in free if e.counted]) > 1
+        return total or phrase.quantifier == "the" or attribute or self._counted(free)
 
     def _counted(self, free: list[Entity]) -> bool:
         """`two bathrooms, ensuite in the master`: the ensuite is one of the two."""

@@ -76,7 +76,10 @@ def counts_next(words: list[Lexeme], j: int) -> bool:
 
 
 def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
-    """`bedroom 2`, `bedrooms 1 and 2`: sets the ordinals, returns where reading goes on."""
+    """`bedroom 2`, `bedrooms 1 and 2`: sets the ordinals, returns where reading goes on. `kitchen 9` is an area."""
+    if i < len(words) and _bare_area(words, i, phrase):
+        phrase.areas = (words[i].number,)
+        return i + 1
     numbers: list[int] = []
     j = i
     while j < len(words) and _is_ordinal(words, j):
@@ -92,6 +95,13 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
         return i
     phrase.ordinals = tuple(numbers)
     return j
+
+
+def _bare_area(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
+    """Whether a number without unit is too great to tell rooms apart."""
+    most = 6 if phrase.type in ("bedroom", "bathroom") else 3
+    plain = words[i].kind == "number" and not phrase.plural and phrase.count is None and not phrase.areas
+    return plain and words[i].text[0].isdigit() and most < words[i].number <= 200 and not counts_next(words, i)
 
 
 def _is_ordinal(words: list[Lexeme], j: int) -> bool:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from stages.plan.reader.mention import Item, is_mark
+from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 
 
 @dataclass
@@ -70,15 +70,14 @@ def _opens_to(items: list[Item], k: int) -> tuple[str, str] | None:
     """`a kitchen open to the living room` is no verb: one room, no wall."""
     last = items[k - 1].room if k else None
     alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
-    if (
-        items[k].text in ("open to", "open onto")
-        and last is not None
-        and not last.plural
-        and alone
-        and last.quantifier != "both"
-    ):
+    single = last is not None and last.type in OPEN_TYPES and not last.plural and not last.definite or _the_one(last)
+    if items[k].text in ("open to", "open onto") and single and alone:
         return "open", "part"
     return None
+
+
+def _the_one(last: RoomPhrase | None) -> bool:
+    return last is not None and last.type != "" and last.quantifier == "the" and not last.plural
 
 
 def _near_room(items: list[Item], k: int) -> bool:

@@ -175,7 +175,7 @@ def _listing(words: list[Lexeme]) -> list[Lexeme]:
     for i in range(len(out) - 2):
         room, mark, number = out[i : i + 3]
         closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
-        if room.kind != "room" or mark.text not in ("(", ":", "-", "=") or number.kind != "number" or not closed:
+        if room.kind != "room" or mark.text not in ("(", ":", "-", "=", "x") or number.kind != "number" or not closed:
             continue
         if room.plural or (number.number <= 3 and number.number % 1 == 0):
             out[i : i + 3] = [number, room, replace(mark, kind="stop", value="", text=",")]

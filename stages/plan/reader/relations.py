@@ -70,6 +70,9 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     if gapped:
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
+    if last and items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
+        p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
+        return
     if last and _back_to_head(items, p, last, rooms, between):
         p.subject, p.shared = last.subject, True
         return
@@ -163,7 +166,7 @@ def _objects(items: list[Item], p: Predicate, following: Predicate | None, left:
         item = items[j]
         phrase = item.room
         if phrase is not None:
-            if out and not _continues(items, p, j, out):
+            if out and not _continues(items, p, j, out, left):
                 break
             if not phrase.negated and phrase not in left:
                 out.append(phrase)
@@ -174,7 +177,7 @@ def _objects(items: list[Item], p: Predicate, following: Predicate | None, left:
     return out
 
 
-def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase]) -> bool:
+def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], left: list[RoomPhrase]) -> bool:
     """Whether the room at `j` is one more object of the relation."""
     phrase, first = items[j].room, out[0]
     assert phrase is not None
@@ -189,9 +192,16 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase]) -
     if p.form != "part":
         return True
     same = first.definite == phrase.definite
+    if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left):
+        return False
     if first.definite or first.quantifier == "" and p.kind in ("near", "open"):
         return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same
     return same or not phrase.definite
+
+
+def _no_hallway(left: list[RoomPhrase]) -> bool:
+    """Only a hallway is expected to lead to a whole list of new rooms."""
+    return bool(left) and all(r.type not in ("hallway", "any", "") for r in left)
 
 
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
