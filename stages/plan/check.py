@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from schemas.errors import BadInput, Unmet
 from schemas.plan import AskedRoom, Program
 from stages.plan.standards import STANDARDS
+from stages.plan.weights import WEIGHTS
 
 THROUGH = ("hallway", "living_room", "dining_room", "kitchen")
 """Rooms that lead to other rooms; bedrooms and bathrooms lead to what belongs to them only."""
@@ -43,6 +44,9 @@ def check(program: Program) -> None:
     for a, b in [*program.links, *program.open_links]:
         if a == b or a not in ids or b not in ids:
             raise BadInput(f"program.links: [{a}, {b}] must name two different rooms of program.rooms")
+    for name, factor in program.weights.items():
+        if name not in WEIGHTS or factor < 0:
+            raise BadInput(f"program.weights: {name}: {factor:g}; give a factor of at least 0 of {', '.join(WEIGHTS)}")
     _check_areas(program)
     _check_ways(program)
 

@@ -13,26 +13,7 @@ from stages.plan.check import entrance_room, links, neighbours
 from stages.plan.outline import wish
 from stages.plan.slicing import Ints, Problem, Scratch, Tree
 from stages.plan.standards import LINK_WALL, STANDARDS
-
-WEIGHTS: dict[str, float] = {
-    "shortest_path": 2.0,
-    "typical_area": 10.0,
-    "aspect_ratio": 5.0,
-    "convexity": 50.0,
-    "conciseness": 8.0,
-    "exterior_length": 0.2,
-    "exterior_corner": 0.02,
-    "collinearity": 0.1,
-    "functional_room": 10.0,
-    "narrow_passage": 5.0,
-    "staircase_occupancy": 1.0,
-    "staircase_iou": 0.5,
-    "near_rooms": 1.0,
-    "wide_corridor": 4.0,
-}
-"""Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
-(wet rooms, and kitchen and dining room, apart) and `wide_corridor` are added to the field's twelve."""
-
+from stages.plan.weights import WEIGHTS
 
 ODD = 0.6
 """Share of large rooms that are made of two rectangles where nothing need be regular."""

@@ -1,0 +1,85 @@
+"""Contradictions are named, relaxations come in order and are told, weights have the field's names."""
+
+import numpy as np
+import pytest
+from plan.flats import within
+
+from schemas.errors import BadInput, Unmet
+from schemas.plan import Program
+from stages.plan import PlanConfig, build
+from stages.plan.check import check
+from stages.plan.relax import ladder, spare_links, with_hallway
+from stages.plan.slicing import TERMS
+from stages.plan.study import archetypes
+from stages.plan.weights import WEIGHTS
+
+
+def programme(rooms: dict[str, float], links: list[tuple[str, str]], **other: object) -> Program:
+    asked = [{"id": name, "type": name.rsplit("_", 1)[0], "area": area} for name, area in rooms.items()]
+    return Program(rooms=asked, links=links, **other)
+
+
+def test_weights_are_those_of_the_terms() -> None:
+    assert tuple(WEIGHTS) == TERMS
+
+
+def test_four_large_bedrooms_do_not_fit_a_small_flat() -> None:
+    rooms = {f"bedroom_{i}": 15.0 for i in range(1, 5)} | {"hallway_1": 3.0}
+    links = [("hallway_1", f"bedroom_{i}") for i in range(1, 5)]
+    with pytest.raises(Unmet, match=r"20 m²"):
+        build(programme(rooms, links, total_area=20.0), PlanConfig(), np.random.default_rng(0))
+
+
+def test_wrong_programmes_are_refused_with_the_place() -> None:
+    flat = {"living_room_1": 20.0, "bedroom_1": 12.0, "bedroom_2": 12.0}
+    with pytest.raises(BadInput, match="kitchen_9"):
+        check(programme(flat, [("living_room_1", "kitchen_9")]))
+    with pytest.raises(Unmet, match="bedroom_2"):
+        check(programme(flat, [("living_room_1", "bedroom_1")]))
+    with pytest.raises(Unmet, match="only be reached through bedroom_1"):
+        check(programme(flat, [("living_room_1", "bedroom_1"), ("bedroom_1", "bedroom_2")]))
+    with pytest.raises(BadInput, match="twice"):
+        double = programme(flat, [])
+        check(double.model_copy(update={"rooms": [*double.rooms, double.rooms[0]]}))
+    with pytest.raises(BadInput, match="program.weights"):
+        wrong = archetypes()["studio"].model_copy(update={"weights": {"beauty": 2.0}})
+        build(wrong, PlanConfig(), np.random.default_rng(0))
+
+
+def test_the_ladder_gives_up_one_thing_more_at_a_time() -> None:
+    program = archetypes()["two_bedroom"].model_copy(update={"complete": False})
+    steps = list(ladder(within(program, shape="L")))
+    assert steps[0].given_up == ()
+    for less, more in zip(steps[:-1], steps[1:], strict=True):
+        assert more.given_up[:-1] == less.given_up
+    words = " / ".join(steps[-1].given_up)
+    order = [words.index(word) for word in ("areas", "long", "outline", "hallway")]
+    assert order == sorted(order)
+
+
+def test_a_complete_programme_keeps_its_rooms_and_links() -> None:
+    program = archetypes()["two_bedroom"]
+    assert all(step.program.rooms == program.rooms and step.program.links == program.links for step in ladder(program))
+
+
+def test_only_links_one_can_do_without_are_dropped() -> None:
+    program = archetypes()["two_bedroom"]
+    assert spare_links(program) == []
+    more = program.model_copy(update={"links": [*program.links, ("kitchen_1", "living_room_1")]})
+    assert ("kitchen_1", "living_room_1") in spare_links(more)
+
+
+def test_an_extra_hallway_takes_over_links() -> None:
+    rooms = {"living_room_1": 20.0, "bedroom_1": 12.0, "bedroom_2": 12.0, "bathroom_1": 5.0, "kitchen_1": 9.0}
+    extra = with_hallway(programme(rooms, [("living_room_1", r) for r in rooms if r != "living_room_1"]))
+    assert extra is not None
+    check(extra)
+    assert {frozenset(link) for link in extra.links} == {frozenset(("hallway_1", r)) for r in rooms}
+
+
+def test_an_impossible_wish_is_named() -> None:
+    rooms = {"hallway_1": 4.0} | {f"bedroom_{i}": 9.0 for i in range(1, 9)}
+    links = [(a, b) for a in rooms for b in rooms if a < b]
+    program = programme(rooms, links, complete=True)
+    with pytest.raises(Unmet, match="share too little wall"):
+        build(program, PlanConfig(whims=1, wave=2, proposals=200), np.random.default_rng(0))
