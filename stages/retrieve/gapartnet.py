@@ -161,7 +161,8 @@ def _annotated(part: Part, bodies: list[Body], classes: dict[str, str]) -> Part:
     under = [b for b in bodies if b.parent == rows.get(part.name) and "handle" in classes.get(b.name, "") and b.pieces]
     handle = np.concatenate([p.vertices for b in under for p in b.pieces]) if under else None
     grip = None if handle is None else (handle.min(0) + handle.max(0)) / 2
-    return replace(part, motion=_closed(part.motion, classes.get(part.name, "")), handle=grip)
+    kind = next((classes[b.name] for b in under), "")
+    return replace(part, motion=_closed(part.motion, classes.get(part.name, "")), handle=grip, grip=kind)
 
 
 def _closed(motion: Motion, kind: str) -> Motion:

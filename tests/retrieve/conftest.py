@@ -86,25 +86,36 @@ def maker():
 
 @pytest.fixture(scope="session")
 def trained(maker, tmp_path_factory):
-    """Weights and index of a small shape model of the stand-in library."""
+    """Weights and index of a small shape model of a few categories of the stand-in library."""
     pytest.importorskip("torch")
+    from stages.retrieve.shape import catalogue, designs, train
     from stages.retrieve.shape.config import ShapeTraining
-    from stages.retrieve.shape.train import train
 
-    folder = tmp_path_factory.mktemp("shape")
-    train(ShapeTraining(variants=2, epochs=8), folder / "weights.safetensors", maker=maker)
-    return folder / "weights.safetensors", folder / "index.safetensors"
+    few = ("chair", "sofa", "tv", "wardrobe")
+    weights = tmp_path_factory.mktemp("shape") / "weights.safetensors"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(train, "drawn", lambda maker, n, rng: designs.drawn(maker, n, rng, few))
+        patch.setattr(catalogue, "indexed", lambda maker: designs.indexed(maker, few))
+        train.train(ShapeTraining(variants=4, epochs=4), weights, maker=maker)
+    return weights, weights.with_name("index.safetensors")
 
 
 @pytest.fixture(scope="session")
-def libraries(maker, trained):
-    """The stand-in library, open."""
-    from stages import latents
+def libraries(maker):
+    """The stand-in library, open; each of its styles has a latent of its own."""
+    from stages.latents import Index
     from stages.retrieve.matching.config import RetrieveConfig
     from stages.retrieve.matching.embedded import Embedded
     from stages.retrieve.matching.libraries import LibrarySet
+    from stages.retrieve.shape.designs import indexed
 
-    return LibrarySet(Embedded(RetrieveConfig(), latents.index(trained[1]), maker), [])
+    rng = np.random.default_rng(0)
+    middle = {style: rng.normal(size=32) for style in STYLES}
+    rows = list(indexed(maker))
+    latent = np.array([middle[row.style] for row in rows]) + 0.1 * rng.normal(size=(len(rows), 32))
+    columns = ([row.category for row in rows], [row.style for row in rows])
+    seed, size = np.array([row.seed for row in rows]), np.array([row.size for row in rows])
+    return LibrarySet(Embedded(RetrieveConfig(), Index(*map(tuple, columns), seed, size, latent, {}), maker), [])
 
 
 @pytest.fixture

@@ -107,6 +107,7 @@ def test_gapartnet_frame_scale_joints_and_classes(partnet):
     free = np.array([0, asset.size[1], 0])
     assert np.cross(door.axis, free)[0] > 0, "the free edge must come forward"
     link = next(link for link in asset.links if link.name == "link_0")
+    assert link.grip == "line_fixed_handle"
     assert link.handle is not None and np.isclose(link.handle[0], asset.size[0] / 2 - 0.02 * scale)
     assert {mesh.material.texture for mesh in link.visuals} == {str(partnet.resolve() / "45661/images/texture_1.jpg")}
     assert "PartNet" in asset.credit

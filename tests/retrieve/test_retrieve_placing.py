@@ -11,6 +11,7 @@ from stages import boxes
 from stages.categories import CATEGORIES, TABLE
 from stages.retrieve import RetrieveConfig, run
 from stages.retrieve.matching import supports
+from stages.retrieve.matching.sets import RUN
 
 RNG = np.random.default_rng(0)
 
@@ -140,3 +141,57 @@ def test_bad_layouts_are_refused_by_name(flat, libraries):
     lost = flat({"category": "sofa", "center": [1, 1, 1], "size": [1, 1, 1], "room": "attic_1"})
     with pytest.raises(BadInput, match="attic_1"):
         retrieve(Layout.model_validate(lost.model_dump()), libraries)
+
+
+def test_equal_things_of_a_room_look_equal_and_a_kitchen_shares_one_style(flat, libraries):
+    rng = np.random.default_rng(3)
+    table = libraries.embedded._index
+    rows = [i for i, name in enumerate(table.category) if name == "chair" and table.style[i] == "legs"]
+
+    def noisy(row: int) -> list[float]:
+        return (table.latent[row] + 0.7 * rng.normal(size=32)).tolist()
+
+    chairs = [{"category": "chair", "center": [1 + i, 1, 0.44], "size": [0.5 + i / 100, 0.47, 0.88],
+               "latent": noisy(rows[i])} for i in range(3)]  # fmt: skip
+    units = [{"category": name, "center": [0.3, 2 + 0.6 * i, 0.45], "size": [0.6 + i / 200, 0.6, 0.9],
+              "latent": rng.normal(size=32).tolist()} for i, name in enumerate(RUN[:3])]  # fmt: skip
+    home = retrieve(flat(*chairs, *units, type="kitchen"), libraries)
+    made = [libraries.load(o.asset.library, o.asset.id) for o in home.objects]
+    assert {asset.style for asset in made[:3]} == {"legs"} and len({asset.id for asset in made[:3]}) == 1
+    assert len({(asset.style, asset.id[-1]) for asset in made[3:]}) == 1
+    assert len({(o.size[0], o.size[2]) for o in home.objects[3:]}) == 1, "one worktop"
+
+
+def test_a_smaller_piece_of_the_same_latent_keeps_the_style(flat, libraries):
+    latent = np.random.default_rng(1).normal(size=32).tolist()
+    box = {"category": "wardrobe", "center": [2, 2.5, 1], "size": [0.6, 1.5, 2.1], "latent": latent}
+    thing = retrieve(flat(box), libraries).objects[0]
+    smaller = libraries.nearest("wardrobe", (0.5, 1.0, 2.0), thing.latent, (0.5, 1.0, 2.0))
+    assert smaller.style == libraries.load(thing.asset.library, thing.asset.id).style
+    assert smaller.size == (0.5, 1.0, 2.0)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_no_new_collision_and_nothing_new_outside(seed, flat, libraries):
+    """Random rooms of separate boxes of any size, real or not."""
+    rng = np.random.default_rng(seed)
+    names = [c for c in CATEGORIES if TABLE[c].place == "floor"]
+    objects = []
+    for x in (0.7, 2.0, 3.3):
+        for y in (0.7, 2.0, 3.3, 4.4):
+            category = str(rng.choice(names))
+            size = np.minimum(np.asarray(TABLE[category].size) * rng.uniform(0.6, 1.3, 3), (1.1, 1.1, 2.5))
+            objects.append({"category": category, "center": [x, y, size[2] / 2], "size": size.tolist()})
+    layout = flat(*objects)
+    home = retrieve(layout, libraries)
+    before = {o.id: o for o in layout.objects}
+    room = Polygon(layout.rooms[0].polygon).buffer(0.0101, join_style="mitre")
+    after = boxes.penetration(boxes.of(home.objects))
+    was = boxes.penetration(boxes.of([before[o.id] for o in home.objects]))
+    assert len(home.objects) >= 6
+    assert (after[was <= 0.01] <= 0.01 + 1e-6).all()
+    for thing in home.objects:
+        kind = TABLE[thing.category]
+        assert (np.asarray(thing.size) >= np.asarray(kind.min) - 1e-6).all()
+        assert (np.asarray(thing.size) <= np.maximum(before[thing.id].size, kind.min) + 1e-6).all()
+        assert room.covers(footprint(thing)) or not room.covers(footprint(before[thing.id]))

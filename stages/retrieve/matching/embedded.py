@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from schemas.errors import BadInput
-from stages.asset import Asset
+from stages.asset import Array, Asset
 from stages.categories import TABLE
 from stages.latents import Index, index
 from stages.retrieve.matching.config import RetrieveConfig
@@ -39,6 +40,7 @@ class Embedded:
         self._maker = maker
         self._loose = config.model_copy(update={"size_weight": 0.01 * config.size_weight})
         self._index = index() if table is None else table
+        self._latents = _means(self._index)
         self._table = Table(
             self._index.category, self._index.size, self._index.latent, np.ones(len(self._index.category), bool)
         )
@@ -74,7 +76,16 @@ class Embedded:
             costs = self.costs(category, wanted, latent)
             design = min(costs, key=lambda one: (costs[one], one))
         style, seed = design
-        return self._maker.build(category, style, millimetres(wanted.tolist()), seed=seed)
+        made = self._maker.build(category, style, millimetres(wanted.tolist()), seed=seed)
+        return replace(made, latent=self._latents[category, style, seed])
+
+
+def _means(table: Index) -> dict[tuple[str, str, int], Array]:
+    """Each design's latent, the mean over its indexed sizes."""
+    rows: dict[tuple[str, str, int], list[int]] = {}
+    for i, key in enumerate(zip(table.category, table.style, table.seed.tolist(), strict=True)):
+        rows.setdefault(key, []).append(i)
+    return {key: table.latent[own].mean(0) for key, own in rows.items()}
 
 
 def millimetres(size: Sequence[float]) -> tuple[float, float, float]:

@@ -27,7 +27,10 @@ _NONE = boxes.of([])
 def run(
     previous: Layout, config: RetrieveConfig, rng: np.random.Generator, libraries: LibrarySet | None = None
 ) -> Retrieve:
-    """Gives every object the nearest asset and its real box; pure, `rng` is left untouched since nothing is drawn."""
+    """Gives every object the nearest asset, its real box and its own latent.
+
+    The result depends on the layout and the libraries alone: nothing is drawn, `rng` is left untouched.
+    """
     libraries = libraries or open_libraries(config)
     floors = polygons.floors(previous)
     _check(previous, set(floors))
@@ -156,9 +159,10 @@ def _furnishing(box: Box, asset: Asset, at: Boxes | None) -> Furnishing:
     assert at is not None
     x, y, z = (round(float(v), 6) for v in at.center[0])
     return Furnishing(
-        **box.model_dump(include={"id", "room", "category", "yaw", "latent"}),
+        **box.model_dump(include={"id", "room", "category", "yaw"}),
         center=(x, y, z),
         size=asset.size,
+        latent=np.round(asset.latent, 4).tolist(),
         asset=AssetKey(library=asset.library, id=asset.id),
         joints=asset.joints,
     )

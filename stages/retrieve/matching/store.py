@@ -37,6 +37,7 @@ def _link(link: Link, key: str, tensors: Tensors) -> dict[str, Any]:
     return {
         "name": link.name,
         "mass": link.mass,
+        "grip": link.grip,
         "friction": link.friction,
         "joint": link.joint.model_dump() if link.joint else None,
         "handle": None if link.handle is None else np.asarray(link.handle, float).tolist(),

@@ -45,6 +45,7 @@ class Part:
     mass: float | None = None
     colliders: list[Collider] = field(default_factory=list)
     handle: Array | None = None
+    grip: str = ""
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ def _link(part: Part, model: Model, center: Array) -> Link:
     if joint is not None:
         handle = part.handle @ matrix[:3, :3].T + matrix[:3, 3] if part.handle is not None else _grip(joint, pieces)
     visuals = [Mesh(p.vertices, p.faces, p.material, p.uv) for p in pieces]
-    return Link(part.name, visuals, solid, float(np.clip(mass, 0.02, 400)), joint, handle)
+    return Link(part.name, visuals, solid, float(np.clip(mass, 0.02, 400)), joint, handle, grip=part.grip)
 
 
 def _collider(piece: Collider, model: Model, center: Array) -> Collider:
