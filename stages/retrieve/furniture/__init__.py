@@ -17,8 +17,8 @@ from stages.retrieve.furniture.kit import Kit
 from stages.retrieve.furniture.registry import DESIGNS
 
 FAMILIES = (
-    "beds", "storage", "shelves", "media", "sofas", "chairs", "tables", "desks", "kitchen", "appliances", "bath",
-    "bathroom", "lamps", "plants", "textiles", "household", "building",
+    "beds", "storage", "shelves", "media", "sofas", "chairs", "tables", "small_tables", "desks", "kitchen",
+    "appliances", "laundry", "bath", "bathroom", "lamps", "plants", "textiles", "household", "building",
 )  # fmt: skip
 BUILDING = ("door", "window")
 """Parts of the building itself; any size goes."""

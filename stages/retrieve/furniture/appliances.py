@@ -1,9 +1,9 @@
-"""Oven, fridge, dishwasher, microwave, washing machine, dryer."""
+"""Oven, fridge, dishwasher, microwave."""
 
 import numpy as np
 
 from stages import categories, materials
-from stages.retrieve.furniture import cases, fronts, mesh
+from stages.retrieve.furniture import cases, fronts
 from stages.retrieve.furniture.body import Body
 from stages.retrieve.furniture.cases import Cell
 from stages.retrieve.furniture.fronts import Span
@@ -17,7 +17,7 @@ _WALL = 260.0
 """Sheet steel with insulation between, kg/m³."""
 
 
-def _sheet(material: str) -> float:
+def sheet(material: str) -> float:
     """Share of a solid of the material that weighs as much as an appliance's wall."""
     return _WALL / materials.density(material)
 
@@ -25,7 +25,7 @@ def _sheet(material: str) -> float:
 def _housing(kit: Kit, material: str, lining: str, x: Span, y: Span, z: Span, wall: float) -> tuple[Span, Span, float]:
     """Insulated walls on five sides; returns inner y, z and the inner x of the back."""
     b = kit.base
-    b.fill = _sheet(material)
+    b.fill = sheet(material)
     for side in ((y[0], y[0] + wall), (y[1] - wall, y[1])):
         b.box(material, x, side, z)
     inner_y, inner_z = (y[0] + wall, y[1] - wall), (z[0] + wall, z[1] - wall)
@@ -64,7 +64,9 @@ def oven(kit: Kit) -> None:
         _tower(kit)
         return
     b, h = kit.base, kit.h
-    material = {"steel": "steel", "black": "black", "white": "enamel", "range": kit.pick("cream", "navy", "sage")}[kit.style]
+    material = {"steel": "steel", "black": "black", "white": "enamel", "range": kit.pick("cream", "navy", "sage")}[
+        kit.style
+    ]
     own = _look(material, "brass" if kit.style == "range" else "steel")
     front, thick = kit.x[1], 0.04
     face = front - fronts.projection(own)
@@ -73,24 +75,47 @@ def oven(kit: Kit) -> None:
     panel = h - 0.11
     low = max(0.22, panel - 0.6 * h)
     _housing(kit, material, "plastic_grey", (kit.x[0], edge), kit.y, (low, panel), 0.05)
-    b.fill = _sheet(material)
+    b.fill = sheet(material)
     b.mass += 12.0
     b.box(material, (kit.x[0], face), kit.y, (panel, h - 0.006))
     b.box(material, (kit.x[0], edge), (kit.y[0], kit.y[0] + 0.02), (0.06, low))
     b.box(material, (kit.x[0], edge), (kit.y[1] - 0.02, kit.y[1]), (0.06, low))
     b.box(material, (kit.x[0], edge), (kit.y[0] + 0.02, kit.y[1] - 0.02), (0.06, 0.075))
     b.fill = 1.0
-    cooktop(kit, (kit.x[0] + 0.02, face - 0.01), (kit.y[0] + 0.01, kit.y[1] - 0.01), h, gas=kit.style in ("range", "white"))
+    cooktop(
+        kit, (kit.x[0] + 0.02, face - 0.01), (kit.y[0] + 0.01, kit.y[1] - 0.01), h, gas=kit.style in ("range", "white")
+    )
     n = 5 if kit.w < 0.75 else 7
     for i in range(n):
         y = kit.y[0] + (i + 0.5) * kit.w / n
-        b.turned("plastic_black" if kit.style != "range" else "brass", [(0.02, 0), (0.018, 0.02)], (face, y, panel + 0.055), 12, along=(1, 0, 0))
+        b.turned(
+            "plastic_black" if kit.style != "range" else "brass",
+            [(0.02, 0), (0.018, 0.02)],
+            (face, y, panel + 0.055),
+            12,
+            along=(1, 0, 0),
+        )
     door = fronts.flap(kit, own, front, (kit.y[0], kit.y[1]), (low, panel), thick, bar=0.8)
-    door.mass *= 3 * _sheet(material)
+    door.mass *= 3 * sheet(material)
     _glazed(door, (face - thick, face), (kit.y[0] + 0.08, kit.y[1] - 0.08), (low + 0.07, panel - 0.11))
-    _racks(kit, (kit.x[0] + 0.06, edge - 0.01), (kit.y[0] + 0.05, kit.y[1] - 0.05), np.linspace(low + 0.12, panel - 0.16, 2))
-    pans = fronts.drawer(kit, own.with_(handle="none"), front - fronts.projection(own), kit.y, (0.06, low), (kit.y[0] + 0.02, kit.y[1] - 0.02), kit.d * 0.7, thick, "plastic_grey")
-    pans.mass *= 2 * _sheet(material)
+    _racks(
+        kit,
+        (kit.x[0] + 0.06, edge - 0.01),
+        (kit.y[0] + 0.05, kit.y[1] - 0.05),
+        np.linspace(low + 0.12, panel - 0.16, 2),
+    )
+    pans = fronts.drawer(
+        kit,
+        own.with_(handle="none"),
+        front - fronts.projection(own),
+        kit.y,
+        (0.06, low),
+        (kit.y[0] + 0.02, kit.y[1] - 0.02),
+        kit.d * 0.7,
+        thick,
+        "plastic_grey",
+    )
+    pans.mass *= 2 * sheet(material)
 
 
 def _tower(kit: Kit) -> None:
@@ -105,23 +130,31 @@ def _tower(kit: Kit) -> None:
     cases.cabinet(kit, own, kit.x, kit.y, (high, kit.h), top)
     metal = _look("steel" if kit.style != "black" else "black", "steel")
     _housing(kit, metal.body, "plastic_grey", (kit.x[0], edge - 0.02), kit.y, (low, high - 0.1), 0.04)
-    b.fill = _sheet(metal.body)
+    b.fill = sheet(metal.body)
     b.mass += 25.0
     b.box(metal.body, (kit.x[0], kit.x[1] - out), kit.y, (high - 0.1, high))
     b.fill = 1.0
-    b.box("screen", (kit.x[1] - out - 0.001, kit.x[1] - out + 0.001), (-0.08, 0.08), (high - 0.075, high - 0.035), False)
+    b.box(
+        "screen", (kit.x[1] - out - 0.001, kit.x[1] - out + 0.001), (-0.08, 0.08), (high - 0.075, high - 0.035), False
+    )
     door = fronts.flap(kit, metal, kit.x[1], kit.y, (low, high - 0.1), 0.035, bar=0.8)
-    door.mass *= 3 * _sheet(metal.body)
+    door.mass *= 3 * sheet(metal.body)
     face = kit.x[1] - out
     _glazed(door, (face - 0.035, face), (kit.y[0] + 0.07, kit.y[1] - 0.07), (low + 0.05, high - 0.2))
-    _racks(kit, (kit.x[0] + 0.05, edge - 0.04), (kit.y[0] + 0.04, kit.y[1] - 0.04), np.linspace(low + 0.1, high - 0.25, 2))
+    _racks(
+        kit, (kit.x[0] + 0.05, edge - 0.04), (kit.y[0] + 0.04, kit.y[1] - 0.04), np.linspace(low + 0.1, high - 0.25, 2)
+    )
 
 
 @design("fridge", "white", "steel", "retro", "panelled")
 def fridge(kit: Kit) -> None:
     """Fridge over freezer, or side by side when it is wide; shelves inside."""
-    material, metal = {"white": ("enamel", "plastic_grey"), "steel": ("steel", "steel"), "panelled": ("graphite", "black_metal"),
-                       "retro": (kit.pick("mint", "cream", "blush", "dusk_blue"), "chrome")}[kit.style]  # fmt: skip
+    material, metal = {
+        "white": ("enamel", "plastic_grey"),
+        "steel": ("steel", "steel"),
+        "panelled": ("graphite", "black_metal"),
+        "retro": (kit.pick("mint", "cream", "blush", "dusk_blue"), "chrome"),
+    }[kit.style]
     own = _look(material, metal, "edge" if kit.style in ("white", "panelled") else "bar")
     b, thick, foot, wall = kit.base, 0.045, 0.05, 0.04
     front = kit.x[1]
@@ -136,7 +169,7 @@ def fridge(kit: Kit) -> None:
             y = (kit.y[0] + i * kit.w / n, kit.y[0] + (i + 1) * kit.w / n)
             left = i == n - 1 if n > 1 else True
             body = fronts.door(kit, own, front, y, (low, high), left, thick, 0.045 if n == 1 else 0.0)
-            body.mass *= 1.2 * _sheet(material)
+            body.mass *= 1.2 * sheet(material)
             if n == 1:
                 _bins(body, (edge - 0.042, edge + 0.003), y, (low + wall, high - wall), wall)
         levels = max(1, round((inner_z[1] - inner_z[0]) / 0.3))
@@ -167,7 +200,9 @@ def _bins(body: Body, x: Span, y: Span, z: Span, wall: float) -> None:
 @design("dishwasher", "steel", "white", "integrated")
 def dishwasher(kit: Kit) -> None:
     """A flap over two racks of a steel tub."""
-    material = {"steel": "steel", "white": "enamel", "integrated": kit.pick("white", "graphite", "sage", "oak")}[kit.style]
+    material = {"steel": "steel", "white": "enamel", "integrated": kit.pick("white", "graphite", "sage", "oak")}[
+        kit.style
+    ]
     own = _look(material, "steel", "bar" if kit.style != "white" else "edge")
     front, thick, b = kit.x[1], 0.035, kit.base
     face = front - fronts.projection(own)
@@ -179,7 +214,7 @@ def dishwasher(kit: Kit) -> None:
     b.box("white" if kit.style == "integrated" else material, (kit.x[0], face), kit.y, (high, kit.h))
     inner_y, inner_z, back = _housing(kit, "enamel", "steel", (kit.x[0], edge), kit.y, (low, high), 0.025)
     body = fronts.flap(kit, own, front, kit.y, (low, high), thick, bar=0.7)
-    body.mass *= 2 * _sheet(material)
+    body.mass *= 2 * sheet(material)
     if kit.style != "integrated":
         body.box("screen", (face - 0.001, face + 0.001), (-0.15, 0.15), (high - 0.09, high - 0.07), False)
     _racks(kit, (back + 0.01, edge - 0.01), (inner_y[0], inner_y[1]), np.array([inner_z[0] + 0.06, inner_z[0] + 0.34]))
@@ -199,7 +234,7 @@ def microwave(kit: Kit) -> None:
             b.box("rubber", (x, x + 0.03), (y, y + 0.03), (0, foot))
     z = (foot, kit.h)
     inner_y, inner_z, back = _housing(kit, material, "plastic_grey", (kit.x[0], edge), (panel, kit.y[1]), z, 0.02)
-    b.fill = _sheet(material)
+    b.fill = sheet(material)
     b.mass += 6.0
     b.box(material, (kit.x[0], edge), (kit.y[0], panel), z)
     b.box("black_glass", (edge, face), (kit.y[0], panel), z)
@@ -207,84 +242,13 @@ def microwave(kit: Kit) -> None:
     b.box("screen", (face - 0.001, face + 0.001), (kit.y[0] + 0.02, panel - 0.02), (kit.h - 0.06, kit.h - 0.03), False)
     b.turned("chrome", [(0.022, 0), (0.02, 0.018)], (face, (kit.y[0] + panel) / 2, z[0] + 0.07), 16, along=(1, 0, 0))
     body = fronts.door(kit, own, front, (panel, kit.y[1]), z, True, thick)
-    body.mass *= 3 * _sheet(material)
+    body.mass *= 3 * sheet(material)
     _glazed(body, (face - thick, face), (panel + 0.08, kit.y[1] - 0.03), (z[0] + 0.04, z[1] - 0.04))
     middle = ((back + edge) / 2, (inner_y[0] + inner_y[1]) / 2)
-    b.rod("glass", (*middle, inner_z[0]), (*middle, inner_z[0] + 0.008), min(edge - back, inner_y[1] - inner_y[0]) / 2 - 0.01, n=24)
-
-
-def _porthole(kit: Kit, material: str, accent: str, drum: str) -> None:
-    """A front plate with a round hole, a drum behind it, a round door that swings aside."""
-    b, h = kit.base, kit.h
-    swell = 0.045
-    face = kit.x[1] - swell
-    plate, foot = 0.03, 0.02
-    for x in (kit.x[0] + 0.05, face - 0.08):
-        for y in (kit.y[0] + 0.05, kit.y[1] - 0.08):
-            b.box("rubber", (x, x + 0.03), (y, y + 0.03), (0, foot))
-    panel = h - 0.13
-    b.fill = 3 * _sheet(material)
-    b.mass += 38.0
-    wall, back = 0.015, kit.x[0] + 0.015
-    for side in ((kit.y[0], kit.y[0] + wall), (kit.y[1] - wall, kit.y[1])):
-        b.box(material, (kit.x[0], face - plate), side, (foot, h - 0.02))
-    inner = (kit.y[0] + wall, kit.y[1] - wall)
-    b.box(material, (kit.x[0], back), inner, (foot, h - 0.02))
-    b.box(material, (back, face - plate), inner, (foot, foot + wall))
-    b.box(material, (kit.x[0], face), kit.y, (h - 0.02, h))
-    b.box(material, (face - plate, face), kit.y, (panel, h - 0.02))
-    r = min(0.17, 0.32 * kit.w)
-    middle = np.array([0.0, (foot + panel) / 2 + 0.03])
-    _plate(b, material, (face - plate, face), kit.y, (foot, panel), middle, r)
-    deep = face - plate - back - 0.05
-    wide = min(0.24, kit.w / 2 - wall - 0.02)
-    b.fill = 0.05
-    b.shell(drum, [(wide, 0.001), (wide, deep - 0.06), (r + 0.012, deep)], [(wide - 0.012, 0.012), (wide - 0.012, deep - 0.06), (r + 0.001, deep)],
-            (back + 0.05, *middle), 24, along=(1, 0, 0))  # fmt: skip
-    b.rod(drum, (back + 0.045, *middle), (back + 0.05, *middle), wide, n=24)
-    b.fill = 1.0
-    _controls(kit, face, panel, accent)
-    _round_door(kit, face, middle, r, accent)
-
-
-def _plate(b: Body, material: str, x: Span, y: Span, z: Span, middle: Array, r: float) -> None:
-    n = 32
-    c = mesh.circle(n)
-    square = c / np.abs(c).max(1, keepdims=True)
-    edge = np.where(square < 0, [y[0], z[0]] - middle, [y[1], z[1]] - middle) * np.abs(square) + middle
-    hole = r * c + middle
-    rings = [np.column_stack([np.full(n, px), ring]) for px, ring in ((x[1], edge), (x[1], hole), (x[0], hole), (x[0], edge))]
-    b.add(material, mesh.loft(np.array(rings), caps=False, sharp=(1, 2, 3)), touch=False)
-    for i in range(n):
-        b.hull(np.array([ring[j] for ring in rings for j in (i, (i + 1) % n)]))
-
-
-def _controls(kit: Kit, face: float, panel: float, accent: str) -> None:
-    b, z = kit.base, (panel + kit.h - 0.02) / 2
-    b.turned(accent, [(0.03, 0), (0.026, 0.022)], (face, 0, z), 20, along=(1, 0, 0))
-    b.box("screen", (face - 0.001, face + 0.001), (kit.y[0] + 0.08, kit.y[0] + 0.2), (z - 0.02, z + 0.02), False)
-    b.box("plastic_grey", (face - 0.001, face + 0.002), (kit.y[1] - 0.2, kit.y[1] - 0.04), (z - 0.035, z + 0.035), False)
-
-
-def _round_door(kit: Kit, face: float, middle: Array, r: float, accent: str) -> None:
-    body = Body()
-    at = (face + 0.002, *middle)
-    out = kit.x[1] - at[0]
-    body.fill = 900 / materials.density(accent)
-    body.turned(accent, [(r + 0.03, 0), (r + 0.03, 0.6 * out), (r + 0.016, out - 0.003)], at, 32, along=(1, 0, 0))
-    body.turned("black_glass", [(r - 0.01, 0), (r - 0.02, 0.003)], (kit.x[1] - 0.003, *middle), 32, along=(1, 0, 0))
-    hold = (kit.x[1], middle[0] - r - 0.015, middle[1])
-    kit.hinge("door", body, (kit.x[1], middle[0] + r + 0.03, middle[1]), (0, 0, 1), handle=hold)
-
-
-@design("washing_machine", "white", "graphite", "steel")
-def washing_machine(kit: Kit) -> None:
-    """A front loader."""
-    material = {"white": "enamel", "graphite": "graphite", "steel": "steel"}[kit.style]
-    _porthole(kit, material, kit.pick("plastic_grey", "chrome", "plastic_black"), "steel")
-
-
-@design("dryer", "white", "graphite")
-def dryer(kit: Kit) -> None:
-    """A tumble dryer with a larger door."""
-    _porthole(kit, {"white": "enamel", "graphite": "graphite"}[kit.style], "plastic_white" if kit.style == "white" else "plastic_black", "enamel")
+    b.rod(
+        "glass",
+        (*middle, inner_z[0]),
+        (*middle, inner_z[0] + 0.008),
+        min(edge - back, inner_y[1] - inner_y[0]) / 2 - 0.01,
+        n=24,
+    )

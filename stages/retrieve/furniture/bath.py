@@ -28,9 +28,19 @@ def vessel(
         return ring(centre, (rim[0] * scale - inset, rim[1] * scale - inset), height, power, n)
 
     tall = z[1] - z[0]
-    outer = [at(foot, z[0], exponent), at((1 + foot) / 2 + 0.15 * (1 - foot), z[0] + 0.45 * tall, exponent), at(1, z[1] - 0.012, exponent), at(1, z[1], exponent)]
+    outer = [
+        at(foot, z[0], exponent),
+        at((1 + foot) / 2 + 0.15 * (1 - foot), z[0] + 0.45 * tall, exponent),
+        at(1, z[1] - 0.012, exponent),
+        at(1, z[1], exponent),
+    ]
     floor = z[1] - deep
-    inner = [at(1, z[1], inside, lip), at(0.985, z[1] - 0.15 * deep, inside, lip), at(0.93, z[1] - 0.6 * deep, inside, lip), at(0.74, floor, inside, lip)]
+    inner = [
+        at(1, z[1], inside, lip),
+        at(0.985, z[1] - 0.15 * deep, inside, lip),
+        at(0.93, z[1] - 0.6 * deep, inside, lip),
+        at(0.74, floor, inside, lip),
+    ]
     b.hollow(material, np.array(outer), np.array(inner))
 
 
@@ -60,7 +70,10 @@ def _built_in(kit: Kit, rim: float) -> None:
     b, n = kit.base, 32
     c = mesh.circle(n)
     square = c / np.abs(c).max(1, keepdims=True) * [kit.d / 2, kit.w / 2]
-    box = [np.column_stack([square * s, np.full(n, z)]) for s, z in ((0.985, 0.0), (0.985, rim - 0.03), (1.0, rim - 0.03), (1.0, rim))]
+    box = [
+        np.column_stack([square * s, np.full(n, z)])
+        for s, z in ((0.985, 0.0), (0.985, rim - 0.03), (1.0, rim - 0.03), (1.0, rim))
+    ]
     half = (kit.d / 2 - 0.06, kit.w / 2 - 0.09)
     deep = rim - 0.1
     inner = [ring((0, 0), (half[0] * s, half[1] * t), rim - deep * u, e, n) for s, t, u, e in
@@ -78,7 +91,9 @@ def _filler(kit: Kit, metal: str, y: float, rim: float) -> None:
         for x in (-0.09, 0.09):
             b.turned(metal, [(0.018, 0), (0.014, 0.03), (0.02, 0.045)], (x, y, rim), 12)
         return
-    b.tube(metal, [(0, y, rim - 0.02), (0, y, top - 0.011), (0, y + 0.16, top - 0.011), (0, y + 0.16, top - 0.04)], 0.011)
+    b.tube(
+        metal, [(0, y, rim - 0.02), (0, y, top - 0.011), (0, y + 0.16, top - 0.011), (0, y + 0.16, top - 0.04)], 0.011
+    )
 
 
 @design("toilet", "close_coupled", "modern", "wall_hung", "classic")
@@ -92,7 +107,12 @@ def toilet(kit: Kit) -> None:
     half = ((kit.x[1] - back) / 2, (kit.w / 2 if low else min(0.185, kit.w / 2)))
     _bowl(kit, (back + half[0], 0.0), half, rim, hung=kit.style == "wall_hung")
     if low:
-        b.box("porcelain", (kit.x[0], back + 0.08), (kit.y[0] * 0.75, kit.y[1] * 0.75), (rim - 0.16 if kit.style == "wall_hung" else 0, rim))
+        b.box(
+            "porcelain",
+            (kit.x[0], back + 0.08),
+            (kit.y[0] * 0.75, kit.y[1] * 0.75),
+            (rim - 0.16 if kit.style == "wall_hung" else 0, rim),
+        )
     else:
         _cistern(kit, tank, rim)
     cover = Body()
@@ -138,9 +158,20 @@ def _cistern(kit: Kit, tank: float, rim: float) -> None:
     b = kit.base
     low = rim - 0.02 if kit.style != "classic" else max(rim - 0.02, kit.h - 0.36)
     b.fill = 0.2
-    b.rounded("porcelain", (kit.x[0], kit.x[0] + tank - 0.006), (kit.y[0] + 0.006, kit.y[1] - 0.006), (low, kit.h - 0.03), 0.02)
+    b.rounded(
+        "porcelain",
+        (kit.x[0], kit.x[0] + tank - 0.006),
+        (kit.y[0] + 0.006, kit.y[1] - 0.006),
+        (low, kit.h - 0.03),
+        0.02,
+    )
     b.rounded("porcelain", (kit.x[0], kit.x[0] + tank), kit.y, (kit.h - 0.035, kit.h - 0.004), 0.012)
-    b.box("porcelain", (kit.x[0], kit.x[0] + tank + 0.004), (-0.12, 0.12), (0.0 if kit.style != "wall_hung" else rim - 0.3, low + 0.01))
+    b.box(
+        "porcelain",
+        (kit.x[0], kit.x[0] + tank + 0.004),
+        (-0.12, 0.12),
+        (0.0 if kit.style != "wall_hung" else rim - 0.3, low + 0.01),
+    )
     b.fill = 1.0
     b.rod("chrome", (kit.x[0] + tank / 2, 0, kit.h - 0.005), (kit.x[0] + tank / 2, 0, kit.h), 0.022, n=16)
 
@@ -192,7 +223,12 @@ def _counter(kit: Kit, front: float, low: float, rim: float, places: tuple[float
         half = ((x[1] - x[0]) / 2 - 0.06, min(0.28, (hi - lo) / 2 - 0.04))
         centre = (middle[0] + 0.03, y)
         outer = np.array([np.column_stack([square, np.full(n, z)]) for z in (low, rim)])
-        inner = np.array([ring(centre, (half[0] * s, half[1] * s), rim - u, 4, n) for s, u in ((1, 0), (0.96, 0.012), (0.86, 0.04), (0.8, 0.044))])
+        inner = np.array(
+            [
+                ring(centre, (half[0] * s, half[1] * s), rim - u, 4, n)
+                for s, u in ((1, 0), (0.96, 0.012), (0.86, 0.04), (0.8, 0.044))
+            ]
+        )
         inner[:, :, 2] = np.maximum(inner[:, :, 2], low + 0.004)
         b.add("porcelain", mesh.loft(np.concatenate([outer, inner]), sharp=(1,)), touch=False)
         b.vessel_hulls(outer, inner)
@@ -206,11 +242,26 @@ def _pedestal(kit: Kit, rim: float, metal: str) -> None:
     c = mesh.circle(n)
     square = c / np.abs(c).max(1, keepdims=True)
     half = np.array([kit.d / 2, kit.w / 2])
-    outer = np.array([np.column_stack([square * half * s + [-(1 - s) * kit.d / 4, 0], np.full(n, z)]) for s, z in ((0.5, rim - 0.17), (0.97, rim - 0.05), (1, rim - 0.03), (1, rim))])
+    outer = np.array(
+        [
+            np.column_stack([square * half * s + [-(1 - s) * kit.d / 4, 0], np.full(n, z)])
+            for s, z in ((0.5, rim - 0.17), (0.97, rim - 0.05), (1, rim - 0.03), (1, rim))
+        ]
+    )
     inside = (half[0] - 0.065, half[1] - 0.04)
-    inner = np.array([ring((0.035, 0), (inside[0] * s, inside[1] * s), rim - u, 2.6, n) for s, u in ((1, 0), (0.94, 0.03), (0.75, 0.1), (0.4, 0.13))])
+    inner = np.array(
+        [
+            ring((0.035, 0), (inside[0] * s, inside[1] * s), rim - u, 2.6, n)
+            for s, u in ((1, 0), (0.94, 0.03), (0.75, 0.1), (0.4, 0.13))
+        ]
+    )
     b.add("porcelain", mesh.loft(np.concatenate([outer, inner]), sharp=(2, 3, 4)), touch=False)
     b.vessel_hulls(outer, inner)
-    b.turned("porcelain", [(0.12, 0), (0.12, 0.02), (0.085, 0.1), (0.075, 0.5 * rim), (0.11, rim - 0.16)], (-kit.d / 8, 0, 0), 20)
+    b.turned(
+        "porcelain",
+        [(0.12, 0), (0.12, 0.02), (0.085, 0.1), (0.075, 0.5 * rim), (0.11, rim - 0.16)],
+        (-kit.d / 8, 0, 0),
+        20,
+    )
     b.fill = 1.0
     tap(b, metal, kit.x[0] + 0.05, 0, rim, kit.h, 0.11)

@@ -52,7 +52,9 @@ def _glass_front(kit: Kit, metal: str, front: float, post: float, tray: float) -
     b.box(metal, (front - 0.02, front), (kit.y[0] + post, kit.y[1] - post), (kit.h - 0.03, kit.h))
     if kit.style == "grid" and n > 1:
         for z in np.linspace(tray, kit.h - 0.03, 6)[1:-1]:
-            b.box(metal, (front - 0.018, front - 0.013), (fixed[0], fixed[1] - 0.02), (float(z) - 0.006, float(z) + 0.006))
+            b.box(
+                metal, (front - 0.018, front - 0.013), (fixed[0], fixed[1] - 0.02), (float(z) - 0.006, float(z) + 0.006)
+            )
     _glass_door(kit, metal, front, (door[0], door[1]), (tray + 0.01, kit.h - 0.035), n > 1)
 
 
@@ -68,7 +70,14 @@ def _glass_door(kit: Kit, metal: str, front: float, y: Span, z: Span, free: bool
             low = min(max(float(share) - 0.006, z[0]), z[1] - 0.012)
             body.box(metal, (back + _PANE, back + _PANE + 0.003), own, (low, low + 0.012), touch=False)
     body.box(metal, (back + _PANE, kit.x[1]), (own[0] + 0.05, own[0] + 0.065), (0.95, 1.2))
-    kit.hinge("door", body, (kit.x[1], y[1], 1.0), (0, 0, 1), handle=(kit.x[1], own[0] + 0.058, 1.07), grip="line_fixed_handle")
+    kit.hinge(
+        "door",
+        body,
+        (kit.x[1], y[1], 1.0),
+        (0, 0, 1),
+        handle=(kit.x[1], own[0] + 0.058, 1.07),
+        grip="line_fixed_handle",
+    )
 
 
 def _fittings(kit: Kit, metal: str) -> None:
@@ -94,7 +103,13 @@ def mirror(kit: Kit) -> None:
         if kit.style == "arch":
             r = min(kit.w / 2, kit.h / 2)
             arch = unit * r + [0, kit.h - r]
-            outline = np.array([[-kit.w / 2, 0], [kit.w / 2, 0], *arch[(arch[:, 1] >= kit.h - r - 1e-9)][np.argsort(-arch[arch[:, 1] >= kit.h - r - 1e-9][:, 0])]])
+            outline = np.array(
+                [
+                    [-kit.w / 2, 0],
+                    [kit.w / 2, 0],
+                    *arch[(arch[:, 1] >= kit.h - r - 1e-9)][np.argsort(-arch[arch[:, 1] >= kit.h - r - 1e-9][:, 0])],
+                ]
+            )
         else:
             outline = unit * [kit.w / 2, kit.h / 2] + middle
         shrunk = (outline - middle) * [1 - 2 * t / kit.w, 1 - 2 * t / kit.h] + middle
@@ -103,7 +118,12 @@ def mirror(kit: Kit) -> None:
         return
     if kit.style == "plain":
         b.box("mirror", (kit.x[1] - min(0.006, 0.3 * kit.d), kit.x[1]), kit.y, (0, kit.h))
-        b.box("plastic_grey", (kit.x[0], kit.x[1] - min(0.006, 0.3 * kit.d)), (kit.y[0] + 0.03, kit.y[1] - 0.03), (0.03, kit.h - 0.03))
+        b.box(
+            "plastic_grey",
+            (kit.x[0], kit.x[1] - min(0.006, 0.3 * kit.d)),
+            (kit.y[0] + 0.03, kit.y[1] - 0.03),
+            (0.03, kit.h - 0.03),
+        )
         return
     for side in ((kit.y[0], kit.y[0] + t), (kit.y[1] - t, kit.y[1])):
         b.box(frame, kit.x, side, (0, kit.h))
@@ -178,7 +198,13 @@ def radiator(kit: Kit) -> None:
     b.box(metal, (kit.x[0], kit.x[1] - 0.004), kit.y, (kit.h - 0.015, kit.h))
     n = max(6, round(kit.w / 0.045))
     if kit.style == "flat":
-        b.box(metal, (kit.x[1] - 0.004, kit.x[1]), (kit.y[0] + 0.004, kit.y[1] - 0.004), (0.024, kit.h - 0.02), touch=False)
+        b.box(
+            metal,
+            (kit.x[1] - 0.004, kit.x[1]),
+            (kit.y[0] + 0.004, kit.y[1] - 0.004),
+            (0.024, kit.h - 0.02),
+            touch=False,
+        )
         n = 0
     for i in range(n):
         y = kit.y[0] + (i + 0.2) * kit.w / n

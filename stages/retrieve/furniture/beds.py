@@ -85,15 +85,20 @@ def _scandi(kit: Kit, board: float, rail: float, frame: float) -> None:
     for y in ((kit.y[0], kit.y[0] + 0.045), (kit.y[1] - 0.045, kit.y[1])):
         b.box(wood, (kit.x[0], kit.x[0] + board), y, (0, kit.h - 0.03))
     b.box(wood, (kit.x[0], kit.x[0] + board), kit.y, (kit.h - 0.03, kit.h))
-    b.box(wood, (kit.x[0] + 0.004, kit.x[0] + board - 0.004), (kit.y[0] + 0.045, kit.y[1] - 0.045), (frame - 0.05, frame + 0.03))
+    b.box(
+        wood,
+        (kit.x[0] + 0.004, kit.x[0] + board - 0.004),
+        (kit.y[0] + 0.045, kit.y[1] - 0.045),
+        (frame - 0.05, frame + 0.03),
+    )
     n = max(5, round(kit.w / 0.12))
     if kit.h - frame > 0.15:
         for i in range(1, n):
-            y = kit.y[0] + 0.045 + i * (kit.w - 0.09) / n
-            b.rod(wood, (kit.x[0] + board / 2, y, frame + 0.03), (kit.x[0] + board / 2, y, kit.h - 0.03), 0.009, n=8)
-    x = kit.x[1] - 0.1
+            at = (kit.x[0] + board / 2, kit.y[0] + 0.045 + i * (kit.w - 0.09) / n)
+            b.rod(wood, (*at, frame + 0.03), (*at, kit.h - 0.03), 0.009, n=8)
+    foot = kit.x[1] - 0.1
     for s in (-1, 1):
-        b.leg(wood, (x + 0.03, s * (kit.w / 2 - 0.06), 0), (x, s * (kit.w / 2 - 0.07), frame - 0.06), 0.015, 0.025)
+        b.leg(wood, (foot + 0.03, s * (kit.w / 2 - 0.06), 0), (foot, s * (kit.w / 2 - 0.07), frame - 0.06), 0.015, 0.025)
 
 
 def _classic(kit: Kit, board: float, rail: float, frame: float) -> None:
@@ -111,8 +116,15 @@ def _classic(kit: Kit, board: float, rail: float, frame: float) -> None:
         ghost = sorted((s * kit.w / 2, s * (kit.w / 2 - 0.03)))
         b.box(wood, (kit.x[0] + 0.01, kit.x[1] - 0.01), (ghost[0], ghost[1]), (frame - 0.06, frame + 0.0))
     if kit.h - frame > 0.2:
-        b.box(wood, (kit.x[0] + 0.012, kit.x[0] + 0.048), (kit.y[0] + 0.06, kit.y[1] - 0.06), (frame - 0.05, kit.h - 0.1))
-        b.box(wood, (kit.x[0] + 0.005, kit.x[0] + 0.055), (kit.y[0] + 0.055, kit.y[1] - 0.055), (kit.h - 0.1, kit.h - 0.06))
+        b.box(
+            wood, (kit.x[0] + 0.012, kit.x[0] + 0.048), (kit.y[0] + 0.06, kit.y[1] - 0.06), (frame - 0.05, kit.h - 0.1)
+        )
+        b.box(
+            wood,
+            (kit.x[0] + 0.005, kit.x[0] + 0.055),
+            (kit.y[0] + 0.055, kit.y[1] - 0.055),
+            (kit.h - 0.1, kit.h - 0.06),
+        )
     b.box(wood, (kit.x[1] - 0.05, kit.x[1] - 0.01), (kit.y[0] + 0.06, kit.y[1] - 0.06), (frame - 0.1, foot - 0.05))
     b.box(wood, (kit.x[1] - rail, kit.x[1]), (kit.y[0] + 0.08, kit.y[1] - 0.08), (frame - 0.1, frame + 0.02))
 
@@ -135,7 +147,9 @@ def _metal(kit: Kit, board: float, rail: float, frame: float) -> None:
         lo, hi = sorted((s * kit.w / 2, s * (kit.w / 2 - 0.03)))
         b.box(metal, (kit.x[0] + 2 * r, kit.x[1] - 2 * r), (lo, hi), (frame - 0.05, frame + 0.01))
     b.fill = 1.0
-    b.box("pine", (kit.x[0] + 2 * r, kit.x[1] - 2 * r), (kit.y[0] + 0.03, kit.y[1] - 0.03), (frame - 0.05, frame - 0.025))
+    b.box(
+        "pine", (kit.x[0] + 2 * r, kit.x[1] - 2 * r), (kit.y[0] + 0.03, kit.y[1] - 0.03), (frame - 0.05, frame - 0.025)
+    )
 
 
 @design("bunk_bed", "pine", "white", "metal")
@@ -173,7 +187,19 @@ def cot(kit: Kit) -> None:
     for px in (kit.x[0] + s / 2, kit.x[1] - s / 2):
         for py in (kit.y[0] + s / 2, kit.y[1] - s / 2):
             if kit.style == "turned":
-                b.turned(wood, [(0.012, 0), (s / 2, 0.05), (s / 2, kit.h - 0.05), (0.012, kit.h - 0.03), (0.018, kit.h - 0.012), (0.008, kit.h)], (px, py, 0), 12)
+                b.turned(
+                    wood,
+                    [
+                        (0.012, 0),
+                        (s / 2, 0.05),
+                        (s / 2, kit.h - 0.05),
+                        (0.012, kit.h - 0.03),
+                        (0.018, kit.h - 0.012),
+                        (0.008, kit.h),
+                    ],
+                    (px, py, 0),
+                    12,
+                )
             else:
                 b.box(wood, (px - s / 2, px + s / 2), (py - s / 2, py + s / 2), (0, kit.h))
     high = kit.h - 0.08
@@ -189,7 +215,13 @@ def cot(kit: Kit) -> None:
     inner = (kit.x[0] + s, kit.x[1] - s), (kit.y[0] + s, kit.y[1] - s)
     b.box("birch", *inner, (low, low + 0.02))
     b.rounded("mattress", *inner, (low + 0.02, low + 0.13), 0.03)
-    b.rounded(kit.pick("duvet_blue", "duvet_rose", "duvet_green"), (-0.1 * kit.d, inner[0][1] - 0.01), (inner[1][0] + 0.01, inner[1][1] - 0.01), (low + 0.11, low + 0.16), 0.024)
+    b.rounded(
+        kit.pick("duvet_blue", "duvet_rose", "duvet_green"),
+        (-0.1 * kit.d, inner[0][1] - 0.01),
+        (inner[1][0] + 0.01, inner[1][1] - 0.01),
+        (low + 0.11, low + 0.16),
+        0.024,
+    )
 
 
 def _bars(kit: Kit, wood: str, x: Span, y: Span, low: float, high: float) -> None:

@@ -35,7 +35,9 @@ class Body:
         self.mass = 0.0
         self.fill = 1.0
 
-    def box(self, material: str, x: Sequence[float], y: Sequence[float], z: Sequence[float], touch: bool = True) -> None:
+    def box(
+        self, material: str, x: Sequence[float], y: Sequence[float], z: Sequence[float], touch: bool = True
+    ) -> None:
         """A board between (least, greatest) of x, y and z."""
         row = (x[0], y[0], z[0], x[1], y[1], z[1])
         self.boxes.setdefault(material, []).append(row)
@@ -73,7 +75,10 @@ class Body:
 
     def leg(self, material: str, foot: ArrayLike, head: ArrayLike, r0: float, r1: float, n: int = 12) -> None:
         """A leaning leg whose ends are cut level: radius r0 on the floor, r1 under what it carries."""
-        rings = [np.column_stack([r * mesh.circle(n) + p[:2], np.full(n, p[2])]) for p, r in ((np.asarray(foot, float), r0), (np.asarray(head, float), r1))]
+        rings = [
+            np.column_stack([r * mesh.circle(n) + p[:2], np.full(n, p[2])])
+            for p, r in ((np.asarray(foot, float), r0), (np.asarray(head, float), r1))
+        ]
         self.add(material, mesh.loft(np.array(rings)))
 
     def slab(self, material: str, upper: Array, lower: Array, strips: int = 3) -> None:
@@ -104,7 +109,9 @@ class Body:
         if radius <= _BOX_RADIUS:
             self.block(x, y, z)
 
-    def prism(self, material: str, outline: ArrayLike, lo: float, hi: float, axis: int = 2, smooth: bool = False) -> None:
+    def prism(
+        self, material: str, outline: ArrayLike, lo: float, hi: float, axis: int = 2, smooth: bool = False
+    ) -> None:
         """A convex outline extruded along an axis."""
         self.add(material, mesh.prism(outline, lo, hi, axis, smooth=smooth))
 
@@ -223,7 +230,9 @@ def _box_shapes(rows: Array, phase: Array) -> tuple[Array, mesh.Faces, Array]:
     k = len(rows)
     u, v = vertices[:, np.arange(24), _ACROSS[:, 0]], vertices[:, np.arange(24), _ACROSS[:, 1]]
     longest = np.argmax(rows[:, 3:] - rows[:, :3], 1)[:, None]
-    turn = (_ACROSS[:, 1] == longest) | ((_ACROSS[:, 0] != longest) & (size[:, 0, _ACROSS[:, 1]] > size[:, 0, _ACROSS[:, 0]]))
+    turn = (_ACROSS[:, 1] == longest) | (
+        (_ACROSS[:, 0] != longest) & (size[:, 0, _ACROSS[:, 1]] > size[:, 0, _ACROSS[:, 0]])
+    )
     uv = np.stack([np.where(turn, v, u), np.where(turn, u, v)], 2) + phase[:, None, None]
     faces = _TRIANGLES[None] + 24 * np.arange(k)[:, None, None]
     return vertices.reshape(-1, 3), faces.reshape(-1, 3), uv.reshape(-1, 2)

@@ -19,7 +19,11 @@ def leaf(body: Body, style: str, x: Span, y: Span, z: Span, paint: str) -> None:
         body.box(paint, x, y, z)
         return
     stile, mid = 0.11, z[0] + 0.95
-    panes = [(z[0] + 0.22, mid), (mid + 0.12, z[1] - stile)] if style != "boarded" and z[1] > 1.6 else [(z[0] + 0.12, z[1] - stile)]
+    panes = (
+        [(z[0] + 0.22, mid), (mid + 0.12, z[1] - stile)]
+        if style != "boarded" and z[1] > 1.6
+        else [(z[0] + 0.12, z[1] - stile)]
+    )
     inner = (y[0] + stile, y[1] - stile)
     for side in ((y[0], inner[0]), (inner[1], y[1])):
         body.box(paint, x, side, z)
@@ -34,7 +38,9 @@ def leaf(body: Body, style: str, x: Span, y: Span, z: Span, paint: str) -> None:
             n = max(3, round((inner[1] - inner[0]) / 0.11))
             step = (inner[1] - inner[0]) / n
             for k in range(n):
-                body.box(paint, (x[0] + 0.008, x[1] - 0.008), (inner[0] + k * step, inner[0] + (k + 1) * step - 0.003), pane)
+                body.box(
+                    paint, (x[0] + 0.008, x[1] - 0.008), (inner[0] + k * step, inner[0] + (k + 1) * step - 0.003), pane
+                )
         else:
             body.box(paint, (x[0] + 0.012, x[1] - 0.012), inner, pane)
 
@@ -63,8 +69,12 @@ def _frame(kit: Kit, paint: str, wide: float, sill: bool) -> tuple[Span, Span]:
 @design("door", *DOOR_STYLES)
 def door(kit: Kit) -> None:
     """Lining and leaf; the leaf closes at the front and opens toward +x, hinged at +y."""
-    paint = {"flush": kit.pick("white", "oak", "light_oak"), "panelled": kit.pick("white", "cream", "sage"), "glazed": kit.pick("white", "oak", "black"),
-             "boarded": kit.pick("pine", "navy", "white")}[kit.style]  # fmt: skip
+    paint = {
+        "flush": kit.pick("white", "oak", "light_oak"),
+        "panelled": kit.pick("white", "cream", "sage"),
+        "glazed": kit.pick("white", "oak", "black"),
+        "boarded": kit.pick("pine", "navy", "white"),
+    }[kit.style]
     inner, z = _frame(kit, "white" if paint in ("oak", "light_oak", "black") else paint, 0.04, False)
     body = Body()
     body.fill = 0.5
@@ -120,7 +130,9 @@ def _pane(b: Body, paint: str, x: Span, y: Span, z: Span, grid: bool = False) ->
             b.box(paint, (x[0] + 0.006, x[1] - 0.006), inner, (at - 0.012, at + 0.012))
 
 
-def door_leaf(width: float, height: float, thickness: float = 0.04, style: str = "flush", paint: str = "white") -> Asset:
+def door_leaf(
+    width: float, height: float, thickness: float = 0.04, style: str = "flush", paint: str = "white"
+) -> Asset:
     """A bare leaf with levers, closed, its box `[thickness, width, height]` (levers stand out of it)."""
     kit = Kit("door", style, (thickness, width, height), np.random.default_rng(0))
     leaf(kit.base, style, kit.x, kit.y, (0.0, height), paint)

@@ -12,7 +12,16 @@ from stages.retrieve.furniture.looks import Look
 BOARD = 0.018
 _REST = 0.002
 """Between a closed front and the carcass edge, m."""
-BASE_HEIGHT = {"plinth": 0.07, "bracket": 0.09, "taper": 0.15, "splay": 0.16, "turned": 0.1, "frame": 0.16, "sled": 0.1, "none": 0.0}
+BASE_HEIGHT = {
+    "plinth": 0.07,
+    "bracket": 0.09,
+    "taper": 0.15,
+    "splay": 0.16,
+    "turned": 0.1,
+    "frame": 0.16,
+    "sled": 0.1,
+    "none": 0.0,
+}
 
 
 @dataclass(frozen=True)
@@ -60,7 +69,14 @@ def _legs(kit: Kit, look: Look, x: Span, y: Span, top: float) -> None:
             sy = 2 * share - 1
             if look.base == "turned":
                 r = 0.026
-                profile = [(0.4 * r, 0), (0.8 * r, 0.2 * top), (r, 0.5 * top), (0.5 * r, 0.78 * top), (0.9 * r, 0.85 * top), (0.9 * r, top)]
+                profile = [
+                    (0.4 * r, 0),
+                    (0.8 * r, 0.2 * top),
+                    (r, 0.5 * top),
+                    (0.5 * r, 0.78 * top),
+                    (0.9 * r, 0.85 * top),
+                    (0.9 * r, top),
+                ]
                 kit.base.turned(look.leg, profile, (px, py, 0), 12)
             else:
                 foot = (px + sx * lean, py + sy * lean, 0.0)
@@ -142,7 +158,9 @@ def _column(
         high = low
 
 
-def _cell(kit: Kit, look: Look, cell: Cell, front: float, y: Span, z: Span, opening: Span, room: Span, inner_x: Span) -> None:
+def _cell(
+    kit: Kit, look: Look, cell: Cell, front: float, y: Span, z: Span, opening: Span, room: Span, inner_x: Span
+) -> None:
     if cell.kind == "drawer":
         z_front = (z[0], z[1])
         fronts.drawer(kit, look, front, y, z_front, opening, inner_x[1] - inner_x[0] - 0.012)
@@ -162,7 +180,9 @@ def shelves(kit: Kit, look: Look, x: Span, y: Span, z: Span, count: int = -1, ma
     n = max(0, round((z[1] - z[0]) / 0.36) - 1) if count < 0 else count
     for i in range(n):
         at = z[0] + (i + 1) * (z[1] - z[0]) / (n + 1)
-        kit.base.box(material or look.body, (x[0], x[1] - 0.015), (y[0] + 0.001, y[1] - 0.001), (at - BOARD / 2, at + BOARD / 2))
+        kit.base.box(
+            material or look.body, (x[0], x[1] - 0.015), (y[0] + 0.001, y[1] - 0.001), (at - BOARD / 2, at + BOARD / 2)
+        )
 
 
 def door_columns(kit: Kit, w: float, kind: str = "", above: Sequence[Cell] = ()) -> list[list[Cell]]:
@@ -186,7 +206,9 @@ def crown(kit: Kit, look: Look, z: Span) -> None:
     kit.base.box(look.top, (kit.x[0], front), kit.y, z)
 
 
-def unit(kit: Kit, look: Look, columns: Sequence[Column], widths: Sequence[float] | None = None, cap: float = 0.02) -> None:
+def unit(
+    kit: Kit, look: Look, columns: Sequence[Column], widths: Sequence[float] | None = None, cap: float = 0.02
+) -> None:
     """A whole free-standing cabinet: base, body, top."""
     foot = base_height(look, kit.h)
     inset = look.overhang

@@ -64,16 +64,31 @@ def soft_chair(kit: Kit) -> None:
     b.rounded(cloth, (kit.x[0] + 0.03, kit.x[1]), kit.y, (seat - 0.09, seat), 0.03)
     b.pillow(cloth, (kit.x[0], kit.x[0] + 0.09), (kit.y[0] + 0.01, kit.y[1] - 0.01), (seat - 0.04, kit.h), 4.5)
     b.fill = 1.0
-    splayed(kit, kit.pick("walnut", "black_metal", "oak"), seat - 0.08, (kit.x[0] + 0.03, kit.x[1] - 0.02), (kit.y[0] + 0.02, kit.y[1] - 0.02))
+    splayed(
+        kit,
+        kit.pick("walnut", "black_metal", "oak"),
+        seat - 0.08,
+        (kit.x[0] + 0.03, kit.x[1] - 0.02),
+        (kit.y[0] + 0.02, kit.y[1] - 0.02),
+    )
 
 
 def _moulded(kit: Kit, cover: str, seat: float) -> None:
     """One shell for seat and back, dished across, 12 mm thick."""
     d, h, m = kit.d, kit.h, 7
-    path = np.array([
-        (kit.x[1], seat - 0.02), (kit.x[1] - 0.1 * d, seat), (kit.x[1] - 0.45 * d, seat - 0.015), (kit.x[0] + 0.3 * d, seat - 0.01),
-        (kit.x[0] + 0.17 * d, seat + 0.05), (kit.x[0] + 0.1 * d, seat + 0.15), (kit.x[0] + 0.04 * d, 0.55 * seat + 0.45 * h), (kit.x[0] + 0.012, h - 0.05), (kit.x[0] + 0.012, h),
-    ])  # fmt: skip
+    path = np.array(
+        [
+            (kit.x[1], seat - 0.02),
+            (kit.x[1] - 0.1 * d, seat),
+            (kit.x[1] - 0.45 * d, seat - 0.015),
+            (kit.x[0] + 0.3 * d, seat - 0.01),
+            (kit.x[0] + 0.17 * d, seat + 0.05),
+            (kit.x[0] + 0.1 * d, seat + 0.15),
+            (kit.x[0] + 0.04 * d, 0.55 * seat + 0.45 * h),
+            (kit.x[0] + 0.012, h - 0.05),
+            (kit.x[0] + 0.012, h),
+        ]
+    )
     half = kit.w / 2 * np.array([0.86, 0.94, 1.0, 0.97, 0.94, 0.95, 0.92, 0.78, 0.52])
     dish = np.array([0.0, 0.005, 0.02, 0.025, 0.03, 0.035, 0.03, 0.02, 0.012])
     step = np.gradient(path, axis=0)
@@ -120,7 +135,11 @@ def stool(kit: Kit) -> None:
         b.rounded(wood, kit.x, kit.y, (kit.h - thick, kit.h), 0.015)
     else:
         b.prism(wood, ring, kit.h - thick, kit.h, smooth=True)
-    reach = (kit.x, kit.y) if kit.style == "bar" else ((0.71 * kit.x[0], 0.71 * kit.x[1]), (0.71 * kit.y[0], 0.71 * kit.y[1]))
+    reach = (
+        (kit.x, kit.y)
+        if kit.style == "bar"
+        else ((0.71 * kit.x[0], 0.71 * kit.x[1]), (0.71 * kit.y[0], 0.71 * kit.y[1]))
+    )
     splayed(kit, leg, kit.h - thick, *reach, r=0.011, top=0.013 if metal else 0.017)
     if kit.h > 0.55:
         z = 0.32 * kit.h
@@ -154,13 +173,24 @@ def bench(kit: Kit) -> None:
         for py in (kit.y[0] + 0.06, kit.y[1] - 0.06 - s):
             for px in (kit.x[0] + 0.01, kit.x[1] - 0.01 - s):
                 b.box(leg, (px, px + s), (py, py + s), (0, seat - thick))
-            b.box(leg, (kit.x[0] + 0.01 + s, kit.x[1] - 0.01 - s), (py + 0.002, py + s - 0.002), (seat - thick - s, seat - thick - 0.001))
+            b.box(
+                leg,
+                (kit.x[0] + 0.01 + s, kit.x[1] - 0.01 - s),
+                (py + 0.002, py + s - 0.002),
+                (seat - thick - s, seat - thick - 0.001),
+            )
     if kit.h > 0.52:
         for py in (kit.y[0] + 0.06, kit.y[1] - 0.06 - s):
             b.box(leg, (kit.x[0] + 0.01, kit.x[0] + 0.035), (py, py + s), (seat, kit.h))
         b.box(wood, (kit.x[0], kit.x[0] + 0.01), (kit.y[0] + 0.02, kit.y[1] - 0.02), (kit.h - 0.12, kit.h - 0.001))
     elif kit.h > seat:
-        b.rounded(kit.pick("linen", "mustard_fabric"), (kit.x[0] + 0.01, kit.x[1] - 0.01), (kit.y[0] + 0.01, kit.y[1] - 0.01), (seat, kit.h), (kit.h - seat) / 2)
+        b.rounded(
+            kit.pick("linen", "mustard_fabric"),
+            (kit.x[0] + 0.01, kit.x[1] - 0.01),
+            (kit.y[0] + 0.01, kit.y[1] - 0.01),
+            (seat, kit.h),
+            (kit.h - seat) / 2,
+        )
 
 
 @design("office_chair", "task", "executive", "mesh", "shell")
@@ -170,8 +200,12 @@ def office_chair(kit: Kit) -> None:
     metal = "chrome" if kit.style in ("executive", "shell") else "plastic_black"
     _star_base(kit, metal)
     b.rod("black_metal", (0, 0, 0.1), (0, 0, seat - 0.08), 0.022, n=16)
-    cover = {"task": kit.pick("charcoal_fabric", "blue_fabric", "grey_fabric"), "executive": kit.pick("black_leather", "tan_leather"),
-             "mesh": "charcoal_fabric", "shell": kit.pick("cream_boucle", "rose_velvet", "sage_fabric")}[kit.style]  # fmt: skip
+    cover = {
+        "task": kit.pick("charcoal_fabric", "blue_fabric", "grey_fabric"),
+        "executive": kit.pick("black_leather", "tan_leather"),
+        "mesh": "charcoal_fabric",
+        "shell": kit.pick("cream_boucle", "rose_velvet", "sage_fabric"),
+    }[kit.style]
     half_x, half_y = 0.4 * kit.d, 0.38 * kit.w
     b.fill = 4.0
     b.pillow(cover, (-half_x, half_x), (-half_y, half_y), (seat - 0.09, seat), 4.2)
@@ -180,9 +214,13 @@ def office_chair(kit: Kit) -> None:
         b.rounded("mesh_black", back, (-half_y, half_y), (seat + 0.06, kit.h), 0.03)
     else:
         low = seat + (0.0 if kit.style in ("executive", "shell") else 0.1)
-        b.pillow(cover, back if kit.style != "executive" else (back[0], back[1] + 0.04), (-half_y, half_y), (low, kit.h), 4.0)
+        b.pillow(
+            cover, back if kit.style != "executive" else (back[0], back[1] + 0.04), (-half_y, half_y), (low, kit.h), 4.0
+        )
     b.fill = 1.0
-    b.tube(metal, [(0.02, 0, seat - 0.085), (-half_x - 0.005, 0, seat - 0.085), (-half_x - 0.005, 0, seat + 0.16)], 0.016)
+    b.tube(
+        metal, [(0.02, 0, seat - 0.085), (-half_x - 0.005, 0, seat - 0.085), (-half_x - 0.005, 0, seat + 0.16)], 0.016
+    )
     if kit.style != "shell":
         for s in (-1, 1):
             y = s * (half_y + 0.03)
@@ -213,9 +251,17 @@ def balcony_chair(kit: Kit) -> None:
         for y in ((kit.y[0], kit.y[0] + 0.07), (kit.y[1] - 0.07, kit.y[1])):
             b.rounded("rattan", (kit.x[0] + 0.01, kit.x[1]), y, (0, min(0.64, kit.h - 0.05)), 0.025)
         b.rounded("rattan", (kit.x[0], kit.x[0] + 0.07), (kit.y[0] + 0.005, kit.y[1] - 0.005), (0.04, kit.h), 0.03)
-        b.rounded("rattan", (kit.x[0] + 0.05, kit.x[1] - 0.01), (kit.y[0] + 0.06, kit.y[1] - 0.06), (0.18, seat - 0.08), 0.02)
+        b.rounded(
+            "rattan", (kit.x[0] + 0.05, kit.x[1] - 0.01), (kit.y[0] + 0.06, kit.y[1] - 0.06), (0.18, seat - 0.08), 0.02
+        )
         b.fill = 1.5
-        b.pillow("linen", (kit.x[0] + 0.07, kit.x[1] - 0.01), (kit.y[0] + 0.07, kit.y[1] - 0.07), (seat - 0.085, seat + 0.01), 6)
+        b.pillow(
+            "linen",
+            (kit.x[0] + 0.07, kit.x[1] - 0.01),
+            (kit.y[0] + 0.07, kit.y[1] - 0.07),
+            (seat - 0.085, seat + 0.01),
+            6,
+        )
         b.fill = 1.0
         return
     wood = {"folding": "teak", "metal": kit.pick("sage", "black_metal", "yellow"), "adirondack": "decking"}[kit.style]
@@ -224,7 +270,10 @@ def balcony_chair(kit: Kit) -> None:
     square_legs(kit, wood, seat - 0.02, s, kit.h)
     n = 6 if kit.style != "adirondack" else 4
     for i in range(n):
-        x = (kit.x[0] + s + i * (kit.d - s) / n, kit.x[0] + s + (i + 1) * (kit.d - s) / n - (0.012 if i < n - 1 else 0.0))
+        x = (
+            kit.x[0] + s + i * (kit.d - s) / n,
+            kit.x[0] + s + (i + 1) * (kit.d - s) / n - (0.012 if i < n - 1 else 0.0),
+        )
         b.box(wood, x, (kit.y[0] + 0.002, kit.y[1] - 0.002), (seat - 0.018, seat))
     inner = (kit.y[0] + s, kit.y[1] - s)
     if kit.style == "folding":
@@ -233,7 +282,10 @@ def balcony_chair(kit: Kit) -> None:
     else:
         m = 5
         for i in range(m):
-            y = (inner[0] + i * (inner[1] - inner[0]) / m + 0.006, inner[0] + (i + 1) * (inner[1] - inner[0]) / m - 0.006)
+            y = (
+                inner[0] + i * (inner[1] - inner[0]) / m + 0.006,
+                inner[0] + (i + 1) * (inner[1] - inner[0]) / m - 0.006,
+            )
             b.box(wood, (kit.x[0] + 0.004, kit.x[0] + 0.02), y, (seat, kit.h - 0.04))
         b.box(wood, (kit.x[0], kit.x[0] + 0.024), inner, (kit.h - 0.04, kit.h - 0.001))
     if kit.style == "adirondack":

@@ -52,8 +52,20 @@ def _pedestal_desk(kit: Kit, own: Look, front: float, z: float) -> None:
     sides = [left] if kit.style != "classic" or kit.w < 1.4 else [True, False]
     for at_left in sides:
         y = (kit.y[1] - wide - 0.01, kit.y[1] - 0.01) if at_left else (kit.y[0] + 0.01, kit.y[0] + wide + 0.01)
-        b.box(own.leg if own.leg != "black_metal" else "black", (kit.x[0] + 0.05, front - 0.06), (y[0] + 0.01, y[1] - 0.01), (0, 0.05))
-        cases.cabinet(kit, own, (kit.x[0] + 0.02, front), y, (0.05, z), [[Cell("drawer", 0.6), Cell("drawer", 0.8), Cell("drawer", 1.2)]])
+        b.box(
+            own.leg if own.leg != "black_metal" else "black",
+            (kit.x[0] + 0.05, front - 0.06),
+            (y[0] + 0.01, y[1] - 0.01),
+            (0, 0.05),
+        )
+        cases.cabinet(
+            kit,
+            own,
+            (kit.x[0] + 0.02, front),
+            y,
+            (0.05, z),
+            [[Cell("drawer", 0.6), Cell("drawer", 0.8), Cell("drawer", 1.2)]],
+        )
     if len(sides) == 1:
         py = (kit.y[0] + 0.02, kit.y[0] + 0.045) if left else (kit.y[1] - 0.045, kit.y[1] - 0.02)
         if kit.style == "industrial":
@@ -61,7 +73,14 @@ def _pedestal_desk(kit: Kit, own: Look, front: float, z: float) -> None:
                 b.box("black_metal", (px, px + 0.03), py, (0, z))
         else:
             b.box(own.body, (kit.x[0] + 0.03, kit.x[1] - 0.04), py, (0, z))
-    b.box(own.body, (kit.x[0] + 0.04, kit.x[0] + 0.058), (kit.y[0] + (0.045 if left else wide + 0.01), kit.y[1] - (wide + 0.01 if left else 0.045)) if len(sides) == 1 else (kit.y[0] + wide + 0.01, kit.y[1] - wide - 0.01), (0.35, z))
+    b.box(
+        own.body,
+        (kit.x[0] + 0.04, kit.x[0] + 0.058),
+        (kit.y[0] + (0.045 if left else wide + 0.01), kit.y[1] - (wide + 0.01 if left else 0.045))
+        if len(sides) == 1
+        else (kit.y[0] + wide + 0.01, kit.y[1] - wide - 0.01),
+        (0.35, z),
+    )
 
 
 @design("dressing_table", "scandi", "classic", "modern", "glam")
@@ -75,12 +94,16 @@ def dressing_table(kit: Kit) -> None:
     b.box(own.top, kit.x, kit.y, (table - t, table))
     n = 3 if kit.w > 1.1 else 2
     tall = 0.13
-    hung_drawers(kit, own, (kit.y[0] + 0.02, kit.y[1] - 0.02), (table - t - tall, table - t), n, (kit.x[0] + 0.01, kit.x[1]))
+    hung_drawers(
+        kit, own, (kit.y[0] + 0.02, kit.y[1] - 0.02), (table - t - tall, table - t), n, (kit.x[0] + 0.01, kit.x[1])
+    )
     z = table - t - tall
     for x in (kit.x[0] + 0.05, kit.x[1] - 0.085):
         for y in (kit.y[0] + 0.05, kit.y[1] - 0.05):
             if kit.style == "classic":
-                b.turned(own.leg, [(0.012, 0), (0.024, 0.1), (0.014, 0.16), (0.028, z - 0.1), (0.028, z)], (x, y, 0), 12)
+                b.turned(
+                    own.leg, [(0.012, 0), (0.024, 0.1), (0.014, 0.16), (0.028, z - 0.1), (0.028, z)], (x, y, 0), 12
+                )
             elif kit.style == "modern":
                 b.box(own.leg, (x - 0.02, x + 0.02), (y - 0.02, y + 0.02), (0, z))
             else:
@@ -117,6 +140,6 @@ def workbench(kit: Kit) -> None:
         b.box(post, x, (kit.y[0] + 0.03 + s, kit.y[1] - 0.03 - s), (0.08, 0.149))
     wide = min(0.55, 0.4 * kit.w)
     y = (kit.y[1] - 0.03 - s - wide, kit.y[1] - 0.03 - s)
-    cases.cabinet(kit, own, (kit.x[0] + 0.11, front), y, (h - 0.05 - 0.36, h - 0.05), [[Cell("drawer", 0.8), Cell("drawer", 1.0)]])
-
-
+    cases.cabinet(
+        kit, own, (kit.x[0] + 0.11, front), y, (h - 0.05 - 0.36, h - 0.05), [[Cell("drawer", 0.8), Cell("drawer", 1.0)]]
+    )

@@ -100,7 +100,9 @@ def _ribbed(body: Body, look: Look, pitch: float, x: Span, y: Span, z: Span) -> 
         body.box(look.front, (x[1] - 0.004, x[1]), rib, z, touch=False)
 
 
-def door(kit: Kit, look: Look, front: float, y: Span, z: Span, left: bool, thick: float = LEAF, behind: float = 0.0) -> Body:
+def door(
+    kit: Kit, look: Look, front: float, y: Span, z: Span, left: bool, thick: float = LEAF, behind: float = 0.0
+) -> Body:
     """A hinged leaf over the cell (y, z); `front` is the plane its handle touches, `left` the side of its hinge.
 
     `behind` is how deep what will be put on the leaf's back is.

@@ -15,7 +15,9 @@ def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: 
     b, rim, n = kit.base, kit.h - thick - 0.002, 32
     half, start = (kit.d / 2, kit.w / 2), 0.015
     outer = [ring((0, 0), (half[0] * s, half[1] * s), z, exponent, n) for s, z in ((foot, 0), (1.0, rim))]
-    inner = [ring((0, 0), (half[0] * s - wall, half[1] * s - wall), z, exponent, n) for s, z in ((1.0, rim), (foot, start))]
+    inner = [
+        ring((0, 0), (half[0] * s - wall, half[1] * s - wall), z, exponent, n) for s, z in ((1.0, rim), (foot, start))
+    ]
     b.hollow(body, np.array(outer), np.array(inner))
     cover = Body()
     cover.fill = 500 / materials.density(lid)
@@ -29,17 +31,26 @@ def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: 
 @design("bin", "pedal", "square", "swing")
 def bin_(kit: Kit) -> None:
     """A bin with a lid."""
-    material, lid = {"pedal": (kit.pick("steel", "white", "black"), "plastic_black"), "square": (kit.pick("graphite", "white"), "plastic_grey"),
-                     "swing": (kit.pick("mint", "cream", "plastic_grey"), "steel")}[kit.style]  # fmt: skip
+    material, lid = {
+        "pedal": (kit.pick("steel", "white", "black"), "plastic_black"),
+        "square": (kit.pick("graphite", "white"), "plastic_grey"),
+        "swing": (kit.pick("mint", "cream", "plastic_grey"), "steel"),
+    }[kit.style]
     kit.base.fill = 0.25
-    _lidded(kit, material, lid, 5.0 if kit.style == "square" else 2.0, 0.8 if kit.style == "swing" else 0.97, 0.035, 0.008)
+    _lidded(
+        kit, material, lid, 5.0 if kit.style == "square" else 2.0, 0.8 if kit.style == "swing" else 0.97, 0.035, 0.008
+    )
     kit.base.fill = 1.0
 
 
 @design("laundry_basket", "wicker", "linen", "plastic")
 def laundry_basket(kit: Kit) -> None:
     """A hamper with a lid."""
-    body, lid = {"wicker": (w := kit.pick("rattan", "wicker_dark"), w), "linen": ("linen", "oak"), "plastic": ("plastic_white", "plastic_grey")}[kit.style]
+    body, lid = {
+        "wicker": (w := kit.pick("rattan", "wicker_dark"), w),
+        "linen": ("linen", "oak"),
+        "plastic": ("plastic_white", "plastic_grey"),
+    }[kit.style]
     _lidded(kit, body, lid, 3.5 if kit.style != "wicker" else 2.6, 0.86, 0.022, 0.012)
 
 

@@ -50,7 +50,13 @@ class Kit:
         upto: float = QUARTER, handle: tuple[float, float, float] | None = None, grip: str = "",
     ) -> None:  # fmt: skip
         """A part that turns from 0 to `upto` radians about an axis."""
-        joint: dict[str, Any] = {"type": "hinge", "origin": np.asarray(origin, float), "axis": axis, "range": (0.0, upto), "part": part}
+        joint: dict[str, Any] = {
+            "type": "hinge",
+            "origin": np.asarray(origin, float),
+            "axis": axis,
+            "range": (0.0, upto),
+            "part": part,
+        }
         self.moving.append((self._free(name), body, joint, handle, grip))
 
     def slide(
@@ -59,7 +65,13 @@ class Kit:
     ) -> None:  # fmt: skip
         """A part that slides from 0 to `travel` metres."""
         lo, hi = body.bounds()
-        joint: dict[str, Any] = {"type": "slide", "origin": (lo + hi) / 2, "axis": axis, "range": (0.0, travel), "part": part}
+        joint: dict[str, Any] = {
+            "type": "slide",
+            "origin": (lo + hi) / 2,
+            "axis": axis,
+            "range": (0.0, travel),
+            "part": part,
+        }
         self.moving.append((self._free(name), body, joint, handle, grip))
 
     def _free(self, name: str) -> str:

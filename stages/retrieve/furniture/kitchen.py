@@ -108,7 +108,12 @@ def trough(b: Body, material: str, x: Span, y: Span, z: Span, t: float) -> None:
         b.box(material, (px, px + t), y, (z[0] + t, z[1]))
     for py in (y[0], y[1] - t):
         b.box(material, (x[0] + t, x[1] - t), (py, py + t), (z[0] + t, z[1]))
-    b.rod("chrome", ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, z[0] + t), ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, z[0] + t + 0.002), 0.04)
+    b.rod(
+        "chrome",
+        ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, z[0] + t),
+        ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, z[0] + t + 0.002),
+        0.04,
+    )
 
 
 def tap(b: Body, metal: str, x: float, y: float, low: float, high: float, reach: float) -> None:
@@ -147,8 +152,20 @@ def cooktop(kit: Kit, x: Span, y: Span, top: float, gas: bool) -> None:
         if gas:
             b.fill = 0.3
             for s in (-1, 1):
-                b.box("black_metal", (at[0] - r, at[0] + r), (at[1] + s * 0.4 * r - 0.005, at[1] + s * 0.4 * r + 0.005), (low + 0.002, top), touch=False)
-                b.box("black_metal", (at[0] + s * 0.4 * r - 0.005, at[0] + s * 0.4 * r + 0.005), (at[1] - r, at[1] + r), (low + 0.002, top - 0.0002), touch=False)
+                b.box(
+                    "black_metal",
+                    (at[0] - r, at[0] + r),
+                    (at[1] + s * 0.4 * r - 0.005, at[1] + s * 0.4 * r + 0.005),
+                    (low + 0.002, top),
+                    touch=False,
+                )
+                b.box(
+                    "black_metal",
+                    (at[0] + s * 0.4 * r - 0.005, at[0] + s * 0.4 * r + 0.005),
+                    (at[1] - r, at[1] + r),
+                    (low + 0.002, top - 0.0002),
+                    touch=False,
+                )
             b.fill = 1.0
             b.rod("black_metal", (*at, low + 0.001), (*at, low + 0.004), 0.4 * r, n=16)
         else:
@@ -165,7 +182,9 @@ def wall_unit(kit: Kit) -> None:
     kit.style = style
     kind = "glass_" if style == "glazed" else ""
     own = own.with_(body=own.front if style in ("shaker", "glazed") else own.body)
-    cases.cabinet(kit, own, kit.x, kit.y, (0, kit.h), cases.door_columns(kit, kit.w, kind), cases.door_widths(kit, kit.w))
+    cases.cabinet(
+        kit, own, kit.x, kit.y, (0, kit.h), cases.door_columns(kit, kit.w, kind), cases.door_widths(kit, kit.w)
+    )
 
 
 @design("island", *STYLES)
@@ -195,7 +214,13 @@ def hood(kit: Kit) -> None:
     skirt = min(0.06, 0.2 * kit.h)
     if kit.style == "box":
         b.box(metal, (kit.x[0], kit.x[1] - 0.004), kit.y, (0.02, kit.h))
-        b.box(kit.pick("black_glass", "steel"), (kit.x[1] - 0.004, kit.x[1]), (kit.y[0] + 0.01, kit.y[1] - 0.01), (0.07, kit.h - 0.01), touch=False)
+        b.box(
+            kit.pick("black_glass", "steel"),
+            (kit.x[1] - 0.004, kit.x[1]),
+            (kit.y[0] + 0.01, kit.y[1] - 0.01),
+            (0.07, kit.h - 0.01),
+            touch=False,
+        )
         for i in range(4):
             y = -0.06 + 0.04 * i
             b.box("chrome", (kit.x[1] - 0.004, kit.x[1] - 0.001), (y - 0.008, y + 0.008), (0.04, 0.056), touch=False)
@@ -205,14 +230,40 @@ def hood(kit: Kit) -> None:
     chimney_y, chimney_x = min(0.14, 0.3 * kit.w), kit.x[0] + min(0.28, 0.7 * kit.d)
     body = skirt + (0.35 * (kit.h - skirt) if kit.style != "canopy" else 0.0)
     if kit.style == "slanted":
-        outline = [(0.0, kit.x[0]), (0.0, kit.x[0] + 0.12), (body, kit.x[1]), (body + 0.02, kit.x[1]), (body + 0.02, kit.x[0])]
+        outline = [
+            (0.0, kit.x[0]),
+            (0.0, kit.x[0] + 0.12),
+            (body, kit.x[1]),
+            (body + 0.02, kit.x[1]),
+            (body + 0.02, kit.x[0]),
+        ]
         b.prism("black_glass", outline, kit.y[0], kit.y[1], 1)
     else:
         b.box(metal, kit.x, kit.y, (0, skirt))
         if kit.style == "chimney":
-            low = np.array([(x, y, skirt) for x, y in ((kit.x[0], kit.y[0]), (kit.x[1], kit.y[0]), (kit.x[1], kit.y[1]), (kit.x[0], kit.y[1]))])
-            high = np.array([(x, y, body) for x, y in ((kit.x[0], -chimney_y), (chimney_x, -chimney_y), (chimney_x, chimney_y), (kit.x[0], chimney_y))])
+            low = np.array(
+                [
+                    (x, y, skirt)
+                    for x, y in ((kit.x[0], kit.y[0]), (kit.x[1], kit.y[0]), (kit.x[1], kit.y[1]), (kit.x[0], kit.y[1]))
+                ]
+            )
+            high = np.array(
+                [
+                    (x, y, body)
+                    for x, y in (
+                        (kit.x[0], -chimney_y),
+                        (chimney_x, -chimney_y),
+                        (chimney_x, chimney_y),
+                        (kit.x[0], chimney_y),
+                    )
+                ]
+            )
             b.add(metal, mesh.facets(np.stack([low, high])))
     b.box(metal, (kit.x[0], chimney_x), (-chimney_y, chimney_y), (body, kit.h))
-    b.box("plastic_white", (kit.x[1] - 0.05, kit.x[1] - 0.03) if kit.style != "slanted" else (kit.x[0] + 0.03, kit.x[0] + 0.08), (-0.1, 0.1), (0.0, 0.002))
+    b.box(
+        "plastic_white",
+        (kit.x[1] - 0.05, kit.x[1] - 0.03) if kit.style != "slanted" else (kit.x[0] + 0.03, kit.x[0] + 0.08),
+        (-0.1, 0.1),
+        (0.0, 0.002),
+    )
     b.fill = 1.0

@@ -8,12 +8,19 @@ from stages.retrieve.furniture.kit import Kit
 from stages.retrieve.furniture.mesh import Array
 from stages.retrieve.furniture.registry import design
 
-
 _HOLLOW = 0.06
 """Share of a lamp's outer volume that is material."""
 
 
-def shade(kit: Kit, material: str, z: Span, low: float = 1.0, high: float = 0.7, at: tuple[float, float] = (0.0, 0.0), r: float = 0.0) -> None:
+def shade(
+    kit: Kit,
+    material: str,
+    z: Span,
+    low: float = 1.0,
+    high: float = 0.7,
+    at: tuple[float, float] = (0.0, 0.0),
+    r: float = 0.0,
+) -> None:
     """A thin conical shade, its wide end filling the footprint (or of radius r), open at both ends."""
     n, t = 24, 0.003
     half = np.array([r, r]) if r else np.array([kit.d / 2, kit.w / 2])
@@ -30,7 +37,9 @@ def shade(kit: Kit, material: str, z: Span, low: float = 1.0, high: float = 0.7,
         j = [i, (i + 1) % n]
         kit.base.hull(np.concatenate([outer[0][j], outer[1][j], inner[0][j], inner[1][j]]))
     middle = (z[0] + z[1]) / 2
-    kit.base.pillow("bulb", (at[0] - 0.03, at[0] + 0.03), (at[1] - 0.03, at[1] + 0.03), (middle - 0.05, middle + 0.04), 2, 4)
+    kit.base.pillow(
+        "bulb", (at[0] - 0.03, at[0] + 0.03), (at[1] - 0.03, at[1] + 0.03), (middle - 0.05, middle + 0.04), 2, 4
+    )
 
 
 def _spider(kit: Kit, metal: str, z: float, r: float) -> None:
@@ -44,7 +53,7 @@ def _spider(kit: Kit, metal: str, z: float, r: float) -> None:
 def floor_lamp(kit: Kit) -> None:
     """A standing lamp."""
     b, h = kit.base, kit.h
-    b.fill = 4 * _HOLLOW
+    b.fill, b.mass = 4 * _HOLLOW, 0.6
     metal = kit.pick("brass", "black_metal", "chrome")
     linen = kit.pick("linen", "paper_shade", "charcoal_fabric")
     r = min(kit.d, kit.w) / 2
@@ -79,7 +88,9 @@ def _reading(kit: Kit, metal: str) -> None:
     """A stem that bends over to a conical shade; the foot is an oval slab."""
     b, h = kit.base, kit.h
     t = 2 * np.pi * np.arange(32) / 32
-    b.prism(kit.pick("marble", metal), np.stack([kit.d / 2 * np.cos(t), kit.w / 2 * np.sin(t)], 1), 0, 0.025, smooth=True)
+    b.prism(
+        kit.pick("marble", metal), np.stack([kit.d / 2 * np.cos(t), kit.w / 2 * np.sin(t)], 1), 0, 0.025, smooth=True
+    )
     r = min(0.11, 0.25 * kit.d)
     foot, end = kit.x[0] + 0.2 * kit.d, kit.x[1] - r
     rise = min(0.3 * h, 0.6 * (end - foot))
@@ -100,7 +111,9 @@ def _paper(kit: Kit) -> None:
             b.box(wood, (x, x + s), (y, y + s), (0, kit.h))
     inner = (kit.x[0] + s, kit.x[1] - s), (kit.y[0] + s, kit.y[1] - s)
     b.fill = 0.05
-    b.box("paper_shade", (kit.x[0] + 0.004, kit.x[1] - 0.004), (kit.y[0] + 0.004, kit.y[1] - 0.004), (0.12, kit.h - 0.02))
+    b.box(
+        "paper_shade", (kit.x[0] + 0.004, kit.x[1] - 0.004), (kit.y[0] + 0.004, kit.y[1] - 0.004), (0.12, kit.h - 0.02)
+    )
     b.fill = 1.0
     for z in np.linspace(0.1, kit.h - s - 0.001, 5):
         for x in (kit.x[0] + 0.001, kit.x[1] - s - 0.001):
@@ -113,7 +126,7 @@ def _paper(kit: Kit) -> None:
 def table_lamp(kit: Kit) -> None:
     """A small lamp to stand on furniture."""
     b, h, r = kit.base, kit.h, min(kit.d, kit.w) / 2
-    b.fill = 4 * _HOLLOW
+    b.fill, b.mass = 4 * _HOLLOW, 0.6
     linen = kit.pick("linen", "paper_shade", "cream")
     if kit.style == "mushroom":
         colour = kit.pick("cream", "rust_fabric", "sage", "mustard_fabric", "white")
@@ -127,7 +140,18 @@ def table_lamp(kit: Kit) -> None:
     neck = 0.55 * h
     if kit.style == "ceramic":
         glaze = kit.pick("sage", "dusk_blue", "porcelain", "terracotta", "navy")
-        b.turned(glaze, [(0.4 * r, 0), (0.62 * r, 0.1 * h), (0.66 * r, 0.22 * h), (0.5 * r, 0.36 * h), (0.18 * r, 0.46 * h), (0.2 * r, 0.5 * h)], n=20)
+        b.turned(
+            glaze,
+            [
+                (0.4 * r, 0),
+                (0.62 * r, 0.1 * h),
+                (0.66 * r, 0.22 * h),
+                (0.5 * r, 0.36 * h),
+                (0.18 * r, 0.46 * h),
+                (0.2 * r, 0.5 * h),
+            ],
+            n=20,
+        )
     else:
         wood = kit.pick("walnut", "oak", "marble", "brass")
         b.turned(wood, [(0.5 * r, 0), (0.5 * r, 0.02), (0.14 * r, 0.03), (0.14 * r, 0.5 * h)], n=20)
@@ -140,7 +164,7 @@ def table_lamp(kit: Kit) -> None:
 def ceiling_lamp(kit: Kit) -> None:
     """A lamp that hangs from the ceiling, or a flush one when it is low."""
     b, h, r = kit.base, kit.h, min(kit.d, kit.w) / 2
-    b.fill = _HOLLOW
+    b.fill, b.mass = _HOLLOW, 0.6
     metal = kit.pick("black_metal", "brass", "white_metal")
     if kit.style == "flush" or h < 0.2:
         b.pillow("bulb", kit.x, kit.y, (0, min(h, 0.9 * h + 0.02)), 3.0, 8)
@@ -155,7 +179,11 @@ def ceiling_lamp(kit: Kit) -> None:
     elif kit.style == "cluster":
         _cluster(kit, metal, h)
     else:
-        colour = kit.pick("black_metal", "sage", "white", "copper", "rattan") if kit.style == "pendant" else kit.pick("linen", "paper_shade")
+        colour = (
+            kit.pick("black_metal", "sage", "white", "copper", "rattan")
+            if kit.style == "pendant"
+            else kit.pick("linen", "paper_shade")
+        )
         tall = body if kit.style == "pendant" else min(body, 0.3)
         shade(kit, colour, (0, tall), 1.0, 0.16 if kit.style == "pendant" else 0.96)
         _spider(kit, metal, tall - 0.006, (0.15 if kit.style == "pendant" else 0.94) * r)
@@ -178,14 +206,20 @@ def _cluster(kit: Kit, metal: str, h: float) -> None:
 def wall_lamp(kit: Kit) -> None:
     """A plate on the wall with a shade in front."""
     b, h, metal = kit.base, kit.h, kit.pick("brass", "black_metal", "white_metal")
-    b.fill = _HOLLOW
+    b.fill, b.mass = _HOLLOW, 0.6
     b.box(metal, (kit.x[0], kit.x[0] + 0.012), (-0.18 * kit.w, 0.18 * kit.w), (0.3 * h, 0.7 * h))
     deep = kit.d - 0.025
     r = min(deep / 2, kit.w / 2)
     x = kit.x[1] - r
     b.rod(metal, (kit.x[0] + 0.01, 0, 0.5 * h), (x, 0, 0.5 * h), 0.007, n=8)
     if kit.style == "up_down":
-        b.prism(metal, np.stack([x + r * np.cos(a := np.arange(24) * np.pi / 12), kit.w / 2 * np.sin(a)], 1), 0, h, smooth=True)
+        b.prism(
+            metal,
+            np.stack([x + r * np.cos(a := np.arange(24) * np.pi / 12), kit.w / 2 * np.sin(a)], 1),
+            0,
+            h,
+            smooth=True,
+        )
     elif kit.style == "globe":
         b.rod(metal, (x, 0, 0), (x, 0, 0.16 * h), 0.4 * r, n=16)
         b.pillow("bulb", (x - r, x + r), kit.y, (0.12 * h, h), 2.0, 6)

@@ -13,19 +13,41 @@ def tv(kit: Kit) -> None:
     x = (-thin / 2, thin / 2)
     b.fill = 0.35
     b.rounded("plastic_black", x, kit.y, (low, kit.h), 0.005)
-    b.box("screen", (x[1] - 0.001, x[1] + 0.0015), (kit.y[0] + 0.008, kit.y[1] - 0.008), (low + 0.015, kit.h - 0.008), False)
-    b.box("plastic_black", (max(kit.x[0], -thin / 2 - 0.03), x[0]), (-0.3 * kit.w, 0.3 * kit.w), (low + 0.08 * kit.h, 0.55 * kit.h))
+    b.box(
+        "screen",
+        (x[1] - 0.001, x[1] + 0.0015),
+        (kit.y[0] + 0.008, kit.y[1] - 0.008),
+        (low + 0.015, kit.h - 0.008),
+        False,
+    )
+    b.box(
+        "plastic_black",
+        (max(kit.x[0], -thin / 2 - 0.03), x[0]),
+        (-0.3 * kit.w, 0.3 * kit.w),
+        (low + 0.08 * kit.h, 0.55 * kit.h),
+    )
     if kit.style == "feet":
         for y in (-0.36 * kit.w, 0.36 * kit.w):
             for s in (-1, 1):
                 b.rod("black_metal", (0, y, low), (s * (kit.d / 2 - 0.01), y, 0.006), 0.007, 0.005, 8)
-                b.box("black_metal", (kit.x[0], kit.x[0] + 0.02) if s < 0 else (kit.x[1] - 0.02, kit.x[1]), (y - 0.008, y + 0.008), (0, 0.011))
+                b.box(
+                    "black_metal",
+                    (kit.x[0], kit.x[0] + 0.02) if s < 0 else (kit.x[1] - 0.02, kit.x[1]),
+                    (y - 0.008, y + 0.008),
+                    (0, 0.011),
+                )
     else:
         b.box("black_metal", kit.x, (-0.18 * kit.w, 0.18 * kit.w), (0, 0.012))
         b.box("black_metal", (x[0] * 0.7, x[1] * 0.7), (-0.05 * kit.w, 0.05 * kit.w), (0.012, low + 0.002))
         if kit.style == "soundbar":
             front = min(kit.x[1] - 0.004, 0.06)
-            b.rounded("charcoal_fabric", (min(x[1] + 0.001, front - 0.02), front), (-0.4 * kit.w, 0.4 * kit.w), (0.015, 0.08), 0.005)
+            b.rounded(
+                "charcoal_fabric",
+                (min(x[1] + 0.001, front - 0.02), front),
+                (-0.4 * kit.w, 0.4 * kit.w),
+                (0.015, 0.08),
+                0.005,
+            )
     b.fill = 1.0
 
 
@@ -91,7 +113,13 @@ def _keys(kit: Kit, key: float, back: float, y: tuple[float, float]) -> None:
         at = run[0] + i * pitch
         b.box("keys_white", (back + 0.02, front), (at + 0.0006, at + pitch - 0.0006), (key - 0.019, key), touch=False)
         if i < n - 1 and i % 7 not in (1, 4):
-            b.box("piano_black", (back + 0.02, front - 0.05), (at + 0.7 * pitch, at + 1.3 * pitch), (key, key + 0.011), touch=False)
+            b.box(
+                "piano_black",
+                (back + 0.02, front - 0.05),
+                (at + 0.7 * pitch, at + 1.3 * pitch),
+                (key, key + 0.011),
+                touch=False,
+            )
     b.block((back + 0.02, front), run, (key - 0.019, key))
     b.block((back + 0.02, front - 0.05), run, (key, key + 0.006))
 

@@ -114,9 +114,7 @@ def sharp_edges(profile: Array, loop: bool, angle: float = 0.6) -> tuple[int, ..
 def _lathe(profile: tuple[tuple[float, float], ...], points: int, caps: bool) -> Shape:
     line = np.array(profile, float)
     c = circle(points)
-    rings = np.concatenate(
-        [line[:, None, :1] * c[None], np.broadcast_to(line[:, None, 1:], (len(line), points, 1))], 2
-    )
+    rings = np.concatenate([line[:, None, :1] * c[None], np.broadcast_to(line[:, None, 1:], (len(line), points, 1))], 2)
     shape = loft(rings, caps=caps, sharp=sharp_edges(line, not caps))
     if np.ptp(line[:, 1]) < 0.6 * line[:, 0].max():
         return shape

@@ -25,7 +25,17 @@ def _blade(width: float, droop: float, widest: float) -> Shape:
     return mesh.loft(rings)
 
 
-def leaf(b: Body, material: str, at: Array, heading: float, pitch: float, length: float, width: float = 0.35, droop: float = 0.25, widest: float = 0.45) -> None:
+def leaf(
+    b: Body,
+    material: str,
+    at: Array,
+    heading: float,
+    pitch: float,
+    length: float,
+    width: float = 0.35,
+    droop: float = 0.25,
+    widest: float = 0.45,
+) -> None:
     """A leaf from `at` toward `heading` (yaw) rising by `pitch` radians; collides as three hulls."""
     c, s, cp, sp = np.cos(heading), np.sin(heading), np.cos(pitch), np.sin(pitch)
     turn = np.array([[c * cp, -s, -c * sp], [s * cp, c, -s * sp], [sp, 0, cp]]) * length
@@ -38,8 +48,12 @@ def leaf(b: Body, material: str, at: Array, heading: float, pitch: float, length
 def pot(kit: Kit, kind: str, r: float, h: float, at: tuple[float, float] = (0.0, 0.0)) -> None:
     """A pot with soil in it."""
     b = kit.base
-    material = {"tapered": kit.pick("terracotta", "white", "graphite"), "bowl": kit.pick("porcelain", "sage", "concrete"),
-                "basket": "rattan", "cylinder": kit.pick("white", "concrete", "black", "terracotta")}[kind]  # fmt: skip
+    material = {
+        "tapered": kit.pick("terracotta", "white", "graphite"),
+        "bowl": kit.pick("porcelain", "sage", "concrete"),
+        "basket": "rattan",
+        "cylinder": kit.pick("white", "concrete", "black", "terracotta"),
+    }[kind]
     foot = {"tapered": 0.7, "bowl": 0.62, "basket": 0.85, "cylinder": 1.0}[kind]
     t, p = min(0.012, 0.1 * r), (*at, 0.0)
     b.shell(material, [(foot * r, 0), (r, h)], [(foot * r - t, 0.012), (r - t, h)], p, 24)
@@ -130,7 +144,11 @@ def _olive(kit: Kit, b: Body, z: float, r: float) -> None:
     for i in range(13):
         a, t = 2.4 * i, i / 12
         low = np.array([0, 0, z + (0.55 + 0.45 * t) * (top - z)])
-        end = low + [r * 0.75 * np.cos(a) * (1 - 0.5 * t), r * 0.75 * np.sin(a) * (1 - 0.5 * t), 0.28 * (kit.h - z) * (0.4 + 0.6 * t)]
+        end = low + [
+            r * 0.75 * np.cos(a) * (1 - 0.5 * t),
+            r * 0.75 * np.sin(a) * (1 - 0.5 * t),
+            0.28 * (kit.h - z) * (0.4 + 0.6 * t),
+        ]
         _stem(b, "bark", low, end, 0.005, 0.003)
         for k in range(6):
             share = 0.35 + 0.65 * k / 5
@@ -142,10 +160,29 @@ def _cactus(kit: Kit, b: Body, z: float, r: float) -> None:
     b.add("leaf_dark", mesh.pillow((-thick, -thick, z - 0.05), (thick, thick, kit.h), 3.0, 6))
     for s, low in ((1, 0.35), (-1, 0.5)):
         base, out = z + low * (kit.h - z), r - thick * 0.6
-        b.add("leaf_dark", mesh.pillow((min(0, s * out) - 0.0, -0.5 * thick, base), (max(0, s * out), 0.5 * thick, base + thick), 3, 4))
-        b.add("leaf_dark", mesh.pillow((s * out - 0.6 * thick, -0.6 * thick, base), (s * out + 0.6 * thick, 0.6 * thick, base + 0.3 * (kit.h - z)), 3, 4))
-    b.add("leaf_dark", mesh.pillow((-0.4 * thick, -r, z + 0.2 * (kit.h - z)), (0.4 * thick, 0, z + 0.2 * (kit.h - z) + thick), 3, 4))
-    b.add("leaf_dark", mesh.pillow((-0.5 * thick, -r, z + 0.2 * (kit.h - z)), (0.5 * thick, -r + thick, z + 0.45 * (kit.h - z)), 3, 4))
+        b.add(
+            "leaf_dark",
+            mesh.pillow(
+                (min(0, s * out) - 0.0, -0.5 * thick, base), (max(0, s * out), 0.5 * thick, base + thick), 3, 4
+            ),
+        )
+        b.add(
+            "leaf_dark",
+            mesh.pillow(
+                (s * out - 0.6 * thick, -0.6 * thick, base),
+                (s * out + 0.6 * thick, 0.6 * thick, base + 0.3 * (kit.h - z)),
+                3,
+                4,
+            ),
+        )
+    b.add(
+        "leaf_dark",
+        mesh.pillow((-0.4 * thick, -r, z + 0.2 * (kit.h - z)), (0.4 * thick, 0, z + 0.2 * (kit.h - z) + thick), 3, 4),
+    )
+    b.add(
+        "leaf_dark",
+        mesh.pillow((-0.5 * thick, -r, z + 0.2 * (kit.h - z)), (0.5 * thick, -r + thick, z + 0.45 * (kit.h - z)), 3, 4),
+    )
 
 
 @design("planter", "herbs", "flowers", "grasses")
@@ -174,7 +211,9 @@ def planter(kit: Kit) -> None:
 def _bed(kit: Kit, b: Body, z: float) -> None:
     tall, n = kit.h - z, max(6, round(kit.w / 0.07))
     for i in range(n):
-        at = np.array([float(kit.rng.uniform(-0.25, 0.25)) * kit.d, kit.y[0] + 0.04 + (i + 0.5) * (kit.w - 0.08) / n, z])
+        at = np.array(
+            [float(kit.rng.uniform(-0.25, 0.25)) * kit.d, kit.y[0] + 0.04 + (i + 0.5) * (kit.w - 0.08) / n, z]
+        )
         green = kit.pick("leaf", "leaf_light", "leaf_dark")
         for k in range(4):
             a = 2.4 * k + i
@@ -184,4 +223,7 @@ def _bed(kit: Kit, b: Body, z: float) -> None:
             top = at + [0, 0, 0.9 * tall]
             _stem(b, "leaf", at, top, 0.004, 0.003)
             size = min(0.035, 0.25 * tall)
-            b.add(kit.pick("flower_red", "flower_pink", "flower_yellow"), mesh.pillow(top - size, top + size * np.array([1, 1, 0.6]), 2, 2))
+            b.add(
+                kit.pick("flower_red", "flower_pink", "flower_yellow"),
+                mesh.pillow(top - size, top + size * np.array([1, 1, 0.6]), 2, 2),
+            )

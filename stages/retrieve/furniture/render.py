@@ -116,7 +116,9 @@ def _drawn(points: Array, size: tuple[int, int]) -> _Frame:
     return frame
 
 
-def picture(soup: Soup, size: int = 160, toward: tuple[float, float, float] = (1.0, -0.62, 0.62), fit: Array | None = None) -> NDArray[np.uint8]:
+def picture(
+    soup: Soup, size: int = 160, toward: tuple[float, float, float] = (1.0, -0.62, 0.62), fit: Array | None = None
+) -> NDArray[np.uint8]:
     """A square picture (size, size, 3) seen from `toward` without perspective; `fit` (n, 3) is what must be in view."""
     axes, fine = _view(np.array(toward)), 2 * size
     flat = (soup.points.reshape(-1, 3) if fit is None else fit) @ axes.T
@@ -126,14 +128,21 @@ def picture(soup: Soup, size: int = 160, toward: tuple[float, float, float] = (1
 
     def project(points: Array) -> Array:
         p = points @ axes.T
-        return np.stack([fine / 2 + (p[..., 0] - middle[0]) * scale, fine / 2 - (p[..., 1] - middle[1]) * scale, p[..., 2]], -1)
+        return np.stack(
+            [fine / 2 + (p[..., 0] - middle[0]) * scale, fine / 2 - (p[..., 1] - middle[1]) * scale, p[..., 2]], -1
+        )
 
     floor = _floor(soup)
     clear = np.array([materials.PALETTE[name].color[3] < 0.7 for name in soup.names])[soup.material]
     light = _Light(soup.points[~clear])
     back = _drawn(project(np.concatenate([soup.points[~clear], floor])), (fine, fine))
-    solid = Soup(np.concatenate([soup.points[~clear], floor]), np.concatenate([soup.normals[~clear], np.full_like(floor, [0, 0, 1])]),
-                 np.concatenate([soup.uv[~clear], floor[..., :2]]), np.append(soup.material[~clear], [-1, -1]), soup.names)  # fmt: skip
+    solid = Soup(
+        np.concatenate([soup.points[~clear], floor]),
+        np.concatenate([soup.normals[~clear], np.full_like(floor, [0, 0, 1])]),
+        np.concatenate([soup.uv[~clear], floor[..., :2]]),
+        np.append(soup.material[~clear], [-1, -1]),
+        soup.names,
+    )
     image = _shaded(solid, back, light, axes, scale)
     if clear.any():
         panes = Soup(soup.points[clear], soup.normals[clear], soup.uv[clear], soup.material[clear], soup.names)
@@ -162,7 +171,9 @@ class _Light:
         self.lo, hi = flat.min(0), flat.max(0)
         self.scale, self.size = (size - 8) / max(hi[0] - self.lo[0], hi[1] - self.lo[1]), size
         p = points @ self.axes.T
-        screen = np.stack([4 + (p[..., 0] - self.lo[0]) * self.scale, 4 + (p[..., 1] - self.lo[1]) * self.scale, p[..., 2]], -1)
+        screen = np.stack(
+            [4 + (p[..., 0] - self.lo[0]) * self.scale, 4 + (p[..., 1] - self.lo[1]) * self.scale, p[..., 2]], -1
+        )
         self.depth = _drawn(screen, (size, size)).depth
 
     def falls_on(self, points: Array) -> Array:
@@ -189,7 +200,9 @@ def _shaded(soup: Soup, frame: _Frame, light: _Light, axes: Array, scale: float)
     half = _SUN - axes[2]
     half /= np.linalg.norm(half)
     gloss = np.clip(normal @ half, 0, 1) ** (4 + 80 * (1 - rough) ** 2) * (1 - rough) * (0.35 + 0.5 * metal)
-    lit = color * (0.55 * sky * _occlusion(frame.depth, scale) + 0.62 * sun)[..., None] + (gloss * (0.3 + sun))[..., None]
+    lit = (
+        color * (0.55 * sky * _occlusion(frame.depth, scale) + 0.62 * sun)[..., None] + (gloss * (0.3 + sun))[..., None]
+    )
     return np.where((owner < 0)[..., None], _GROUND, lit)
 
 
@@ -219,10 +232,10 @@ def _surface(soup: Soup, material: NDArray[np.int64], uv: Array) -> tuple[Array,
     return color, rough, metal
 
 
-def pair(asset: Asset, size: int = 160, toward: tuple[float, float, float] = (1.0, -0.62, 0.62)) -> list[NDArray[np.uint8]]:
+def pair(
+    asset: Asset, size: int = 160, toward: tuple[float, float, float] = (1.0, -0.62, 0.62)
+) -> list[NDArray[np.uint8]]:
     """The asset closed and, when it moves, fully open, at the same scale."""
     states = [opened(asset, 0.0)] + ([opened(asset, 1.0)] if asset.joints else [])
     fit = np.concatenate([s.points.reshape(-1, 3) for s in states])
     return [picture(s, size, toward, fit) for s in states]
-
-

@@ -36,7 +36,9 @@ def _apart(asset: Asset) -> Asset:
     """Only every other sliding door moves: two that change places look as if they had not."""
     kept = [link for link in asset.links if link.joint and link.joint.part == "slider_door"][1::2]
     still = [
-        replace(link, joint=link.joint.model_copy(update={"range": (0.0, 1e-6)})) if link.joint and any(link is k for k in kept) else link
+        replace(link, joint=link.joint.model_copy(update={"range": (0.0, 1e-6)}))
+        if link.joint and any(link is k for k in kept)
+        else link
         for link in asset.links
     ]
     return replace(asset, links=still)

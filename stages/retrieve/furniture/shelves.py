@@ -20,7 +20,9 @@ def books(kit: Kit, x: tuple[float, float], y: tuple[float, float], z: tuple[flo
         wide = float(kit.rng.uniform(0.024, 0.05))
         own = height - float(kit.rng.uniform(0, 0.008))
         kit.base.fill = 0.8
-        kit.base.box(kit.pick(*_BOOKS), (x[0] + 0.002, x[0] + deep), (at, at + wide - 0.001), (z[0] + 0.0005, z[0] + own), False)
+        kit.base.box(
+            kit.pick(*_BOOKS), (x[0] + 0.002, x[0] + deep), (at, at + wide - 0.001), (z[0] + 0.0005, z[0] + own), False
+        )
         at, peak = at + wide, max(peak, own)
     kit.base.fill = 1.0
     if at > start:
@@ -74,7 +76,12 @@ def frame_shelf(kit: Kit) -> None:
     for k, z in enumerate(levels):
         b.box(own.top, (kit.x[0] + 0.002, kit.x[1] - 0.002), (kit.y[0] + s, kit.y[1] - s), (z, z + t))
         if k < len(levels) - 1 and kit.rng.random() < 0.6:
-            books(kit, (kit.x[0] + 0.03, kit.x[1] - 0.02), (kit.y[0] + s, kit.y[1] - s - 0.3 * kit.w), (z + t, levels[k + 1]))
+            books(
+                kit,
+                (kit.x[0] + 0.03, kit.x[1] - 0.02),
+                (kit.y[0] + s, kit.y[1] - s - 0.3 * kit.w),
+                (z + t, levels[k + 1]),
+            )
 
 
 @design("shelving", "metal", "wood", "chrome", "heavy_duty")
@@ -102,7 +109,12 @@ def _rack_level(kit: Kit, post: str, board: str, s: float, z: float) -> None:
         n = max(3, round(kit.d / 0.1))
         for i in range(n):
             at = kit.x[0] + s + i * (kit.d - 2 * s) / n
-            b.box(board, (at, at + (kit.d - 2 * s) / n - 0.012), (kit.y[0] + 0.002, kit.y[1] - 0.002), (z + 0.016, z + 0.034))
+            b.box(
+                board,
+                (at, at + (kit.d - 2 * s) / n - 0.012),
+                (kit.y[0] + 0.002, kit.y[1] - 0.002),
+                (z + 0.016, z + 0.034),
+            )
         for py in (kit.y[0], kit.y[1] - s):
             b.box(post, x, (py + 0.002, py + s - 0.002), (z - 0.03, z + 0.015))
         return
@@ -147,7 +159,18 @@ def coat_rack(kit: Kit) -> None:
     material = {"turned": kit.pick("walnut", "cherry"), "branch": "birch", "metal": "black_metal"}[kit.style]
     thick = 0.013 if kit.style == "metal" else 0.02
     if kit.style == "turned":
-        b.turned(material, [(thick, 0.08), (thick * 1.5, 0.3), (thick, 0.5), (thick, kit.h - 0.1), (thick * 1.6, kit.h - 0.05), (0.008, kit.h)], n=12)
+        b.turned(
+            material,
+            [
+                (thick, 0.08),
+                (thick * 1.5, 0.3),
+                (thick, 0.5),
+                (thick, kit.h - 0.1),
+                (thick * 1.6, kit.h - 0.05),
+                (0.008, kit.h),
+            ],
+            n=12,
+        )
     else:
         b.rod(material, (0, 0, 0.03), (0, 0, kit.h), thick)
     _star(kit, material, thick, r)
@@ -165,7 +188,13 @@ def _star(kit: Kit, material: str, thick: float, r: float) -> None:
     b = kit.base
     if kit.style == "metal":
         b.fill = 0.3
-        b.prism(material, np.stack([kit.d / 2 * np.cos(t := np.arange(32) * np.pi / 16), kit.w / 2 * np.sin(t)], 1), 0, 0.025, smooth=True)
+        b.prism(
+            material,
+            np.stack([kit.d / 2 * np.cos(t := np.arange(32) * np.pi / 16), kit.w / 2 * np.sin(t)], 1),
+            0,
+            0.025,
+            smooth=True,
+        )
         return
     for ax, half in ((0, kit.d / 2), (1, kit.w / 2)):
         for s in (-1, 1):

@@ -30,7 +30,9 @@ _SEATS = {
     "modern": Seat("track", 0.16, "block", 0.06, 7, ("grey_fabric", "charcoal_fabric", "linen"), ("black_metal",)),
     "scandi": Seat("wood", 0.05, "wood", 0.2, 6, ("blue_fabric", "sage_fabric", "grey_fabric"), ("oak", "light_oak")),
     "chesterfield": Seat("roll", 0.2, "turned", 0.1, 5, ("brown_leather", "tan_leather", "green_velvet"), ("walnut",)),
-    "midcentury": Seat("slim", 0.08, "splay", 0.18, 7, ("mustard_fabric", "rust_fabric", "tan_leather"), ("walnut", "teak")),
+    "midcentury": Seat(
+        "slim", 0.08, "splay", 0.18, 7, ("mustard_fabric", "rust_fabric", "tan_leather"), ("walnut", "teak")
+    ),
     "cloud": Seat("puff", 0.22, "block", 0.03, 3.4, ("cream_boucle", "linen", "rose_velvet"), ("black_metal",)),
 }
 _ARMCHAIR_MORE = {
@@ -51,7 +53,14 @@ def legs(kit: Kit, kind: str, wood: str, high: float, x: Span, y: Span) -> None:
             if kind == "block":
                 b.box(wood, (px - 0.025, px + 0.025), (py - 0.025, py + 0.025), (0, high + 0.001))
             elif kind == "turned":
-                profile = [(0.014, 0), (0.02, 0.02), (0.03, 0.55 * high), (0.016, 0.75 * high), (0.03, high), (0.03, high + 0.002)]
+                profile = [
+                    (0.014, 0),
+                    (0.02, 0.02),
+                    (0.03, 0.55 * high),
+                    (0.016, 0.75 * high),
+                    (0.03, high),
+                    (0.03, high + 0.002),
+                ]
                 b.turned(wood, profile, (px, py, 0), 12)
             else:
                 b.leg(wood, (px + 0.03 * sx, py + 0.03 * (2 * share - 1), 0), (px, py, high + 0.002), 0.012, 0.021, 10)

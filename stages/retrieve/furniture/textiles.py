@@ -13,8 +13,13 @@ from stages.retrieve.furniture.tables import ellipse
 def rug(kit: Kit) -> None:
     """A flat rug with its border or fringe."""
     b, t = kit.base, kit.h
-    pile = {"persian": kit.pick("rug_border", "rug_blue"), "kilim": "rug_kilim", "berber": "rug_berber",
-            "plain": kit.pick("rug_plain", "rug_stripe"), "round": kit.pick("jute", "rug_plain")}[kit.style]  # fmt: skip
+    pile = {
+        "persian": kit.pick("rug_border", "rug_blue"),
+        "kilim": "rug_kilim",
+        "berber": "rug_berber",
+        "plain": kit.pick("rug_plain", "rug_stripe"),
+        "round": kit.pick("jute", "rug_plain"),
+    }[kit.style]
     if kit.style == "round":
         b.prism(pile, ellipse(kit, n=48), 0, t)
         return
@@ -46,7 +51,11 @@ def _fringe(kit: Kit, y: Span, t: float) -> None:
 def curtain(kit: Kit) -> None:
     """Two gathered panels drawn to the sides of a rod or track."""
     b = kit.base
-    cloth = "sheer" if kit.style == "sheer" else kit.pick("linen", "grey_fabric", "blue_fabric", "sage_fabric", "rose_velvet", "duvet_sand")
+    cloth = (
+        "sheer"
+        if kit.style == "sheer"
+        else kit.pick("linen", "grey_fabric", "blue_fabric", "sage_fabric", "rose_velvet", "duvet_sand")
+    )
     metal = kit.pick("black_metal", "brass", "white_metal")
     r, rail = 0.011, kit.h - 0.03
     if kit.style == "track":

@@ -9,10 +9,34 @@ from stages import categories, sweeps
 from stages.retrieve import furniture, parametric
 
 LARGE = (
-    "double_bed", "single_bed", "wardrobe", "sliding_wardrobe", "chest", "sofa", "corner_sofa", "armchair", "dining_table",
-    "round_table", "coffee_table", "chair", "office_chair", "bookshelf", "kitchen_base", "kitchen_drawers", "wall_unit",
-    "sideboard", "desk", "tv_stand", "floor_lamp", "table_lamp", "ceiling_lamp", "plant", "rug", "vanity", "fridge",
-)  # fmt: skip
+    "double_bed",
+    "single_bed",
+    "wardrobe",
+    "sliding_wardrobe",
+    "chest",
+    "sofa",
+    "corner_sofa",
+    "armchair",
+    "dining_table",
+    "round_table",
+    "coffee_table",
+    "chair",
+    "office_chair",
+    "bookshelf",
+    "kitchen_base",
+    "kitchen_drawers",
+    "wall_unit",
+    "sideboard",
+    "desk",
+    "tv_stand",
+    "floor_lamp",
+    "table_lamp",
+    "ceiling_lamp",
+    "plant",
+    "rug",
+    "vanity",
+    "fridge",
+)
 
 
 def sizes(category):
@@ -56,7 +80,10 @@ def test_every_piece_is_closed_and_faces_outward(category):
         assert all(c.size.min() > 0 for link in asset.links for c in link.colliders), asset.id
         for mesh in (mesh for link in asset.links for mesh in link.visuals):
             shape = trimesh.Trimesh(mesh.vertices, mesh.faces)
-            assert shape.is_watertight and shape.is_winding_consistent and shape.volume > 0, (asset.id, mesh.material.name)
+            assert shape.is_watertight and shape.is_winding_consistent and shape.volume > 0, (
+                asset.id,
+                mesh.material.name,
+            )
             assert mesh.uv is not None and mesh.uv.shape == (len(mesh.vertices), 2) and np.isfinite(mesh.uv).all()
             faces += len(mesh.faces)
         assert faces <= 6500, (asset.id, faces)
@@ -122,8 +149,16 @@ def test_the_same_four_make_the_same_asset_and_its_id_makes_it_again():
 
 
 @pytest.mark.parametrize(
-    "id", ["", "wardrobe", "wardrobe/modern/600x1500/0", "wardrobe/gothic/600x1500x2100/0", "wardrobe/modern/600x1500x9100/0", "castle/modern/1x1x1/0"]
-)  # fmt: skip
+    "id",
+    [
+        "",
+        "wardrobe",
+        "wardrobe/modern/600x1500/0",
+        "wardrobe/gothic/600x1500x2100/0",
+        "wardrobe/modern/600x1500x9100/0",
+        "castle/modern/1x1x1/0",
+    ],
+)
 def test_an_unknown_id_is_refused_with_what_to_do(id):
     with pytest.raises(BadInput):
         furniture.load(id)
@@ -131,7 +166,11 @@ def test_an_unknown_id_is_refused_with_what_to_do(id):
 
 def test_the_library_lists_every_style_once_and_loads_it():
     sources = list(parametric.assets())
-    assert len({source.id for source in sources}) == len(sources) == sum(len(furniture.styles(c)) for c in categories.CATEGORIES)
+    assert (
+        len({source.id for source in sources})
+        == len(sources)
+        == sum(len(furniture.styles(c)) for c in categories.CATEGORIES)
+    )
     assert all(source.load().id == source.id for source in sources[::25])
 
 

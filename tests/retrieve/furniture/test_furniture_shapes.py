@@ -18,8 +18,15 @@ SHAPES = {
     "box": (mesh.pillow((0, 0, 0), (1, 2, 3), 60, 12), 6.0),
     "ball": (mesh.pillow((-1, -1, -1), (1, 1, 1), 2, 24), 4 / 3 * np.pi),
     "wedge": (mesh.prism([(0, 0), (1, 0), (0, 1)], 0, 0.2), 0.1),
-    "facets": (mesh.facets(np.array([[(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 0, 2), (1, 0, 2), (1, 1, 2), (0, 1, 2)]], float)), 2.0),
-}  # fmt: skip
+    "facets": (
+        mesh.facets(
+            np.array(
+                [[(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 0, 2), (1, 0, 2), (1, 1, 2), (0, 1, 2)]], float
+            )
+        ),
+        2.0,
+    ),
+}
 
 
 @pytest.mark.parametrize("name", SHAPES)
