@@ -28,16 +28,19 @@ PARAPET = 1.1
 """Height of a balcony's outer wall, m."""
 CONCRETE = 2400.0  # kg/m³, for engines that want a mass of what never moves
 
+Storey = tuple[Geometry, float, float]
+"""A prism: its area, from which height to which."""
 _ORIGIN = np.zeros(3)
 
 
 def bodies(plan: Plan) -> list[Body]:
     """Every body of the shell, floors first; names are unique among them."""
+    storeys = _storeys(plan)
     floors = [_floor(plan, room) for room in plan.rooms]
     ceilings = [_ceiling(plan, room) for room in plan.rooms if room.type != "balcony"]
-    linings = [lined for room in plan.rooms for lined in _linings(plan, room)]
+    linings = [lined for room in plan.rooms for lined in _linings(plan, room, storeys)]
     leaves = [_opening(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
-    return [_ground(plan), *floors, _walls(plan), *linings, *ceilings, *leaves]
+    return [_ground(plan), *floors, _walls(plan, storeys), *linings, *ceilings, *leaves]
 
 
 def _still(name: str, kind: Kind, room: str, visuals: list[Mesh], colliders: list[Collider] | None = None) -> Body:
@@ -71,8 +74,8 @@ def _ceiling(plan: Plan, room: Room) -> Body:
 
 def _cut(opening: Opening, plan: Plan) -> Polygon:
     """What an opening takes out of its wall, seen from above, and no more."""
-    within = unary_union(list(polygons.floors(plan).values()))
-    return polygons.threshold(opening, plan).difference(within)
+    own = [polygons.floor(room) for room in plan.rooms if room.id in opening.rooms]
+    return polygons.threshold(opening, plan).difference(unary_union(own))
 
 
 def in_parapet(opening: Opening, plan: Plan) -> bool:
@@ -88,8 +91,8 @@ def low(plan: Plan) -> Geometry:
     return polygons.shell(plan).difference(polygons.shell(plan.model_copy(update={"rooms": indoors})))
 
 
-def _storeys(plan: Plan) -> list[tuple[Geometry, float, float]]:
-    """Wall bodies as prisms (area, z0, z1): the wall proper, what is above openings, what is below windows."""
+def _storeys(plan: Plan) -> list[Storey]:
+    """Wall bodies as prisms: the wall proper, what is above openings, what is below windows."""
     cuts = {o.id: _cut(o, plan) for o in plan.openings if not in_parapet(o, plan)}
     solid = polygons.shell(plan).difference(unary_union([*polygons.floors(plan).values(), *cuts.values()]))
     about = low(plan)
@@ -101,8 +104,7 @@ def _storeys(plan: Plan) -> list[tuple[Geometry, float, float]]:
     return [(area, z0, z1) for area, z0, z1 in pieces if area.area > 1e-6 and z1 - z0 > 1e-3]
 
 
-def _walls(plan: Plan) -> Body:
-    storeys = _storeys(plan)
+def _walls(plan: Plan, storeys: list[Storey]) -> Body:
     lined = unary_union([_skin(polygons.floor(room)) for room in plan.rooms])
     cores = [(area.difference(lined), z0, z1) for area, z0, z1 in storeys]
     visuals = [solids.extruded(area, z0, z1, finishes.WALL) for area, z0, z1 in cores if area.area > 1e-6]
@@ -114,14 +116,14 @@ def _skin(floor: Polygon) -> Geometry:
     return floor.buffer(LINING, join_style="mitre").difference(floor)
 
 
-def _linings(plan: Plan, room: Room) -> list[Body]:
+def _linings(plan: Plan, room: Room, storeys: list[Storey]) -> list[Body]:
     """The room's own finish of the walls about it, and its skirting."""
     floor = polygons.floor(room)
     skin = _skin(floor)
     finish = finishes.wall(room.type)
     faces = [
         solids.extruded(skin.intersection(area), z0, z1, finish)
-        for area, z0, z1 in _storeys(plan)
+        for area, z0, z1 in storeys
         if skin.intersection(area).area > 1e-6
     ]
     found = [_still(f"lining_{room.id}", "lining", room.id, faces)]

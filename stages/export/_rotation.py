@@ -7,6 +7,8 @@ from stages.asset import Array
 
 def quaternion(rotation: Array) -> Array:
     """w, x, y, z of a rotation matrix, w not negative."""
+    if np.array_equal(rotation, np.eye(3)):
+        return np.array([1.0, 0.0, 0.0, 0.0])
     from scipy.spatial.transform import Rotation
 
     x, y, z, w = Rotation.from_matrix(rotation).as_quat(canonical=True)
