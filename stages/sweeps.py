@@ -5,11 +5,14 @@ Bounds are least and greatest corners (lo, hi), each (3,), in the object's frame
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from shapely.geometry import Polygon
 
+from schemas.base import Vector
 from schemas.layout import Box
 from schemas.plan import Plan
 from schemas.retrieve import Furnishing, Joint
@@ -66,6 +69,17 @@ def moved(joint: Joint, value: float) -> Bounds:
 
 def swept(joint: Joint) -> Bounds:
     """Bounds of everything the joint's part passes through over its whole range, exactly."""
+    lo, hi = _swept(joint.type, joint.axis, joint.origin, joint.range, joint.extent)
+    return np.array(lo), np.array(hi)
+
+
+@lru_cache(maxsize=8192)
+def _swept(
+    type: Literal["hinge", "slide"], axis: Vector, origin: Vector, range: tuple[float, float],
+    extent: tuple[Vector, Vector] | None,
+) -> tuple[Vector, Vector]:
+    """The same by value, because the same assets are asked for again and again."""
+    joint = Joint(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
     ends = [moved(joint, value) for value in joint.range]
     lo, hi = np.minimum(ends[0][0], ends[1][0]), np.maximum(ends[0][1], ends[1][1])
     if joint.type == "hinge":
@@ -79,7 +93,7 @@ def swept(joint: Joint) -> Bounds:
             at = c + u * np.cos(angle) + v * np.sin(angle)
             lo = np.minimum(lo, np.where(passed, at, np.inf).min(0))
             hi = np.maximum(hi, np.where(passed, at, -np.inf).max(0))
-    return lo, hi
+    return (float(lo[0]), float(lo[1]), float(lo[2])), (float(hi[0]), float(hi[1]), float(hi[2]))
 
 
 def _front(o: Box) -> float:
