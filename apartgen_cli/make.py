@@ -77,7 +77,7 @@ def _planned(prompt: str, config: Any, seed: int, folder: Path) -> Artifact[Any]
 
 def _advanced(stage: Stage, previous: Artifact[Any], config: Record, seed: int, folder: Path) -> Artifact[Any]:
     file, began = folder / f"{stage.word}.json", perf_counter()
-    wanted = made(seed, config, previous)
+    wanted = made(seed, config, previous, data=stage.data(config))
     old = _kept(file, artifact.BODIES[stage.word], wanted)
     if old is not None:
         return old

@@ -1,6 +1,7 @@
 """Give every object of a layout a real asset, by category, size and shape."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,15 @@ def match(layout: Layout, config: RetrieveConfig, rng: np.random.Generator) -> R
     return retrieve.run(layout, config, rng)
 
 
-STAGE = Stage("retrieve", Layout, RetrieveConfig, each(match), names={"libraries": "library"})
+def libraries(config: RetrieveConfig) -> dict[str, Path]:
+    """The index of the embedded library, and the table of every other."""
+    from stages.latents import INDEX
+    from stages.retrieve.matching.indexed import TABLE_FILE
+
+    return {"parametric": INDEX} | {str(folder): Path(folder) / TABLE_FILE for folder in config.libraries}
+
+
+STAGE = Stage("retrieve", Layout, RetrieveConfig, each(match), {"libraries": "library"}, data=libraries)
 
 
 def commands() -> dict[str, Callable[..., Any]]:

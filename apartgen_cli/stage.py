@@ -3,6 +3,7 @@
 A command module describes its stage by a `Stage`; `make` chains the same descriptions.
 """
 
+import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -31,7 +32,7 @@ class Stage:
 
     `advance(bodies, config, rngs)` gives, for each body and in order, the next body or the error that prevents it.
     `names` maps fields of the configuration to other option names. `missed(body, config)` says what a result that
-    is written all the same falls short of.
+    is written all the same falls short of. `data(config)` names the files, beside the input, that a result hangs on.
     """
 
     word: str
@@ -40,6 +41,7 @@ class Stage:
     advance: Advance
     names: Mapping[str, str] = field(default_factory=dict)
     missed: Callable[[Any, Any], Unmet | None] = lambda body, config: None
+    data: Callable[[Any], Mapping[str, Path]] = lambda config: {}
 
     def command(self) -> Callable[..., Any]:
         """The stage as a command with an option for every described field of its configuration."""
@@ -69,10 +71,16 @@ def lane(seed: int, word: str) -> np.random.Generator:
     return np.random.default_rng([seed, *word.encode()])
 
 
-def made(seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0) -> Made:
+def made(seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0,
+         data: Mapping[str, Path] | None = None) -> Made:
     """How a result of this program came about."""
     inputs = {previous.kind: previous.digest} if previous else {}
+    inputs |= {name: _digest(file) for name, file in (data or {}).items() if file.is_file()}
     return Made(by=BY, seed=seed, config=config.model_dump(mode="json"), inputs=inputs, seconds=round(seconds, 2))
+
+
+def _digest(file: Path) -> str:
+    return "sha256:" + hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record) -> int:
@@ -87,7 +95,7 @@ def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int 
         if isinstance(outcome, ApartgenError):
             errors.append(outcome)
             continue
-        written(outcome, made(used, config, read, perf_counter() - began), place)
+        written(outcome, made(used, config, read, perf_counter() - began, stage.data(config)), place)
         if short := stage.missed(outcome, config):
             errors.append(short)
         began = perf_counter()

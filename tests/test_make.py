@@ -43,8 +43,11 @@ def home(made, tmp_path):
 
 @pytest.fixture
 def again(capsys, monkeypatch):
-    return lambda folder, prompt=PROMPT, seed=3: commandline.run(
-        capsys, monkeypatch, "make", prompt, "-o", f"{folder}/", "--seed", seed)
+    def run(folder, prompt=PROMPT, seed=3, config=None):
+        extra = ["--config", config] if config else []
+        return commandline.run(capsys, monkeypatch, "make", prompt, "-o", f"{folder}/", "--seed", seed, *extra)
+
+    return run
 
 
 def test_everything_is_made_and_named_with_a_picture_last(made):
@@ -89,6 +92,25 @@ def test_damaged_files_are_made_again(made, home, again):
     done = again(home)
     assert done.code == 0 and "layout.json" in done.err
     assert timeless(home) == timeless(made[0])
+
+
+def test_other_weights_make_a_layout_anew(home, again, tmp_path):
+    from apartgen_cli import layout
+    from stages.layout import weights as shipped
+
+    assert layout.weights(layout.LayoutConfig()) == {"weights": shipped.SHIPPED}
+    other = tmp_path / "weights.safetensors"
+    shutil.copy(shipped.SHIPPED, other)
+    with other.open("r+b") as file:
+        file.seek(-1, os.SEEK_END)
+        last = file.read(1)
+        file.seek(-1, os.SEEK_END)
+        file.write(bytes([last[0] ^ 1]))
+    (tmp_path / "settings.toml").write_text(f'[layout]\nweights = "{other}"\n')
+    before = times(home)
+    assert again(home, config=tmp_path / "settings.toml").code == 0
+    after = times(home)
+    assert after["plan.json"] == before["plan.json"] and after["layout.json"] != before["layout.json"]
 
 
 def test_another_seed_makes_everything_anew(made, home, again):
