@@ -98,7 +98,9 @@ def _scandi(kit: Kit, board: float, rail: float, frame: float) -> None:
             b.rod(wood, (*at, frame + 0.03), (*at, kit.h - 0.03), 0.009, n=8)
     foot = kit.x[1] - 0.1
     for s in (-1, 1):
-        b.leg(wood, (foot + 0.03, s * (kit.w / 2 - 0.06), 0), (foot, s * (kit.w / 2 - 0.07), frame - 0.06), 0.015, 0.025)
+        b.leg(
+            wood, (foot + 0.03, s * (kit.w / 2 - 0.06), 0), (foot, s * (kit.w / 2 - 0.07), frame - 0.06), 0.015, 0.025
+        )
 
 
 def _classic(kit: Kit, board: float, rail: float, frame: float) -> None:
