@@ -10,6 +10,8 @@ from stages.plan.blocks import Outline, taken_apart
 
 GREATEST_ASPECT = 1.8
 """Longest side of a free outline's bounding box over the other."""
+DEEP_NOTCH = 75.0
+"""Gross area, m², from which an outline may have a notch in the middle of a side."""
 PLAY = 1.2
 """Factor by which annealing may change the aspect that was drawn, either way."""
 
@@ -31,20 +33,20 @@ def wish(envelope: Envelope, regularity: float, rng: Generator) -> tuple[str, fl
 
 def draw(envelope: Envelope, gross: float, shape: str, aspect: float, rng: Generator) -> Outline:
     """A free outline of area `gross` near an aspect."""
-    unit = _shape(shape, aspect, rng)
+    unit = _shape(shape, aspect, gross >= DEEP_NOTCH, rng)
     scale = float(np.sqrt(gross / unit.area))
     polygon = shapely.transform(unit, lambda xy: xy * scale)
     # A stretch s makes the bounding box s² times as long.
     return taken_apart(polygon, envelope, (float(PLAY**-0.5), float(PLAY**0.5)))
 
 
-def _shape(shape: str, aspect: float, rng: Generator) -> Polygon:
+def _shape(shape: str, aspect: float, deep: bool, rng: Generator) -> Polygon:
     whole = box(0, 0, aspect, 1)
     if shape == "rectangle":
         return whole
     if shape == "L":
         return _less(whole, _corner(aspect, rng.uniform(0.3, 0.5), rng.uniform(0.3, 0.5), int(rng.integers(4))))
-    if rng.random() < 0.5:
+    if not deep or rng.random() < 0.5:
         first = int(rng.integers(4))
         corners = (first, (first + 1 + int(rng.integers(2))) % 4)
         cuts = [_corner(aspect, rng.uniform(0.18, 0.32), rng.uniform(0.18, 0.32), corner) for corner in corners]

@@ -91,7 +91,7 @@ def _spec(room: AskedRoom, area: float, corners: float, joined: bool, slack: Sla
     passage = room.type in ("hallway", "balcony")
     return (
         area,
-        2.5 * slack.area if passage else slack.area,
+        2.5 * slack.area if room.type == "hallway" else slack.area,
         min(norm.width, 0.95 * np.sqrt(area)),
         min(norm.width, 1.5),
         norm.aspect * slack.aspect,

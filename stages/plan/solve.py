@@ -17,17 +17,19 @@ from stages.plan.blocks import Outline, given, gross
 from stages.plan.check import check
 from stages.plan.config import PlanConfig
 from stages.plan.contradict import lacks, told
+from stages.plan.judge import faults
 from stages.plan.outline import draw, ring
 from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
 from stages.plan.relax import Step, ladder
 from stages.plan.slicing import EPS, Floats, Ints
 from stages.plan.turn import askew, turned, turned_plan
-from stages.plan.judge import faults
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
 SPREAD = 8.0
 """Difference of cost up to which one arrangement is as good as another."""
+CHOICE = 20
+"""Rooms in all the arrangements to choose from: one of a large flat is as good as several of a small one."""
 BEYOND = 5.0
 PATIENCE = 3
 """Waves of runs on one whim."""
@@ -125,7 +127,7 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             for runs in waves(step.program, config, step.slack, rng):
                 valid += [run for run in runs if run.lack < EPS]
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
-                if len(valid) >= config.enough:
+                if len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
                     break
             plan = _first(step.program, valid, config, rng)
             if plan is not None:
