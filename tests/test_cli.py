@@ -7,11 +7,13 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import commandline
 import handmade
 import pytest
 
+from apartgen_cli import make
 from apartgen_cli.main import WORDS
 from schemas import artifact
 from schemas.artifact import Made
@@ -177,6 +179,15 @@ def test_rooms_drawn_by_hand_and_programmes_come_in_place_of_a_prompt(cli, tmp_p
     file.write_text('{"rooms": [{"id": "bedroom_1"}]}')
     assert "rooms[0].type: field required" in refused(cli("plan", "--from", file))
     refused(cli("plan", "studio", "--from", file))
+
+
+def test_the_examples_work(cli, tmp_path):
+    examples = Path(__file__).parent.parent / "examples"
+    for name in ("drawn", "programme"):
+        assert cli("plan", "--from", examples / f"{name}.json", "-o", tmp_path / "plan.json").code == 0
+    assert cli("plan", "studio", "--config", examples / "settings.toml", "-o", tmp_path / "plan.json").code == 0
+    settings = make.settings(examples / "settings.toml", ["svg"], None)
+    assert settings["walkable"].robot_radius == 0.3 and settings["layout"].steps == 50
 
 
 def test_an_outline_is_filled(cli, tmp_path):
