@@ -3,33 +3,36 @@
 import numpy as np
 import shapely
 from shapely import Geometry
+from shapely.geometry import Polygon
 
-from schemas.layout import Layout
+from schemas.layout import Box, Layout
 from schemas.metrics import Value
 from schemas.plan import Plan, Program
-from stages import boxes, grid, polygons
-from stages.boxes import TOLERANCE
-from stages.grid import Grid
+from stages import boxes, polygons
+from stages.boxes import TOLERANCE, Array, Boxes
 from stages.metrics._shares import objects, shares
 
 NEEDS = Layout
 SHARE = 0.01
 """Share of a footprint that may lie outside."""
 PIXELS = 256
+"""Side of the picture PhyScene draws a room into."""
+MARGIN = 0.2
+"""By which the picture reaches beyond the room, m."""
 
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
-    """Versions: ours = more than 1 % of the footprint or 1 cm outside · published = any pixel of PhyScene's raster."""
+    """Versions: ours = more than 1 % of the footprint or 1 cm outside · published = any pixel of PhyScene's picture,
+    whose rounding forgives some centimetres.
+    """
     things = objects(home)
     floors = polygons.floors(home)
     areas = boxes.footprints(boxes.of(things))
-    ours = [is_outside(area, floors[o.room]) for o, area in zip(things, areas, strict=True)]
-    rasters = {room: _raster(floor) for room, floor in floors.items()}
-    pixels = [(grid.raster(area, rasters[o.room][0]) & ~rasters[o.room][1]).any()
-              for o, area in zip(things, areas, strict=True)]
+    ours = [is_outside(area, floors[o.room]) for o, area in zip(things, areas)]
+    drawn = [_is_drawn_outside(o, floors[o.room]) for o in things]
     return [
         *shares(home, "R_out", "ours", np.array(ours, bool), things),
-        *shares(home, "R_out", "published", np.array(pixels, bool), things),
+        *shares(home, "R_out", "published", np.array(drawn, bool), things),
     ]
 
 
@@ -40,10 +43,20 @@ def is_outside(area: Geometry, floor: Geometry) -> bool:
     return not floor.buffer(TOLERANCE, join_style="mitre").covers(area)
 
 
-def _raster(floor: Geometry) -> tuple[Grid, boxes.Mask]:
-    """A room in 256 × 256 pixels that reach 0.2 m beyond its farthest corner, as PhyScene draws it."""
+def _is_drawn_outside(o: Box, floor: Polygon) -> bool:
+    """The same in pixels: centre, half sizes and all corners rounded towards zero, edges drawn with their pixels."""
     x0, y0, x1, y1 = floor.bounds
-    scale = max(x1 - x0, y1 - y0) / 2 + 0.2
-    origin = ((x0 + x1) / 2 - scale, (y0 + y1) / 2 - scale)
-    cells = Grid(origin, (PIXELS, PIXELS), 2 * scale / PIXELS)
-    return cells, grid.raster(floor, cells)
+    middle = np.array([x0 + x1, y0 + y1]) / 2
+    scale = PIXELS / 2 / (max(x1 - x0, y1 - y0) / 2 + MARGIN)
+    room = Polygon(np.trunc((shapely.get_coordinates(floor.exterior) - middle) * scale)).buffer(0.5)
+    center = np.trunc((np.array(o.center[:2]) - middle) * scale)
+    size = 2 * np.trunc(np.array(o.size[:2]) / 2 * scale)
+    pixels = _pixel_corners(center, size, o.yaw)
+    outside = not room.covers(shapely.multipoints(pixels))
+    return bool(outside or shapely.difference(Polygon(pixels).buffer(0), room).area > 1)
+
+
+def _pixel_corners(center: Array, size: Array, yaw: float) -> Array:
+    box = Boxes(np.array([[*center, 0.0]]), np.array([[*size, 1.0]]), np.array([yaw]))
+    # Pixels count from the picture's corner, so that rounding goes down everywhere.
+    return np.asarray(np.floor(boxes.corners(box)[0] + PIXELS / 2 + 1e-9) - PIXELS / 2)
