@@ -203,3 +203,23 @@ def test_real_sets_index_without_loss(folder, kind, options, count):
         pytest.skip("the set is not on this machine")
     report = check(SHARED / folder, kind, **options)
     assert report.broken == [] and report.indexed == count
+
+
+def test_an_owned_asset_may_outgrow_its_box_where_there_is_room_and_is_made_to_measure_where_not(
+    shop, tmp_path, trained, libraries, flat, monkeypatch
+):
+    from stages.retrieve import run
+    from stages.retrieve.shape import encoder
+
+    monkeypatch.setattr(encoder.latents, "__defaults__", (trained[0],))
+    build(shop, "folder", tmp_path / "lib")
+    config = RetrieveConfig()
+    both = type(libraries)(libraries.embedded, [IndexedLibrary(tmp_path / "lib", config)])
+    sofa = {"category": "sofa", "center": [2, 2.5, 0.4], "size": [0.9, 1.5, 0.8]}
+    (free,) = run(flat(sofa), config, np.random.default_rng(0), both).objects
+    assert free.asset.id == "sofa_b" and free.size[1] == pytest.approx(1.6)
+    beside = [{"category": "armchair", "center": [2, y, 0.4], "size": [0.9, 0.84, 0.85]} for y in (1.3, 3.7)]
+    packed = [{"category": "chest", "center": [x, y, 0.4], "size": [0.6, 1.6, 0.8]}
+              for x in (1.2, 2.8) for y in (0.9, 2.5, 4.1)]  # fmt: skip
+    home = run(flat(sofa, *beside, *packed), config, np.random.default_rng(0), both)
+    assert home.objects[0].asset.library == "parametric" and home.objects[0].size[1] == pytest.approx(1.5)

@@ -35,24 +35,22 @@ class LibrarySet:
             raise BadInput(f"asset library {library!r} is not open (open: {known}); give its folder with --library")
         return self.others[library].load(id)
 
-    def nearest(
-        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None,
-        design: tuple[str, int] | None = None,
-    ) -> Asset | None:  # fmt: skip
-        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big.
-
-        `design` is the style and seed of what is made.
-        """
+    def owned(self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None) -> Asset | None:
+        """The cheapest asset that fits of the libraries a user has indexed; None where none does."""
         others = list(self.others.values())
-        found = [
-            (hit[1], i, hit[0])
-            for i, other in enumerate(others)
-            if (hit := other.nearest(category, size, latent, limit))
-        ]
+        hits = [(other.nearest(category, size, latent, limit), i) for i, other in enumerate(others)]
+        found = [(hit[1], i, hit[0]) for hit, i in hits if hit is not None]
         if not found:
-            return self.embedded.nearest(category, size, latent, limit, design)
+            return None
         _, which, row = min(found)
         return others[which].at(row)
+
+    def nearest(
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
+    ) -> Asset | None:
+        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big."""
+        own = self.owned(category, size, latent, limit)
+        return own or self.embedded.nearest(category, size, latent, limit)
 
 
 def open_libraries(config: RetrieveConfig | None = None) -> LibrarySet:

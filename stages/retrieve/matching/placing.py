@@ -6,10 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from shapely import Point, Polygon, prepare
+from shapely import Geometry, Point, Polygon
+from shapely.ops import unary_union
 
 from schemas.layout import Box
-from stages import boxes
+from schemas.plan import Plan
+from stages import boxes, polygons
 from stages.boxes import TOLERANCE, Boxes
 from stages.categories import TABLE, belong_together
 
@@ -80,16 +82,36 @@ def others(box: Boxes, category: str, stack: Boxes, categories: Sequence[str]) -
     return Others(kept, np.maximum(before, TOLERANCE) + 1e-9)
 
 
-def grown(box: Boxes, room: Polygon, others: Others) -> Boxes | None:
-    """The nearest place for a box that outgrew the one it had; None if there is none within `STEPS`."""
-    wide = room.buffer(TOLERANCE, join_style="mitre")
-    prepare(wide)
+class Site(NamedTuple):
+    """A room's floor, and the part of it that its doors need."""
+
+    floor: Polygon
+    doorways: Geometry
+
+
+def sites(plan: Plan) -> dict[str, Site]:
+    """Every room's site by id."""
+    zones = {o.id: polygons.clearance(o, plan) for o in plan.openings}
+    return {
+        room.id: Site(polygons.floor(room), unary_union([zones[o.id] for o in plan.openings if room.id in o.rooms]))
+        for room in plan.rooms
+    }
+
+
+def grown(box: Boxes, before: Boxes, site: Site, others: Others) -> Boxes | None:
+    """The nearest place for a box that outgrew the one it had; None if there is none within `STEPS`.
+
+    It stays in its room, keeps clear of the others, and stands no further in a doorway than `before`.
+    """
+    wide = site.floor.buffer(TOLERANCE, join_style="mitre")
+    blocked = site.doorways.intersection(boxes.footprints(before)[0]).area + 1e-4
     axes = boxes.axes(box)[0]
     for shift in sorted(product(STEPS, STEPS), key=lambda s: (abs(s[0]) + abs(s[1]), s)):
-        center = box.center + np.array([[*(np.asarray(shift) @ axes), 0.0]])
-        moved = box._replace(center=center)
-        clear = not others.boxes.n or (boxes.penetration(moved, others.boxes)[0] <= others.allowed).all()
-        if clear and wide.covers(boxes.footprints(moved)[0]):
+        moved = box._replace(center=box.center + np.array([[*(np.asarray(shift) @ axes), 0.0]]))
+        if others.boxes.n and (boxes.penetration(moved, others.boxes)[0] > others.allowed).any():
+            continue
+        footprint = boxes.footprints(moved)[0]
+        if wide.covers(footprint) and site.doorways.intersection(footprint).area <= blocked:
             return moved
     return None
 

@@ -1,7 +1,9 @@
 """The stage: a layout in, real assets out."""
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from shapely import Polygon
@@ -9,13 +11,15 @@ from shapely import Polygon
 from schemas.errors import BadInput
 from schemas.layout import Box, Layout
 from schemas.retrieve import AssetKey, Furnishing, Retrieve
-from stages import boxes, polygons
+from stages import boxes
 from stages.asset import Asset
 from stages.boxes import Boxes
 from stages.categories import TABLE
 from stages.retrieve.matching import placing, sets, supports
 from stages.retrieve.matching.config import RetrieveConfig
+from stages.retrieve.matching.embedded import NAME
 from stages.retrieve.matching.libraries import LibrarySet, open_libraries
+from stages.retrieve.matching.placing import Site
 
 LOG = logging.getLogger("apartgen")
 
@@ -32,12 +36,13 @@ def run(
     The result depends on the layout and the libraries alone: nothing is drawn, `rng` is left untouched.
     """
     libraries = libraries or open_libraries(config)
-    floors = polygons.floors(previous)
-    _check(previous, set(floors))
-    own = _chosen(previous, libraries)
+    sites = placing.sites(previous)
+    _check(previous, set(sites))
+    wanted = _wanted(previous, libraries)
+    own = [_nearest(want, libraries, 1 + config.overshoot, previous.height) for want in wanted]
     placed: list[Boxes | None] = [None] * len(own)
-    for step in (_standing, _on_top):
-        step(previous, own, placed, floors)
+    _stand(previous, own, placed, sites, [partial(_measured, want, libraries) for want in wanted])
+    _put_on_top(previous, own, placed, sites)
     objects = [_furnishing(*row) for row in zip(previous.objects, own, placed, strict=True) if row[2] is not None]
     return Retrieve(**{name: getattr(previous, name) for name in Layout.model_fields} | {"objects": objects})
 
@@ -50,27 +55,54 @@ def _check(layout: Layout, rooms: set[str]) -> None:
             raise BadInput(f"objects[{i}].room: {box.room!r} is no room of the plan: {', '.join(sorted(rooms))}")
 
 
-def _chosen(layout: Layout, libraries: LibrarySet) -> list[Asset]:
-    """The nearest asset within each box; where a box is below the category's least size, one of that size."""
-    wished = sets.wishes(layout.objects, layout.height)
-    made = sets.designs(layout.objects, wished, libraries.embedded)
-    found = []
-    for box, (size, latent), design in zip(layout.objects, wished, made, strict=True):
-        asset = libraries.nearest(box.category, size, latent, size, design)
-        asset = asset or libraries.embedded.nearest(box.category, size, latent, None, design)
-        assert asset is not None
-        found.append(asset)
-    return found
+class Wanted(NamedTuple):
+    """What is looked for: a category at a size and latent, and the style and seed it is made in."""
+
+    category: str
+    wish: sets.Wish
+    design: sets.Design
 
 
-def _standing(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon]) -> None:
-    """Places all that does not stand on something else."""
+def _wanted(layout: Layout, libraries: LibrarySet) -> list[Wanted]:
+    wishes = sets.wishes(layout.objects, layout.height)
+    designs = sets.designs(layout.objects, wishes, libraries.embedded)
+    return [Wanted(box.category, w, d) for box, w, d in zip(layout.objects, wishes, designs, strict=True)]
+
+
+def _nearest(want: Wanted, libraries: LibrarySet, over: float, height: float) -> Asset:
+    """The nearest asset, one that was not made to measure up to `over` times as large as its box."""
+    size, latent = want.wish
+    limit = np.minimum(np.asarray(size) * over, (np.inf, np.inf, height))
+    return libraries.owned(want.category, size, latent, limit) or _measured(want, libraries)
+
+
+def _measured(want: Wanted, libraries: LibrarySet) -> Asset:
+    """Made to the box; where that is below the category's least size, of that size."""
+    (size, latent), made = want.wish, libraries.embedded
+    asset = made.nearest(want.category, size, latent, size, want.design)
+    asset = asset or made.nearest(want.category, size, latent, None, want.design)
+    assert asset is not None
+    return asset
+
+
+def _stand(
+    layout: Layout, own: list[Asset], placed: list[Boxes | None], sites: dict[str, Site],
+    measured: Sequence[Callable[[], Asset]],
+) -> None:  # fmt: skip
+    """Places all that does not stand on something else; what finds no room is made to measure or left out."""
     rows = [i for i, box in enumerate(layout.objects) if TABLE[box.category].place != "top"]
     for i in rows:
-        placed[i] = _resized(layout.objects[i], own[i], floors[layout.objects[i].room], layout.height)
+        placed[i] = _resized(layout.objects[i], own[i], sites[layout.objects[i].room].floor, layout.height)
     for i in rows:
-        if _outgrew(own[i], layout.objects[i]):
-            placed[i] = _fitted(i, layout, placed, floors[layout.objects[i].room])
+        box, site = layout.objects[i], sites[layout.objects[i].room]
+        if _outgrew(own[i], box):
+            placed[i] = _fitted(i, layout, placed, site)
+        if placed[i] is None and own[i].library != NAME:
+            own[i] = measured[i]()
+            placed[i] = _resized(box, own[i], site.floor, layout.height)
+            placed[i] = _fitted(i, layout, placed, site) if _outgrew(own[i], box) else placed[i]
+        if placed[i] is None:
+            LOG.warning("%s: smaller than any real %s, and there is no room for one; left out", box.id, box.category)
 
 
 def _resized(box: Box, asset: Asset, room: Polygon, height: float) -> Boxes:
@@ -82,16 +114,15 @@ def _outgrew(asset: Asset, box: Box) -> bool:
     return any(side > room + 1e-6 for side, room in zip(asset.size, box.size, strict=True))
 
 
-def _fitted(i: int, layout: Layout, placed: Sequence[Boxes | None], room: Polygon) -> Boxes | None:
+def _fitted(i: int, layout: Layout, placed: Sequence[Boxes | None], site: Site) -> Boxes | None:
     """A thing larger than its box, moved to where there is room for it; None where there is none."""
-    box, now = layout.objects[i], placed[i]
+    before, now = placing.one(layout.objects[i]), placed[i]
     assert now is not None
     rest = [j for j, other in enumerate(placed) if other is not None and j != i]
     names = [layout.objects[j].category for j in rest]
-    spot = placing.grown(now, room, placing.others(placing.one(box), box.category, _stacked(placed, rest), names))
-    if spot is None:
-        LOG.warning("%s: smaller than any real %s, and there is no room for one; left out", box.id, box.category)
-    return spot
+    return placing.grown(
+        now, before, site, placing.others(before, layout.objects[i].category, _stacked(placed, rest), names)
+    )
 
 
 def _stacked(placed: Sequence[Boxes | None], rows: Sequence[int]) -> Boxes:
@@ -99,13 +130,13 @@ def _stacked(placed: Sequence[Boxes | None], rows: Sequence[int]) -> Boxes:
     return Boxes(*(np.concatenate([getattr(box, name) for box in some]) for name in Boxes._fields)) if some else _NONE
 
 
-def _on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], floors: dict[str, Polygon]) -> None:
+def _put_on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], sites: dict[str, Site]) -> None:
     """Puts each thing that stands on another exactly on its top, clear of all the rest where that can be."""
     tops: dict[int, supports.Top] = {}
     for i, box in enumerate(layout.objects):
         if TABLE[box.category].place != "top":
             continue
-        item = placing.resized(placing.one(box), own[i].size, floors[box.room])
+        item = placing.resized(placing.one(box), own[i].size, sites[box.room].floor)
         below = _below(i, layout, placed)
         for j in below:
             tops.setdefault(j, _top(own[j], placed[j]))

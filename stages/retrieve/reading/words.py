@@ -29,6 +29,7 @@ EXTRA = {
     "kitchen microwave": "microwave",
     "kitchen cabinet": "kitchen_base",
     "kitchen cabinet upper": "wall_unit",
+    "kitchen cabinet upper corner": OTHER,
     "kitchen cabinet drawer": "kitchen_drawers",
     "kitchen cabinet corner": "kitchen_corner",
     "lamp round floor": "floor_lamp",
