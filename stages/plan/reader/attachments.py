@@ -184,12 +184,9 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         )
         return own or lone or (first and _each_follows(after))
     if phrase.type in ("kitchen", "dining_room"):
-        return (
-            first
-            and not bare
-            and phrase.count is None
-            and (phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"}))
-        )
+        after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
+        fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
+        return after_one and fits and not bare and phrase.count is None
     return first or phrase.type in ("closet", "balcony") and not bare
 
 

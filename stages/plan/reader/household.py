@@ -205,7 +205,11 @@ class Household:
         count = math.ceil(phrase.count)
         if phrase.type in self.totals or (mentioned and len(known) >= count):
             free = [e for e in known if not e.picked] or known
-            return free[:count] if count < len(known) else self._ensure(phrase.type, count)
+            if count >= len(known):
+                return self._ensure(phrase.type, count)
+            for entity in free[:count]:
+                entity.picked = True
+            return free[:count]
         if phrase.type == "bathroom" and count > 1 and any(e.owner for e in known):
             found = self._ensure(phrase.type, count, counted=True)
         else:

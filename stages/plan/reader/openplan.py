@@ -18,7 +18,9 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             x.room and (x.joined or not x.room.quantifier) and items[k].room or is_mark(x, "/")
             for k, x in enumerate(items[i + 1 : end], i)
         )
-        after = end < len(items) and items[end].kind == "open"
+        closing = end + (end < len(items) and items[end].kind == "copula" and len(group) > 1)
+        after = closing < len(items) and items[closing].kind == "open"
+        _one_space(items, i)
         if len(group) == 1 and after:
             group[0].labels.add("open")
         if len(group) > 1 and (tight or after or "open" in group[0].labels):
@@ -27,8 +29,15 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             for phrase in group:
                 phrase.labels.discard("open")
         kept += items[i : end + 1] if not after else items[i:end]
-        i = end + 1
+        i = (closing if after else end) + 1
     return kept, out
+
+
+def _one_space(items: list[Item], i: int) -> None:
+    """`one open space for living, dining and cooking`."""
+    ahead = items[i + 2].room if i + 2 < len(items) and items[i + 1].kind == "with" else None
+    if items[i].kind == "open" and ahead is not None and ahead.type in OPEN_TYPES:
+        ahead.labels.add("open")
 
 
 def _share_area(group: list[RoomPhrase]) -> None:
@@ -45,7 +54,7 @@ def _run(items: list[Item], i: int) -> int:
     first, end, j = items[i], i + 1, i + 1
     assert first.room is not None
     seen = {first.value}
-    tight_only = "open" not in first.room.labels
+    tight_only = "open" not in first.room.labels and not _ends_open(items, i)
     while j < len(items):
         item = items[j]
         separated = item.kind == "conjunction" or is_mark(item, "/,")
@@ -82,8 +91,19 @@ def _separates(items: list[Item]) -> bool:
     )
 
 
+def _ends_open(items: list[Item], i: int) -> bool:
+    """`living room, dining room and kitchen are one open space`."""
+    j = i
+    while j < len(items) and (
+        items[j].value in OPEN_TYPES or items[j].kind == "conjunction" or is_mark(items[j], ",/")
+    ):
+        j += 1
+    return j > i + 1 and _open_after(items, j - 1)
+
+
 def _open_after(items: list[Item], j: int) -> bool:
-    return j + 1 < len(items) and items[j + 1].kind == "open"
+    kinds = [i.kind for i in items[j + 1 : j + 3]]
+    return kinds[:1] == ["open"] or kinds == ["copula", "open"]
 
 
 def chain(group: list[RoomPhrase]) -> list[Statement]:

@@ -38,6 +38,8 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.graph = True
             case "style":
                 said.styles.append(item.value)
+            case "shape" if items[k + 1 : k + 2] and items[k + 1].room is not None:
+                said.unread.append(item.text)
             case "shape":
                 said.shape = item.value
             case "main_rooms":
