@@ -40,13 +40,13 @@ def draw(envelope: Envelope, gross: float, shape: str, aspect: float, rng: Gener
     return taken_apart(polygon, envelope, (float(PLAY**-0.5), float(PLAY**0.5)))
 
 
-def _shape(shape: str, aspect: float, deep: bool, rng: Generator) -> Polygon:
+def _shape(shape: str, aspect: float, large: bool, rng: Generator) -> Polygon:
     whole = box(0, 0, aspect, 1)
     if shape == "rectangle":
         return whole
     if shape == "L":
         return _less(whole, _corner(aspect, rng.uniform(0.3, 0.5), rng.uniform(0.3, 0.5), int(rng.integers(4))))
-    if not deep or rng.random() < 0.5:
+    if not large or rng.random() < 0.5:
         first = int(rng.integers(4))
         corners = (first, (first + 1 + int(rng.integers(2))) % 4)
         cuts = [_corner(aspect, rng.uniform(0.18, 0.32), rng.uniform(0.18, 0.32), corner) for corner in corners]
