@@ -30,6 +30,7 @@ class TrainConfig(Record):
     """One training run; everything that the weights depend on."""
 
     corpus: str = "corpus.npz"
+    start: str | None = Field(None, description="weights to start from; parts they lack start afresh")
     steps: int = Field(20_000, ge=1)
     batch: int = Field(128, ge=1)
     lr: float = Field(6e-4, gt=0)
@@ -55,9 +56,10 @@ class LayoutConfig(Record):
         default_factory=lambda: {"articulation": 1.0, "inside": 1.0, "openings": 1.0},
         description="weight γ of every guidance energy; 0 switches it off",
     )
-    guidance_scale: float = Field(1.0, ge=0, description="λ of Eq. 2")
+    guidance_scale: float = Field(0.1, ge=0, description="λ of Eq. 2")
+    guidance_repeats: int = Field(8, ge=1, description="gradient steps a denoising step, without Σ")
     scaling: Literal["sigma", "plain"] = Field("plain", description="with Σ as in Eq. 2, or without it as in PhyScene")
-    guide_below: float = Field(0.10, ge=0, le=1, description="share of the schedule where guidance acts")
+    guide_below: float = Field(0.20, ge=0, le=1, description="share of the schedule where guidance acts")
     count: Literal["exact", "guided", "free"] = Field(
         "exact", description="exact by construction, the paper's late BCE (Eq. 3), or left to the model"
     )

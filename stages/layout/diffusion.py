@@ -7,17 +7,14 @@ The network speaks v = √ᾱ ε - √(1-ᾱ) x_0 for places, sizes, headings an
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
 import torch
 from torch import Tensor
 
 from stages.layout.config import ModelConfig, T
 from stages.layout.features import CLASS, HEADING, PLACE, SHAPE, SIZE
 from stages.layout.network import Context, Denoiser
+from stages.layout.schedule import ALPHA_BAR
 
-BETAS = np.linspace(1e-4, 0.02, T)
-ALPHA_BAR = torch.from_numpy(np.concatenate([[1.0], np.cumprod(1 - BETAS)])).float()
-"""ᾱ_t for t = 0 … T; ᾱ_0 = 1."""
 GROUPS = ((PLACE, 2.0), (SIZE, 0.5), (HEADING, 1.0), (SHAPE, 0.2))
 """Weight of each group of continuous channels in the loss; classes have cross-entropy beside."""
 CLASS_WEIGHT = 0.3

@@ -9,13 +9,16 @@ from torch.nn.functional import scaled_dot_product_attention
 
 from schemas.base import ROOM_TYPES
 from stages.categories import CATEGORIES
-from stages.layout.config import N_MAX, ModelConfig
-from stages.layout.features import DIM, HEADING, METRE, PLACE, SIZE
+from stages.layout.config import N_MAX, ModelConfig, T
+from stages.layout.features import DIM, HEADING, METRE
+from stages.layout.frames import OBJECT_PAIR, WALL_PAIR, FrameHead, object_pairs, wall_pairs, with_extent
 from stages.layout.rooms import UNKNOWN, Rooms, edges
+from stages.layout.schedule import ALPHA_BAR
 
 FRAME = 6
-OBJECT_PAIR = 8
-WALL_PAIR = 9
+
+SHARP = 0.03
+"""How exactly things stand against walls and at tables, in units of place."""
 
 
 @dataclass
@@ -146,6 +149,7 @@ class Denoiser(nn.Module):
         self.modulation = nn.Sequential(nn.SiLU(), nn.Linear(w, 9 * w))
         self.blocks = nn.ModuleList(Block(config) for _ in range(config.layers))
         self.norm = nn.LayerNorm(w)
+        self.by_walls, self.by_objects = FrameHead(WALL_PAIR, w), FrameHead(OBJECT_PAIR, w)
         self.output = nn.Linear(w, DIM)
         nn.init.zeros_(self.output.weight)
         nn.init.zeros_(self.output.bias)
@@ -153,12 +157,13 @@ class Denoiser(nn.Module):
     def forward(self, x: Tensor, t: Tensor, room: Context) -> Tensor:
         """x (B, N, D), t (B,)."""
         b, n, _ = x.shape
-        near = self.wall_pair(wall_pairs(x, room.frames))
+        walls, objects = wall_pairs(x, room.frames), object_pairs(x)
+        near = self.wall_pair(walls)
         near = near * room.mask[:, None, :, None]
         heads, layers = self.config.heads, self.config.layers
         to_walls = self.wall_bias(near).view(b, n, -1, layers, heads).permute(3, 0, 4, 1, 2)
         to_walls = to_walls.masked_fill(~room.mask[None, :, None, None], -1e4)
-        to_objects = self.object_bias(self.object_pair(object_pairs(x)))
+        to_objects = self.object_bias(self.object_pair(objects))
         to_objects = to_objects.view(b, n, n, layers, heads).permute(3, 0, 4, 1, 2)
         if room.present is not None:
             to_objects = to_objects.masked_fill(~room.present[None, :, None, None], -1e4)
@@ -166,38 +171,24 @@ class Denoiser(nn.Module):
         time = self.modulation(self.time(fourier(t, 64)) + room.vector).view(b, 9, -1)
         for i, block in enumerate(self.blocks):
             h = block(h, room.tokens, time, (to_objects[i], to_walls[i]))
-        out: Tensor = self.output(self.norm(h))
-        return out.float()
+        h = self.norm(h)
+        out: Tensor = self.output(h).float()
+        present = torch.ones(b, n, dtype=torch.bool) if room.present is None else room.present
+        moved = self.by_walls(with_extent(walls, x), h, room.tokens, room.frames[..., 2:4], room.mask)
+        moved = moved + self.by_objects(with_extent(objects, x), h, h, x[..., HEADING], present)
+        # Where x_0 lies SHARP about a frame's target, the best guess goes σ²/(σ²+s²) of the way, which is σ v.
+        variance = (1 - ALPHA_BAR[(t * T).round().long()])[:, None, None]
+        moved = moved * variance.sqrt() / (variance + SHARP**2)
+        plane, heading = moved.split(2, -1)
+        return out + torch.cat([plane, zeros(out, 4), heading, zeros(out, DIM - 8)], -1)
+
+
+def zeros(like: Tensor, channels: int) -> Tensor:
+    """(B, N, channels) of 0."""
+    return like.new_zeros(*like.shape[:2], channels)
 
 
 def fourier(t: Tensor, width: int) -> Tensor:
     """Sines and cosines of t (B,) at geometric frequencies, (B, width)."""
     angle = t[:, None] * torch.exp(torch.linspace(0, 6.9, width // 2, device=t.device))
     return torch.cat([angle.sin(), angle.cos()], -1)
-
-
-def wall_pairs(x: Tensor, frames: Tensor) -> Tensor:
-    """How each object lies to each wall or opening, (B, N, K, 9), in that wall's own frame."""
-    mid, normal, half = frames[:, None, :, 0:2], frames[:, None, :, 2:4], frames[:, None, :, 4]
-    offset = x[:, :, None, 0:2] - mid
-    away = (offset * normal).sum(-1)
-    along = offset[..., 1] * normal[..., 0] - offset[..., 0] * normal[..., 1]
-    heading = x[:, :, None, HEADING]
-    facing = (heading * normal).sum(-1)
-    aside = heading[..., 1] * normal[..., 0] - heading[..., 0] * normal[..., 1]
-    past = along.abs() - half
-    depth, width = (x[:, :, None, i].expand_as(away) for i in (SIZE.start, SIZE.start + 1))
-    return torch.stack(
-        [away, along, past, facing, aside, away.exp().reciprocal().clamp_max(4), depth, width, half.expand_as(away)], -1
-    )
-
-
-def object_pairs(x: Tensor) -> Tensor:
-    """How objects lie to one another, (B, N, N, 8): offset in the first's frame, distance, relative heading."""
-    offset = x[:, None, :, PLACE] - x[:, :, None, PLACE]
-    c, s = x[:, :, None, 6], x[:, :, None, 7]
-    front = offset[..., 0] * c + offset[..., 1] * s
-    left = offset[..., 1] * c - offset[..., 0] * s
-    far = offset[..., :2].square().sum(-1).add(1e-6).sqrt()
-    u, v = x[:, None, :, 6], x[:, None, :, 7]
-    return torch.stack([front, left, offset[..., 2], far, (-far).exp(), c * u + s * v, c * v - s * u, far * 0 + 1], -1)

@@ -9,7 +9,8 @@ import torch
 from torch import Tensor
 
 from stages.layout.config import T
-from stages.layout.diffusion import ALPHA_BAR, Denoise
+from stages.layout.diffusion import Denoise
+from stages.layout.schedule import ALPHA_BAR
 
 Noise = Callable[[], Tensor]
 

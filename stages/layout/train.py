@@ -59,6 +59,8 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
     torch.manual_seed(config.seed)
     corpus, shapes = read_corpus(Path(config.corpus)), shape_latents()
     network = Denoiser(config.model)
+    if config.start:
+        network.load_state_dict(weights.tensors(Path(config.start))[0], strict=False)
     average = copy.deepcopy(network).requires_grad_(False)
     optimizer = torch.optim.AdamW(network.parameters(), config.lr, betas=(0.9, 0.99), weight_decay=0.01)
     saved = out.with_suffix(".checkpoint")

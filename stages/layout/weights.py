@@ -7,6 +7,7 @@ from typing import Any
 
 from safetensors import SafetensorError, safe_open
 from safetensors.torch import save_file
+from torch import Tensor
 
 from schemas.errors import BadInput
 from stages.categories import CATEGORIES
@@ -18,10 +19,10 @@ SHIPPED = Path(__file__).parent / "weights.safetensors"
 
 def save(network: Denoiser, path: Path, config: TrainConfig, record: dict[str, Any]) -> None:
     """Write half-precision weights; the header holds config, categories and `record`."""
-    tensors = {name: value.detach().half().contiguous() for name, value in network.state_dict().items()}
+    halves = {name: value.detach().half().contiguous() for name, value in network.state_dict().items()}
     header = {"config": config.model_dump_json(), "categories": json.dumps(CATEGORIES), "record": json.dumps(record)}
     part = path.with_suffix(".part")
-    save_file(tensors, part, header)
+    save_file(halves, part, header)
     part.replace(path)
 
 
@@ -30,17 +31,23 @@ def load(path: Path | None = None) -> tuple[Denoiser, dict[str, Any]]:
     return _load(str(path or SHIPPED))
 
 
-@lru_cache(maxsize=2)
-def _load(path: str) -> tuple[Denoiser, dict[str, Any]]:
+def tensors(path: Path) -> tuple[dict[str, Tensor], dict[str, str]]:
+    """Parameters by name, and the header; BadInput where there are none for this vocabulary."""
     try:
         with safe_open(path, "pt") as file:
             header = file.metadata() or {}
-            tensors = {name: file.get_tensor(name).float() for name in file.keys()}  # noqa: SIM118
-        config = TrainConfig.model_validate_json(header["config"])
+            found = {name: file.get_tensor(name).float() for name in file.keys()}  # noqa: SIM118
+        known = json.loads(header["categories"])
     except (OSError, SafetensorError, KeyError, ValueError) as error:
         raise BadInput(f"{path}: no layout weights ({error}); train some with `apartgen train layout`") from error
-    if json.loads(header["categories"]) != list(CATEGORIES):
+    if known != list(CATEGORIES):
         raise BadInput(f"{path}: made for another furniture vocabulary; train again with `apartgen train layout`")
-    network = Denoiser(config.model)
-    network.load_state_dict(tensors)
+    return found, header
+
+
+@lru_cache(maxsize=2)
+def _load(path: str) -> tuple[Denoiser, dict[str, Any]]:
+    found, header = tensors(Path(path))
+    network = Denoiser(TrainConfig.model_validate_json(header["config"]).model)
+    network.load_state_dict(found)
     return network.eval().requires_grad_(False), json.loads(header["record"])

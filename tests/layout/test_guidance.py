@@ -9,9 +9,10 @@ from stages import registry
 from stages.categories import CATEGORIES
 from stages.layout import geometry, guided
 from stages.layout.config import LayoutConfig, ModelConfig
-from stages.layout.diffusion import ALPHA_BAR, Prediction
+from stages.layout.diffusion import Prediction
 from stages.layout.features import CLASS, EMPTY, N_CLASSES, PLACE, Objects, encode
 from stages.layout.geometry import Boxes, floor_of
+from stages.layout.schedule import ALPHA_BAR
 
 MODEL = ModelConfig()
 SPATIAL = [name for name in registry.members("stages.layout.guidance") if name not in ("quantity",)]
