@@ -23,6 +23,8 @@ REACH = 0.80
 """Default greatest distance from the robot's centre to the front of what it uses, m."""
 HEIGHT = 1.5
 """The robot passes under what hangs above this, m."""
+POCKET = 0.8
+"""A room is reached when no more than this of where the robot's centre could be in it is cut off, m²."""
 _STEP_IN = 0.15  # how far inside a room the robot's centre must get for the door to count as passed, m
 
 
@@ -144,9 +146,14 @@ def survey(
     doors = [name for name, parts in world.doors.items()
              if _asked(name, only) and not all((got & part).any() for part in parts)]
     rooms = [room.id for i, room in enumerate(world.plan.rooms)
-             if _asked(room.id, only) and not (got & (world.rooms == i)).any()]
+             if _asked(room.id, only) and _is_cut(got, open_cells, world.rooms == i, world.grid)]
     closed, opened = _objects(world, [o for o in objects if _asked(o.id, only)], reach, open_cells, got)
     return Reached(got, doors, rooms, closed, opened)
+
+
+def _is_cut(got: Mask, open_cells: Mask, room: Mask, cells: Grid) -> bool:
+    """Whether a room is not reached, or more than `POCKET` of where the robot could stand in it is not."""
+    return not (got & room).any() or float((open_cells & ~got & room).sum()) * cells.cell > POCKET
 
 
 def _asked(name: str, only: Collection[str] | None) -> bool:

@@ -56,7 +56,17 @@ def test_what_hangs_high_is_passed_under():
     lamps = [h.thing("wall_lamp", 2, y, size=(0.14, 0.35, 0.3), bottom=1.6) for y in np.arange(0.2, 3, 0.4)]
     assert survey(*lamps).missed == []
     low = [h.thing("wall_lamp", 2, y, size=(0.14, 0.35, 0.3), bottom=1.2) for y in np.arange(0.2, 3, 0.4)]
-    assert survey(*low).rooms == [h.BEDROOM]
+    assert survey(*low).rooms == [h.LIVING, h.BEDROOM]
+
+
+def test_a_room_of_which_much_is_cut_off_is_not_reached():
+    # A wall of shelves leaves the bedroom's far end 0.4 m deep, where no robot stands, or 1.2 m.
+    def shelves(left):
+        return h.thing("shelving", 7.1 - left - 0.15, 1.5, np.pi, h.BEDROOM, size=(0.3, 3.0, 1.8))
+
+    assert survey(shelves(0.4)).rooms == []
+    assert survey(shelves(1.2)).rooms == [h.BEDROOM]
+
 
 
 def test_rugs_and_lamps_are_no_obstacles():
