@@ -62,9 +62,14 @@ def _ask(client: Model, prompt: str) -> tuple[Program, dict[str, Any]]:
             problem = str(e)
         messages += [
             {"role": "assistant", "content": answer.text[:20000]},
-            {"role": "user", "content": f"That reply is not valid: {problem}. Send the whole corrected JSON object, nothing else."},
+            {
+                "role": "user",
+                "content": f"That reply is not valid: {problem}. Send the whole corrected JSON object, nothing else.",
+            },
         ]
-    raise Unmet(f"{client.name} gave no valid programme, corrected once: {problem}; try another model, or leave out --llm")
+    raise Unmet(
+        f"{client.name} gave no valid programme, corrected once: {problem}; try another model, or leave out --llm"
+    )
 
 
 def _plain(prompt: str) -> str:

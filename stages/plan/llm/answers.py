@@ -71,15 +71,26 @@ def faults(program: Program) -> list[str]:
     ids = [r.id for r in program.rooms]
     known = set(ids)
     out = [f"rooms holds the id {i} twice" for i in sorted({i for i in ids if ids.count(i) > 1})]
-    out += [f"room {r.id} is of type {r.type}; its id must begin with the type" for r in program.rooms if r.id.rsplit("_", 1)[0] != r.type]
-    named = [("links", i) for pair in program.links for i in pair] + [("open_links", i) for pair in program.open_links for i in pair]
+    out += [
+        f"room {r.id} is of type {r.type}; its id must begin with the type"
+        for r in program.rooms
+        if r.id.rsplit("_", 1)[0] != r.type
+    ]
+    named = [("links", i) for pair in program.links for i in pair] + [
+        ("open_links", i) for pair in program.open_links for i in pair
+    ]
     named += [("objects", o.room) for o in program.objects] + [("counts", i) for i in program.counts]
     named += [("private_to", r.private_to) for r in program.rooms if r.private_to]
     out += [f"{where} names {i}, which is not in rooms" for where, i in dict.fromkeys(named) if i not in known]
     out += [f"links joins {a} to itself" for a, b in program.links if a == b]
-    out += [f"objects names the unknown category {c}" for c in sorted({o.category for o in program.objects} - set(CATEGORIES))]
+    out += [
+        f"objects names the unknown category {c}"
+        for c in sorted({o.category for o in program.objects} - set(CATEGORIES))
+    ]
     out += [f"weights names the unknown term {w}" for w in sorted(set(program.weights) - set(TERMS))]
-    out += [f"counts gives {n} objects to {i}; 0 to 60 are possible" for i, n in program.counts.items() if not 0 <= n <= 60]
+    out += [
+        f"counts gives {n} objects to {i}; 0 to 60 are possible" for i, n in program.counts.items() if not 0 <= n <= 60
+    ]
     return out
 
 
@@ -89,11 +100,17 @@ def _object(answer: Answer) -> dict[str, Any]:
     if start < 0:
         if answer.cut_off:
             raise Broken("the reply was cut off before any JSON")
-        raise Declined(_line(answer.text)) if _sounds_declining(answer.text) else Broken("the reply holds no JSON object")
+        raise (
+            Declined(_line(answer.text)) if _sounds_declining(answer.text) else Broken("the reply holds no JSON object")
+        )
     try:
         raw, _ = json.JSONDecoder().raw_decode(answer.text[start:])
     except json.JSONDecodeError as e:
-        why = "the reply was cut off; be brief, leave out whitespace" if answer.cut_off else f"the JSON is broken: {e.msg} at character {e.pos}"
+        why = (
+            "the reply was cut off; be brief, leave out whitespace"
+            if answer.cut_off
+            else f"the JSON is broken: {e.msg} at character {e.pos}"
+        )
         raise Broken(why) from e
     except RecursionError as e:
         raise Broken("the JSON is nested too deep") from e

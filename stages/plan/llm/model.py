@@ -40,7 +40,7 @@ class Model:
         _check_name(self.litellm, name)
 
     def complete(self, messages: Messages, schema: dict[str, Any]) -> Answer:
-        """Ask once, by JSON schema if the server takes it, else by plainer means; waits and asks again when it is busy."""
+        """Ask once, by JSON schema if the server takes it, else by plainer means; asks again when it is busy."""
         ways = _ways(schema)
         for way in range(self.way, len(ways)):
             try:
@@ -75,13 +75,22 @@ class Model:
     def _once(self, messages: Messages, way: dict[str, Any]) -> Answer:
         extra = {"api_base": self.api_base} if self.api_base else {}
         reply = self.litellm.completion(
-            model=self.name, messages=messages, temperature=0, timeout=self.timeout, max_retries=0, num_retries=0, **extra, **way
+            model=self.name,
+            messages=messages,
+            temperature=0,
+            timeout=self.timeout,
+            max_retries=0,
+            num_retries=0,
+            **extra,
+            **way,
         )
         choice = reply.choices[0]
         usage = getattr(reply, "usage", None)
         return Answer(
             text=choice.message.content or "",
-            refusal=getattr(choice.message, "refusal", None) or (choice.message.provider_specific_fields or {}).get("refusal") or "",
+            refusal=getattr(choice.message, "refusal", None)
+            or (choice.message.provider_specific_fields or {}).get("refusal")
+            or "",
             cut_off=choice.finish_reason == "length",
             prompt_tokens=getattr(usage, "prompt_tokens", 0) or 0,
             completion_tokens=getattr(usage, "completion_tokens", 0) or 0,
@@ -95,7 +104,14 @@ class Model:
             return None
 
     def _busy(self) -> tuple[type[Exception], ...]:
-        names = ("RateLimitError", "Timeout", "APIConnectionError", "InternalServerError", "ServiceUnavailableError", "BadGatewayError")
+        names = (
+            "RateLimitError",
+            "Timeout",
+            "APIConnectionError",
+            "InternalServerError",
+            "ServiceUnavailableError",
+            "BadGatewayError",
+        )
         return tuple(getattr(self.litellm, n) for n in names if hasattr(self.litellm, n))
 
     def _final(self, e: Exception) -> ApartgenError:
@@ -105,7 +121,10 @@ class Model:
         if isinstance(e, self.litellm.NotFoundError):
             return BadInput(f"there is no model {self.name}: {_reason(e)}")
         if isinstance(e, self.litellm.Timeout):
-            return Unmet(f"{self.name} gave no answer within {self.timeout:g} s, asked {self.retries + 1} times; try later, or leave out --llm")
+            asked = f"asked {self.retries + 1} times"
+            return Unmet(
+                f"{self.name} gave no answer within {self.timeout:g} s, {asked}; try later, or leave out --llm"
+            )
         return Unmet(f"{self.name} could not be asked: {type(e).__name__}: {_reason(e)}; try later, or leave out --llm")
 
 
@@ -125,7 +144,9 @@ def _check_name(litellm: Any, name: str) -> None:
     try:
         _, provider, _, _ = litellm.get_llm_provider(model=name)
     except Exception as e:
-        raise BadInput(f"no model is called {name!r}; use provider/model as litellm names them, e.g. openai/gpt-4o-mini") from e
+        raise BadInput(
+            f"no model is called {name!r}; use provider/model as litellm names them, e.g. openai/gpt-4o-mini"
+        ) from e
     missing = litellm.validate_environment(model=name).get("missing_keys") or []
     keys = [k for k in missing if k.endswith(("_KEY", "_TOKEN"))]
     if keys:

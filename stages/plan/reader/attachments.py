@@ -87,6 +87,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             if opens
             else None
         )
+        if item.value == "has" and out and out[-1].kind == "conjunction":
+            owner = _subject(out) or owner
         if is_mark(item, ":") and said.graph:
             owner = None
         if owner is not None and (item.value == "including" or item.kind == "mark"):
@@ -109,6 +111,13 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _subject(before: list[Item]) -> RoomPhrase | None:
+    """The kitchen of `the kitchen is next to the living room and has a balcony`."""
+    links = [k for k, i in enumerate(before) if i.kind == "link"]
+    rooms = rooms_of(before[: links[-1]]) if links else []
+    return rooms[-1] if rooms else None
 
 
 def _only_things(items: list[Item], k: int) -> bool:

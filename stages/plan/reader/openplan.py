@@ -57,7 +57,7 @@ def _run(items: list[Item], i: int) -> int:
     tight_only = "open" not in first.room.labels and not _ends_open(items, i)
     while j < len(items):
         item = items[j]
-        separated = item.kind == "conjunction" or is_mark(item, "/,")
+        separated = _separator(item)
         if (
             item.room is not None
             and item.value in OPEN_TYPES
@@ -99,6 +99,10 @@ def _ends_open(items: list[Item], i: int) -> bool:
     ):
         j += 1
     return j > i + 1 and _open_after(items, j - 1)
+
+
+def _separator(item: Item) -> bool:
+    return item.kind == "conjunction" or is_mark(item, ",/")
 
 
 def _open_after(items: list[Item], j: int) -> bool:

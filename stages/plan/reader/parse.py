@@ -38,7 +38,7 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.graph = True
             case "style":
                 said.styles.append(item.value)
-            case "shape" if items[k + 1 : k + 2] and items[k + 1].room is not None:
+            case "shape" if _of_room(items[k + 1 : k + 3]):
                 said.unread.append(item.text)
             case "shape":
                 said.shape = item.value
@@ -49,6 +49,12 @@ def _whole(items: list[Item], said: Said) -> None:
             case "side":
                 role = [i.value for i in items[max(0, k - 4) : k + 4] if i.kind == "side_role"]
                 said.sides += [(role[0], item.value)] if role else []
+
+
+def _of_room(after: list[Item]) -> bool:
+    """`an L-shaped living room` says nothing of the flat's outline."""
+    room = after[0].room if after else None
+    return room is not None and not room.headline and all(i.kind != "dwelling" for i in after)
 
 
 def _lists_home(after: list[Item]) -> bool:

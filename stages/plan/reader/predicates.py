@@ -30,6 +30,8 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
             out.append(Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
         elif item.kind == "front" and _way_in(items, k):
             out.append(Predicate(k, "door", "part", negated))
+        elif item.kind == "front" and _between_rooms(items, k) and _verb(items, k + 2):
+            out.append(Predicate(k, "door", "part", negated))  # "a corridor behind the living room leads to"
         elif item.kind == "front" and out and _between_rooms(items, k) and new_clause(items, k - 2):
             out.append(Predicate(k, "gap", "part", negated))
         elif item.kind == "with" and item.value == "in" and _between_rooms(items, k):
@@ -96,6 +98,10 @@ def _between_rooms(items: list[Item], k: int) -> bool:
 def new_clause(items: list[Item], k: int) -> bool:
     """Whether a gapped clause may begin after `k`: `…, the dining room from the living room`."""
     return k > 0 and (items[k].kind == "conjunction" or is_mark(items[k], ","))
+
+
+def _verb(items: list[Item], k: int) -> bool:
+    return k < len(items) and items[k].kind == "link" and items[k].form in ("s", "p")
 
 
 def _is_front(items: list[Item], k: int, first: bool) -> bool:
