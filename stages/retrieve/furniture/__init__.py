@@ -5,10 +5,7 @@
 """
 
 import importlib
-import zlib
 from functools import cache
-
-import numpy as np
 
 from schemas.errors import BadInput
 from stages import categories
@@ -45,8 +42,7 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
     mm = tuple(round(float(s) * 1000) for s in size)
     _check(category, mm)
     d, w, h = mm
-    rng = np.random.default_rng([zlib.crc32(f"{category}/{style}".encode()), seed])
-    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), rng)
+    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed)
     DESIGNS[category][style](kit)
     return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}")
 

@@ -184,7 +184,7 @@ def vanity(kit: Kit) -> None:
     if kit.style == "pedestal":
         _pedestal(kit, rim, metal)
         return
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     slab = 0.03
     bowl = kit.style in ("scandi", "midcentury") and kit.d > 0.4
     top = rim - 0.11 if bowl else rim

@@ -79,7 +79,9 @@ class Body:
             np.column_stack([r * mesh.circle(n) + p[:2], np.full(n, p[2])])
             for p, r in ((np.asarray(foot, float), r0), (np.asarray(head, float), r1))
         ]
-        self.add(material, mesh.loft(np.array(rings)))
+        shape = mesh.loft(np.array(rings))
+        x, y, z = shape.vertices.T
+        self.add(material, shape._replace(uv=np.stack([z, x + 0.5 * y], 1)))
 
     def slab(self, material: str, upper: Array, lower: Array, strips: int = 3) -> None:
         """The solid between two grids (k, m, 3); collides cell by cell along k, in `strips` across m."""

@@ -1,7 +1,5 @@
 """Doors and windows of the building; their box is the frame in the wall, [wall depth, width, height]."""
 
-import numpy as np
-
 from stages.asset import Asset
 from stages.retrieve.furniture.body import Body
 from stages.retrieve.furniture.fronts import Span
@@ -134,7 +132,7 @@ def door_leaf(
     width: float, height: float, thickness: float = 0.04, style: str = "flush", paint: str = "white"
 ) -> Asset:
     """A bare leaf with levers, closed, its box `[thickness, width, height]` (levers stand out of it)."""
-    kit = Kit("door", style, (thickness, width, height), np.random.default_rng(0))
+    kit = Kit("door", style, (thickness, width, height), 0)
     leaf(kit.base, style, kit.x, kit.y, (0.0, height), paint)
     lever(kit.base, kit.x, kit.y[0] + 0.07, min(1.0, 0.5 * height), 1)
     return kit.finish(f"door_leaf/{style}/{round(thickness * 1000)}x{round(width * 1000)}x{round(height * 1000)}/0")

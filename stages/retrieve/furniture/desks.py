@@ -24,7 +24,7 @@ def hung_drawers(kit: Kit, own: Look, y: Span, z: Span, n: int, x: Span) -> None
 @design("desk", "modern", "scandi", "industrial", "classic", "midcentury")
 def desk(kit: Kit) -> None:
     """A top on legs with a pedestal of drawers, or shallow drawers beneath the top."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     b, t, h = kit.base, 0.028, kit.h
     b.box(own.top, kit.x, kit.y, (h - t, h))
     front = kit.x[1] - (0.0 if own.overhang == 0 else 0.01)
@@ -86,7 +86,9 @@ def _pedestal_desk(kit: Kit, own: Look, front: float, z: float) -> None:
 @design("dressing_table", "scandi", "classic", "modern", "glam")
 def dressing_table(kit: Kit) -> None:
     """A small table with drawers; tall boxes carry a mirror."""
-    own = look("classic" if kit.style == "glam" else kit.style, kit.rng)
+    own = look(
+        "classic" if kit.style == "glam" else kit.style, kit.taste("classic" if kit.style == "glam" else kit.style)
+    )
     if kit.style == "glam":
         own = own.with_(body="blush", front="blush", top="marble", leg="brass", profile="slab")
     b, t = kit.base, 0.022

@@ -1,5 +1,6 @@
 """An asset under construction: its box, its fixed body, its moving parts."""
 
+import zlib
 from dataclasses import replace
 from typing import Any
 
@@ -19,8 +20,9 @@ _Moving = tuple[str, Body, dict[str, Any], tuple[float, float, float] | None, st
 class Kit:
     """What a builder gets: size `d`, `w`, `h` in metres, `style`, `rng`, and `base`, the fixed body."""
 
-    def __init__(self, category: str, style: str, size: tuple[float, float, float], rng: np.random.Generator) -> None:
-        self.category, self.style, self.rng = category, style, rng
+    def __init__(self, category: str, style: str, size: tuple[float, float, float], seed: int) -> None:
+        self.category, self.style, self.seed = category, style, seed
+        self.rng = np.random.default_rng([zlib.crc32(f"{category}/{style}".encode()), seed])
         self.size = size
         self.d, self.w, self.h = size
         self.base = Body()
@@ -40,6 +42,10 @@ class Kit:
     def reach(self) -> float:
         """How far open parts may stand out in front, m; unbounded for what is no furniture category."""
         return float(categories.reach(self.category, self.size)) if self.category in categories.TABLE else np.inf
+
+    def taste(self, style: str = "", seeds: int = 1) -> np.random.Generator:
+        """Chance that all categories of a style share, so that pieces of one set match; `seeds` in a row agree."""
+        return np.random.default_rng([zlib.crc32((style or self.style).encode()), self.seed // seeds])
 
     def pick(self, *options: str) -> str:
         """One of the options, by the seed."""

@@ -14,19 +14,23 @@ from stages.retrieve.furniture.registry import design
 
 STYLES = ("modern", "shaker", "scandi", "handleless", "industrial")
 _PLINTH = 0.1
+_SEEDS = 16
+"""So many seeds in a row give a kitchen of the same materials."""
 _TOPS = {"modern": ("worktop_white", "granite"), "shaker": ("oak", "marble"), "scandi": ("oak", "worktop_white"),
          "handleless": ("concrete", "worktop_white"), "industrial": ("concrete", "granite")}  # fmt: skip
 
 
 def kitchen_look(kit: Kit) -> Look:
     """A kitchen's fronts: as case furniture, on a recessed plinth, under a worktop."""
+    # A kitchen is bought as one: its units match over many seeds.
+    taste = kit.taste(seeds=_SEEDS)
     if kit.style == "handleless":
-        front = kit.pick("graphite", "white", "walnut", "sage")
+        front = ("graphite", "white", "walnut", "sage")[int(taste.integers(4))]
         own = Look("white", front, "", "aluminium", "slab", "none", "plinth", "graphite")
     else:
-        own = look(kit.style, kit.rng).with_(body="white" if kit.style != "industrial" else "graphite")
+        own = look(kit.style, taste).with_(body="white" if kit.style != "industrial" else "graphite")
         own = own.with_(handle={"modern": "edge", "shaker": "cup", "scandi": "tab", "industrial": "bar"}[kit.style])
-    return own.with_(base="plinth", leg="graphite", top=kit.pick(*_TOPS[kit.style]), overhang=0.0)
+    return own.with_(base="plinth", leg="graphite", top=_TOPS[kit.style][int(taste.integers(2))], overhang=0.0)
 
 
 def worktop_front(kit: Kit, own: Look) -> float:

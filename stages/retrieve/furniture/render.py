@@ -201,18 +201,19 @@ def _shaded(soup: Soup, frame: _Frame, light: _Light, axes: Array, scale: float)
     half /= np.linalg.norm(half)
     gloss = np.clip(normal @ half, 0, 1) ** (4 + 80 * (1 - rough) ** 2) * (1 - rough) * (0.35 + 0.5 * metal)
     lit = (
-        color * (0.55 * sky * _occlusion(frame.depth, scale) + 0.62 * sun)[..., None] + (gloss * (0.3 + sun))[..., None]
+        color * (0.55 * sky * _occlusion(frame.depth, scale, soup.material[owner] < 0) + 0.62 * sun)[..., None]
+        + (gloss * (0.3 + sun))[..., None]
     )
     return np.where((owner < 0)[..., None], _GROUND, lit)
 
 
-def _occlusion(depth: Array, scale: float) -> Array:
-    """Darkening of what lies behind its surroundings in the picture."""
+def _occlusion(depth: Array, scale: float, floor: Array) -> Array:
+    """Darkening of what lies behind its surroundings in the picture, less so on the floor around an object."""
     known = np.where(np.isfinite(depth), depth, np.nanmax(np.where(np.isfinite(depth), depth, np.nan)))
     out = np.ones_like(known)
     for sigma in (4, 14):
         behind = known - gaussian_filter(known, sigma)
-        out *= 1 - 0.35 * np.clip(behind * scale / (3.0 * sigma), 0, 1)
+        out *= 1 - np.where(floor, 0.08, 0.35) * np.clip(behind * scale / (3.0 * sigma), 0, 1)
     return out
 
 

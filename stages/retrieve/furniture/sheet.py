@@ -16,7 +16,7 @@ from stages.asset import Asset
 from stages.retrieve import furniture
 from stages.retrieve.furniture import render
 
-CELL, COLUMNS, LABEL = 128, 14, 12
+CELL, COLUMNS, LABEL = 136, 14, 13
 SEED = 3
 _BUILDING = {"door": (0.1, 0.9, 2.1), "window": (0.1, 1.2, 1.3)}
 
@@ -24,12 +24,14 @@ _BUILDING = {"door": (0.1, 0.9, 2.1), "window": (0.1, 1.2, 1.3)}
 def pictures(category: str, index: int, size: int = CELL) -> list[NDArray[np.uint8]]:
     """Two pictures of a category: one piece closed and open, or two styles of what never opens."""
     names = furniture.styles(category)
+    if category in categories.TABLE and categories.TABLE[category].articulated:
+        names = tuple(n for n in names if furniture.build(category, n, categories.TABLE[category].size, SEED).joints)
     box = _BUILDING.get(category) or categories.TABLE[category].size
     first = furniture.build(category, names[index % len(names)], box, SEED)
     if first.joints:
         return render.pair(_apart(first), size)
     second = furniture.build(category, names[(index + 1) % len(names)], box, SEED)
-    return [*render.pair(first, size), *render.pair(second, size)]
+    return [*render.pair(first, size), render.pair(second, size)[0]]
 
 
 def _apart(asset: Asset) -> Asset:
@@ -59,8 +61,8 @@ def sheet() -> Image.Image:
 
 
 def write(path: Path) -> None:
-    """Draws the sheet as a PNG of 256 colours."""
-    sheet().quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+    """Draws the sheet as a PNG."""
+    sheet().save(path, optimize=True)
 
 
 if __name__ == "__main__":

@@ -37,7 +37,9 @@ def _levels(kit: Kit, low: float, high: float, pitch: float, t: float) -> list[f
 @design("bookshelf", "modern", "scandi", "shaker", "classic", "cube")
 def bookshelf(kit: Kit) -> None:
     """A case of open shelves on sides that reach the floor."""
-    own = look(kit.style if kit.style != "cube" else "modern", kit.rng)
+    own = look(
+        kit.style if kit.style != "cube" else "modern", kit.taste(kit.style if kit.style != "cube" else "modern")
+    )
     t, b = (0.032, kit.base) if kit.style == "cube" else (0.02, kit.base)
     cap = own.overhang
     y, x, top = (kit.y[0] + cap, kit.y[1] - cap), (kit.x[0], kit.x[1] - cap), kit.h - (0.025 if cap else 0)
@@ -63,7 +65,10 @@ def bookshelf(kit: Kit) -> None:
 @design("bookshelf", "industrial", "ladder")
 def frame_shelf(kit: Kit) -> None:
     """Shelves between metal or wooden ladders, open all round."""
-    own = look("industrial" if kit.style == "industrial" else "scandi", kit.rng)
+    own = look(
+        "industrial" if kit.style == "industrial" else "scandi",
+        kit.taste("industrial" if kit.style == "industrial" else "scandi"),
+    )
     post, s, t, b = own.leg, 0.025, 0.025, kit.base
     bays = max(1, round(kit.w / 1.1))
     for i in range(bays + 1):

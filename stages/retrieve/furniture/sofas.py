@@ -47,6 +47,7 @@ def legs(kit: Kit, kind: str, wood: str, high: float, x: Span, y: Span) -> None:
     b = kit.base
     shares = (0.0, 1.0) if y[1] - y[0] < 1.9 else (0.0, 0.5, 1.0)
     inset = 0.045 if kind != "splay" else 0.08
+    inset = 0.13 if kit.style == "cloud" else inset
     for share in shares:
         py = y[0] + inset + share * (y[1] - y[0] - 2 * inset)
         for sx, px in ((-1, x[0] + inset), (1, x[1] - inset)):

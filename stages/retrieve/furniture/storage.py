@@ -11,7 +11,7 @@ from stages.retrieve.furniture.registry import design
 @design("wardrobe", *CASE_STYLES)
 def wardrobe(kit: Kit) -> None:
     """Hanging space behind doors, drawers under some of them."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     foot = min(cases.base_height(own, kit.h), 0.12)
     own_x = kit.x
     cap = 0.04 if own.overhang else 0.02
@@ -40,7 +40,7 @@ def _rail(kit: Kit, y: tuple[float, float], z: float, whole: bool) -> None:
 def sliding_wardrobe(kit: Kit) -> None:
     """Two to four doors that run on two tracks in front of the carcass."""
     plain = {"mirrored": "modern", "glass": "industrial"}.get(kit.style, kit.style)
-    own = look(plain, kit.rng).with_(handle="none", base="plinth", leg="graphite")
+    own = look(plain, kit.taste(plain)).with_(handle="none", base="plinth", leg="graphite")
     front = {"mirrored": "mirror", "glass": "smoked_glass"}.get(kit.style, own.front)
     own = own.with_(front=front, profile="slab" if kit.style != "japandi" else "woven")
     y, z, tracks = kit.y, (0.06, kit.h - 0.05), 0.085
@@ -87,7 +87,7 @@ def _sliding_doors(kit: Kit, own: Look, n: int, y: tuple[float, float], z: tuple
 @design("chest", *CASE_STYLES)
 def chest(kit: Kit) -> None:
     """Drawers, deeper towards the floor; the top row is split when it is wide."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     rows = max(2, round(kit.h / 0.21))
     lower = [Cell("drawer", 1.0 + 0.12 * i) for i in range(rows)]
     if kit.w > 1.15:
@@ -99,7 +99,7 @@ def chest(kit: Kit) -> None:
 @design("nightstand", *CASE_STYLES)
 def nightstand(kit: Kit) -> None:
     """One or two drawers, sometimes over an open shelf."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     if kit.h - cases.base_height(own, kit.h) > 0.42 and kit.rng.random() < 0.5:
         column = [Cell("drawer"), Cell("open", 1.3, 0)]
     elif kit.h - cases.base_height(own, kit.h) > 0.3:
@@ -112,7 +112,7 @@ def nightstand(kit: Kit) -> None:
 @design("sideboard", *CASE_STYLES)
 def sideboard(kit: Kit) -> None:
     """Doors, with a column of drawers in wider ones or drawers above."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     above = [Cell("drawer", 0.3)] if kit.style in ("shaker", "classic", "industrial") else []
     columns, widths = cases.door_columns(kit, kit.w, above=above), cases.door_widths(kit, kit.w)
     if not above and len(columns) > 1:
@@ -124,7 +124,7 @@ def sideboard(kit: Kit) -> None:
 @design("display_cabinet", "modern", "scandi", "shaker", "industrial", "classic")
 def display_cabinet(kit: Kit) -> None:
     """Glazed doors over solid ones."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     columns = cases.door_columns(kit, kit.w)
     for column in columns:
         kind = column[0].kind
@@ -148,7 +148,7 @@ def filing_cabinet(kit: Kit) -> None:
 @design("shoe_cabinet", "modern", "scandi", "shaker", "industrial")
 def shoe_cabinet(kit: Kit) -> None:
     """Rows of tilting flaps, each with a narrow tray behind it."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     own = own.with_(base="plinth" if own.base == "plinth" else "taper", overhang=0.0)
     foot, cap = min(cases.base_height(own, kit.h), 0.1), 0.02
     front, z = kit.x[1], (foot, kit.h - cap)
@@ -182,7 +182,7 @@ def _shoe_tray(
 @design("tv_stand", *CASE_STYLES)
 def tv_stand(kit: Kit) -> None:
     """A low unit: open bay for devices between doors, or drawers beside it."""
-    own = look(kit.style, kit.rng)
+    own = look(kit.style, kit.taste())
     columns, widths = cases.door_columns(kit, kit.w), cases.door_widths(kit, kit.w)
     if len(columns) > 1:
         columns[len(columns) // 2] = [Cell("open", 1.0, 1)]
