@@ -14,7 +14,7 @@ demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
 
 test: $(READY)
-	$(BIN)/python -m pytest -q -n $(WORKERS)
+	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadfile
 
 # Minutes: twenty prompts through every stage and into the simulator, and what one run costs.
 acceptance: $(READY)
