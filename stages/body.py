@@ -26,7 +26,8 @@ class Body:
     """Links at a pose. `name` is unique and an identifier in every format; the first link is the base.
 
     A `free` body may be pushed about, any other is fixed to the world by its base. `room` is empty for what
-    belongs to no single room. `id` is the artifact's id of the object, opening or room; `model` names the asset.
+    belongs to no single room. `id` is the artifact's id of the object, opening or room; `model` names the asset;
+    `within` names bodies that it stands partly in, with which it must not collide.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Body:
     free: bool = False
     id: str = ""
     model: str = ""
+    within: tuple[str, ...] = ()
 
     def link_name(self, link: Link) -> str:
         """Unique name of one of its links; the base carries the body's own."""

@@ -3,6 +3,7 @@
 Formats read this and nothing else, so that they can't disagree.
 """
 
+import logging
 import re
 from collections.abc import Callable, Container
 from dataclasses import dataclass, replace
@@ -19,7 +20,9 @@ from stages import boxes, polygons, shell
 from stages.asset import Asset, Link
 from stages.body import Body, Light
 from stages.categories import TABLE
+from stages.wedged import wedged
 
+log = logging.getLogger("apartgen")
 Load = Callable[[str, str], Asset]
 
 LOOSE = frozenset({
@@ -44,7 +47,11 @@ class Scene:
         """The shell's bodies, then one for each object, in the artifact's order; BadInput without assets."""
         taken: set[str] = set()
         built = [*shell.bodies(self.home), *(self._body(o) for o in _furnishings(self.home))]
-        return [_renamed(body, taken) for body in built]
+        named = [_renamed(body, taken) for body in built]
+        stuck = wedged(named)
+        for name, others in stuck.items():
+            log.info("%s stands partly in %s; it is fixed where it is", name, ", ".join(others))
+        return [replace(b, free=False, within=tuple(stuck[b.name])) if b.name in stuck else b for b in named]
 
     @cached_property
     def lights(self) -> list[Light]:

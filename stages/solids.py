@@ -13,6 +13,7 @@ from stages.asset import Collider, Material, Mesh
 Array = NDArray[np.float64]
 
 _FACES = np.array([[0, 1, 2], [0, 2, 3]])
+_CORNERS = np.array(np.meshgrid([-0.5, 0.5], [-0.5, 0.5], [-0.5, 0.5])).reshape(3, -1).T
 _AREA = 1e-6  # m², what is smaller is left by rounding
 
 
@@ -142,3 +143,18 @@ def _largest(inside: NDArray[np.bool_], xs: Array, ys: Array) -> tuple[int, int,
             if area > best + 1e-12:
                 best, found = area, (row0, row1 + 1, int(starts[k]), int(ends[k]))
     return found
+
+
+def corners(c: Collider) -> Array:
+    """Points (n, 3) in the body's frame whose convex hull is the collider, round ones by 16 sides."""
+    if c.kind == "hull":
+        assert c.vertices is not None
+        local = c.vertices
+    elif c.kind == "box":
+        local = _CORNERS * c.size
+    else:
+        angles = np.linspace(0, 2 * np.pi, 16, endpoint=False)
+        ring = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1) * c.size[0]
+        height = [0, 0, c.size[2] / 2 if c.kind == "cylinder" else c.size[0]]
+        local = np.concatenate([ring + height, ring - height])
+    return np.asarray(local @ c.rotation.T + c.center)

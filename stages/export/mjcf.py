@@ -3,6 +3,7 @@
 Geom groups: 2 what shows, 3 colliders, 4 ceilings (not shown unless asked for).
 """
 
+from itertools import product
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -43,6 +44,7 @@ class _Writer:
         self._lights(scene)
         for body in scene.bodies:
             self._body(body)
+        self._apart(scene.bodies)
 
     def _settings(self, scene: Scene) -> None:
         add(self.root, "compiler", angle="radian", meshdir="assets", texturedir="assets", autolimits="true")
@@ -98,6 +100,14 @@ class _Writer:
             self._joint(part, body, link)
             self._link(part, body, link)
             add(self.contact, "exclude", body1=body.name, body2=body.link_name(link))
+
+    def _apart(self, bodies: list[Body]) -> None:
+        """No contact between what stands in something and that."""
+        known = {body.name: body for body in bodies}
+        for body in bodies:
+            for other in (known[name] for name in body.within):
+                for a, b in product(body.links, other.links):
+                    add(self.contact, "exclude", body1=body.link_name(a), body2=other.link_name(b))
 
     def _joint(self, part: Element, body: Body, link: Link) -> None:
         assert link.joint is not None

@@ -70,7 +70,7 @@ class _Writer:
             self._light(light)
 
     def _body(self, body: Body) -> None:
-        path = f"{ROOT}/{GROUPS.get(body.kind, 'Shell')}/{body.name}"
+        path = _path(body)
         top = UsdGeom.Xform.Define(self.stage, path)
         place(top, body.position, about_z(body.yaw))
         prim = top.GetPrim()
@@ -78,6 +78,9 @@ class _Writer:
         UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([body.category])
         facts = {"id": body.id, "room": body.room, "asset": body.model, "kind": body.kind}
         prim.SetCustomDataByKey("apartgen", {k: v for k, v in facts.items() if v})
+        if body.within:
+            pairs = UsdPhysics.FilteredPairsAPI.Apply(prim).CreateFilteredPairsRel()
+            pairs.SetTargets([_path(other) for other in self.scene.bodies if other.name in body.within])
         if len(body.links) == 1:
             if body.free:
                 _rigid(prim, body.links[0])
@@ -150,6 +153,10 @@ class _Writer:
         lamp.CreateColorAttr(Gf.Vec3f(1.0, 0.93, 0.82))
         # Luminance of an even sphere that gives so many lumens.
         lamp.CreateIntensityAttr(light.lumens / (4 * np.pi**2 * LAMP**2))
+
+
+def _path(body: Body) -> str:
+    return f"{ROOT}/{GROUPS.get(body.kind, 'Shell')}/{body.name}"
 
 
 def _rigid(prim: Any, link: Link) -> None:

@@ -85,3 +85,17 @@ def test_ceilings_are_in_a_group_of_their_own(flat):
         name = model.body(model.geom_bodyid[k]).name
         shown = model.geom_contype[k] == 0
         assert model.geom_group[k] == ((4 if name in ceilings else 2) if shown else 3)
+
+
+def test_a_chair_that_stands_in_a_table_is_not_thrown(tmp_path):
+    home = sample.home()
+    table, chair = (next(o for o in home.objects if o.id == id) for id in ("coffee_table_3", "chair_7"))
+    chair.center = (table.center[0] + table.size[0] / 2, table.center[1], chair.center[2])
+    export.run(home, ["mjcf"], tmp_path / "x", sample.load)
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "x" / "mjcf" / "apartment.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    start = data.geom_xpos.copy()
+    for _ in range(int(2 / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    assert np.linalg.norm(data.geom_xpos - start, axis=1).max() < 0.005

@@ -145,3 +145,15 @@ def test_what_hangs_is_fixed_and_what_stands_is_loose():
     tv = next(o for o in home.objects if o.id == "tv_5")
     tv.center = (tv.center[0], tv.center[1], 1.4)
     assert not {body.id: body.free for body in Scene(home, sample.load).bodies}["tv_5"]
+
+
+def test_what_stands_in_something_is_fixed():
+    """A chair moved into the coffee table is not loose; one beside it, even by a hair, is."""
+    home = sample.home()
+    table, chair = (next(o for o in home.objects if o.id == id) for id in ("coffee_table_3", "chair_7"))
+    beside = table.center[0] + (table.size[0] + chair.size[0]) / 2
+    for x, free in ((beside + 0.001, True), (beside - 0.002, True), (beside - 0.03, False)):
+        chair.center = (x, table.center[1], chair.center[2])
+        assert {body.id: body.free for body in Scene(home, sample.load).bodies}["chair_7"] is free
+    chair.center = (1.6, 3.4, chair.center[2])
+    assert {body.id: body.free for body in Scene(home, sample.load).bodies}["chair_7"]

@@ -1,0 +1,59 @@
+"""Which loose things stand inside others, as a chair's back under a table's edge, so that engines would throw them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from stages.body import Array, Body
+from stages.solids import corners
+
+DEPTH = 0.004
+"""Overlap that engines part without a jolt, m."""
+
+Shapes = tuple[NDArray[np.object_], Array]
+
+
+def wedged(bodies: Sequence[Body]) -> dict[str, list[str]]:
+    """Names of loose bodies, each with the names of all bodies that it stands in.
+
+    Colliders are taken as upright prisms over their shadows, which is exact for boxes and cylinders that stand.
+    """
+    solid = [body for body in bodies if any(link.colliders for link in body.links)]
+    bounds = [_bounds(body) for body in solid]
+    shapes: dict[str, Shapes] = {}
+    found: dict[str, list[str]] = {}
+    for body, (lo, hi) in zip(solid, bounds, strict=True):
+        if not body.free:
+            continue
+        for other, (low, high) in zip(solid, bounds, strict=True):
+            near = body is not other and bool((lo < high).all() and (low < hi).all())
+            if near and _overlap(_of(body, shapes), _of(other, shapes)):
+                found.setdefault(body.name, []).append(other.name)
+    return found
+
+
+def _points(body: Body) -> list[Array]:
+    turn = body.pose()[:3, :3]
+    return [corners(c) @ turn.T + body.position for link in body.links for c in link.colliders]
+
+
+def _bounds(body: Body) -> tuple[Array, Array]:
+    points = np.concatenate(_points(body))
+    return points.min(0) + DEPTH, points.max(0) - DEPTH
+
+
+def _of(body: Body, known: dict[str, Shapes]) -> Shapes:
+    """Shadows of a body's colliders, thinner by half the depth all about, and their least and greatest heights."""
+    if body.name not in known:
+        points = _points(body)
+        hulls = [shapely.MultiPoint(p[:, :2]).convex_hull.buffer(-DEPTH / 2, join_style="mitre") for p in points]
+        heights = np.array([[p[:, 2].min() + DEPTH / 2, p[:, 2].max() - DEPTH / 2] for p in points])
+        known[body.name] = np.array(hulls, object), heights
+    return known[body.name]
+
+
+def _overlap(a: Shapes, b: Shapes) -> bool:
+    one, two = shapely.STRtree(a[0]).query(b[0], predicate="intersects")[::-1]
+    return bool(((a[1][one, 0] < b[1][two, 1]) & (b[1][two, 0] < a[1][one, 1])).any())
