@@ -1,23 +1,19 @@
 """From rooms to objects: sampling with guidance, then projection."""
 
-import tomllib
-from functools import cache
-from pathlib import Path
-
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
 from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
 from stages.layout import guided, samplers
 from stages.layout.config import N_MAX, LayoutConfig
-from stages.layout.diffusion import Denoise, Prediction, predict
-from stages.layout.features import CLASS, DIM, Objects, decode
+from stages.layout.diffusion import Denoise, predict
+from stages.layout.features import DIM, Objects, decode
 from stages.layout.geometry import floor_of
 from stages.layout.network import Denoiser
 from stages.layout.rooms import UNKNOWN, Rooms
+from stages.layout.sense import sensible
 
 AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
 """Lower edges of the floor-area classes (m²) for which the training record counts objects."""
@@ -47,44 +43,6 @@ def draw_counts(rooms: Rooms, table: list[list[list[int]]], lanes: list[np.rando
         weight = (rows * near[:, None]).sum(0) + 1e-9
         out[i] = np.searchsorted(np.cumsum(weight) / weight.sum(), share)
     return np.asarray(np.minimum(np.maximum(out, asked), N_MAX))
-
-
-@cache
-def _essentials() -> list[list[list[int]]]:
-    table = tomllib.loads((Path(__file__).parent / "essentials.toml").read_text())
-    return [[[CATEGORIES.index(c) for c in group] for group in table.get(kind, [])] for kind in ROOM_TYPES]
-
-
-def with_essentials(denoise: Denoise, rooms: Rooms, count: Tensor, scale: float) -> Denoise:
-    """A denoiser that never leaves out what a room cannot do without, if the count has place for it."""
-
-    def wrapped(x: Tensor, t: Tensor) -> Prediction:
-        made = denoise(x, t)
-        logits = made.logits.clone()
-        for b, kind in enumerate(rooms.type):
-            here, taken = logits[b, : int(count[b])], list[int]()
-            for group in _essentials()[kind]:
-                if (rooms.wanted[b, group] == 0).any() or len(taken) >= len(here):
-                    continue
-                best = here.argmax(-1)
-                holders = [i for i in range(len(here)) if int(best[i]) in group and i not in taken]
-                if not holders:
-                    holders = _recruit(here, group, taken)
-                taken.append(holders[0])
-        x0 = made.x0.clone()
-        x0[..., CLASS] = logits.softmax(-1) * scale
-        return Prediction(x0, logits)
-
-    return wrapped
-
-
-def _recruit(logits: Tensor, group: list[int], taken: list[int]) -> list[int]:
-    """Make the slot that lies nearest to a class of the group take it; in place."""
-    margin = logits[:, group] - logits.amax(-1, keepdim=True)
-    margin[taken] = -torch.inf
-    slot, which = divmod(int(margin.argmax()), len(group))
-    logits[slot, group[which]] = logits[slot].amax() + 3.0
-    return [slot]
 
 
 def sample(
@@ -121,8 +79,8 @@ def _wrapped(
     filled = count if exact else torch.full_like(count, N_MAX)
     if exact:
         denoise = guided.without_empty(denoise, count)
+    denoise = sensible(denoise, rooms, filled, model.class_scale)
     denoise = guided.fixed_categories(denoise, torch.from_numpy(rooms.wanted), filled, model)
-    denoise = with_essentials(denoise, rooms, filled, model.class_scale)
     if config.count == "guided":
         gamma = config.guidance.get("quantity", 1.0)
         denoise = guided.quantity_guided(

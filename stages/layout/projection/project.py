@@ -9,11 +9,13 @@ from stages.boxes import Boxes, penetration
 from stages.categories import TABLE, belong_together
 from stages.layout.projection import candidates
 from stages.layout.projection.costs import BROKEN, SOFT, Placed, cost, grown
+from stages.layout.projection.partners import PULL, beside
 from stages.layout.projection.space import Space
 
 Array = NDArray[np.float64]
-LEAN = 0.12
-"""Things that need no wall still stand flush with one this near, m."""
+LEAN = {"desk": 0.9, "bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.25, "coat_rack": 0.4, "bin": 0.5}
+NEAR = 0.12
+"""Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
 WINDOW_MARGIN = 0.15
 ROUNDS = 3
@@ -64,6 +66,10 @@ class Standing:
             top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
             index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
         return Placed(self.boxes.take(index), self.grown.take(index), self.soft[index], self.kin[i][index])
+
+    def names(self, index: NDArray[np.bool_]) -> list[str]:
+        """Categories of some of the objects."""
+        return [item.category for item, chosen in zip(self.items, index, strict=True) if chosen]
 
     def neighbours(self, i: int) -> list[Item]:
         """The other objects that have a place."""
@@ -138,7 +144,10 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
         item = _at_window(item, space)
     others = room.others(i, item)
     found = _candidates(item, others.boxes, space, wide)
+    near = beside(item.category, item.center, item.size, room.boxes.take(room.there), room.names(room.there))
+    found = candidates.join([found, near])
     prices = cost(found, item.category, item.center, item.yaw, others, space)
+    prices[found.n - near.n :] -= PULL
     best = int(np.argmin(prices))
     return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
 
@@ -151,8 +160,11 @@ def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
         return walls
     parts = [candidates.about(item.center, item.size, yaw)]
     if walls.n:
-        near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else LEAN)
-        parts.append(walls.take(near & (np.cos(walls.yaw - yaw) > (-2 if wide else 0.9))))
+        lean = LEAN.get(item.category, NEAR)
+        near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else lean)
+        walls = walls.take(near & (np.cos(walls.yaw - yaw) > (-2 if wide else 0.7)))
+        # With its back to a wall is where such a thing stands by habit.
+        parts = [walls] if walls.n and item.category in LEAN and not wide else [*parts, walls]
     if wide:
         parts.append(candidates.everywhere(item.center, item.size, yaw, space))
     return candidates.join(parts)

@@ -1,0 +1,69 @@
+"""Places at what an object belongs with: a chair at its table, a nightstand at its bed, a coffee table at its sofa."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages.boxes import Boxes
+
+Array = NDArray[np.float64]
+PULL = 0.8
+"""A place at the partner is worth a way of this many metres."""
+TUCK = 0.16
+"""How far a seat goes under its table, m."""
+SEAT = 0.58
+"""Width of a place at a table, m."""
+SOFA_GAP = 0.42
+BEDSIDE = 0.01
+TABLES = ("dining_table", "island", "balcony_table")
+PARTNERS = {
+    "chair": ("dining_table", "round_table", "desk", "dressing_table"),
+    "office_chair": ("desk",),
+    "stool": ("island", "dressing_table", "dining_table"),
+    "balcony_chair": ("balcony_table",),
+    "coffee_table": ("sofa", "corner_sofa"),
+    "nightstand": ("double_bed", "single_bed"),
+}
+
+
+def beside(category: str, center: Array, size: Array, others: Boxes, names: list[str]) -> Boxes:
+    """Candidate places of an object at every partner it has among `others`; none gives an empty set."""
+    found = [
+        _at(category, name, size, others.center[k, :2], others.size[k], float(others.yaw[k]))
+        for k, name in enumerate(names)
+        if name in PARTNERS.get(category, ())
+    ]
+    if not found:
+        return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+    at, yaw = np.concatenate([f[0] for f in found]), np.concatenate([f[1] for f in found])
+    return Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.broadcast_to(size, (len(at), 3)), yaw)
+
+
+def _at(category: str, partner: str, size: Array, at: Array, extent: Array, turn: float) -> tuple[Array, Array]:
+    if category == "coffee_table":
+        local, yaw = np.array([[(extent[0] + size[0]) / 2 + SOFA_GAP, 0.0]]), np.zeros(1)
+    elif category == "nightstand":
+        aside = (extent[1] + size[1]) / 2 + BEDSIDE
+        back = (size[0] - extent[0]) / 2
+        local, yaw = np.array([[back, aside], [back, -aside]]), np.zeros(2)
+    elif partner == "round_table":
+        angle = np.arange(12) * np.pi / 6
+        far = extent[:2].max() / 2 + size[0] / 2 - TUCK
+        local, yaw = far * np.stack([np.cos(angle), np.sin(angle)], -1), angle + np.pi
+    else:
+        local, yaw = _seats(size, extent, all_round=partner in TABLES)
+    c, s = np.cos(turn), np.sin(turn)
+    return at + local @ np.array([[c, s], [-s, c]]), yaw + turn
+
+
+def _seats(size: Array, extent: Array, all_round: bool) -> tuple[Array, Array]:
+    """Seats along the front of a table, and along its other sides where people sit all round; facing it."""
+    local, yaw = [], []
+    for angle in np.arange(4 if all_round else 1) * np.pi / 2:
+        far, wide = (extent[0], extent[1]) if angle % np.pi < 0.1 else (extent[1], extent[0])
+        seats = max(1, int(wide / SEAT))
+        aside = (np.arange(seats) - (seats - 1) / 2) * wide / seats
+        out = far / 2 + size[0] / 2 - TUCK
+        direction, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+        local.append(out * direction + aside[:, None] * across)
+        yaw.append(np.full(seats, angle + np.pi))
+    return np.concatenate(local), np.concatenate(yaw)
