@@ -35,7 +35,7 @@ def write(assets: Sequence[Asset], path: Path) -> None:
     uv = [np.zeros((len(m.vertices), 2)) if m.uv is None else m.uv for m in meshes]
     arrays = {
         "vertices": np.concatenate([m.vertices for m in meshes] or [none]).astype(np.float32),
-        "faces": np.concatenate([m.faces for m in meshes] or [none]).astype(np.int32),
+        "faces": np.concatenate([m.faces for m in meshes] or [np.zeros((0, 3), np.int64)]).astype(np.int32),
         "uv": np.concatenate(uv or [np.zeros((0, 2))]).astype(np.float32),
         "hulls": np.concatenate([none, *(p.vertices for p in pieces if p.vertices is not None)]).astype(np.float32),
         "pieces": np.array([[*p.center, *p.size, *p.rotation.ravel()] for p in pieces]).reshape(-1, 15),

@@ -207,7 +207,7 @@ def _shaded(soup: Soup, frame: _Frame, light: _Light, axes: Array, scale: float)
     return np.where((owner < 0)[..., None], _GROUND, lit)
 
 
-def _occlusion(depth: Array, scale: float, floor: Array) -> Array:
+def _occlusion(depth: Array, scale: float, floor: NDArray[np.bool_]) -> Array:
     """Darkening of what lies behind its surroundings in the picture, less so on the floor around an object."""
     known = np.where(np.isfinite(depth), depth, np.nanmax(np.where(np.isfinite(depth), depth, np.nan)))
     out = np.ones_like(known)

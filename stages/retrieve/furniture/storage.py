@@ -78,9 +78,10 @@ def _sliding_doors(kit: Kit, own: Look, n: int, y: tuple[float, float], z: tuple
         lo = y[0] + clear + i * (wide - lap)
         ahead = i % 2 == 0
         x = (kit.x[1] - 0.03, kit.x[1] - 0.008) if ahead else (kit.x[1] - 0.065, kit.x[1] - 0.043)
-        # Doors of one track are two apart and may move by one door's width; in a row of three the middle one may too.
+        # Doors of one track are two apart: those that share one have half of the gap between them each.
         sign = 1 if i == 0 or (n == 4 and i == 1) else -1
-        travel = 0.98 * (wide - lap) if n < 4 else 0.48 * (wide - 2 * lap)
+        alone = n == 2 or (n == 3 and i == 1)
+        travel = 0.98 * (wide - lap) if alone else 0.48 * (wide - 2 * lap)
         fronts.sliding(kit, own, x, (lo, lo + wide), (z[0] + 0.02, z[1] - 0.033), travel, sign)
 
 

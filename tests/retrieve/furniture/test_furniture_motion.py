@@ -86,7 +86,8 @@ def sizes(category, rng):
     if category in furniture.BUILDING:
         return [(0.1, 0.9, 2.1), (0.12, 1.3, 1.2)]
     kind = categories.TABLE[category]
-    return [kind.size, kind.min, kind.max, tuple(rng.uniform(kind.min, kind.max))]
+    middle = tuple((np.array(kind.min) + kind.max) / 2)
+    return [kind.size, kind.min, kind.max, middle, tuple(rng.uniform(kind.min, kind.max))]
 
 
 def test_the_probe_sees_a_drawer_pushed_through_the_back_and_doors_turned_inward():
