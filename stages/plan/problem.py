@@ -45,7 +45,7 @@ def whim(program: Program, rng: Generator) -> Whim:
     shape, aspect = wish(program.envelope, program.regularity, rng)
     wanted = areas(program)
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
-    return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 3, axis=0), shape, aspect)
+    return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 4, axis=0), shape, aspect)
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:

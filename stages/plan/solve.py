@@ -26,7 +26,7 @@ from stages.plan.turn import askew, turned, turned_plan
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
-SPREAD = 8.0
+SPREAD = 12.0
 """Difference of cost up to which one arrangement is as good as another."""
 CHOICE = 20
 """Rooms in all the arrangements to choose from: one of a large flat is as good as several of a small one."""
