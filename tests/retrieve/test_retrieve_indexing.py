@@ -223,3 +223,21 @@ def test_an_owned_asset_may_outgrow_its_box_where_there_is_room_and_is_made_to_m
               for x in (1.2, 2.8) for y in (0.9, 2.5, 4.1)]  # fmt: skip
     home = run(flat(sofa, *beside, *packed), config, np.random.default_rng(0), both)
     assert home.objects[0].asset.library == "parametric" and home.objects[0].size[1] == pytest.approx(1.5)
+
+
+def test_twenty_queries_over_a_hundred_thousand_assets_take_less_than_50_ms():
+    import time
+
+    from stages.categories import CATEGORIES, TABLE
+
+    rng = np.random.default_rng(0)
+    names = [CATEGORIES[i] for i in rng.integers(len(CATEGORIES), size=100_000)]
+    size = np.array([TABLE[name].size for name in names]) * rng.uniform(0.7, 1.3, (len(names), 3))
+    table = Table(names, size, rng.normal(size=(len(names), 32)), rng.random(len(names)) < 0.5)
+    queries = [(names[i], size[i] * 1.05, rng.normal(size=32)) for i in rng.integers(len(names), size=20)]
+    spent = []
+    for _ in range(3):
+        began = time.process_time()
+        hits = [table.nearest(name, side, z, side, RetrieveConfig()) for name, side, z in queries]
+        spent.append(time.process_time() - began)
+    assert all(hit is not None for hit in hits) and min(spent) < 0.05
