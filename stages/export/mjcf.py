@@ -53,7 +53,7 @@ class _Writer:
         middle = [(x.min() + x.max()) / 2, (y.min() + y.max()) / 2, 1.0]
         add(self.root, "statistic", center=middle, extent=max(np.ptp(x), np.ptp(y)) / 1.6)
         visual = add(self.root, "visual")
-        add(visual, "headlight", ambient=[0.42] * 3, diffuse=[0.45] * 3, specular=[0.1] * 3)
+        add(visual, "headlight", ambient=[0.48] * 3, diffuse=[0.55] * 3, specular=[0.1] * 3)
         add(visual, "map", znear=0.005, zfar=10)
         add(visual, "global", offwidth=1920, offheight=1080, azimuth=-120, elevation=-55)
         default = add(self.root, "default")
