@@ -18,6 +18,7 @@ _OURS = {CONTENTS, "export.json"}
 def replaced(out: Path) -> Iterator[Path]:
     """A new folder to fill; it takes the place of `out` when the block ends well, and leaves no trace otherwise."""
     _check(out)
+    out = out.absolute()
     out.parent.mkdir(parents=True, exist_ok=True)
     work = Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))
     try:
