@@ -131,6 +131,10 @@ def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
             ahead = _strip(opening, normal, -DEEP, -reach)
             if any(ahead.intersection(s).area > NEAR for s in shapes.values()):
                 yield f"{opening.id} does not lead into the open air"
+        reaches = [polygons.face(opening, plan, room)[1] for room in opening.rooms]
+        deep = reaches[1] if len(reaches) > 1 else plan.walls.outer / 2
+        if abs(reaches[0] - deep) > NEAR or deep > THICKEST:
+            yield f"{opening.id} is not on the centre line of its wall"
         if any(line.intersects(s) for s in shapes.values()):
             yield f"{opening.id} lies on a floor"
         least = {"door": 0.75, "entrance": 0.85, "opening": 0.9, "window": 0.45}[opening.kind]

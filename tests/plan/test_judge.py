@@ -6,6 +6,7 @@ import pytest
 from plan.flats import flat
 
 from schemas.plan import Opening, Plan
+from stages import polygons
 from stages.plan import validate
 
 
@@ -27,8 +28,11 @@ def shifted(plan: Plan, pick: Callable[[Opening], bool], by: float) -> Plan:
 def spoiled() -> dict[str, tuple[Plan, str]]:
     plan = flat("two_bedroom")
     room = plan.rooms[1]
-    grown = [(x + 0.4, y) for x, y in room.polygon]
-    moved = [room.model_copy(update={"polygon": grown}), *(r for r in plan.rooms if r is not room)]
+    x0, y0, x1, y1 = polygons.floor(room).bounds
+    grown = [(x + (0.3 if x == x1 else -0.3), y + (0.3 if y == y1 else -0.3)) for x, y in room.polygon]
+    wider = [r.model_copy(update={"polygon": grown}) if r is room else r for r in plan.rooms]
+    away = [(x + 0.4, y + 0.4) for x, y in room.polygon]
+    moved = [r.model_copy(update={"polygon": away}) if r is room else r for r in plan.rooms]
     bed = next(r.id for r in plan.rooms if r.type == "bedroom")
     dark = [o for o in plan.openings if not (o.kind == "window" and o.rooms == [bed])]
     door = next(o for o in plan.openings if o.kind == "door")
@@ -37,7 +41,8 @@ def spoiled() -> dict[str, tuple[Plan, str]]:
         "no door": (changed(plan, lambda o: o.kind == "door"), "joined by 0"),
         "no entrance": (changed(plan, lambda o: o.kind == "entrance"), "exactly one entrance"),
         "no window": (plan.model_copy(update={"openings": dark}), "has no window"),
-        "rooms overlap": (plan.model_copy(update={"rooms": moved}), "closer than a wall"),
+        "rooms overlap": (plan.model_copy(update={"rooms": wider}), "closer than a wall"),
+        "a room elsewhere": (plan.model_copy(update={"rooms": moved}), "centre line"),
         "clockwise": (_turned(plan), "counter-clockwise"),
         "a room less": (plan.model_copy(update={"rooms": plan.rooms[:-1]}), "not the rooms asked for"),
         "entrance in a corner": (shifted(plan, lambda o: o.kind == "entrance", 20.0), "does not open onto"),
