@@ -12,8 +12,11 @@ TUCK = 0.16
 """How far a seat goes under its table, m."""
 SEAT = 0.58
 """Width of a place at a table, m."""
-SOFA_GAP = 0.42
+AHEAD = {"coffee_table": 0.42, "bench": 0.03}
+"""Gap to the front of what it stands before, m."""
 BEDSIDE = 0.01
+FLUSH = 0.5
+"""A place flush beside the next unit of a run is worth a way of this many metres."""
 TABLES = ("dining_table", "island", "balcony_table")
 PARTNERS = {
     "chair": ("dining_table", "round_table", "desk", "dressing_table"),
@@ -22,7 +25,26 @@ PARTNERS = {
     "balcony_chair": ("balcony_table",),
     "coffee_table": ("sofa", "corner_sofa"),
     "nightstand": ("double_bed", "single_bed"),
+    "bench": ("double_bed",),
 }
+RUN = frozenset(
+    {
+        "kitchen_base",
+        "kitchen_drawers",
+        "kitchen_sink",
+        "kitchen_corner",
+        "hob",
+        "oven",
+        "dishwasher",
+        "fridge",
+        "washing_machine",
+        "dryer",
+        "wall_unit",
+        "hood",
+    }
+)
+"""What stands side by side without a gap."""
+HUNG = frozenset({"wall_unit", "hood"})
 
 
 def beside(category: str, center: Array, size: Array, others: Boxes, names: list[str]) -> Boxes:
@@ -38,9 +60,24 @@ def beside(category: str, center: Array, size: Array, others: Boxes, names: list
     return Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.broadcast_to(size, (len(at), 3)), yaw)
 
 
+def in_run(category: str, found: Boxes, others: Boxes, names: list[str]) -> NDArray[np.bool_]:
+    """Which candidate places (n,) stand flush beside a unit of the same run, backs in line."""
+    units = np.array([name in RUN and (name in HUNG) == (category in HUNG) for name in names], bool)
+    if category not in RUN or not units.any():
+        return np.zeros(found.n, bool)
+    row = others.take(units)
+    heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)[:, None]
+    offset = row.center[None, :, :2] - found.center[:, None, :2]
+    ahead = (offset * heading).sum(-1) - (row.size[:, 0] - found.size[:, None, 0]) / 2
+    aside = np.abs(offset[..., 1] * heading[..., 0] - offset[..., 0] * heading[..., 1])
+    gap = aside - (row.size[:, 1] + found.size[:, None, 1]) / 2
+    aligned = np.cos(row.yaw[None] - found.yaw[:, None]) > 0.999
+    return np.asarray((aligned & (np.abs(ahead) < 0.03) & (np.abs(gap) < 0.02)).any(1))
+
+
 def _at(category: str, partner: str, size: Array, at: Array, extent: Array, turn: float) -> tuple[Array, Array]:
-    if category == "coffee_table":
-        local, yaw = np.array([[(extent[0] + size[0]) / 2 + SOFA_GAP, 0.0]]), np.zeros(1)
+    if category in AHEAD:
+        local, yaw = np.array([[(extent[0] + size[0]) / 2 + AHEAD[category], 0.0]]), np.zeros(1)
     elif category == "nightstand":
         aside = (extent[1] + size[1]) / 2 + BEDSIDE
         back = (size[0] - extent[0]) / 2

@@ -9,7 +9,7 @@ from stages.boxes import Boxes, penetration
 from stages.categories import TABLE, belong_together
 from stages.layout.projection import candidates
 from stages.layout.projection.costs import BROKEN, SOFT, Placed, cost, grown
-from stages.layout.projection.partners import PULL, beside
+from stages.layout.projection.partners import FLUSH, PULL, beside, in_run
 from stages.layout.projection.space import Space
 
 Array = NDArray[np.float64]
@@ -67,9 +67,10 @@ class Standing:
             index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
         return Placed(self.boxes.take(index), self.grown.take(index), self.soft[index], self.kin[i][index])
 
-    def names(self, index: NDArray[np.bool_]) -> list[str]:
-        """Categories of some of the objects."""
-        return [item.category for item, chosen in zip(self.items, index, strict=True) if chosen]
+    def standing(self, i: int) -> tuple[Boxes, list[str]]:
+        """All that has a place but object `i`, and their categories."""
+        index = np.array([j for j in np.flatnonzero(self.there) if j != i], int)
+        return self.boxes.take(index), [self.items[j].category for j in index]
 
     def neighbours(self, i: int) -> list[Item]:
         """The other objects that have a place."""
@@ -144,10 +145,12 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
         item = _at_window(item, space)
     others = room.others(i, item)
     found = _candidates(item, others.boxes, space, wide)
-    near = beside(item.category, item.center, item.size, room.boxes.take(room.there), room.names(room.there))
+    standing, names = room.standing(i)
+    near = beside(item.category, item.center, item.size, standing, names)
     found = candidates.join([found, near])
     prices = cost(found, item.category, item.center, item.yaw, others, space)
     prices[found.n - near.n :] -= PULL
+    prices[in_run(item.category, found, standing, names)] -= FLUSH
     best = int(np.argmin(prices))
     return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
 
@@ -188,8 +191,9 @@ def _on_support(item: Item, others: list[Item]) -> Item | None:
     """On the nearest support that it belongs on, wholly over its top and clear of what stands there already."""
     supports = [o for o in others if o.category in TABLE[item.category].belongs]
     for support in sorted(supports, key=lambda o: float(np.linalg.norm(o.center[:2] - item.center[:2]))):
-        room = support.size[:2] - item.size[:2]
-        if (room < -0.02).any():
+        fitting = np.maximum(np.minimum(item.size, [*support.size[:2], np.inf]), TABLE[item.category].min)
+        item, room = replace(item, size=fitting), support.size[:2] - fitting[:2]
+        if (room < 0).any():
             continue
         c, s = np.cos(support.yaw), np.sin(support.yaw)
         offset = np.array([[c, s], [-s, c]]) @ (item.center[:2] - support.center[:2])
