@@ -25,12 +25,12 @@ def replaced(out: Path) -> Iterator[Path]:
         fresh, old = work / "new", work / "old"
         fresh.mkdir()
         yield fresh
-        if out.exists():
-            os.rename(out, old)
         try:
+            if out.exists():
+                os.rename(out, old)
             os.rename(fresh, out)
-        except OSError:
-            if old.exists():
+        except BaseException:  # an interrupt too must not cost the earlier export
+            if old.exists() and not out.exists():
                 os.rename(old, out)
             raise
     finally:

@@ -98,6 +98,25 @@ def test_a_failed_export_leaves_the_earlier_one(every, tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["scene"]
 
 
+def test_an_interrupt_while_folders_change_places_keeps_the_earlier_one(tmp_path, monkeypatch):
+    out = tmp_path / "scene"
+    export.run(sample.home(), ["svg"], out, sample.load)
+    before = {p.name: p.read_bytes() for p in out.iterdir()}
+    rename, calls = os.rename, []
+
+    def interrupted(source, target):
+        calls.append(source)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        rename(source, target)
+
+    monkeypatch.setattr(os, "rename", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        export.run(sample.home(), ["svg", "png"], out, sample.load)
+    assert {p.name: p.read_bytes() for p in out.iterdir()} == before
+    assert [p.name for p in tmp_path.iterdir()] == ["scene"]
+
+
 def test_an_export_is_replaced_whole(tmp_path):
     out = tmp_path / "scene"
     export.run(sample.home(), ["svg", "png"], out, sample.load)
