@@ -47,8 +47,11 @@ class Category:
 
 def _load() -> dict[str, Category]:
     table = tomllib.loads((Path(__file__).parent / "categories.toml").read_text())
-    frozen: dict[str, dict[str, Any]] = {name: {k: tuple(v) if isinstance(v, list) else v for k, v in row.items()} for name, row in table.items()}
-    return {name: Category(name=name, **frozen[name]) for name in sorted(frozen)}
+    return {name: Category(name=name, **_frozen(table[name])) for name in sorted(table)}
+
+
+def _frozen(row: dict[str, Any]) -> dict[str, Any]:
+    return {key: tuple(value) if isinstance(value, list) else value for key, value in row.items()}
 
 
 TABLE: dict[str, Category] = _load()

@@ -68,7 +68,8 @@ def guided(
 
 def trusted(shift: Tensor) -> Tensor:
     """The shift (B, N, D), no object's longer than `TRUST`: an IoU's gradient grows as 1 over a box's thickness."""
-    return shift * (TRUST / shift.norm(dim=-1, keepdim=True).clamp_min(TRUST))
+    length: Tensor = shift.norm(dim=-1, keepdim=True)
+    return shift * (TRUST / length.clamp_min(TRUST))
 
 
 def quantity_guided(

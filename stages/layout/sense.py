@@ -85,11 +85,12 @@ def _at_most(logits: Logits, group: list[int], number: int) -> None:
     """Bar the group from all but the `number` slots that want it most."""
     if not group:
         return
-    wins = np.flatnonzero(np.isin(logits.argmax(-1), group))
+    members = np.array(group)
+    wins = np.flatnonzero(np.isin(logits.argmax(-1), members))
     if len(wins) > number:
-        best = logits[wins][:, group].max(-1)
+        best = logits[wins][:, members].max(-1)
         losers = wins[np.argsort(-best, kind="stable")[number:]]
-        logits[np.ix_(losers, group)] = BARRED
+        logits[np.ix_(losers, members)] = BARRED
 
 
 def _one_of(logits: Logits, group: tuple[int, ...], taken: list[int]) -> int:
