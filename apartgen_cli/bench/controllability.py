@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from apartgen_cli.bench import _scenes
-from schemas.plan import Plan
 
 PAPER = [{"S_node": 0.989, "S_constraint": 0.923, "S_edge": 0.954}]
 NOTE = (
@@ -32,8 +31,7 @@ def _scored(case: Any) -> dict[str, Any]:
     from time import perf_counter
 
     from schemas.errors import ApartgenError
-    from stages import plan
-    from stages.plan import fidelity
+    from stages import graphs, plan
     from stages.plan.config import PlanConfig
     from stages.plan.reader import read
 
@@ -49,25 +47,17 @@ def _scored(case: Any) -> dict[str, Any]:
             "S_edge": 0.0,
             "built": 0.0,
         }
-    seconds, graph = perf_counter() - began, _graph(made)
-    constraint = fidelity.constraint_satisfaction(graph, case.truth)
+    seconds, graph = perf_counter() - began, graphs.of_plan(made)
+    constraint = graphs.constraint_satisfaction(graph, case.truth)
     return {
         "prompt": case.prompt,
-        "S_node": fidelity.node_similarity(graph, case.truth),
+        "S_node": graphs.node_similarity(graph, case.truth),
         "S_constraint": constraint,
         **({"S_constraint, stated": constraint} if case.quantified else {}),
-        "S_edge": fidelity.edge_similarity(graph, case.truth),
+        "S_edge": graphs.edge_similarity(graph, case.truth),
         "built": 1.0,
         "seconds": seconds,
     }
-
-
-def _graph(home: Plan) -> Any:
-    from stages.plan import fidelity
-
-    areas = {room.id: _scenes.area(room.polygon) for room in home.rooms}
-    links = [(o.rooms[0], o.rooms[1]) for o in home.openings if len(o.rooms) == 2 and o.kind != "window"]
-    return fidelity.graph({room.id: room.type for room in home.rooms}, areas, links)
 
 
 def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:

@@ -25,7 +25,7 @@ from pathlib import Path
 from typing import Any
 
 from schemas.plan import AskedRoom
-from stages.plan.fidelity import RoomGraph, graph
+from stages.graphs import RoomGraph, graph
 from stages.plan.reader.areas import fill, typical
 from stages.plan.reader.links import mark_private
 from stages.plan.reader.sense import sense

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from schemas.plan import Program
+from stages.graph_matching import matched
 from stages.metrics import graph
-from stages.metrics._matching import matched
 
 
 def program(rooms, links):

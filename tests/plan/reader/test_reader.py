@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from schemas.errors import BadInput
 from schemas.plan import AskedRoom, Program
-from stages.plan.fidelity import constraint_satisfaction, edge_similarity, node_similarity, of_program
+from stages.graphs import constraint_satisfaction, edge_similarity, node_similarity, of_program
 from stages.plan.prompts import Case, cases
 from stages.plan.reader import complete_program, read
 
