@@ -37,6 +37,7 @@ class Category:
     belongs: tuple[str, ...] = ()
     z: float = 0.0
     back: bool = False
+    soft: bool = False
     synonyms: tuple[str, ...] = ()
 
     @property

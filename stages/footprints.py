@@ -30,6 +30,12 @@ def _place(o: Box) -> str | None:
     return categories.TABLE[o.category].place if o.category in categories.TABLE else None
 
 
+def gives_way(o: Box) -> bool:
+    """Whether it is no hindrance to what touches it: a rug, a curtain."""
+    kind = categories.TABLE.get(o.category)
+    return is_flat(o) or (kind is not None and kind.soft)
+
+
 def is_flat(o: Box) -> bool:
     """Whether it is part of the floor: a rug or anything as thin."""
     return o.center[2] + o.size[2] / 2 <= FLAT

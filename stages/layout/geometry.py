@@ -114,9 +114,8 @@ def on_floor() -> Tensor:
 
 @cache
 def obstructs() -> Tensor:
-    """(C+1,) true for what cannot share its place with another body: all but rugs, curtains and ceiling lamps."""
-    soft = {"rug", "curtain", "ceiling_lamp"}
-    return torch.tensor([*(name not in soft for name in CATEGORIES), False])
+    """(C+1,) true for what cannot share its place with another body: all but rugs and curtains."""
+    return torch.tensor([*(not TABLE[name].soft for name in CATEGORIES), False])
 
 
 def corners(boxes: Boxes) -> Tensor:

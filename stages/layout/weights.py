@@ -49,5 +49,8 @@ def tensors(path: Path) -> tuple[dict[str, Tensor], dict[str, str]]:
 def _load(path: str) -> tuple[Denoiser, dict[str, Any]]:
     found, header = tensors(Path(path))
     network = Denoiser(TrainConfig.model_validate_json(header["config"]).model)
-    network.load_state_dict(found)
+    try:
+        network.load_state_dict(found)
+    except RuntimeError as error:
+        raise BadInput(f"{path}: weights of another network; train again with `apartgen train layout`") from error
     return network.eval().requires_grad_(False), json.loads(header["record"])

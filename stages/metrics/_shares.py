@@ -17,8 +17,8 @@ def objects(home: Plan) -> list[Box]:
 
 
 def solid(home: Plan) -> list[Box]:
-    """All objects but those that are part of the floor (rugs)."""
-    return [o for o in objects(home) if not footprints.is_flat(o)]
+    """All objects but those that give way: rugs and curtains."""
+    return [o for o in objects(home) if not footprints.gives_way(o)]
 
 
 def share(name: str, version: str, of: str, hit: Mask) -> Value:

@@ -113,8 +113,8 @@ def _stands_well(site: Site, old: Box, new: Box) -> bool:
 
 def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], changed: set[str]) -> bool:
     """Whether no changed object of a room stands or opens deeper into another than it did, or leaves its company."""
-    before = [o for o in before if not footprints.is_flat(o)]
-    after = [o for o in after if not footprints.is_flat(o)]
+    before = [o for o in before if not footprints.gives_way(o)]
+    after = [o for o in after if not footprints.gives_way(o)]
     index = {o.id: i for i, o in enumerate(before)}
     old = np.array([index[o.id] for o in after], int)
     rows = np.array([o.id in changed for o in after], bool)

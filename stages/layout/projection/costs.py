@@ -10,7 +10,7 @@ from stages.categories import TABLE, reach
 from stages.layout.projection.space import Space, outside
 
 Array = NDArray[np.float64]
-SOFT = frozenset({"rug", "curtain", "ceiling_lamp"})
+SOFT = frozenset(name for name, kind in TABLE.items() if kind.soft)
 """What shares its place with other things."""
 SLACK = 0.004
 """Contact that is none, m; half of what metrics allow."""
@@ -52,7 +52,7 @@ def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed,
     has_reach = wide.size[0, 0] > found.size[0, 0] + 1e-6
     if has_reach:
         total += _price(outside(wide, space), 12)
-    if space.zones.n and TABLE[category].place != "ceiling":
+    if space.zones.n:
         blocked = penetration(found, space.zones)
         total += _price(blocked[:, ~space.window].max(1, initial=-1), 30) + _price(
             blocked[:, space.window].max(1, initial=-1), 12

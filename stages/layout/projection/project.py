@@ -19,6 +19,7 @@ NEAR = 0.12
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
 WINDOW_MARGIN = 0.15
 ROUNDS = 3
+HEADROOM = 2.1
 LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
 
@@ -79,7 +80,7 @@ class Standing:
 
 def project(items: list[Item], space: Space) -> list[Item]:
     """The items in their order, each at its place."""
-    wanted = [replace(item, size=_clamped(item)) for item in items]
+    wanted = [replace(item, size=_clamped(item, space)) for item in items]
     order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted))
     room = Standing(wanted)
     for i in order:
@@ -96,9 +97,13 @@ def project(items: list[Item], space: Space) -> list[Item]:
     return room.items
 
 
-def _clamped(item: Item) -> Array:
+def _clamped(item: Item, space: Space) -> Array:
+    """Its size within what there is of its category; what hangs from the ceiling leaves headroom."""
     kind = TABLE[item.category]
-    return np.clip(item.size, kind.min, kind.max)
+    size = np.clip(item.size, kind.min, kind.max)
+    if kind.place == "ceiling":
+        size[2] = min(size[2], max(kind.min[2], space.height - HEADROOM))
+    return np.asarray(size)
 
 
 def _rank(item: Item, items: list[Item]) -> tuple[int, float]:

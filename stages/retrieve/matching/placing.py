@@ -76,7 +76,8 @@ class Others(NamedTuple):
 
 def others(box: Boxes, category: str, stack: Boxes, categories: Sequence[str]) -> Others:
     """The objects a box must keep clear of; what it belongs with, and rugs, are none."""
-    apart = [not belong_together(category, name) and "rug" not in (category, name) for name in categories]
+    soft = TABLE[category].soft
+    apart = [not (soft or TABLE[name].soft or belong_together(category, name)) for name in categories]
     kept = stack.take(np.array(apart, bool))
     before = boxes.penetration(box, kept)[0] if kept.n else np.zeros(0)
     return Others(kept, np.maximum(before, TOLERANCE) + 1e-9)
