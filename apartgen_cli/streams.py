@@ -41,6 +41,17 @@ def targets(word: str, names: Sequence[str], out: str | None) -> list[Target]:
     return list(places)
 
 
+def whole_set(option: str, paths: Sequence[str]) -> list[str]:
+    """The files meant by an option that takes files and folders; of a folder, every .json file in it, by name."""
+    names: list[str] = []
+    for path in paths:
+        found = sorted(str(file) for file in Path(path).glob("*.json")) if Path(path).is_dir() else [path]
+        if not found:
+            raise BadInput(f"{option} {path}: no .json file in it; give a folder of artifacts")
+        names += found
+    return names
+
+
 def is_folder(out: str) -> bool:
     """Whether `-o` names a folder: one that exists, or a name that ends in a slash."""
     return out.endswith(("/", os.sep)) or Path(out).is_dir()

@@ -13,9 +13,9 @@ from schemas.layout import Layout
 from schemas.metrics import Metrics, Value
 from schemas.plan import Plan, Program
 from stages import registry
-from stages.metrics._table import Row, markdown, table
+from stages.metrics._table import Row, markdown, side_by_side, table
 
-__all__ = ["Row", "compare", "markdown", "names", "run", "table"]
+__all__ = ["Row", "compare", "markdown", "names", "run", "side_by_side", "table"]
 
 
 def names() -> dict[str, str]:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from schemas.metrics import Metrics
+from schemas.metrics import Metrics, Value
 from stages.boxes import Array
 
 POOLED = ("Col_obj", "R_out", "R_blocked")
@@ -32,6 +32,22 @@ def markdown(rows: Sequence[Row], seed: int) -> str:
     head = "| figure | version | of | value | 95 % interval | n |\n|---|---|---|---|---|---|\n"
     lines = [f"| {r.name} | {r.version} | {r.of} | {r.value:.3f} | {r.low:.3f} - {r.high:.3f} | {r.n} |" for r in rows]
     return f"{head}" + "\n".join(lines) + f"\n\nn apartments; bootstrap of {RESAMPLES} resamples, seed {seed}\n"
+
+
+def side_by_side(metrics: Metrics) -> str:
+    """A table for people of what `compare` found: a row a figure, its versions in columns, n in brackets."""
+    versions = list(dict.fromkeys(v.version for v in metrics.values))
+    rows: dict[tuple[str, str], dict[str, str]] = {}
+    for v in metrics.values:
+        rows.setdefault((v.name, v.of), {})[v.version] = _cell(v)
+    head = f"| figure | of | {' | '.join(versions)} |\n|---|---|{'---|' * len(versions)}\n"
+    return head + "".join(
+        f"| {name} | {of} | {' | '.join(found.get(version, '') for version in versions)} |\n"
+        for (name, of), found in rows.items())
+
+
+def _cell(v: Value) -> str:
+    return "-" if v.value is None else f"{v.value:.3f}" if v.n is None else f"{v.value:.3f} ({v.n})"
 
 
 def table(measured: Sequence[Metrics], rng: np.random.Generator, of: Iterable[str] = ("apartment",)) -> list[Row]:

@@ -104,3 +104,12 @@ def test_intervals_cover_the_mean_as_often_as_they_say():
         (row,) = metrics.table(drawn, rng)
         hits += row.low <= 0.5 <= row.high
     assert 0.88 < hits / 200 <= 0.99
+
+
+def test_a_comparison_for_people_has_both_sets_in_a_row():
+    homes, real = [h.home(h.thing("sofa", 1, 1))], [h.home(h.thing("sofa", 1, 1), h.thing("tv_stand", 3, 2))]
+    lines = metrics.side_by_side(metrics.compare(homes, real)).splitlines()
+    assert lines[0] == "| figure | of | published | generated | real |"
+    assert "| objects_a_room | living_room |  | 1.000 (1) | 2.000 (1) |" in lines
+    assert "| CKL | bedroom | - |  |  |" in lines
+    assert {line.count("|") for line in lines} == {6}

@@ -1,0 +1,86 @@
+"""`apartgen metrics` over sets of apartments: tables, and comparisons with real ones."""
+
+import json
+
+import commandline
+import handmade as h
+import pytest
+
+from schemas import artifact
+from schemas.artifact import Made
+from schemas.metrics import Metrics
+
+
+@pytest.fixture
+def cli(capsys, monkeypatch):
+    return lambda *args: commandline.run(capsys, monkeypatch, "metrics", *args)
+
+
+@pytest.fixture
+def scenes(tmp_path):
+    """Two homes, and a folder of two real ones."""
+    sofa, stand, wardrobe = h.thing("sofa", 1, 1), h.thing("tv_stand", 3, 2), h.thing("wardrobe", 6, 1, room=h.BEDROOM)
+    homes = {"one": [sofa], "two": [sofa, stand], "real/a": [sofa, stand, wardrobe], "real/b": [sofa, stand]}
+    (tmp_path / "real").mkdir()
+    for name, things in homes.items():
+        text, _ = artifact.finish(h.home(*things), Made(by="test", seed=5))
+        (tmp_path / f"{name}.json").write_text(text)
+    return tmp_path
+
+
+def cells(text: str, figure: str, of: str = "apartment") -> list[str]:
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines()]
+    return next(row for row in rows if row[0] == figure and of in row)
+
+
+def test_a_table_has_means_and_intervals_over_all_inputs(cli, scenes):
+    args = (scenes / "one.json", scenes / "two.json", "--table", "--metric", "relations")
+    done = cli(*args)
+    assert done.code == 0
+    # 1 and 2 objects in two rooms: 0.5 and 1 a room.
+    assert cells(done.out, "objects_a_room") == [
+        "objects_a_room", "ours", "apartment", "0.750", "0.500 - 1.000", "2"]
+    assert cli(*args).out == done.out
+    cli(*args, "-o", scenes / "table.md")
+    assert (scenes / "table.md").read_text() == done.out
+
+
+def test_a_bad_input_leaves_the_table_to_the_others_and_shows_in_the_status(cli, scenes):
+    (scenes / "bad.json").write_text("{}")
+    done = cli(scenes / "bad.json", scenes / "two.json", "--table", "--metric", "relations")
+    assert done.code == 2 and "bad.json" in done.err and "1 of 2" in done.err
+    assert cells(done.out, "objects_a_room")[-1] == "1"
+
+
+def test_sets_are_compared_with_the_real_ones_of_a_folder(cli, scenes):
+    done = cli(scenes / "one.json", scenes / "two.json", "--real", scenes / "real")
+    read = artifact.parse(done.out.encode(), "out", Metrics)
+    found = {(v.name, v.version, v.of): v.value for v in read.body.values}
+    assert found["objects_a_room", "real", "bedroom"] == 0.5 and found["objects_a_room", "generated", "bedroom"] == 0
+    assert found["CKL", "published", "apartment"] > 0
+    assert list(read.made.inputs) == ["generated 1", "generated 2", "real 1", "real 2"]
+    table = cli(scenes / "one.json", "--real", scenes / "real/a.json", "--real", scenes / "real/b.json", "--table").out
+    assert cells(table, "objects_a_room", "living_room")[-2:] == ["1.000 (1)", "2.000 (2)"]
+
+
+def test_a_set_compared_with_itself_does_not_differ(cli, scenes):
+    both = sorted((scenes / "real").iterdir())
+    values = json.loads(cli(*both, "--real", scenes / "real", "--metric", "frequencies").out)["body"]["values"]
+    assert values and all(v["value"] is None or abs(v["value"]) < 1e-9 for v in values)
+
+
+def test_what_cannot_be_compared_is_refused(cli, scenes):
+    one, real = scenes / "one.json", scenes / "real"
+    (scenes / "empty").mkdir()
+    plan = scenes / "plan.json"
+    plan.write_text(artifact.finish(h.plan(), Made(by="test", seed=5))[0])
+    for args, said in [
+        ([one, "--real", scenes / "empty"], "no .json file"),
+        ([one, "--real", scenes / "none.json"], "none.json"),
+        ([one, "--real", real, "--against", one], "one of the two"),
+        ([plan, "--real", real], "plan artifact where layout"),
+        ([one, "--real", real, "--metric", "collision"], "does not compare"),
+        ([one, "--table", "-o", f"{scenes}/"], "table.md"),
+    ]:
+        done = cli(*args)
+        assert done.code == 2 and said in done.err and done.out == "", (args, done)
