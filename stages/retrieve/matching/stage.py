@@ -15,7 +15,7 @@ from stages import boxes
 from stages.asset import Asset
 from stages.boxes import Boxes
 from stages.categories import TABLE
-from stages.retrieve.matching import placing, sets, supports
+from stages.retrieve.matching import placing, seats, sets, supports
 from stages.retrieve.matching.config import RetrieveConfig
 from stages.retrieve.matching.embedded import NAME
 from stages.retrieve.matching.libraries import LibrarySet, open_libraries
@@ -44,6 +44,7 @@ def run(
     _stand(previous, own, placed, sites, [partial(_measured, want, libraries) for want in wanted])
     _put_on_top(previous, own, placed, sites)
     objects = [_furnishing(*row) for row in zip(previous.objects, own, placed, strict=True) if row[2] is not None]
+    objects = seats.cleared(objects, previous)
     return Retrieve(**{name: getattr(previous, name) for name in Layout.model_fields} | {"objects": objects})
 
 
