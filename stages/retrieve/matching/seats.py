@@ -37,8 +37,8 @@ ASIDE = np.arange(-20, 21) * 0.04
 """Shifts along a piece's front, m."""
 OUT = np.arange(17) * 0.05
 """Shifts away from it, m."""
-RINGS = np.arange(1, 21) * 0.05
-"""How far a hanging lamp is shifted, m."""
+RINGS = np.arange(1, 31) * 0.05
+"""How far lamps, and things that belong to no piece, are shifted in any direction, m."""
 BEARINGS = np.arange(16) * np.pi / 8
 RIM = 0.05
 """What stands on a thing stands this near to its box's top, m."""
@@ -99,7 +99,10 @@ def _shift(i: int, things: list[Furnishing], site: Site) -> Array:
     met = moving.owner[moving.owner != i][depth > MET]
     if not len(met) and not (_hangs(thing) and _taken(own, site.doorways)[0] > _AREA):
         return np.zeros(2)
-    shifts = _around() if _hangs(thing) else _beside(own, thing, [things[j] for j in sorted(set(met.tolist()))])
+    shifts = _around()
+    if not _hangs(thing):
+        near = _beside(own, thing, [things[j] for j in sorted(set(met.tolist()))])
+        shifts = near if TABLE[thing.category].belongs else np.concatenate([near, shifts])
     fits = shifts[_fits(i, things, site, shifts)]
     for wide in (PANEL, 0.0):
         grown = swept._replace(size=swept.size + np.array([0.0, 2 * wide, 0.0]))
