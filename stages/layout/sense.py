@@ -6,11 +6,12 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
 from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
+from stages.categories import CATEGORIES, TABLE
 from stages.layout.config import T
 from stages.layout.diffusion import Denoise, Prediction
 from stages.layout.features import CLASS
@@ -46,15 +47,22 @@ def sense() -> Sense:
     )
 
 
+@cache
+def at_home() -> NDArray[np.bool_]:
+    """Which classes belong in a room of each type, (types, C+1); an empty slot does anywhere."""
+    table = np.array([[kind in TABLE[name].rooms for name in CATEGORIES] for kind in ROOM_TYPES])
+    return np.pad(table, ((0, 0), (0, 1)), constant_values=True)
+
+
 def sensible(denoise: Denoise, rooms: Rooms, filled: Tensor, scale: float) -> Denoise:
     """The denoiser with classes that break a rule made unlikely; `filled` (B,) slots take part."""
 
+    foreign = torch.from_numpy(~at_home()[rooms.type] & np.pad(rooms.wanted < 0, ((0, 0), (0, 1))))
+
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
         made = denoise(x, t)
-        if int(t[0]) > SETTLED * T:
-            return made
-        logits = made.logits.clone()
-        for b, kind in enumerate(rooms.type):
+        logits = made.logits.masked_fill(foreign[:, None], BARRED)
+        for b, kind in enumerate(rooms.type if int(t[0]) <= SETTLED * T else ()):
             settle(logits[b, : int(filled[b])].numpy(), int(kind), rooms.wanted[b])
         x0 = made.x0.clone()
         x0[..., CLASS] = logits.softmax(-1) * scale

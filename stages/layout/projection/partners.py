@@ -7,7 +7,8 @@ from stages.boxes import Boxes
 
 Array = NDArray[np.float64]
 PULL = 0.8
-"""A place at the partner is worth a way of this many metres."""
+"""A place at the partner is worth a way of this many metres, and more to a seat, which is of no use elsewhere."""
+SEAT_PULL = 2.5
 TUCK = 0.16
 """How far a seat goes under its table, m."""
 SEAT = 0.58
@@ -58,6 +59,11 @@ def beside(category: str, center: Array, size: Array, others: Boxes, names: list
         return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
     at, yaw = np.concatenate([f[0] for f in found]), np.concatenate([f[1] for f in found])
     return Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.broadcast_to(size, (len(at), 3)), yaw)
+
+
+def pull(category: str) -> float:
+    """What a place at the partner is worth, m."""
+    return SEAT_PULL if category in ("chair", "office_chair", "stool", "balcony_chair") else PULL
 
 
 def in_run(category: str, found: Boxes, others: Boxes, names: list[str]) -> NDArray[np.bool_]:

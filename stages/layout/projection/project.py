@@ -9,11 +9,11 @@ from stages.boxes import Boxes, penetration
 from stages.categories import TABLE, belong_together
 from stages.layout.projection import candidates
 from stages.layout.projection.costs import BROKEN, SOFT, Placed, cost, grown
-from stages.layout.projection.partners import FLUSH, PULL, beside, in_run
+from stages.layout.projection.partners import FLUSH, beside, in_run, pull
 from stages.layout.projection.space import Space
 
 Array = NDArray[np.float64]
-LEAN = {"desk": 0.9, "bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.25, "coat_rack": 0.4, "bin": 0.5}
+LEAN = {"bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.25, "coat_rack": 0.4, "bin": 0.5}
 NEAR = 0.12
 """Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
@@ -154,7 +154,7 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
     near = beside(item.category, item.center, item.size, standing, names)
     found = candidates.join([found, near])
     prices = cost(found, item.category, item.center, item.yaw, others, space)
-    prices[found.n - near.n :] -= PULL
+    prices[found.n - near.n :] -= pull(item.category)
     prices[in_run(item.category, found, standing, names)] -= FLUSH
     best = int(np.argmin(prices))
     return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
@@ -164,7 +164,7 @@ def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
     kind = TABLE[item.category]
     yaw = candidates.snapped(item.yaw, space) if item.category not in LOOSE else item.yaw
     walls = candidates.along_walls(item.center, item.size, space, others)
-    if (kind.back or kind.place in ("wall", "top")) and walls.n:
+    if (kind.back or item.category == "desk" or kind.place in ("wall", "top")) and walls.n:
         return walls
     parts = [candidates.about(item.center, item.size, yaw)]
     if walls.n:
