@@ -8,14 +8,12 @@ import pytest
 import trimesh
 from export import sample
 
-from stages import export
 from stages.scene import Scene
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
-    out = tmp_path_factory.mktemp("glb") / "scene"
-    export.run(sample.home(), ["glb"], out, sample.load)
+def made(exported):
+    out = exported("glb")
     return out / "apartment.glb", Scene(sample.home(), sample.load)
 
 

@@ -8,16 +8,14 @@ import trimesh
 from export import sample
 from scipy.spatial.transform import Rotation
 
-from stages import export
 from stages.scene import Scene
 
 UP = trimesh.transformations.rotation_matrix(-np.pi / 2, [1, 0, 0])
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
-    out = tmp_path_factory.mktemp("habitat") / "scene"
-    export.run(sample.home(), ["habitat"], out, sample.load)
+def made(exported):
+    out = exported("habitat")
     return out / "habitat", Scene(sample.home(), sample.load)
 
 

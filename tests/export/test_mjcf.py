@@ -10,9 +10,8 @@ from stages.scene import Scene
 
 
 @pytest.fixture(scope="module")
-def flat(tmp_path_factory):
-    out = tmp_path_factory.mktemp("mjcf") / "scene"
-    export.run(sample.home(), ["mjcf"], out, sample.load)
+def flat(exported):
+    out = exported("mjcf")
     return mujoco.MjModel.from_xml_path(str(out / "mjcf" / "apartment.xml")), Scene(sample.home(), sample.load)
 
 

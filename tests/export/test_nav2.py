@@ -8,13 +8,12 @@ from PIL import Image
 from shapely.geometry import Point
 from shapely.ops import unary_union
 
-from stages import export, footprints, polygons
+from stages import footprints, polygons
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    out = tmp_path_factory.mktemp("nav2") / "scene"
-    export.run(sample.home(), ["nav2"], out, sample.load)
+def folder(exported):
+    out = exported("nav2")
     return out / "nav2"
 
 

@@ -7,7 +7,7 @@ import pytest
 from export import sample
 from shapely.geometry import LineString, Point, Polygon
 
-from stages import export, polygons
+from stages import polygons
 
 KEYS = {
     "rooms": "id roomType floorPolygon floorMaterial children ceilings", "walls": "id roomId polygon material",
@@ -18,9 +18,8 @@ KEYS = {
 
 
 @pytest.fixture(scope="module")
-def house(tmp_path_factory):
-    out = tmp_path_factory.mktemp("procthor") / "scene"
-    export.run(sample.home(), ["procthor"], out, sample.load)
+def house(exported):
+    out = exported("procthor")
     return json.loads((out / "house.json").read_text())
 
 

@@ -9,15 +9,13 @@ import numpy as np
 import pytest
 from export import sample
 
-from stages import export
 from stages.body import inertia
 from stages.scene import Scene
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
-    out = tmp_path_factory.mktemp("sdf") / "scene"
-    export.run(sample.home(), ["sdf"], out, sample.load)
+def made(exported):
+    out = exported("sdf")
     return out / "sdf" / "apartment.sdf", Scene(sample.home(), sample.load)
 
 

@@ -15,9 +15,8 @@ pybullet = pytest.importorskip("pybullet")
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
-    out = tmp_path_factory.mktemp("urdf") / "scene"
-    export.run(sample.home(), ["urdf"], out, sample.load)
+def made(exported):
+    out = exported("urdf")
     return out / "urdf", Scene(sample.home(), sample.load)
 
 

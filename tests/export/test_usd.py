@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from export import sample
 
-from stages import export
 from stages.body import inertia
 from stages.scene import Scene
 
@@ -13,9 +12,8 @@ from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdValidation  # noq
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
-    out = tmp_path_factory.mktemp("usd") / "scene"
-    export.run(sample.home(), ["usd"], out, sample.load)
+def made(exported):
+    out = exported("usd")
     return Usd.Stage.Open(str(out / "usd" / "apartment.usd")), Scene(sample.home(), sample.load)
 
 

@@ -1,6 +1,6 @@
 """What the functions that find poses share."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.random import Generator
@@ -15,6 +15,8 @@ from stages.layout.datasets._furnish.step import Step
 
 Poses = tuple[Boxes, int]
 """Boxes (m,) worth trying, and the index of the object that they may touch, -1 for none."""
+Place = Callable[[Space, str, Array, Step, Generator], Poses]
+"""Poses for a category of a size, by what a step says."""
 HANG = 0.03
 """Farthest that the back of what hangs on a wall is from it, m."""
 LAMPS_APART = 1.3

@@ -1,14 +1,12 @@
 """Poses worth trying, by kind of place; each function returns boxes (m,) and the index of the object it may touch."""
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.random import Generator
 
 from stages.boxes import Array, Boxes
 from stages.categories import TABLE
 from stages.layout.datasets._furnish import relations
-from stages.layout.datasets._furnish.pose import Poses, anchor_of, boxed, gap_of, height_of, nowhere
+from stages.layout.datasets._furnish.pose import Place, Poses, anchor_of, boxed, gap_of, height_of, nowhere
 from stages.layout.datasets._furnish.space import Space
 from stages.layout.datasets._furnish.step import Step
 
@@ -98,7 +96,6 @@ def overhead(space: Space, name: str, size: Array, step: Step, rng: Generator) -
     return boxed(xy + rng.normal(0, step.loose, xy.shape), np.full(len(xy), yaw), size, name, space), -1
 
 
-Place = Callable[[Space, str, Array, Step, Generator], Poses]
 BY_ROOM: tuple[Place, ...] = (wall, corner, window, middle, overhead)
 BY_OBJECT: tuple[Place, ...] = (
     relations.beside, relations.front, relations.seat, relations.across, relations.around, relations.gather,

@@ -1,60 +1,67 @@
 """Poses by what already stands in the room: beside, in front, around, on, above, below an anchor."""
 
+from collections.abc import Callable
+from functools import wraps
+
 import numpy as np
 from numpy.random import Generator
 
 from stages import boxes
-from stages.boxes import Array
+from stages.boxes import Array, Boxes
 from stages.categories import TABLE
-from stages.layout.datasets._furnish.pose import Poses, anchor_of, boxed, gap_of, nowhere, relative
+from stages.layout.datasets._furnish.pose import Place, Poses, anchor_of, boxed, gap_of, nowhere, relative
 from stages.layout.datasets._furnish.space import Space
 from stages.layout.datasets._furnish.step import Step
 
 UNDER = 0.2
 """How far a chair may be pushed under its desk, m."""
+ByAnchor = Callable[[Space, int, str, Array, Step, Generator], Boxes]
 
 
-def beside(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+def _anchored(boxes_at: ByAnchor) -> Place:
+    """Poses at one of the step's anchors, object `i` of the space; none without an anchor."""
+
+    @wraps(boxes_at)
+    def place(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+        i = anchor_of(space, step, rng)
+        return (boxes_at(space, i, name, size, step, rng), i) if i >= 0 else nowhere(name, size, space)
+
+    return place
+
+
+@_anchored
+def beside(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """Left or right of the anchor, backs in line, facing the same way."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     d, w, _ = space.body.size[i]
     gap = gap_of(step, rng)
     back = -d / 2 + size[0] / 2 + max(-space.gap[i], -0.0) + rng.uniform(0, 0.02) + step.loose * rng.random()
     side = (w + size[1]) / 2 + gap
     xy, yaw = relative(space, i, np.array([[back, side], [back, -side]]))
-    return boxed(xy, np.full(2, yaw) + rng.normal(0, step.turn, 2), size, name, space), i
+    return boxed(xy, np.full(2, yaw) + rng.normal(0, step.turn, 2), size, name, space)
 
 
-def front(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def front(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """Close in front of the anchor, turned the same way (a coffee table, a bench at the foot of the bed)."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     reach = (space.body.size[i, 0] + size[0]) / 2 + gap_of(step, rng)
     aside = np.r_[0.0, rng.normal(0, max(step.loose, 1e-6), 5)]
     xy, yaw = relative(space, i, np.column_stack([np.full(6, reach), aside]))
-    return boxed(xy, np.full(6, yaw) + rng.normal(0, step.turn, 6), size, name, space), i
+    return boxed(xy, np.full(6, yaw) + rng.normal(0, step.turn, 6), size, name, space)
 
 
-def seat(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def seat(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """In front of the anchor and facing it, pushed under or drawn back (a chair at a desk)."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     under = rng.uniform(-0.15, UNDER, 6)
     half = max(0.0, space.body.size[i, 1] / 2 - size[1] / 2 - 0.05)
     aside = np.r_[0.0, rng.uniform(-half, half, 5) * 0.5]
     xy, yaw = relative(space, i, np.column_stack([(space.body.size[i, 0] + size[0]) / 2 - under, aside]))
-    return boxed(xy, np.full(6, yaw + np.pi) + rng.normal(0, step.turn, 6), size, name, space), i
+    return boxed(xy, np.full(6, yaw + np.pi) + rng.normal(0, step.turn, 6), size, name, space)
 
 
-def across(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def across(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """Facing the anchor from a distance; among the poses one with its back to the wall behind."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     ahead = _ahead(space, i) - 0.02 - size[0]
     far = np.arange(*step.distance, 0.15)
     far = far[far <= ahead]
@@ -63,7 +70,7 @@ def across(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
     aside = rng.uniform(-1, 1, (4, 1)) * np.array([[0.0], [0.15], [0.35], [0.6]])
     reach, aside = (np.ravel(v) for v in np.broadcast_arrays(space.body.size[i, 0] / 2 + far + size[0] / 2, aside))
     xy, yaw = relative(space, i, np.column_stack([reach, aside]))
-    return boxed(xy, np.full(len(xy), yaw + np.pi) + step.turn * rng.normal(size=len(xy)), size, name, space), i
+    return boxed(xy, np.full(len(xy), yaw + np.pi) + step.turn * rng.normal(size=len(xy)), size, name, space)
 
 
 def _ahead(space: Space, i: int, sign: float = 1.0) -> float:
@@ -79,11 +86,9 @@ def _ahead(space: Space, i: int, sign: float = 1.0) -> float:
     return float(t[hit].min()) if hit.any() else 0.0
 
 
-def around(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def around(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """Seats round a table, facing it; a negative gap pushes them under."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     d, w, _ = space.body.size[i]
     if space.category[i] == "round_table":
         first = (_seats(space, i) or [rng.uniform(0, 2 * np.pi)])[0]
@@ -94,7 +99,7 @@ def around(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
     else:
         offset, turn = _rows(d, w, size, rng.uniform(*step.gap, 20))
     xy, yaw = relative(space, i, offset)
-    return boxed(xy, yaw + turn + rng.normal(0, step.turn, len(xy)), size, name, space), i
+    return boxed(xy, yaw + turn + rng.normal(0, step.turn, len(xy)), size, name, space)
 
 
 def _seats(space: Space, i: int) -> list[float]:
@@ -119,11 +124,9 @@ def _rows(d: float, w: float, size: Array, gap: Array) -> tuple[Array, Array]:
     return table[:, :2], table[:, 2]
 
 
-def gather(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def gather(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """Round the anchor at a little distance, facing it: an armchair by the coffee table."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     d, w, _ = space.body.size[i]
     angle = rng.uniform(-np.pi, np.pi, 24)
     c, s = np.cos(angle), np.sin(angle)
@@ -131,7 +134,7 @@ def gather(space: Space, name: str, size: Array, step: Step, rng: Generator) -> 
     reach = edge + rng.uniform(*step.gap, 24) + size[0] / 2 * 1.1
     xy, yaw = relative(space, i, np.column_stack([c, s]) * reach[:, None])
     snapped = np.where(rng.random(24) < 0.75, np.round(angle / (np.pi / 2)) * np.pi / 2, angle)
-    return boxed(xy, yaw + snapped + np.pi + rng.normal(0, step.turn, 24), size, name, space), i
+    return boxed(xy, yaw + snapped + np.pi + rng.normal(0, step.turn, 24), size, name, space)
 
 
 def on(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
@@ -160,11 +163,9 @@ def _laden(space: Space) -> list[int]:
     return [small[k] for k in np.flatnonzero(over.any(0))]
 
 
-def above(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def above(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """On the wall behind the anchor, over it."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     d, w, h = space.body.size[i]
     top = float(space.body.center[i, 2] + h / 2)
     back = -d / 2 - _ahead(space, i, -1.0) + size[0] / 2 + 0.005
@@ -173,23 +174,21 @@ def above(space: Space, name: str, size: Array, step: Step, rng: Generator) -> P
     xy, yaw = relative(space, i, np.column_stack([np.full(4, back), aside]))
     low = max(TABLE[name].z, top + 0.08)
     z = min(low, space.shape.height - size[2] - 0.03) + size[2] / 2
-    return boxed(xy, np.full(4, yaw), size, name, space, z), i
+    return boxed(xy, np.full(4, yaw), size, name, space, z)
 
 
-def under(space: Space, name: str, size: Array, step: Step, rng: Generator) -> Poses:
+@_anchored
+def under(space: Space, i: int, name: str, size: Array, step: Step, rng: Generator) -> Boxes:
     """Below the anchor, its long side across the anchor's front; shifted forward where the anchor is a bed or sofa."""
-    i = anchor_of(space, step, rng)
-    if i < 0:
-        return nowhere(name, size, space)
     d, w, _ = space.body.size[i]
     if space.category[i] == "single_bed":
         side = (w / 2 + size[0] * rng.uniform(0.1, 0.45)) * np.array([1, -1, 1, -1])
         xy, yaw = relative(space, i, np.column_stack([rng.uniform(-0.2, 0.5, 4), side]))
-        return boxed(xy, np.full(4, yaw + np.pi / 2), size, name, space), i
+        return boxed(xy, np.full(4, yaw + np.pi / 2), size, name, space)
     ahead = 0.0
     if space.category[i] == "double_bed":
         ahead = rng.uniform(0.2, 0.6) * d
     elif "sofa" in space.category[i]:
         ahead = d / 2 + size[0] * rng.uniform(0.2, 0.4)
     xy, yaw = relative(space, i, np.array([[ahead + s, 0.0] for s in (0.0, -0.1, 0.15, -0.2)]))
-    return boxed(xy, np.full(4, yaw) + rng.normal(0, step.turn, 4), size, name, space), i
+    return boxed(xy, np.full(4, yaw) + rng.normal(0, step.turn, 4), size, name, space)
