@@ -69,6 +69,15 @@ def test_a_chair_at_a_desk_too_narrow_to_pass_moves_outwards(flat):
     assert np.allclose(moved, [0.6, 0, 0], atol=1e-6)
 
 
+def test_a_stool_leaves_an_island_that_has_no_kneehole(flat):
+    size = (0.9, 1.6, 0.9)
+    island = thing("island", "island", (1.0, 2.5, 0.45), size, 0.0, [drawer(size, -0.15, 0.15)])
+    stool = thing("stool", "stool", (1.4, 2.5, 0.35), (0.4, 0.4, 0.7), np.pi)
+    after = seats.cleared([island, stool], flat())
+    assert met([island, stool]) > seats.MET >= met(after)
+    assert boxes.penetration(boxes.of(after))[0, 1] <= seats.CONTACT + 1e-6
+
+
 def test_a_seat_is_never_tucked_deeper_nor_into_a_neighbour(flat):
     table, seat = desk(), chair((1.35, 2.5))
     bed = thing("bed", "single_bed", (1.5, 1.8, 0.45), (2.0, 0.5, 0.9))  # fills what lies before the kneehole

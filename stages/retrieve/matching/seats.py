@@ -27,6 +27,8 @@ LOOSE = frozenset({
     "bench", "bin", "chair", "floor_lamp", "laundry_basket", "office_chair", "plant", "pouffe", "side_table", "stool",
 })  # fmt: skip
 """Categories on the floor that are light enough to be put elsewhere."""
+KNEEHOLES = ("desk", "dressing_table")
+"""Pieces with room under them beside their drawers; others are solid where they have moving parts."""
 MET = 0.002
 """A part that is entered deeper than this does not move freely, m."""
 CONTACT = 0.005
@@ -126,7 +128,8 @@ def _around() -> Array:
 def _beside(own: Boxes, thing: Furnishing, met: Sequence[Furnishing]) -> Array:
     """Shifts along and away from the piece whose parts are met, its own before others; the shortest first, (k, 2)."""
     kin = [o for o in met if belong_together(thing.category, o.category)]
-    piece = placing.one((kin or met)[0])
+    main = (kin or met)[0]
+    piece = placing.one(main)
     at, seen = boxes.local(own.center[:, :2], piece)[0, 0], boxes.local(boxes.corners(own)[0], piece)[0]
     half, reach = piece.size[0, :2] / 2, np.ptp(seen, axis=0) / 2
     away = int(np.argmax(np.abs(at) - half))  # the side it stands at: 0 front or back, 1 left or right
@@ -137,7 +140,10 @@ def _beside(own: Boxes, thing: Furnishing, met: Sequence[Furnishing]) -> Array:
         out, aside = out[kept], aside[kept]
     steps = np.stack([out * (1 if at[away] >= 0 else -1), aside], -1)[:, :: 1 if away == 0 else -1]
     order = np.argsort(np.round(np.hypot(out, aside), 6), kind="stable")
-    return np.asarray(steps[order] @ boxes.axes(piece)[0])
+    shifts = np.asarray(steps[order] @ boxes.axes(piece)[0])
+    if main.category in KNEEHOLES:
+        return shifts
+    return np.asarray(shifts[boxes.penetration(_at(own, shifts), piece)[:, 0] <= CONTACT])
 
 
 def _at(box: Boxes, shifts: Array) -> Boxes:
