@@ -20,7 +20,10 @@ SHIPPED = Path(__file__).parent / "weights.safetensors"
 def save(network: Denoiser, path: Path, config: TrainConfig, record: dict[str, Any]) -> None:
     """Write half-precision weights; the header holds config, categories and `record`."""
     halves = {name: value.detach().half().contiguous() for name, value in network.state_dict().items()}
-    header = {"config": config.model_dump_json(), "categories": json.dumps(CATEGORIES), "record": json.dumps(record)}
+    named = config.model_copy(
+        update={"corpus": Path(config.corpus).name, "start": config.start and Path(config.start).name}
+    )
+    header = {"config": named.model_dump_json(), "categories": json.dumps(CATEGORIES), "record": json.dumps(record)}
     part = path.with_suffix(".part")
     save_file(halves, part, header)
     part.replace(path)
