@@ -61,6 +61,7 @@ def test_what_is_seen_is_felt_and_the_other_way_round(category):
         asset = furniture.build(category, style, categories.TABLE[category].size, 1)
         found = [deviations(link) for link in asset.links]
         seen, felt = (np.concatenate(part) for part in zip(*found, strict=True))
-        # Leaves bend; everything else is rigid stuff that a robot may touch.
+        # Leaves bend and a curtain's cloth gives way; everything else is rigid stuff that a robot may touch.
         share = 0.12 if category in ("plant", "planter") else 0.01
-        assert np.mean(seen > CLOSE) <= share and np.mean(felt > CLOSE) <= share, (asset.id, seen.max(), felt.max())
+        assert category == "curtain" or np.mean(seen > CLOSE) <= share, (asset.id, seen.max())
+        assert np.mean(felt > CLOSE) <= share, (asset.id, felt.max())
