@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from schemas.base import ROOM_TYPES
+from schemas.errors import BadInput
 from schemas.plan import Plan, Room
 from stages.categories import CATEGORIES
 
 MAX_CORNERS = 32
-MAX_OPENINGS = 8
+MAX_OPENINGS = 20
 KINDS = {"door": 0, "opening": 1, "entrance": 2, "window": 3}
 UNKNOWN = -1
 
@@ -25,7 +26,7 @@ Ints = NDArray[np.int64]
 class Rooms:
     """A batch of rooms.
 
-    polygon (B, P, 2) NaN-padded corners, counter-clockwise · openings (B, 8, 7) NaN-padded rows of
+    polygon (B, P, 2) NaN-padded corners, counter-clockwise · openings (B, H, 7) NaN-padded rows of
     [x0, y0, x1, y1, kind, leaf swings in here, hinge] · type (B,) · height (B,) · count (B,), -1 unknown ·
     wanted (B, C) objects asked for by category, -1 unknown · origin (B, 2) of the frame in the world.
     """
@@ -90,6 +91,8 @@ def of_plan(plan: Plan) -> Rooms:
     )
     for i, room in enumerate(plan.rooms):
         corners = np.array(room.polygon)
+        if len(corners) > MAX_CORNERS:
+            raise BadInput(f"{room.id} has {len(corners)} corners, more than {MAX_CORNERS}; simplify it")
         origin = (corners.min(0) + corners.max(0)) / 2
         out.origin[i] = origin
         out.polygon[i, : len(corners)] = corners - origin
