@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
-from stages.categories import TABLE, belong_together
+from stages.categories import TABLE
 from stages.layout.projection import candidates
-from stages.layout.projection.costs import BROKEN, SOFT, Placed, cost, grown
+from stages.layout.projection.costs import BROKEN, SOFT, Placed, at_table, cost, grown
 from stages.layout.projection.partners import FLUSH, beside, in_run, pull
 from stages.layout.projection.space import Space
 
@@ -20,6 +20,8 @@ SHRINKS = (0.9, 0.8, 0.7, 0.6)
 WINDOW_MARGIN = 0.15
 ROUNDS = 3
 HEADROOM = 2.1
+ROD = 1.9
+"""Curtain rods hang above this, m."""
 LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
 
@@ -47,9 +49,7 @@ class Standing:
         self.grown = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
         self.there = np.zeros(n, bool)
         self.soft = np.array([item.category in SOFT for item in items], bool)
-        self.kin = np.array([[belong_together(a.category, b.category) for b in items] for a in items], bool).reshape(
-            n, n
-        )
+        self.seated = np.array([[at_table(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
 
     def put(self, i: int, item: Item) -> None:
         """Give object `i` its place."""
@@ -66,7 +66,13 @@ class Standing:
         if TABLE[item.category].place == "top":
             top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
             index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
-        return Placed(self.boxes.take(index), self.grown.take(index), self.soft[index], self.kin[i][index])
+        return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], self.seated[i][index])
+
+    def _soft(self, item: Item) -> NDArray[np.bool_]:
+        """What gives way to an item; a tall door does not pass a curtain's rod."""
+        if TABLE[item.category].opens != "leaf" or item.size[2] < ROD:
+            return self.soft
+        return np.array([o.category in SOFT and o.category != "curtain" for o in self.items], bool)
 
     def standing(self, i: int) -> tuple[Boxes, list[str]]:
         """All that has a place but object `i`, and their categories."""
