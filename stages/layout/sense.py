@@ -17,6 +17,7 @@ from stages.layout.diffusion import Denoise, Prediction
 from stages.layout.features import CLASS
 from stages.layout.rooms import Rooms
 
+RULES = Path(__file__).parent / "sense.toml"
 SETTLED = 0.5
 """Below this share of the schedule a slot's likeliest class means something."""
 BARRED = -30.0
@@ -35,7 +36,7 @@ class Sense:
 @cache
 def sense() -> Sense:
     """The rules of `sense.toml`."""
-    table = tomllib.loads((Path(__file__).parent / "sense.toml").read_text())
+    table = tomllib.loads(RULES.read_text())
 
     def indices(names: list[str]) -> tuple[int, ...]:
         return tuple(CATEGORIES.index(name) for name in names)
@@ -50,7 +51,10 @@ def sense() -> Sense:
 @cache
 def at_home() -> NDArray[np.bool_]:
     """Which classes belong in a room of each type, (types, C+1); an empty slot does anywhere."""
-    table = np.array([[kind in TABLE[name].rooms for name in CATEGORIES] for kind in ROOM_TYPES])
+    never = tomllib.loads(RULES.read_text())["never"]
+    table = np.array(
+        [[kind in TABLE[name].rooms and name not in never.get(kind, ()) for name in CATEGORIES] for kind in ROOM_TYPES]
+    )
     return np.pad(table, ((0, 0), (0, 1)), constant_values=True)
 
 

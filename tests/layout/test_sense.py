@@ -1,0 +1,50 @@
+"""Classes keep to common sense; what was asked for wins."""
+
+import numpy as np
+import pytest
+
+from schemas.base import ROOM_TYPES
+from stages.categories import CATEGORIES
+from stages.layout.features import EMPTY, N_CLASSES
+from stages.layout.sense import at_home, sense, settle
+
+
+def classes(kind: str, seed: int, n: int = 9, wanted: dict[str, int] | None = None) -> list[str]:
+    logits = np.random.default_rng(seed).normal(0, 3, (n, N_CLASSES)).astype(np.float32)
+    logits[:, EMPTY] = -30
+    asked = np.full(len(CATEGORIES), -1)
+    for name, number in (wanted or {}).items():
+        asked[CATEGORIES.index(name)] = number
+    settle(logits, ROOM_TYPES.index(kind), asked)
+    return [CATEGORIES[c] for c in logits.argmax(-1)]
+
+
+@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("kind", ["bedroom", "kitchen", "bathroom", "living_room", "study", "dining_room"])
+def test_least_and_most_hold(kind: str, seed: int) -> None:
+    found = classes(kind, seed)
+    for group in sense().least[ROOM_TYPES.index(kind)]:
+        assert any(CATEGORIES[c] in found for c in group)
+    for number, group in sense().most:
+        names = [CATEGORIES[c] for c in group]
+        # A class that a room cannot do without may come on top of what it has most of.
+        assert sum(name in names for name in found) <= number + 1
+
+
+def test_what_is_asked_for_is_left_alone() -> None:
+    logits = np.full((4, N_CLASSES), -5, np.float32)
+    logits[:, CATEGORIES.index("tv")] = 5
+    asked = np.full(len(CATEGORIES), -1)
+    asked[CATEGORIES.index("tv")] = 4
+    settle(logits, ROOM_TYPES.index("living_room"), asked)
+    assert (logits.argmax(-1) == CATEGORIES.index("tv")).sum() == 3, "one makes place for a seat"
+
+
+def test_rooms_do_not_take_what_belongs_elsewhere() -> None:
+    table = at_home()
+    for kind, name, allowed in [
+        ("living_room", "bath", False), ("living_room", "double_bed", False), ("bedroom", "double_bed", True),
+        ("bathroom", "toilet", True), ("kitchen", "toilet", False),
+    ]:
+        assert table[ROOM_TYPES.index(kind), CATEGORIES.index(name)] == allowed
+    assert table[:, EMPTY].all()
