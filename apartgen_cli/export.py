@@ -66,6 +66,12 @@ def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Ex
     return files
 
 
+def principal(files: Export) -> list[str]:
+    """The main file of every format, which each format names first."""
+    main = {file.format: file.path for file in reversed(files.files)}
+    return list(reversed(main.values()))
+
+
 def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = None) -> int:
     names = sources(inputs)
     if out == STREAM:
@@ -78,8 +84,9 @@ def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = 
         except ApartgenError as error:
             errors.append(error)
             continue
-        for file in files.files:
-            say(f"wrote {Path(folder) / file.path}")
+        for path in principal(files):
+            say(f"wrote {Path(folder) / path}")
+        say(f"{len(files.files)} files in all")
     return settled(errors, len(names))
 
 

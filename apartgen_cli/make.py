@@ -88,14 +88,13 @@ def _advanced(stage: Stage, previous: Artifact[Any], config: Record, seed: int, 
 
 
 def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> list[Path]:
-    """The main file of every format, which each format names first."""
+    """The main file of every format."""
     old = _kept(scene / "export.json", Export, made(seed, settings, home))
     if old is not None and all(_intact(scene / file.path, file.sha256) for file in old.body.files):
-        files = old.body.files
+        files = old.body
     else:
-        files = export.finished(home, settings, scene).files
-    main = {file.format: file.path for file in reversed(files)}
-    return [scene / path for path in reversed(main.values())]
+        files = export.finished(home, settings, scene)
+    return [scene / path for path in export.principal(files)]
 
 
 def _intact(file: Path, sha256: str) -> bool:
