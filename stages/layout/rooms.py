@@ -26,7 +26,7 @@ Ints = NDArray[np.int64]
 class Rooms:
     """A batch of rooms.
 
-    polygon (B, P, 2) NaN-padded corners, counter-clockwise · openings (B, H, 7) NaN-padded rows of
+    polygon (B, P, 2) NaN-padded corners, counter-clockwise · openings (B, 20, 7) NaN-padded rows of
     [x0, y0, x1, y1, kind, leaf swings in here, hinge] · type (B,) · height (B,) · count (B,), -1 unknown ·
     wanted (B, C) objects asked for by category, -1 unknown · origin (B, 2) of the frame in the world.
     """

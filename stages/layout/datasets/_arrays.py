@@ -24,7 +24,7 @@ KEEP = {"floor": 0, "wall": 1, "top": 2, "flat": 3, "ceiling": 3}
 
 def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, NDArray[np.generic]]:
     """One row for every furnished room of a home: category (n, 24) -1 where empty, center, size (n, 24, 3), yaw
-    (n, 24), polygon (n, 32, 2), openings (n, 8, 7), room_type, height, style, source (n,). Order of objects random."""
+    (n, 24), polygon (n, 32, 2), openings (n, 20, 7), room_type, height, style, source (n,). Order of objects random."""
     rooms = of_plan(home)
     n = len(rooms)
     category = np.full((n, SLOTS), -1)
