@@ -14,7 +14,7 @@ HEAVY = {
     "torch": ("stages/layout/", "stages/retrieve/shape/"),
     "litellm": ("stages/plan/llm/",),
     "pxr": ("stages/export/usd", "stages/export/_usd"),
-    "mujoco": ("stages/export/mjcf", "stages/export/_mjcf"),
+    "mujoco": ("stages/export/mjcf", "stages/export/_mjcf", "stages/embodied/"),
 }
 """Where a heavy package may be imported at all, at the top or inside a function."""
 LONGEST_FILE, LONGEST_FUNCTION = 300, 60

@@ -1,0 +1,97 @@
+"""Where a round robot can be in the simulated apartment: from the model's own colliders, not from the artifact's boxes.
+
+Cells are those of `stages/grid.py`; distances are in metres.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import mujoco
+import numpy as np
+import shapely
+from shapely import Geometry
+
+from stages import grid, polygons, reach, solids
+from stages.asset import Collider
+from stages.boxes import Array, Mask
+from stages.embodied.world import World
+from stages.grid import Grid
+
+HEIGHT = 1.4
+"""Of the robot, m: what is higher is passed under."""
+LOW = 0.015
+"""What is no higher is driven over, m."""
+RESOLUTION = 0.025
+"""Cell size, m: half of Nav2's default, so that gaps little wider than the robot have cells in them."""
+
+
+@dataclass(frozen=True)
+class Floor:
+    """A raster of the apartment: `space` without furniture, `solid` all that stands in the robot's height."""
+
+    space: reach.Space
+    solid: Geometry
+    radius: float
+
+    @property
+    def grid(self) -> Grid:
+        """The cells."""
+        return self.space.grid
+
+    @cached_property
+    def free(self) -> Mask:
+        """Cells where the robot's centre can be, its disc touching nothing."""
+        inside = grid.raster(polygons.free_floor(self.space.plan), self.grid)
+        return inside & ~grid.raster(self.solid.buffer(self.radius), self.grid)
+
+    @cached_property
+    def clearance(self) -> Array:
+        """Distance from every cell to what is solid, to half a cell."""
+        from scipy import ndimage
+
+        solid = grid.raster(self.solid, self.grid) | ~grid.raster(polygons.free_floor(self.space.plan), self.grid)
+        return np.asarray(ndimage.distance_transform_edt(~solid) * self.grid.resolution)
+
+
+def survey(world: World, radius: float = reach.RADIUS, height: float = HEIGHT, resolution: float = RESOLUTION) -> Floor:
+    """The floor of a world, everything at rest as it is built (room doors open)."""
+    return Floor(reach.space(world.home, radius, resolution), solid(world, height), radius)
+
+
+def solid(world: World, height: float = HEIGHT) -> Geometry:
+    """Seen from above: colliders that reach into the robot's height, without the robot's own."""
+    data = mujoco.MjData(world.model)
+    mujoco.mj_kinematics(world.model, data)
+    return shapely.union_all([shape for _, shape in standing(world, data, height)])
+
+
+def standing(world: World, data: Any, height: float = HEIGHT) -> list[tuple[int, Geometry]]:
+    """Geom id and outline from above of every collider in the robot's height."""
+    model, found = world.model, []
+    for k in range(model.ngeom):
+        if model.geom_contype[k] == 0 or model.geom_bodyid[k] in world.robot_bodies:
+            continue
+        points = _corners(model, data, k)
+        if points[:, 2].max() > LOW and points[:, 2].min() < height:
+            found.append((k, shapely.MultiPoint(points[:, :2]).convex_hull))
+    return found
+
+
+def _corners(model: Any, data: Any, k: int) -> Array:
+    """Points (n, 3) in the world whose hull is the geom."""
+    kind, size = model.geom_type[k], model.geom_size[k]
+    at, turned = data.geom_xpos[k], data.geom_xmat[k].reshape(3, 3)
+    if kind == mujoco.mjtGeom.mjGEOM_MESH:
+        mesh = model.geom_dataid[k]
+        first, count = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
+        return np.asarray(model.mesh_vert[first : first + count] @ turned.T + at)
+    if kind == mujoco.mjtGeom.mjGEOM_BOX:
+        shape = Collider("box", at, 2 * size, turned)
+    elif kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
+        shape = Collider("cylinder", at, np.array([size[0], size[0], 2 * size[1]]), turned)
+    elif kind == mujoco.mjtGeom.mjGEOM_SPHERE:
+        shape = Collider("sphere", at, np.repeat(size[:1], 3), turned)
+    else:
+        raise ValueError(f"collider of unknown type {kind}")
+    return solids.corners(shape)
