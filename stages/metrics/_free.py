@@ -35,13 +35,13 @@ def largest_share(floor: Geometry, objects: Sequence[Box]) -> float:
     return float(sizes.max() / sizes.sum()) if sizes.sum() else 0.0
 
 
-def reached_share(floor: Geometry, objects: Sequence[Box], low_only: bool) -> float | None:
-    """Mean over the free parts, weighted by area, of the share of objects that each part touches.
+def reached_share(floor: Geometry, things: Sequence[Box], wanted: Sequence[Box] | None = None) -> float | None:
+    """Mean over the parts of the floor free of `things`, weighted by area, of the share of objects each part touches.
 
-    None of a room without objects; 0 of one without free floor.
+    The objects are `wanted`, all things by default. None of a room without any; 0 of one without free floor.
     """
-    things = low(objects) if low_only else list(objects)
-    if not things:
+    asked = things if wanted is None else wanted
+    if not asked:
         return None
     cells, open_cells = free(floor, things)
     labels, sizes = grid.connected(open_cells)
@@ -49,7 +49,7 @@ def reached_share(floor: Geometry, objects: Sequence[Box], low_only: bool) -> fl
         return 0.0
     # A part touches an object when one of its cells is next to where the object keeps the robot off.
     touched = np.zeros(len(sizes))
-    for i in range(len(things)):
-        beside = grid.near(boxes.of([things[i]]), cells, ROBOT / 2 + 1.5 * RESOLUTION) > 0
+    for o in asked:
+        beside = grid.near(boxes.of([o]), cells, ROBOT / 2 + 1.5 * RESOLUTION) > 0
         touched[np.unique(labels[beside])] += 1
-    return float((touched[1:] / len(things) * sizes[1:]).sum() / sizes.sum())
+    return float((touched[1:] / len(asked) * sizes[1:]).sum() / sizes.sum())

@@ -1,23 +1,30 @@
 """R_reach, R_reach_front: objects a robot gets to, and fronts of those that open."""
 
-import numpy as np
+from collections.abc import Callable, Sequence
 
-from schemas.layout import Layout
+import numpy as np
+from shapely import Geometry
+
+from schemas.layout import Box, Layout
 from schemas.metrics import Value
 from schemas.plan import Plan, Program
-from stages import boxes, footprints, grid, polygons, reach, sweeps
+from stages import boxes, categories, footprints, grid, polygons, reach, sweeps
 from stages.metrics._free import low, reached_share
 from stages.metrics._shares import objects, shares
 
 NEEDS = Layout
+Share = Callable[[Geometry, Sequence[Box]], float | None]
 
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     """Versions of R_reach: published = PhyScene's, by room, apartment: mean of rooms · ours = the same without what
-    hangs above 1.5 m · from_entrance = share of objects beside which a robot of 0.25 m radius gets from the entrance.
+    hangs above 1.5 m · standing = ours of what stands on the floor alone: a mirror over a basin or a lamp on a
+    nightstand is never beside free floor · from_entrance = share of objects beside which a robot of 0.25 m radius
+    gets from the entrance.
     R_reach_front: share of articulated objects it can use from in front, closed and open (ours), closed only (closed).
     """
-    values = [*_by_room(home, "published", low_only=False), *_by_room(home, "ours", low_only=True)]
+    versions = {"published": reached_share, "ours": _low, "standing": _standing}
+    values = [value for version, share in versions.items() for value in _by_room(home, version, share)]
     world = reach.space(home)
     things = low(objects(home))
     got = reach.survey(world, objects(home))
@@ -32,12 +39,22 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     return [*values, *shares(home, "R_reach_front", "ours", opened, moving)]
 
 
-def _by_room(home: Plan, version: str, low_only: bool) -> list[Value]:
+def _low(floor: Geometry, things: Sequence[Box]) -> float | None:
+    return reached_share(floor, low(things))
+
+
+def _standing(floor: Geometry, things: Sequence[Box]) -> float | None:
+    """Only low things are in the way, and only those on the floor are to be reached."""
+    return reached_share(floor, low(things), [o for o in low(things) if _stands(o)])
+
+
+def _stands(o: Box) -> bool:
+    return o.category not in categories.TABLE or categories.TABLE[o.category].place == "floor"
+
+
+def _by_room(home: Plan, version: str, share: Share) -> list[Value]:
     every = objects(home)
-    found = {
-        room: reached_share(floor, [o for o in every if o.room == room], low_only)
-        for room, floor in polygons.floors(home).items()
-    }
+    found = {room: share(floor, [o for o in every if o.room == room]) for room, floor in polygons.floors(home).items()}
     known = {room: value for room, value in found.items() if value is not None}
     whole = float(np.mean(list(known.values()))) if known else None
     return [Value(name="R_reach", value=value, unit="share", version=version, of=of)

@@ -130,6 +130,17 @@ def test_reach_weighs_parts_by_area():
     assert figure(values, "R_reach", "from_entrance") == 0.5
 
 
+def test_reach_of_what_stands_leaves_out_what_no_floor_is_beside():
+    # A mirror over a deep sideboard and a lamp in its middle hang and stand 0.3 m and more from free floor.
+    board = h.thing("sideboard", 2, 2.5, DOWN, size=(1.0, 1.6, 0.8))
+    mirror = h.thing("mirror", 2, 2.97, DOWN, size=(0.05, 0.6, 0.6), bottom=1.0)
+    lamp = h.thing("table_lamp", 2, 2.5, bottom=0.8)
+    values = reachable.measure(h.home(board, mirror, lamp))
+    assert figure(values, "R_reach") == pytest.approx(1 / 3)
+    assert figure(values, "R_reach", "standing") == 1
+    assert figure(reachable.measure(h.home(mirror)), "R_reach", "standing") is None
+
+
 def test_reach_of_fronts():
     free, turned = h.chest(2, 2.75, DOWN), h.chest(3.0, 2.72, UP)
     values = reachable.measure(h.home(free, turned))
