@@ -15,10 +15,11 @@ import mujoco
 import numpy as np
 
 from schemas.errors import BadInput
-from schemas.retrieve import Joint, Retrieve
+from schemas.plan import Plan
+from schemas.retrieve import Furnishing, Joint, Retrieve
 from stages.body import Body
 from stages.boxes import Array
-from stages.scene import Load, Scene
+from stages.scene import Scene
 
 Element = ElementTree.Element
 ROBOT = "robot"
@@ -27,17 +28,28 @@ ROBOT = "robot"
 
 @dataclass(frozen=True)
 class World:
-    """The compiled model, and which of its bodies and joints are what in the artifact.
+    """The compiled model, what it was built from, and which of its bodies and joints are what in the artifact.
 
     `bodies` by id of object or opening (`Body.link_name`, `Body.joint_name` give names in the model); `doors` are the
-    angles at which room doors stand open, by opening; `folder` is where the MJCF's meshes and textures are.
+    angles at which room doors stand open, by opening.
     """
 
-    home: Retrieve
+    scene: Scene
+    mjcf: Path
     bodies: dict[str, Body]
     model: Any
     doors: dict[str, float] = field(default_factory=dict)
     name: str = ""
+
+    @property
+    def home(self) -> Plan:
+        """The apartment's artifact."""
+        return self.scene.home
+
+    @property
+    def objects(self) -> list[Furnishing]:
+        """Its furniture."""
+        return self.home.objects if isinstance(self.home, Retrieve) else []
 
     @cached_property
     def robot_bodies(self) -> frozenset[int]:
@@ -53,15 +65,16 @@ class World:
 
 
 def build(
-    home: Retrieve, mjcf: Path, load: Load, robot: str = "", *, moving: Collection[str] | None = None,
-    visuals: bool = False, timestep: float | None = None, name: str = "",
+    scene: Scene, mjcf: Path, robot: str = "", *, moving: Collection[str] | None = None,
+    without: Collection[str] = (), visuals: bool = False, timestep: float | None = None, name: str = "",
 ) -> World:
     """The apartment exported to `mjcf` (an apartment.xml), with a robot given as MJCF text.
 
     `moving` are ids of the objects that may move, joints and all (None: every one); any other is welded as it stands,
-    shut. `visuals` keeps what only shows. BadInput when the file is not that apartment's.
+    shut. Colliders named in `without` are left out. `visuals` keeps what only shows. BadInput when the file is not
+    that apartment's.
     """
-    bodies = {body.id: body for body in Scene(home, load).bodies if body.id and body.kind in ("object", "door")}
+    bodies = {body.id: body for body in scene.bodies if body.id and body.kind in ("object", "door")}
     root = _read(mjcf)
     named = {element.get("name"): element for element in root.iter("body")}
     missing = [body.name for body in bodies.values() if body.name not in named]
@@ -72,13 +85,13 @@ def build(
         for id, body in bodies.items():
             if id not in moving:
                 _weld(named[body.name])
-    if not visuals:
-        _strip_visuals(root)
+    _strip(root, visuals, frozenset(without))
     if robot:
         _attach(root, ElementTree.fromstring(robot))
     if timestep:
         _section(root, "option").set("timestep", str(timestep))
-    return World(home, bodies, mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode")), doors, name)
+    model = mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode"))
+    return World(scene, mjcf, bodies, model, doors, name)
 
 
 def _read(mjcf: Path) -> Element:
@@ -131,17 +144,19 @@ def _weld(body: Element) -> None:
                 part.remove(joint)
 
 
-def _strip_visuals(root: Element) -> None:
-    """Take away geoms that only show, lights, meshes that were only shown, materials and textures."""
+def _strip(root: Element, visuals: bool, without: Collection[str]) -> None:
+    """Take away colliders by name; unless `visuals`, all that only shows; then meshes that nothing uses."""
     for body in root.iter("body"):
-        for geom in [g for g in body.findall("geom") if g.get("class") == "visual"]:
-            body.remove(geom)
-    world, assets = _section(root, "worldbody"), _section(root, "asset")
-    for light in world.findall("light"):
-        world.remove(light)
-    used = {geom.get("mesh") for geom in root.iter("geom")}
+        for geom in body.findall("geom"):
+            if geom.get("name") in without or (geom.get("class") == "visual" and not visuals):
+                body.remove(geom)
+    if not visuals:
+        world = _section(root, "worldbody")
+        for light in world.findall("light"):
+            world.remove(light)
+    assets, used = _section(root, "asset"), {geom.get("mesh") for geom in root.iter("geom")}
     for asset in list(assets):
-        if asset.tag != "mesh" or asset.get("name") not in used:
+        if asset.get("name") not in used if asset.tag == "mesh" else not visuals:
             assets.remove(asset)
 
 
