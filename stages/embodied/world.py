@@ -8,15 +8,14 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
 
 from schemas.errors import BadInput
-from schemas.plan import Plan
-from schemas.retrieve import Furnishing, Joint, Retrieve
+from schemas.retrieve import Joint, Retrieve
 from stages.body import Body
 from stages.boxes import Array
 from stages.scene import Scene
@@ -42,14 +41,9 @@ class World:
     name: str = ""
 
     @property
-    def home(self) -> Plan:
+    def home(self) -> Retrieve:
         """The apartment's artifact."""
-        return self.scene.home
-
-    @property
-    def objects(self) -> list[Furnishing]:
-        """Its furniture."""
-        return self.home.objects if isinstance(self.home, Retrieve) else []
+        return cast(Retrieve, self.scene.home)
 
     @cached_property
     def robot_bodies(self) -> frozenset[int]:
@@ -74,6 +68,8 @@ def build(
     shut. Colliders named in `without` are left out. `visuals` keeps what only shows. BadInput when the file is not
     that apartment's.
     """
+    if not isinstance(scene.home, Retrieve):
+        raise BadInput("robots need real furniture; run `apartgen retrieve` on this first")
     bodies = {body.id: body for body in scene.bodies if body.id and body.kind in ("object", "door")}
     root = _read(mjcf)
     named = {element.get("name"): element for element in root.iter("body")}
