@@ -9,8 +9,8 @@ from schemas.plan import Walls
 class PlanConfig(Record):
     """Effort and building constants; none of them changes what is asked for."""
 
-    whims: int = Field(default=5, ge=1, le=1000, description="draws of what is left open, per relaxation step")
-    wave: int = Field(default=4, ge=1, le=64, description="annealing runs between two looks at the plans found")
+    whims: int = Field(default=30, ge=1, le=1000, description="draws of what is left open, per relaxation step")
+    wave: int = Field(default=2, ge=1, le=64, description="annealing runs between two looks at the plans found")
     enough: int = Field(default=3, ge=1, le=64, description="valid arrangements to choose from before stopping")
     proposals: int = Field(default=800, ge=10, le=100_000, description="proposals of a run, per rectangle of the plan")
     processes: int = Field(default=2, ge=1, le=64, description="annealing threads; the plan does not depend on it")

@@ -51,8 +51,9 @@ def whim(program: Program, rng: Generator) -> Whim:
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
     if room.type != "hallway":
         return 2 if area >= 9 and rng.random() < ODD * (1 - program.regularity) ** 1.5 else 1
-    many = min(len(program.rooms) / 8, 1.0)
-    return int(rng.choice([1, 2, 3], p=[1 - 0.65 * many, 0.45 * many, 0.2 * many]))
+    doors = sum(room.id in pair for pair in links(program))
+    many = min(doors / 8, 1.0)
+    return int(rng.choice([1, 2, 3], p=[1 - 0.85 * many, 0.45 * many, 0.4 * many]))
 
 
 def areas(program: Program) -> dict[str, float]:

@@ -32,7 +32,7 @@ CHOICE = 20
 """Rooms in all the arrangements to choose from: one of a large flat is as good as several of a small one."""
 BEYOND = 5.0
 PATIENCE = 3
-"""Waves of runs on one whim."""
+"""Waves of runs on one whim; it is dropped after the first where none is valid."""
 
 log = logging.getLogger("apartgen")
 
@@ -127,7 +127,7 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             for runs in waves(step.program, config, step.slack, rng):
                 valid += [run for run in runs if run.lack < EPS]
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
-                if len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
+                if not valid or len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
                     break
             plan = _first(step.program, valid, config, rng)
             if plan is not None:
