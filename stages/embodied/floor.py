@@ -60,15 +60,15 @@ def survey(world: World, radius: float = reach.RADIUS, height: float = HEIGHT, r
 
 
 def solid(world: World, height: float = HEIGHT) -> Geometry:
-    """Seen from above: colliders that reach into the robot's height, without the robot's own."""
-    data = mujoco.MjData(world.model)
-    mujoco.mj_kinematics(world.model, data)
-    return shapely.union_all([shape for _, shape in standing(world, data, height)])
+    """Seen from above: all that stands in the robot's height."""
+    return shapely.union_all([shape for _, shape in standing(world, height)])
 
 
-def standing(world: World, data: Any, height: float = HEIGHT) -> list[tuple[int, Geometry]]:
-    """Geom id and outline from above of every collider in the robot's height."""
+def standing(world: World, height: float = HEIGHT) -> list[tuple[int, Geometry]]:
+    """Geom id and outline from above of every collider in the robot's height, but for the robot's own."""
     model, found = world.model, []
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
     for k in range(model.ngeom):
         if model.geom_contype[k] == 0 or model.geom_bodyid[k] in world.robot_bodies:
             continue

@@ -1,0 +1,61 @@
+"""A differential-drive base on real wheels, for MuJoCo: two driven, two casters, and a column as high as the robot.
+
+The size and weight of a mobile manipulator for homes (Hello Robot's Stretch: 0.34 m wide, 1.41 m high, 24.5 kg), its
+radius that of the walkable stage's robot. Speeds are the defaults of Nav2's regulated pure pursuit.
+"""
+
+from stages import reach
+from stages.embodied.world import ROBOT
+
+RADIUS = reach.RADIUS
+HEIGHT = 1.4
+"""The column is as wide as the base all the way up, so that no table top or shelf is driven under, m."""
+MASS = 24.5
+SPEED, TURN = 0.5, 1.8
+"""Greatest speeds, m/s and rad/s: desired_linear_vel and rotate_to_heading_angular_vel."""
+ACCELERATION, TURN_ACCELERATION = 1.0, 3.2
+"""Greatest accelerations, m/s² and rad/s²; Nav2's defaults are 2.5 and 3.2."""
+WHEEL, TRACK = 0.08, 0.36
+"""Radius of the driven wheels and distance between them, m."""
+TORQUE = 6.0
+"""Greatest of a wheel's motor, N·m; at the wheel's rim 75 N."""
+LIDAR = 0.2
+"""Height at which a lidar would see, m."""
+JOINTS = (f"{ROBOT}_free",)
+DRIVES = (f"{ROBOT}_left", f"{ROBOT}_right")
+
+
+def mjcf() -> str:
+    """The base as MuJoCo XML, standing at the origin and looking along +x."""
+    wheels = "".join(_wheel(name, side) for name, side in (("left", 1), ("right", -1)))
+    casters = "".join(
+        f'<geom name="{ROBOT}_caster_{k}" type="sphere" size="0.03" pos="{x} 0 0.03" condim="1" priority="1"/>'
+        for k, x in enumerate((0.18, -0.18))
+    )
+    motors = "".join(
+        f'<velocity name="{name}" joint="{name}_axle" kv="20" forcerange="-{TORQUE} {TORQUE}"/>' for name in DRIVES
+    )
+    half = (HEIGHT - 0.02) / 2
+    column = f'<geom name="{ROBOT}_column" type="cylinder" size="{RADIUS} {half}" pos="0 0 {0.02 + half}"'
+    return f"""<mujoco>
+  <option impratio="20"/>
+  <worldbody>
+    <body name="{ROBOT}_base"><freejoint name="{JOINTS[0]}"/>
+      <inertial pos="0 0 0.2" mass="{MASS - 2}" diaginertia="1.6 1.6 0.7"/>
+      {column} friction="0.4" rgba="0.2 0.2 0.25 1" solref="0.008 1"/>
+      {casters}{wheels}
+    </body>
+  </worldbody>
+  <contact><exclude body1="{ROBOT}_base" body2="{ROBOT}_left_wheel"/>
+    <exclude body1="{ROBOT}_base" body2="{ROBOT}_right_wheel"/></contact>
+  <actuator>{motors}</actuator>
+</mujoco>"""
+
+
+def _wheel(name: str, side: int) -> str:
+    return (
+        f'<body name="{ROBOT}_{name}_wheel" pos="0 {side * TRACK / 2} {WHEEL}">'
+        f'<joint name="{ROBOT}_{name}_axle" type="hinge" axis="0 1 0" armature="0.02" damping="0.01"/>'
+        f'<geom name="{ROBOT}_{name}_tyre" type="cylinder" size="{WHEEL} 0.015" euler="1.5707963 0 0" mass="1" '
+        'friction="0.9 0.01 0.001" condim="3" priority="1"/></body>'
+    )

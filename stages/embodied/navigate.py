@@ -1,0 +1,94 @@
+"""Navigation: from the entrance to a pose in front of a random object of every room (SR_nav, SPL, contacts).
+
+An episode succeeds when the robot comes to rest within 0.25 m of the pose, facing the object, having touched nothing
+harder than a graze, within the time limit.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import shapely
+
+from stages.boxes import Array, Mask
+from stages.embodied import base, floor, goals, planner, world
+from stages.embodied.drive import Drive, drive
+from stages.embodied.floor import Floor
+from stages.embodied.goals import Goal
+from stages.embodied.outcome import Outcome
+from stages.embodied.planner import Roadmap
+from stages.embodied.pursuit import XY_TOLERANCE, Pursuit
+from stages.embodied.world import World
+from stages.scene import Scene
+
+TIMESTEP = 0.005
+"""Of the simulation, s; the base drives alike from 0.002 to 0.01 s."""
+PATIENCE, SLOWEST = 30.0, 0.1
+"""Time limit: so many seconds, and the way at so many metres a second."""
+_TOUCHABLE = 0.15  # m about the places where the robot can be; colliders further off are left out
+
+
+def run(scene: Scene, mjcf: Path, rng: np.random.Generator, name: str = "", trace: bool = False) -> list[Outcome]:
+    """An episode for every room of the apartment exported to `mjcf`; traces only where asked for."""
+    still = world.build(scene, mjcf, moving=(), name=name)
+    ground = floor.survey(still, base.RADIUS, base.HEIGHT)
+    began = goals.start(ground)
+    if began is None:
+        nowhere = np.zeros(ground.grid.shape, bool)
+        there = goals.goals(ground, still.home.objects, nowhere, rng)
+        return [_failed(name, goal, "planner", "the entrance is blocked") for goal in there]
+    cell, yaw = began
+    ways = planner.roadmap(ground, cell)
+    there = goals.goals(ground, still.home.objects, ways.reached, rng)
+    driven = world.build(scene, mjcf, base.mjcf(), moving=(), timestep=TIMESTEP, name=name,
+                         without=_out_of_reach(still, ground, ways.reached))
+    return [_episode(driven, ways, goal, yaw, trace) for goal in there]
+
+
+def _out_of_reach(still: World, ground: Floor, reached: Mask) -> list[str]:
+    """Colliders that the robot can't touch wherever it drives; the ground stays."""
+    row, column = np.nonzero(reached)
+    points = shapely.points(ground.grid.x[column], ground.grid.y[row])
+    parts = floor.standing(still, base.HEIGHT)
+    tree = shapely.STRtree([shape for _, shape in parts])
+    near = set(tree.query(points, predicate="dwithin", distance=base.RADIUS + _TOUCHABLE)[1].tolist())
+    model = still.model
+    keep = {parts[k][0] for k in near} | {k for k in range(model.ngeom) if _is_ground(still, k)}
+    return [model.geom(k).name for k in range(model.ngeom) if k not in keep]
+
+
+def _is_ground(still: World, geom: int) -> bool:
+    return bool(still.model.body(still.model.geom_bodyid[geom]).name == "ground")
+
+
+def _episode(driven: World, ways: Roadmap, goal: Goal, yaw: float, trace: bool) -> Outcome:
+    if goal.cell is None:
+        blocked = goal.missing == "planner"
+        reason = "no way from the entrance" if blocked else "the robot fits nowhere in front of it"
+        return _failed(driven.name, goal, "planner" if blocked else "no standing room", reason)
+    path, shortest = ways.path(goal.cell), ways.shortest(goal.cell)
+    limit = PATIENCE + float(np.hypot(*np.diff(path, axis=0).T).sum()) / SLOWEST
+    went = drive(driven, Pursuit(ways.floor, path, goal.yaw), yaw, limit)
+    return _judged(driven.name, goal, went, path, shortest, trace)
+
+
+def _judged(name: str, goal: Goal, went: Drive, path: Array, shortest: float, trace: bool) -> Outcome:
+    missed = float(np.hypot(went.pose[0] - path[-1, 0], went.pose[1] - path[-1, 1]))
+    reason = went.reason or ("" if missed <= XY_TOLERANCE else "did not stop at the goal")
+    success = not reason
+    numbers = {
+        "spl": shortest / max(went.metres, shortest, 1e-6) if success else 0.0, "shortest": shortest,
+        "metres": went.metres, "seconds": went.seconds, "missed": missed, "push": went.push,
+        "touches": float(went.touches),
+    }
+    return Outcome(
+        apartment=name, episode="navigation", room=goal.room, object=goal.object, category=goal.category,
+        success=success, failure=None if success else "controller", reason=reason,
+        numbers={key: round(value, 4) for key, value in numbers.items()}, trace=went.trace if trace else None,
+    )
+
+
+def _failed(name: str, goal: Goal, failure: str, reason: str) -> Outcome:
+    return Outcome.model_validate({
+        "apartment": name, "episode": "navigation", "room": goal.room, "object": goal.object,
+        "category": goal.category, "success": False, "failure": failure, "reason": reason, "numbers": {"spl": 0.0},
+    })

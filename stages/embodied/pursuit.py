@@ -1,0 +1,118 @@
+"""Local controller: regulated pure pursuit with the parameters of Nav2's.
+
+The robot heads for a point of the path a lookahead away, turns on the spot to it when that lies far to the side, and
+slows in curves, near obstacles and before the goal. The lookahead grows with speed; it is cut short where the arc to
+that point would touch something within the next second.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from stages.boxes import Array
+from stages.embodied import base, planner
+from stages.embodied.floor import Floor
+
+PERIOD = 0.05
+"""controller_frequency 20 Hz, s."""
+LOOKAHEAD, LOOKAHEAD_TIME = (0.3, 0.9), 1.5
+"""min_ and max_lookahead_dist, m; lookahead_time, s."""
+ROTATE_ANGLE = 0.785
+"""rotate_to_heading_min_angle."""
+MIN_RADIUS, MIN_SPEED = 0.9, 0.25
+"""regulated_linear_scaling_min_radius, m, and _min_speed, m/s."""
+COST_DISTANCE = 0.6
+"""cost_scaling_dist, m."""
+APPROACH, APPROACH_SPEED = 0.6, 0.05
+"""approach_velocity_scaling_dist, m, and min_approach_linear_velocity, m/s."""
+TIME_TO_COLLISION = 1.0
+"""max_allowed_time_to_collision_up_to_carrot, s."""
+XY_TOLERANCE, YAW_TOLERANCE = 0.25, 0.25
+"""Of Nav2's goal checker, m and rad."""
+_SHORTEST = 0.12  # m, lookahead where everything longer would touch
+_CREEP = 0.1  # m/s, speed then
+
+
+@dataclass
+class Pursuit:
+    """The controller on its way along a path (n, 2) to a final heading; `speed`, `turn` are the last commands."""
+
+    floor: Floor
+    path: Array
+    heading: float
+    at: int = 0
+    speed: float = 0.0
+    turn: float = 0.0
+    arrived: bool = False
+    """Within tolerance of the goal; only the heading is left."""
+    turning: bool = False
+
+    def command(self, x: float, y: float, yaw: float) -> tuple[float, float, bool]:
+        """Speed (m/s) and turn (rad/s) for the next period, and whether the goal is reached."""
+        here = np.array([x, y])
+        self._advance(here)
+        left = float(np.hypot(*(self.path[-1] - here)))
+        self.arrived = self.arrived or left < XY_TOLERANCE
+        if self.arrived:
+            off = _wrapped(self.heading - yaw)
+            done = abs(off) < YAW_TOLERANCE and abs(self.speed) < 0.01
+            self._limited(0.0, 0.0 if done else self._turn_to(off))
+            return self.speed, self.turn, done and abs(self.turn) < 0.1
+        self._limited(*self._wanted(here, yaw, left))
+        return self.speed, self.turn, False
+
+    def _advance(self, here: Array) -> None:
+        """The nearest point of the path, not looking back, nor further ahead than a metre."""
+        ahead = self.path[self.at : self.at + int(1.0 / planner.SPACING)]
+        self.at += int(np.hypot(*(ahead - here).T).argmin())
+
+    def _wanted(self, here: Array, yaw: float, left: float) -> tuple[float, float]:
+        reach = float(np.clip(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD))
+        while True:
+            carrot = self._carrot(here, reach)
+            off = _wrapped(float(np.arctan2(*(carrot - here)[::-1])) - yaw)
+            if abs(off) > (ROTATE_ANGLE if not self.turning else ROTATE_ANGLE / 4):
+                self.turning = True
+                return 0.0, self._turn_to(off)
+            self.turning = False
+            distance = max(float(np.hypot(*(carrot - here))), 1e-3)
+            curvature = 2 * np.sin(off) / distance
+            speed = self._regulated(here, curvature, left)
+            if self._clear(here, yaw, speed, curvature, distance):
+                return speed, speed * curvature
+            if reach <= _SHORTEST:
+                return min(speed, _CREEP), min(speed, _CREEP) * curvature
+            reach = max(_SHORTEST, reach * 0.75)
+
+    def _carrot(self, here: Array, reach: float) -> Array:
+        """The first point of the path at least the lookahead away, or its end."""
+        far = np.flatnonzero(np.hypot(*(self.path[self.at :] - here).T) >= reach)
+        return np.asarray(self.path[self.at + int(far[0])] if len(far) else self.path[-1])
+
+    def _regulated(self, here: Array, curvature: float, left: float) -> float:
+        near = planner.clearance(self.floor, here)
+        speed = base.SPEED * min(1.0, near / COST_DISTANCE, 1 / max(MIN_RADIUS * abs(curvature), 1e-9))
+        speed = max(speed, MIN_SPEED)
+        return speed if left > APPROACH else max(APPROACH_SPEED, speed * left / APPROACH)
+
+    def _clear(self, here: Array, yaw: float, speed: float, curvature: float, distance: float) -> bool:
+        """Whether the next second on this arc, or as much of it as leads to the carrot, touches nothing."""
+        run = np.linspace(0, min(speed * TIME_TO_COLLISION, distance), 12)[1:]
+        bend = np.where(abs(curvature) > 1e-6, curvature, 1e-6)
+        arc = np.stack([np.sin(bend * run), 1 - np.cos(bend * run)], -1) / bend
+        c, s = np.cos(yaw), np.sin(yaw)
+        return bool(planner.is_free(self.floor, here + arc @ np.array([[c, s], [-s, c]])).all())
+
+    def _turn_to(self, off: float) -> float:
+        """As fast as still can be stopped in time."""
+        return float(np.sign(off) * min(base.TURN, np.sqrt(2 * base.TURN_ACCELERATION * 0.6 * abs(off))))
+
+    def _limited(self, speed: float, turn: float) -> None:
+        """What the motors give of that within a period."""
+        most, turn_most = base.ACCELERATION * PERIOD, base.TURN_ACCELERATION * PERIOD
+        self.speed += float(np.clip(speed - self.speed, -most, most))
+        self.turn += float(np.clip(turn - self.turn, -turn_most, turn_most))
+
+
+def _wrapped(angle: float) -> float:
+    return float((angle + np.pi) % (2 * np.pi) - np.pi)
