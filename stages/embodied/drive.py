@@ -60,7 +60,7 @@ def drive(world: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
         out.touches += push > 0 and not touching
         touching = push > 0
         if push > out.push:
-            out.push, out.touched = push, world.object_of.get(what, "the building")
+            out.push, out.touched = push, world.owner.get(what, "the building")
         moved = float(np.hypot(data.qpos[0] - x, data.qpos[1] - y))
         out.metres += moved
         still = still + PERIOD if moved < 1e-3 and abs(_pose(data)[2] - yaw) < 1e-3 else 0.0
@@ -92,7 +92,7 @@ def _pose(data: Any) -> tuple[float, float, float]:
 
 
 def _felt(model: Any, data: Any, steps: int, column: int) -> tuple[float, int]:
-    """Mean push on the column over some steps, N, and the body pushed last (-1 for none)."""
+    """Mean push on the column over some steps, N, and the geom pushed last (-1 for none)."""
     total, what, force = 0.0, -1, np.zeros(6)
     for _ in range(steps):
         mujoco.mj_step(model, data)
@@ -100,8 +100,7 @@ def _felt(model: Any, data: Any, steps: int, column: int) -> tuple[float, int]:
         for k in np.flatnonzero((pairs == column).any(1)) if len(pairs) else ():
             mujoco.mj_contactForce(model, data, int(k), force)
             total += abs(force[0])
-            other = pairs[k][0] if pairs[k][1] == column else pairs[k][1]
-            what = int(model.geom_bodyid[other])
+            what = int(pairs[k][0] if pairs[k][1] == column else pairs[k][1])
     return total / steps, what
 
 

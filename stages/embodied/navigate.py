@@ -39,7 +39,7 @@ def run(scene: Scene, mjcf: Path, rng: np.random.Generator, name: str = "", trac
     cell, yaw = began
     ways = planner.roadmap(ground, cell)
     there = goals.goals(ground, still.home.objects, ways.reached, rng)
-    driven = world.build(scene, mjcf, base.mjcf(), moving=(), timestep=TIMESTEP, name=name,
+    driven = world.build(scene, mjcf, base.mjcf(), moving=(), fused=True, timestep=TIMESTEP, name=name,
                          without=_out_of_reach(still, ground, ways.reached))
     return [_episode(driven, ways, goal, yaw, trace) for goal in there]
 

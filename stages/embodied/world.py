@@ -57,16 +57,25 @@ class World:
         found = ((k, names.get(self.model.body(k).name)) for k in range(self.model.nbody))
         return {k: id for k, id in found if id is not None}
 
+    @cached_property
+    def owner(self) -> dict[int, str]:
+        """The same of every collider, by geom id, which holds in fused worlds, too."""
+        names = {body.link_name(link): id for id, body in self.bodies.items() for link in body.links}
+        found = ((k, names.get(self.model.geom(k).name.rpartition("__c")[0])) for k in range(self.model.ngeom))
+        return {k: id for k, id in found if id is not None}
+
 
 def build(
     scene: Scene, mjcf: Path, robot: str = "", *, moving: Collection[str] | None = None,
-    without: Collection[str] = (), visuals: bool = False, timestep: float | None = None, name: str = "",
+    without: Collection[str] = (), visuals: bool = False, fused: bool = False, timestep: float | None = None,
+    name: str = "",
 ) -> World:
     """The apartment exported to `mjcf` (an apartment.xml), with a robot given as MJCF text.
 
     `moving` are ids of the objects that may move, joints and all (None: every one); any other is welded as it stands,
-    shut. Colliders named in `without` are left out. `visuals` keeps what only shows. BadInput when the file is not
-    that apartment's.
+    shut. Colliders named in `without` are left out. `visuals` keeps what only shows. `fused` joins all that is welded
+    into the world's own body, which is faster; only geoms then tell things apart. BadInput when the file is not that
+    apartment's.
     """
     if not isinstance(scene.home, Retrieve):
         raise BadInput("robots need real furniture; run `apartgen retrieve` on this first")
@@ -82,6 +91,9 @@ def build(
             if id not in moving:
                 _weld(named[body.name])
     _strip(root, visuals, frozenset(without))
+    if fused:
+        _section(root, "contact").clear()
+        _section(root, "compiler").set("fusestatic", "true")
     if robot:
         _attach(root, ElementTree.fromstring(robot))
     if timestep:
