@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from stages.asset import Asset
     from stages.retrieve.matching.indexing import Report
 
+EMBEDDED = "parametric"
+"""Name of the library that comes with the program."""
 FOLDER = Annotated[Path, typer.Argument(metavar="FOLDER", help="The folder, or archive, of the models.")]
 KIND = Annotated[str, typer.Option("--as", help=f"What it is: {', '.join(kinds())}.")]
 SCALE = Annotated[float | None, typer.Option("--scale", min=1e-6, help="Metres per unit of the models.")]
@@ -55,8 +57,8 @@ def list_(library: LIBRARIES = None) -> None:
         from stages.latents import index as embedded
 
         table = embedded()
-        rows = [(c, s, "parametric", f"{style}-{seed}") for c, s, style, seed in zip(
-            table.category, table.size.tolist(), table.style, table.seed.tolist())]
+        rows = [(c, s, EMBEDDED, f"{c}/{style}/{'x'.join(f'{1000 * side:.0f}' for side in s)}/{seed}")
+                for c, s, style, seed in zip(table.category, table.size.tolist(), table.style, table.seed.tolist())]
     else:
         from stages.retrieve.matching.indexed import IndexedLibrary
 
@@ -66,13 +68,40 @@ def list_(library: LIBRARIES = None) -> None:
         typer.echo(f"{category}\t{' '.join(f'{side:.2f}' for side in size)}\t{name}\t{id}")
 
 
-def show(library: Annotated[Path, typer.Argument(metavar="LIBRARY", help="Folder of an indexed library.")],
+def show(library: Annotated[Path, typer.Argument(
+             metavar="LIBRARY", help=f"Folder of an indexed library, or {EMBEDDED} for the embedded one.")],
          id: Annotated[str, typer.Argument(metavar="ID", help="An asset's id, see `apartgen assets list`.")]) -> None:
     """Show one asset's links, joints and credit as JSON."""
-    from stages.retrieve.matching.indexed import IndexedLibrary
+    from stages import retrieve
 
-    json.dump(_told(IndexedLibrary(library).load(id)), sys.stdout, indent=2, ensure_ascii=False)
+    own = str(library) == EMBEDDED
+    opened = retrieve.open_libraries(retrieve.RetrieveConfig(libraries=[] if own else [str(library)]))
+    found = opened.load(EMBEDDED if own else next(iter(opened.others)), id)
+    json.dump(_told(found), sys.stdout, indent=2, ensure_ascii=False)
     sys.stdout.write("\n")
+
+
+def preview(
+    out: Annotated[Path, typer.Option("--out", "-o", help="The PNG file to write.")],
+    ids: Annotated[list[str] | None, typer.Argument(
+        metavar="ID", help="Assets to show, see `apartgen assets list`; all there are by default.")] = None,
+    library: LIBRARIES = None,
+    category: Annotated[str, typer.Option("--category", help="Show only this category, in all its styles.")] = "",
+    size: Annotated[int, typer.Option("--size", min=32, max=2048, help="Pixels along a side of each picture.")] = 136,
+    columns: Annotated[int, typer.Option("--columns", min=1, max=100, help="Pictures in a row.")] = 14,
+) -> None:
+    """Draw assets closed and open as a PNG: one, a category, or a contact sheet of a whole library."""
+    from stages.retrieve.preview import choice, sheet
+
+    image = sheet.drawn(choice.cells(library or [], ids or [], category, size), columns)
+    part = out.with_name(f".{out.name}.partial")
+    try:
+        image.save(part, "PNG", optimize=True)
+        part.replace(out)
+    except OSError as error:
+        part.unlink(missing_ok=True)
+        raise BadInput(f"{out}: cannot be written ({error.strerror or error}); give another path with -o") from None
+    say(f"wrote {out}: {image.width} x {image.height} pixels")
 
 
 def _told(asset: "Asset") -> dict[str, Any]:
@@ -100,4 +129,4 @@ def _options(kind: str, scale: float | None, front: str | None) -> dict[str, Any
 
 def commands() -> dict[str, Callable[..., Any]]:
     """The commands of this module."""
-    return {"index": index, "check": check, "list": list_, "show": show}
+    return {"index": index, "check": check, "list": list_, "show": show, "preview": preview}

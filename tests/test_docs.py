@@ -14,7 +14,7 @@ from apartgen_cli.main import WORDS
 
 ROOT = Path(__file__).parent.parent
 DOCUMENTS = ("README.md", "docs/commands.md")
-GROUPS = {"train": ("corpus", "layout", "shape"), "assets": ("index", "check", "list", "show")}
+GROUPS = {"train": ("corpus", "layout", "shape"), "assets": ("index", "check", "list", "show", "preview")}
 QUOTE = re.compile(r"(<!-- help: (?P<line>[^>]*?) -->\n```text\n)(?P<text>.*?)(```\n)", re.DOTALL)
 
 

@@ -14,7 +14,7 @@ CONTRACTS = {
     "stages.retrieve": ("assets", ["root"]),
 }
 """A registry's function and its first arguments."""
-NOT_MEMBERS = {"stages.retrieve": {"matching", "reading", "shape", "furniture"}}
+NOT_MEMBERS = {"stages.retrieve": {"matching", "preview", "reading", "shape", "furniture"}}
 """Packages of a stage that are no libraries."""
 ALTERNATIVES = {"stages.metrics": "compare"}
 

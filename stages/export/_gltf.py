@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.asset import Array, Link, Material, Mesh
-from stages.body import Body, Light
-from stages.export._pieces import digest, image, mesh_digest, names, pieces, shaded
+from stages.body import Body, Light, inertia
+from stages.export._pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
 VERTICES, INDICES = 34962, 34963
@@ -78,7 +78,7 @@ class _Store:
             "name": body.name,
             "translation": [float(v) for v in body.position],
             "rotation": [0.0, 0.0, float(np.sin(half)), float(np.cos(half))],
-            "extras": {k: v for k, v in _facts(body).items() if v != ""},
+            "extras": {k: v for k, v in _facts(body).items() if v not in ("", None)},
         }
         base, *moving = body.links
         self._show(node, body, base, np.zeros(3))
@@ -89,7 +89,8 @@ class _Store:
         assert link.joint is not None
         origin = np.array(link.joint.origin)
         node: Node = {"name": body.link_name(link), "translation": [float(v) for v in origin]}
-        node["extras"] = {"joint": link.joint.model_dump(include={"name", "type", "axis", "range", "part"})}
+        joint = link.joint.model_dump(include={"name", "type", "axis", "range", "part"})
+        node["extras"] = {"joint": joint, "mass": inertia(link).mass}
         if link.handle is not None:
             node["extras"]["handle"] = [float(v) for v in link.handle - origin]
         self._show(node, body, link, origin)
@@ -161,7 +162,7 @@ class _Store:
 def _facts(body: Body) -> Node:
     return {
         "id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "asset": body.model,
-        "free": body.free,
+        "free": body.free, "mass": inertia(body.links[0]).mass if body.kind == "object" else None,
     }
 
 
@@ -179,7 +180,8 @@ def _material(m: Material, name: str, textures: list[str]) -> Node:
     }
     if m.texture:
         surface["baseColorTexture"] = {"index": textures.index(m.texture)}
-    return {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": "BLEND"} if m.color[3] < 1 else {})
+    mode = "BLEND" if m.color[3] < 1 else "MASK" if m.texture and cut_out(m.texture) else ""
+    return {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": mode} if mode else {})
 
 
 def _linear(c: float) -> float:

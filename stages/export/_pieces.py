@@ -12,9 +12,7 @@ from numpy.typing import NDArray
 from schemas.errors import BadInput
 from stages import materials
 from stages.asset import Array, Link, Material, Mesh
-
-CREASE = np.cos(np.radians(42))
-"""Faces that meet at less than this angle are shaded as one smooth surface."""
+from stages.shading import corner_normals
 
 
 def pieces(link: Link) -> list[Mesh]:
@@ -60,28 +58,6 @@ def shaded(mesh: Mesh) -> tuple[Array, Array, Array | None, NDArray[np.int64]]:
     return rows[:, :3], unit, rows[:, 6:] if mesh.uv is not None else None, faces.reshape(-1, 3)
 
 
-def corner_normals(mesh: Mesh) -> Array:
-    """Normal at each corner of each face, (3 × m, 3): the mean over faces about the vertex that meet smoothly."""
-    triangles = mesh.vertices[mesh.faces]
-    area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    flat = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-15)
-    _, vertex = np.unique(mesh.vertices[mesh.faces.ravel()].round(5), axis=0, return_inverse=True)
-    order = np.argsort(vertex, kind="stable")
-    starts = np.flatnonzero(np.diff(vertex[order], prepend=-1))
-    counts = np.diff(np.append(starts, len(order)))
-    # Every corner against every other about the same vertex.
-    mine = np.repeat(order, np.repeat(counts, counts))
-    first = np.repeat(np.repeat(starts, counts), np.repeat(counts, counts))
-    within = np.arange(len(mine)) - np.repeat(np.cumsum(np.repeat(counts, counts)) - np.repeat(counts, counts),
-                                              np.repeat(counts, counts))
-    other = order[first + within]
-    smooth = np.einsum("ij,ij->i", flat[mine // 3], flat[other // 3]) > CREASE
-    total = np.zeros((len(vertex), 3))
-    np.add.at(total, mine[smooth], area[other[smooth] // 3])
-    length = np.linalg.norm(total, axis=1, keepdims=True)
-    return np.where(length > 1e-15, total / np.maximum(length, 1e-15), np.repeat(flat, 3, 0))
-
-
 def names(used: Iterable[Material]) -> dict[Material, str]:
     """A name for each material, its own unless a different one has taken it."""
     found: dict[Material, str] = {}
@@ -106,7 +82,8 @@ def image(texture: str) -> bytes:
     if texture in materials.textures():
         picture = Image.fromarray(np.array(materials.texture(texture)))
     elif Path(texture).is_file():
-        picture = Image.open(texture).convert("RGBA" if texture.lower().endswith(".png") else "RGB")
+        picture = Image.open(texture)
+        picture = picture if picture.mode in ("RGB", "RGBA") else picture.convert("RGB")
     else:
         raise BadInput(f"texture {texture!r} is neither a known pattern nor a file; check the asset library's folder")
     buffer = io.BytesIO()
@@ -119,3 +96,8 @@ def image_name(texture: str) -> str:
     if texture in materials.textures():
         return f"{texture}.png"
     return f"texture_{hashlib.sha256(image(texture)).hexdigest()[:12]}.png"
+
+
+def cut_out(texture: str) -> bool:
+    """Whether the texture's alpha cuts the surface out: its PNG is of colour type 6."""
+    return image(texture)[25] == 6

@@ -6,6 +6,7 @@ from pxr import Gf, Sdf, UsdGeom, UsdPhysics, UsdShade
 
 from stages.asset import Material
 from stages.export._obj import Files
+from stages.export._pieces import cut_out
 
 
 class Looks:
@@ -46,10 +47,15 @@ class Looks:
         shader.CreateIdAttr("UsdPreviewSurface")
         shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(m.roughness)
         shader.CreateInput("metallic", Sdf.ValueTypeNames.Float).Set(m.metalness)
-        shader.CreateInput("opacity", Sdf.ValueTypeNames.Float).Set(m.color[3])
+        opacity = shader.CreateInput("opacity", Sdf.ValueTypeNames.Float)
+        opacity.Set(m.color[3])
         color = shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f)
         if m.texture:
-            color.ConnectToSource(self._texture(path, m.texture).ConnectableAPI(), "rgb")
+            image = self._texture(path, m.texture).ConnectableAPI()
+            color.ConnectToSource(image, "rgb")
+            if cut_out(m.texture):
+                opacity.ConnectToSource(image, "a")
+                shader.CreateInput("opacityThreshold", Sdf.ValueTypeNames.Float).Set(0.5)
         else:
             color.Set(Gf.Vec3f(*(_linear(c) for c in m.color[:3])))
         made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
@@ -69,6 +75,7 @@ class Looks:
             image.CreateInput(wrap, Sdf.ValueTypeNames.Token).Set("repeat")
         image.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(reader.ConnectableAPI(), "result")
         image.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
+        image.CreateOutput("a", Sdf.ValueTypeNames.Float)
         return image
 
 

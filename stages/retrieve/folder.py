@@ -9,7 +9,6 @@ import numpy as np
 from stages.asset import Asset
 from stages.retrieve.reading import gltf, limits, motion, obj
 from stages.retrieve.reading.model import Model, Part, asset
-from stages.retrieve.reading.pieces import Piece
 from stages.retrieve.reading.source import Source, beside, credit, files, image
 from stages.retrieve.reading.words import category
 
@@ -49,7 +48,7 @@ def _parts(roots: list[gltf.Node], kind: str, movable: dict[str, dict[str, list[
     stack = list(reversed(roots))
     while stack:
         node = stack.pop()
-        pieces = _pieces(node)
+        pieces = node.all()
         if pieces and (node.name in movable or motion.moves(node.name)):
             pivot = np.asarray(movable.get(node.name, {}).get("pivot", node.frame[:3, 3]), float)
             parts.append(Part(node.name, pieces, motion.guess(node.name, kind, pieces, pivot, middle)))
@@ -59,12 +58,8 @@ def _parts(roots: list[gltf.Node], kind: str, movable: dict[str, dict[str, list[
     return parts
 
 
-def _pieces(node: gltf.Node) -> list[Piece]:
-    return node.pieces + [piece for child in node.children for piece in _pieces(child)]
-
-
 def _middle(roots: list[gltf.Node]) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
-    pieces = [piece for node in roots for piece in _pieces(node) if len(piece.vertices)]
+    pieces = [piece for node in roots for piece in node.all() if len(piece.vertices)]
     if not pieces:
         raise limits.Broken("has no faces")
     points = np.concatenate([piece.vertices for piece in pieces])

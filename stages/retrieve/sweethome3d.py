@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 import numpy as np
 
 from stages.asset import Asset
-from stages.retrieve.reading import gltf, limits, obj
+from stages.retrieve.reading import gltf, images, limits, obj
 from stages.retrieve.reading.limits import Archive, Broken, floats
 from stages.retrieve.reading.model import Y_UP, Model, Part, asset
 from stages.retrieve.reading.pieces import Array, Piece
@@ -127,9 +127,9 @@ def _pieces(archive: Archive, model: str, packed: bool) -> list[Piece]:
         data, folder = inner.read(model), PurePosixPath(model).parent
         beside = lambda name: _maybe(inner, str(folder / name))  # noqa: E731
     if model.lower().endswith(".obj"):
-        return obj.parse(data, model, beside)
+        return obj.parse(data, model, beside, lambda name: _address(beside(name)))
     if model.lower().endswith((".glb", ".gltf")):
-        return [p for root in gltf.parse(data, model, beside) for p in _all(root)]
+        return [p for root in gltf.parse(data, model, beside) for p in root.all()]
     raise Broken(f"{model}: only OBJ and glTF models are understood; convert it in Sweet Home 3D")
 
 
@@ -139,9 +139,9 @@ def _inner(data: bytes, name: str) -> Archive:
     return Archive(io.BytesIO(data), name)
 
 
+def _address(image: bytes | None) -> str | None:
+    return None if image is None else images.address(image)
+
+
 def _maybe(archive: Archive, name: str) -> bytes | None:
     return archive.read(name) if name in archive else None
-
-
-def _all(node: gltf.Node) -> list[Piece]:
-    return node.pieces + [piece for child in node.children for piece in _all(child)]

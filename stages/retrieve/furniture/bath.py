@@ -178,7 +178,7 @@ def _cistern(kit: Kit, tank: float, rim: float) -> None:
 
 @design("vanity", "modern", "scandi", "shaker", "midcentury", "pedestal")
 def vanity(kit: Kit) -> None:
-    """A basin with a tap on a cupboard, on drawers, or on a pedestal."""
+    """A basin with a tap on a cupboard, or on a slender one that stands for a pedestal."""
     b, rim = kit.base, kit.h - 0.1
     metal = kit.pick("chrome", "brass", "black_metal")
     if kit.style == "pedestal":
@@ -257,11 +257,11 @@ def _pedestal(kit: Kit, rim: float, metal: str) -> None:
     )
     b.add("porcelain", mesh.loft(np.concatenate([outer, inner]), sharp=(2, 3, 4)), touch=False)
     b.vessel_hulls(outer, inner)
-    b.turned(
-        "porcelain",
-        [(0.12, 0), (0.12, 0.02), (0.085, 0.1), (0.075, 0.5 * rim), (0.11, rim - 0.16)],
-        (-kit.d / 8, 0, 0),
-        20,
-    )
     b.fill = 1.0
+    own = look("modern", kit.taste()).with_(handle="knob", metal=metal)
+    half_y = 0.25 * kit.w if kit.w < 0.8 else min(0.25 * kit.w, 0.2)
+    x, y = (kit.x[0], kit.x[0] + 0.64 * kit.d), (-half_y, half_y)
+    cases.stand(kit, own, (x[0], x[1] - fronts.projection(own)), y, 0.06)
+    side = kit.pick("left", "right")
+    cases.cabinet(kit, own, x, y, (0.06, rim - 0.172), [[Cell(side)]])
     tap(b, metal, kit.x[0] + 0.05, 0, rim, kit.h, 0.11)

@@ -168,9 +168,14 @@ def water_heater(kit: Kit) -> None:
         b.prism("enamel", ellipse(kit, 1.0, 32), low + 0.03, kit.h - 0.03, smooth=True)
         b.prism("plastic_grey", ellipse(kit, 0.94, 32), low, low + 0.03, smooth=True)
         b.prism("plastic_grey", ellipse(kit, 0.94, 32), kit.h - 0.03, kit.h, smooth=True)
+        b.box("screen", (kit.x[1] - 0.012, kit.x[1] - 0.002), (-0.04, 0.04), (low + 0.12, low + 0.17), touch=False)
     else:
-        b.rounded("enamel", kit.x, kit.y, (low, kit.h), 0.04, 3)
-    b.box("screen", (kit.x[1] - 0.012, kit.x[1] - 0.002), (-0.04, 0.04), (low + 0.12, low + 0.17), touch=False)
+        face = kit.x[1] - 0.014
+        b.rounded("enamel", (kit.x[0], face), kit.y, (low + 0.07, kit.h), 0.04, 3)
+        b.rounded("plastic_grey", (kit.x[0] + 0.008, face - 0.008), (kit.y[0] + 0.008, kit.y[1] - 0.008),
+                  (low, low + 0.09), 0.03, 3)  # fmt: skip
+        b.turned("plastic_grey", [(0.035, 0), (0.032, 0.016)], (kit.x[1] - 0.016, 0.0, low + 0.19), 24, along=(1, 0, 0))
+        b.box("screen", (face - 0.004, face + 0.002), (-0.05, 0.05), (low + 0.27, low + 0.31), touch=False)
     for y in (-0.06, 0.06):
         b.rod("copper", (0, y, 0), (0, y, low + 0.005), 0.011, n=10)
     b.fill = 1.0

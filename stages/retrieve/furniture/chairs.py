@@ -153,9 +153,11 @@ def stool(kit: Kit) -> None:
 @design("bench", "plain", "upholstered", "slatted", "industrial")
 def bench(kit: Kit) -> None:
     """A long seat; taller ones have a back."""
-    b, seat = kit.base, min(kit.h, 0.45)
-    wood = kit.pick("oak", "walnut", "pine")
-    metal = kit.style in ("industrial", "slatted")
+    wood = kit.pick("oak", "walnut", "pine") if kit.style != "slatted" else kit.pick("teak", "white", "sage")
+    metal = kit.style == "industrial"
+    # Only a plain bench has a pad, where there is height for one.
+    padded = kit.style == "plain" and 0.47 <= kit.h <= 0.52
+    b, seat = kit.base, kit.h if kit.h <= 0.52 and not padded else 0.45
     s, leg = (0.03, "black_metal") if metal else (0.05, wood)
     if kit.style == "upholstered":
         b.fill = 3.0
@@ -183,7 +185,7 @@ def bench(kit: Kit) -> None:
         for py in (kit.y[0] + 0.06, kit.y[1] - 0.06 - s):
             b.box(leg, (kit.x[0] + 0.01, kit.x[0] + 0.035), (py, py + s), (seat, kit.h))
         b.box(wood, (kit.x[0], kit.x[0] + 0.01), (kit.y[0] + 0.02, kit.y[1] - 0.02), (kit.h - 0.12, kit.h - 0.001))
-    elif kit.h > seat:
+    elif padded:
         b.rounded(
             kit.pick("linen", "mustard_fabric"),
             (kit.x[0] + 0.01, kit.x[1] - 0.01),

@@ -210,28 +210,32 @@ def island(kit: Kit) -> None:
     b.box(own.top, (kit.x[0], worktop_front(kit, own)), kit.y, (z[1], kit.h))
 
 
+def _hood_box(kit: Kit, metal: str, high: float) -> None:
+    """A box over its filters, glazed in front, with its buttons below the pane."""
+    b, face = kit.base, kit.x[1] - 0.004
+    b.box(metal, (kit.x[0], face), kit.y, (0.02, high))
+    b.box(kit.pick("black_glass", "steel"), (face, kit.x[1]), (kit.y[0] + 0.01, kit.y[1] - 0.01), (0.07, high - 0.01),
+          touch=False)  # fmt: skip
+    for i in range(4):
+        y = -0.06 + 0.04 * i
+        b.box("chrome", (face, kit.x[1] - 0.001), (y - 0.008, y + 0.008), (0.04, 0.056), touch=False)
+    b.box("plastic_black", (kit.x[0] + 0.03, kit.x[1] - 0.03), (kit.y[0] + 0.03, kit.y[1] - 0.03), (0.0, 0.02))
+
+
 @design("hood", "chimney", "canopy", "slanted", "box")
 def hood(kit: Kit) -> None:
     """A cooker hood under its chimney."""
     b, metal = kit.base, kit.pick("steel", "black_metal", "white_metal")
     b.fill = 0.06
     skirt = min(0.06, 0.2 * kit.h)
+    chimney_y, chimney_x = min(0.14, 0.3 * kit.w), kit.x[0] + min(0.28, 0.7 * kit.d)
     if kit.style == "box":
-        b.box(metal, (kit.x[0], kit.x[1] - 0.004), kit.y, (0.02, kit.h))
-        b.box(
-            kit.pick("black_glass", "steel"),
-            (kit.x[1] - 0.004, kit.x[1]),
-            (kit.y[0] + 0.01, kit.y[1] - 0.01),
-            (0.07, kit.h - 0.01),
-            touch=False,
-        )
-        for i in range(4):
-            y = -0.06 + 0.04 * i
-            b.box("chrome", (kit.x[1] - 0.004, kit.x[1] - 0.001), (y - 0.008, y + 0.008), (0.04, 0.056), touch=False)
-        b.box("plastic_black", (kit.x[0] + 0.03, kit.x[1] - 0.03), (kit.y[0] + 0.03, kit.y[1] - 0.03), (0.0, 0.02))
+        high = kit.h if kit.h < 0.45 else max(0.3, 0.5 * kit.h)
+        _hood_box(kit, metal, high)
+        if high < kit.h:
+            b.box(metal, (kit.x[0], chimney_x), (-chimney_y, chimney_y), (high, kit.h))
         b.fill = 1.0
         return
-    chimney_y, chimney_x = min(0.14, 0.3 * kit.w), kit.x[0] + min(0.28, 0.7 * kit.d)
     body = skirt + (0.35 * (kit.h - skirt) if kit.style != "canopy" else 0.0)
     if kit.style == "slanted":
         outline = [

@@ -19,15 +19,15 @@ def shade(
     low: float = 1.0,
     high: float = 0.7,
     at: tuple[float, float] = (0.0, 0.0),
-    r: float = 0.0,
+    half: tuple[float, float] | None = None,
 ) -> None:
-    """A thin conical shade, its wide end filling the footprint (or of radius r), open at both ends."""
+    """A thin conical shade, its wide end filling the footprint (or of half sizes `half`), open at both ends."""
     n, t = 24, 0.003
-    half = np.array([r, r]) if r else np.array([kit.d / 2, kit.w / 2])
+    half_ = np.array(half or (kit.d / 2, kit.w / 2))
     c = np.stack([np.cos(a := 2 * np.pi * np.arange(n) / n), np.sin(a)], 1)
 
     def ring(scale: float, height: float, inset: float) -> Array:
-        return np.column_stack([c * (half * scale - inset) + at, np.full(n, height)])
+        return np.column_stack([c * (half_ * scale - inset) + at, np.full(n, height)])
 
     outer = np.array([ring(low, z[0], 0), ring(high, z[1], 0)])
     inner = np.array([ring(high, z[1], t), ring(low, z[0], t)])
@@ -36,10 +36,8 @@ def shade(
     for i in range(n):
         j = [i, (i + 1) % n]
         kit.base.hull(np.concatenate([outer[0][j], outer[1][j], inner[0][j], inner[1][j]]))
-    middle = (z[0] + z[1]) / 2
-    kit.base.pillow(
-        "bulb", (at[0] - 0.03, at[0] + 0.03), (at[1] - 0.03, at[1] + 0.03), (middle - 0.05, middle + 0.04), 2, 4
-    )
+    middle, r = (z[0] + z[1]) / 2, min(0.03, 0.5 * float(half_.min()))
+    kit.base.pillow("bulb", (at[0] - r, at[0] + r), (at[1] - r, at[1] + r), (middle - 1.6 * r, middle + 1.3 * r), 2, 4)
 
 
 def _spider(kit: Kit, metal: str, z: float, r: float) -> None:
@@ -99,7 +97,7 @@ def _reading(kit: Kit, metal: str) -> None:
     b.tube(metal, [(foot, 0.0, 0.025), *arc], 0.011)
     top = arc[-1][2]
     b.rod(metal, (end, 0, top - 0.08), (end, 0, top + 0.01), 0.013, n=10)
-    shade(kit, metal, (top - 0.2, top - 0.05), 1.0, 0.3, (end, 0.0), r)
+    shade(kit, metal, (top - 0.2, top - 0.05), 1.0, 0.3, (end, 0.0), (r, r))
     b.rod(metal, (end, 0, top - 0.06), (end, 0, top - 0.048), 0.34 * r, n=12)
 
 
@@ -134,8 +132,7 @@ def table_lamp(kit: Kit) -> None:
         b.pillow(colour, kit.x, kit.y, (0.5 * h, h), 2.4, 8)
         return
     if kit.style == "cube":
-        b.rounded("bulb", (0.9 * kit.x[0], 0.9 * kit.x[1]), (0.9 * kit.y[0], 0.9 * kit.y[1]), (0.02, h), 0.03, 3)
-        b.box("oak", kit.x, kit.y, (0, 0.02))
+        _cube(kit, kit.pick("oak", "walnut", "ash_black"))
         return
     neck = 0.55 * h
     if kit.style == "ceramic":
@@ -158,6 +155,26 @@ def table_lamp(kit: Kit) -> None:
     b.rod("brass", (0, 0, 0.5 * h), (0, 0, h - 0.008), 0.005, n=8)
     _spider(kit, "brass", h - 0.01, 0.62 * r)
     shade(kit, linen, (neck, h), 1.0, 0.66 if kit.style == "ceramic" else 0.9)
+
+
+def _cube(kit: Kit, wood: str) -> None:
+    """A paper cube in a frame of four posts between a base and a cap."""
+    b, s = kit.base, 0.012
+    for z in ((0.0, 0.02), (kit.h - 0.015, kit.h)):
+        b.box(wood, kit.x, kit.y, z)
+    for x in (kit.x[0] + 0.001, kit.x[1] - s - 0.001):
+        for y in (kit.y[0] + 0.001, kit.y[1] - s - 0.001):
+            b.box(wood, (x, x + s), (y, y + s), (0.02, kit.h - 0.015))
+    middle = 0.45 * kit.h
+    b.box(wood, (kit.x[0] + s, kit.x[1] - s), (kit.y[0] + 0.003, kit.y[0] + 0.003 + s), (middle, middle + s))
+    b.box(wood, (kit.x[0] + s, kit.x[1] - s), (kit.y[1] - 0.003 - s, kit.y[1] - 0.003), (middle, middle + s))
+    for x in (kit.x[0] + 0.003, kit.x[1] - 0.003 - s):
+        b.box(wood, (x, x + s), (kit.y[0] + s, kit.y[1] - s), (middle, middle + s))
+    inset = s + 0.006
+    b.fill = 0.05
+    b.box("paper_shade", (kit.x[0] + inset, kit.x[1] - inset), (kit.y[0] + inset, kit.y[1] - inset),
+          (0.02, kit.h - 0.015))  # fmt: skip
+    b.fill = 1.0
 
 
 @design("ceiling_lamp", "pendant", "flush", "globe", "cluster", "drum")
@@ -204,27 +221,27 @@ def _cluster(kit: Kit, metal: str, h: float) -> None:
 
 @design("wall_lamp", "cone", "globe", "up_down")
 def wall_lamp(kit: Kit) -> None:
-    """A plate on the wall with a shade in front."""
+    """A plate on the wall and an arm that carries a shade, a globe, or a tube lit at both ends."""
     b, h, metal = kit.base, kit.h, kit.pick("brass", "black_metal", "white_metal")
     b.fill, b.mass = _HOLLOW, 0.6
-    b.box(metal, (kit.x[0], kit.x[0] + 0.012), (-0.18 * kit.w, 0.18 * kit.w), (0.3 * h, 0.7 * h))
-    deep = kit.d - 0.025
-    r = min(deep / 2, kit.w / 2)
-    x = kit.x[1] - r
-    b.rod(metal, (kit.x[0] + 0.01, 0, 0.5 * h), (x, 0, 0.5 * h), 0.007, n=8)
+    r = min((kit.d - 0.025) / 2, kit.w / 2)
+    x, plate = kit.x[1] - r, min(0.035, 0.24 * kit.w)
     if kit.style == "up_down":
-        b.prism(
-            metal,
-            np.stack([x + r * np.cos(a := np.arange(24) * np.pi / 12), kit.w / 2 * np.sin(a)], 1),
-            0,
-            h,
-            smooth=True,
-        )
-    elif kit.style == "globe":
-        b.rod(metal, (x, 0, 0), (x, 0, 0.16 * h), 0.4 * r, n=16)
-        b.pillow("bulb", (x - r, x + r), kit.y, (0.12 * h, h), 2.0, 6)
-    else:
-        n = 24
-        c = np.stack([np.cos(a := 2 * np.pi * np.arange(n) / n), np.sin(a)], 1)
-        rings = [np.column_stack([c * [r * s, kit.w / 2 * s] + [x, 0], np.full(n, z)]) for s, z in ((1, 0), (0.55, h))]
-        b.add(kit.pick("linen", "paper_shade"), mesh.loft(np.array(rings)))
+        outline = np.stack([r * np.cos(a := np.arange(24) * np.pi / 12), kit.w / 2 * np.sin(a)], 1)
+        b.box(metal, (kit.x[0], kit.x[0] + 0.012), (-plate, plate), (0.3 * h, 0.7 * h))
+        b.rod(metal, (kit.x[0] + 0.01, 0, 0.5 * h), (x, 0, 0.5 * h), 0.007, n=8)
+        b.prism(metal, outline + [x, 0], 0.014, h - 0.014, smooth=True)
+        for z in ((0.0, 0.015), (h - 0.015, h)):
+            b.prism("bulb", 0.86 * outline + [x, 0], *z, smooth=True)
+        return
+    ball = min(0.72 * h, 2.2 * max(r, kit.w / 2))
+    arm = h - ball - 0.03 * h if kit.style == "globe" else 0.24 * h
+    b.box(metal, (kit.x[0], kit.x[0] + 0.012), (-plate, plate), (0, max(0.55 * h, arm + 0.02)))
+    b.rod(metal, (kit.x[0] + 0.01, 0, arm), (x, 0, arm), 0.006, n=8)
+    if kit.style == "globe":
+        b.turned(metal, [(0.1 * r, 0), (0.3 * r, 0.02 * h), (0.42 * r, 0.08 * h)], (x, 0, arm - 0.005), 16)
+        b.pillow("bulb", (x - r, x + r), kit.y, (h - ball, h), 2.0, 8)
+        return
+    b.rod(metal, (x, 0, arm - 0.02), (x, 0, 0.62 * h), 0.006, n=8)
+    b.rod(metal, (x, -0.44 * kit.w, 0.5 * h), (x, 0.44 * kit.w, 0.5 * h), 0.0015, n=6)
+    shade(kit, kit.pick("linen", "paper_shade"), (0.4 * h, h), 1.0, 0.66, (x, 0.0), (r, kit.w / 2))

@@ -146,7 +146,10 @@ def wall_shelf(kit: Kit) -> None:
     if kit.h <= 0.06:
         b.box(wood, kit.x, kit.y, (0, kit.h))
         return
-    metal = kit.pick("black_metal", "brass") if kit.style == "bracket" else "black_metal"
+    if kit.style != "bracket":
+        _ledges(kit, wood, t, levels)
+        return
+    metal = kit.pick("black_metal", "brass")
     for py in (kit.y[0] + 0.1 * kit.w, kit.y[1] - 0.1 * kit.w - 0.02):
         b.box(metal, (kit.x[0], kit.x[0] + 0.006), (py, py + 0.02), (0, kit.h - t))
         for i in range(levels):
@@ -155,6 +158,17 @@ def wall_shelf(kit: Kit) -> None:
     for i in range(levels):
         z = kit.h - t - i * (kit.h - t) / levels
         b.box(wood, (kit.x[0] + (0.006 if i else 0), kit.x[1]), kit.y, (z, z + t))
+
+
+def _ledges(kit: Kit, wood: str, t: float, levels: int) -> None:
+    """Boards with a low lip before a back board, whose fixings do not show."""
+    b, thin = kit.base, min(0.015, 0.2 * kit.d)
+    b.box(wood, (kit.x[0], kit.x[0] + thin), kit.y, (0, kit.h))
+    for i in range(levels):
+        z = i * kit.h / levels
+        b.box(wood, (kit.x[0] + thin, kit.x[1]), (kit.y[0] + 0.001, kit.y[1] - 0.001), (z, z + t))
+        lip = (z + t, min(z + t + 0.025, kit.h))
+        b.box(wood, (kit.x[1] - 0.011, kit.x[1] - 0.001), (kit.y[0] + 0.001, kit.y[1] - 0.001), lip)
 
 
 @design("coat_rack", "turned", "branch", "metal")

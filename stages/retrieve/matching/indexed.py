@@ -15,6 +15,7 @@ from stages.asset import Asset
 from stages.retrieve.matching import store
 from stages.retrieve.matching.config import RetrieveConfig
 from stages.retrieve.matching.table import Table
+from stages.retrieve.matching.textures import FOLDER
 
 TABLE_FILE = "library.safetensors"
 VERSION = 1
@@ -59,7 +60,7 @@ class IndexedLibrary:
     def at(self, row: int) -> Asset:
         """The asset of a row."""
         entry = self.entries[row]
-        return store.read(asset_file(self.folder, row)).named(self.name, entry.id)
+        return store.read(asset_file(self.folder, row), self.folder.resolve() / FOLDER).named(self.name, entry.id)
 
     def load(self, id: str) -> Asset:
         """The asset of that id; BadInput when there is none."""

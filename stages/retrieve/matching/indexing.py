@@ -13,13 +13,13 @@ import numpy as np
 from schemas.errors import BadInput
 from stages import registry
 from stages.asset import Asset
-from stages.retrieve.matching import indexed, store
+from stages.retrieve.matching import indexed, store, textures
 from stages.retrieve.matching.embedded import NAME
 from stages.retrieve.matching.indexed import TABLE_FILE, Entry, asset_file
 
 LOG = logging.getLogger("apartgen")
 
-PACKAGES = frozenset({"furniture", "matching", "reading", "shape"})
+PACKAGES = frozenset({"furniture", "matching", "preview", "reading", "shape"})
 """What is in the registry's folder without being a library."""
 FAULTS = (BadInput, ValueError, ArithmeticError, LookupError, TypeError, RecursionError, MemoryError, OSError)
 """What a broken file can end in; anything else is a fault of this program and is not hidden."""
@@ -108,6 +108,7 @@ def _fill(folder: Path, root: Path, kind: str, name: str, options: dict[str, Any
             LOG.warning("%s: %s", found.id, found.reason)
             broken.append(found)
             continue
+        found = textures.kept(found, folder)
         latent = latents([found])[0]
         row = len(entries)
         store.write(replace(found, library=name, id=id, latent=latent), asset_file(folder, row))

@@ -76,32 +76,34 @@ def _collider(piece: Collider, key: str, tensors: Tensors) -> dict[str, Any]:
     }
 
 
-def read(path: Path) -> Asset:
-    """The asset of a file; BadInput when it is missing or broken."""
+def read(path: Path, textures: Path | None = None) -> Asset:
+    """The asset of a file, its images in the folder `textures`; BadInput when it is missing or broken."""
     try:
         with safe_open(path, framework="np") as file:
             about = json.loads(file.metadata()["asset"])
             tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-        links = [_read_link(link, tensors) for link in about.pop("links")]
+        links = [_read_link(link, tensors, textures or path.parent) for link in about.pop("links")]
         return Asset(**about | {"size": tuple(about["size"])}, links=links, latent=tensors["latent"].astype(float))
     except (OSError, SafetensorError, KeyError, TypeError, ValueError) as error:
         raise BadInput(f"{path}: not a readable asset ({error}); index the library again") from None
 
 
-def _read_link(about: dict[str, Any], tensors: Tensors) -> Link:
+def _read_link(about: dict[str, Any], tensors: Tensors, textures: Path) -> Link:
     visuals, colliders = about.pop("visuals"), about.pop("colliders")
     joint, handle = about.pop("joint"), about.pop("handle")
     return Link(
         **about,
         joint=Joint(**joint) if joint else None,
         handle=None if handle is None else np.asarray(handle, float),
-        visuals=[_read_mesh(mesh, tensors) for mesh in visuals],
+        visuals=[_read_mesh(mesh, tensors, textures) for mesh in visuals],
         colliders=[_read_collider(piece, tensors) for piece in colliders],
     )
 
 
-def _read_mesh(about: dict[str, Any], tensors: Tensors) -> Mesh:
-    key, mapped = about.pop("key"), about.pop("uv")
+def _read_mesh(about: dict[str, Any], tensors: Tensors, textures: Path) -> Mesh:
+    key, mapped, image = about.pop("key"), about.pop("uv"), about.pop("texture")
+    # Only a name counts, so that no library leads out of itself.
+    about["texture"] = str(textures / Path(image).name) if image else None
     material = Material(**about | {"color": tuple(about["color"])})
     uv = tensors[f"{key}.uv"].astype(float) if mapped else None
     return Mesh(tensors[f"{key}.vertices"].astype(float), tensors[f"{key}.faces"].astype(np.int64), material, uv)

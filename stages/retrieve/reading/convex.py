@@ -43,8 +43,9 @@ def _parts(pieces: Sequence[Piece]) -> list[Array]:
     links = coo_matrix((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, c])), shape=(vertex.max() + 1,) * 2)
     label = connected_components(links, directed=False)[1][a]
     order = np.argsort(-np.bincount(label), kind="stable")
-    parts = [corners[label == i] for i in order]
-    return parts if len(parts) <= PARTS else [*parts[: PARTS - 1], np.concatenate(parts[PARTS - 1 :])]
+    whole = len(order) if len(order) <= PARTS else PARTS - 1
+    rest = np.isin(label, order[whole:])
+    return [corners[label == i] for i in order[:whole]] + ([corners[rest]] if rest.any() else [])
 
 
 def hull(points: Array) -> Collider:

@@ -2,7 +2,6 @@
 
 import base64
 import binascii
-import json
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -11,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Material
+from stages.retrieve.reading import limits
+from stages.retrieve.reading.gltf_looks import KNOWN, Looks
 from stages.retrieve.reading.limits import Broken
 from stages.retrieve.reading.pieces import Array, Piece, count
 
@@ -32,6 +32,10 @@ class Node:
     pieces: list[Piece]
     children: list["Node"] = field(default_factory=list)
 
+    def all(self) -> list[Piece]:
+        """Its pieces and those of all nodes below it."""
+        return self.pieces + [piece for child in self.children for piece in child.all()]
+
 
 def parse(data: bytes, name: str, beside: Open) -> list[Node]:
     """The scene's root nodes; `beside` opens files named by relative address."""
@@ -44,38 +48,55 @@ def parse(data: bytes, name: str, beside: Open) -> list[Node]:
 
 def _split(data: bytes) -> tuple[dict[str, Any], bytes]:
     if data[:4] != b"glTF":
-        return dict(json.loads(data)), b""
+        return dict(limits.values(data)), b""
     version, length = struct.unpack_from("<II", data, 4)
     if version != 2 or length > len(data):
         raise ValueError(f"version {version}, {length} bytes announced, {len(data)} there")
     size = struct.unpack_from("<I", data, 12)[0]
     rest = 20 + size
     chunk = data[rest + 8 : rest + 8 + struct.unpack_from("<I", data, rest)[0]] if rest + 8 <= len(data) else b""
-    return dict(json.loads(data[20:rest])), chunk
+    return dict(limits.values(data[20:rest])), chunk
 
 
 class _Reader:
     def __init__(self, about: dict[str, Any], chunk: bytes, name: str, beside: Open) -> None:
         self.about, self.name, self.beside = about, name, beside
-        needed = set(about.get("extensionsRequired", [])) - {"KHR_materials_unlit", "KHR_mesh_quantization"}
+        needed = set(about.get("extensionsRequired", [])) - KNOWN
         if needed:
             raise Broken(f"{name}: needs {', '.join(sorted(needed))}, which is not understood; export it without")
-        self.buffers = [self._buffer(buffer, chunk) for buffer in about.get("buffers", [])]
-        self.seen = 0
+        self.buffers: list[bytes] = []
+        for buffer in about.get("buffers", []):
+            self.buffers.append(self._buffer(buffer, chunk))
+            if sum(map(len, self.buffers)) > limits.FILE_BYTES:
+                raise Broken(f"{name}: buffers of more than the {limits.FILE_BYTES / 2**20:.0f} MB accepted")
+        self.looks = Looks(about, self._view, self._beside)
+        self.seen = self.vertices = self.faces = 0
 
     def _buffer(self, buffer: dict[str, Any], chunk: bytes) -> bytes:
         uri = buffer.get("uri")
         if uri is None:
             return chunk
-        if uri.startswith("data:"):
-            try:
-                return base64.b64decode(uri.partition(",")[2], validate=True)
-            except binascii.Error:
-                raise Broken(f"{self.name}: a buffer is not base64") from None
-        found = self.beside(uri)
+        found = self._beside(uri)
         if found is None:
             raise Broken(f"{self.name}: lacks the file {uri!r}")
         return found
+
+    def _beside(self, uri: str) -> bytes | None:
+        """What an address holds itself, or the file that it names."""
+        if not uri.startswith("data:"):
+            return self.beside(uri)
+        try:
+            return base64.b64decode(uri.partition(",")[2], validate=True)
+        except binascii.Error:
+            raise Broken(f"{self.name}: an address is not base64") from None
+
+    def _view(self, i: int) -> bytes:
+        view = self.about["bufferViews"][i]
+        data: bytes = self.buffers[view["buffer"]]
+        start = int(view.get("byteOffset", 0))
+        if start < 0 or start + int(view["byteLength"]) > len(data):
+            raise Broken(f"{self.name}: an image reaches beyond its buffer")
+        return data[start : start + int(view["byteLength"])]
 
     def roots(self) -> list[Node]:
         scenes = self.about.get("scenes") or [{"nodes": list(range(len(self.about.get("nodes", []))))}]
@@ -102,22 +123,21 @@ class _Reader:
             faces = self._array(primitive["indices"]).reshape(-1, 3).astype(np.int64)
         else:
             faces = np.arange(len(vertices), dtype=np.int64).reshape(-1, 3)
-        count(len(vertices), len(faces), self.name)
-        uv = self._array(attributes["TEXCOORD_0"]).astype(float) if "TEXCOORD_0" in attributes else None
-        return Piece(vertices, faces, self._material(primitive.get("material")), uv)
+        # Nodes may show one mesh many times.
+        self.vertices, self.faces = self.vertices + len(vertices), self.faces + len(faces)
+        count(self.vertices, self.faces, self.name)
+        material, laid, matrix = self.looks.of(primitive.get("material"), self._tint(attributes))
+        uv = self._array(attributes[f"TEXCOORD_{laid}"]).astype(float) if f"TEXCOORD_{laid}" in attributes else None
+        if uv is not None:
+            # glTF counts v downwards from the image's top.
+            uv = (uv @ matrix[:, :2].T + matrix[:, 2]) * [1, -1] + [0, 1]
+        return Piece(vertices, faces, material, uv)
 
-    def _material(self, i: int | None) -> Material:
-        if i is None:
-            return Material("plain")
-        m = self.about["materials"][i]
-        pbr = m.get("pbrMetallicRoughness", {})
-        r, g, b, a = (float(v) for v in pbr.get("baseColorFactor", (1, 1, 1, 1)))
-        return Material(
-            str(m.get("name", f"material_{i}")),
-            (r, g, b, a),
-            float(pbr.get("roughnessFactor", 1)),
-            float(pbr.get("metallicFactor", 1)),
-        )
+    def _tint(self, attributes: dict[str, int]) -> Array:
+        """The mean colour (4) of the vertices in linear light; white where they have none."""
+        if "COLOR_0" not in attributes:
+            return np.ones(4)
+        return np.append(self._array(attributes["COLOR_0"]).astype(float).mean(0), 1.0)[:4]
 
     def _array(self, i: int) -> NDArray[Any]:
         accessor = self.about["accessors"][i]

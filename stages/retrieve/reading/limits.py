@@ -1,6 +1,9 @@
 """What a file may ask for before it is refused: sizes are checked before anything is read or unpacked."""
 
+import contextlib
+import io
 import json
+import struct
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path, PurePosixPath
@@ -16,6 +19,12 @@ ARCHIVE_BYTES = 2 * 2**30
 MEMBERS = 20_000
 RATIO = 200
 """No honest model compresses better than this."""
+DIRECTORY_BYTES = 8 * 2**20
+"""Of an archive's list of members."""
+VALUES = 4_000_000
+"""Values in a JSON file."""
+ELEMENTS = 500_000
+"""Elements in an XML file."""
 FACES = 2_000_000
 VERTICES = 4_000_000
 
@@ -50,10 +59,17 @@ def text(path: Path) -> str:
     return read(path, TEXT_BYTES).decode("utf-8", errors="replace")
 
 
+def values(data: bytes) -> Any:
+    """What JSON text holds; Broken where it would fill memory, ValueError where it is none."""
+    if sum(data.count(sign) for sign in (b",", b"[", b"{")) > VALUES:
+        raise Broken(f"more than the {VALUES} values of JSON accepted")
+    return json.loads(data)
+
+
 def parsed(path: Path) -> Any:
     """A JSON file."""
     try:
-        return json.loads(read(path, TEXT_BYTES))
+        return values(read(path, TEXT_BYTES))
     except (ValueError, RecursionError) as error:
         raise Broken(f"{path.name} is not JSON ({error})") from None
 
@@ -64,6 +80,8 @@ def xml(data: bytes, name: str) -> ElementTree.Element:
     def refuse(*_: object) -> None:
         raise Broken(f"{name} declares a document type or entities, which models have no use for")
 
+    if data.count(b"<") > 2 * ELEMENTS:
+        raise Broken(f"{name} has more than the {ELEMENTS} elements accepted")
     guard = expat.ParserCreate()
     guard.StartDoctypeDeclHandler = guard.EntityDeclHandler = refuse
     try:
@@ -90,8 +108,9 @@ class Archive:
     def __init__(self, file: Path | IO[bytes], name: str = "") -> None:
         name = name or (file.name if isinstance(file, Path) else "")
         try:
+            _listed(file, name)
             self._file = zipfile.ZipFile(file)
-        except (OSError, zipfile.BadZipFile) as error:
+        except (OSError, zipfile.BadZipFile, struct.error) as error:
             raise Broken(f"{name} is not a readable archive ({error})") from None
         infos = self._file.infolist()
         if len(infos) > MEMBERS:
@@ -123,6 +142,24 @@ class Archive:
         if len(data) > info.file_size:
             raise Broken(f"{name!r} is larger than its header says")
         return data
+
+
+def _listed(file: Path | IO[bytes], name: str) -> None:
+    """Broken when an archive's list of members is so long that reading it would fill memory."""
+    with file.open("rb") if isinstance(file, Path) else contextlib.nullcontext(file) as stream:
+        end = stream.seek(0, io.SEEK_END)
+        # The end record, 22 bytes and a comment, names the list's length.
+        stream.seek(max(0, end - 22 - 2**16))
+        tail = stream.read()
+        at = tail.rfind(b"PK\5\6")
+        if at < 0:
+            raise zipfile.BadZipFile("no list of members")
+        if tail[max(0, at - 20) : at].startswith(b"PK\6\7"):
+            raise Broken(f"{name} is a zip64 archive, which no library of models needs; pack it as plain zip")
+        length = struct.unpack_from("<I", tail, at + 12)[0]
+        stream.seek(0)
+    if length > DIRECTORY_BYTES:
+        raise Broken(f"{name} lists its members in {length} bytes, more than the {DIRECTORY_BYTES} accepted")
 
 
 def _plain(name: str) -> str:

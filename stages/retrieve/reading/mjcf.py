@@ -11,8 +11,9 @@ from stages.retrieve.reading import limits, tree
 from stages.retrieve.reading.convex import hull
 from stages.retrieve.reading.limits import Broken, floats
 from stages.retrieve.reading.model import Motion
-from stages.retrieve.reading.pieces import Array, Piece
+from stages.retrieve.reading.pieces import Array, Piece, count
 from stages.retrieve.reading.primitives import shape
+from stages.retrieve.reading.source import image
 from stages.retrieve.reading.transforms import about, at, quaternion, z_along
 from stages.retrieve.reading.tree import Body
 
@@ -44,6 +45,8 @@ class Document:
     options: dict[str, str] = field(default_factory=dict)
     meshes: dict[str, Element] = field(default_factory=dict)
     materials: dict[str, Material] = field(default_factory=dict)
+    vertices: int = 0
+    faces: int = 0
 
 
 def is_model(data: bytes) -> bool:
@@ -60,14 +63,34 @@ def document(file: Path, root: Path) -> Document:
         doc.options |= compiler.attrib
     for section in doc.sections.get("default", []):
         _defaults(doc, section, {}, "main")
-    for element in (e for section in doc.sections.get("asset", []) for e in section):
+    assets = [element for section in doc.sections.get("asset", []) for element in section]
+    textures = {element.get("name") or Path(element.get("file", "")).stem: element
+                for element in assets if element.tag == "texture"}  # fmt: skip
+    for element in assets:
         if element.tag == "mesh":
             doc.meshes[element.get("name") or Path(element.get("file", "")).stem] = element
         elif element.tag == "material":
-            rgba = floats(element.get("rgba"), 4, "1 1 1 1", "material")
-            shine = float(element.get("shininess", "0.5"))
-            doc.materials[element.get("name", "")] = Material(element.get("name", ""), _four(rgba), 1 - 0.8 * shine)
+            doc.materials[element.get("name", "")] = _material(doc, element, textures)
     return doc
+
+
+def _material(doc: Document, element: Element, textures: dict[str, Element]) -> Material:
+    """A material in the mean colour of a drawn texture, or with the image of a flat one; cube maps have no place."""
+    name = element.get("name", "")
+    told = {key: floats(element.get(key), 1, default, f"material {name}")[0]
+            for key, default in (("shininess", "0.5"), ("roughness", "-1"), ("metallic", "0"))}  # fmt: skip
+    rough = told["roughness"] if told["roughness"] >= 0 else 1 - 0.8 * told["shininess"]
+    color = np.clip(floats(element.get("rgba"), 4, "1 1 1 1", "material"), 0, 1)
+    texture, file = textures.get(element.get("texture", "")), None
+    if texture is not None and texture.get("builtin", "none") != "none":
+        both = [
+            floats(texture.get(key), 3, " ".join([grey] * 3), key) for key, grey in (("rgb1", ".8"), ("rgb2", ".5"))
+        ]
+        color[:3] *= np.mean(both[:1] if texture.get("builtin") == "flat" else both, 0)
+    elif texture is not None and texture.get("type", "cube") == "2d":
+        folder = doc.options.get("texturedir", doc.options.get("assetdir", ""))
+        file = image(doc.file, doc.root)(str(Path(folder) / texture.get("file", "")))
+    return Material(name, _four(color.tolist()), min(max(rough, 0.0), 1.0), min(max(told["metallic"], 0.0), 1.0), file)
 
 
 def _spliced(element: Element, main: Path, root: Path, stack: list[Path]) -> list[Element]:
@@ -133,12 +156,19 @@ def _walk(
     for child in element:
         if child.tag == "geom":
             shown.append(_geom(doc, _full(doc, child, klass), frame))
+            _count(doc, shown[-1][0])
         elif child.tag == "joint" and body.motion is None and parent is not None:
             body.motion = _joint(doc, _full(doc, child, klass), frame)
     _share(body, shown)
     for child in element:
         if child.tag == "body":
             _walk(doc, child, row, frame @ _pose(doc, child.attrib), klass, found, depth + 1)
+
+
+def _count(doc: Document, pieces: list[Piece]) -> None:
+    doc.vertices += sum(len(piece.vertices) for piece in pieces)
+    doc.faces += sum(len(piece.faces) for piece in pieces)
+    count(doc.vertices, doc.faces, doc.file.name)
 
 
 def _share(body: Body, shown: list[tuple[list[Piece], list[Collider], bool, bool]]) -> None:

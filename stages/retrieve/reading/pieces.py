@@ -1,5 +1,6 @@
 """What every reader makes of its files, before units, frame and joints are settled."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -44,3 +45,14 @@ def count(vertices: int, faces: int, name: str) -> None:
     """Broken when a mesh is larger than accepted."""
     if faces > FACES or vertices > VERTICES:
         raise Broken(f"{name}: {faces} faces and {vertices} vertices, more than the {FACES} and {VERTICES} accepted")
+
+
+def gathered(groups: Iterable[Iterable[Piece]], name: str) -> list[Piece]:
+    """All pieces in one list; Broken as soon as together they are more than is accepted."""
+    found: list[Piece] = []
+    vertices = faces = 0
+    for piece in (piece for group in groups for piece in group):
+        vertices, faces = vertices + len(piece.vertices), faces + len(piece.faces)
+        count(vertices, faces, name)
+        found.append(piece)
+    return found

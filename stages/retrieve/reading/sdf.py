@@ -1,5 +1,6 @@
 """SDFormat models, as Gazebo has them."""
 
+from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -10,10 +11,11 @@ from stages.retrieve.reading import limits, tree
 from stages.retrieve.reading.convex import colliders
 from stages.retrieve.reading.limits import Broken, floats
 from stages.retrieve.reading.model import Motion
-from stages.retrieve.reading.pieces import Array, Piece
+from stages.retrieve.reading.pieces import Array, Piece, gathered
 from stages.retrieve.reading.primitives import shape
+from stages.retrieve.reading.source import image
 from stages.retrieve.reading.transforms import at, rpy
-from stages.retrieve.reading.tree import Body
+from stages.retrieve.reading.tree import LINKS, Body
 
 KINDS = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide"}
 
@@ -27,6 +29,8 @@ def models(file: Path) -> list[Element]:
 def bodies(model: Element, file: Path, root: Path) -> list[Body]:
     """The model's links in its own frame, parents first."""
     links = {link.get("name", ""): link for link in model.findall("link")}
+    if len(links) > LINKS:
+        raise Broken(f"{file.name}: {len(links)} links, more than the {LINKS} accepted")
     joints = {(j.findtext("child") or "").strip(): j for j in model.findall("joint")}
     found: list[Body] = []
     rows: dict[str, int] = {}
@@ -38,6 +42,7 @@ def bodies(model: Element, file: Path, root: Path) -> list[Body]:
         for name in ready:
             rows[name] = len(found)
             found.append(_body(name, links, joints.get(name), rows, file, root))
+            tree.bounded(found, file.name)
         waiting = [n for n in waiting if n not in rows]
     return found
 
@@ -69,9 +74,7 @@ def _body(
     body = Body(name, parent, frame, mass=floats(mass, 1, "0", "mass")[0] if mass else None)
     if joint is not None and parent is not None and joint.get("type") in KINDS:
         body.motion = _motion(joint, frame)
-    for visual in link.findall("visual"):
-        pieces, _ = _geometry(visual, file, root)
-        body.pieces += [p.moved(frame) for p in tree.dyed(pieces, _material(visual))]
+    body.pieces = gathered((_visual(visual, frame, file, root) for visual in link.findall("visual")), file.name)
     for collision in link.findall("collision"):
         body.colliders += _colliders(collision, frame, file, root)
     return body
@@ -103,13 +106,26 @@ def _motion(joint: Element, frame: Array) -> Motion:
     return tree.motion(kind, direction, place, span, name)
 
 
-def _material(visual: Element) -> Material | None:
-    rgba = visual.findtext("material/diffuse")
-    if not rgba:
+def _visual(visual: Element, frame: Array, file: Path, root: Path) -> list[Piece]:
+    pieces, _ = _geometry(visual, file, root)
+    return [p.moved(frame) for p in tree.dyed(pieces, _material(visual, file, root))]
+
+
+def _material(visual: Element, file: Path, root: Path) -> Material | None:
+    rgba, metal = visual.findtext("material/diffuse"), visual.find("material/pbr/metal")
+    if not rgba and metal is None:
         return None
-    words = rgba.split()
-    r, g, b, a = floats(" ".join([*words, "1"][:4]), 4, "1 1 1 1", "diffuse")
-    return Material(f"diffuse {rgba}", (r, g, b, a))
+    r, g, b, a = floats(" ".join([*(rgba or "1 1 1").split(), "1"][:4]), 4, "1 1 1 1", "diffuse")
+    made = Material(f"diffuse {rgba or 'white'}", (r, g, b, a))
+    if metal is None:
+        return made
+    told = {tag: (metal.findtext(tag) or "").strip() for tag in ("albedo_map", "roughness", "metalness")}
+    texture = image(file, root)(str(_found(file, root, told["albedo_map"]))) if told["albedo_map"] else None
+    rough, shine = (
+        min(max(floats(told[tag] or default, 1, "", tag)[0], 0.0), 1.0)
+        for tag, default in (("roughness", "0.7"), ("metalness", "0"))
+    )
+    return replace(made, texture=texture, roughness=rough, metalness=shine)
 
 
 def _colliders(element: Element, frame: Array, file: Path, root: Path) -> list[Collider]:

@@ -1,7 +1,7 @@
 """A tree of bodies and joints, as robots' formats have it, cut into the parts of an asset."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +10,11 @@ from stages.asset import Collider, Material
 from stages.retrieve.reading import gltf, limits, obj, stl
 from stages.retrieve.reading.limits import Broken
 from stages.retrieve.reading.model import Motion, Part
-from stages.retrieve.reading.pieces import Array, Piece
+from stages.retrieve.reading.pieces import Array, Piece, count
 from stages.retrieve.reading.source import beside, image
 
+LINKS = 2000
+"""Most links of one object."""
 ENDLESS = float(np.pi)
 """Half the range given to joints that turn without end, rad."""
 
@@ -28,6 +30,12 @@ class Body:
     colliders: list[Collider] = field(default_factory=list)
     motion: Motion | None = None
     mass: float | None = None
+
+
+def bounded(bodies: Sequence[Body], name: str) -> None:
+    """Broken when all bodies together have more faces than are accepted."""
+    every = [piece for body in bodies for piece in body.pieces]
+    count(sum(len(piece.vertices) for piece in every), sum(len(piece.faces) for piece in every), name)
 
 
 def parts(bodies: Sequence[Body]) -> list[Part]:
@@ -63,18 +71,17 @@ def mesh(file: Path, root: Path) -> list[Piece]:
         case ".obj":
             return obj.parse(data, real.name, beside(real, root), image(real, root))
         case ".glb" | ".gltf":
-            return [piece for node in gltf.parse(data, real.name, beside(real, root)) for piece in _all(node)]
+            return [piece for node in gltf.parse(data, real.name, beside(real, root)) for piece in node.all()]
         case other:
             raise Broken(f"{real.name}: {other or 'no'} meshes are not understood; convert them to OBJ or GLB")
 
 
-def _all(node: gltf.Node) -> list[Piece]:
-    return node.pieces + [piece for child in node.children for piece in _all(child)]
-
-
 def dyed(pieces: Sequence[Piece], material: Material | None) -> list[Piece]:
-    """The pieces in one material, as they are without."""
-    return [Piece(p.vertices, p.faces, material, p.uv) for p in pieces] if material else list(pieces)
+    """The pieces in one material, as they are without one; its image only where a mesh says how it lies."""
+    if material is None:
+        return list(pieces)
+    bare = replace(material, texture=None)
+    return [Piece(p.vertices, p.faces, material if p.uv is not None else bare, p.uv) for p in pieces]
 
 
 def motion(kind: str, axis: Array, frame: Array, span: tuple[float, float] | None, name: str) -> Motion:

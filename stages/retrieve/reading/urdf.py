@@ -11,13 +11,13 @@ from stages.retrieve.reading import limits, tree
 from stages.retrieve.reading.convex import colliders
 from stages.retrieve.reading.limits import Broken, floats
 from stages.retrieve.reading.model import Motion
-from stages.retrieve.reading.pieces import Array, Piece
+from stages.retrieve.reading.pieces import Array, Piece, gathered
 from stages.retrieve.reading.primitives import shape
+from stages.retrieve.reading.source import image
 from stages.retrieve.reading.transforms import at, rpy
-from stages.retrieve.reading.tree import Body
+from stages.retrieve.reading.tree import LINKS, Body
 
 KINDS = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide"}
-LINKS = 2000
 
 
 @dataclass(frozen=True)
@@ -47,10 +47,12 @@ def read(file: Path, root: Path, hulls: bool = False) -> Robot:
         body = Body(name, parent, frame, mass=_mass(links[name]))
         if joint is not None and joint.get("type") in KINDS:
             body.motion = _motion(joint, frame)
-        body.pieces = [p for v in links[name].findall("visual") for p in _visual(v, frame, file, root, colors)]
+        shown = (_visual(v, frame, file, root, colors) for v in links[name].findall("visual"))
+        body.pieces = gathered(shown, file.name)
         body.colliders = [c for v in links[name].findall("collision") for c in _collision(v, frame, file, root, hulls)]
         rows[name] = len(bodies)
         bodies.append(body)
+        tree.bounded(bodies, file.name)
     return Robot(bodies, {child: joint.get("name", child) for child, joint in joints.items()})
 
 
@@ -97,20 +99,21 @@ def _motion(joint: Element, frame: Array) -> Motion:
 
 
 def _visual(element: Element, frame: Array, file: Path, root: Path, colors: dict[str, Element]) -> list[Piece]:
-    return [p.moved(frame) for p in tree.dyed(_geometry(element, file, root)[0], _material(element, colors))]
+    material = _material(element, file, root, colors)
+    return [p.moved(frame) for p in tree.dyed(_geometry(element, file, root)[0], material)]
 
 
-def _material(element: Element, colors: dict[str, Element]) -> Material | None:
+def _material(element: Element, file: Path, root: Path, colors: dict[str, Element]) -> Material | None:
     own = element.find("material")
     if own is None:
         return None
-    color = own.find("color")
-    if color is None and own.get("name", "") in colors:
-        color = colors[own.get("name", "")].find("color")
-    if color is None:
+    shared = colors.get(own.get("name", ""), own)
+    color, picture = (own.find(tag) if own.find(tag) is not None else shared.find(tag) for tag in ("color", "texture"))
+    texture = image(file, root)(picture.get("filename", "").removeprefix("file://")) if picture is not None else None
+    if color is None and texture is None:
         return None
-    r, g, b, a = floats(color.get("rgba"), 4, "1 1 1 1", "color")
-    return Material(own.get("name") or "plain", (r, g, b, a))
+    r, g, b, a = floats(color.get("rgba") if color is not None else None, 4, "1 1 1 1", "color")
+    return Material(own.get("name") or "plain", (r, g, b, a), texture=texture)
 
 
 def _collision(element: Element, frame: Array, file: Path, root: Path, hulls: bool) -> list[Collider]:

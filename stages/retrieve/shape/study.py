@@ -66,7 +66,7 @@ def picture(maker: Maker, path: Path, weights: Path = WEIGHTS, table: Path = IND
     """A sheet of held-out pieces, one a row in two columns of rows, each followed by its nearest neighbours."""
     import matplotlib.image
 
-    from stages.retrieve.furniture import render
+    from stages.retrieve.preview import render
 
     known, queries = index(table), held_out(maker)
     chosen = [queries[i] for i in np.linspace(0, len(queries) - 1, QUERIES).astype(int)]

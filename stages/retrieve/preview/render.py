@@ -1,7 +1,4 @@
-"""Pictures of assets by a small software renderer: depth buffer, one shadow, textures, smooth shading.
-
-Used for contact sheets; needs no graphics library.
-"""
+"""Pictures of assets by a small software renderer: depth buffer, one shadow, textures, smooth shading."""
 
 from typing import NamedTuple
 
@@ -11,47 +8,37 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
 from schemas.retrieve import Joint
-from stages import materials
-from stages.asset import Asset, Link, Mesh
-from stages.retrieve.furniture.mesh import Array
+from stages.asset import Array, Asset, Link, Material
+from stages.materials import pixels
+from stages.shading import corner_normals
 
 _SUN = np.array([0.72, -0.1, 0.9]) / np.linalg.norm([0.72, -0.1, 0.9])
 _GROUND = 0.93
 
 
 class Soup(NamedTuple):
-    """Triangles of a scene: corners, corner normals and texture coordinates (t, 3, …), material index (t,)."""
+    """Triangles of a scene: corners, corner normals and texture coordinates (t, 3, …); `material` (t,) numbers them."""
 
     points: Array
     normals: Array
     uv: Array
     material: NDArray[np.int64]
-    names: list[str]
+    materials: list[Material]
 
 
 def opened(asset: Asset, share: float) -> Soup:
     """The asset's triangles with every joint at this share of its range, standing on z = 0."""
-    parts, names = [], sorted({m.material.name for link in asset.links for m in link.visuals})
+    parts = []
+    used: dict[Material, int] = {}
     for link in asset.links:
         for mesh in link.visuals:
-            normals = vertex_normals(mesh)
-            points, normals = _moved(link, mesh.vertices, normals, share)
-            points = points + [0, 0, asset.size[2] / 2]
-            uv = mesh.uv if mesh.uv is not None else np.zeros((len(points), 2))
-            which = np.full(len(mesh.faces), names.index(mesh.material.name))
-            parts.append((points[mesh.faces], normals[mesh.faces], uv[mesh.faces], which))
+            points, normals = mesh.vertices[mesh.faces], corner_normals(mesh).reshape(-1, 3, 3)
+            points, normals = _moved(link, points, normals, share)
+            uv = np.zeros((*mesh.faces.shape, 2)) if mesh.uv is None else mesh.uv[mesh.faces]
+            which = np.full(len(mesh.faces), used.setdefault(mesh.material, len(used)))
+            parts.append((points + [0, 0, asset.size[2] / 2], normals, uv, which))
     points, normals, uvs, which = (np.concatenate(group) for group in zip(*parts, strict=True))
-    return Soup(points, normals, uvs, which, names)
-
-
-def vertex_normals(mesh: Mesh) -> Array:
-    """Unit normals (n, 3): the mean over the faces that share each vertex, by area."""
-    a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
-    face = np.cross(b - a, c - a)
-    total = np.zeros_like(mesh.vertices)
-    for k in range(3):
-        np.add.at(total, mesh.faces[:, k], face)
-    return np.asarray(total / np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-12))
+    return Soup(points, normals, uvs, which, list(used))
 
 
 def _moved(link: Link, points: Array, normals: Array, share: float) -> tuple[Array, Array]:
@@ -133,7 +120,8 @@ def picture(
         )
 
     floor = _floor(soup)
-    clear = np.array([materials.PALETTE[name].color[3] < 0.7 for name in soup.names])[soup.material]
+    alpha = np.array([material.color[3] for material in soup.materials])[soup.material]
+    clear = alpha < 0.7
     light = _Light(soup.points[~clear])
     back = _drawn(project(np.concatenate([soup.points[~clear], floor])), (fine, fine))
     solid = Soup(
@@ -141,16 +129,15 @@ def picture(
         np.concatenate([soup.normals[~clear], np.full_like(floor, [0, 0, 1])]),
         np.concatenate([soup.uv[~clear], floor[..., :2]]),
         np.append(soup.material[~clear], [-1, -1]),
-        soup.names,
+        soup.materials,
     )
     image = _shaded(solid, back, light, axes, scale)
     if clear.any():
-        panes = Soup(soup.points[clear], soup.normals[clear], soup.uv[clear], soup.material[clear], soup.names)
+        panes = Soup(soup.points[clear], soup.normals[clear], soup.uv[clear], soup.material[clear], soup.materials)
         front = _drawn(project(panes.points), (fine, fine))
         seen = (front.owner >= 0) & (front.depth < back.depth)
         glass = _shaded(panes, front, light, axes, scale)
-        alpha = np.array([materials.PALETTE[n].color[3] for n in soup.names])[panes.material[front.owner]]
-        image = np.where(seen[..., None], image + (glass - image) * alpha[..., None], image)
+        image = np.where(seen[..., None], image + (glass - image) * alpha[clear][front.owner][..., None], image)
     small = image.reshape(size, 2, size, 2, 3).mean((1, 3))
     return np.asarray(np.clip(small, 0, 1) ** (1 / 2.2) * 255 + 0.5, np.uint8)
 
@@ -220,17 +207,19 @@ def _occlusion(depth: Array, scale: float, floor: NDArray[np.bool_]) -> Array:
 def _surface(soup: Soup, material: NDArray[np.int64], uv: Array) -> tuple[Array, Array, Array]:
     color = np.full((*material.shape, 3), _GROUND)
     rough, metal = np.ones(material.shape), np.zeros(material.shape)
-    for i, name in enumerate(soup.names):
+    for i, m in enumerate(soup.materials):
         own = material == i
-        m = materials.PALETTE[name]
         rough[own], metal[own] = m.roughness, m.metalness
-        if m.texture:
-            image = (materials.texture(name) / 255.0) ** 2.2
-            at = np.floor(uv[own] * len(image)).astype(int) % len(image)
-            color[own] = image[at[:, 1], at[:, 0]]
-        else:
-            color[own] = np.array(m.color[:3]) ** 2.2
+        color[own] = _texels(m.texture, uv[own]) if m.texture else np.array(m.color[:3]) ** 2.2
     return color, rough, metal
+
+
+def _texels(texture: str, uv: Array) -> Array:
+    """Linear colour (n, 3) of the texel nearest to each uv (n, 2), repeated, v up."""
+    image = pixels(texture)
+    rows, columns = image.shape[:2]
+    row = np.floor(-uv[:, 1] * rows).astype(int) % rows
+    return np.asarray((image[row, np.floor(uv[:, 0] * columns).astype(int) % columns] / 255.0) ** 2.2)
 
 
 def pair(

@@ -1,0 +1,31 @@
+"""Normals for shading triangles that meet smoothly or at an edge."""
+
+import numpy as np
+
+from stages.asset import Array, Mesh
+
+CREASE = np.cos(np.radians(42))
+"""Faces that meet at less than this angle are shaded as one smooth surface."""
+
+
+def corner_normals(mesh: Mesh) -> Array:
+    """Normal at each corner of each face, (3 × m, 3): the mean over faces about the vertex that meet smoothly."""
+    triangles = mesh.vertices[mesh.faces]
+    area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    flat = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-15)
+    _, vertex = np.unique(mesh.vertices[mesh.faces.ravel()].round(5), axis=0, return_inverse=True)
+    order = np.argsort(vertex, kind="stable")
+    starts = np.flatnonzero(np.diff(vertex[order], prepend=-1))
+    counts = np.diff(np.append(starts, len(order)))
+    # Every corner against every other about the same vertex.
+    mine = np.repeat(order, np.repeat(counts, counts))
+    first = np.repeat(np.repeat(starts, counts), np.repeat(counts, counts))
+    within = np.arange(len(mine)) - np.repeat(
+        np.cumsum(np.repeat(counts, counts)) - np.repeat(counts, counts), np.repeat(counts, counts)
+    )
+    other = order[first + within]
+    smooth = np.einsum("ij,ij->i", flat[mine // 3], flat[other // 3]) > CREASE
+    total = np.zeros((len(vertex), 3))
+    np.add.at(total, mine[smooth], area[other[smooth] // 3])
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    return np.where(length > 1e-15, total / np.maximum(length, 1e-15), np.repeat(flat, 3, 0))
