@@ -59,4 +59,4 @@ def warm() -> None:
 
     from stages.plan.study import archetypes
 
-    build(archetypes()["studio"], PlanConfig(whims=1), np.random.default_rng(0))
+    build(archetypes()["studio"], PlanConfig(), np.random.default_rng(0))

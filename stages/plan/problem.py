@@ -110,7 +110,7 @@ def _near(program: Program) -> Ints:
     types = [r.type for r in program.rooms]
     wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
     meals = [(i, j) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == ("kitchen", "dining_room")]
-    return np.array([*zip(wet, wet[1:], strict=False), *meals * 3], np.int64).reshape(-1, 2)
+    return np.array([*zip(wet, wet[1:], strict=False), *meals * 6], np.int64).reshape(-1, 2)
 
 
 def _ways(program: Program, index: dict[str, int]) -> Ints:

@@ -1,20 +1,16 @@
-"""How good the solver is: archetypes from studio to four bedrooms, solved over many seeds and judged."""
+"""How good the solver is: programmes of common flats from studio to four bedrooms, and figures of a plan."""
 
 import json
-import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import shapely
-from numpy.random import Generator
 
 from schemas.plan import AskedRoom, Plan, Program
 from stages import polygons
-from stages.plan import PlanConfig, build, validate
+from stages.plan import validate
 from stages.plan.standards import STANDARDS
-from stages.plan.variants import touching
 
 
 def archetypes() -> dict[str, Program]:
@@ -66,31 +62,4 @@ def measured(plan: Plan) -> dict[str, float]:
         "aspect": max(float(s.max() / s.min()) for s in spans) if spans else 1.0,
         "corridor": sum(shapes[r.id].area for r in plan.rooms if r.type == "hallway") / total,
         "rectangular": float(np.mean([s.area > 0.999 * shapely.box(*s.bounds).area for s in rooms])),
-    }
-
-
-def study(n: int, rng: Generator, config: PlanConfig | None = None) -> Iterator[dict[str, Any]]:
-    """A row per archetype over `n` seeds each: validity, scores, aspect, corridor share, CPU seconds."""
-    for name, program in archetypes().items():
-        yield {"archetype": name, **_over_seeds(program, n, rng, config or PlanConfig())}
-
-
-def _over_seeds(program: Program, n: int, rng: Generator, config: PlanConfig) -> dict[str, Any]:
-    rows, seconds, shapes = [], [], set()
-    for lane in rng.spawn(n):
-        before = time.process_time()
-        plan = build(program, config, lane)
-        seconds.append(time.process_time() - before)
-        rows.append(measured(plan))
-        shapes.add(touching(plan))
-    mean = {k: float(np.mean([r[k] for r in rows])) for k in ("S_edge", "S_constraint", "corridor", "rectangular")}
-    return {
-        "n": n,
-        "valid": float(np.mean([r["faults"] == 0 for r in rows])),
-        "unrelaxed": float(np.mean([r["relaxed"] == 0 for r in rows])),
-        **mean,
-        "aspect_p95": float(np.quantile([r["aspect"] for r in rows], 0.95)),
-        "signatures": len(shapes),
-        "cpu_median": float(np.median(seconds)),
-        "cpu_p95": float(np.quantile(seconds, 0.95)),
     }
