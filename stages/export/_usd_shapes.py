@@ -1,14 +1,25 @@
 """Shapes of a USD stage: meshes, colliders, where they are."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Gf, UsdGeom, UsdPhysics, Vt
+from pxr import Gf, Sdf, UsdGeom, UsdPhysics, Vt
 
-from stages.asset import Array, Collider
+from stages.asset import Array, Collider, Mesh
 from stages.export._hull import hull
+from stages.export._manifold import manifold
+from stages.export._pieces import shaded
 from stages.export._rotation import quaternion
+
+
+class Surface(NamedTuple):
+    """Vertices (n, 3), unit normals (n, 3), uv (n, 2) or None, triangles (m, 3)."""
+
+    vertices: Array
+    normals: Array
+    uv: Array | None
+    faces: NDArray[np.int64]
 
 
 def collider(stage: Any, path: str, c: Collider) -> Any:
@@ -36,7 +47,11 @@ def collider(stage: Any, path: str, c: Collider) -> Any:
 
 
 def _hull(stage: Any, path: str, c: Collider) -> Any:
-    made = mesh(stage, path, *hull(c))
+    vertices, faces = hull(c)
+    made = mesh(stage, path, vertices, faces)
+    a, b, d = (vertices[faces[:, k]] for k in range(3))
+    across = np.cross(b - a, d - a)
+    _normals(made, across / np.linalg.norm(across, axis=1, keepdims=True), UsdGeom.Tokens.uniform)
     UsdPhysics.MeshCollisionAPI.Apply(made.GetPrim()).CreateApproximationAttr(UsdPhysics.Tokens.convexHull)
     return made
 
@@ -50,6 +65,36 @@ def mesh(stage: Any, path: str, vertices: Array, faces: NDArray[Any]) -> Any:
     made.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
     made.CreateExtentAttr(extent(vertices))
     return made
+
+
+def visuals(piece: Mesh) -> list[Surface]:
+    """What shows of a piece, shaded, as manifold meshes."""
+    vertices, normals, uv, faces = shaded(piece)
+    found = []
+    for part in manifold(faces):
+        used, index = np.unique(part, return_inverse=True)
+        own = None if uv is None else uv[used]
+        found.append(Surface(vertices[used], normals[used], own, index.reshape(-1, 3).astype(np.int64)))
+    return found
+
+
+def show(stage: Any, path: str, surface: Surface) -> Any:
+    """A mesh with normals, and texture coordinates where it has them, each stored once."""
+    made = mesh(stage, path, surface.vertices, surface.faces)
+    _normals(made, surface.normals, UsdGeom.Tokens.vertex)
+    if surface.uv is not None:
+        kind = Sdf.ValueTypeNames.TexCoord2fArray
+        primvar = UsdGeom.PrimvarsAPI(made).CreatePrimvar("st", kind, UsdGeom.Tokens.vertex)
+        once, index = np.unique(surface.uv.astype(np.float32), axis=0, return_inverse=True)
+        primvar.Set(Vt.Vec2fArray.FromNumpy(once))
+        primvar.SetIndices(Vt.IntArray.FromNumpy(index.ravel().astype(np.int32)))
+    return made
+
+
+def _normals(shown: Any, unit: Array, interpolation: str) -> None:
+    """Unit normals (n, 3), one for each vertex or face."""
+    shown.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(unit.astype(np.float32)))
+    shown.SetNormalsInterpolation(interpolation)
 
 
 def extent(points: Array) -> Any:

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from stages.body import Body, Light
+from stages.body import Body, Light, inertia
 from stages.export._gltf import packed
 from stages.export._obj import Files
 from stages.export._urdf import body_links
@@ -69,6 +69,7 @@ class _Writer:
         entry = {
             "template_name": self.models[key], "translation": _y_up(body.position), "translation_origin": "asset_local",
             "rotation": _turned(body.yaw, z_up=moves), "motion_type": "DYNAMIC" if body.free or moves else "STATIC",
+            "user_defined": {k: v for k, v in _facts(body).items() if v},
         }
         into.append(entry | ({"fixed_base": not body.free} if moves else {}))
 
@@ -77,7 +78,7 @@ class _Writer:
         self._bytes(f"objects/{name}.glb", packed([alone], [], self.credits))
         self._json(f"objects/{name}.object_config.json", {
             "render_asset": f"{name}.glb", "collision_asset": f"{name}.glb", "requires_lighting": True,
-            "mass": body.links[0].mass, "friction_coefficient": body.links[0].friction,
+            "mass": inertia(body.links[0]).mass, "friction_coefficient": body.links[0].friction,
             "is_collidable": bool(body.links[0].colliders), "semantic_category": body.category,
         })  # fmt: skip
 
@@ -120,6 +121,10 @@ class _Writer:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
         self.written.append(path)
+
+
+def _facts(body: Body) -> Config:
+    return {"name": body.name, "id": body.id, "category": body.category, "room": body.room, "asset": body.model}
 
 
 def _y_up(point: Any) -> list[float]:

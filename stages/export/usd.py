@@ -13,15 +13,15 @@ from schemas.errors import BadInput
 from stages.asset import Array, Link
 from stages.body import DAMPING, Body, Light, counterbalanced, inertia
 from stages.export._obj import Files
-from stages.export._pieces import names, pieces, shaded
+from stages.export._pieces import names, pieces
 from stages.export._rotation import about_z, from_x, quaternion
 from stages.scene import Scene, identifier
 
 try:
-    from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, Vt
+    from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics
 
     from stages.export._usd_looks import Looks
-    from stages.export._usd_shapes import collider, extent, mesh, place
+    from stages.export._usd_shapes import collider, extent, place, show, visuals
 except ImportError as error:
     raise BadInput("format usd needs the package usd-core; pip install 'apartgen[usd]'") from error
 
@@ -127,16 +127,10 @@ class _Writer:
 
     def _link(self, path: str, link: Link) -> None:
         """Shapes that show, and under `Colliders` those that don't."""
-        for k, piece in enumerate(pieces(link)):
-            vertices, normals, uv, faces = shaded(piece)
-            shown = mesh(self.stage, f"{path}/visual_{k}", vertices, faces)
-            shown.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(normals.astype(np.float32)))
-            shown.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
-            if uv is not None:
-                kind = Sdf.ValueTypeNames.TexCoord2fArray
-                primvar = UsdGeom.PrimvarsAPI(shown).CreatePrimvar("st", kind, UsdGeom.Tokens.vertex)
-                primvar.Set(Vt.Vec2fArray.FromNumpy(uv.astype(np.float32)))
-            self.looks.bind(shown.GetPrim(), piece.material, identifier(self.names[piece.material]))
+        shown = [(piece.material, surface) for piece in pieces(link) for surface in visuals(piece)]
+        for k, (material, surface) in enumerate(shown):
+            made = show(self.stage, f"{path}/visual_{k}", surface)
+            self.looks.bind(made.GetPrim(), material, identifier(self.names[material]))
         if link.colliders:
             group = UsdGeom.Scope.Define(self.stage, f"{path}/Colliders")
             group.CreatePurposeAttr(UsdGeom.Tokens.guide)

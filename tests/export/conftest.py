@@ -1,9 +1,27 @@
-"""One export of the sample flat for each format, with small pictures: what is tested does not depend on their size."""
+"""Exports to test: of the sample flat in one format, and of whole flats in every format, small pictures throughout."""
+
+from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 from export import sample
 
-from stages import export
+from schemas import artifact
+from schemas.walkable import Walkable
+from stages import export, retrieve
+from stages.retrieve.matching.config import RetrieveConfig
+from stages.scene import Scene
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "two-bedroom-flat" / "walkable.json"
+FILES = ("mjcf", "usd", "urdf", "sdf", "glb", "habitat", "procthor", "nav2")
+"""Formats of whole flats; the others are pictures."""
+
+
+class Made(NamedTuple):
+    """A scene and the folder of its export."""
+
+    scene: Scene
+    folder: Path
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -24,3 +42,32 @@ def exported(tmp_path_factory):
         return out
 
     return folder
+
+
+@pytest.fixture(scope="session")
+def make(tmp_path_factory):
+    def made(home, load, formats=FILES) -> Made:
+        """The home in these formats."""
+        out = tmp_path_factory.mktemp("whole") / "scene"
+        export.run(home, list(formats), out, load)
+        return Made(Scene(home, load), out)
+
+    return made
+
+
+@pytest.fixture(scope="session", name="sample")
+def _sample(make) -> Made:
+    """The sample flat of plain boxes."""
+    return make(sample.home(), sample.load)
+
+
+@pytest.fixture(scope="session")
+def library():
+    """The embedded furniture."""
+    return retrieve.open_libraries(RetrieveConfig()).load
+
+
+@pytest.fixture(scope="session")
+def flat(make, library) -> Made:
+    """The example flat: two bedrooms, 65 objects."""
+    return make(artifact.read(EXAMPLE, Walkable).body, library)
