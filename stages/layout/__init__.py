@@ -26,7 +26,7 @@ def run_many(previous: list[Plan], config: LayoutConfig, rngs: list[np.random.Ge
     from stages.layout import weights
     from stages.layout.features import join
     from stages.layout.furnish import furnish
-    from stages.layout.sample import sample
+    from stages.layout.sample import draw_counts, sample
 
     network, record = weights.load(Path(config.weights) if config.weights else None)
     parts = [room_arrays.of_plan(plan) for plan in previous]
@@ -36,11 +36,13 @@ def run_many(previous: list[Plan], config: LayoutConfig, rngs: list[np.random.Ge
     # Few rooms are done before a second core has started.
     torch.set_num_threads(config.threads or (1 if len(rooms) < MANY_ROOMS else os.cpu_count() or 1))
     lanes = [lane for plan, rng in zip(previous, rngs, strict=True) for lane in rng.spawn(len(plan.rooms))]
-    out, made, first = [], [], 0
-    for start in range(0, len(rooms), config.batch):
-        stop = start + config.batch
-        made.append(sample(network, rooms[start:stop], config, record["counts"], lanes[start:stop]))
-    objects = join(made)
+    rooms.count = draw_counts(rooms, record["counts"], lanes)
+    # A batch pays for its fullest room, so rooms alike share one.
+    order, made = np.lexsort([rooms.tokens, rooms.count]), []
+    for index in np.split(order, range(config.batch, len(order), config.batch)):
+        made.append(sample(network, rooms[index], config, [lanes[i] for i in index]))
+    objects = join(made).rows(np.argsort(order))
+    out, first = [], 0
     for plan in previous:
         rows = slice(first, first + len(plan.rooms))
         boxes = furnish(plan, rooms[rows], objects.rows(rows), config)

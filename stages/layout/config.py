@@ -65,5 +65,5 @@ class LayoutConfig(Record):
     )
     projection: bool = Field(True, description="remove what little overlap is left after sampling")
     weights: str | None = Field(None, description="a weights file other than the shipped one")
-    batch: int = Field(128, ge=1, description="rooms denoised at once")
+    batch: int = Field(48, ge=1, description="rooms denoised at once")
     threads: int = Field(0, ge=0, description="cores; 0 is one for few rooms, all for many")

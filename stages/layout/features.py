@@ -6,7 +6,9 @@ channel is "empty", shape latent. All channels are scaled to about unit spread.
 
 from dataclasses import dataclass, fields
 
+import numpy as np
 import torch
+from numpy.typing import NDArray
 from torch import Tensor
 
 from stages.categories import CATEGORIES
@@ -38,7 +40,7 @@ class Objects:
     category: Tensor
     latent: Tensor
 
-    def rows(self, index: slice) -> "Objects":
+    def rows(self, index: slice | NDArray[np.int64]) -> "Objects":
         """Some of the rooms."""
         return Objects(*(getattr(self, f.name)[index] for f in fields(self)))
 

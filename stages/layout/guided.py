@@ -67,9 +67,13 @@ def guided(
 
 
 def trusted(shift: Tensor) -> Tensor:
-    """The shift (B, N, D), no object's longer than `TRUST`: an IoU's gradient grows as 1 over a box's thickness."""
-    length: Tensor = shift.norm(dim=-1, keepdim=True)
-    return shift * (TRUST / length.clamp_min(TRUST))
+    """The shift (B, N, D), no object's longer than `TRUST`: an IoU's gradient grows as 1 over a box's thickness.
+
+    Class channels, which only quantity moves, have a bounded gradient.
+    """
+    moves, classes = shift[..., : CLASS.start], shift[..., CLASS.start :]
+    length: Tensor = moves.norm(dim=-1, keepdim=True)
+    return torch.cat([moves * (TRUST / length.clamp_min(TRUST)), classes], -1)
 
 
 def quantity_guided(

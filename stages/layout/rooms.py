@@ -52,6 +52,11 @@ class Rooms:
         cross = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
         return np.asarray(np.nansum(cross, axis=1) / 2, np.float32)
 
+    @property
+    def tokens(self) -> Ints:
+        """Sides and openings of each room, (B,)."""
+        return np.asarray((~np.isnan(self.polygon[..., 0])).sum(1) + (~np.isnan(self.openings[..., 0])).sum(1))
+
 
 def edges(polygon: Floats) -> tuple[Floats, Floats]:
     """Start and end points (B, P, 2) of the sides of NaN-padded polygons; NaN past the last side."""

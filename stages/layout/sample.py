@@ -19,6 +19,8 @@ AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
 """Lower edges of the floor-area classes (m²) for which the training record counts objects."""
 EARLY = 0.10
 """Quantity guidance acts below this share of the schedule (Fig. 4)."""
+QUANTITY = 100.0
+"""Its weight γ; a mean over slots has small gradients, and settled classes hold on to their evidence."""
 
 
 def count_table(rooms: Rooms, count: NDArray[np.int64]) -> list[list[list[int]]]:
@@ -49,11 +51,9 @@ def sample(
     network: Denoiser,
     rooms: Rooms,
     config: LayoutConfig,
-    table: list[list[list[int]]],
     lanes: list[np.random.Generator],
 ) -> Objects:
-    """Objects (B, N) of a batch of rooms; one generator a room, so that no room's result hangs on another's."""
-    rooms.count = draw_counts(rooms, table, lanes)
+    """Objects (B, N) of a batch of rooms of known count; one generator a room, so that none hangs on another's."""
     count = torch.from_numpy(rooms.count)
     exact = config.count == "exact"
     slots = max(1, int(count.max())) if exact else N_MAX
@@ -82,7 +82,7 @@ def _wrapped(
     denoise = sensible(denoise, rooms, filled, model.class_scale)
     denoise = guided.fixed_categories(denoise, torch.from_numpy(rooms.wanted), filled, model)
     if config.count == "guided":
-        gamma = config.guidance.get("quantity", 1.0)
+        gamma = config.guidance.get("quantity", QUANTITY)
         denoise = guided.quantity_guided(
             denoise, count, guided.energies({"quantity": gamma}), room, model, config, EARLY
         )

@@ -82,27 +82,51 @@ def settle(logits: Logits, kind: int, wanted: NDArray[np.int64]) -> None:
     """
     if not len(logits):
         return
-    for number, group in sense().most:
-        _at_most(logits, [c for c in group if wanted[c] < 0], number)
-    for category, companions in sense().needs:
-        if wanted[category] < 0 and not np.isin(logits.argmax(-1), companions).any():
-            logits[:, category] = BARRED
+    free = np.append(wanted < 0, True)
+    _at_most(logits, free)
+    present = np.bincount(logits.argmax(-1), minlength=logits.shape[1]) > 0
+    needing, companions = _needs()
+    logits[:, needing[~companions[:, present].any(1) & free[needing]]] = BARRED
     taken: list[int] = []
     for group in sense().least[kind]:
         if len(taken) < len(logits) and not any(wanted[c] == 0 for c in group):
             taken.append(_one_of(logits, group, taken))
 
 
-def _at_most(logits: Logits, group: list[int], number: int) -> None:
-    """Bar the group from all but the `number` slots that want it most."""
-    if not group:
-        return
-    members = np.array(group)
-    wins = np.flatnonzero(np.isin(logits.argmax(-1), members))
-    if len(wins) > number:
+def _at_most(logits: Logits, free: NDArray[np.bool_]) -> None:
+    """Bar every group from all but the slots that want it most, `free` (C+1,) classes alone."""
+    number, groups = _most()
+    groups = groups & free
+    for _ in range(len(number)):
+        over = np.flatnonzero(groups @ np.bincount(logits.argmax(-1), minlength=logits.shape[1]) > number)
+        if not len(over):
+            return
+        members = np.flatnonzero(groups[over[0]])
+        wins = np.flatnonzero(groups[over[0]][logits.argmax(-1)])
         best = logits[wins][:, members].max(-1)
-        losers = wins[np.argsort(-best, kind="stable")[number:]]
+        losers = wins[np.argsort(-best, kind="stable")[number[over[0]] :]]
         logits[np.ix_(losers, members)] = BARRED
+
+
+@cache
+def _most() -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """How many of every group, (G,), and its classes, (G, C+1)."""
+    rules = sense().most
+    return np.array([number for number, _ in rules]), _table([group for _, group in rules])
+
+
+@cache
+def _needs() -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """Classes that need others (K,), and which, (K, C+1)."""
+    rules = sense().needs
+    return np.array([category for category, _ in rules]), _table([companions for _, companions in rules])
+
+
+def _table(groups: list[tuple[int, ...]]) -> NDArray[np.bool_]:
+    table = np.zeros((len(groups), len(CATEGORIES) + 1), bool)
+    for row, group in zip(table, groups, strict=True):
+        row[list(group)] = True
+    return table
 
 
 def _one_of(logits: Logits, group: tuple[int, ...], taken: list[int]) -> int:

@@ -22,6 +22,8 @@ from stages.layout.sample import count_table
 
 log = logging.getLogger("apartgen")
 Report = Callable[[int, float], None]
+TOKEN_BINS = (9, 11, 14, 18)
+"""Lower edges of the classes of rooms by sides and openings, which share batches."""
 
 
 def learning_rate(step: int, config: TrainConfig) -> float:
@@ -37,20 +39,21 @@ def indices(
 ) -> Iterator[tuple[NDArray[np.int64], int, np.random.Generator]]:
     """Room indices and slots of every step from `start`: one object count a batch, or all slots with empty ones.
 
-    Each step has its own generator, so that a resumed run repeats an unbroken one.
+    A batch has rooms of about as many sides and openings, since all pay for the most. Each step has its own
+    generator, so that a resumed run repeats an unbroken one.
     """
-    count = corpus.count
-    groups = {int(n): np.flatnonzero(count == n) for n in np.unique(count) if n > 0}
-    sizes = np.array([len(g) * 1.0 for g in groups.values()])
+    count, sides = corpus.count, np.digitize(corpus.rooms.tokens, TOKEN_BINS)
+    groups = [(N_MAX, np.flatnonzero(sides == k)) for k in np.unique(sides)]
+    shares = [config.slots_share * len(group) / len(corpus) for _, group in groups]
+    for n, k in np.unique(np.stack([count, sides], 1)[count > 0], axis=0):
+        groups.append((int(n), np.flatnonzero((count == n) & (sides == k))))
+        shares.append((1 - config.slots_share) * len(groups[-1][1]) / (count > 0).sum())
     for step in range(start, config.steps):
         rng = np.random.default_rng([config.seed, step])
-        if rng.random() < config.slots_share:
-            yield rng.integers(len(corpus), size=config.batch), N_MAX, rng
-        else:
-            n = rng.choice(list(groups), p=sizes / sizes.sum())
-            # Fewer objects leave room for more rooms at the same cost.
-            rooms = max(8, round(config.batch * min(2.0, 12 / n)))
-            yield rng.choice(groups[int(n)], size=rooms), int(n), rng
+        n, group = groups[int(rng.choice(len(groups), p=np.array(shares) / sum(shares)))]
+        # Fewer objects leave room for more rooms at the same cost.
+        rooms = max(8, round(config.batch * min(2.0, 12 / n)))
+        yield rng.choice(group, size=rooms), n, rng
 
 
 def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | None = None) -> dict[str, Any]:

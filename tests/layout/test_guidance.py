@@ -160,3 +160,22 @@ def test_schedule_is_respected() -> None:
     assert not calls
     steered(x, torch.tensor([10]))
     assert calls and ALPHA_BAR[10] < 1
+
+
+@pytest.mark.parametrize("wanted", [6, 13])
+def test_late_quantity_guidance_makes_counts_exact(wanted: int) -> None:
+    """Eq. 3 on the shipped model: the slots of lowest empty logit are filled, the rest empty, in every room."""
+    from stages.layout import weights
+    from stages.layout.sample import sample
+
+    rooms = some_rooms(6)
+    rooms.type[:] = 3
+    rooms.count[:] = wanted
+    network, _ = weights.load()
+    lanes = [np.random.default_rng([i, 0]) for i in range(6)]
+    config = LayoutConfig(count="guided", guidance={}, projection=False)
+    made = (sample(network, rooms, config, lanes).category >= 0).sum(1)
+    assert (made == wanted).all()
+    lanes = [np.random.default_rng([i, 0]) for i in range(6)]
+    free = (sample(network, rooms, config.model_copy(update={"count": "free"}), lanes).category >= 0).sum(1)
+    assert (free != wanted).any()

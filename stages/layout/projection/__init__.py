@@ -4,6 +4,7 @@ Objects take their places one after another, large ones first, each at the cheap
 places about where the model put it; what still breaks a requirement is placed again, then smaller, then anywhere.
 """
 
-from stages.layout.projection.project import Item, project
+from stages.layout.projection.project import project
+from stages.layout.projection.standing import Item
 
 __all__ = ["Item", "project"]

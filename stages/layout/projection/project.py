@@ -1,16 +1,17 @@
 """The projection of one room."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
 from stages.categories import TABLE
-from stages.layout.projection import candidates
-from stages.layout.projection.costs import BROKEN, SOFT, Placed, at_table, cost, grown
+from stages.layout.projection import candidates, passage
+from stages.layout.projection.costs import BROKEN, SOFT, cost
 from stages.layout.projection.partners import FLUSH, beside, in_run, pull
 from stages.layout.projection.space import Space
+from stages.layout.projection.standing import Item, Standing
 
 Array = NDArray[np.float64]
 LEAN = {"bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.25, "coat_rack": 0.4, "bin": 0.5}
@@ -20,68 +21,8 @@ SHRINKS = (0.9, 0.8, 0.7, 0.6)
 WINDOW_MARGIN = 0.15
 ROUNDS = 3
 HEADROOM = 2.1
-ROD = 1.9
-"""Curtain rods hang above this, m."""
 LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
-
-
-@dataclass
-class Item:
-    """One object: center, size (3,), yaw, category; `cost` after placing, at or above BROKEN where it breaks a
-    requirement; `moved` metres from where the model put it."""
-
-    category: str
-    center: Array
-    size: Array
-    yaw: float
-    cost: float = 0.0
-    moved: float = 0.0
-
-
-class Standing:
-    """The room's objects as arrays; `there` tells which have a place yet."""
-
-    def __init__(self, items: list[Item]) -> None:
-        n = len(items)
-        self.items: list[Item] = list(items)
-        self.boxes = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
-        self.grown = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
-        self.there = np.zeros(n, bool)
-        self.soft = np.array([item.category in SOFT for item in items], bool)
-        self.seated = np.array([[at_table(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
-
-    def put(self, i: int, item: Item) -> None:
-        """Give object `i` its place."""
-        self.items[i] = item
-        one = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
-        for store, box in ((self.boxes, one), (self.grown, grown(item.category, one))):
-            store.center[i], store.size[i], store.yaw[i] = box.center[0], box.size[0], box.yaw[0]
-        self.there[i] = True
-
-    def others(self, i: int, item: Item) -> Placed:
-        """All that object `i`, placed as `item`, could meet; not what carries it."""
-        index = self.there.copy()
-        index[i] = False
-        if TABLE[item.category].place == "top":
-            top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
-            index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
-        return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], self.seated[i][index])
-
-    def _soft(self, item: Item) -> NDArray[np.bool_]:
-        """What gives way to an item; a tall door does not pass a curtain's rod."""
-        if TABLE[item.category].opens != "leaf" or item.size[2] < ROD:
-            return self.soft
-        return np.array([o.category in SOFT and o.category != "curtain" for o in self.items], bool)
-
-    def standing(self, i: int) -> tuple[Boxes, list[str]]:
-        """All that has a place but object `i`, and their categories."""
-        index = np.array([j for j in np.flatnonzero(self.there) if j != i], int)
-        return self.boxes.take(index), [self.items[j].category for j in index]
-
-    def neighbours(self, i: int) -> list[Item]:
-        """The other objects that have a place."""
-        return [self.items[j] for j in np.flatnonzero(self.there) if j != i]
 
 
 def project(items: list[Item], space: Space) -> list[Item]:
@@ -97,6 +38,7 @@ def project(items: list[Item], space: Space) -> list[Item]:
             break
         for i in broken:
             room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
+    passage.join(room, space)
     for i, item in enumerate(room.items):
         item.cost = _again(i, room, space)
         item.moved = float(np.linalg.norm(item.center[:2] - items[i].center[:2]))

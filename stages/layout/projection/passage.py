@@ -1,0 +1,278 @@
+"""Keeps the free floor of a room in one piece: shifts, tucks in or narrows what cuts a part of it off."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from stages import grid
+from stages.boxes import Boxes
+from stages.categories import TABLE
+from stages.layout.projection import candidates, partners
+from stages.layout.projection.costs import BROKEN, SOFT, cost
+from stages.layout.projection.space import Space
+from stages.layout.projection.standing import Standing
+
+Array = NDArray[np.float64]
+RADII = {0.15: 12.0, 0.25: 4.0}
+"""Radius of who walks, m: that of the usual metric and that of a common robot; and how many metres of shifting it is
+worth that no floor is cut off from either."""
+DOOR = 0.1
+"""A door shut off counts as this share of the floor."""
+SLIVER = 0.02
+"""A share of the free floor that may be cut off."""
+LOW, FLAT = 1.5, 0.03
+"""What hangs with its centre above, or rises no higher, is in nobody's way, m."""
+SHIFTS = (0.05, 0.1, 0.16, 0.24, 0.34, 0.5, 0.7)
+NARROWER = (0.92, 0.85, 0.75)
+NEAR = 0.7
+"""Places farther away than this are not tried, m."""
+TRIED, MOVES = 12, 5
+LEAST_GAIN = 0.05
+GROUP_GAP = 0.25
+"""What belongs with an object and stands as close as this moves along with it, m."""
+
+
+@dataclass
+class Move:
+    """Objects that change place together: their indices, boxes (n,) of each, and the price (n,) of each change."""
+
+    members: list[int]
+    boxes: list[Boxes]
+    price: Array
+
+
+class Paths:
+    """How many obstacles keep each walker off each cell of a room."""
+
+    def __init__(self, room: Standing, space: Space) -> None:
+        floor = shapely.Polygon(space.corners)
+        self.cells = grid.over(floor)
+        self.inner = {r: grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII}
+        low = room.boxes.take(np.flatnonzero(in_the_way(room)))
+        self.count = {r: grid.near(low, self.cells, r) for r in RADII}
+        before = space.zones.center[~space.window, :2] - self.cells.origin
+        column, row = np.clip((before / self.cells.resolution).astype(int), 0, np.array(self.cells.shape[::-1]) - 1).T
+        self.doors = row, column
+
+    def change(self, box: Boxes, by: int) -> None:
+        """Put a box (n = 1) there, or take it away."""
+        for r, count in self.count.items():
+            grid.change(count, box, self.cells, r, by)
+
+    def cut_off(self) -> float:
+        """What it is worth, in metres of shifting, to join all parts of the floor and all doors."""
+        total = 0.0
+        for r, worth in RADII.items():
+            labels, sizes = grid.connected(self.inner[r] & (self.count[r] == 0))
+            at_doors = labels[self.doors]
+            home = at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax()
+            lost = 1 - sizes[home] / sizes.sum() if sizes[home] else 1.0
+            total += worth * (float(lost) if lost > SLIVER else 0.0)
+            total += DOOR * worth * float((at_doors != home).sum())
+        return total
+
+    def between(self) -> Callable[[Boxes], bool]:
+        """Tells whether a box (n = 1) lies between two parts of the floor, or before a door shut in."""
+        labels = {r: grid.connected(self.inner[r] & (self.count[r] == 0))[0] for r in RADII}
+        blocked = any((found[self.doors] == 0).any() for found in labels.values())
+
+        def borders(box: Boxes) -> bool:
+            for r, found in labels.items():
+                touched = np.unique(found[grid.near(box, self.cells, r + 1.5 * self.cells.resolution) > 0])
+                if blocked or (touched > 0).sum() > 1:
+                    return True
+            return False
+
+        return borders
+
+
+def in_the_way(room: Standing) -> NDArray[np.bool_]:
+    """What a walker has to go round, (n,)."""
+    top = room.boxes.center[:, 2] + room.boxes.size[:, 2] / 2
+    return np.asarray(room.there & (room.boxes.center[:, 2] < LOW) & (top > FLAT))
+
+
+def join(room: Standing, space: Space) -> None:
+    """Change places, in place, until no more floor can be joined at a price that it is worth."""
+    paths = Paths(room, space)
+    worth = paths.cut_off()
+    for _ in range(MOVES):
+        if worth == 0:
+            return
+        best: tuple[float, Move, int] | None = None
+        borders = paths.between()
+        for i in np.flatnonzero(in_the_way(room)):
+            category = room.items[i].category
+            if TABLE[category].place != "floor" or category in SOFT or not borders(room.boxes.take([i])):
+                continue
+            for move in moves(int(i), room, space):
+                found = _best(move, room, paths, worth)
+                if found is not None and (best is None or found[0] < best[0]):
+                    best = found[0], move, found[1]
+        if best is None:
+            return
+        _apply(best[1], best[2], room, paths)
+        worth = paths.cut_off()
+
+
+def _best(move: Move, room: Standing, paths: Paths, worth: float) -> tuple[float, int] | None:
+    """The candidate that leaves the least, and what remains with it; None where none gains."""
+    walked = in_the_way(room)
+    for k in move.members:
+        if walked[k]:
+            paths.change(room.boxes.take([k]), -1)
+    found: tuple[float, int] | None = None
+    limit = worth - LEAST_GAIN
+    for n in np.argsort(move.price, kind="stable")[:TRIED]:
+        if move.price[n] >= limit:
+            break
+        for k, boxes in zip(move.members, move.boxes):
+            if walked[k]:
+                paths.change(boxes.take([n]), 1)
+        total = float(move.price[n]) + paths.cut_off()
+        if total < limit:
+            found, limit = (total, int(n)), total
+        for k, boxes in zip(move.members, move.boxes):
+            if walked[k]:
+                paths.change(boxes.take([n]), -1)
+    for k in move.members:
+        if walked[k]:
+            paths.change(room.boxes.take([k]), 1)
+    return found
+
+
+def _apply(move: Move, n: int, room: Standing, paths: Paths) -> None:
+    walked = in_the_way(room)
+    for k, boxes in zip(move.members, move.boxes):
+        if walked[k]:
+            paths.change(room.boxes.take([k]), -1)
+            paths.change(boxes.take([n]), 1)
+        room.put(
+            k, replace(room.items[k], center=boxes.center[n].copy(), size=boxes.size[n].copy(), yaw=float(boxes.yaw[n]))
+        )
+
+
+def moves(i: int, room: Standing, space: Space) -> list[Move]:
+    """What can be done about object `i`: shifted with its group, placed anew nearby, made narrower."""
+    group, alone = _group(i, room), [i, *_carried([i], room)]
+    tried = [_rigid(group, _shifts(room.boxes.take([i])), room, space)]
+    if len(alone) < len(group):
+        tried.append(_rigid(alone, _shifts(room.boxes.take([i])), room, space))
+    if len(alone) == 1:
+        tried += [_anew(i, room, space), *(_narrower(i, share, room, space) for share in NARROWER)]
+    return [_valid(move) for move in tried if (move.price < BROKEN).any()]
+
+
+def _valid(move: Move) -> Move:
+    good = np.flatnonzero(move.price < BROKEN)
+    return Move(move.members, [boxes.take(good) for boxes in move.boxes], move.price[good])
+
+
+def _carried(members: list[int], room: Standing) -> list[int]:
+    """What stands on any of the members."""
+    found = []
+    for k, item in enumerate(room.items):
+        if not room.there[k] or k in members or TABLE[item.category].place != "top":
+            continue
+        for m in members:
+            under = room.items[m]
+            offset = np.abs(_turned(item.center[:2] - under.center[:2], -under.yaw))
+            rests = abs(under.center[2] + under.size[2] / 2 - (item.center[2] - item.size[2] / 2)) < 0.02
+            if rests and (offset <= under.size[:2] / 2 + 0.01).all():
+                found.append(k)
+                break
+    return found
+
+
+def _group(i: int, room: Standing) -> list[int]:
+    """Object `i`, what stands close by and belongs with it, and what stands on any of them."""
+    near = _gap(room.boxes.take([i]), room.boxes)
+    members = [i]
+    for k, item in enumerate(room.items):
+        belongs = room.items[i].category in TABLE[item.category].belongs
+        if k != i and room.there[k] and belongs and TABLE[item.category].place == "floor" and near[k] < GROUP_GAP:
+            members.append(k)
+    return members + _carried(members, room)
+
+
+def _gap(one: Boxes, others: Boxes) -> Array:
+    """Distance in plan between a footprint (n = 1) and each of others, m."""
+    from stages import boxes
+
+    return np.asarray(shapely.distance(boxes.footprints(one)[0], boxes.footprints(others)), float)
+
+
+def _turned(point: Array, angle: float) -> Array:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([c * point[0] - s * point[1], s * point[0] + c * point[1]])
+
+
+def _shifts(box: Boxes) -> Array:
+    """Displacements (n, 2) along the box's own axes."""
+    c, s = float(np.cos(box.yaw[0])), float(np.sin(box.yaw[0]))
+    ways = np.array([[c, s], [-c, -s], [-s, c], [s, -c]])
+    return np.concatenate([d * ways for d in SHIFTS])
+
+
+def _rigid(members: list[int], shift: Array, room: Standing, space: Space) -> Move:
+    """All members moved by each of `shift` (n, 2)."""
+    found, price = [], np.linalg.norm(shift, axis=1)
+    for k in members:
+        item = room.items[k]
+        at = np.tile(item.center, (len(shift), 1))
+        at[:, :2] += shift
+        boxes = Boxes(at, np.tile(item.size, (len(shift), 1)), np.full(len(shift), item.yaw))
+        found.append(boxes)
+        price = np.maximum(price, _price(k, boxes, members, room, space))
+    return Move(members, found, price)
+
+
+def _price(k: int, boxes: Boxes, members: list[int], room: Standing, space: Space) -> Array:
+    """What each place costs object `k`; members of its group are not in its way."""
+    item = room.items[k]
+    if TABLE[item.category].place == "top" or not boxes.n:
+        return np.zeros(boxes.n)
+    others = room.others(k, item, members)
+    price = cost(boxes, item.category, item.center, item.yaw, others, space)
+    if TABLE[item.category].back:
+        price = price + np.where(_behind(boxes, space) > 0.05, 1.0, 0.0)
+    return np.asarray(price)
+
+
+def _behind(boxes: Boxes, space: Space) -> Array:
+    """Distance of each back from the nearest wall, m, (n,)."""
+    back = boxes.center[:, :2] - np.stack([np.cos(boxes.yaw), np.sin(boxes.yaw)], -1) * boxes.size[:, :1] / 2
+    offset = back[:, None] - space.start
+    share = np.clip((offset * space.along).sum(-1), 0, space.length)
+    return np.asarray(np.linalg.norm(offset - share[..., None] * space.along, axis=-1).min(1))
+
+
+def _anew(i: int, room: Standing, space: Space) -> Move:
+    """Along the walls and at partners, not far from where it is."""
+    item = room.items[i]
+    standing, names = room.standing(i)
+    parts = [partners.beside(item.category, item.center, item.size, standing, names)]
+    if TABLE[item.category].back:
+        parts.append(candidates.along_walls(item.center, item.size, space, standing))
+    found = candidates.join(parts)
+    found = found.take(np.linalg.norm(found.center[:, :2] - item.center[:2], axis=1) < NEAR)
+    return Move([i], [found], _price(i, found, [i], room, space))
+
+
+def _narrower(i: int, share: float, room: Standing, space: Space) -> Move:
+    """Less deep with its back where it is, and less wide about its middle or to either end."""
+    item = room.items[i]
+    depth, width = item.size[0], item.size[1]
+    least = TABLE[item.category].min
+    thin, slim = max(depth * share, least[0]), max(width * share, least[1])
+    rows = [(thin, width, (thin - depth) / 2, 0.0)]
+    rows += [(depth, slim, 0.0, side * (width - slim) / 2) for side in (-1, 0, 1)]
+    rows += [(thin, slim, (thin - depth) / 2, side * (width - slim) / 2) for side in (-1, 0, 1)]
+    at = np.array([[*(item.center[:2] + _turned(np.array([x, y]), item.yaw)), item.center[2]] for _, _, x, y in rows])
+    size = np.array([[d, w, item.size[2]] for d, w, _, _ in rows])
+    boxes = Boxes(at, size, np.full(len(rows), item.yaw))
+    # A smaller thing than wanted is a loss like a shift.
+    return Move([i], [boxes], _price(i, boxes, [i], room, space) + 2 * (depth + width - size[:, :2].sum(1)))

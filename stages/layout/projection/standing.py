@@ -1,0 +1,72 @@
+"""The objects of a room that have a place so far."""
+
+from collections.abc import Container
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages.boxes import Boxes
+from stages.categories import TABLE
+from stages.layout.projection.costs import SOFT, Placed, at_table, grown
+
+Array = NDArray[np.float64]
+ROD = 1.9
+"""Curtain rods hang above this, m."""
+
+
+@dataclass
+class Item:
+    """One object: center, size (3,), yaw, category; `cost` after placing, at or above BROKEN where it breaks a
+    requirement; `moved` metres from where the model put it."""
+
+    category: str
+    center: Array
+    size: Array
+    yaw: float
+    cost: float = 0.0
+    moved: float = 0.0
+
+
+class Standing:
+    """The room's objects as arrays; `there` tells which have a place yet."""
+
+    def __init__(self, items: list[Item]) -> None:
+        n = len(items)
+        self.items: list[Item] = list(items)
+        self.boxes = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
+        self.grown = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
+        self.there = np.zeros(n, bool)
+        self.soft = np.array([item.category in SOFT for item in items], bool)
+        self.seated = np.array([[at_table(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
+
+    def put(self, i: int, item: Item) -> None:
+        """Give object `i` its place."""
+        self.items[i] = item
+        one = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
+        for store, box in ((self.boxes, one), (self.grown, grown(item.category, one))):
+            store.center[i], store.size[i], store.yaw[i] = box.center[0], box.size[0], box.yaw[0]
+        self.there[i] = True
+
+    def others(self, i: int, item: Item, besides: Container[int] = ()) -> Placed:
+        """All that object `i`, placed as `item`, could meet; not what carries it, nor what is `besides`."""
+        index = self.there & np.array([k != i and k not in besides for k in range(len(self.there))], bool)
+        if TABLE[item.category].place == "top":
+            top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
+            index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
+        return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], self.seated[i][index])
+
+    def _soft(self, item: Item) -> NDArray[np.bool_]:
+        """What gives way to an item; a tall door does not pass a curtain's rod."""
+        if TABLE[item.category].opens != "leaf" or item.size[2] < ROD:
+            return self.soft
+        return np.array([o.category in SOFT and o.category != "curtain" for o in self.items], bool)
+
+    def standing(self, i: int) -> tuple[Boxes, list[str]]:
+        """All that has a place but object `i`, and their categories."""
+        index = np.array([j for j in np.flatnonzero(self.there) if j != i], int)
+        return self.boxes.take(index), [self.items[j].category for j in index]
+
+    def neighbours(self, i: int) -> list[Item]:
+        """The other objects that have a place."""
+        return [self.items[j] for j in np.flatnonzero(self.there) if j != i]

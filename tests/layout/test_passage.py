@@ -1,0 +1,111 @@
+"""Nothing cuts the floor of a room in two when a shift, a tuck or a narrower thing would join it."""
+
+import numpy as np
+import pytest
+import shapely
+from rooms_for_tests import some_rooms
+from test_projection import random_items
+
+from stages import boxes, grid
+from stages.boxes import Boxes
+from stages.categories import TABLE
+from stages.layout.projection import Item, passage, project
+from stages.layout.projection.costs import BROKEN
+from stages.layout.projection.space import Space
+from stages.layout.projection.standing import Standing
+
+RADIUS = 0.15
+
+
+def space(width: float, depth: float) -> Space:
+    """An empty rectangular room with a door in the middle of its south wall."""
+    start = np.array([[0, 0], [width, 0], [width, depth], [0, depth]], float)
+    side = np.roll(start, -1, 0) - start
+    length = np.linalg.norm(side, axis=1)
+    along = side / length[:, None]
+    normal = np.stack([-along[:, 1], along[:, 0]], -1)
+    mid = start + side / 2 - normal * 0.15
+    slabs = Boxes(
+        np.column_stack([mid, np.full(4, 1.3)]),
+        np.column_stack([np.full(4, 0.3), length, np.full(4, 2.6)]),
+        np.arctan2(normal[:, 1], normal[:, 0]),
+    )
+    zone = Boxes(np.array([[width / 2, 0.4, 1.0]]), np.array([[0.8, 0.8, 2.0]]), np.array([np.pi / 2]))
+    span = np.array([[[width / 2 - 0.4, 0], [width / 2 + 0.4, 0]]])
+    return Space(start, start, along, normal, length, slabs, zone, np.array([False]), span, 2.6)
+
+
+def cut_share(items: list[Item], room: Space) -> float:
+    """Share of the free floor apart from its largest part, by shapely, for a walker of RADIUS."""
+    floor = shapely.Polygon(room.corners).buffer(-RADIUS, join_style="mitre")
+    low = [o for o in items if o.center[2] < 1.5 and o.center[2] + o.size[2] / 2 > 0.03]
+    found = Boxes(np.array([o.center for o in low]), np.array([o.size for o in low]), np.array([o.yaw for o in low]))
+    free = floor.difference(shapely.union_all(boxes.footprints(found)).buffer(RADIUS))
+    parts = [part.area for part in shapely.get_parts(free)]
+    return 1 - max(parts) / sum(parts) if parts else 0.0
+
+
+def standing(items: list[Item]) -> Standing:
+    room = Standing(items)
+    for i, item in enumerate(items):
+        room.put(i, item)
+    return room
+
+
+def test_a_bed_off_the_wall_by_a_hand_gives_way() -> None:
+    """A bed across the room leaves gaps too narrow to pass on both sides; shifted, one is wide enough."""
+    room = space(2.2, 4.0)
+    bed = Item("double_bed", np.array([1.1, 2.4, 0.25]), np.array([2.0, 1.6, 0.5]), np.pi / 2)
+    assert cut_share([bed], room) > 0.1
+    there = standing([bed])
+    passage.join(there, room)
+    assert cut_share(there.items, room) < passage.SLIVER
+    assert np.linalg.norm(there.items[0].center[:2] - bed.center[:2]) < 0.6
+
+
+def test_what_belongs_moves_along() -> None:
+    """A nightstand stays at its bed, the lamp on the nightstand."""
+    room = space(3.4, 4.0)
+    bed = Item("double_bed", np.array([1.5, 2.98, 0.25]), np.array([2.0, 1.8, 0.5]), -np.pi / 2)
+    stand = Item("nightstand", np.array([2.63, 3.78, 0.25]), np.array([0.4, 0.45, 0.5]), -np.pi / 2)
+    lamp = Item("table_lamp", np.array([2.63, 3.78, 0.65]), np.array([0.2, 0.2, 0.3]), -np.pi / 2)
+    there = standing([bed, stand, lamp])
+    assert set(passage._group(0, there)) == {0, 1, 2}
+    move = passage.moves(0, there, room)[0]
+    gaps = move.boxes[1].center - move.boxes[0].center
+    assert np.allclose(gaps, gaps[0]) and np.allclose(move.boxes[2].center - move.boxes[1].center, [0, 0, 0.4])
+
+
+def test_a_room_in_one_piece_is_left_alone() -> None:
+    room = space(4.0, 5.0)
+    items = [Item("wardrobe", np.array([0.31, 3.0, 1.0]), np.array([0.6, 1.2, 2.0]), 0.0)]
+    there = standing(items)
+    passage.join(there, room)
+    assert there.items == items
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_joining_breaks_nothing_and_cuts_off_no_more(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    from stages.layout.projection.space import space_of
+
+    room = space_of(some_rooms(1, seed), 0)
+    items = random_items(np.random.default_rng(50 + seed), 8)
+    with monkeypatch.context() as patch:
+        patch.setattr(passage, "join", lambda room, space: None)
+        before = project(items, room)
+    after = project(items, room)
+    assert sum(o.cost >= BROKEN for o in after) <= sum(o.cost >= BROKEN for o in before)
+    assert cut_share(after, room) <= cut_share(before, room) + 0.05
+    for a in after:
+        assert (a.size >= np.array(TABLE[a.category].min) - 1e-9).all()
+
+
+def test_free_floor_agrees_with_the_raster() -> None:
+    """Cells counted free are those of the shapely difference, to a cell's width along borders."""
+    room = space(3.0, 3.0)
+    there = standing([Item("chest", np.array([1.5, 1.7, 0.5]), np.array([0.5, 1.0, 1.0]), 0.4)])
+    paths = passage.Paths(there, room)
+    free = paths.inner[RADIUS] & (paths.count[RADIUS] == 0)
+    floor = shapely.Polygon(room.corners).buffer(-RADIUS, join_style="mitre")
+    exact = floor.difference(boxes.footprints(there.boxes)[0].buffer(RADIUS)).area
+    assert free.sum() * grid.RESOLUTION**2 == pytest.approx(exact, abs=0.1)
