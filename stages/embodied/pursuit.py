@@ -2,7 +2,8 @@
 
 The robot heads for a point of the path a lookahead away, turns on the spot to it when that lies far to the side, and
 slows in curves, near obstacles and before the goal. The lookahead grows with speed; it is cut short where the arc to
-that point would touch something within the next second.
+that point would touch something within the next second. In narrow places, where Nav2's defaults graze, it keeps to
+the path closely and slowly.
 """
 
 from dataclasses import dataclass
@@ -29,6 +30,9 @@ TIME_TO_COLLISION = 1.0
 """max_allowed_time_to_collision_up_to_carrot, s."""
 XY_TOLERANCE, YAW_TOLERANCE = 0.25, 0.25
 """Of Nav2's goal checker, m and rad."""
+NARROW, NARROW_AHEAD = 0.10, 0.5
+"""Where the path leaves less than this beside the robot, within so far ahead, it is narrow, m."""
+NARROW_LOOKAHEAD, NARROW_SPEED, NARROW_ANGLE = 0.2, 0.2, 0.35
 _SHORTEST = 0.12  # m, lookahead where everything longer would touch
 _CREEP = 0.1  # m/s, speed then
 
@@ -67,22 +71,29 @@ class Pursuit:
         self.at += int(np.hypot(*(ahead - here).T).argmin())
 
     def _wanted(self, here: Array, yaw: float, left: float) -> tuple[float, float]:
-        reach = float(np.clip(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD))
+        narrow = self._narrow()
+        reach = NARROW_LOOKAHEAD if narrow else float(np.clip(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD))
+        most = NARROW_ANGLE if narrow else ROTATE_ANGLE
         while True:
             carrot = self._carrot(here, reach)
             off = _wrapped(float(np.arctan2(*(carrot - here)[::-1])) - yaw)
-            if abs(off) > (ROTATE_ANGLE if not self.turning else ROTATE_ANGLE / 4):
+            if abs(off) > (most if not self.turning else most / 4):
                 self.turning = True
                 return 0.0, self._turn_to(off)
             self.turning = False
             distance = max(float(np.hypot(*(carrot - here))), 1e-3)
             curvature = 2 * np.sin(off) / distance
-            speed = self._regulated(here, curvature, left)
+            speed = min(self._regulated(here, curvature, left), NARROW_SPEED if narrow else base.SPEED)
             if self._clear(here, yaw, speed, curvature, distance):
                 return speed, speed * curvature
             if reach <= _SHORTEST:
                 return min(speed, _CREEP), min(speed, _CREEP) * curvature
             reach = max(_SHORTEST, reach * 0.75)
+
+    def _narrow(self) -> bool:
+        """Whether the path just ahead leaves little beside the robot."""
+        row, column = planner.cell(self.floor, self.path[self.at : self.at + int(NARROW_AHEAD / planner.SPACING)]).T
+        return bool(self.floor.clearance[row, column].min() < base.RADIUS + NARROW)
 
     def _carrot(self, here: Array, reach: float) -> Array:
         """The first point of the path at least the lookahead away, or its end."""
