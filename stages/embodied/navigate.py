@@ -27,8 +27,10 @@ PATIENCE, SLOWEST = 30.0, 0.1
 _TOUCHABLE = 0.15  # m about the places where the robot can be; colliders further off are left out
 
 
-def run(scene: Scene, mjcf: Path, rng: np.random.Generator, name: str = "", trace: bool = False) -> list[Outcome]:
-    """An episode for every room of the apartment exported to `mjcf`; traces only where asked for."""
+def run(
+    scene: Scene, mjcf: Path, rng: np.random.Generator, name: str = "", only: str | None = None
+) -> list[Outcome]:
+    """An episode for every room of the apartment exported to `mjcf`; `only` one object's, and then with its trace."""
     still = world.build(scene, mjcf, moving=(), name=name)
     ground = floor.survey(still, base.RADIUS, base.HEIGHT)
     began = goals.start(ground)
@@ -38,10 +40,10 @@ def run(scene: Scene, mjcf: Path, rng: np.random.Generator, name: str = "", trac
         return [_failed(name, goal, "planner", "the entrance is blocked") for goal in there]
     cell, yaw = began
     ways = planner.roadmap(ground, cell)
-    there = goals.goals(ground, still.home.objects, ways.reached, rng)
+    there = [g for g in goals.goals(ground, still.home.objects, ways.reached, rng) if only in (None, g.object)]
     driven = world.build(scene, mjcf, base.mjcf(), moving=(), fused=True, timestep=TIMESTEP, name=name,
                          without=_out_of_reach(still, ground, ways.reached))
-    return [_episode(driven, ways, goal, yaw, trace) for goal in there]
+    return [_episode(driven, ways, goal, yaw, only is not None) for goal in there]
 
 
 def _out_of_reach(still: World, ground: Floor, reached: Mask) -> list[str]:

@@ -39,5 +39,5 @@ class Outcome(Record):
 
     @property
     def id(self) -> str:
-        """Names the episode in its apartment."""
-        return ":".join(part for part in (self.episode, self.object, self.joint) if part)
+        """Names the episode among all, as in guided-12:navigation:kitchen_1_oven_1."""
+        return ":".join(part for part in (self.apartment, self.episode, self.object, self.joint) if part)

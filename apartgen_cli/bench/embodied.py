@@ -1,0 +1,136 @@
+"""Table 6: a robot in physics drives to an object of every room and opens everything that opens."""
+
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from apartgen_cli.bench import _scenes
+from schemas import artifact
+from schemas.layout import Layout
+from schemas.retrieve import Retrieve
+
+PAPER = [
+    {"setting": "no guidance", "SR_nav": 0.952, "SR_interact": 0.947},
+    {"setting": "guided", "SR_nav": 0.998, "SR_interact": 0.992},
+]
+NOTE = (
+    "Without guidance: furnished by the diffusion model alone, no projection, no walkable stage. Guided: all guidance, "
+    "projection and the walkable stage. The exported MJCF is simulated in MuJoCo; the paper uses Isaac Sim. "
+    "Navigation: a base of 0.25 m radius drives from the entrance to an object drawn in every room; success is to stop "
+    "within 0.25 m, in time, with no push above 15 N. Interaction: every joint of every object. SPL is 0 where an "
+    "episode fails."
+)
+METHOD = {"no guidance": "no guidance", "guided": "all guidance + projection"}
+SETTINGS = list(METHOD)
+SCENES, CHUNK = 1000, 10
+FAILURES = ("blocked part", "no standing room", "planner", "controller")
+HOMES = "homes"
+
+
+def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
+    """Every episode of `scenes` apartments, which are kept in `work` to be replayed."""
+    found = []
+    for i, home in enumerate(_apartments(setting, seed, scenes, work)):
+        name = f"{setting.replace(' ', '-')}-{seed + i}"
+        artifact.write(home.model_dump_json(by_alias=True, exclude={"objects": {"__all__": {"latent"}}}),
+                       work / HOMES / f"{name}.json")
+        found += _episodes(home, name)
+    return found
+
+
+def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Retrieve]:
+    from stages import retrieve, walkable
+    from stages.retrieve.matching.config import RetrieveConfig
+    from stages.walkable.config import WalkableConfig
+
+    homes = _scenes.plans(seed, scenes, work)
+    (work / HOMES).mkdir(parents=True, exist_ok=True)
+    library = retrieve.open_libraries(RetrieveConfig())
+    for i, home in enumerate(_scenes.furnished(homes, _scenes.config(METHOD[setting]), seed)):
+        placed = _scenes.retrieved(home, seed)
+        if setting == "guided":
+            placed = walkable.run(placed, WalkableConfig(write_anyway=True), np.random.default_rng([seed, i]), library)
+        yield placed
+
+
+def _episodes(home: Retrieve, name: str, only: str | None = None) -> list[dict[str, Any]]:
+    from time import process_time
+
+    from stages.embodied import navigate
+
+    with _exported(home) as (scene, mjcf):
+        began = process_time()
+        outcomes = navigate.run(scene, mjcf, _rng(name), name, only)
+        took = process_time() - began
+        records = [{"id": o.id, **o.model_dump(exclude={"trace"})} for o in outcomes]
+    return [{**record, "cpu_seconds": round(took / len(records), 3)} for record in records]
+
+
+def _rng(name: str) -> np.random.Generator:
+    """Chance of an apartment's episodes: the same in every setting."""
+    return np.random.default_rng([int(name.rpartition("-")[2]), 8])
+
+
+@contextmanager
+def _exported(home: Layout) -> Iterator[tuple[Any, Path]]:
+    """The scene, and its MJCF for as long as it is needed."""
+    from stages import registry, retrieve
+    from stages.retrieve.matching.config import RetrieveConfig
+    from stages.scene import Scene
+
+    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load)
+    with TemporaryDirectory() as folder:
+        registry.load("stages.export", "mjcf").write(scene, Path(folder))
+        yield scene, Path(folder) / "mjcf" / "apartment.xml"
+
+
+def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:
+    """A row a setting: success and SPL with 95 % intervals over apartments, and why the rest failed."""
+    return [_row(setting, [r for r in records if r["setting"] == setting], rng) for setting in SETTINGS]
+
+
+def _row(setting: str, mine: list[dict[str, Any]], rng: np.random.Generator) -> dict[str, Any]:
+    row: dict[str, Any] = {"setting": setting, "apartments": len({r["apartment"] for r in mine})}
+    for episode, name in (("navigation", "nav"), ("interaction", "interact")):
+        those = [r for r in mine if r["episode"] == episode]
+        if not those:
+            continue
+        row[f"SR_{name}"] = _share(those, lambda r: float(r["success"]), rng)
+        if episode == "navigation":
+            row["SPL"] = _share(those, lambda r: r["numbers"]["spl"], rng)
+            row["touches"] = float(np.mean([r["numbers"].get("touches", 0.0) for r in those]))
+            row["nav CPU s an apartment"] = sum(r["cpu_seconds"] for r in those) / row["apartments"]
+        failed = Counter(r["failure"] for r in those if not r["success"])
+        row |= {f"{name}, {kind}": failed[kind] / len(those) for kind in FAILURES if failed[kind]}
+        row[f"{name} episodes"] = len(those)
+    return row
+
+
+def _share(records: list[dict[str, Any]], value: Any, rng: np.random.Generator) -> list[float]:
+    """Mean over episodes with a 95 % bootstrap interval over apartments."""
+    from stages.metrics._table import interval
+
+    by: dict[str, list[float]] = {}
+    for r in records:
+        by.setdefault(r["apartment"], []).append(float(value(r)))
+    pairs = np.array([(float(np.mean(v)), float(len(v))) for v in by.values()])
+    return [round(v, 5) for v in interval(pairs, rng)]
+
+
+def draw(rows: list[dict[str, Any]], axes: Any) -> None:
+    """Success of both settings beside the paper's."""
+    names = [name for name in ("SR_nav", "SR_interact") if any(name in row for row in rows)]
+    at = np.arange(len(names))
+    for k, (row, paper) in enumerate(zip(rows, PAPER, strict=True)):
+        shares = np.array([row.get(name, [np.nan] * 3) for name in names])
+        spread = np.abs(shares[:, 1:] - shares[:, :1]).T
+        axes.bar(at + 0.3 * (k - 0.5), shares[:, 0], 0.28, yerr=spread, capsize=3, label=row["setting"])
+        marks = [paper[name] for name in names]
+        axes.plot(at + 0.3 * (k - 0.5), marks, "k_", ms=24, label="paper" if k == 0 else None)
+    axes.set(xticks=at, xticklabels=names, ylim=(0, 1.05), ylabel="success rate")
+    axes.legend(loc="lower right")
