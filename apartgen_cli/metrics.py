@@ -1,6 +1,8 @@
 """Measure apartments."""
 
+import inspect
 from collections.abc import Callable
+from pathlib import Path
 from time import perf_counter
 from typing import Annotated, Any
 
@@ -25,6 +27,8 @@ class MetricsSettings(Record):
     """What is measured."""
 
     metric: list[str] = Field(default_factory=list, description="names of metrics; all that apply when empty")
+    real_as: str | None = Field(None, description="data source that reads the real apartments; artifacts when None")
+    inception_weights: str | None = Field(None, description="Inception-v3 of the image metrics; None is the packaged")
 
 
 METRIC = Annotated[list[str] | None, typer.Option(
@@ -36,6 +40,10 @@ TABLE = Annotated[bool, typer.Option(
     "--table", help="Write one Markdown table of all inputs, with 95 % intervals over them, in place of JSON.")]
 REAL = Annotated[list[str] | None, typer.Option(
     "--real", help="A real apartment or a folder of them, any number of times; the inputs are compared with all.")]
+AS = Annotated[str | None, typer.Option(
+    "--as", metavar="SOURCE", help="What --real holds: front3d, ssr, procthor, boxes; artifacts by default.")]
+INCEPTION = Annotated[str | None, typer.Option(
+    "--inception-weights", metavar="FILE", help="Inception-v3 for FID, KID and SCA; a packaged network by default.")]
 SEED = 0
 """Of the bootstrap behind a table's intervals."""
 
@@ -48,12 +56,16 @@ def measure(home: Plan, settings: MetricsSettings, against: Plan | None = None) 
 
 
 def _run(inputs: INPUTS = None, out: OUT = None, metric: METRIC = None, against: AGAINST = None,
-         table: TABLE = False, real: REAL = None) -> int:
-    names, settings = sources(inputs), MetricsSettings(metric=metric or [])
+         table: TABLE = False, real: REAL = None, real_as: AS = None, inception_weights: INCEPTION = None) -> int:
+    names = sources(inputs)
+    settings = MetricsSettings(metric=metric or [], real_as=real_as, inception_weights=inception_weights)
     if real:
         if against:
             raise BadInput("--real and --against: sets are compared as wholes; give one of the two")
-        return _compared(names, whole_set("--real", real), settings, table, out)
+        return _compared(names, real, settings, table, out)
+    for option, given in (("--as", real_as), ("--inception-weights", inception_weights)):
+        if given:
+            raise BadInput(f"{option} {given}: only with --real, which says what the inputs are compared with")
     reference = _reference(against)
     return (_tabled if table else _each)(names, settings, reference, out)
 
@@ -99,16 +111,33 @@ def _compared(names: list[str], real: list[str], settings: MetricsSettings, tabl
 
     place = _sheet(out) if table else targets("metrics", [STREAM], out)[0]
     began = perf_counter()
-    ours, theirs = ([artifact.read(name, Layout) for name in some] for some in (names, real))
-    values = metrics.compare([a.body for a in ours], [a.body for a in theirs], settings.metric or None)
+    ours = [artifact.read(name, Layout) for name in names]
+    theirs, digests, files = _real(real, settings.real_as)
+    inception = Path(settings.inception_weights) if settings.inception_weights else None
+    values = metrics.compare([a.body for a in ours], theirs, settings.metric or None, inception)
     if table:
         artifact.write(metrics.side_by_side(values), place)
         return 0
-    record = made(SEED, settings, seconds=perf_counter() - began)
-    for word, group in (("generated", ours), ("real", theirs)):
-        record.inputs |= {f"{word} {i}": a.digest for i, a in enumerate(group, 1)}
+    record = made(SEED, settings, seconds=perf_counter() - began,
+                  data=files | ({"inception": inception} if inception else {}))
+    record.inputs |= {f"generated {i}": a.digest for i, a in enumerate(ours, 1)} | digests
     written(values, record, place)
     return 0
+
+
+def _real(paths: list[str], source: str | None) -> tuple[list[Layout], dict[str, str], dict[str, Path]]:
+    """The real apartments, the digests of those that are artifacts, the files of those that are not."""
+    if source is None:
+        read = [artifact.read(name, Layout) for name in whole_set("--real", paths)]
+        return [a.body for a in read], {f"real {i}": a.digest for i, a in enumerate(read, 1)}, {}
+    from stages.layout import datasets
+
+    homes = datasets.source(source).homes
+    if "seed" in inspect.signature(homes).parameters:
+        raise BadInput(f"--as {source}: makes its rooms up; name a source of real ones, or give artifacts")
+    found = [home for path in paths for home in homes(Path(path))]
+    files = sorted(file for path in paths for file in ([Path(path)] if Path(path).is_file() else Path(path).rglob("*")))
+    return found, {}, {f"real {i}": file for i, file in enumerate(files, 1) if file.is_file()}
 
 
 def _sheet(out: str | None) -> str:

@@ -8,7 +8,8 @@ from schemas.base import Record
 class Value(Record):
     """One figure; `of` is "apartment" or a room id. None where it is undefined (nothing to measure).
 
-    `n` is how many things a share is of; None where it is no share.
+    `n` is how many things a share, or scenes a comparison, is of; None where it is neither. `low` and `high` are the
+    ends of a 95 % interval, where there is one.
     """
 
     name: str
@@ -17,9 +18,12 @@ class Value(Record):
     version: str = "ours"
     of: str = "apartment"
     n: int | None = None
+    low: float | None = None
+    high: float | None = None
 
 
 class Metrics(Record):
     """Body of a `metrics` artifact."""
 
     values: list[Value] = Field(default_factory=list)
+    notes: list[str] = Field(default_factory=list, description="how figures came about")

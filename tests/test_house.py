@@ -11,7 +11,7 @@ ROOT = Path(__file__).parent.parent
 ARROWS = ("schemas", "stages", "apartgen_cli")
 """Each may import itself and those before it."""
 HEAVY = {
-    "torch": ("stages/layout/", "stages/retrieve/shape/"),
+    "torch": ("stages/layout/", "stages/retrieve/shape/", "stages/metrics/_networks"),
     "litellm": ("stages/plan/llm/",),
     "pxr": ("stages/export/usd", "stages/export/_usd"),
     "mujoco": ("stages/export/mjcf", "stages/export/_mjcf", "stages/embodied/"),

@@ -1,11 +1,15 @@
 """Figures of merit, one module each, found by name.
 
 A member has `measure(home, against=None) -> list[Value]` for one apartment, or `compare(homes, real) -> list[Value]`
-for a set of apartments against real ones, or both. `published` versions compute a figure as its source's code does.
+for a set of apartments against real ones (those of images take a `network`, too), or both. `published` versions
+compute a figure as its source's code does.
 """
 
+import logging
 from collections.abc import Sequence
 from functools import cache
+from inspect import signature
+from pathlib import Path
 from types import ModuleType
 
 from schemas.errors import BadInput
@@ -13,8 +17,10 @@ from schemas.layout import Layout
 from schemas.metrics import Metrics, Value
 from schemas.plan import Plan, Program
 from stages import registry
+from stages.metrics import _networks, _seen
 from stages.metrics._table import Row, markdown, side_by_side, table
 
+LOG = logging.getLogger("apartgen")
 __all__ = ["Row", "compare", "markdown", "names", "run", "side_by_side", "table"]
 
 
@@ -60,13 +66,25 @@ def _chosen(home: Plan, wanted: Sequence[str] | None) -> list[str]:
     return list(wanted)
 
 
-def compare(homes: Sequence[Layout], real: Sequence[Layout], names: Sequence[str] | None = None) -> Metrics:
-    """Measure a set of apartments against a set of real ones by the named metrics, all by default."""
+def compare(
+    homes: Sequence[Layout], real: Sequence[Layout], names: Sequence[str] | None = None, inception: Path | None = None
+) -> Metrics:
+    """Measure a set of apartments against a set of real ones by the named metrics, all by default.
+
+    Image metrics take the Inception-v3 weights of `inception`, else the packaged network; by default they are left
+    out where there is neither.
+    """
     able = _able("compare")
     unfit = [name for name in names or [] if name not in able]
     if unfit:
         raise BadInput(f"metric {unfit[0]!r} does not compare sets; those that do: {', '.join(able)}")
     if not homes or not real:
         raise BadInput("comparing sets needs at least one apartment on either side")
-    chosen = able if names is None else names
-    return Metrics(values=[value for name in chosen for value in _member(name).compare(homes, real)])
+    seeing = [name for name in names or able if "network" in signature(_member(name).compare).parameters]
+    if names is None and inception is None and not _networks.installed():
+        LOG.warning("%s left out: %s", ", ".join(seeing), _networks.MISSING)
+        able, seeing = tuple(name for name in able if name not in seeing), []
+    network = _networks.network(inception) if seeing else None
+    extra = {name: {"network": network} for name in seeing}
+    values = [value for name in names or able for value in _member(name).compare(homes, real, **extra.get(name, {}))]
+    return Metrics(values=values, notes=[_seen.note(network)] if network else [])

@@ -10,6 +10,8 @@ from stages.boxes import Array
 
 POOLED = ("Col_obj", "R_out", "R_blocked")
 """Shares of all objects of all apartments; every other figure is a mean over apartments."""
+SIDES = ("generated", "real")
+"""Versions that a comparison's table begins with."""
 RESAMPLES = 1000
 LEVEL = 0.95
 
@@ -35,19 +37,30 @@ def markdown(rows: Sequence[Row], seed: int) -> str:
 
 
 def side_by_side(metrics: Metrics) -> str:
-    """A table for people of what `compare` found: a row a figure, its versions in columns, n in brackets."""
-    versions = list(dict.fromkeys(v.version for v in metrics.values))
+    """A table for people of what `compare` found: a row a figure, its versions in columns, n in brackets.
+
+    How the figures came about stands below it.
+    """
+    versions = sorted({v.version for v in metrics.values}, key=lambda version: (version not in SIDES, version))
     rows: dict[tuple[str, str], dict[str, str]] = {}
     for v in metrics.values:
         rows.setdefault((v.name, v.of), {})[v.version] = _cell(v)
     head = f"| figure | of | {' | '.join(versions)} |\n|---|---|{'---|' * len(versions)}\n"
     return head + "".join(
         f"| {name} | {of} | {' | '.join(found.get(version, '') for version in versions)} |\n"
-        for (name, of), found in rows.items())
+        for (name, of), found in rows.items()) + "".join(f"\n{text}\n" for text in metrics.notes)
 
 
 def _cell(v: Value) -> str:
-    return "-" if v.value is None else f"{v.value:.3f}" if v.n is None else f"{v.value:.3f} ({v.n})"
+    if v.value is None:
+        return "-"
+    shown = _short(v.value) + ("" if v.low is None or v.high is None else f" [{_short(v.low)}, {_short(v.high)}]")
+    return shown if v.n is None else f"{shown} ({v.n})"
+
+
+def _short(value: float) -> str:
+    """Three decimals, more of what is small."""
+    return f"{value:.3f}" if abs(value) >= 0.01 or value == 0 else f"{value:.5f}"
 
 
 def table(measured: Sequence[Metrics], rng: np.random.Generator, of: Iterable[str] = ("apartment",)) -> list[Row]:

@@ -8,23 +8,29 @@ import numpy as np
 from schemas.layout import Layout
 from schemas.metrics import Value
 from stages.categories import CATEGORIES
+from stages.metrics._sets import ALL, Scene, halves, rooms, types
 
 EPSILON = 1e-6
 
 
 def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
-    """Σ p (log(p + ε) - log(q + ε)), p of the real and q of the generated objects; in all and by room type."""
-    types = sorted({room.type for home in real for room in home.rooms})
-    values = [_ckl("apartment", _categories(homes), _categories(real))]
-    return values + [_ckl(kind, _categories(homes, kind), _categories(real, kind)) for kind in types]
+    """Σ p (log(p + ε) - log(q + ε)), p of half of the real rooms and q of as many others, in all and by room type.
+
+    Versions: generated = q of generated rooms · real = q of the other half of the real ones · published = q of all
+    generated and p of all real rooms.
+    """
+    values = []
+    for kind in (ALL, *types(real)):
+        generated, reference = rooms(homes, real, kind), rooms(real, real, kind)
+        drawn, half, other = halves(generated, reference)
+        for version, q, p in (("published", generated, reference), ("generated", drawn, half), ("real", other, half)):
+            value = divergence(_categories(q), _categories(p))
+            values.append(Value(name="CKL", value=value, unit="nats", version=version, of=kind, n=len(q)))
+    return values
 
 
-def _categories(homes: Iterable[Layout], kind: str | None = None) -> list[str]:
-    found = []
-    for home in homes:
-        types = {room.id: room.type for room in home.rooms}
-        found += [o.category for o in home.objects if kind in (None, types[o.room])]
-    return found
+def _categories(scenes: Iterable[Scene]) -> list[str]:
+    return [o.category for _, inside in scenes for o in inside]
 
 
 def divergence(generated: Iterable[str], real: Iterable[str]) -> float | None:
@@ -36,8 +42,3 @@ def divergence(generated: Iterable[str], real: Iterable[str]) -> float | None:
         return None
     q, p = q / q.sum(), p / p.sum()
     return float((p * (np.log(p + EPSILON) - np.log(q + EPSILON))).sum())
-
-
-def _ckl(of: str, generated: list[str], real: list[str]) -> Value:
-    return Value(name="CKL", value=divergence(generated, real), unit="nats", version="published", of=of,
-                 n=len(generated))

@@ -10,6 +10,7 @@ from schemas.metrics import Value
 from schemas.plan import Plan, Program
 from stages import boxes, categories, footprints, polygons
 from stages.boxes import Array
+from stages.metrics._sets import ALL, types
 
 NEEDS = Layout
 BEDS = ("double_bed", "single_bed")
@@ -33,12 +34,13 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
 
 
 def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
-    """Each relation in the generated and in the real rooms, in all and by room type."""
-    types = sorted({room.type for home in real for room in home.rooms})
+    """Each relation in the generated and in the real rooms, in all of the real rooms' types and by type."""
+    every = types(real)
     values = []
     for version, group in (("generated", homes), ("real", real)):
-        for kind in (None, *types):
-            values += [_value(n, found, kind or "apartment", version) for n, found in _pooled(group, kind).items()]
+        for kind in (ALL, *every):
+            found = _pooled(group, every if kind == ALL else [kind])
+            values += [_value(name, sample, kind, version) for name, sample in found.items()]
     return values
 
 
@@ -48,12 +50,12 @@ def _value(name: str, found: list[float], of: str, version: str) -> Value:
                  n=len(found))
 
 
-def _pooled(homes: Iterable[Plan], kind: str | None) -> Sample:
+def _pooled(homes: Iterable[Plan], kinds: Sequence[str] | None) -> Sample:
     total: Sample = {name: [] for name in RELATIONS}
     for home in homes:
         every = home.objects if isinstance(home, Layout) else []
         for room in home.rooms:
-            if kind in (None, room.type):
+            if kinds is None or room.type in kinds:
                 for name, found in of_room(polygons.floor(room), [o for o in every if o.room == room.id]).items():
                     total[name] += found
     return total

@@ -60,7 +60,7 @@ def test_sets_are_compared_with_the_real_ones_of_a_folder(cli, scenes):
     assert found["CKL", "published", "apartment"] > 0
     assert list(read.made.inputs) == ["generated 1", "generated 2", "real 1", "real 2"]
     table = cli(scenes / "one.json", "--real", scenes / "real/a.json", "--real", scenes / "real/b.json", "--table").out
-    assert cells(table, "objects_a_room", "living_room")[-2:] == ["1.000 (1)", "2.000 (2)"]
+    assert cells(table, "objects_a_room", "living_room")[2:4] == ["1.000 (1)", "2.000 (2)"]
 
 
 def test_a_set_compared_with_itself_does_not_differ(cli, scenes):
@@ -83,4 +83,32 @@ def test_what_cannot_be_compared_is_refused(cli, scenes):
         ([one, "--table", "-o", f"{scenes}/"], "table.md"),
     ]:
         done = cli(*args)
+        assert done.code == 2 and said in done.err and done.out == "", (args, done)
+
+
+def room(type, desc, x):
+    """A 4 x 4 m room of a foreign data set with one thing in it."""
+    corners = [[0, 0, 0], [4, 0, 0], [4, 0, 4], [0, 0, 4]]
+    thing = {"desc": desc, "pos": [x, 0, 2], "rot": [0, 0, 0, 1], "size": [1.0, 0.8, 0.5]}
+    return {"scene": {"room_type": type, "bounds_bottom": corners, "bounds_top": [[x, 2.6, z] for x, _, z in corners],
+                      "objects": [thing]}}
+
+
+def test_real_rooms_in_their_own_format(cli, scenes):
+    rows = [room("bedroom", "double bed", 1), room("bedroom", "wardrobe", 2)]
+    (scenes / "rooms.jsonl").write_text("\n".join(map(json.dumps, rows)))
+    done = cli(scenes / "one.json", "--real", scenes / "rooms.jsonl", "--as", "ssr", "--metric", "relations")
+    read = artifact.parse(done.out.encode(), "out", Metrics)
+    found = {(v.name, v.version, v.of): v for v in read.body.values}
+    assert found["objects_a_room", "real", "bedroom"].value == 1 and ("objects_a_room", "real", "study") not in found
+    assert list(read.made.inputs) == ["real 1", "generated 1"] and read.made.config["real_as"] == "ssr"
+    for args, said in [
+        (["--real", scenes / "rooms.jsonl", "--as", "single_rooms"], "makes its rooms up"),
+        (["--real", scenes / "rooms.jsonl", "--as", "sr"], "there are"),
+        (["--real", scenes / "none.jsonl", "--as", "ssr"], "does not exist"),
+        (["--as", "ssr"], "only with --real"),
+        (["--inception-weights", "w.pt"], "only with --real"),
+        (["--real", scenes / "real", "--metric", "fid", "--inception-weights", "w.pt"], "no such file"),
+    ]:
+        done = cli(scenes / "one.json", *args)
         assert done.code == 2 and said in done.err and done.out == "", (args, done)

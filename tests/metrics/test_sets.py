@@ -108,8 +108,30 @@ def test_intervals_cover_the_mean_as_often_as_they_say():
 
 def test_a_comparison_for_people_has_both_sets_in_a_row():
     homes, real = [h.home(h.thing("sofa", 1, 1))], [h.home(h.thing("sofa", 1, 1), h.thing("tv_stand", 3, 2))]
-    lines = metrics.side_by_side(metrics.compare(homes, real)).splitlines()
-    assert lines[0] == "| figure | of | published | generated | real |"
-    assert "| objects_a_room | living_room |  | 1.000 (1) | 2.000 (1) |" in lines
-    assert "| CKL | bedroom | - |  |  |" in lines
+    lines = metrics.side_by_side(metrics.compare(homes, real, ["frequencies", "relations"])).splitlines()
+    assert lines[0] == "| figure | of | generated | real | published |"
+    assert "| objects_a_room | living_room | 1.000 (1) | 2.000 (1) |  |" in lines
+    assert "| CKL | bedroom | - | - | - |" in lines
     assert {line.count("|") for line in lines} == {6}
+
+
+def test_small_figures_and_intervals_in_a_table():
+    found = Metrics(values=[Value(name="KID", value=0.0004, version="generated", low=-0.0001, high=0.02, n=9)],
+                    notes=["by the network"])
+    assert "| KID | apartment | 0.00040 [-0.00010, 0.020] (9) |" in metrics.side_by_side(found)
+    assert metrics.side_by_side(found).endswith("\n\nby the network\n")
+
+
+def test_rooms_of_types_that_the_real_set_lacks_do_not_count():
+    sofa, bed = h.thing("sofa", 1, 1), h.thing("double_bed", 5.5, 1.5, room=h.BEDROOM)
+    only = h.home(sofa).model_copy(update={"rooms": h.plan().rooms[:1]})
+    assert values(frequencies.compare([h.home(sofa, bed)], [only]), "CKL", "published") == pytest.approx(0)
+    assert values(relations.compare([h.home(sofa, bed)], [only]), "objects_a_room", "generated") == 1
+
+
+def test_the_real_rooms_stand_beside_the_generated_ones():
+    real = [h.home(h.thing("sofa", 1, 1)), h.home(h.thing("tv_stand", 3, 2))] * 10
+    found = frequencies.compare([h.home(h.thing("plant", 1, 1))] * 30, real)
+    generated, floor = (values(found, "CKL", version) for version in ("generated", "real"))
+    assert generated > 5 > 0.5 > floor >= 0
+    assert [v.n for v in found if v.of == "apartment"] == [30, 10, 10]

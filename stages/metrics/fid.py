@@ -1,0 +1,14 @@
+"""FID: Fréchet distance of image features, generated from real rooms seen from above."""
+
+from collections.abc import Sequence
+
+from schemas.layout import Layout
+from schemas.metrics import Value
+from stages.metrics._distances import frechet
+from stages.metrics._networks import Network
+from stages.metrics._seen import between
+
+
+def compare(homes: Sequence[Layout], real: Sequence[Layout], network: Network) -> list[Value]:
+    """Versions: generated = generated rooms from half of the real ones · real = the other half from it."""
+    return between("FID", frechet, homes, real, network)
