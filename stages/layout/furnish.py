@@ -1,6 +1,7 @@
 """From sampled objects to the boxes of an artifact: projection, and what to do with what fits nowhere."""
 
 import logging
+from collections import Counter
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from stages.layout.projection import Item, project
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.space import Space, space_of
 from stages.layout.rooms import Rooms
+from stages.layout.sense import essentials
 
 log = logging.getLogger("apartgen")
 STAND_INS = ("wall_shelf", "wall_lamp", "plant", "bin", "ceiling_lamp")
@@ -26,7 +28,8 @@ def furnish(plan: Plan, rooms: Rooms, objects: Objects, config: LayoutConfig) ->
         filled = np.flatnonzero(objects.category[i].numpy() >= 0)
         items = [_item(objects, i, int(j)) for j in filled]
         if config.projection and items:
-            items, kept = settled(items, space_of(rooms, i), room, asked=room.id in plan.program.counts)
+            wishes = Counter({w.category: w.count for w in plan.program.objects if w.room == room.id})
+            items, kept = settled(items, space_of(rooms, i), room, room.id in plan.program.counts, wishes)
             filled = filled[kept]
         latents = objects.latent[i].numpy()[filled]
         out += _boxes(room, items, latents, rooms.origin[i])
@@ -44,29 +47,52 @@ def _item(objects: Objects, room: int, slot: int) -> Item:
     )
 
 
-def settled(items: list[Item], space: Space, room: Room, asked: bool) -> tuple[list[Item], list[int]]:
+def settled(
+    items: list[Item], space: Space, room: Room, asked: bool, wishes: Counter[str]
+) -> tuple[list[Item], list[int]]:
     """Projected items and which of the given ones they are.
 
     What still breaks a requirement is left out, the worst first; where the number was asked for, something small
-    that fits takes its place.
+    that fits takes its place. What the room is for, and what was wished for by category, stays as long as leaving
+    out something else helps.
     """
-    kept, done = list(range(len(items))), project(items, space)
+    kept = list(range(len(items)))
+    needed = essentials([item.category for item in items], room.type, wishes)
+    done = project(items, space, needed)
     for _ in range(len(items)):
-        worst = max(range(len(done)), key=lambda k: done[k].cost)
-        if done[worst].cost < BROKEN:
+        broken = [k for k, item in enumerate(done) if item.cost >= BROKEN]
+        if not broken:
             break
-        rest = [item for k, item in enumerate(done) if k != worst]
+        worst = max(broken, key=lambda k: (k not in needed, done[k].cost))
         if asked:
             done = _stand_in(done, worst, space, room)
             if done[worst].cost >= BROKEN:
                 break
             continue
+        if worst in needed:
+            worst = _in_its_way(worst, done, needed)
         log.info("%s: no place for the %s; left out", room.id, done[worst].category)
         kept.pop(worst)
-        done = project(rest, space)
+        rest = [items[k] for k in kept]
+        needed = essentials([item.category for item in rest], room.type, wishes)
+        done = project(rest, space, needed)
         if not done:
             break
     return done, kept
+
+
+def _in_its_way(needed_one: int, items: list[Item], needed: frozenset[int]) -> int:
+    """The nearest thing on the floor that is not needed, or the object itself where there is none."""
+    spare = [
+        k
+        for k, item in enumerate(items)
+        if k not in needed and TABLE[item.category].place == "floor" and not TABLE[item.category].soft
+    ]
+    return min(spare, key=lambda k: _apart(items[k], items[needed_one]), default=needed_one)
+
+
+def _apart(a: Item, b: Item) -> float:
+    return float(np.linalg.norm(a.center[:2] - b.center[:2]))
 
 
 def _stand_in(items: list[Item], worst: int, space: Space, room: Room) -> list[Item]:

@@ -1,6 +1,7 @@
 """A denoiser that keeps to common sense about what a room holds: least, most, and never without (`sense.toml`)."""
 
 import tomllib
+from collections import Counter
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -46,6 +47,17 @@ def sense() -> Sense:
         tuple((int(number), indices(group)) for number, groups in table["most"].items() for group in groups),
         tuple((CATEGORIES.index(name), indices(group)) for name, group in table["needs"].items()),
     )
+
+
+def essentials(categories: list[str], kind: str, wishes: Counter[str]) -> frozenset[int]:
+    """Indices of what a room of a type cannot be without: one of each least group, and what was wished for."""
+    found: set[int] = set()
+    for category, number in wishes.items():
+        found.update([i for i, name in enumerate(categories) if name == category][:number])
+    for group in sense().least[ROOM_TYPES.index(kind)]:
+        names = {CATEGORIES[c] for c in group}
+        found.update([i for i, name in enumerate(categories) if name in names][:1])
+    return frozenset(found)
 
 
 @cache

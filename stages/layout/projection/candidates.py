@@ -13,15 +13,18 @@ SLIDES = np.concatenate(
     [[0], *([s, -s] for s in (0.04, 0.08, 0.13, 0.2, 0.28, 0.38, 0.5, 0.65, 0.85, 1.1, 1.4, 1.8, 2.3, 3.0))]
 )
 RINGS = (0.04, 0.08, 0.14, 0.22, 0.32, 0.45, 0.6, 0.8, 1.05, 1.4, 1.9)
+ASKEW = frozenset({"armchair", "chair", "office_chair", "stool", "balcony_chair", "floor_lamp"})
+"""What may well stand at an angle to the walls; the rest is turned along them."""
 SNAP = np.deg2rad(16)
+"""Even those are turned along a wall when this close to it."""
 
 
-def snapped(yaw: float, space: Space) -> float:
-    """The yaw, turned onto the nearest wall direction when it is close to one."""
+def snapped(category: str, yaw: float, space: Space) -> float:
+    """The yaw, turned onto the nearest wall direction."""
     walls = np.arctan2(space.normal[:, 1], space.normal[:, 0])
     turn = (yaw - walls[:, None] + np.pi) % (2 * np.pi) - np.pi
     nearest = turn.flat[np.argmin(np.abs(turn))]
-    return float(yaw - nearest) if abs(nearest) < SNAP else float(yaw)
+    return float(yaw - nearest) if abs(nearest) < SNAP or category not in ASKEW else float(yaw)
 
 
 def along_walls(center: Array, size: Array, space: Space, others: Boxes) -> Boxes:

@@ -58,7 +58,7 @@ def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed,
             blocked[:, space.window].max(1, initial=-1), 12
         )
         if has_reach:
-            total += _price(penetration(wide, space.zones)[:, ~space.window].max(1, initial=-1), 3)
+            total += _price(penetration(wide, space.zones)[:, ~space.window].max(1, initial=-1), 6)
     return np.asarray(total + _meetings(found, wide, category, placed, has_reach))
 
 

@@ -7,8 +7,8 @@ from stages.boxes import Boxes
 
 Array = NDArray[np.float64]
 PULL = 0.8
-"""A place at the partner is worth a way of this many metres, and more to a seat, which is of no use elsewhere."""
-SEAT_PULL = 2.5
+"""A place at the partner is worth a way of this many metres, and more to what is of no use elsewhere."""
+STRONG = {"chair": 5.0, "office_chair": 5.0, "stool": 5.0, "balcony_chair": 5.0, "nightstand": 3.0, "coffee_table": 1.6}
 TUCK = 0.16
 """How far a seat goes under its table, m."""
 SEAT = 0.58
@@ -63,7 +63,7 @@ def beside(category: str, center: Array, size: Array, others: Boxes, names: list
 
 def pull(category: str) -> float:
     """What a place at the partner is worth, m."""
-    return SEAT_PULL if category in ("chair", "office_chair", "stool", "balcony_chair") else PULL
+    return STRONG.get(category, PULL)
 
 
 def in_run(category: str, found: Boxes, others: Boxes, names: list[str]) -> NDArray[np.bool_]:

@@ -13,7 +13,7 @@ from stages.categories import TABLE
 from stages.layout.projection import candidates, partners
 from stages.layout.projection.costs import BROKEN, SOFT, cost
 from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Standing
+from stages.layout.projection.standing import Standing, rests_on
 
 Array = NDArray[np.float64]
 RADII = {0.15: 12.0, 0.25: 4.0}
@@ -173,18 +173,8 @@ def _valid(move: Move) -> Move:
 
 def _carried(members: list[int], room: Standing) -> list[int]:
     """What stands on any of the members."""
-    found = []
-    for k, item in enumerate(room.items):
-        if not room.there[k] or k in members or TABLE[item.category].place != "top":
-            continue
-        for m in members:
-            under = room.items[m]
-            offset = np.abs(_turned(item.center[:2] - under.center[:2], -under.yaw))
-            rests = abs(under.center[2] + under.size[2] / 2 - (item.center[2] - item.size[2] / 2)) < 0.02
-            if rests and (offset <= under.size[:2] / 2 + 0.01).all():
-                found.append(k)
-                break
-    return found
+    tops = [k for k, o in enumerate(room.items) if room.there[k] and TABLE[o.category].place == "top"]
+    return [k for k in tops if k not in members and any(rests_on(room.items[k], room.items[m]) for m in members)]
 
 
 def _group(i: int, room: Standing) -> list[int]:

@@ -1,5 +1,6 @@
 """The projection of one room."""
 
+from collections.abc import Container
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +12,7 @@ from stages.layout.projection import candidates, passage
 from stages.layout.projection.costs import BROKEN, SOFT, cost
 from stages.layout.projection.partners import FLUSH, beside, in_run, pull
 from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Item, Standing
+from stages.layout.projection.standing import Item, Standing, rests_on
 
 Array = NDArray[np.float64]
 LEAN = {"bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.25, "coat_rack": 0.4, "bin": 0.5}
@@ -25,10 +26,10 @@ LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
 
 
-def project(items: list[Item], space: Space) -> list[Item]:
-    """The items in their order, each at its place."""
+def project(items: list[Item], space: Space, essential: Container[int] = ()) -> list[Item]:
+    """The items in their order, each at its place; the `essential` ones choose before others of their kind."""
     wanted = [replace(item, size=_clamped(item, space)) for item in items]
-    order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted))
+    order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted, i in essential))
     room = Standing(wanted)
     for i in order:
         room.put(i, _place(i, wanted[i], room, space, wide=False))
@@ -54,13 +55,13 @@ def _clamped(item: Item, space: Space) -> Array:
     return np.asarray(size)
 
 
-def _rank(item: Item, items: list[Item]) -> tuple[int, float]:
+def _rank(item: Item, items: list[Item], essential: bool) -> tuple[int, bool, float]:
     """Parents before children, floor before walls before what stands on top; large before small."""
     kind = TABLE[item.category]
     level = {"floor": 0, "wall": 3, "top": 4, "flat": 5, "ceiling": 6}[kind.place]
     if kind.place == "floor" and kind.belongs and any(other.category in kind.belongs for other in items):
         level = 1
-    return level, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
+    return level, not essential, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
 
 
 def _shapes(item: Item, attempt: int) -> list[Item]:
@@ -84,6 +85,8 @@ def _largest(i: int, shapes: list[Item], room: Standing, space: Space, wide: boo
 def _again(i: int, room: Standing, space: Space) -> float:
     """What object `i` costs where it is, among the others."""
     item = room.items[i]
+    if TABLE[item.category].place == "top" and not any(rests_on(item, o) for o in room.neighbours(i)):
+        return 2 * BROKEN
     here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
     return float(cost(here, item.category, item.center, item.yaw, room.others(i, item), space)[0])
 
@@ -102,15 +105,16 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
     near = beside(item.category, item.center, item.size, standing, names)
     found = candidates.join([found, near])
     prices = cost(found, item.category, item.center, item.yaw, others, space)
-    prices[found.n - near.n :] -= pull(item.category)
-    prices[in_run(item.category, found, standing, names)] -= FLUSH
+    fits = prices < BROKEN
+    prices[(np.arange(found.n) >= found.n - near.n) & fits] -= pull(item.category)
+    prices[in_run(item.category, found, standing, names) & fits] -= FLUSH
     best = int(np.argmin(prices))
     return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
 
 
 def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
     kind = TABLE[item.category]
-    yaw = candidates.snapped(item.yaw, space) if item.category not in LOOSE else item.yaw
+    yaw = candidates.snapped(item.category, item.yaw, space) if item.category not in LOOSE else item.yaw
     walls = candidates.along_walls(item.center, item.size, space, others)
     if (kind.back or item.category == "desk" or kind.place in ("wall", "top")) and walls.n:
         return walls

@@ -70,3 +70,11 @@ class Standing:
     def neighbours(self, i: int) -> list[Item]:
         """The other objects that have a place."""
         return [self.items[j] for j in np.flatnonzero(self.there) if j != i]
+
+
+def rests_on(item: Item, under: Item) -> bool:
+    """Whether an item stands on another's top, wholly above its footprint."""
+    c, s = np.cos(under.yaw), np.sin(under.yaw)
+    offset = np.abs(np.array([[c, s], [-s, c]]) @ (item.center[:2] - under.center[:2]))
+    level = abs(under.center[2] + under.size[2] / 2 - (item.center[2] - item.size[2] / 2)) < 0.02
+    return bool(level and (offset <= under.size[:2] / 2 + 0.01).all())
