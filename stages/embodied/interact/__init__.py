@@ -1,0 +1,144 @@
+"""Interaction: a mobile manipulator opens every part of every articulated object in physics (SR_interact).
+
+Each part is an episode of its own that starts with everything shut. The base stands where it can be driven to from the
+entrance and touches nothing while the part moves; the arm takes hold of the handle and opens the part to 80 % of its
+range. It fails when robot or part meet anything else harder than a graze, or the grip slips. Parts are pulled by
+handles that fingers can close on, else by a suction cup; hinged leaves may be pushed on from behind once they stand
+ajar. What the fingers hold is modelled by a ball joint that breaks at the force at which they would slip. Doors of
+rooms are shut behind the robot: their leaves are left out, as are handles that are none (windows do not open).
+"""
+
+from dataclasses import dataclass, field
+
+import mujoco
+import numpy as np
+
+from stages import grid
+from stages.boxes import Array
+from stages.embodied import floor, world
+from stages.embodied.interact.act import FRAMES, Actor, Result
+from stages.embodied.interact.parts import Part, parts
+from stages.embodied.interact.plan import GOAL, OPEN, Plan, Planner, spots
+from stages.embodied.interact.probe import Probe
+from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
+from stages.embodied.outcome import Failure, Outcome, Trace
+from stages.embodied.world import World
+
+SPOTS = 60
+"""Places tried at most for a part."""
+ASTRAY = (0.01, 0.03)
+"""Standard deviation of where the base comes to rest, m and rad."""
+
+
+@dataclass
+class _Tried:
+    """What was found before anything moved: a plan, or why there is none."""
+
+    plan: Plan | None = None
+    failure: Failure | None = None
+    reason: str = ""
+    numbers: dict[str, float] = field(default_factory=dict)
+
+
+def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> list[Outcome]:
+    """An episode for every part that opens; `only` one object's, and then with their traces.
+
+    The apartment may hold any robot or none: it is built again with the manipulator.
+    """
+    own = equipped(apartment)
+    probe = Probe.of(own)
+    every = list(parts(own, probe.data))
+    ground = floor.survey(own, RADIUS)
+    reached = grid.from_seeds(ground.free, ground.space.entry)
+    points = ground.grid.centers()
+    cells, others = points[reached], points[ground.free & ~reached]
+    return [_episode(probe, part, cells, others, lane, only is not None)
+            for part, lane in zip(every, rng.spawn(len(every)), strict=True) if only in (None, part.object)]
+
+
+def equipped(apartment: World) -> World:
+    """The apartment with the manipulator in it, room doors without leaves."""
+    leaves = [f"{body.link_name(link)}__c{k}" for body in apartment.bodies.values() if body.kind == "door"
+              for link in body.links if link.joint is not None and body.category == "door"
+              for k in range(len(link.colliders))]
+    made = world.build(apartment.scene, apartment.mjcf, mjcf(), without=leaves, name=apartment.name)
+    _sleeping(made, True)
+    return made
+
+
+def _sleeping(apartment: World, on: bool) -> None:
+    """Whether what rests is left out of the simulation until it is touched, where the engine can do so."""
+    flag = int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0))
+    apartment.model.opt.enableflags = apartment.model.opt.enableflags & ~flag | (flag if on else 0)
+
+
+def _episode(
+    probe: Probe, part: Part, cells: Array, others: Array, rng: np.random.Generator, trace: bool
+) -> Outcome:
+    _sleeping(probe.world, False)
+    tried = _tried(probe, part, cells, others, rng)
+    _sleeping(probe.world, True)
+    if tried.plan is None:
+        return _outcome(probe, part, tried.failure, tried.reason, tried.numbers)
+    names = [joint(name) for name in NAMES]
+    names.append(probe.world.model.joint(int(np.flatnonzero(probe.world.model.jnt_qposadr == part.address)[0])).name)
+    actor = Actor(probe, part, np.append(probe.joints, part.address))
+    result = actor.run(tried.plan)
+    failure: Failure | None = None
+    if result.trouble or result.share < OPEN:
+        failure = "blocked part" if result.blocked else "controller"
+    numbers = tried.numbers | _figures(result)
+    shown = Trace(joints=names, times=result.times, qpos=result.qpos) if trace else None
+    return _outcome(probe, part, failure, result.trouble, numbers, shown)
+
+
+def _figures(result: Result) -> dict[str, float]:
+    return {"share": round(result.share, 3), "force": round(result.force, 1), "seconds": round(result.seconds, 2)}
+
+
+def _outcome(
+    probe: Probe, part: Part, failure: Failure | None, reason: str, numbers: dict[str, float],
+    trace: Trace | None = None,
+) -> Outcome:
+    return Outcome(
+        apartment=probe.world.name, episode="interaction", room=part.room, object=part.object, category=part.category,
+        joint=part.joint, success=failure is None, failure=failure, reason=reason, numbers=numbers, trace=trace,
+    )
+
+
+def _tried(probe: Probe, part: Part, cells: Array, others: Array, rng: np.random.Generator) -> _Tried:
+    """Looks for a place and a plan; says what is in the way if there is none."""
+    probe.reset()
+    for value in np.linspace(0, OPEN * part.travel, 17):
+        met = probe.blocked(part, float(value))
+        if met >= 0:
+            return _Tried(None, "blocked part", f"meets {probe.name(met)} at {value / part.travel:.0%} of its range")
+    planner = Planner(probe, part)
+    stands = _stands(planner, spots(part, cells)[:SPOTS], rng)
+    for k, base in enumerate(stands):
+        found = planner.plan(base)
+        if found is not None:
+            return _Tried(found, numbers={"places": float(k + 1)})
+    if stands:
+        return _Tried(None, "planner", planner.complaint(), {"places": float(len(stands))})
+    if _stands(planner, spots(part, others)[:SPOTS], rng):
+        return _Tried(None, "planner", "no way from the entrance")
+    return _Tried(None, "no standing room", "the robot fits nowhere before it")
+
+
+def _stands(planner: Planner, places: Array, rng: np.random.Generator) -> list[Array]:
+    """Poses (x, y, heading) near the places where nothing touches the base and mast while the part moves."""
+    found = []
+    target = planner.part.at(planner.part.holds[0].point, 0.0)[:2]
+    for place in places:
+        for scale in (1.0, 0.0):
+            x, y = place + scale * rng.normal(0, ASTRAY[0], 2)
+            heading = np.arctan2(target[1] - y, target[0] - x) + scale * rng.normal(0, ASTRAY[1])
+            base = np.array([x, y, heading])
+            if all(planner.probe.hit(tucked(base, 0.5, 0), planner.part, value) < 0 for value in planner.values):
+                found.append(base)
+                break
+    return found
+
+
+__all__ = ["FRAMES", "GOAL", "OPEN", "equipped", "mjcf", "run"]

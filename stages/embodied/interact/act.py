@@ -1,0 +1,230 @@
+"""Carries a plan out in physics: servos with limited force, contacts, a grip that slips."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from stages.boxes import Array
+from stages.embodied.interact.parts import Hold, Part
+from stages.embodied.interact.plan import OPEN, Phase, Plan
+from stages.embodied.interact.probe import Probe
+from stages.embodied.interact.robot import CUP, FINGERS, GRIP, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
+
+SLIP = {"pinch": 60.0, "cup": 30.0}
+"""Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; a cup of 4 cm at -60 kPa, safety 2.5."""
+SEATED = 0.01
+"""The cup takes hold of what its mouth is no further from, m."""
+SLIPPING = 0.02
+"""Forces are averaged over about this time: a shorter peak does not move the pads, s."""
+LIGHT = 5.0
+"""Force of the fingers once the hold is modelled by a joint, N, so that friction does not hold twice."""
+GRAZE = 5.0
+"""A harder contact with anything but the part held is a collision, N."""
+PACE = {"hinge": 0.7, "slide": 0.25}
+"""Speed of a part in hand, rad/s and m/s."""
+RAMP = 0.3
+"""Seconds to gather speed and to lose it."""
+FRAMES = 20
+"""Recorded a second."""
+_CLOSE = 1.2  # s at most for the fingers to close
+_REST = 0.2  # s at the end of each phase, for the arm to catch up
+
+
+@dataclass
+class Result:
+    """How far the part came (share of its range), what went wrong, and what was recorded."""
+
+    share: float = 0.0
+    trouble: str = ""
+    blocked: bool = False
+    force: float = 0.0
+    seconds: float = 0.0
+    times: list[float] = field(default_factory=list)
+    qpos: list[list[float]] = field(default_factory=list)
+
+
+class Actor:
+    """One episode under way."""
+
+    def __init__(self, probe: Probe, part: Part, recorded: Array) -> None:
+        self.probe, self.part, self.recorded = probe, part, recorded
+        self.model = probe.world.model
+        self.data = mujoco.MjData(self.model)
+        self.servos = np.array([self.model.actuator(joint(name)).id for name in NAMES])
+        self.mine = probe.robot
+        self.grasping = probe.fingers
+        self.moving = probe.part(part)
+        self.own = probe.own(part)
+        self.eq = self.model.equality("robot__hold").id
+        self.result = Result()
+        self.steps = 0
+
+    def run(self, plan: Plan) -> Result:
+        """Carry out every phase, or as far as it goes."""
+        self._place(plan.phases[0].stops[0].posture)
+        for phase in plan.phases:
+            done = self._hold(phase) if phase.kind == "hold" else self._travel(phase)
+            if not done:
+                break
+        self._release()
+        result = self.result
+        result.share = float(self.data.qpos[self.part.address] / self.part.travel)
+        result.seconds = float(self.data.time)
+        if not result.trouble and result.share < OPEN:
+            result.trouble = f"opened to {result.share:.0%} only"
+        return result
+
+    def _place(self, posture: Array) -> None:
+        self.data.qpos[self.probe.joints] = posture
+        self.data.ctrl[self.servos] = posture
+        mujoco.mj_forward(self.model, self.data)
+
+    def _travel(self, phase: Phase) -> bool:
+        return self._along([stop.posture for stop in phase.stops]) and self._wait(_REST)
+
+    def _along(self, postures: list[Array], values: Array | None = None) -> bool:
+        """Servo through postures, each joint within its speed and a held part within its own."""
+        path = np.array([self.data.ctrl[self.servos], *postures])
+        spans = (np.abs(np.diff(path, axis=0)) / SPEED).max(1)
+        if values is not None:
+            pace = PACE["slide" if self.part.slides else "hinge"]
+            spans = np.maximum(spans, np.abs(np.diff(values, prepend=values[0])) / pace)
+        targets = _timed(path, spans, float(self.model.opt.timestep))
+        ahead = np.gradient(targets, axis=0) / self.model.opt.timestep if len(targets) > 1 else 0 * targets
+        for target in targets + ahead * LEAD:
+            self.data.ctrl[self.servos] = target
+            if not self._step():
+                return False
+        self.data.ctrl[self.servos] = path[-1]
+        return True
+
+    def _wait(self, seconds: float) -> bool:
+        return all(self._step() for _ in range(int(seconds / self.model.opt.timestep)))
+
+    def _hold(self, phase: Phase) -> bool:
+        hold = phase.hold
+        assert hold is not None
+        if hold.kind == "pinch" and not self._close():
+            return False
+        if hold.kind != "push" and not self._fasten(hold):
+            return False
+        path = self._held(phase)
+        values = np.array([stop.value for stop in phase.stops])
+        if not (self._along(path[:1]) and self._along(path, values) and self._wait(_REST)):
+            return False
+        self._release()
+        return True
+
+    def _close(self) -> bool:
+        """Close the fingers until both touch the part."""
+        self.data.ctrl[self.servos[FINGERS]] = 0.0
+        for _ in range(int(_CLOSE / self.model.opt.timestep)):
+            if not self._step():
+                return False
+            if self._touching() == 2:
+                return True
+        self.result.trouble = "the fingers did not find the handle"
+        return False
+
+    def _touching(self) -> int:
+        """How many fingers touch the part."""
+        pairs = np.array(self.data.contact.geom).reshape(-1, 2)
+        on = self.grasping[pairs].any(1) & self.moving[pairs].any(1) & (np.array(self.data.contact.dist) < 5e-4)
+        return len({int(pair[0] if self.grasping[pair[0]] else pair[1]) for pair in pairs[on]})
+
+    def _fasten(self, hold: Hold) -> bool:
+        """Let the hold take hold: a ball joint between hand and part, between the fingers or where the cup sits."""
+        ahead = HAND if hold.kind == "pinch" else HAND + TIP + CUP
+        point = self._point(ahead)
+        value = float(self.data.qpos[self.part.address])
+        if hold.kind == "cup" and np.linalg.norm(point - self.part.at(hold.point, value)) > SEATED:
+            self.result.trouble = "the cup did not reach the part"
+            return False
+        body = self.part.body
+        turn = self.data.xmat[body].reshape(3, 3)
+        self.model.eq_obj2id[self.eq] = body
+        self.model.eq_data[self.eq, :6] = [ahead, 0, 0, *(turn.T @ (point - self.data.xpos[body]))]
+        self.data.eq_active[self.eq] = 1
+        self.ahead, self.limit, self.pull = ahead, SLIP[hold.kind], 0.0
+        for k in self.servos[FINGERS]:
+            self.model.actuator_forcerange[k] = [-LIGHT, LIGHT]
+        return True
+
+    def _point(self, ahead: float) -> Array:
+        """A point so far before the wrist, along the hand."""
+        palm = self.model.body("robot__palm").id
+        return np.asarray(self.data.xpos[palm] + self.data.xmat[palm].reshape(3, 3) @ [ahead, 0, 0])
+
+    def _held(self, phase: Phase) -> list[Array]:
+        """The phase's postures, corrected for where the hand really took hold."""
+        if not self.data.eq_active[self.eq]:
+            return [stop.posture for stop in phase.stops]
+        turn, shift = self.part.moved(float(self.data.qpos[self.part.address]))
+        point = turn.T @ (self._point(self.ahead) - shift)
+        fingers = self.data.ctrl[self.servos[FINGERS]]
+        found: list[Array] = []
+        for stop in phase.stops:
+            assert stop.turn is not None
+            at = self.part.at(point, stop.value) - (self.ahead - HAND) * stop.turn[:, 0]
+            right = posture(stop.posture[:3], at, stop.turn, 0.0, stop.posture)
+            found.append(np.concatenate([(stop.posture if right is None else right)[:11], fingers]))
+        return found
+
+    def _release(self) -> None:
+        self.data.eq_active[self.eq] = 0
+        for k in self.servos[FINGERS]:
+            self.model.actuator_forcerange[k] = [-GRIP, GRIP]
+
+    def _step(self) -> bool:
+        """One step of the simulation; False when the episode is over."""
+        mujoco.mj_step(self.model, self.data)
+        self.steps += 1
+        if self.steps % round(1 / FRAMES / self.model.opt.timestep) == 0:
+            self.result.times.append(round(float(self.data.time), 4))
+            self.result.qpos.append([round(float(v), 5) for v in self.data.qpos[self.recorded]])
+        return self._holding() and (self.steps % 2 == 1 or self._unharmed())
+
+    def _holding(self) -> bool:
+        if not self.data.eq_active[self.eq]:
+            return True
+        rows = (self.data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY) & (self.data.efc_id == self.eq)
+        now = float(np.linalg.norm(self.data.efc_force[rows]))
+        force = self.pull = self.pull + (now - self.pull) * self.model.opt.timestep / SLIPPING
+        self.result.force = max(self.result.force, force)
+        if force <= self.limit:
+            return True
+        self.result.trouble = f"the grip slipped at {force:.0f} N"
+        return False
+
+    def _unharmed(self) -> bool:
+        """Whether neither robot nor part presses against anything that they should not."""
+        pairs = np.array(self.data.contact.geom).reshape(-1, 2)
+        mine, part = self.mine[pairs].any(1), self.moving[pairs].any(1)
+        bad = (mine ^ part) & ~(part & self.own[pairs].all(1))
+        if not bad.any():
+            return True
+        rows = np.array(self.data.contact.efc_address)[bad]
+        force = np.where(rows >= 0, self.data.efc_force[rows], 0.0)
+        if force.max() <= GRAZE:
+            return True
+        worst = pairs[bad][int(force.argmax())]
+        hand = self.mine[worst].any()
+        own = self.mine[worst] if hand else self.moving[worst]
+        other = self.probe.name(int(worst[1] if own[0] else worst[0]))
+        self.result.trouble = f"{'the robot' if hand else 'the part'} met {other} with {force.max():.0f} N"
+        self.result.blocked = not hand
+        return False
+
+
+def _timed(path: Array, spans: Array, timestep: float) -> Array:
+    """Points of a path (k, 13) whose legs take `spans` seconds, one a step, gathering and losing speed evenly."""
+    ends = np.concatenate([[0.0], np.cumsum(np.maximum(spans, 1e-6))])
+    total = float(ends[-1])
+    ramp = min(RAMP, total)
+    t = np.linspace(0, total + ramp, max(2, int(np.ceil((total + ramp) / timestep)) + 1))[1:]
+    left = total + ramp - t
+    # Constant speed between two parabolas.
+    here = np.where(t < ramp, t * t / (2 * ramp), np.where(left < ramp, total - left * left / (2 * ramp), t - ramp / 2))
+    return np.stack([np.interp(here, ends, column) for column in path.T], 1)

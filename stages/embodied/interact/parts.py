@@ -1,0 +1,183 @@
+"""What can be opened: one part of an object, where it is held, how it moves."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages.asset import Collider, Link
+from stages.body import Body
+from stages.boxes import Array
+from stages.embodied.interact.robot import OPENING
+from stages.embodied.world import World
+from stages.solids import corners
+
+Kind = Literal["pinch", "cup", "push"]
+NEAR = 0.02
+"""Pieces no further than this from where the handle is said to be belong to it, m."""
+PLAY = 0.012
+"""How much wider than what they take the fingers open, on each side, m."""
+DEEP = 0.004
+"""How far behind a handle's foremost point the fingers' middle takes hold, m."""
+EDGE = 0.05
+"""How far from a leaf's free edge it is pushed, m."""
+
+
+@dataclass(frozen=True)
+class Hold:
+    """A way to act on a part: at a world point while the part is shut.
+
+    pinch: the fingers close across `across` (unit) on `width` metres · cup: the suction cup
+    before the closed fingers sits on a face ·
+    push: closed fingers against the back of the leaf. `out` is the way that the part's front faces, `geoms` are what
+    the fingers touch.
+    """
+
+    kind: Kind
+    point: Array
+    across: Array
+    out: Array
+    geoms: tuple[int, ...]
+    width: float = 0.0
+
+    @property
+    def opening(self) -> float:
+        """Where each finger stands while the part is moved, m from the middle."""
+        return self.width / 2
+
+
+@dataclass(frozen=True)
+class Part:
+    """A moving link of an object where it stands; `front` and `up` are the object's (world, unit)."""
+
+    object: str
+    category: str
+    room: str
+    joint: str
+    body: int
+    address: int
+    slides: bool
+    axis: Array
+    anchor: Array
+    travel: float
+    front: Array
+    up: Array
+    holds: list[Hold]
+    pushes: list[Hold]
+
+    def moved(self, value: float) -> tuple[Array, Array]:
+        """Rotation (3, 3) and shift (3,) of the part from shut to a joint position: p → R p + t."""
+        if self.slides:
+            return np.eye(3), self.axis * value
+        turn = rotation(self.axis, value)
+        return turn, self.anchor - turn @ self.anchor
+
+    def at(self, point: Array, value: float) -> Array:
+        """Where a point of the shut part is at a joint position."""
+        turn, shift = self.moved(value)
+        return np.asarray(turn @ point + shift)
+
+
+def rotation(axis: Array, angle: float) -> Array:
+    """Rotation about a unit axis (Rodrigues), (3, 3)."""
+    x, y, z = axis
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
+
+
+def parts(world: World, data: Any) -> Iterator[Part]:
+    """Every part of every object whose joint is in the model; `data` must hold the shut apartment, kinematics done."""
+    known = {world.model.joint(k).name: k for k in range(world.model.njnt)}
+    for body in world.bodies.values():
+        for link in body.links if body.kind == "object" else []:
+            if link.joint is not None and body.joint_name(link.joint) in known:
+                yield _part(world, data, body, link, known[body.joint_name(link.joint)])
+
+
+def _part(world: World, data: Any, body: Body, link: Link, k: int) -> Part:
+    joint = link.joint
+    assert joint is not None
+    pose = body.pose()
+    turn = pose[:3, :3]
+    axis = turn @ (np.asarray(joint.axis, float) / np.linalg.norm(joint.axis))
+    travel = max(joint.range, key=abs)
+    boxes = _boxes(link)
+    handle = _handle(link, boxes)
+    geoms = np.array([world.model.geom(f"{body.link_name(link)}__c{i}").id for i in range(len(link.colliders))], int)
+    holds = [*_pinches(boxes, handle, pose, geoms), _touch("cup", handle, pose, geoms)]
+    pushes = [] if joint.type == "slide" else _pushes(link, boxes, handle, pose, geoms)
+    return Part(
+        body.id, body.category, body.room, joint.name, int(world.model.jnt_bodyid[k]),
+        int(world.model.jnt_qposadr[k]), joint.type == "slide", axis, turn @ np.asarray(joint.origin) + pose[:3, 3],
+        float(travel), turn[:, 0], turn[:, 2], holds, pushes,
+    )
+
+
+Corners = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+
+def _boxes(link: Link) -> Corners:
+    """Least and greatest corners of the link's pieces in the object's frame, (k, 2, 3)."""
+    pieces: list[Collider] = link.colliders
+    points = [corners(c) for c in pieces] or [np.concatenate([mesh.vertices for mesh in link.visuals])]
+    return np.array([[p.min(0), p.max(0)] for p in points])
+
+
+def _handle(link: Link, boxes: Corners) -> Array:
+    """Where the hand takes hold, object's frame: the handle, else the front's far edge."""
+    if link.handle is not None:
+        return np.asarray(link.handle, float)
+    lo, hi = boxes[:, 0].min(0), boxes[:, 1].max(0)
+    middle = np.array([hi[0], (lo[1] + hi[1]) / 2, (lo[2] + hi[2]) / 2])
+    if link.joint is None or link.joint.type == "slide":
+        return middle
+    axis = np.asarray(link.joint.axis, float)
+    across = int(np.argmin(np.abs(axis[1:]))) + 1
+    far = max((lo[across] + EDGE, hi[across] - EDGE), key=lambda v: abs(v - link.joint.origin[across]))
+    middle[across] = far
+    return middle
+
+
+def _pinches(boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[Hold]:
+    """Grasps with both fingers about the piece that the handle is on, narrowest first."""
+    apart = np.linalg.norm(np.maximum(np.maximum(boxes[:, 0] - handle, handle - boxes[:, 1]), 0), axis=1)
+    near = np.flatnonzero(apart <= NEAR)
+    if not len(near):
+        return []
+    sizes = boxes[:, 1] - boxes[:, 0]
+    small = [k for k in near if sizes[k].prod() < sizes.prod(1).max() / 4] or list(near)
+    piece = np.array([boxes[small, 0].min(0), boxes[small, 1].max(0)])
+    found = []
+    for side in (1, 2):
+        width = float(piece[1, side] - piece[0, side])
+        if width / 2 + PLAY > OPENING:
+            continue
+        point = handle - [DEEP, 0, 0]
+        point[side] = piece[:, side].mean()
+        across = pose[:3, side]
+        found.append(Hold("pinch", pose[:3, :3] @ point + pose[:3, 3], across, pose[:3, 0], tuple(geoms[small].tolist()), width))
+    return sorted(found, key=lambda hold: hold.width)
+
+
+def _touch(kind: Kind, point: Array, pose: Array, geoms: Index) -> Hold:
+    return Hold(kind, pose[:3, :3] @ point + pose[:3, 3], pose[:3, 1], pose[:3, 0], tuple(geoms.tolist()))
+
+
+def _pushes(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[Hold]:
+    """Where the back of a hinged leaf is pushed: near its free edge, at the handle's place along the axis."""
+    assert link.joint is not None
+    axis = np.asarray(link.joint.axis, float)
+    panel = boxes[int((boxes[:, 1] - boxes[:, 0]).prod(1).argmax())]
+    across = int(np.argmin(np.abs(axis[1:]))) + 1
+    outward = np.sign(handle[across] - link.joint.origin[across])
+    if abs(axis[0]) > 0.5 or abs(axis[across]) > 0.5 or outward == 0:
+        return []
+    point = np.clip(handle, panel[0] + EDGE, np.maximum(panel[1] - EDGE, panel[0] + EDGE))
+    edge = panel[1, across] if outward > 0 else panel[0, across]
+    point[across] = edge - outward * EDGE
+    inside = ((boxes[:, 0, 1:] <= point[1:]) & (point[1:] <= boxes[:, 1, 1:])).all(1)
+    point[0] = boxes[inside, 0, 0].min() if inside.any() else panel[0, 0]
+    return [_touch("push", point, pose, geoms)]
