@@ -50,13 +50,20 @@ def sense() -> Sense:
 
 
 def essentials(categories: list[str], kind: str, wishes: Counter[str]) -> frozenset[int]:
-    """Indices of what a room of a type cannot be without: one of each least group, and what was wished for."""
+    """Indices of what a room of a type cannot be without.
+
+    One of each least group, what was wished for, and the only thing that others there are of use with.
+    """
     found: set[int] = set()
     for category, number in wishes.items():
         found.update([i for i, name in enumerate(categories) if name == category][:number])
     for group in sense().least[ROOM_TYPES.index(kind)]:
         names = {CATEGORIES[c] for c in group}
         found.update([i for i, name in enumerate(categories) if name in names][:1])
+    for dependent, companions in sense().needs:
+        if CATEGORIES[dependent] in categories and TABLE[CATEGORIES[dependent]].place == "floor":
+            names = {CATEGORIES[c] for c in companions}
+            found.update([i for i, name in enumerate(categories) if name in names][:1])
     return frozenset(found)
 
 

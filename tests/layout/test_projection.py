@@ -109,3 +109,31 @@ def test_things_stand_on_what_they_belong_on() -> None:
     assert done[1].center[2] - done[1].size[2] / 2 == pytest.approx(done[0].center[2] + done[0].size[2] / 2)
     offset = np.abs(done[1].center[:2] - done[0].center[:2])
     assert (offset < 0.7).all()
+
+
+def test_chairs_stay_at_their_table_and_the_table_with_its_chairs() -> None:
+    """A table set with chairs in a free room stays where it is, its chairs about it, drawn under it a little."""
+    space = space_of(some_rooms(1, 2), 0)
+    table = Item("dining_table", np.array([0.0, 0.2, 0.38]), np.array([0.8, 1.2, 0.76]), 0.0)
+    chairs = [
+        Item("chair", np.array([x, y, 0.45]), np.array([0.5, 0.45, 0.9]), yaw)
+        for x, y, yaw in ((0.55, -0.1, np.pi), (0.55, 0.5, np.pi), (-0.55, 0.2, 0.0))
+    ]
+    done = project([table, *chairs], space)
+    assert all(item.cost < BROKEN for item in done)
+    assert done[0].moved < 0.1
+    for chair in done[1:]:
+        gap = np.linalg.norm(chair.center[:2] - done[0].center[:2])
+        toward = done[0].center[:2] - chair.center[:2]
+        assert gap < 1.0 and toward @ [np.cos(chair.yaw), np.sin(chair.yaw)] > 0
+
+
+def test_a_moved_table_takes_its_chair_along() -> None:
+    """Where the table has to leave the doorway, the chair is at its new place."""
+    space = space_of(some_rooms(1, 2), 0)
+    door = space.zones.center[~space.window][0]
+    table = Item("dining_table", np.array([door[0], door[1], 0.38]), np.array([0.8, 1.2, 0.76]), 0.0)
+    chair = Item("chair", np.array([door[0] + 0.6, door[1], 0.45]), np.array([0.5, 0.45, 0.9]), np.pi)
+    done = project([table, chair], space)
+    assert all(item.cost < BROKEN for item in done) and done[0].moved > 0.2
+    assert np.linalg.norm(done[1].center[:2] - done[0].center[:2]) < 1.0

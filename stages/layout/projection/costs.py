@@ -69,8 +69,8 @@ def _meetings(found: Boxes, wide: Boxes, category: str, placed: Placed, has_reac
         return np.zeros(found.n)
     seated, solid, swept = placed.seated[hard], placed.boxes.take(hard), placed.grown.take(hard)
     depth = penetration(found, solid)
-    # A chair may be pushed under its table, but not into its middle.
-    total = _sum(np.where(seated & (category in TUCKED), depth - 0.28, depth), 20)
+    # A chair may be pushed under its table, but not into its middle; the same pair seen from the table is as good.
+    total = _sum(np.where(seated, depth - 0.28, depth), 20)
     apart = ~seated
     moving = (swept.size[:, 0] > solid.size[:, 0] + 1e-6) & apart
     if moving.any():

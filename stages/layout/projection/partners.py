@@ -53,12 +53,17 @@ def beside(category: str, center: Array, size: Array, others: Boxes, names: list
     found = [
         _at(category, name, size, others.center[k, :2], others.size[k], float(others.yaw[k]))
         for k, name in enumerate(names)
-        if name in PARTNERS.get(category, ())
+        if belongs_to(category, name)
     ]
     if not found:
         return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
     at, yaw = np.concatenate([f[0] for f in found]), np.concatenate([f[1] for f in found])
     return Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.broadcast_to(size, (len(at), 3)), yaw)
+
+
+def belongs_to(category: str, other: str) -> bool:
+    """Whether an object of a category takes its place from one of another."""
+    return other in PARTNERS.get(category, ())
 
 
 def pull(category: str) -> float:

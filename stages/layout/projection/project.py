@@ -10,7 +10,7 @@ from stages.boxes import Boxes, penetration
 from stages.categories import TABLE
 from stages.layout.projection import candidates, passage
 from stages.layout.projection.costs import BROKEN, SOFT, cost
-from stages.layout.projection.partners import FLUSH, beside, in_run, pull
+from stages.layout.projection.partners import FLUSH, belongs_to, beside, in_run, pull
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing, rests_on
 
@@ -37,8 +37,12 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
         broken = [i for i in order if _again(i, room, space) >= BROKEN]
         if not broken:
             break
-        for i in broken:
-            room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
+        # Seats leave with their table and come back to it.
+        follow = {k for k in order if any(belongs_to(wanted[k].category, wanted[i].category) for i in broken)}
+        room.there[list(follow)] = False
+        for i in order:
+            if i in broken or i in follow:
+                room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
     passage.join(room, space)
     for i, item in enumerate(room.items):
         item.cost = _again(i, room, space)
