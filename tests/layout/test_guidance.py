@@ -56,6 +56,25 @@ def test_articulation_equals_eq_4_by_hand() -> None:
     assert energy("articulation", found) == pytest.approx(shared / (1.4 * 0.64 + volume - shared), rel=1e-4)
 
 
+def test_walkway_wants_gaps_flush_or_wide() -> None:
+    """Two 0.8 m boxes in the middle of a room, 1.1 m from any wall: only the gap between them counts."""
+    room = some_rooms(1, 3)
+    room.polygon[0, :4] = [[-2.5, -2.5], [2.5, -2.5], [2.5, 2.5], [-2.5, 2.5]]
+    module = registry.load("stages.layout.guidance", "walkway")
+
+    def value(gap: float, other: str = "sofa") -> float:
+        found = boxes(("chest", -0.4 - gap / 2, 0, 0), (other, 0.4 + gap / 2, 0.1, np.pi))
+        return float(module.energy(found, floor_of(room))[0])
+
+    assert value(0.02) == value(0.6) == value(0.29, "rug") == 0
+    middle = (module.FLUSH + module.PASS) / 2
+    assert value(middle) == pytest.approx(1, abs=1e-4) and 0 < value(0.1) < 1
+    # 0.3 m before the east wall, its sides more than a walker's width from the others.
+    alone = boxes(("chest", 2.5 - 0.4 - 0.3, 0.0, 0.0))
+    share = 4 * (0.3 - module.FLUSH) * (module.PASS - 0.3) / (module.PASS - module.FLUSH) ** 2
+    assert float(module.energy(alone, floor_of(room))[0]) == pytest.approx(share, rel=1e-3)
+
+
 def test_inside_and_openings() -> None:
     assert energy("inside", boxes(("sofa", 0, 0, 0.3))) == 0
     assert energy("inside", boxes(("sofa", 4, 0, 0.3))) > 0
@@ -72,6 +91,7 @@ def test_gradient_descends(name: str) -> None:
         "articulation": [("chest", 0.0, 0.0, 0.0), ("plant", 1.1, 0.1, 0.2)],
         "inside": [("sofa", 2.6, 0.1, 0.4)],
         "openings": [("sofa", 0.3, south + 0.5, 0.2)],
+        "walkway": [("chest", -0.6, 0.0, 0.0), ("sofa", 0.5, 0.1, 0.3)],
     }[name]
     start = boxes(*found)
     objects = Objects(
