@@ -8,6 +8,7 @@ ajar. What the fingers hold is modelled by a ball joint that breaks at the force
 rooms are shut behind the robot: their leaves are left out, as are handles that are none (windows do not open).
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import mujoco
@@ -46,7 +47,7 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     The apartment may hold any robot or none: it is built again with the manipulator.
     """
     own = equipped(apartment)
-    probe = Probe.of(own)
+    probe = Probe(own)
     every = list(parts(own, probe.data))
     ground = floor.survey(own, RADIUS)
     reached = grid.from_seeds(ground.free, ground.space.entry)
@@ -62,22 +63,15 @@ def equipped(apartment: World) -> World:
               for link in body.links if link.joint is not None and body.category == "door"
               for k in range(len(link.colliders))]
     made = world.build(apartment.scene, apartment.mjcf, mjcf(), without=leaves, name=apartment.name)
-    _sleeping(made, True)
+    # What rests is left out of the simulation until it is touched, where the engine can do so.
+    made.model.opt.enableflags |= int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0))
     return made
-
-
-def _sleeping(apartment: World, on: bool) -> None:
-    """Whether what rests is left out of the simulation until it is touched, where the engine can do so."""
-    flag = int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0))
-    apartment.model.opt.enableflags = apartment.model.opt.enableflags & ~flag | (flag if on else 0)
 
 
 def _episode(
     probe: Probe, part: Part, cells: Array, others: Array, rng: np.random.Generator, trace: bool
 ) -> Outcome:
-    _sleeping(probe.world, False)
     tried = _tried(probe, part, cells, others, rng)
-    _sleeping(probe.world, True)
     if tried.plan is None:
         return _outcome(probe, part, tried.failure, tried.reason, tried.numbers)
     names = [joint(name) for name in NAMES]
@@ -108,27 +102,26 @@ def _outcome(
 
 def _tried(probe: Probe, part: Part, cells: Array, others: Array, rng: np.random.Generator) -> _Tried:
     """Looks for a place and a plan; says what is in the way if there is none."""
-    probe.reset()
+    probe.reset(part.body)
     for value in np.linspace(0, OPEN * part.travel, 17):
         met = probe.blocked(part, float(value))
         if met >= 0:
             return _Tried(None, "blocked part", f"meets {probe.name(met)} at {value / part.travel:.0%} of its range")
     planner = Planner(probe, part)
-    stands = _stands(planner, spots(part, cells)[:SPOTS], rng)
-    for k, base in enumerate(stands):
+    places = 0
+    for places, base in enumerate(_stands(planner, spots(part, cells)[:SPOTS], rng), 1):
         found = planner.plan(base)
         if found is not None:
-            return _Tried(found, numbers={"places": float(k + 1)})
-    if stands:
-        return _Tried(None, "planner", planner.complaint(), {"places": float(len(stands))})
-    if _stands(planner, spots(part, others)[:SPOTS], rng):
+            return _Tried(found, numbers={"places": float(places)})
+    if places:
+        return _Tried(None, "planner", planner.complaint(), {"places": float(places)})
+    if any(True for _ in _stands(planner, spots(part, others)[:SPOTS], rng)):
         return _Tried(None, "planner", "no way from the entrance")
     return _Tried(None, "no standing room", "the robot fits nowhere before it")
 
 
-def _stands(planner: Planner, places: Array, rng: np.random.Generator) -> list[Array]:
+def _stands(planner: Planner, places: Array, rng: np.random.Generator) -> Iterator[Array]:
     """Poses (x, y, heading) near the places where nothing touches the base and mast while the part moves."""
-    found = []
     target = planner.part.at(planner.part.holds[0].point, 0.0)[:2]
     for place in places:
         for scale in (1.0, 0.0):
@@ -136,9 +129,8 @@ def _stands(planner: Planner, places: Array, rng: np.random.Generator) -> list[A
             heading = np.arctan2(target[1] - y, target[0] - x) + scale * rng.normal(0, ASTRAY[1])
             base = np.array([x, y, heading])
             if all(planner.probe.hit(tucked(base, 0.5, 0), planner.part, value) < 0 for value in planner.values):
-                found.append(base)
+                yield base
                 break
-    return found
 
 
 __all__ = ["FRAMES", "GOAL", "OPEN", "equipped", "mjcf", "run"]

@@ -1,7 +1,6 @@
 """Carries a plan out in physics: servos with limited force, contacts, a grip that slips."""
 
 from dataclasses import dataclass, field
-from typing import Any
 
 import mujoco
 import numpy as np

@@ -132,12 +132,12 @@ def _handle(link: Link, boxes: Corners) -> Array:
         return np.asarray(link.handle, float)
     lo, hi = boxes[:, 0].min(0), boxes[:, 1].max(0)
     middle = np.array([hi[0], (lo[1] + hi[1]) / 2, (lo[2] + hi[2]) / 2])
-    if link.joint is None or link.joint.type == "slide":
+    joint = link.joint
+    if joint is None or joint.type == "slide":
         return middle
-    axis = np.asarray(link.joint.axis, float)
-    across = int(np.argmin(np.abs(axis[1:]))) + 1
-    far = max((lo[across] + EDGE, hi[across] - EDGE), key=lambda v: abs(v - link.joint.origin[across]))
-    middle[across] = far
+    across = int(np.argmin(np.abs(joint.axis[1:]))) + 1
+    ends = np.array([lo[across] + EDGE, hi[across] - EDGE])
+    middle[across] = ends[np.abs(ends - joint.origin[across]).argmax()]
     return middle
 
 
@@ -157,8 +157,8 @@ def _pinches(boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[H
             continue
         point = handle - [DEEP, 0, 0]
         point[side] = piece[:, side].mean()
-        across = pose[:3, side]
-        found.append(Hold("pinch", pose[:3, :3] @ point + pose[:3, 3], across, pose[:3, 0], tuple(geoms[small].tolist()), width))
+        at, touched = pose[:3, :3] @ point + pose[:3, 3], tuple(geoms[small].tolist())
+        found.append(Hold("pinch", at, pose[:3, side], pose[:3, 0], touched, width))
     return sorted(found, key=lambda hold: hold.width)
 
 

@@ -1,8 +1,8 @@
 """Where to stand and how to move: postures of the robot along the way a part takes.
 
-The hand keeps hold of the handle while it turns freely in the grip, so at each of `STEPS` positions of the part any of a
-few directions of the hand will do, if neighbouring positions have neighbouring directions. Where a leaf can't be held
-all the way, as where it opens against a wall, it is pulled as far as it goes and pushed on from behind.
+The hand keeps hold of the handle while it turns freely in the grip, so at each of `STEPS` positions of the part any of
+a few directions of the hand will do, if neighbouring positions have neighbouring directions. Where a leaf can't be
+held all the way, as where it opens against a wall, it is pulled as far as it goes and pushed on from behind.
 """
 
 from collections import Counter
@@ -81,7 +81,7 @@ class Plan:
 
 def forward(part: Part, hold: Hold, value: float, option: Option) -> Array:
     """Which way the hand points (unit), the part at a position."""
-    left = np.cross(part.up, part.front)
+    left = _cross(part.up, part.front)
     level = -np.cos(option.yaw) * part.front - np.sin(option.yaw) * left
     if hold.kind == "push":
         level = -level
@@ -95,13 +95,13 @@ def turned(part: Part, hold: Hold, value: float, ahead: Array) -> Array | None:
     facing = float(ahead @ (turn @ hold.out)) * (1 if hold.kind == "push" else -1)
     if hold.kind != "pinch" and facing < _LIMIT[hold.kind]:
         return None
-    across = turn @ hold.across if hold.kind == "pinch" else np.cross(part.up, ahead)
+    across = turn @ hold.across if hold.kind == "pinch" else _cross(part.up, ahead)
     across = across - (across @ ahead) * ahead
     length = float(np.linalg.norm(across))
     if length < _LIMIT["pinch"]:
         return None
     across = across / length
-    return np.stack([ahead, across, np.cross(ahead, across)], 1)
+    return np.stack([ahead, across, _cross(ahead, across)], 1)
 
 
 class Planner:
@@ -111,6 +111,7 @@ class Planner:
         self.probe, self.part = probe, part
         self.values = part.travel * GOAL * np.linspace(0, 1, STEPS + 1)
         self.met: Counter[int] = Counter()
+        self._ahead: dict[tuple[bool, int, int], Array] = {}
 
     def at(self, base: Array, hold: Hold, value: float, ahead: Array, near: Array | None = None, wide: bool = False,
            back: float = 0.0) -> Array | None:  # fmt: skip
@@ -128,7 +129,10 @@ class Planner:
 
     def ahead(self, hold: Hold, k: int, o: int) -> Array:
         """Which way the hand points at the k-th position with the o-th option."""
-        return forward(self.part, hold, self.values[k], OPTIONS[o])
+        key = (hold.kind == "push", k, o)
+        if key not in self._ahead:
+            self._ahead[key] = forward(self.part, hold, self.values[k], OPTIONS[o])
+        return self._ahead[key]
 
     def free(self, base: Array, hold: Hold, k: int, o: int) -> bool:
         """Whether the robot meets nothing while it holds the part at the k-th position."""
@@ -235,24 +239,25 @@ class Planner:
         """The pull cut short where the leaf can be pushed on from behind, and the push."""
         for k in range(furthest, 1, -1):
             cut = [stop for stop in pulled[1].stops if stop.value <= self.values[k] + 1e-9]
-            held = Phase("hold", cut, pulled[1].hold)
+            grip = pulled[1].hold
+            assert grip is not None
             for hold in self.part.pushes:
                 for chain in self.chains(base, hold, k)[:2]:
                     if len(chain) < STEPS + 1 - k:
                         continue
-                    away = self._leave(base, cut[-1], held.hold)
+                    away = self._leave(base, cut[-1], grip)
                     if away is None:
                         continue
                     came = self.reach(base, hold, k, chain[0], away.stops[-1].posture)
                     pushed = None if came is None else self.follow(base, hold, k, chain, came.stops[-1].posture)
                     if came is not None and pushed is not None:
-                        return [pulled[0], held, away, came, pushed]
+                        return [pulled[0], Phase("hold", cut, grip), away, came, pushed]
         return None
 
-    def _leave(self, base: Array, stop: Stop, hold: Hold | None) -> Phase | None:
+    def _leave(self, base: Array, stop: Stop, hold: Hold) -> Phase | None:
         """The way from a hold back to arm in."""
         wide = stop.posture.copy()
-        wide[11:] += PLAY if hold is not None and hold.kind == "pinch" else 0.0
+        wide[11:] += PLAY if hold.kind == "pinch" else 0.0
         back = _withdrawn(wide, BACK)
         if back is None:
             return None
@@ -267,6 +272,11 @@ def _short(forward: Array, out: Array) -> float:
     """How far before a face closed fingers stop that come at a slant, so that their corners touch it first, m."""
     cosine = max(abs(float(forward @ out)), 0.2)
     return TIP + THICK * float(np.sqrt(1 - min(cosine, 1.0) ** 2)) / cosine
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """Of two vectors; numpy's is slow for one pair."""
+    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 def _traced(layers: list[dict[int, int]], last: int) -> list[int]:
@@ -285,9 +295,9 @@ def _withdrawn(at: Array, by: float) -> Array | None:
     wrist = np.array([at[0] + out * np.cos(bearing), at[1] + out * np.sin(bearing), at[3]])
     roll = at[10]
     flat = np.array([-np.sin(yaw), np.cos(yaw), 0])
-    up = np.cross(forward, flat)
+    up = _cross(forward, flat)
     across = np.cos(roll) * flat + np.sin(roll) * up
-    turn = np.stack([forward, across, np.cross(forward, across)], 1)
+    turn = np.stack([forward, across, _cross(forward, across)], 1)
     return posture(at[:3], wrist + (HAND - by) * forward, turn, at[11], at)
 
 
