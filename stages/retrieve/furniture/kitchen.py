@@ -230,10 +230,10 @@ def hood(kit: Kit) -> None:
     skirt = min(0.06, 0.2 * kit.h)
     chimney_y, chimney_x = min(0.14, 0.3 * kit.w), kit.x[0] + min(0.28, 0.7 * kit.d)
     if kit.style == "box":
-        high = kit.h if kit.h < 0.45 else max(0.3, 0.5 * kit.h)
-        _hood_box(kit, metal, high)
-        if high < kit.h:
-            b.box(metal, (kit.x[0], chimney_x), (-chimney_y, chimney_y), (high, kit.h))
+        top = kit.h if kit.h < 0.45 else max(0.3, 0.5 * kit.h)
+        _hood_box(kit, metal, top)
+        if top < kit.h:
+            b.box(metal, (kit.x[0], chimney_x), (-chimney_y, chimney_y), (top, kit.h))
         b.fill = 1.0
         return
     body = skirt + (0.35 * (kit.h - skirt) if kit.style != "canopy" else 0.0)

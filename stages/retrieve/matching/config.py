@@ -14,8 +14,8 @@ class RetrieveConfig(Record):
     """
 
     libraries: list[str] = Field(default_factory=list, description="folders made by `apartgen assets index`")
-    overshoot: float = Field(default=0.15, ge=0, le=1, description="an owned asset's sides may exceed the box's by")
-    tolerance: float = Field(default=0.25, ge=0, le=1, description="sides this share below the box's still fill it")
+    overshoot: float = Field(default=0.25, ge=0, le=1, description="an owned asset's sides may exceed the box's by")
+    tolerance: float = Field(default=0.4, ge=0, le=1, description="sides this share below the box's still fill it")
     size_weight: float = Field(default=1.0, ge=0)
     latent_weight: float = Field(default=4.0, ge=0)
     static_cost: float = Field(default=4.0, ge=0)

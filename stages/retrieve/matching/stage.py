@@ -41,7 +41,7 @@ def run(
     wanted = _wanted(previous, libraries)
     own = [_nearest(want, libraries, 1 + config.overshoot, previous.height) for want in wanted]
     placed: list[Boxes | None] = [None] * len(own)
-    _stand(previous, own, placed, sites, [partial(_measured, want, libraries) for want in wanted])
+    _stand(previous, own, placed, sites, [partial(_nearest, want, libraries, 1.0, previous.height) for want in wanted])
     _put_on_top(previous, own, placed, sites)
     objects = [_furnishing(*row) for row in zip(previous.objects, own, placed, strict=True) if row[2] is not None]
     objects = seats.cleared(objects, previous)
@@ -88,9 +88,9 @@ def _measured(want: Wanted, libraries: LibrarySet) -> Asset:
 
 def _stand(
     layout: Layout, own: list[Asset], placed: list[Boxes | None], sites: dict[str, Site],
-    measured: Sequence[Callable[[], Asset]],
+    within: Sequence[Callable[[], Asset]],
 ) -> None:  # fmt: skip
-    """Places all that does not stand on something else; what finds no room is made to measure or left out."""
+    """Places all that does not stand on something else; what finds no room gives way to one `within` its box."""
     rows = [i for i, box in enumerate(layout.objects) if TABLE[box.category].place != "top"]
     for i in rows:
         placed[i] = _resized(layout.objects[i], own[i], sites[layout.objects[i].room].floor, layout.height)
@@ -99,7 +99,7 @@ def _stand(
         if _outgrew(own[i], box):
             placed[i] = _fitted(i, layout, placed, site)
         if placed[i] is None and own[i].library != NAME:
-            own[i] = measured[i]()
+            own[i] = within[i]()
             placed[i] = _resized(box, own[i], site.floor, layout.height)
             placed[i] = _fitted(i, layout, placed, site) if _outgrew(own[i], box) else placed[i]
         if placed[i] is None:

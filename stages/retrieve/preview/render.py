@@ -180,6 +180,9 @@ def _shaded(soup: Soup, frame: _Frame, light: _Light, axes: Array, scale: float)
     owner, w = frame.owner, frame.weight[..., None]
     normal = (soup.normals[owner] * w).sum(2)
     normal /= np.maximum(np.linalg.norm(normal, axis=-1, keepdims=True), 1e-9)
+    a, b, c = np.moveaxis(soup.points, 1, 0)
+    # A sheet seen from behind is lit as from its front.
+    normal *= np.where(np.cross(b - a, c - a) @ axes[2] > 1e-15, -1.0, 1.0)[owner][..., None]
     point, uv = (soup.points[owner] * w).sum(2), (soup.uv[owner] * w).sum(2)
     color, rough, metal = _surface(soup, soup.material[owner], uv)
     sun = np.clip(normal @ _SUN, 0, 1) * light.falls_on(point + 0.004 * normal)

@@ -47,15 +47,14 @@ def decoded(at: str) -> "Image":
             # A JPEG is decoded at about the size that is wanted.
             found.draft("RGB", (SIDE, SIDE))
             found.thumbnail((SIDE, SIDE))
-            whole = found.convert("RGBA")
-            return whole if clear and whole.getextrema()[3][0] < 255 else found.convert("RGB")
+            return found.convert("RGBA" if clear and np.asarray(found.convert("RGBA"))[..., 3].min() < 255 else "RGB")
     except (OSError, ValueError, SyntaxError, binascii.Error, Image.DecompressionBombError) as error:
         raise Broken(f"an image can't be read ({error})") from None
 
 
 def means(at: str) -> Array:
     """Mean of each channel (3,), in [0, 1]."""
-    return np.asarray(decoded(at).convert("RGB"), float).mean((0, 1)) / 255
+    return np.asarray(np.asarray(decoded(at).convert("RGB"), float).mean((0, 1)) / 255)
 
 
 def encoded(linear: ArrayLike) -> Array:

@@ -64,7 +64,7 @@ def neighbours(known: Index, latent: Array, count: int) -> list[int]:
 
 def picture(maker: Maker, path: Path, weights: Path = WEIGHTS, table: Path = INDEX) -> None:
     """A sheet of held-out pieces, one a row in two columns of rows, each followed by its nearest neighbours."""
-    import matplotlib.image
+    from PIL import Image
 
     from stages.retrieve.preview import render
 
@@ -80,7 +80,7 @@ def picture(maker: Maker, path: Path, weights: Path = WEIGHTS, table: Path = IND
         rows.append(np.concatenate(tiles, 1))
     half = len(rows) // 2
     sheet = np.concatenate([np.concatenate(rows[:half]), np.concatenate(rows[half:])], 1)
-    matplotlib.image.imsave(path, sheet)
+    Image.fromarray(sheet).quantize(256).save(path, optimize=True)
 
 
 def _design(known: Index, row: int) -> Design:
