@@ -61,6 +61,19 @@ def beside(category: str, center: Array, size: Array, others: Boxes, names: list
     return Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.broadcast_to(size, (len(at), 3)), yaw)
 
 
+def bedsides(size: Array, beds: Boxes) -> tuple[Boxes, Boxes]:
+    """Where a nightstand would stand at either side of each bed's head."""
+    left = np.stack([-np.sin(beds.yaw), np.cos(beds.yaw)], -1)
+    back = np.stack([np.cos(beds.yaw), np.sin(beds.yaw)], -1) * (size[0] - beds.size[:, :1]) / 2
+    aside = left * ((beds.size[:, 1:2] + size[1]) / 2 + BEDSIDE)
+    low = np.full(beds.n, size[2] / 2)
+    sizes = np.broadcast_to(size, (beds.n, 3))
+    one, two = (
+        Boxes(np.column_stack([beds.center[:, :2] + back + sign * aside, low]), sizes, beds.yaw) for sign in (1, -1)
+    )
+    return one, two
+
+
 def belongs_to(category: str, other: str) -> bool:
     """Whether an object of a category takes its place from one of another."""
     return other in PARTNERS.get(category, ())

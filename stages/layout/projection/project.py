@@ -10,7 +10,7 @@ from stages.boxes import Boxes, penetration
 from stages.categories import TABLE
 from stages.layout.projection import candidates, passage
 from stages.layout.projection.costs import BROKEN, SOFT, cost
-from stages.layout.projection.partners import FLUSH, belongs_to, beside, in_run, pull
+from stages.layout.projection.partners import FLUSH, bedsides, belongs_to, beside, in_run, pull
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing, rests_on
 
@@ -20,6 +20,8 @@ NEAR = 0.12
 """Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
 WINDOW_MARGIN = 0.15
+ROOM_BESIDE = 1.0
+"""Room for a nightstand is worth a shift of the bed by as much, m."""
 ROUNDS = 3
 HEADROOM = 2.1
 LOOSE = frozenset({"plant", "pouffe"})
@@ -64,6 +66,9 @@ def _rank(item: Item, items: list[Item], essential: bool) -> tuple[int, bool, fl
     kind = TABLE[item.category]
     level = {"floor": 0, "wall": 3, "top": 4, "flat": 5, "ceiling": 6}[kind.place]
     if kind.place == "floor" and kind.belongs and any(other.category in kind.belongs for other in items):
+        # A nightstand is placed right after the bed: nothing else may take its place.
+        if item.category == "nightstand":
+            return 0, False, 0.0
         level = 1
     return level, not essential, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
 
@@ -109,11 +114,29 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
     near = beside(item.category, item.center, item.size, standing, names)
     found = candidates.join([found, near])
     prices = cost(found, item.category, item.center, item.yaw, others, space)
+    prices += ROOM_BESIDE * _bedsides_lost(item, found, room, space)
     fits = prices < BROKEN
     prices[(np.arange(found.n) >= found.n - near.n) & fits] -= pull(item.category)
     prices[in_run(item.category, found, standing, names) & fits] -= FLUSH
     best = int(np.argmin(prices))
     return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
+
+
+def _bedsides_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Array:
+    """How many nightstands that have no place yet would find none at a bed in each of its places, (n,)."""
+    waiting = [k for k, o in enumerate(room.items) if not room.there[k] and belongs_to(o.category, item.category)]
+    waiting = [k for k in waiting if room.items[k].category == "nightstand"][:2]
+    if not waiting or not found.n:
+        return np.zeros(found.n)
+    stand = room.items[waiting[0]]
+    others, free = room.others(waiting[0], stand), np.zeros(found.n)
+    for places in bedsides(stand.size, found):
+        free += cost(places, stand.category, stand.center, stand.yaw, others, space) - _way(places, stand) < BROKEN
+    return np.asarray(np.maximum(len(waiting) - free, 0))
+
+
+def _way(places: Boxes, item: Item) -> Array:
+    return np.asarray(np.linalg.norm(places.center[:, :2] - item.center[:2], axis=1))
 
 
 def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
