@@ -21,7 +21,7 @@ def merge_ensuites(items: list[Item]) -> list[Item]:
     """`two ensuite bedrooms`, `master bedroom en suite`, `one of them ensuite`."""
     out: list[Item] = []
     for item in items:
-        near = [i for i in out if i.kind not in ("copula", "relative")]
+        near = [i for i in out if i.kind not in ("copula", "relative", "pronoun")]
         last = near[-1].room if near else None
         phrase = item.room
         if (
@@ -125,11 +125,12 @@ def _only_things(items: list[Item], k: int) -> bool:
 
 
 def _mark_subset(owner: RoomPhrase, after: list[Item], parenthesis: bool) -> None:
-    """`three bedrooms (a master with ensuite, …)`: rooms of the owner's type are among it."""
+    """`three bedrooms (a master with ensuite, …)`, `suite (bedroom, bath)`: rooms of the owner's type are among it."""
     for item in after:
         if parenthesis and is_mark(item, ")"):
             break
-        if item.room is not None and owner.plural and item.room.type in (owner.type, ""):
+        same = item.room is not None and item.room.type in (owner.type, "")
+        if item.room is not None and same and (owner.plural or (parenthesis and item.room.count is None)):
             item.room.subset = True
 
 

@@ -12,12 +12,13 @@ Pair = tuple[Entity, Entity]
 
 @dataclass
 class Doors:
-    """Doors said and doors forbidden, between entities."""
+    """Doors said and doors forbidden, between entities; `only` are the rooms that are to have no others."""
 
     links: list[Pair] = field(default_factory=list)
     open: list[Pair] = field(default_factory=list)
     forbidden: list[Pair] = field(default_factory=list)
     near: list[Pair] = field(default_factory=list)
+    only: list[Entity] = field(default_factory=list)
 
 
 def doors_said(statements: list[Statement], home: Household) -> Doors:
@@ -43,6 +44,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
             case "compare" | "equal":
                 continue
             case _:
+                out.only += left if s.kind == "only" else []
                 out.links += pairs
     out.links += out.near
     for e in home.rooms:

@@ -152,7 +152,8 @@ class Household:
         if phrase.quantifier == "the" and len(known) > count > 0:
             free = [e for e in known if not e.picked and not e.labels & set(DISTINCT)]
             return (free if len(free) >= count else known)[:count]
-        found = self._ensure(phrase.type, max(count, len(known), 1)) if not labels else known
+        least = 2 if phrase.type == "bedroom" and phrase.quantifier in PAIRED else 1  # "each bedroom" of a home unsaid
+        found = self._ensure(phrase.type, max(count, len(known) or least)) if not labels else known
         return found
 
     def _labelled(self, phrase: RoomPhrase, labels: set[str]) -> list[Entity]:

@@ -53,8 +53,12 @@ def complete_links(
     links: list[Link],
     forbidden: set[Link],
     near: set[Link] = frozenset(),  # type: ignore[assignment]
+    only: set[str] = frozenset(),  # type: ignore[assignment]
 ) -> list[Link]:
-    """`links` and as many more as needed, by `sense.toml`; those of `near` do not stand for a room's usual doors."""
+    """`links` and as many more as needed, by `sense.toml`; those of `near` do not stand for a room's usual doors.
+
+    Rooms of `only` get further doors where nothing else leads to them.
+    """
     out = sorted({edge(a, b) for a, b in links}, key=_natural)
     for room in rooms:
         if room.private_to is not None and not any(room.id in pair for pair in out):
@@ -62,7 +66,7 @@ def complete_links(
     mark_private(rooms, out)
     start = hub(rooms).id
     order = sense()["order"]["types"]
-    for room in sorted(rooms, key=lambda r: order.index(r.type)):
+    for room in sorted(rooms, key=lambda r: (r.id in only, order.index(r.type))):
         seen = reached(rooms, _without_short_cuts(room, rooms, out, start), start)
         if room.id not in seen:
             partner = _partner(room, rooms, out, seen, forbidden)

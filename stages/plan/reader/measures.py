@@ -91,7 +91,7 @@ SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", 
 def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms the area or share at `items[k]` is said of; none means the flat."""
     ahead = rooms_of(items[k + 2 : k + 3])
-    if items[k].kind == "share" and ahead and items[k + 1].value == "with":
+    if ahead and items[k + 1].value == "with" and (items[k].kind == "share" or items[k + 1].text == "for"):
         return ahead
     leading = not before or before[-1].kind == "conjunction" or is_mark(before[-1], ",:")
     if items[k].kind == "share" and leading and rooms_of(items[k + 1 : k + 2]):
@@ -162,6 +162,8 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             clause = _clause(out)
             found.append(Statement("equal", clause, clause))
         elif before and after:
+            if after[0].quantifier == "a":
+                after[0].quantifier = "the"  # "three times as large as a bedroom" asks for no further one
             found.append(Statement("compare", before[-1:], after[:1], item.number))
             out.append(Item("room", after[0].type, after[0].text, after[0]))
             skip = True

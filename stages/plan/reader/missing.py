@@ -25,7 +25,8 @@ def full_graph(said: Said, home: Household, doors: Doors) -> bool:
     kinds = {e.type for e in home.rooms}
     home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals)
     met = all(len(home.of(kind)) == n for kind, n in home.totals.items())
-    return len(seen) == len(home.rooms) and home_like and met
+    entered = said.graph or bool(kinds & {"hallway", *OPEN_TYPES})  # bedrooms and baths alone want a way in
+    return len(seen) == len(home.rooms) and home_like and met and entered
 
 
 def _lone(said: Said, home: Household) -> bool:

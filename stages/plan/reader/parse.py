@@ -47,8 +47,18 @@ def _whole(items: list[Item], said: Said) -> None:
             case "flat_size":
                 said.flat_size *= item.number
             case "side":
-                role = [i.value for i in items[max(0, k - 4) : k + 4] if i.kind == "side_role"]
-                said.sides += [(role[0], item.value)] if role else []
+                role = _role(items, k)
+                said.sides += [(role, item.value)] if role else []
+                said.unread += [] if role else [item.text]
+
+
+def _role(items: list[Item], k: int) -> str:
+    """What a side is said of: `entrance on the north side`, `party walls to the east and west`, `north entrance`."""
+    before = [i.value for i in items[max(0, k - 4) : k] if i.kind == "side_role"]
+    ahead = items[k + 1 : k + 4]
+    stop = next((j for j, i in enumerate(ahead) if i.room is not None or i.kind == "mark"), len(ahead))
+    after = [i.value for i in ahead[:stop] if i.kind == "side_role"]
+    return next(iter([*before[-1:], *after]), "")
 
 
 def _of_room(after: list[Item]) -> bool:

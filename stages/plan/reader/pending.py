@@ -99,9 +99,11 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
 
 def _bare_area(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
     """Whether a number without unit is too great to tell rooms apart."""
-    most = 6 if phrase.type in ("bedroom", "bathroom") else 3
     plain = words[i].kind == "number" and not phrase.plural and phrase.count is None and not phrase.areas
-    return plain and words[i].text[0].isdigit() and most < words[i].number <= 200 and not counts_next(words, i)
+    if not plain:
+        return False
+    most = 2.5 if words[i].number % 1 else 6 if phrase.type in ("bedroom", "bathroom") else 3
+    return words[i].text[0].isdigit() and most < words[i].number <= 200 and not counts_next(words, i)
 
 
 def _is_ordinal(words: list[Lexeme], j: int) -> bool:

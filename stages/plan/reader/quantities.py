@@ -24,7 +24,7 @@ JOINTS = {
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _listing(_areas(_shares(_numbers(words))))
+    return _listing(_bare(_areas(_shares(_numbers(words)))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
@@ -83,9 +83,13 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
             i += 1
             continue
         after = _of_area(words, end)
+        whole = _square(words, after) if after > end else None
         if after > end or percent:
             out.append(Lexeme("share", str(value), word.text, values=(value,)))
             end = after
+            if whole is not None:  # "a third of the 90 m²"
+                out.append(Lexeme("area", "total", f"{whole:g} m2", values=(whole,)))
+                end += 2
         else:
             out.append(word)
         i = end
@@ -102,7 +106,14 @@ def _of_area(words: list[Lexeme], i: int) -> int:
     ends = j
     while ends < len(words) and words[ends].kind in ("area_word", "dwelling"):
         ends += 1
-    return ends if ends > j else i
+    return ends if ends > j or (j > i and _square(words, j) is not None) else i
+
+
+def _square(words: list[Lexeme], i: int) -> float | None:
+    """Square metres of the `90 m²` at `i`, None when there is none."""
+    if i + 1 < len(words) and words[i].kind == "number" and words[i + 1].value in SQUARE_METRES:
+        return words[i].number * SQUARE_METRES[words[i + 1].value]
+    return None
 
 
 def _areas(words: list[Lexeme]) -> list[Lexeme]:
@@ -166,6 +177,17 @@ def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
             out[-1] = replace(word, values=(sum(word.values) / 2,))
         else:
             out.append(word)
+    return out
+
+
+def _bare(words: list[Lexeme]) -> list[Lexeme]:
+    """`38 m² in all, 12 for the bedroom`: once areas are spoken of, a number for a room is one."""
+    out = list(words)
+    for i in range(len(out) - 3 if any(w.kind == "area" for w in out) else 0):
+        number, joint, article, room = out[i : i + 4]
+        for_the = joint.text == "for" and article.kind == "determiner" and room.kind == "room" and not room.plural
+        if number.kind == "number" and for_the and number.number >= 3:
+            out[i] = replace(number, kind="area", value="", values=(number.number,))
     return out
 
 

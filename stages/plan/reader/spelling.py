@@ -41,7 +41,7 @@ def _swapped(word: str, length: int) -> list[str]:
 @cache
 def _nearest(word: str) -> str:
     most = 1 if len(word) < 8 else 2
-    best, least = word, most + 0.9
+    best, least = word, most + (0.9 if len(word) > 5 else 0.1)  # of short words, one wrong letter makes another word
     for length in range(len(word) - most, len(word) + most + 1):
         for other in _by_length().get(length, {}).get(word[0], []) + _swapped(word, length):
             slips = distance(word, other, least)

@@ -90,6 +90,17 @@ def reached(program: Program) -> set[str]:
         ("两个卧室、客厅、开放式厨房、卫生间和阳台", "B2 H K L W Y"),
         ("a 40 sqm apartment", "B H K L W"),
         ("a 25 m² flat", "K L W"),
+        ("jack-and-jill bathroom between two bedrooms", "B2 H K L W"),
+        ("bedroom 1 -> bathroom -> bedroom 2, nothing else", "B2 W"),
+        ("a flurb with two bedrooms", "B2 H K L W"),
+        ("a roomy lounge and two doubles", "B2 H K L W"),
+        ("I'd like to walk in straight into the living room, no hall, one bedroom", "B K L W"),
+        ("a master suite (bedroom, closet and bathroom) and a guest room", "B2 C H K L W2"),
+        ("5 bedrooms and 3 bathrooms, two of them ensuite", "B5 H K L W3"),
+        ("two bedrooms, the living room three times as large as a bedroom", "B2 H K L W"),
+        ("two bedrooms and no wasted corridors", "B2 H K L W"),
+        ("a flat with a desk in each bedroom", "B2 H K L W"),
+        ("el dormitorio principal tiene baño propio; los otros dos dormitorios comparten un baño", "B3 H K L W2"),
     ],
 )
 def test_rooms(prompt: str, wanted: str) -> None:
@@ -119,6 +130,12 @@ def test_rooms(prompt: str, wanted: str) -> None:
          "bedroom, one bath", "K1L1 B1H1 H1W1", "H1K1"),
         ("flat with a kitchen off the living room, two bedrooms and a bathroom", "K1L1 B1H1 B2H1", "B1L1 H1K1"),
         ("study opens off the master bedroom in a two bedroom flat", "B1S1", "H1S1"),
+        ("jack-and-jill bathroom between two bedrooms", "B1W1 B2W1 B1H1 B2H1", "B1B2 H1W1"),
+        ("a kitchen that you can only get to via the dining room, two bedrooms", "D1K1", "H1K1"),
+        ("Der Flur führt ins Wohnzimmer, von dort gelangt man in die Küche. Ein Schlafzimmer und ein Bad am Flur.",
+         "K1L1 H1L1", "H1K1"),
+        ("one enormous space for cooking, eating and lounging, and a bedroom", "D1K1 D1L1", ""),
+        ("deux chambres, salon, cuisine ouverte, salle de bain", "K1L1", "H1K1"),
     ],
 )  # fmt: skip
 def test_doors(prompt: str, present: str, absent: str) -> None:
@@ -142,6 +159,9 @@ def test_doors(prompt: str, present: str, absent: str) -> None:
         ("80 m² flat, the two bedrooms together take half of the area", {"B1": 20, "B2": 20}),
         ("living room (25), kitchen (10), bedroom (14), bathroom (5)", {"L1": 25, "K1": 10, "B1": 14, "W1": 5}),
         ("a one hundred and twenty square metre flat with a 1,2 m² storage", {"T1": 1.2}),
+        ("one-bedroom flat, 38 m², 12 for the bedroom, shower room 3.5", {"B1": 12, "W1": 3.5}),
+        ("two bedrooms, the living room takes a third of the 90 m², each bedroom a sixth",
+         {"L1": 30, "B1": 15, "B2": 15}),
     ],
 )
 def test_areas_stated_hold(prompt: str, wanted: dict[str, float]) -> None:
@@ -223,8 +243,14 @@ def test_envelope() -> None:
     assert program.envelope.party_walls == ["east", "west"]
 
 
+def test_a_side_belongs_to_the_role_it_stands_with() -> None:
+    program = read("south-facing living room, entrance on the north side, two bedrooms")
+    assert program.envelope.entrance == "north" and program.unread == ["south - facing"]
+
+
 def test_what_is_not_understood_is_listed() -> None:
     assert read("two-bedroom flat with a helipad and a zeppelin mast").unread == ["helipad", "zeppelin", "mast"]
+    assert read("two-bedroom flat with a flurb").unread == ["flurb"]
     assert read("please design a two-bedroom flat").unread == []
 
 
