@@ -92,7 +92,10 @@ def inertia(link: Link) -> Inertia:
 
 
 def counterbalanced(link: Link) -> bool:
-    """Whether a spring must carry the part's weight, as in an oven door, because gravity alone would open it."""
+    """Whether a spring must carry the part's weight, as in an oven door, because gravity alone would open it.
+
+    A flap whose weight lies behind its hinge falls open only once it stands ajar, so half way is looked at, too.
+    """
     joint = link.joint
     if joint is None:
         return False
@@ -100,7 +103,9 @@ def counterbalanced(link: Link) -> bool:
     if joint.type == "slide":
         return bool(axis[2] < -0.01)
     arm = inertia(link).center - np.asarray(joint.origin, float)
-    return bool(np.cross(arm, [0.0, 0.0, -1.0]) @ axis > 1e-6)
+    half = max(joint.range, key=abs) / 2
+    ajar = arm * np.cos(half) + np.cross(axis, arm) * np.sin(half)
+    return any(bool(np.cross(lever, [0.0, 0.0, -1.0]) @ axis > 1e-6) for lever in (arm, ajar))
 
 
 def _visual_solid(link: Link) -> tuple[float, Array, Array]:

@@ -73,7 +73,7 @@ def mjcf() -> str:
     </default>
   </default>
   <worldbody>
-    <body name="robot" gravcomp="1">
+    <body name="robot_base" gravcomp="1">
       {_joint("x", "slide", "1 0 0")}{_joint("y", "slide", "0 1 0")}{_joint("heading", "hinge", "0 0 1")}
       <inertial pos="0 0 0.1" mass="40" diaginertia="1 1 1.5"/>
       <geom name="robot__drum" class="robot" conaffinity="5" type="cylinder"
@@ -88,7 +88,7 @@ def mjcf() -> str:
     </body>
   </worldbody>
   <equality>
-    <connect name="robot__hold" body1="robot__palm" body2="robot" anchor="0 0 0" active="false" solref="0.012 1"/>
+    <connect name="robot__hold" body1="robot__palm" body2="robot_base" anchor="0 0 0" active="false" solref="0.012 1"/>
   </equality>
   <actuator>
     {"".join(_servo(name) for name in NAMES)}
