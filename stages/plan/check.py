@@ -3,6 +3,8 @@
 from collections import deque
 from collections.abc import Mapping
 
+from shapely.geometry import Polygon
+
 from schemas.errors import BadInput, Unmet
 from schemas.plan import AskedRoom, Program
 from stages.plan.standards import STANDARDS
@@ -48,6 +50,7 @@ def check(program: Program) -> None:
         if name not in WEIGHTS or factor < 0:
             raise BadInput(f"program.weights: {name}: {factor:g}; give a factor of at least 0 of {', '.join(WEIGHTS)}")
     _check_areas(program)
+    _check_envelope(program)
     _check_ways(program)
 
 
@@ -57,17 +60,48 @@ def _check_areas(program: Program) -> None:
     total = program.total_area
     if total is None:
         return
+    if all(room.area for room in program.rooms) and asked > total * 1.15:
+        raise Unmet(
+            f"the rooms add up to {asked:.0f} m² ({_largest(program)}), but the flat has {total:g} m²: "
+            "ask for smaller or fewer rooms or more area"
+        )
     if least > total * 1.02:
         raise Unmet(
             f"{len(program.rooms)} rooms need at least {least:.0f} m² by the least areas of their types, "
             f"but the flat has {total:g} m²: ask for fewer rooms or more area"
         )
-    if all(room.area for room in program.rooms) and asked > total * 1.15:
-        big = max(program.rooms, key=lambda r: r.area or 0)
+
+
+def _largest(program: Program) -> str:
+    """`4 bedrooms alone 60 m²`: the type that takes most."""
+    areas: dict[str, list[float]] = {}
+    for room in program.rooms:
+        areas.setdefault(room.type, []).append(room.area or 0.0)
+    kind, found = max(areas.items(), key=lambda pair: sum(pair[1]))
+    many = f"{len(found)} {kind}s" if len(found) > 1 else kind
+    return f"{many.replace('_', ' ')} alone {sum(found):.0f} m²"
+
+
+def _check_envelope(program: Program) -> None:
+    """Whether the outline can hold the rooms, and light those that need a window."""
+    lit = [room.id for room in program.rooms if STANDARDS[room.type].lit]
+    if lit and len(set(program.envelope.party_walls)) == 4:
+        raise Unmet(f"{lit[0]} needs a window, but all four sides are party walls: leave one side free")
+    if program.envelope.outline is None:
+        return
+    outline = Polygon(program.envelope.outline)
+    least = sum(STANDARDS[room.type].area for room in program.rooms)
+    if least > outline.area:
         raise Unmet(
-            f"the rooms add up to {asked:.0f} m² ({big.id} alone {big.area:g} m²), but the flat has {total:g} m²: "
-            "ask for smaller rooms or more area"
+            f"{len(program.rooms)} rooms need at least {least:.0f} m² by the least areas of their types, but the "
+            f"outline holds {outline.area:.1f} m²: ask for fewer rooms or a larger outline"
         )
+    for room in program.rooms:
+        if outline.buffer(-0.5 * min(STANDARDS[room.type].width, 0.9 * STANDARDS[room.type].area ** 0.5)).is_empty:
+            raise Unmet(
+                f"the outline is nowhere wide enough for {room.id}, which needs {STANDARDS[room.type].width:g} m: "
+                "ask for a wider outline"
+            )
 
 
 def _check_ways(program: Program) -> None:

@@ -30,6 +30,25 @@ def test_four_large_bedrooms_do_not_fit_a_small_flat() -> None:
         build(programme(rooms, links, total_area=20.0), PlanConfig(), np.random.default_rng(0))
 
 
+def test_the_rooms_that_ask_for_too_much_are_named() -> None:
+    rooms = {f"bedroom_{i}": 15.0 for i in range(1, 5)} | {"hallway_1": 3.0, "kitchen_1": 4.0}
+    with pytest.raises(Unmet, match=r"add up to 67 m² \(4 bedrooms alone 60 m²\), but the flat has 20 m²"):
+        check(programme(rooms, [("hallway_1", r) for r in rooms if r != "hallway_1"], total_area=20.0))
+
+
+@pytest.mark.parametrize(
+    ("envelope", "words"),
+    [
+        ({"party_walls": ["north", "south", "east", "west"]}, "living_room_1 needs a window"),
+        ({"outline": [(0, 0), (4, 0), (4, 3), (0, 3)]}, r"the outline holds 12.0 m²"),
+        ({"outline": [(0, 0), (40, 0), (40, 2), (0, 2)]}, "nowhere wide enough for living_room_1"),
+    ],
+)
+def test_an_envelope_that_cannot_hold_the_rooms_is_named(envelope: dict[str, object], words: str) -> None:
+    with pytest.raises(Unmet, match=words):
+        check(within(archetypes()["two_bedroom"], **envelope))
+
+
 def test_wrong_programmes_are_refused_with_the_place() -> None:
     flat = {"living_room_1": 20.0, "bedroom_1": 12.0, "bedroom_2": 12.0}
     with pytest.raises(BadInput, match="kitchen_9"):

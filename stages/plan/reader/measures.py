@@ -4,6 +4,9 @@ from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from stages.plan.reader.sense import sense
 from stages.plan.reader.statements import Said, Statement
 
+MOST = 1000.0
+"""Greatest area, m², that may be the flat's where it stands with a room."""
+
 
 def mark_headlines(items: list[Item], said: Said) -> None:
     """`80 m² two-bedroom, two-bath flat`: counts before the dwelling are totals, the area is the flat's."""
@@ -43,7 +46,7 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if (
             phrase is not None
             and phrase.areas
-            and (phrase.headline or phrase.areas[0] > 5 * sense()["area"].get(phrase.type, 12.0))
+            and (phrase.headline or 5 * sense()["area"].get(phrase.type, 12.0) < phrase.areas[0] <= MOST)
         ):
             said.total_area, phrase.areas = phrase.areas[0], ()
         if item.kind == "fraction":
