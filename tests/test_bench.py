@@ -5,10 +5,11 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import commandline
 import numpy as np
 import pytest
 
-from apartgen_cli.bench import _runner
+from apartgen_cli.bench import _runner, ablation, synthesis
 from stages import registry
 
 EXPERIMENTS = list(registry.members("apartgen_cli.bench"))
@@ -55,3 +56,84 @@ def test_an_interrupted_run_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert len(log) == 3
     assert json.loads((tmp_path / "results.json").read_text())["rows"] == first == [{"n": 20, "mean": 4.5}]
     assert "| n | mean |" in (tmp_path / "table.md").read_text()
+
+
+def test_other_files_are_other_trials(tmp_path: Path) -> None:
+    one, two = tmp_path / "one.bin", tmp_path / "two.bin"
+    one.write_bytes(b"1"), two.write_bytes(b"2")
+    keys = [tuple(_runner.jobs(fake([]), 10, 0, {"weights": [str(file)]})) for file in (one, one, two)]
+    assert keys[0] == keys[1] != keys[2] and _runner.jobs(fake([]), 10, 0)[0] != keys[0][0]
+    one.write_bytes(b"3")
+    assert tuple(_runner.jobs(fake([]), 10, 0, {"weights": [str(one)]})) != keys[0]
+    (tmp_path / "rooms").mkdir()
+    real = {"real": f"ssr={tmp_path / 'rooms'}"}
+    empty = _runner.jobs(fake([]), 10, 0, real)
+    (tmp_path / "rooms" / "a.json").write_text("{}")
+    assert _runner.jobs(fake([]), 10, 0, real) != empty
+
+
+def test_files_reach_the_trials_and_the_record_but_not_their_folders(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[Any] = []
+    experiment = fake([])
+    experiment.trial = lambda *args, **files: seen.append(files) or [{"value": 1.0}]
+    monkeypatch.setattr(registry, "load", lambda package, name: experiment)
+    files = {"weights": [str(tmp_path / "run_1.safetensors")]}
+    (tmp_path / "run_1.safetensors").touch()
+    list(_runner.run(experiment, "fake", tmp_path / "out", 4, 0, 1, files))
+    assert seen == [files, files]
+    record = json.loads((tmp_path / "out" / "results.json").read_text())
+    assert record["weights"] == "run_1.safetensors" and str(tmp_path) not in json.dumps(record)
+    assert record["commit"] and record["core_seconds"] >= 0 and record["machine"]
+
+
+@pytest.mark.parametrize("args, said", [
+    (["walkable", "--weights", "{file}"], "walkable takes none"),
+    (["ablation", "--weights", "none.safetensors"], "no such file"),
+    (["ablation", "--weights", "{file}", "--weights", "{twin}"], "rename one"),
+    (["synthesis", "--real", "{file}"], "SOURCE=PATH"),
+    (["synthesi"], "there are"),
+])
+def test_files_that_make_no_sense_are_refused(args, said, tmp_path, capsys, monkeypatch) -> None:  # type: ignore
+    names = {"file": tmp_path / "a" / "run.bin", "twin": tmp_path / "b" / "run.bin"}
+    for path in names.values():
+        path.parent.mkdir()
+        path.touch()
+    done = commandline.run(capsys, monkeypatch, "bench", *(arg.format(**names) for arg in args), "-o", tmp_path / "out")
+    assert done.code == 2 and said in done.err
+
+
+def test_training_runs_are_pooled_and_shown_apart() -> None:
+    names = ablation.settings(["x/one.bin", "y/two.bin"])
+    assert names[:2] == ["no guidance · one", "no guidance · two"] and len(names) == 2 * len(ablation.SETTINGS)
+    records = [{"setting": name, "R_out/ours": float("two" in name), "of": "bedroom"} for name in names for _ in "ab"]
+    rows = {row["setting"]: row for row in ablation.rows(records, np.random.default_rng(0))}
+    assert rows["no guidance"]["R_out/ours"][0] == 0.5 and rows["no guidance"]["scenes"] == 4
+    assert rows["no guidance · two"]["R_out/ours"] == [1, 1, 1]
+    assert list(rows)[:3] == ["no guidance", "no guidance · one", "no guidance · two"]
+
+
+def seen(setting: str, n: int, shift: float, category: str) -> list[dict[str, Any]]:
+    features = np.random.default_rng(len(setting)).normal(shift, 1, (n, 5)).astype(np.float32)
+    return [{"setting": setting, "network": "test", "suffix": "_t", "categories": [category],
+             "features": synthesis._packed(row)} for row in features]
+
+
+def test_synthesis_compares_with_the_reference_of_its_place() -> None:
+    records = [*seen("single room, reference", 40, 0, "sofa"), *seen("single room, real against real", 40, 0, "sofa"),
+               *seen("single room, no guidance", 30, 3, "tv"), *seen("apartment, reference", 40, 3, "tv"),
+               *seen("apartment, no guidance", 40, 3, "tv")]
+    real, far, near = synthesis.rows(records, np.random.default_rng(0))
+    assert [real["setting"], far["setting"], near["setting"]] == [
+        "single room, real against real", "single room, no guidance", "apartment, no guidance"]
+    assert far["scenes"] == 30 and far["FID_t"][0] > 5 * real["FID_t"][0] and far["SCA_t"][0] > 90
+    assert real["CKL"][0] == near["CKL"][0] == pytest.approx(0) and far["CKL"][0] > 5
+    assert 30 < near["SCA_t"][0] < 70 and "FID" not in near
+
+
+def test_real_rooms_are_split_into_reference_and_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(synthesis, "_read", lambda name, folder: list(range(21)))
+    first = synthesis._given("ssr=x", 0, 5, other=False) + synthesis._given("ssr=x", 5, 50, other=False)
+    other = synthesis._given("ssr=x", 0, 50, other=True)
+    assert sorted(first + other) == list(range(21)) and len(first) == 11

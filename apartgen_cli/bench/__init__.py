@@ -3,10 +3,14 @@
 Each public module here is one: `PAPER`, what the paper reports · `NOTE`, how ours differs · `SETTINGS`, names of what
 is compared · `SCENES`, scenes a setting by default · `CHUNK`, scenes a trial · `trial(setting, seed, scenes, work)`,
 records of one trial · `rows(records, rng)`, the table · optionally `draw(rows, axes)`, the figure.
+
+An experiment may take files (`TAKES`, of `weights`, `inception_weights`, `real`), which its trials get by name when
+they are given; `settings(**given)` stands in for `SETTINGS` where there is one.
 """
 
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 from typing import Annotated, Any
 
 import typer
@@ -22,7 +26,16 @@ SEED = Annotated[int, typer.Option("--seed", min=0, help="Fixes everything drawn
 PROCESSES = Annotated[int | None, typer.Option("--processes", min=1, help="Workers; every core by default.")]
 
 
-def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, processes: PROCESSES = None) -> int:
+WEIGHTS = Annotated[list[Path] | None, typer.Option(
+    "--weights", help="Layout weights, any number of times: training runs to compare; the shipped ones by default.")]
+INCEPTION = Annotated[Path | None, typer.Option(
+    "--inception-weights", metavar="FILE", help="Inception-v3 for FID, KID and SCA; a packaged network by default.")]
+REAL = Annotated[str | None, typer.Option(
+    "--real", metavar="SOURCE=PATH", help="Real rooms to compare with, in the format of a data source: ssr=rooms/.")]
+
+
+def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, processes: PROCESSES = None,
+         weights: WEIGHTS = None, inception_weights: INCEPTION = None, real: REAL = None) -> int:
     from apartgen_cli.bench import _runner
 
     experiments = registry.members(__name__)
@@ -31,9 +44,26 @@ def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, pro
         return 0
     if name not in experiments:
         raise BadInput(f"no experiment {name!r}; there are: {', '.join(experiments)}")
-    for path in _runner.run(registry.load(__name__, name), name, out or Path("bench") / name, n, seed, processes):
+    experiment = registry.load(__name__, name)
+    given = {"weights": weights, "inception_weights": inception_weights, "real": real}
+    files = _taken(name, experiment, {option: value for option, value in given.items() if value})
+    for path in _runner.run(experiment, name, out or Path("bench") / name, n, seed, processes, files):
         say(f"wrote {path}")
     return 0
+
+
+def _taken(name: str, experiment: ModuleType, given: dict[str, Any]) -> dict[str, Any]:
+    """The files given, as plain text; BadInput for what the experiment has no use for, and for what is not there."""
+    for option, value in given.items():
+        shown = "--" + option.replace("_", "-")
+        if option not in getattr(experiment, "TAKES", ()):
+            raise BadInput(f"{shown}: {name} takes none")
+        for path in value if isinstance(value, list) else [value]:
+            place = Path(str(path).partition("=")[2]) if option == "real" else path
+            if not place.exists() or place == Path():
+                raise BadInput(f"{shown} {path}: no such {'folder; give SOURCE=PATH' if option == 'real' else 'file'}")
+    return {option: [str(p) for p in value] if isinstance(value, list) else str(value)
+            for option, value in given.items()}
 
 
 def commands() -> dict[str, Callable[..., Any]]:

@@ -1,5 +1,6 @@
 """Runs the trials of an experiment on several cores, keeps every finished one, writes table and figure."""
 
+import hashlib
 import json
 import os
 import platform
@@ -20,34 +21,56 @@ from schemas import artifact
 from schemas.errors import BadInput
 
 Record = dict[str, Any]
-Job = tuple[str, int, int]
+Job = tuple[Any, ...]
+Files = dict[str, Any]
 
 
-def jobs(experiment: ModuleType, scenes: int, seed: int) -> list[Job]:
-    """(setting, seed, scenes) of every trial; a trial's seed is the same in every setting, so that scenes pair up."""
+def jobs(experiment: ModuleType, scenes: int, seed: int, files: Files | None = None) -> list[Job]:
+    """(setting, seed, scenes) of every trial; a trial's seed is the same in every setting, so that scenes pair up.
+
+    Where files are given, their digests come fourth, so that other files are other trials.
+    """
     chunk = min(experiment.CHUNK, scenes)
     starts = range(0, scenes, chunk)
-    return [(s, seed * 1_000_003 + start, min(chunk, scenes - start)) for s in experiment.SETTINGS for start in starts]
+    settings = experiment.settings(**files or {}) if hasattr(experiment, "settings") else experiment.SETTINGS
+    last = [_digests(files)] if files else []
+    return [(s, seed * 1_000_003 + start, min(chunk, scenes - start), *last) for s in settings for start in starts]
+
+
+def _digests(files: Files) -> str:
+    """Of names and contents; of a folder, of the names and sizes in it."""
+    whole = hashlib.sha256()
+    for option, value in sorted(files.items()):
+        for text in value if isinstance(value, list) else [value]:
+            path = Path(text.partition("=")[2] if option == "real" else text)
+            whole.update(f"{option} {text}".encode())
+            if path.is_file():
+                whole.update(path.read_bytes())
+            else:
+                whole.update(str(sorted((f.name, f.stat().st_size) for f in path.rglob("*"))).encode())
+    return whole.hexdigest()[:16]
 
 
 def run(
-    experiment: ModuleType, name: str, out: Path, scenes: int | None, seed: int, processes: int | None
+    experiment: ModuleType, name: str, out: Path, scenes: int | None, seed: int, processes: int | None,
+    files: Files | None = None,
 ) -> Iterator[Path]:
     """All trials not yet in `out`, then its results.json, table.md and figure.png, yielded as written."""
     out.mkdir(parents=True, exist_ok=True)
-    n = scenes or experiment.SCENES
-    wanted = jobs(experiment, n, seed)
+    n, commit = scenes or experiment.SCENES, _commit()
+    wanted = jobs(experiment, n, seed, files)
     done = _finished(out / "trials.jsonl")
     todo = [job for job in wanted if _key(job) not in done]
     with (out / "trials.jsonl").open("a") as log, watched(name, len(wanted)) as report:
         report(len(wanted) - len(todo))
-        for count, (job, records, seconds) in enumerate(_worked(name, todo, out, processes), 1):
-            done[_key(job)] = {"records": records, "seconds": seconds}
-            log.write(json.dumps({"job": job, "records": records, "seconds": seconds}) + "\n")
+        for count, (job, records, seconds) in enumerate(_worked(name, todo, out, processes, files), 1):
+            row = {"job": job, "records": records, "seconds": seconds, "commit": commit}
+            done[_key(job)] = row
+            log.write(json.dumps(row) + "\n")
             log.flush()
             report(len(wanted) - len(todo) + count)
     trials = [done[_key(job)] for job in wanted]
-    yield from _written(experiment, name, out, trials, n, seed)
+    yield from _written(experiment, name, out, trials, n, seed, files)
 
 
 def _key(job: Job | list[Any]) -> str:
@@ -66,14 +89,16 @@ def _finished(path: Path) -> dict[str, Record]:
     return out
 
 
-def _worked(name: str, todo: list[Job], out: Path, processes: int | None) -> Iterator[tuple[Job, list[Record], float]]:
+def _worked(
+    name: str, todo: list[Job], out: Path, processes: int | None, files: Files | None
+) -> Iterator[tuple[Job, list[Record], float]]:
     workers = min(processes or os.cpu_count() or 1, max(1, len(todo)))
     if workers == 1:
         for job in todo:
-            yield job, *_trial(name, job, out)
+            yield job, *_trial(name, job, out, files)
         return
     with ProcessPoolExecutor(workers, get_context("spawn"), initializer=_quiet) as pool:
-        futures = {pool.submit(_trial, name, job, out): job for job in todo}
+        futures = {pool.submit(_trial, name, job, out, files): job for job in todo}
         for future in as_completed(futures):
             yield futures[future], *future.result()
 
@@ -83,18 +108,18 @@ def _quiet() -> None:
     os.environ["OMP_NUM_THREADS"] = "1"
 
 
-def _trial(name: str, job: Job, out: Path) -> tuple[list[Record], float]:
+def _trial(name: str, job: Job, out: Path, files: Files | None) -> tuple[list[Record], float]:
     from stages import registry
 
     experiment = registry.load("apartgen_cli.bench", name)
-    setting, seed, scenes = job
+    setting, seed, scenes = job[:3]
     began = perf_counter()
-    found = [{"setting": setting, **record} for record in experiment.trial(setting, seed, scenes, out)]
+    found = [{"setting": setting, **record} for record in experiment.trial(setting, seed, scenes, out, **files or {})]
     return found, round(perf_counter() - began, 3)
 
 
 def _written(
-    experiment: ModuleType, name: str, out: Path, trials: list[Record], scenes: int, seed: int
+    experiment: ModuleType, name: str, out: Path, trials: list[Record], scenes: int, seed: int, files: Files | None
 ) -> Iterator[Path]:
     records = [record for trial in trials for record in trial["records"]]
     if not records:
@@ -103,12 +128,13 @@ def _written(
     facts = {
         "experiment": name,
         "made_by": f"apartgen {__version__}",
-        "commit": _commit(),
+        "commit": ", ".join(dict.fromkeys(str(trial.get("commit") or "unknown") for trial in trials)),
         "seed": seed,
         "scenes": scenes,
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}",
         "core_seconds": round(sum(trial["seconds"] for trial in trials), 1),
     }
+    facts |= {option: _named(value) for option, value in (files or {}).items()}
     body = {**facts, "note": experiment.NOTE, "paper": experiment.PAPER, "rows": rows}
     artifact.write(json.dumps(body, indent=1) + "\n", out / "results.json")
     yield out / "results.json"
@@ -118,11 +144,15 @@ def _written(
         yield _figure(experiment, rows, out / "figure.png")
 
 
+def _named(value: str | list[str]) -> str:
+    """Files by name alone: where they lie on this machine says nothing to others."""
+    return ", ".join(Path(text).name for text in (value if isinstance(value, list) else [value]))
+
+
 def _commit() -> str | None:
-    root = Path(__file__).parent
-    asked = subprocess.run(
-        ["git", "rev-parse", "--short", "HEAD"], cwd=root, capture_output=True, text=True, check=False
-    )
+    """The program's commit, marked where its files differ from it; None outside a repository."""
+    asked = subprocess.run(["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=Path(__file__).parent,
+                           capture_output=True, text=True, check=False)
     return asked.stdout.strip() or None
 
 

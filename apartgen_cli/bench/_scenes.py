@@ -59,8 +59,8 @@ def area(polygon: list[tuple[float, float]]) -> float:
 
 
 def config(method: str, **changes: Any) -> LayoutConfig:
-    """The layout settings of a method."""
-    return LayoutConfig(**(METHODS[method] | changes))
+    """The layout settings of a method; one core, because trials run side by side."""
+    return LayoutConfig(**({"threads": 1} | METHODS[method] | changes))
 
 
 def furnished(homes: list[Plan], settings: LayoutConfig, seed: int) -> list[Layout]:
@@ -106,3 +106,15 @@ def intervals(
                 row[name] = [round(v, 5) for v in interval(np.array(values), rng)]
         out.append(row)
     return out
+
+
+def bars(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:
+    """Figures of `intervals` as groups of bars, a group a setting."""
+    width = 0.8 / len(names)
+    for k, name in enumerate(names):
+        mine = [(i, row[name]) for i, row in enumerate(rows) if name in row]
+        value, low, high = np.array([found for _, found in mine]).T
+        at = np.array([i for i, _ in mine]) + (k - (len(names) - 1) / 2) * width
+        axes.bar(at, value, width, yerr=[value - low, high - value], label=name, capsize=2)
+    axes.set_xticks(range(len(rows)), [row["setting"] for row in rows], rotation=20, ha="right", fontsize=7)
+    axes.legend(fontsize=7)

@@ -37,7 +37,7 @@ class Figure(NamedTuple):
 def frechet(a: Sample, b: Sample, rng: np.random.Generator) -> Figure:
     """FID (Heusel et al. 2017): |μ_a - μ_b|² + tr(Σ_a + Σ_b - 2 (Σ_a Σ_b)^½)."""
     x, y = np.asarray(a, float), np.asarray(b, float)
-    found = _spread(lambda v, w: _frechet(x, y, v, w), (np.ones(len(x)), np.ones(len(y))), rng)
+    found = spread(lambda v, w: _frechet(x, y, v, w), (np.ones(len(x)), np.ones(len(y))), rng)
     return found._replace(low=max(found.low, 0.0))
 
 
@@ -68,8 +68,8 @@ def kernel(a: Sample, b: Sample, rng: np.random.Generator) -> Figure:
     drawn = [(_chosen(len(a), size, rng), _chosen(len(b), size, rng)) for _ in range(SUBSETS)]
     value = float(np.mean([_mmd(grams, v, w) for v, w in drawn]))
     ones = np.ones(len(a)), np.ones(len(b))
-    spread = _spread(lambda v, w: _mmd(grams, v, w), ones, rng)
-    return Figure(value, value + spread.low - spread.value, value + spread.high - spread.value)
+    whole = spread(lambda v, w: _mmd(grams, v, w), ones, rng)
+    return Figure(value, value + whole.low - whole.value, value + whole.high - whole.value)
 
 
 def _gram(a: Array, b: Array) -> Array:
@@ -89,10 +89,10 @@ def _mmd(grams: tuple[Array, Array, Array], v: Weights, w: Weights) -> float:
     return float(sum(within) - 2 * (v @ ab @ w) / (n * m))
 
 
-def _spread(
+def spread(
     figure: Callable[[Weights, Weights], float], ones: tuple[Weights, Weights], rng: np.random.Generator
 ) -> Figure:
-    """The figure with how far resamples scatter about their own mean.
+    """A figure of scenes that count so many times, with how far resamples scatter about their own mean.
 
     Scenes that a resample repeats raise a distance by themselves, so the interval is laid about the figure.
     """

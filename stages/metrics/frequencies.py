@@ -1,14 +1,15 @@
 """CKL: Kullback-Leibler divergence of category frequencies, real from generated rooms."""
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from schemas.layout import Layout
 from schemas.metrics import Value
+from stages.boxes import Array
 from stages.categories import CATEGORIES
-from stages.metrics._sets import ALL, Scene, halves, rooms, types
+from stages.metrics._distances import Figure, spread
+from stages.metrics._sets import ALL, SEED, Scene, halves, rooms, types
 
 EPSILON = 1e-6
 
@@ -24,21 +25,33 @@ def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
         generated, reference = rooms(homes, real, kind), rooms(real, real, kind)
         drawn, half, other = halves(generated, reference)
         for version, q, p in (("published", generated, reference), ("generated", drawn, half), ("real", other, half)):
-            value = divergence(_categories(q), _categories(p))
-            values.append(Value(name="CKL", value=value, unit="nats", version=version, of=kind, n=len(q)))
+            figure = divergence(_categories(q), _categories(p), np.random.default_rng(SEED))
+            found = figure._asdict() if figure else {"value": None}
+            values.append(Value(name="CKL", unit="nats", version=version, of=kind, n=len(q), **found))
     return values
 
 
-def _categories(scenes: Iterable[Scene]) -> list[str]:
-    return [o.category for _, inside in scenes for o in inside]
+def _categories(scenes: Iterable[Scene]) -> list[list[str]]:
+    return [[o.category for o in inside] for _, inside in scenes]
 
 
-def divergence(generated: Iterable[str], real: Iterable[str]) -> float | None:
-    """CKL of two lists of categories; None when either is empty."""
-    counts = [Counter(generated), Counter(real)]
-    names = sorted({*CATEGORIES, *counts[0], *counts[1]})
-    q, p = (np.array([count[name] for name in names], float) for count in counts)
+def divergence(
+    generated: Sequence[Sequence[str]], real: Sequence[Sequence[str]], rng: np.random.Generator
+) -> Figure | None:
+    """CKL of the categories in two lists of scenes; None when either holds nothing."""
+    names = sorted({*CATEGORIES, *(name for scene in (*generated, *real) for name in scene)})
+    q, p = (_counts(scenes, names) for scenes in (generated, real))
     if not q.sum() or not p.sum():
         return None
+    return spread(lambda v, w: _ckl(v @ q, w @ p), (np.ones(len(q)), np.ones(len(p))), rng)
+
+
+def _counts(scenes: Sequence[Sequence[str]], names: list[str]) -> Array:
+    """How often each scene has each category, (scenes, categories)."""
+    counts = np.array([[scene.count(name) for name in names] for scene in map(list, scenes)], float)
+    return counts.reshape(len(scenes), len(names))
+
+
+def _ckl(q: Array, p: Array) -> float:
     q, p = q / q.sum(), p / p.sum()
     return float((p * (np.log(p + EPSILON) - np.log(q + EPSILON))).sum())

@@ -31,14 +31,29 @@ def test_q_ratio_counts_rooms_with_exactly_the_number():
     assert values(quantity.measure(home), "Q_ratio", "published") is None
 
 
+def ckl(*sets):
+    figure = frequencies.divergence(*sets, np.random.default_rng(0))
+    return figure and figure.value
+
+
 def test_ckl_by_hand():
-    assert frequencies.divergence(["sofa", "bed"], ["bed", "sofa", "sofa", "bed"]) == pytest.approx(0)
+    assert ckl([["sofa"], ["bed"]], [["bed", "sofa"], [], ["sofa", "bed"]]) == pytest.approx(0)
     by_hand = 0.5 * np.log(0.5 / 0.75) + 0.5 * np.log(0.5 / 0.25)
-    assert frequencies.divergence(["sofa"] * 3 + ["tv"], ["sofa", "tv"]) == pytest.approx(by_hand, abs=1e-5)
+    assert ckl([["sofa"] * 3, ["tv"]], [["sofa", "tv"]]) == pytest.approx(by_hand, abs=1e-5)
     # A category that is never generated costs much, but not everything.
-    assert frequencies.divergence(["sofa"], ["sofa", "tv"]) == pytest.approx(
+    assert ckl([["sofa"]], [["sofa", "tv"]]) == pytest.approx(
         0.5 * np.log(0.5) + 0.5 * (np.log(0.5) - np.log(1e-6)), abs=1e-4)
-    assert frequencies.divergence([], ["tv"]) is None
+    assert ckl([[]], [["tv"]]) is None and ckl([], [["tv"]]) is None
+
+
+def test_the_interval_of_ckl_covers_it_and_narrows_with_more_scenes():
+    rng = np.random.default_rng(2)
+    def wide(n):
+        sets = [[["sofa"] if hit else ["tv"] for hit in rng.random(n) < share] for share in (0.5, 0.7)]
+        figure = frequencies.divergence(*sets, np.random.default_rng(0))
+        assert figure.low <= figure.value <= figure.high
+        return figure.high - figure.low
+    assert wide(400) < 0.6 * wide(40)
 
 
 def test_relations_by_hand():
