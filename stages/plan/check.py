@@ -90,6 +90,8 @@ def _check_envelope(program: Program) -> None:
     if program.envelope.outline is None:
         return
     outline = Polygon(program.envelope.outline)
+    if not outline.is_valid:
+        raise BadInput("program.envelope.outline: it crosses itself; give its corners in order around the flat")
     least = sum(STANDARDS[room.type].area for room in program.rooms)
     if least > outline.area:
         raise Unmet(

@@ -49,6 +49,11 @@ def test_an_envelope_that_cannot_hold_the_rooms_is_named(envelope: dict[str, obj
         check(within(archetypes()["two_bedroom"], **envelope))
 
 
+def test_a_crossed_outline_is_bad_input() -> None:
+    with pytest.raises(BadInput, match="crosses itself"):
+        check(within(archetypes()["two_bedroom"], outline=[(0, 0), (9, 9), (9, 0), (0, 9)]))
+
+
 def test_wrong_programmes_are_refused_with_the_place() -> None:
     flat = {"living_room_1": 20.0, "bedroom_1": 12.0, "bedroom_2": 12.0}
     with pytest.raises(BadInput, match="kitchen_9"):

@@ -27,6 +27,8 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
         left = entities(s.left, home)
         right = entities(s.right, home)
         pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b)]
+        if left and left == right:
+            pairs = []  # "the bathroom between the bedrooms, reachable from both"
         match s.kind:
             case "open":
                 out.open += [(a, b) for a, b in pairs if {a.type, b.type} <= set(OPEN_TYPES)]

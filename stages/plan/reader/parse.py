@@ -42,6 +42,10 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.unread.append(item.text)
             case "shape":
                 said.shape = item.value
+            case "side_role" if item.value == "party_wall" and not any(
+                i.kind == "side" for i in items[max(0, k - 4) : k + 5]
+            ):
+                said.unread.append(item.text)
             case "main_rooms":
                 said.main_rooms = int(item.number)
             case "flat_size":

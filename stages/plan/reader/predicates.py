@@ -26,7 +26,9 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
         first = not any(i.room for i in items[:k]) or (
             k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ","))
         )
-        if _is_front(items, k, first):
+        if first and _bare_front(items, k):
+            out.append(Predicate(k + 1, "door", "front", False, (k + 1, k + 2)))
+        elif _is_front(items, k, first):
             out.append(Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
         elif item.kind == "front" and _way_in(items, k):
             out.append(Predicate(k, "door", "part", negated))
@@ -112,6 +114,13 @@ def _is_front(items: list[Item], k: int, first: bool) -> bool:
     )
     follows = k + 1 < len(items) and items[k + 1].room is not None
     return starts and first and follows and _reach(items, k) > k
+
+
+def _bare_front(items: list[Item], k: int) -> bool:
+    """`off the kitchen a pantry`: no verb, a known room, then a new one."""
+    known, new = (items[k + 1].room, items[k + 2].room) if k + 2 < len(items) else (None, None)
+    off = items[k].kind in ("front", "link") and items[k].text in ("off", "off of", "from", "beyond", "behind")
+    return off and known is not None and known.quantifier == "the" and new is not None and new.quantifier == "a"
 
 
 def _reach(items: list[Item], k: int) -> int:

@@ -135,6 +135,8 @@ def test_rooms(prompt: str, wanted: str) -> None:
         ("Der Flur führt ins Wohnzimmer, von dort gelangt man in die Küche. Ein Schlafzimmer und ein Bad am Flur.",
          "K1L1 H1L1", "H1K1"),
         ("one enormous space for cooking, eating and lounging, and a bedroom", "D1K1 D1L1", ""),
+        ("two-bed flat, bathroom between the bedrooms reachable from both", "B1W1 B2W1", "B1B2"),
+        ("two bedrooms; off the kitchen a pantry", "K1T1", "H1T1"),
         ("deux chambres, salon, cuisine ouverte, salle de bain", "K1L1", "H1K1"),
     ],
 )  # fmt: skip
@@ -251,6 +253,7 @@ def test_a_side_belongs_to_the_role_it_stands_with() -> None:
 def test_what_is_not_understood_is_listed() -> None:
     assert read("two-bedroom flat with a helipad and a zeppelin mast").unread == ["helipad", "zeppelin", "mast"]
     assert read("two-bedroom flat with a flurb").unread == ["flurb"]
+    assert read("two-bedroom flat with a windowless bedroom").unread == ["windowless"]
     assert read("please design a two-bedroom flat").unread == []
 
 
