@@ -14,7 +14,7 @@ HEAVY = {
     "torch": ("stages/layout/", "stages/retrieve/shape/", "stages/metrics/_networks"),
     "litellm": ("stages/plan/llm/",),
     "pxr": ("stages/export/usd", "stages/export/_usd"),
-    "mujoco": ("stages/export/mjcf", "stages/export/_mjcf", "stages/embodied/"),
+    "mujoco": ("stages/export/mjcf", "stages/export/_mjcf", "stages/embodied/", "stages/metrics/_physics"),
 }
 """Where a heavy package may be imported at all, at the top or inside a function."""
 LONGEST_FILE, LONGEST_FUNCTION = 300, 60

@@ -43,7 +43,8 @@ def divergence(
     q, p = (_counts(scenes, names) for scenes in (generated, real))
     if not q.sum() or not p.sum():
         return None
-    return spread(lambda v, w: _ckl(v @ q, w @ p), (np.ones(len(q)), np.ones(len(p))), rng)
+    found = spread(lambda v, w: _ckl(v @ q, w @ p), (np.ones(len(q)), np.ones(len(p))), rng)
+    return found._replace(low=max(found.low, min(found.value, 0.0)))
 
 
 def _counts(scenes: Sequence[Sequence[str]], names: list[str]) -> Array:

@@ -1,0 +1,44 @@
+"""Drift and joint travel in worlds worked out by hand."""
+
+import pytest
+
+from stages.metrics import _physics
+
+pytest.importorskip("mujoco")
+
+FRAME = """<mujoco><compiler angle="radian"/><option timestep="0.004"/><worldbody>
+<geom name="floor" type="plane" size="5 5 0.1"/>{}</worldbody></mujoco>"""
+DRAWER = """<body name="chest" pos="0 0 0.3"><body name="drawer">
+<joint name="slide" type="slide" axis="1 0 0" range="0 0.4"/>
+<geom type="box" size="0.2 0.2 0.1" mass="3" contype="1" conaffinity="2"/></body></body>"""
+
+
+def world(tmp_path, *bodies):
+    path = tmp_path / "world.xml"
+    path.write_text(FRAME.format("".join(bodies)))
+    return _physics.load(path)
+
+
+def box(name, x, z, size=0.1, mask=2):
+    return (f'<body name="{name}" pos="{x} 1 {z}"><freejoint/><geom type="box" size="{size} {size} {size}" '
+            f'mass="1" contype="1" conaffinity="1"/></body>')
+
+
+def test_what_rests_stays_and_what_hangs_falls(tmp_path):
+    found = _physics.drift(world(tmp_path, box("rests", 0, 0.1), box("hangs", 1, 0.4)))
+    assert found["rests"] < 0.005 and found["hangs"] == pytest.approx(0.3, abs=0.01)
+
+
+def test_a_drawer_comes_out_as_far_as_it_is_let(tmp_path):
+    (free,) = _physics.travels(world(tmp_path, DRAWER))
+    assert free.joint == "slide" and free.share >= _physics.REACHED
+    # A post whose near face is 0.1 m before the drawer's front lets it out by a quarter of its travel.
+    post = '<geom type="box" pos="0.4 0 0.3" size="0.1 0.3 0.3" contype="2" conaffinity="1"/>'
+    (blocked,) = _physics.travels(world(tmp_path, DRAWER, post))
+    assert blocked.share == pytest.approx(0.25, abs=0.03)
+
+
+def test_a_hinge_is_driven_to_the_end_farther_from_where_it_rests(tmp_path):
+    door = """<body name="door" pos="0 0 1"><joint name="hinge" type="hinge" axis="0 0 1" range="-1.5 0.1"/>
+    <geom type="box" pos="0.4 0 0" size="0.4 0.02 0.9" mass="8"/></body>"""
+    assert _physics.travels(world(tmp_path, door))[0].share >= _physics.REACHED
