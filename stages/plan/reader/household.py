@@ -226,6 +226,9 @@ class Household:
         refers = phrase.quantifier == "the" or (
             mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals)
         )
+        refers = refers or (single and not phrase.text.isascii())  # languages without articles
+        if phrase.type == "bedroom" and not mentioned and known and all(e.labels & {"guest", "kids"} for e in known):
+            return self.add(phrase.type)  # "a guest room besides our bedroom"
         if known and mentioned and phrase.quantifier == "a" and all("entrance" in e.labels for e in known):
             return self.add(phrase.type)
         if (

@@ -15,6 +15,7 @@ JOINTS = {
     "by": "x",
     "and": "and",
     ",": "and",
+    "/": "and",
     "und": "and",
     "et": "and",
     "y": "and",

@@ -100,6 +100,9 @@ def reached(program: Program) -> set[str]:
         ("two bedrooms, the living room three times as large as a bedroom", "B2 H K L W"),
         ("two bedrooms and no wasted corridors", "B2 H K L W"),
         ("a flat with a desk in each bedroom", "B2 H K L W"),
+        ("I need a home office and a guest room besides our bedroom", "B2 H K L S W"),
+        ("两室两厅一厨一卫，客厅25平米", "B2 D H K L W"),
+        ("a pied-à-terre with one bedroom", "B H K L W"),
         ("el dormitorio principal tiene baño propio; los otros dos dormitorios comparten un baño", "B3 H K L W2"),
     ],
 )
@@ -161,6 +164,7 @@ def test_doors(prompt: str, present: str, absent: str) -> None:
         ("80 m² flat, the two bedrooms together take half of the area", {"B1": 20, "B2": 20}),
         ("living room (25), kitchen (10), bedroom (14), bathroom (5)", {"L1": 25, "K1": 10, "B1": 14, "W1": 5}),
         ("a one hundred and twenty square metre flat with a 1,2 m² storage", {"T1": 1.2}),
+        ("three-bed semi, beds 13/11/8 m²", {"B1": 13, "B2": 11, "B3": 8}),
         ("one-bedroom flat, 38 m², 12 for the bedroom, shower room 3.5", {"B1": 12, "W1": 3.5}),
         ("two bedrooms, the living room takes a third of the 90 m², each bedroom a sixth",
          {"L1": 30, "B1": 15, "B2": 15}),
