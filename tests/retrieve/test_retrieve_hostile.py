@@ -134,7 +134,9 @@ def test_archives_within_archives_and_endless_lists_of_members(tmp_path, capsys,
     assert "lists its members in" in told(tmp_path, "sweethome3d", capsys)
 
 
-def test_material_files_of_any_length_are_not_read(tmp_path, capsys):
+def test_material_files_and_lines_of_any_length_are_not_read(tmp_path, capsys):
     (tmp_path / "long.mtl").write_bytes(b"newmtl a\n" * 600_000)
     (tmp_path / "a.obj").write_text("mtllib long.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    assert "material file of" in told(tmp_path, "folder", capsys)
+    (tmp_path / "b.obj").write_bytes(b"\0" * 3_000_000)
+    said = told(tmp_path, "folder", capsys)
+    assert "material file of" in said and "b.obj: line 1 is longer" in said

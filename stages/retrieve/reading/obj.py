@@ -4,6 +4,7 @@ import io
 from array import array
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from stages.retrieve.reading.limits import Broken
 from stages.retrieve.reading.pieces import Array, Piece, count
 
 MTL_BYTES = 4 * 2**20
+LINE_BYTES = 2**20
 Open = Callable[[str], bytes | None]
 """Gives the bytes of a file named beside the model, None where there is none."""
 
@@ -24,7 +26,10 @@ def parse(data: bytes, name: str, beside: Open, texture: Callable[[str], str | N
     # Position and texture index of each corner of each triangle, by material.
     corners: dict[str, array[int]] = {}
     current, total = "plain", 0
-    for number, raw in enumerate(io.BytesIO(data), 1):
+    lines = iter(partial(io.BytesIO(data).readline, LINE_BYTES + 1), b"")
+    for number, raw in enumerate(lines, 1):
+        if len(raw) > LINE_BYTES:
+            raise Broken(f"{name}: line {number} is longer than the {LINE_BYTES} bytes accepted")
         word, _, rest = raw.strip().decode("utf-8", errors="replace").partition(" ")
         try:
             if word == "v":
