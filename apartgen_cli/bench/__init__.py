@@ -32,10 +32,13 @@ INCEPTION = Annotated[Path | None, typer.Option(
     "--inception-weights", metavar="FILE", help="Inception-v3 for FID, KID and SCA; a packaged network by default.")]
 REAL = Annotated[str | None, typer.Option(
     "--real", metavar="SOURCE=PATH", help="Real rooms to compare with, in the format of a data source: ssr=rooms/.")]
+REPLAY = Annotated[str | None, typer.Option(
+    "--replay", metavar="ID", help="Show one episode of an earlier run (embodied) as a GIF; nothing else is run.")]
 
 
 def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, processes: PROCESSES = None,
-         weights: WEIGHTS = None, inception_weights: INCEPTION = None, real: REAL = None) -> int:
+         weights: WEIGHTS = None, inception_weights: INCEPTION = None, real: REAL = None,
+         replay: REPLAY = None) -> int:
     from apartgen_cli.bench import _runner
 
     experiments = registry.members(__name__)
@@ -47,6 +50,11 @@ def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, pro
     experiment = registry.load(__name__, name)
     given = {"weights": weights, "inception_weights": inception_weights, "real": real}
     files = _taken(name, experiment, {option: value for option, value in given.items() if value})
+    if replay is not None:
+        if not hasattr(experiment, "replay"):
+            raise BadInput(f"--replay: {name} has no episodes to show")
+        say("\n".join(f"wrote {path}" for path in experiment.replay(out or Path("bench") / name, replay)))
+        return 0
     for path in _runner.run(experiment, name, out or Path("bench") / name, n, seed, processes, files):
         say(f"wrote {path}")
     return 0

@@ -1,18 +1,26 @@
 """Table 6: a robot in physics drives to an object of every room and opens everything that opens."""
 
+import os
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from time import process_time
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from apartgen_cli.bench import _scenes
 from schemas import artifact
-from schemas.layout import Layout
+from schemas.errors import BadInput
 from schemas.retrieve import Retrieve
+
+if TYPE_CHECKING:
+    from stages.asset import Asset
+    from stages.embodied.outcome import Outcome
+    from stages.scene import Scene
 
 PAPER = [
     {"setting": "no guidance", "SR_nav": 0.952, "SR_interact": 0.947},
@@ -58,35 +66,78 @@ def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Re
         yield placed
 
 
-def _episodes(home: Retrieve, name: str, only: str | None = None) -> list[dict[str, Any]]:
-    from time import process_time
+def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
+    """Records of all episodes of an apartment, of both halves."""
+    with _exported(home, bare=True) as (scene, mjcf):
+        found = []
+        for half in (_navigation, _interaction):
+            began = process_time()
+            outcomes = half(scene, mjcf, name, None)
+            took = round((process_time() - began) / max(1, len(outcomes)), 3)
+            found += [{"id": o.id, **o.model_dump(exclude={"trace"}), "cpu_seconds": took} for o in outcomes]
+    return found
 
+
+def _navigation(scene: "Scene", mjcf: Path, name: str, only: str | None) -> "list[Outcome]":
     from stages.embodied import navigate
 
-    with _exported(home) as (scene, mjcf):
-        began = process_time()
-        outcomes = navigate.run(scene, mjcf, _rng(name), name, only)
-        took = process_time() - began
-        records = [{"id": o.id, **o.model_dump(exclude={"trace"})} for o in outcomes]
-    return [{**record, "cpu_seconds": round(took / len(records), 3)} for record in records]
+    return navigate.run(scene, mjcf, _rng(name, 8), name, only)
 
 
-def _rng(name: str) -> np.random.Generator:
+def _interaction(scene: "Scene", mjcf: Path, name: str, only: str | None) -> "list[Outcome]":
+    from stages.embodied import interact, world
+
+    return interact.run(world.build(scene, mjcf, name=name), _rng(name, 9), only)
+
+
+def _rng(name: str, lane: int) -> np.random.Generator:
     """Chance of an apartment's episodes: the same in every setting."""
-    return np.random.default_rng([int(name.rpartition("-")[2]), 8])
+    return np.random.default_rng([int(name.rpartition("-")[2]), lane])
 
 
 @contextmanager
-def _exported(home: Layout) -> Iterator[tuple[Any, Path]]:
-    """The scene, and its MJCF for as long as it is needed."""
+def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path]]":
+    """The scene, and its MJCF for as long as it is needed; `bare` leaves out what of the furniture only shows."""
     from stages import registry, retrieve
     from stages.retrieve.matching.config import RetrieveConfig
     from stages.scene import Scene
 
-    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load)
+    load = retrieve.open_libraries(RetrieveConfig()).load
+    scene = Scene(home, lambda library, id: _bare(load(library, id)) if bare else load(library, id))
     with TemporaryDirectory() as folder:
         registry.load("stages.export", "mjcf").write(scene, Path(folder))
         yield scene, Path(folder) / "mjcf" / "apartment.xml"
+
+
+def _bare(asset: "Asset") -> "Asset":
+    return replace(asset, links=[replace(link, visuals=[]) if link.colliders else link for link in asset.links])
+
+
+def replay(out: Path, id: str) -> list[Path]:
+    """Run one episode of an earlier run again and show it as a GIF and its end as a PNG, in `out`/replays.
+
+    BadInput for an episode that is not there, and for one in which nothing moves.
+    """
+    # Without a display, MuJoCo must be told before it is imported.
+    os.environ.setdefault("MUJOCO_GL", "egl")
+    from stages.embodied import base, interact
+    from stages.embodied import replay as shown
+
+    name, kind, thing, *joint = id.split(":") if id.count(":") in (2, 3) else ("", "", "")
+    path = out / HOMES / f"{name}.json"
+    if not path.exists():
+        raise BadInput(f"no apartment {name!r} in {out / HOMES}; --replay takes an id of {out / 'trials.jsonl'}")
+    home = Retrieve.model_validate_json(path.read_text())
+    half, robot = (_navigation, base.mjcf()) if kind == "navigation" else (_interaction, interact.robot.mjcf())
+    with _exported(home) as (scene, mjcf):
+        found = [o for o in half(scene, mjcf, name, thing) if o.id == id]
+        if not found:
+            raise BadInput(f"{name} has no episode {id!r}; ids are in {out / 'trials.jsonl'}")
+        target = out / "replays" / f"{id.replace(':', '-')}.gif"
+        pictures = shown.images(scene, mjcf, robot, found[0])
+        assert found[0].trace is not None
+        shown.save(pictures, target, found[0].trace)
+    return [target, target.with_suffix(".png")]
 
 
 def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:

@@ -19,6 +19,13 @@ WHEEL, TRACK = 0.08, 0.36
 """Radius of the driven wheels and distance between them, m."""
 TORQUE = 6.0
 """Greatest of a wheel's motor, N·m; at the wheel's rim 75 N."""
+STIFFNESS = 10_000.0
+"""Of the bumper's skin that the column wears, N/m: it gives a millimetre at 10 N at each point of contact.
+
+It slides without friction: in MuJoCo's friction cones sliding itself would push the two apart.
+"""
+SKIN = (2 * MASS / STIFFNESS) ** 0.5
+"""The time constant that does so at an impedance of one half, s."""
 LIDAR = 0.2
 """Height at which a lidar would see, m."""
 JOINTS = (f"{ROBOT}_free",)
@@ -42,7 +49,7 @@ def mjcf() -> str:
   <worldbody>
     <body name="{ROBOT}_base"><freejoint name="{JOINTS[0]}"/>
       <inertial pos="0 0 0.2" mass="{MASS - 2}" diaginertia="1.6 1.6 0.7"/>
-      {column} friction="0.4" rgba="0.2 0.2 0.25 1" solref="0.008 1"/>
+      {column} condim="1" rgba="0.2 0.2 0.25 1" priority="1" solref="{SKIN} 1" solimp="0.5 0.5 0.001"/>
       {casters}{wheels}
     </body>
   </worldbody>

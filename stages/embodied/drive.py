@@ -56,7 +56,7 @@ def drive(world: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
             mujoco.mj_step(model, data, steps)
             push, what = 0.0, -1
         else:
-            push, what = _felt(model, data, steps, column)
+            push, what = felt(model, data, steps, column)
         out.touches += push > 0 and not touching
         touching = push > 0
         if push > out.push:
@@ -91,7 +91,7 @@ def _pose(data: Any) -> tuple[float, float, float]:
     return float(x), float(y), float(2 * np.arctan2(z, w))
 
 
-def _felt(model: Any, data: Any, steps: int, column: int) -> tuple[float, int]:
+def felt(model: Any, data: Any, steps: int, column: int) -> tuple[float, int]:
     """Mean push on the column over some steps, N, and the geom pushed last (-1 for none)."""
     total, what, force = 0.0, -1, np.zeros(6)
     for _ in range(steps):

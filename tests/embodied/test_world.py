@@ -1,0 +1,107 @@
+"""The world holds the exported apartment, its room doors open, and nothing else but the robot."""
+
+import mujoco
+import numpy as np
+import pytest
+from embodied import blocks
+from export import sample
+
+from schemas.errors import BadInput
+from stages import export
+from stages.embodied import base, floor, world
+from stages.scene import Scene
+
+
+@pytest.fixture(scope="module")
+def flat(tmp_path_factory):
+    out = tmp_path_factory.mktemp("flat") / "scene"
+    export.run(sample.home(), ["mjcf"], out, sample.load)
+    return Scene(sample.home(), sample.load), out / "mjcf" / "apartment.xml"
+
+
+def _at(model, name):
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    return data.geom(name).xpos
+
+
+def test_room_doors_stand_open_and_the_entrance_is_shut(flat):
+    built = world.build(*flat)
+    assert built.doors == pytest.approx(dict.fromkeys(["door_1", "door_2", "door_3"], np.pi / 2))
+    leaf = built.bodies["door_1"].link_name(built.bodies["door_1"].links[1])
+    # Hinged at x = 4.1 on the south face (y = 4.0) of its wall, 0.9 m wide, open into the room south of it.
+    assert _at(built.model, f"{leaf}__c0") == pytest.approx([4.1 - 0.02, 4.0 - 0.45, 1.03], abs=0.03)
+    entrance = built.bodies["entrance"].link_name(built.bodies["entrance"].links[1])
+    assert _at(built.model, f"{entrance}__c0")[:2] == pytest.approx([9.0, 4.75], abs=0.03)
+
+
+def test_every_collider_of_an_object_is_known_by_its_id(flat):
+    built = world.build(*flat)
+    for id, body in built.bodies.items():
+        mine = [k for k, owner in built.owner.items() if owner == id]
+        assert len(mine) == sum(len(link.colliders) for link in body.links)
+
+
+def test_only_what_may_move_has_joints(flat):
+    everything, nothing = world.build(*flat), world.build(*flat, moving=())
+    one = world.build(*flat, moving=["display_cabinet_11"])
+    assert nothing.model.nv == 0 < one.model.nv == 1 < everything.model.nv
+    cabinet = one.bodies["display_cabinet_11"]
+    assert one.model.joint(0).name == cabinet.joint_name(cabinet.links[1].joint)
+
+
+def test_what_is_left_out_and_what_only_shows(flat):
+    built, seen = world.build(*flat), world.build(*flat, visuals=True)
+    assert built.model.ngeom == sum(built.model.geom_contype > 0) == sum(seen.model.geom_contype > 0) < seen.model.ngeom
+    names = [built.model.geom(k).name for k in range(3)]
+    assert world.build(*flat, without=names).model.ngeom == built.model.ngeom - 3
+
+
+def test_fusing_what_is_welded_changes_no_place(flat):
+    apart, fused = world.build(*flat, moving=()), world.build(*flat, moving=(), fused=True)
+    assert fused.model.nbody == 1
+    for k in range(apart.model.ngeom):
+        name = apart.model.geom(k).name
+        assert _at(fused.model, name) == pytest.approx(_at(apart.model, name), abs=1e-9)
+
+
+def test_another_apartments_file_is_refused(flat, tmp_path):
+    _, other = blocks.exported(blocks.furnished(blocks.corridor(3, 1)), tmp_path)
+    with pytest.raises(BadInput, match="export this apartment again"):
+        world.build(flat[0], other)
+
+
+def test_a_plan_has_nothing_to_act_on(flat):
+    with pytest.raises(BadInput, match="apartgen retrieve"):
+        world.build(Scene(sample.plan(), sample.load), flat[1])
+
+
+def test_the_base_stands_still_and_is_not_the_apartment(flat):
+    built = world.build(*flat, base.mjcf(), moving=())
+    assert len(built.robot_bodies) == 3 and floor.solid(built).equals(floor.solid(world.build(*flat, moving=())))
+    data = mujoco.MjData(built.model)
+    data.qpos[:2] = 3.5, 2.8
+    mujoco.mj_step(built.model, data, 500)
+    assert data.qpos[:3] == pytest.approx([3.5, 2.8, 0.0], abs=2e-3)
+    assert built.model.body_mass[list(built.robot_bodies)].sum() == pytest.approx(base.MASS)
+
+
+def test_the_floor_is_free_where_the_disc_touches_nothing(tmp_path):
+    home = blocks.furnished(blocks.corridor(4, 2), blocks.block("a", 2.0, 1.0, 0.4, 0.6))
+    ground = floor.survey(world.build(*blocks.exported(home, tmp_path), moving=()))
+    x, y = np.meshgrid(ground.grid.x, ground.grid.y)
+    gap = np.hypot((np.abs(x - 2) - 0.2).clip(0), (np.abs(y - 1) - 0.3).clip(0))
+    wall = np.minimum.reduce([x, 4 - x, y, 2 - y])
+    nearest = np.minimum(gap, wall)
+    assert ground.free[nearest > 0.255].all() and not ground.free[nearest < 0.245].any()
+    assert ground.clearance[nearest > 0] == pytest.approx(nearest[nearest > 0], abs=ground.grid.resolution)
+
+
+def test_a_lamp_overhead_is_driven_under(tmp_path):
+    low = blocks.block("a", 2.0, 1.0, 0.4, 0.6)
+    high = low.model_copy(update={"center": (2.0, 1.0, 2.0)})
+    for thing, free in ((low, False), (high, True)):
+        home = blocks.furnished(blocks.corridor(4, 2), thing)
+        ground = floor.survey(world.build(*blocks.exported(home, tmp_path / str(free)), moving=()))
+        row, column = np.abs(ground.grid.y - 1).argmin(), np.abs(ground.grid.x - 2).argmin()
+        assert ground.free[row, column] == free
