@@ -25,6 +25,7 @@ HEIGHT = 1.5
 """The robot passes under what hangs above this, m."""
 POCKET = 0.8
 """A room is reached when no more than this of where the robot's centre could be in it is cut off, m²."""
+_AROUND = 6  # cells about shut ones within which another way round is looked for
 _STEP_IN = 0.15  # how far inside a room the robot's centre must get for the door to count as passed, m
 
 
@@ -186,8 +187,29 @@ def _still(world: Space, o: Box, parts: Boxes, reach: float, open_cells: Mask, g
         return False
     if not (got & shut_out).any():
         return True
+    whole = np.zeros_like(got)
+    whole[window] = place
+    nearby = _locally(world, got, shut_out, whole)
+    if nearby is not None:
+        return nearby
     still = grid.from_seeds(open_cells & ~shut_out, world.entry)
     return bool((still[window] & place).any())
+
+
+def _locally(world: Space, got: Mask, shut_out: Mask, place: Mask) -> bool | None:
+    """Whether a place is still got to with some cells shut, where a look at the surroundings decides it.
+
+    Where all ways out of the surroundings stay joined within them, nothing beyond is cut off either.
+    """
+    rows, columns = (np.flatnonzero((shut_out | place).any(axis)) for axis in (1, 0))
+    here = (slice(max(rows[0] - _AROUND, 0), rows[-1] + _AROUND + 1),
+            slice(max(columns[0] - _AROUND, 0), columns[-1] + _AROUND + 1))
+    if world.entry[here].any():
+        return None
+    labels = grid.connected((got & ~shut_out)[here])[0]
+    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+    ways = np.unique(rim[rim > 0])
+    return bool((labels[place[here]] == ways[0]).any()) if len(ways) == 1 else None
 
 
 def standing(
@@ -206,7 +228,7 @@ def standing(
         half += radius
     corner = boxes.corners(boxes.spread(box, [[face, -half, 0]], [[ahead + reach, half, 1]]))[0]
     window = cells.around(corner.min(0), corner.max(0))
-    points = cells.centers(window)
-    seen = boxes.local(points.reshape(-1, 2), box)[0].reshape(points.shape)
-    ahead_of = (seen[..., 0] > face) & (seen[..., 0] <= ahead + reach)
-    return window, ahead_of & (np.abs(seen[..., 1]) <= half)
+    c, s = np.cos(o.yaw), np.sin(o.yaw)
+    across, up = cells.x[window[1]][None, :] - o.center[0], cells.y[window[0]][:, None] - o.center[1]
+    front, side = across * c + up * s, up * c - across * s
+    return window, (front > face) & (front <= ahead + reach) & (np.abs(side) <= half)

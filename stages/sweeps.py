@@ -58,13 +58,24 @@ def _corners(bounds: Bounds) -> Array:
 
 def moved(joint: Joint, value: float) -> Bounds:
     """Bounds of the joint's part at one joint position; the joint must have its extent."""
-    assert joint.extent is not None
-    points = _corners((np.array(joint.extent[0]), np.array(joint.extent[1])))
-    if joint.type == "slide":
-        points = points + value * np.asarray(joint.axis, float) / np.linalg.norm(joint.axis)
+    lo, hi = _moved(joint.type, joint.axis, joint.origin, joint.extent, value)
+    return np.array(lo), np.array(hi)
+
+
+@lru_cache(maxsize=8192)
+def _moved(
+    type: Literal["hinge", "slide"], axis: Vector, origin: Vector, extent: tuple[Vector, Vector] | None, value: float
+) -> tuple[Vector, Vector]:
+    """The same by value, because the same assets are asked for again and again."""
+    assert extent is not None
+    points = _corners((np.array(extent[0]), np.array(extent[1])))
+    if type == "slide":
+        points = points + value * np.asarray(axis, float) / np.linalg.norm(axis)
     else:
+        joint = Joint(name="", type=type, axis=axis, origin=origin, range=(value, value), part="", extent=extent)
         points = _turned(points, joint, value)
-    return points.min(0), points.max(0)
+    (x0, y0, z0), (x1, y1, z1) = points.min(0).tolist(), points.max(0).tolist()
+    return (x0, y0, z0), (x1, y1, z1)
 
 
 def swept(joint: Joint) -> Bounds:

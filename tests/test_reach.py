@@ -52,6 +52,21 @@ def test_beside_an_open_drawer_is_good_enough():
     assert survey(h.chest(2, 2.75, -np.pi / 2), sofa).opened == []
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_a_look_around_decides_as_the_whole_flat_does(seed, monkeypatch):
+    rng = np.random.default_rng(seed)
+    chests = [h.chest(*rng.uniform((0.4, 0.4), (3.6, 2.6)), float(rng.integers(4) * np.pi / 2),
+                      travel=float(rng.uniform(0.2, 0.8)), id=f"c{i}") for i in range(3)]
+    far = [h.chest(*rng.uniform((4.5, 0.4), (6.7, 2.6)), float(rng.integers(4) * np.pi / 2), h.BEDROOM,
+                   travel=float(rng.uniform(0.2, 0.8)), id=f"f{i}") for i in range(2)]
+    looked = []
+    local = reach._locally
+    monkeypatch.setattr(reach, "_locally", lambda *args: looked.append(local(*args)) or looked[-1])
+    near = survey(*chests, *far)
+    monkeypatch.setattr(reach, "_locally", lambda *args: None)
+    assert near.missed == survey(*chests, *far).missed
+
+
 def test_what_hangs_high_is_passed_under():
     lamps = [h.thing("wall_lamp", 2, y, size=(0.14, 0.35, 0.3), bottom=1.6) for y in np.arange(0.2, 3, 0.4)]
     assert survey(*lamps).missed == []

@@ -1,5 +1,7 @@
 """Scenes that experiments share: plans of the eight archetypes, furnished under a named setting."""
 
+import json
+import zlib
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -76,6 +78,20 @@ def retrieved(home: Layout, seed: int) -> Retrieve:
     from stages.retrieve.matching.config import RetrieveConfig
 
     return retrieve.run(home, RetrieveConfig(), np.random.default_rng([seed, 6]))
+
+
+def placed(method: str, seed: int, n: int, work: Path) -> list[Retrieve]:
+    """`n` apartments furnished by a method and retrieved; kept in `work`, for settings that start from the same."""
+    from stages import layout
+
+    weights = zlib.crc32(Path(layout.__file__).with_name("weights.safetensors").read_bytes())
+    path = work / "placed" / f"{method.replace(' ', '-')}-{weights:08x}-{seed}-{n}.json"
+    if path.exists():
+        return [Retrieve.model_validate(row) for row in json.loads(path.read_text())]
+    made = [retrieved(home, seed) for home in furnished(plans(seed, n, work), config(method), seed)]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    artifact.write(json.dumps([home.model_dump(mode="json") for home in made]), path)
+    return made
 
 
 def measured(home: Layout, names: list[str]) -> list[dict[str, Any]]:

@@ -1,10 +1,12 @@
 """What can be set in the walkable stage."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from schemas.base import Positive, Record
+
+Share = Annotated[float, Field(ge=0, lt=1)]
 
 
 class WalkableConfig(Record):
@@ -15,6 +17,8 @@ class WalkableConfig(Record):
     top_k: int = Field(3, ge=1, le=1000, description="largest objects replaced in an iteration (k)")
     max_iterations: int = Field(20, ge=0, le=10_000, description="iterations at most (M)")
     share: float = Field(0.9, gt=0, lt=1, description="sides of a smaller candidate, at most this share of the old")
+    gentle: Share = Field(0.8, description="least share of its sides an object keeps while there is decoration to "
+                          "spare; 0 is Algorithm 2 as printed")
     drop: bool = Field(True, description="leave out the least important objects where smaller ones do not suffice")
     connect: bool = Field(True, description="make the free space connected for a robot, up to all that opens")
     robot_radius: Positive = 0.25

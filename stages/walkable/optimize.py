@@ -2,9 +2,12 @@
 
 from collections.abc import Collection
 
+import numpy as np
+
 from schemas.retrieve import Furnishing
 from schemas.walkable import Step
 from stages import footprints
+from stages.boxes import Array
 from stages.walkable import importance, placing
 from stages.walkable.changes import applied, dropped, replaced
 from stages.walkable.site import Scene, Site, in_room
@@ -38,12 +41,16 @@ class _Ratios:
         return float(sum(self._free.values()) / self._area)
 
 
-def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, list[Step]]:
+def optimize(
+    site: Site, scene: Scene, rooms: Collection[str], start: Scene | None = None, least: float = 0.0
+) -> tuple[Scene, list[Step]]:
     """The loop of Algorithm 2 over the objects of some rooms.
 
-    Valid objects are obstacles not yet found to have no smaller candidate.
+    Valid objects are obstacles not yet found to have no smaller candidate. Where `least` is given, no object gets
+    smaller than that share of its sides in `start`.
     """
     config = site.config
+    first = {o.id: np.asarray(o.size) * least for o in start or scene}
     r = _Ratios(site, scene, rooms)
     spent: set[str] = set()
     steps: list[Step] = []
@@ -57,7 +64,7 @@ def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, l
             # An earlier replacement of the same iteration may have moved it with its support.
             o = next(p for p in scene if p.id == o.id)
             found = smaller(site, scene, o, config.share)
-            if found is None:
+            if found is None or not _within(found[o.id], first[o.id]):
                 spent.add(o.id)
                 continue
             scene, step = applied(scene, replaced(o, found, "ratio"))
@@ -67,12 +74,17 @@ def optimize(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, l
     return scene, steps
 
 
-def thin_out(site: Site, scene: Scene, rooms: Collection[str]) -> tuple[Scene, list[Step]]:
-    """Leave out the least important objects of some rooms until the target is met or only needed ones are left."""
+def _within(new: Furnishing | None, low: Array) -> bool:
+    return new is not None and bool((np.asarray(new.size) >= low - EPSILON).all())
+
+
+def thin_out(site: Site, scene: Scene, rooms: Collection[str], most: int = 1) -> tuple[Scene, list[Step]]:
+    """Leave out the least important objects of some rooms, up to a rank, until the target is met or none is left."""
     steps: list[Step] = []
     r = _Ratios(site, scene, rooms)
     while r.whole < site.config.target - EPSILON:
-        loose = [o for o in importance.droppable(scene, site.program) if o.room in rooms]
+        loose = [o for o in importance.droppable(scene, site.program)
+                 if o.room in rooms and importance.rank(o, scene) <= most]
         gone = next((o for o in loose if _frees(site, scene, o)), None)
         if gone is None:
             break

@@ -27,7 +27,7 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
     parts = [[room] for room in whole] if config.scope == "rooms" else [whole]
     scene, steps = start, list[Step]()
     for rooms in parts:
-        scene, taken = optimize(site, scene, rooms)
+        scene, taken = _opened(site, scene, rooms)
         steps += taken
     unreached: list[str] = []
     if config.connect:
@@ -43,6 +43,19 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
     report = _report(site, start, scene, steps, unreached)
     fields = {name: getattr(previous, name) for name in Retrieve.model_fields}
     return Walkable(**fields | {"objects": list(scene), "walkable": report})
+
+
+def _opened(site: Site, scene: Scene, rooms: list[str]) -> tuple[Scene, list[Step]]:
+    """Algorithm 2; what is gentle first: people miss a plant less than a third of their sofa."""
+    config, start = site.config, scene
+    steps: list[Step] = []
+    if config.gentle > 0:
+        scene, steps = optimize(site, scene, rooms, start, config.gentle)
+        if config.drop:
+            scene, taken = thin_out(site, scene, rooms, most=0)
+            steps += taken
+    scene, taken = optimize(site, scene, rooms)
+    return scene, [*steps, *taken]
 
 
 def _check(site: Site, scene: Scene, parts: Iterable[list[str]]) -> None:
