@@ -9,17 +9,21 @@ import numpy as np
 from schemas.plan import Opening
 from schemas.retrieve import Joint
 from stages import finishes, polygons, solids
-from stages.asset import Array, Link, Material, Mesh
+from stages.asset import Array, Collider, Link, Material, Mesh
 
 Span = tuple[float, float]
+Corner = tuple[float, float, float]
 
 GAP = 0.003
 """Play between a leaf and what is about it, m."""
 FLOOR_GAP = 0.008
-ARCHITRAVE = (0.012, 0.06)
-"""Thickness on the wall and width of a door's surround, m."""
+ARCHITRAVE = (0.005, 0.06)
+"""Thickness on the wall and width of a door's surround, m; so thin that it needs no collider."""
 HANDLE_HEIGHT = 1.05
-LINING = 0.018
+LINING = 0.005
+"""Thickness of the boards that line a doorway, m; they leave the opening its width."""
+ROD = 0.009
+"""Radius of a door's handle, m."""
 FRAME = 0.06
 """Width of a window's frame, m."""
 _PANE_MOST = 1.1  # m, wider windows are divided
@@ -63,15 +67,18 @@ def _leaf(width: float, face: float, opening: Opening, hinge: int) -> Link:
     lo, hi = np.array([face - thick, -half, FLOOR_GAP]), np.array([face, half, opening.head - GAP])
     material = finishes.ENTRANCE if opening.kind == "entrance" else finishes.LEAF
     visuals = [solids.box(lo, hi, material), *_panels(lo, hi, material)]
+    colliders = [solids.slab(lo, hi)]
     grip = np.array([face, -hinge * (half - 0.07), HANDLE_HEIGHT])
     for side in (0, 1):
-        visuals += _lever(grip - [thick * (1 - side), 0, 0], 1 if side else -1, hinge)
+        shown, solid = _lever(grip - [thick * (1 - side), 0, 0], 1 if side else -1, hinge)
+        visuals += shown
+        colliders += solid
     joint = Joint(
         name="leaf", type="hinge", axis=(0.0, 0.0, float(hinge)), origin=(face, hinge * width / 2, 0.0),
         range=(0.0, float(np.pi / 2)), part="hinge_door", extent=(_vector(lo), _vector(hi)),
     )
     mass = _LEAF_DENSITY * float(np.prod(hi - lo))
-    return Link("leaf", visuals, [solids.slab(lo, hi)], mass, joint, grip + [0.045, hinge * 0.05, 0.0])
+    return Link("leaf", visuals, colliders, mass, joint, grip + [0.045, hinge * 0.05, 0.0])
 
 
 def _vector(v: Array) -> tuple[float, float, float]:
@@ -90,18 +97,19 @@ def _panels(lo: Array, hi: Array, material: Material) -> list[Mesh]:
     return [solids.box((x0, y0, z0), (x1, y1, z1), raised) for z0, z1 in fields]
 
 
-def _lever(at: Array, out: int, hinge: int) -> list[Mesh]:
+def _lever(at: Array, out: int, hinge: int) -> tuple[list[Mesh], list[Collider]]:
     """A lever handle: rose, neck, and lever pointing to the hinge."""
     neck = at + [out * 0.045, 0, 0]
-    return [
-        solids.cylinder(at, at + [out * 0.008, 0, 0], 0.025, finishes.METAL),
-        solids.cylinder(at, neck, 0.009, finishes.METAL, 10),
-        solids.cylinder(neck + [0, -hinge * 0.009, 0], neck + [0, hinge * 0.11, 0], 0.009, finishes.METAL, 10),
-    ]
+    rods = [(at, neck), (neck + [0, -hinge * 0.009, 0], neck + [0, hinge * 0.11, 0])]
+    rose = solids.cylinder(at, at + [out * 0.004, 0, 0], 0.025, finishes.METAL)
+    shown = [rose, *(solids.cylinder(a, b, ROD, finishes.METAL, 10) for a, b in rods)]
+    lows = [np.minimum(a, b) - np.where(np.abs(b - a) > 0, 0.0, ROD) for a, b in rods]
+    highs = [np.maximum(a, b) + np.where(np.abs(b - a) > 0, 0.0, ROD) for a, b in rods]
+    return shown, [solids.slab(lo, hi) for lo, hi in zip(lows, highs, strict=True)]
 
 
 def window(width: float, span: Span, opening: Opening) -> list[Link]:
-    """A fixed glazed window near the outer third of the wall, with a board inside; one collider for all."""
+    """A fixed glazed window near the outer third of the wall, with a board inside."""
     at = span[0] + 0.4 * (span[1] - span[0])
     x0, x1, half = at - 0.035, at + 0.035, width / 2
     z0, z1 = opening.sill, opening.head
@@ -111,13 +119,15 @@ def window(width: float, span: Span, opening: Opening) -> list[Link]:
     for k, y in enumerate(posts):
         shift = {0: FRAME / 2, panes: -FRAME / 2}.get(k, 0.0)
         bars.append((y + shift - FRAME / 2, y + shift + FRAME / 2, z0 + FRAME, z1 - FRAME))
-    visuals = [solids.box((x0, a, b), (x1, c, d), finishes.FRAME) for a, c, b, d in bars]
-    glass = solids.box((at - 0.008, -half + FRAME, z0 + FRAME), (at + 0.008, half - FRAME, z1 - FRAME), finishes.GLASS)
-    visuals += [*_board(half, x1, span[1], z0), glass]
-    return [Link("frame", visuals, [solids.slab((x0, -half, z0), (x1, half, z1))], 20.0)]
+    corners = [((x0, a, b), (x1, c, d)) for a, c, b, d in bars] + _board(half, x1, span[1], z0)
+    pane = (at - 0.008, -half + FRAME, z0 + FRAME), (at + 0.008, half - FRAME, z1 - FRAME)
+    visuals = [solids.box(lo, hi, finishes.FRAME) for lo, hi in corners]
+    visuals.append(solids.box(*pane, finishes.GLASS))
+    return [Link("frame", visuals, [solids.slab(lo, hi) for lo, hi in [*corners, pane]], 20.0)]
 
 
-def _board(half: float, x0: float, face: float, sill: float) -> list[Mesh]:
+def _board(half: float, x0: float, face: float, sill: float) -> list[tuple[Corner, Corner]]:
+    """Two corners of the board inside, none where the sill is near the floor."""
     if sill < 0.3:
         return []
-    return [solids.box((x0, -half, sill), (face + 0.03, half, sill + 0.02), finishes.FRAME)]
+    return [((x0, -half, sill), (face + ARCHITRAVE[0], half, sill + 0.02))]

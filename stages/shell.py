@@ -7,6 +7,7 @@ own, so that a user can leave them out.
 from functools import partial
 
 import numpy as np
+import shapely
 from shapely import Geometry
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
@@ -22,10 +23,12 @@ SLAB = 0.12
 CEILING = 0.02
 LINING = 0.012
 """Thickness of plaster and tiles on a room's walls, m; part of the wall."""
-SKIRTING = (0.012, 0.07)
-"""Thickness and height of skirting boards, m."""
+SKIRTING = (0.005, 0.07)
+"""Thickness and height of skirting boards, m; so thin that they need no collider."""
 PARAPET = 1.1
 """Height of a balcony's outer wall, m."""
+GRAIN = 1e-6
+"""Plans of walls are kept to this, m."""
 CONCRETE = 2400.0  # kg/m³, for engines that want a mass of what never moves
 
 Storey = tuple[Geometry, float, float]
@@ -101,12 +104,18 @@ def _storeys(plan: Plan) -> list[Storey]:
         area = cuts[opening.id]
         top = PARAPET if about.contains(area.centroid) else plan.height
         pieces += [(area, 0.0, min(opening.sill, top)), (area, opening.head, top)]
-    return [(area, z0, z1) for area, z0, z1 in pieces if area.area > 1e-6 and z1 - z0 > 1e-3]
+    clean = [(_clean(area), z0, z1) for area, z0, z1 in pieces]
+    return [(area, z0, z1) for area, z0, z1 in clean if area.area > 1e-6 and z1 - z0 > 1e-3]
+
+
+def _clean(area: Geometry) -> Geometry:
+    """Without the spikes that rounding leaves along a cut, which would stand as sheets across the opening."""
+    return shapely.set_precision(area, GRAIN)
 
 
 def _walls(plan: Plan, storeys: list[Storey]) -> Body:
     lined = unary_union([_skin(polygons.floor(room)) for room in plan.rooms])
-    cores = [(area.difference(lined), z0, z1) for area, z0, z1 in storeys]
+    cores = [(_clean(area.difference(lined)), z0, z1) for area, z0, z1 in storeys]
     visuals = [solids.extruded(area, z0, z1, finishes.WALL) for area, z0, z1 in cores if area.area > 1e-6]
     return _still("walls", "wall", "", visuals, [c for area, z0, z1 in storeys for c in solids.convex(area, z0, z1)])
 
@@ -121,11 +130,8 @@ def _linings(plan: Plan, room: Room, storeys: list[Storey]) -> list[Body]:
     floor = polygons.floor(room)
     skin = _skin(floor)
     finish = finishes.wall(room.type)
-    faces = [
-        solids.extruded(skin.intersection(area), z0, z1, finish)
-        for area, z0, z1 in storeys
-        if skin.intersection(area).area > 1e-6
-    ]
+    layers = [(_clean(skin.intersection(area)), z0, z1) for area, z0, z1 in storeys]
+    faces = [solids.extruded(area, z0, z1, finish) for area, z0, z1 in layers if area.area > 1e-6]
     found = [_still(f"lining_{room.id}", "lining", room.id, faces)]
     board = _skirting(plan, room, floor)
     if not board.is_empty:

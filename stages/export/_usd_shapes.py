@@ -71,7 +71,8 @@ def visuals(piece: Mesh) -> list[Surface]:
     """What shows of a piece, shaded, as manifold meshes."""
     vertices, normals, uv, faces = shaded(piece)
     found = []
-    for part in manifold(faces):
+    a, b, c = (vertices.astype(np.float32)[faces[:, k]] for k in range(3))
+    for part in manifold(faces[np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0]):
         used, index = np.unique(part, return_inverse=True)
         own = None if uv is None else uv[used]
         found.append(Surface(vertices[used], normals[used], own, index.reshape(-1, 3).astype(np.int64)))

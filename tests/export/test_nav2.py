@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 import yaml
-from export import sample
-from PIL import Image
+from export import nav2maps, sample
 from shapely.geometry import Point
-from shapely.ops import unary_union
 
 from stages import footprints, polygons
 
@@ -17,23 +15,17 @@ def folder(exported):
     return out / "nav2"
 
 
-def _read(folder, name):
-    """Cells as map_server's trinary mode has them: 0 free, 100 occupied, -1 unknown; and cell centres (x, y)."""
-    about = yaml.safe_load((folder / f"{name}.yaml").read_text())
-    grey = np.asarray(Image.open(folder / about["image"]))[::-1]
-    share = (255 - grey) / 255
-    cells = np.where(share > about["occupied_thresh"], 100, np.where(share < about["free_thresh"], 0, -1))
-    x, y = (about["origin"][k] + (np.arange(grey.shape[1 - k]) + 0.5) * about["resolution"] for k in (0, 1))
-    return cells, x, y, about
-
-
 def test_free_space_agrees_with_the_walkable_ratio(folder):
-    home = sample.home()
-    cells, x, y, about = _read(folder, "map")
-    floors = unary_union(list(polygons.floors(home).values()))
-    inside = np.array([[floors.contains(Point(a, b)) for a in x] for b in y])
-    measured = (cells[inside] == 0).sum() * about["resolution"] ** 2 / floors.area
-    assert measured == pytest.approx(footprints.walkable_ratio(floors, home.objects), abs=0.01)
+    measured, wanted = nav2maps.free_ratios(folder, sample.home())
+    assert measured == pytest.approx(wanted, abs=0.01)
+
+
+def test_all_maps_lie_on_the_same_cells(folder):
+    maps = [nav2maps.read(folder, name) for name in ("map", "lidar", "keepout")]
+    for cells, _, _, about in maps:
+        assert cells.shape == maps[0][0].shape and about["origin"] == maps[0][3]["origin"]
+        assert about["resolution"] == maps[0][3]["resolution"]
+    assert set(np.unique(maps[2][0])) == {0, 100}  # a mask knows no unknown
 
 
 def _value(found, x, y):
@@ -42,7 +34,7 @@ def _value(found, x, y):
 
 
 def test_walls_doors_furniture_and_outside(folder):
-    found, lidar, keepout = (_read(folder, name) for name in ("map", "lidar", "keepout"))
+    found, lidar, keepout = (nav2maps.read(folder, name) for name in ("map", "lidar", "keepout"))
     assert _value(found, 5.25, 1.0) == 100 and _value(found, 3.6, 4.05) == 0  # inner wall, door
     assert _value(found, -0.15, 2.0) == 100 and _value(found, 8.0, 6.5) == -1  # outer wall, open air
     assert _value(found, 0.46, 2.0) == 100 and _value(lidar, 0.46, 2.0) == 100  # sofa
