@@ -18,7 +18,7 @@ from stages import grid
 from stages.boxes import Array
 from stages.embodied import floor, world
 from stages.embodied.interact.act import FRAMES, Actor, Result
-from stages.embodied.interact.parts import Part, parts
+from stages.embodied.interact.parts import Part, openable
 from stages.embodied.interact.plan import GOAL, OPEN, Plan, Planner, spots
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
@@ -48,7 +48,7 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     """
     own = equipped(apartment)
     probe = Probe(own)
-    every = list(parts(own, probe.data))
+    every = list(openable(own, probe.data))
     ground = floor.survey(own, RADIUS)
     reached = grid.from_seeds(ground.free, ground.space.entry)
     points = ground.grid.centers()
@@ -112,7 +112,8 @@ def _tried(probe: Probe, part: Part, cells: Array, others: Array, rng: np.random
     for places, base in enumerate(_stands(planner, spots(part, cells)[:SPOTS], rng), 1):
         found = planner.plan(base)
         if found is not None:
-            return _Tried(found, numbers={"places": float(places)})
+            pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
+            return _Tried(found, numbers={"places": float(places), "pushed": float(pushed)})
     if places:
         return _Tried(None, "planner", planner.complaint(), {"places": float(places)})
     if any(True for _ in _stands(planner, spots(part, others)[:SPOTS], rng)):

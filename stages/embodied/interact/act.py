@@ -11,8 +11,8 @@ from stages.embodied.interact.plan import OPEN, Phase, Plan
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import CUP, FINGERS, GRIP, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
 
-SLIP = {"pinch": 60.0, "cup": 30.0}
-"""Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; a cup of 4 cm at -60 kPa, safety 2.5."""
+SLIP = {"pinch": 60.0, "cup": 38.0}
+"""Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4 cm at -60 kPa bears."""
 SEATED = 0.01
 """The cup takes hold of what its mouth is no further from, m."""
 SLIPPING = 0.02
@@ -27,6 +27,7 @@ RAMP = 0.3
 """Seconds to gather speed and to lose it."""
 FRAMES = 20
 """Recorded a second."""
+_SMOOTH = 0.12  # s over which the targets of a held motion are averaged
 _CLOSE = 1.2  # s at most for the fingers to close
 _REST = 0.2  # s at the end of each phase, for the arm to catch up
 
@@ -81,7 +82,8 @@ class Actor:
         mujoco.mj_forward(self.model, self.data)
 
     def _travel(self, phase: Phase) -> bool:
-        return self._along([stop.posture for stop in phase.stops]) and self._wait(_REST)
+        """From stop to stop, halting at each, so that no corner is cut."""
+        return all(self._along([stop.posture]) for stop in phase.stops) and self._wait(_REST)
 
     def _along(self, postures: list[Array], values: Array | None = None) -> bool:
         """Servo through postures, each joint within its speed and a held part within its own."""
@@ -89,10 +91,12 @@ class Actor:
         spans = (np.abs(np.diff(path, axis=0)) / SPEED).max(1)
         if values is not None:
             pace = PACE["slide" if self.part.slides else "hinge"]
-            spans = np.maximum(spans, np.abs(np.diff(values, prepend=values[0])) / pace)
-        targets = _timed(path, spans, float(self.model.opt.timestep))
-        ahead = np.gradient(targets, axis=0) / self.model.opt.timestep if len(targets) > 1 else 0 * targets
-        for target in targets + ahead * LEAD:
+            spans = np.maximum(2 * spans, np.abs(np.diff(values, prepend=values[0])) / pace)
+        step = float(self.model.opt.timestep)
+        targets = _timed(path, spans, step)
+        if values is not None:
+            targets = _smoothed(targets, int(_SMOOTH / step))
+        for target in targets + np.gradient(targets, step, axis=0) * LEAD:
             self.data.ctrl[self.servos] = target
             if not self._step():
                 return False
@@ -222,8 +226,15 @@ def _timed(path: Array, spans: Array, timestep: float) -> Array:
     ends = np.concatenate([[0.0], np.cumsum(np.maximum(spans, 1e-6))])
     total = float(ends[-1])
     ramp = min(RAMP, total)
-    t = np.linspace(0, total + ramp, max(2, int(np.ceil((total + ramp) / timestep)) + 1))[1:]
+    t = np.linspace(0, total + ramp, max(3, int(np.ceil((total + ramp) / timestep)) + 1))[1:]
     left = total + ramp - t
     # Constant speed between two parabolas.
     here = np.where(t < ramp, t * t / (2 * ramp), np.where(left < ramp, total - left * left / (2 * ramp), t - ramp / 2))
     return np.stack([np.interp(here, ends, column) for column in path.T], 1)
+
+
+def _smoothed(targets: Array, width: int) -> Array:
+    """The mean over `width` rows on each side, the ends staying where they are."""
+    padded = np.concatenate([targets[:1].repeat(2 * width, 0), targets, targets[-1:].repeat(2 * width, 0)])
+    total = np.cumsum(padded, axis=0)
+    return np.asarray((total[2 * width :] - total[: -2 * width]) / (2 * width))

@@ -87,7 +87,7 @@ def rotation(axis: Array, angle: float) -> Array:
     return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
 
 
-def parts(world: World, data: Any) -> Iterator[Part]:
+def openable(world: World, data: Any) -> Iterator[Part]:
     """Every part of every object whose joint is in the model; `data` must hold the shut apartment, kinematics done."""
     known = {world.model.joint(k).name: k for k in range(world.model.njnt)}
     for body in world.bodies.values():

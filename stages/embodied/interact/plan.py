@@ -25,8 +25,10 @@ GOAL = 0.86
 STEPS = 10
 BACK = 0.09
 """The hand comes from and goes this far back from what it takes hold of, m."""
-FINE = 0.05
-"""Paths are checked at least every so much of a turn (rad) or way (m)."""
+FINE, FREE = 0.05, 0.02
+"""Held and free paths are checked at least every so much of a turn (rad) or way (m)."""
+SPARE = 0.012
+"""What the arm keeps of its travel for where the hand really takes hold, m."""
 YAWS = np.radians([0, 35, -35, 70, -70])
 PITCHES = np.radians([0, 40, 75, -40])
 _LIMIT = {"pinch": 0.7, "cup": 0.5, "push": 0.6}
@@ -125,7 +127,7 @@ class Planner:
         elif hold.kind == "push":
             back += _short(turn[:, 0], self.part.moved(value)[0] @ hold.out)
         point = self.part.at(hold.point, value) - back * turn[:, 0]
-        return posture(base, point, turn, opening, near)
+        return posture(base, point, turn, opening, near, SPARE)
 
     def ahead(self, hold: Hold, k: int, o: int) -> Array:
         """Which way the hand points at the k-th position with the o-th option."""
@@ -208,7 +210,7 @@ class Planner:
         """Whether the robot meets nothing between stops; the last stretch may touch the part with the fingers."""
         for k, (a, b) in enumerate(zip(stops[:-1], stops[1:], strict=True)):
             step = np.abs(b.posture - a.posture) * [1, 1, 0.5, 1, 0.5, 3, 0, 0, 0.15, 0.15, 0, 1, 1]
-            for share in np.linspace(0, 1, max(2, int(np.ceil(step.max() / FINE)) + 1)):
+            for share in np.linspace(0, 1, max(2, int(np.ceil(step.max() / FREE)) + 1)):
                 here = a.posture + share * (b.posture - a.posture)
                 if self.probe.hit(here, self.part, a.value, hold if k == len(stops) - 2 else None) >= 0:
                     return False

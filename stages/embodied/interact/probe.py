@@ -13,7 +13,7 @@ from stages.embodied.interact.robot import NAMES, joint
 from stages.embodied.world import ROBOT, World
 
 CLEARANCE, CLOSE = 0.006, 0.001
-"""The robot is planned to keep this far from everything, its fingers only so far, m."""
+"""The robot is planned to keep this far from everything; its fingers only so far while they take hold, m."""
 PRESSED = 0.003
 """How far fingers may be planned into what they hold, m: handles are rounder than their collision pieces."""
 JAMMED = 0.005
@@ -85,7 +85,8 @@ class Probe:
         if not len(pairs):
             return -1
         mine = self.robot[pairs]
-        room = np.where(mine.all(1), 0.0, np.where(self.fingers[pairs].any(1), CLOSE, CLEARANCE))
+        least = CLEARANCE if held is None else CLOSE
+        room = np.where(mine.all(1), 0.0, np.where(self.fingers[pairs].any(1), least, CLEARANCE))
         touching = mine.any(1) & (apart < room)
         if held is not None and touching.any():
             grasped = self.fingers[pairs].any(1) & np.isin(pairs, held.geoms).any(1)

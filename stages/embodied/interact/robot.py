@@ -145,15 +145,18 @@ def tucked(base: ArrayLike, lift: float, turret: float) -> Array:
     return np.array([*np.asarray(base, float), np.clip(lift, *LIFT), turret, 0, 0, 0, 0, -np.pi / 2, 0, 0, 0])
 
 
-def posture(base: ArrayLike, at: Array, turn: Array, opening: float, near: Array | None = None) -> Array | None:
+def posture(
+    base: ArrayLike, at: Array, turn: Array, opening: float, near: Array | None = None, spare: float = 0.0
+) -> Array | None:
     """The posture (13,) that holds the hand at a point, its axes the columns of `turn`; None out of reach.
 
-    `near` is a posture whose turns it continues.
+    `near` is a posture whose turns it continues; `spare` is kept from the ends of telescope and lift, m.
     """
     x, y, heading = (float(v) for v in np.asarray(base, float))
     wrist = at - HAND * turn[:, 0]
     out = float(np.hypot(wrist[0] - x, wrist[1] - y))
-    if not (ARM[0] <= out <= ARM[1] and LIFT[0] <= wrist[2] <= LIFT[1]):
+    ends = ((out, ARM), (wrist[2], LIFT))
+    if any(not lo + spare <= value <= hi - spare for value, (lo, hi) in ends):
         return None
     if np.hypot(at[0] - x, at[1] - y) > REACH:
         return None
