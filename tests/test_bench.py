@@ -9,7 +9,7 @@ import commandline
 import numpy as np
 import pytest
 
-from apartgen_cli.bench import _runner, ablation, synthesis
+from apartgen_cli.bench import _runner, _scenes, ablation, synthesis, walkable
 from stages import registry
 
 EXPERIMENTS = list(registry.members("apartgen_cli.bench"))
@@ -137,3 +137,32 @@ def test_real_rooms_are_split_into_reference_and_others(monkeypatch: pytest.Monk
     first = synthesis._given("ssr=x", 0, 5, other=False) + synthesis._given("ssr=x", 5, 50, other=False)
     other = synthesis._given("ssr=x", 0, 50, other=True)
     assert sorted(first + other) == list(range(21)) and len(first) == 11
+
+
+def test_success_rates_are_counted_at_every_threshold() -> None:
+    def some(setting: str, ratios: list[float], connected: float) -> list[dict[str, Any]]:
+        fixed = {"connected": connected, "left out": 2, "shrunk": 1, "seconds": 0.1}
+        return [{"setting": setting, "ratio": ratio, **fixed} for ratio in ratios]
+
+    records = [*some("unguided", [0.5, 0.9], 0.0), *some("guided", [0.72, 0.7], 1.0)]
+    for t in walkable.THRESHOLDS:
+        records += some(f"walkable {t:.2f}", [t, t - 0.01], 1.0)
+    rows = {row["threshold"]: row for row in walkable.rows(records, np.random.default_rng(0))}
+    assert list(rows) == walkable.THRESHOLDS
+    assert [rows[0.7][f"SR, {name}"][0] for name in ("unguided", "guided", "walkable")] == [0.5, 1, 0.5]
+    assert rows[0.9]["SR, unguided"][0] == 0.5 and rows[0.75]["SR, guided"][0] == 0
+    assert rows[0.7]["connected, unguided"] == [0, 0, 0] and rows[0.7]["connected, walkable"] == [1, 1, 1]
+    assert rows[0.7]["left out"] == 2
+
+
+def test_placed_apartments_are_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import handmade as h
+
+    made: list[int] = []
+    monkeypatch.setattr(_scenes, "plans", lambda seed, n, work: [h.plan()] * n)
+    monkeypatch.setattr(_scenes, "furnished", lambda plans, config, seed: plans)
+    monkeypatch.setattr(_scenes, "retrieved", lambda home, seed: made.append(seed) or h.home(h.chest(2, 2)))
+    first = _scenes.placed("no guidance", 3, 2, tmp_path)
+    assert _scenes.placed("no guidance", 3, 2, tmp_path) == first and made == [3, 3]
+    _scenes.placed("no guidance", 4, 1, tmp_path), _scenes.placed("all guidance", 3, 2, tmp_path)
+    assert made == [3, 3, 4, 3, 3]

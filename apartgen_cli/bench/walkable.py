@@ -15,8 +15,8 @@ NOTE = (
     "A scene is one apartment; the ratio is of the whole free floor, footprints taken as a union. `unguided`: the "
     "diffusion model alone; `guided`: all guidance and projection; `walkable`: that and the walkable stage, asked for "
     "τ. Connected: a robot of 0.25 m radius gets from the entrance through every door to in front of all that opens, "
-    "parts closed and open. Left out: objects an apartment that the stage dropped; shrunk: those it replaced by smaller "
-    "ones. Seconds of the stage alone, one core. The paper shows its curves without numbers; it is above its baseline "
+    "parts closed and open. Left out: objects an apartment that the stage dropped; shrunk: those it made smaller. "
+    "Seconds of the stage alone, one core. The paper shows its curves without numbers; it is above its baseline "
     "at every threshold."
 )
 BASES = {"unguided": "no guidance", "guided": "all guidance + projection"}

@@ -180,6 +180,17 @@ def test_what_cannot_be_opened_where_it_stands_moves():
     assert [(s.action, s.reason) for s in result.walkable.steps] == [("nudge", "chest")]
 
 
+def test_a_plant_goes_before_a_sofa_shrinks_far():
+    plants = [h.thing("plant", x, 2.6, size=(0.5, 0.5, 1.0), id=f"plant{x}") for x in (1.2, 3.0)]
+    home = h.home(sofa(id="sofa"), *plants)
+    gentle, printed = (walk(home, target=1 - 1.75 / 21, gentle=share, connect=False) for share in (0.8, 0.0))
+    kept, shrunk = (object_of(result, "sofa").size[1] / 2.4 for result in (gentle, printed))
+    assert kept >= 0.8 > shrunk and printed.walkable.dropped == []
+    assert gentle.walkable.dropped == ["plant1.2"] and gentle.walkable.after >= 1 - 1.75 / 21
+    # What can't be had gently is had all the same.
+    assert walk(home, target=1 - 1.2 / 21, connect=False).walkable.after >= 1 - 1.2 / 21
+
+
 def test_dropping_meets_a_target_that_smaller_ones_do_not():
     home = h.home(bed(), sofa(), h.thing("coffee_table", 2, 1.8), h.thing("plant", 3.6, 2.6, id="plant"))
     result = walk(home, fake.Empty(), target=0.68)
