@@ -39,6 +39,8 @@ class _Writer:
         self.world = add(self.root, "worldbody")
         self.contact = add(self.root, "contact")
         self.materials = names(m.material for body in scene.bodies for link in body.links for m in link.visuals)
+        overhead = (link for body in scene.bodies if body.kind == "ceiling" for link in body.links)
+        self.glowing = {mesh.material for link in overhead for mesh in link.visuals}
         self.meshes: set[str] = set()
         self._materials()
         self._lights(scene)
@@ -78,6 +80,9 @@ class _Writer:
                       specular=0.6 * (1 - m.roughness), shininess=1 - m.roughness)
         if m.texture:
             element.set("texture", image_name(m.texture))
+        if m in self.glowing:
+            # Only light from the floor reaches a ceiling, which MuJoCo does not trace.
+            element.set("emission", "0.45")
         if m.roughness < 0.05 and m.metalness == 1:
             element.set("reflectance", "0.4")
 

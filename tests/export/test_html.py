@@ -55,7 +55,7 @@ def browser():
 @pytest.fixture
 def shown(page, browser):
     """The page from disk, without a network."""
-    context = browser.new_context(viewport={"width": 400, "height": 300}, offline=True)
+    context = browser.new_context(viewport={"width": 640, "height": 420}, offline=True)
     tab = context.new_page()
     tab.set_default_timeout(240_000)
     said = []

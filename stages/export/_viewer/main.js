@@ -182,6 +182,7 @@ addEventListener("keydown", (event) => event.key === "Escape" && isolate(""));
 function pick(event) {
   const at = new Vector2((event.clientX / innerWidth) * 2 - 1, 1 - (event.clientY / innerHeight) * 2);
   const ray = new Raycaster();
+  camera.updateMatrixWorld();
   ray.setFromCamera(at, camera);
   const shown = (node) => !node || (node.visible && shown(node.parent));
   return ray.intersectObject(apartment, true).find((hit) => shown(hit.object));
@@ -254,6 +255,7 @@ window.apartment = {
   bodies,
   isolate,
   at(name) {
+    camera.updateMatrixWorld();
     const box = new Box3().setFromObject(apartment.getObjectByName(name));
     const point = box.getCenter(new Vector3()).project(camera);
     return [((point.x + 1) / 2) * innerWidth, ((1 - point.y) / 2) * innerHeight];
