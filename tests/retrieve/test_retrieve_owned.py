@@ -316,3 +316,44 @@ def test_sweethome3d_dimensions_rotation_licence_and_author(sh3f):
     assert np.allclose(sofa.links[0].visuals[0].material.color[:3], (0.2, 0.4, 0.6))
     with pytest.raises(Broken, match="names no model"):
         sources["mylib/No model"].load()
+
+
+# Collision pieces
+
+
+def ball(n: int, size=(1.0, 1.0, 1.0)):
+    """A fine ellipsoid."""
+    from stages.retrieve.reading.pieces import Piece
+
+    u, v = np.meshgrid(np.linspace(0, np.pi, n), np.linspace(0, 2 * np.pi, 2 * n), indexing="ij")
+    points = np.stack([np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)], -1).reshape(-1, 3) * np.array(size) / 2
+    i = np.arange(len(points)).reshape(n, 2 * n)
+    a, b, c, d = (part.ravel() for part in (i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]))
+    return Piece(points, np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]))
+
+
+@pytest.mark.parametrize("size", [(1.0, 1.0, 1.0), (1.8, 0.6, 0.3)])
+def test_a_fine_mesh_gets_a_small_hull_that_stays_within_five_millimetres(size):
+    from scipy.spatial import ConvexHull
+
+    from stages.retrieve.reading import convex
+
+    piece = ball(60, size)
+    (hull,) = convex.colliders([piece])
+    assert hull.kind == "hull" and len(hull.vertices) <= convex.CORNERS + 6
+    planes = ConvexHull(hull.vertices + hull.center).equations
+    outside = (piece.vertices @ planes[:, :3].T + planes[:, 3]).max(1)
+    assert outside.max() < 0.0055
+
+
+def test_colliders_of_a_very_fine_mesh_need_little_memory():
+    import tracemalloc
+
+    from stages.retrieve.reading import convex
+
+    piece = ball(70)
+    tracemalloc.start()
+    convex.colliders([piece])
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 200 * 2**20

@@ -22,6 +22,10 @@ PARTS = 48
 """Most separate parts looked at one by one; the rest share one hull."""
 BOXES = 40
 """Most boxes along a hollow part's surface."""
+LOOKED = 5_000
+"""Triangles that tell whether a part is hollow."""
+CORNERS = 600
+"""Most corners of a collision hull."""
 CELLS = (28, 20, 14, 9, 6, 4)
 """Grids tried, cells along the longest side."""
 
@@ -54,11 +58,24 @@ def hull(points: Array) -> Collider:
     center = (lo + hi) / 2
     if (hi - lo).min() >= THIN:
         try:
-            corners = points[ConvexHull(points).vertices]
+            corners = _fewer(points[ConvexHull(points).vertices])
             return Collider("hull", center, hi - lo, vertices=corners - center)
         except QhullError:
             pass
     return Collider("box", center, np.maximum(hi - lo, THIN))
+
+
+def _fewer(corners: Array) -> Array:
+    """At most `CORNERS` of a hull's corners: the farthest ones in directions spread evenly over its box."""
+    if len(corners) <= CORNERS:
+        return corners
+    i = np.arange(CORNERS)
+    height, turn = 1 - (2 * i + 1) / CORNERS, np.pi * (1 + 5**0.5) * i
+    ring = np.sqrt(1 - height**2)
+    ways = np.stack([ring * np.cos(turn), ring * np.sin(turn), height])
+    far = np.argmax(corners / np.maximum(np.ptp(corners, axis=0), 1e-9) @ ways, axis=0)
+    ends = np.concatenate([corners.argmin(0), corners.argmax(0)])
+    return np.asarray(corners[np.unique(np.concatenate([far, ends]))])
 
 
 def _hollow(corners: Array, points: Array) -> bool:
@@ -66,12 +83,14 @@ def _hollow(corners: Array, points: Array) -> bool:
     if len(points) < 9 or np.ptp(points, axis=0).min() < THIN:
         return False
     try:
-        planes = ConvexHull(points).equations
+        # A fine mesh has thousands of planes; those of its farthest corners tell as much.
+        planes = ConvexHull(_fewer(points[ConvexHull(points).vertices])).equations
     except QhullError:
         return False
-    a, b, c = np.moveaxis(corners, 1, 0)
+    some = corners[np.linspace(0, len(corners) - 1, min(len(corners), LOOKED)).astype(np.int64)]
+    a, b, c = np.moveaxis(some, 1, 0)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    depth = -(corners.mean(1) @ planes[:, :3].T + planes[:, 3]).max(1)
+    depth = -(some.mean(1) @ planes[:, :3].T + planes[:, 3]).max(1)
     return bool(area[depth > DEEP].sum() > 0.08 * area.sum())
 
 
