@@ -4,7 +4,7 @@ from collections import Counter
 
 from schemas.plan import Program
 from schemas.retrieve import Furnishing
-from stages import footprints
+from stages import categories, footprints
 from stages.walkable.site import Scene
 
 ESSENTIAL = frozenset({
@@ -20,11 +20,22 @@ DECORATION = frozenset({
     "laundry_basket", "ironing_board", "clothes_rail", "wall_shelf", "wall_lamp", "table_lamp",
 })
 
+STANDARD = frozenset({
+    "fridge", "oven", "hob", "hood", "dishwasher", "washing_machine", "dryer", "water_heater", "toilet", "vanity",
+    "bath", "shower", "radiator", "curtain",
+})
+"""Comes in few sizes, or in those of what it belongs to: changed last."""
 SERVES = {
     "corner_sofa": "sofa", "single_bed": "double_bed", "bunk_bed": "double_bed", "round_table": "dining_table",
     "sliding_wardrobe": "wardrobe", "shower": "bath",
 }
 """What does for another: where a room has both, it does not lose its use with one of them."""
+
+
+def easily_smaller(o: Furnishing) -> bool:
+    """Whether people would readily have a smaller one: what stands on the floor and has no standard size."""
+    upright = o.category not in categories.TABLE or categories.TABLE[o.category].place == "floor"
+    return upright and o.category not in STANDARD
 
 
 def rank(o: Furnishing, scene: Scene) -> int:

@@ -1,6 +1,6 @@
 """Algorithm 2: replace the largest objects by smaller ones until enough floor is free; then leave some out."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 
 import numpy as np
 
@@ -47,7 +47,7 @@ def optimize(
     """The loop of Algorithm 2 over the objects of some rooms.
 
     Valid objects are obstacles not yet found to have no smaller candidate. Where `least` is given, no object gets
-    smaller than that share of its sides in `start`.
+    smaller than that share of its sides in `start`, and what has a standard size stays as it is.
     """
     config = site.config
     first = {o.id: np.asarray(o.size) * least for o in start or scene}
@@ -56,7 +56,8 @@ def optimize(
     steps: list[Step] = []
     iteration = 0
     while r.whole < config.target - EPSILON and iteration < config.max_iterations:
-        valid = [o for o in scene if o.room in rooms and o.id not in spent and footprints.is_obstacle(o)]
+        valid = [o for o in scene if o.room in rooms and o.id not in spent and footprints.is_obstacle(o)
+                 and (least == 0 or importance.easily_smaller(o))]
         top = sorted(valid, key=lambda o: (-footprints.area(o), o.id))[: config.top_k]
         if not top:
             break
@@ -78,13 +79,17 @@ def _within(new: Furnishing | None, low: Array) -> bool:
     return new is not None and bool((np.asarray(new.size) >= low - EPSILON).all())
 
 
-def thin_out(site: Site, scene: Scene, rooms: Collection[str], most: int = 1) -> tuple[Scene, list[Step]]:
-    """Leave out the least important objects of some rooms, up to a rank, until the target is met or none is left."""
+def thin_out(
+    site: Site, scene: Scene, rooms: Collection[str], may: Callable[[Furnishing, Scene], bool] = lambda o, scene: True
+) -> tuple[Scene, list[Step]]:
+    """Leave out the least important objects of some rooms until the target is met or only needed ones are left.
+
+    Of the objects that can be spared, only those of which `may` says so.
+    """
     steps: list[Step] = []
     r = _Ratios(site, scene, rooms)
     while r.whole < site.config.target - EPSILON:
-        loose = [o for o in importance.droppable(scene, site.program)
-                 if o.room in rooms and importance.rank(o, scene) <= most]
+        loose = [o for o in importance.droppable(scene, site.program) if o.room in rooms and may(o, scene)]
         gone = next((o for o in loose if _frees(site, scene, o)), None)
         if gone is None:
             break

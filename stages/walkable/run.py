@@ -8,7 +8,7 @@ import numpy as np
 from schemas.errors import Unmet
 from schemas.retrieve import Furnishing, Retrieve
 from schemas.walkable import Replaced, Report, Step, Walkable
-from stages.walkable import repair
+from stages.walkable import importance, repair
 from stages.walkable.config import WalkableConfig
 from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
 from stages.walkable.site import Candidates, Scene, Site, survey
@@ -46,13 +46,17 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
 
 
 def _opened(site: Site, scene: Scene, rooms: list[str]) -> tuple[Scene, list[Step]]:
-    """Algorithm 2; what is gentle first: people miss a plant less than a third of their sofa."""
+    """Algorithm 2, what is gentle first: people miss a plant less than a fifth of their sofa, and a third chair less
+    than a third of their table.
+    """
     config, start = site.config, scene
     steps: list[Step] = []
-    if config.gentle > 0:
-        scene, steps = optimize(site, scene, rooms, start, config.gentle)
+    spare = (lambda o, scene: o.category in importance.DECORATION, lambda o, scene: importance.rank(o, scene) == 0)
+    for k, may in enumerate(spare, 1) if config.gentle > 0 else ():
+        scene, taken = optimize(site, scene, rooms, start, config.gentle**k)
+        steps += taken
         if config.drop:
-            scene, taken = thin_out(site, scene, rooms, most=0)
+            scene, taken = thin_out(site, scene, rooms, may)
             steps += taken
     scene, taken = optimize(site, scene, rooms)
     return scene, [*steps, *taken]
