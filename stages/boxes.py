@@ -50,7 +50,9 @@ def of(objects: Sequence[Box]) -> Boxes:
 def axes(boxes: Boxes) -> Array:
     """Unit vectors to the front and to the left in plan, (..., n, 2 axes, 2)."""
     c, s = np.cos(boxes.yaw), np.sin(boxes.yaw)
-    return np.stack([np.stack([c, s], -1), np.stack([-s, c], -1)], -2)
+    turn = np.empty((*boxes.yaw.shape, 2, 2))
+    turn[..., 0, 0], turn[..., 0, 1], turn[..., 1, 0], turn[..., 1, 1] = c, s, -s, c
+    return turn
 
 
 def corners(boxes: Boxes) -> Array:

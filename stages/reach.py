@@ -220,15 +220,17 @@ def standing(
     To the sides the zone is wider than the object by the robot's radius, beside open parts by its width. Returns a
     window of the raster and the cells in it.
     """
-    box = boxes.of([o])
+    c, s = np.cos(o.yaw), np.sin(o.yaw)
+    heading, center = np.array([c, s]), np.array(o.center[:2])
     face, half = o.size[0] / 2, o.size[1] / 2 + radius
     ahead = face
     if parts is not None and parts.n:
-        ahead = max(ahead, float(boxes.local(boxes.corners(parts).reshape(-1, 2), box)[0, :, 0].max()))
+        ahead = max(ahead, float(((boxes.corners(parts).reshape(-1, 2) - center) @ heading).max()))
         half += radius
-    corner = boxes.corners(boxes.spread(box, [[face, -half, 0]], [[ahead + reach, half, 1]]))[0]
-    window = cells.around(corner.min(0), corner.max(0))
-    c, s = np.cos(o.yaw), np.sin(o.yaw)
+    far = ahead + reach
+    middle = center + heading * (face + far) / 2
+    spread = np.abs(heading) * (far - face) / 2 + np.abs(heading[::-1]) * half
+    window = cells.around(middle - spread, middle + spread)
     across, up = cells.x[window[1]][None, :] - o.center[0], cells.y[window[0]][:, None] - o.center[1]
     front, side = across * c + up * s, up * c - across * s
-    return window, (front > face) & (front <= ahead + reach) & (np.abs(side) <= half)
+    return window, (front > face) & (front <= far) & (np.abs(side) <= half)

@@ -54,7 +54,7 @@ def travels(model: Any) -> list[Travel]:
 
 
 def _driven(model: Any, j: int) -> float:
-    """By a spring and a damper of limited force, as a hand would; the greatest share reached."""
+    """By a spring and a damper of limited force, as a hand would; the greatest share reached, 1 from `REACHED` on."""
     import mujoco
 
     data = mujoco.MjData(model)
@@ -73,5 +73,5 @@ def _driven(model: Any, j: int) -> float:
         mujoco.mj_step(model, data)
         best = max(best, float((data.qpos[address] - rest) / (target - rest)))
         if best >= REACHED:
-            break
-    return min(best, 1.0)
+            return 1.0
+    return best
