@@ -57,6 +57,29 @@ def test_omniverse_sees_a_fault(flat, tmp_path):
     assert list(validator.ValidationEngine().validate(str(tmp_path / "broken.usd")).issues())
 
 
+def test_usd_has_no_body_in_a_body_and_no_limits_the_wrong_way_round(flat):
+    """What neither validator sees."""
+    pytest.importorskip("pxr")
+    from pxr import Usd, UsdPhysics
+
+    stage = Usd.Stage.Open(str(flat.folder / "usd" / "apartment.usd"))
+    rigid = {prim.GetPath() for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
+    assert rigid and not {path for path in rigid if any(above in rigid for above in path.GetAncestorsRange()
+                                                        if above != path)}
+    for prim in stage.Traverse():
+        if prim.IsA(UsdPhysics.RevoluteJoint) or prim.IsA(UsdPhysics.PrismaticJoint):
+            assert prim.GetAttribute("physics:lowerLimit").Get() < prim.GetAttribute("physics:upperLimit").Get()
+
+
+def test_openusd_finds_nothing_in_the_usd(flat):
+    pytest.importorskip("pxr")
+    from pxr import Usd, UsdValidation
+
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    stage = Usd.Stage.Open(str(flat.folder / "usd" / "apartment.usd"))
+    assert not [fault.GetMessage() for fault in UsdValidation.ValidationContext(validators).Validate(stage)]
+
+
 def test_check_urdf_reads_the_apartment_and_every_object(flat):
     check = shutil.which("check_urdf")
     if not check:
