@@ -161,6 +161,13 @@ def test_the_same_seed_opens_alike_and_only_one_object_leaves_a_trace(flat):
     assert len(moved) == len(alone.trace.times)
 
 
+def test_what_is_blocked_shows_how_far_it_comes(flat):
+    apartment = flat(drawer(), chest(0.3, 2.0, id="one"), block("chair", 0.9, 2.0))
+    (outcome,) = interact.run(apartment, np.random.default_rng(0), only="one")
+    drawn = [values[-1] for values in outcome.trace.qpos]
+    assert drawn[0] == 0 and 0.1 < drawn[-1] < 0.15 and len(drawn) == len(outcome.trace.times)
+
+
 def test_postures_put_the_hand_where_they_say():
     model = mujoco.MjModel.from_xml_string(robot.mjcf())
     data = mujoco.MjData(model)

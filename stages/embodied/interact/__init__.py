@@ -27,18 +27,25 @@ from stages.embodied.world import World
 
 SPOTS = 60
 """Places tried at most for a part."""
+FAR = 100.0
+"""Where the robot waits in a trace when it has no place to stand, m."""
 ASTRAY = (0.01, 0.03)
 """Standard deviation of where the base comes to rest, m and rad."""
 
 
 @dataclass
 class _Tried:
-    """What was found before anything moved: a plan, or why there is none."""
+    """What was found before anything moved: a plan, or why there is none.
+
+    `base` is where the robot stood when it found no way, `share` how far the part would have come.
+    """
 
     plan: Plan | None = None
     failure: Failure | None = None
     reason: str = ""
     numbers: dict[str, float] = field(default_factory=dict)
+    base: Array | None = None
+    share: float = OPEN
 
 
 def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> list[Outcome]:
@@ -73,17 +80,28 @@ def _episode(
 ) -> Outcome:
     tried = _tried(probe, part, cells, others, rng)
     if tried.plan is None:
-        return _outcome(probe, part, tried.failure, tried.reason, tried.numbers)
-    names = [joint(name) for name in NAMES]
-    names.append(probe.world.model.joint(int(np.flatnonzero(probe.world.model.jnt_qposadr == part.address)[0])).name)
+        return _outcome(probe, part, tried.failure, tried.reason, tried.numbers, _shown(part, tried) if trace else None)
     actor = Actor(probe, part, np.append(probe.joints, part.address))
     result = actor.run(tried.plan)
     failure: Failure | None = None
     if result.trouble or result.share < OPEN:
         failure = "blocked part" if result.blocked else "controller"
-    numbers = tried.numbers | _figures(result)
-    shown = Trace(joints=names, times=result.times, qpos=result.qpos) if trace else None
-    return _outcome(probe, part, failure, result.trouble, numbers, shown)
+    shown = Trace(joints=_names(part), times=result.times, qpos=result.qpos) if trace else None
+    return _outcome(probe, part, failure, result.trouble, tried.numbers | _figures(result), shown)
+
+
+def _names(part: Part) -> list[str]:
+    """Joints of a trace: the robot's, then the part's."""
+    return [*(joint(name) for name in NAMES), part.name]
+
+
+def _shown(part: Part, tried: _Tried) -> Trace:
+    """What would have happened: the part moves as far as it can, the robot waits where it would stand, or far away."""
+    base = np.array([0.0, 0.0, 0.0]) + FAR if tried.base is None else tried.base
+    waits = np.round(tucked(base, 0.5, 0.0), 5).tolist()
+    shares = np.linspace(0, tried.share, FRAMES)
+    return Trace(joints=_names(part), times=(np.arange(FRAMES) / FRAMES).tolist(),
+                 qpos=[[*waits, round(float(share) * part.travel, 5)] for share in shares])
 
 
 def _figures(result: Result) -> dict[str, float]:
@@ -106,16 +124,18 @@ def _tried(probe: Probe, part: Part, cells: Array, others: Array, rng: np.random
     for value in np.linspace(0, OPEN * part.travel, 17):
         met = probe.blocked(part, float(value))
         if met >= 0:
-            return _Tried(None, "blocked part", f"meets {probe.name(met)} at {value / part.travel:.0%} of its range")
+            share = float(value / part.travel)
+            reason = f"meets {probe.name(met)} at {share:.0%} of its range"
+            return _Tried(None, "blocked part", reason, share=share)
     planner = Planner(probe, part)
-    places = 0
+    places, base = 0, None
     for places, base in enumerate(_stands(planner, spots(part, cells)[:SPOTS], rng), 1):
         found = planner.plan(base)
         if found is not None:
             pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
             return _Tried(found, numbers={"places": float(places), "pushed": float(pushed)})
     if places:
-        return _Tried(None, "planner", planner.complaint(), {"places": float(places)})
+        return _Tried(None, "planner", planner.complaint(), {"places": float(places)}, base)
     if any(True for _ in _stands(planner, spots(part, others)[:SPOTS], rng)):
         return _Tried(None, "planner", "no way from the entrance")
     return _Tried(None, "no standing room", "the robot fits nowhere before it")

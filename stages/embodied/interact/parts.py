@@ -50,12 +50,16 @@ class Hold:
 
 @dataclass(frozen=True)
 class Part:
-    """A moving link of an object where it stands; `front` and `up` are the object's (world, unit)."""
+    """A moving link of an object where it stands; `front` and `up` are the object's (world, unit).
+
+    `joint` is its joint's name in the artifact, `name` that in the model.
+    """
 
     object: str
     category: str
     room: str
     joint: str
+    name: str
     body: int
     address: int
     slides: bool
@@ -109,7 +113,7 @@ def _part(world: World, data: Any, body: Body, link: Link, k: int) -> Part:
     holds = [*_pinches(boxes, handle, pose, geoms), _touch("cup", handle, pose, geoms)]
     pushes = [] if joint.type == "slide" else _pushes(link, boxes, handle, pose, geoms)
     return Part(
-        body.id, body.category, body.room, joint.name, int(world.model.jnt_bodyid[k]),
+        body.id, body.category, body.room, joint.name, str(world.model.joint(k).name), int(world.model.jnt_bodyid[k]),
         int(world.model.jnt_qposadr[k]), joint.type == "slide", axis, turn @ np.asarray(joint.origin) + pose[:3, 3],
         float(travel), turn[:, 0], turn[:, 2], holds, pushes,
     )
