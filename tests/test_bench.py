@@ -9,7 +9,7 @@ import commandline
 import numpy as np
 import pytest
 
-from apartgen_cli.bench import _runner, _scenes, ablation, synthesis, walkable
+from apartgen_cli.bench import _runner, _scenes, ablation, quantity, synthesis, walkable
 from stages import registry
 
 EXPERIMENTS = list(registry.members("apartgen_cli.bench"))
@@ -166,3 +166,15 @@ def test_placed_apartments_are_made_once(tmp_path: Path, monkeypatch: pytest.Mon
     assert _scenes.placed("no guidance", 3, 2, tmp_path) == first and made == [3, 3]
     _scenes.placed("no guidance", 4, 1, tmp_path), _scenes.placed("all guidance", 3, 2, tmp_path)
     assert made == [3, 3, 4, 3, 3]
+
+
+def test_quantity_rows_have_intervals_and_a_figure() -> None:
+    from matplotlib.figure import Figure
+
+    records = [{"N": n, "count": count, "hit": float(i < 3)} for n in quantity.TARGETS for count in ("exact", "free")
+               for i in range(4)]
+    rows = quantity.rows(records, np.random.default_rng(0))
+    assert [row["N"] for row in rows] == list(quantity.TARGETS) and rows[0]["scenes"] == 4
+    value, low, high = rows[0]["Q_ratio, exact"]
+    assert value == 0.75 and low < 0.75 < high and "Q_ratio, guided" not in rows[0]
+    quantity.draw(rows, Figure().subplots())

@@ -110,18 +110,23 @@ def intervals(
     records: Iterable[dict[str, Any]], settings: Iterable[str], names: list[str], rng: np.random.Generator
 ) -> list[dict[str, Any]]:
     """A row a setting: n, and mean with a 95 % bootstrap interval over scenes of every figure."""
-    from stages.metrics._table import interval
-
     found, out = list(records), []
     for setting in settings:
         mine = [r for r in found if r["setting"] == setting]
         row: dict[str, Any] = {"setting": setting, "scenes": len(mine)}
         for name in names:
-            values = [(r[name], 1.0) for r in mine if name in r]
+            values = [r[name] for r in mine if name in r]
             if values:
-                row[name] = [round(v, 5) for v in interval(np.array(values), rng)]
+                row[name] = mean(values, rng)
         out.append(row)
     return out
+
+
+def mean(values: Iterable[float], rng: np.random.Generator) -> list[float]:
+    """Mean with the ends of its 95 % bootstrap interval."""
+    from stages.metrics._table import interval
+
+    return [round(v, 5) for v in interval(np.array([(float(v), 1.0) for v in values]), rng)]
 
 
 def bars(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:

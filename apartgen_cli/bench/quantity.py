@@ -43,7 +43,8 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
         row: dict[str, Any] = {"N": n}
         for count in ("exact", "guided", "free"):
             hits = [r["hit"] for r in records if r["N"] == n and r["count"] == count]
-            row[f"Q_ratio, {count}"], row["scenes"] = float(np.mean(hits)), len(hits)
+            if hits:
+                row[f"Q_ratio, {count}"], row["scenes"] = _scenes.mean(hits, rng), len(hits)
         out.append(row)
     return out
 
@@ -51,7 +52,9 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
 def draw(rows: list[dict[str, Any]], axes: Any) -> None:
     """Q_ratio over N."""
     for count in ("exact", "guided", "free"):
-        axes.plot([r["N"] for r in rows], [r[f"Q_ratio, {count}"] for r in rows], marker="o", label=count)
+        mine = [r for r in rows if f"Q_ratio, {count}" in r]
+        value, low, high = np.array([r[f"Q_ratio, {count}"] for r in mine]).reshape(-1, 3).T
+        axes.errorbar([r["N"] for r in mine], value, [value - low, high - value], marker="o", capsize=2, label=count)
     axes.plot([r["N"] for r in PAPER], [r["Q_ratio"] for r in PAPER], "k--", label="paper")
     axes.set(xlabel="N asked for", ylabel="Q_ratio", ylim=(0, 1.03))
     axes.legend()

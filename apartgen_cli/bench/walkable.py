@@ -63,18 +63,12 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
         names = {**{base: base for base in BASES}, "walkable": f"walkable {t:.2f}"}
         groups = {name: [r for r in records if r["setting"] == setting] for name, setting in names.items()}
         row: dict[str, Any] = {"threshold": t}
-        row |= {f"SR, {name}": _mean([r["ratio"] >= t - 1e-6 for r in group], rng) for name, group in groups.items()}
-        row |= {f"connected, {name}": _mean([r["connected"] for r in g], rng) for name, g in groups.items()}
+        row |= {f"SR, {name}": _scenes.mean([r["ratio"] >= t - 1e-6 for r in g], rng) for name, g in groups.items()}
+        row |= {f"connected, {name}": _scenes.mean([r["connected"] for r in g], rng) for name, g in groups.items()}
         for name in ("left out", "shrunk", "seconds"):
             row[name] = round(float(np.mean([r[name] for r in groups["walkable"]])), 3)
         out.append({**row, "scenes": len(groups["walkable"])})
     return out
-
-
-def _mean(values: list[Any], rng: np.random.Generator) -> list[float]:
-    from stages.metrics._table import interval
-
-    return [round(v, 4) for v in interval(np.array([(float(v), 1.0) for v in values]), rng)]
 
 
 def draw(rows: list[dict[str, Any]], axes: Any) -> None:
