@@ -12,6 +12,10 @@ THICKEST = 0.65
 """Floors further apart than this do not share a wall, m."""
 
 
+OPEN_AIR = 3.0
+"""Free depth before a window or an entrance, m."""
+
+
 class Face(NamedTuple):
     """A straight stretch of wall: `start` and unit direction of a floor's edge (floor on the left), its length, and
     the distance `gap` to the other floor, or None towards the open air."""
@@ -67,13 +71,14 @@ def between(a: Polygon, b: Polygon) -> list[Face]:
 
 
 def outside(room: Polygon, others: list[Polygon]) -> list[Face]:
-    """Stretches of a room's edges with no other floor within `THICKEST` behind them, longest first."""
+    """Stretches of a room's edges with no floor within `OPEN_AIR` before them, its own neither, longest first."""
     out = []
-    near = shapely.union_all([o.buffer(0.02, join_style="mitre") for o in others])
+    own = room.buffer(-0.02, join_style="mitre")
+    near = shapely.union_all([own, *(o.buffer(0.02, join_style="mitre") for o in others)])
     for edge in edges(room):
         strip = Polygon([
             edge.start, edge.start + edge.length * edge.along,
-            edge.start + edge.length * edge.along - THICKEST * edge.inward, edge.start - THICKEST * edge.inward,
+            edge.start + edge.length * edge.along - OPEN_AIR * edge.inward, edge.start - OPEN_AIR * edge.inward,
         ])  # fmt: skip
         behind = strip.intersection(near)
         line = LineString([edge.start, edge.start + edge.length * edge.along])
