@@ -4,6 +4,10 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from export import sample as boxes
+
+from stages.body import inertia
+from stages.scene import Scene
 
 
 def _doors(scene):
@@ -74,3 +78,21 @@ def test_sapien_loads_the_urdf_and_opens_a_door(sample, tmp_path):
         made.set_qf(force + made.compute_passive_force(True, True))
         world.step()
     assert made.get_qpos()[doors] == pytest.approx(np.pi / 2, abs=0.05)
+
+
+def test_drake_reads_the_urdf(exported):
+    parsing = pytest.importorskip("pydrake.multibody.parsing")
+    from pydrake.multibody.plant import MultibodyPlant
+
+    scene, plant = Scene(boxes.home(), boxes.load), MultibodyPlant(0.004)
+    model = parsing.Parser(plant).AddModels(str(exported("urdf") / "urdf" / "apartment.urdf"))[0]
+    plant.Finalize()
+    links = [(body, link) for body in scene.bodies for link in body.links]
+    assert plant.num_bodies() == 1 + len(links)
+    for body, link in links:
+        if link.joint is None:
+            continue
+        joint = plant.GetJointByName(body.joint_name(link.joint), model)
+        limits = [joint.position_lower_limits()[0], joint.position_upper_limits()[0]]
+        assert limits == pytest.approx(link.joint.range, abs=1e-4)
+        assert joint.child_body().default_mass() == pytest.approx(inertia(link).mass, rel=1e-4)
