@@ -15,7 +15,7 @@ NOTE = (
 )
 SETTINGS = ["tune", "held"]
 SCENES, CHUNK = 120, 10
-FIGURES = ["S_node", "S_constraint", "S_constraint, stated", "S_edge", "built", "seconds"]
+FIGURES = ["S_node", "S_constraint", "S_constraint, stated", "S_edge", "built"]
 
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
@@ -28,14 +28,11 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
 
 def _scored(case: Any) -> dict[str, Any]:
-    from time import perf_counter
-
     from schemas.errors import ApartgenError
     from stages import graphs, plan
     from stages.plan.config import PlanConfig
     from stages.plan.reader import read
 
-    began = perf_counter()
     try:
         made = plan.build(read(case.prompt), PlanConfig(processes=1), np.random.default_rng(case.id))
     except ApartgenError as error:
@@ -47,7 +44,7 @@ def _scored(case: Any) -> dict[str, Any]:
             "S_edge": 0.0,
             "built": 0.0,
         }
-    seconds, graph = perf_counter() - began, graphs.of_plan(made)
+    graph = graphs.of_plan(made)
     constraint = graphs.constraint_satisfaction(graph, case.truth)
     return {
         "prompt": case.prompt,
@@ -56,7 +53,6 @@ def _scored(case: Any) -> dict[str, Any]:
         **({"S_constraint, stated": constraint} if case.quantified else {}),
         "S_edge": graphs.edge_similarity(graph, case.truth),
         "built": 1.0,
-        "seconds": seconds,
     }
 
 
