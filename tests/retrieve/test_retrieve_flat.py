@@ -15,9 +15,8 @@ from stages.retrieve import RetrieveConfig, build, open_libraries, run
 from stages.retrieve.matching.indexed import IndexedLibrary
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
-pytestmark = pytest.mark.skipif(
-    not (SHARED / "kenney").exists() or not (SHARED / "furniture_sim").exists(), reason="the sets are not here"
-)
+HERE = (SHARED / "kenney").exists() and (SHARED / "furniture_sim").exists()
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(not HERE, reason="the sets are not here")]
 TOYS = ("bedDouble", "cabinetBedDrawer", "bookcaseClosedDoors", "loungeSofa", "tableCoffee", "washer", "chairCushion")
 SIMS = ("dishwasher", "microwave", "studyTable", "hingecabinet")
 
