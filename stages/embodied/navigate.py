@@ -80,12 +80,12 @@ def _judged(name: str, goal: Goal, went: Drive, path: Array, shortest: float, tr
     numbers = {
         "spl": shortest / max(went.metres, shortest, 1e-6) if success else 0.0, "shortest": shortest,
         "metres": went.metres, "seconds": went.seconds, "missed": missed, "push": went.push,
-        "touches": float(went.touches),
+        "touches": float(went.touches), "goal_x": path[-1, 0], "goal_y": path[-1, 1], "goal_yaw": goal.yaw,
     }
     return Outcome(
         apartment=name, episode="navigation", room=goal.room, object=goal.object, category=goal.category,
         success=success, failure=None if success else "controller", reason=reason,
-        numbers={key: round(value, 4) for key, value in numbers.items()}, trace=went.trace if trace else None,
+        numbers={key: round(float(value), 4) for key, value in numbers.items()}, trace=went.trace if trace else None,
     )
 
 

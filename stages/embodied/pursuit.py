@@ -32,9 +32,14 @@ XY_TOLERANCE, YAW_TOLERANCE = 0.25, 0.25
 """Of Nav2's goal checker, m and rad."""
 NARROW, NARROW_AHEAD = 0.10, 0.5
 """Where the path leaves less than this beside the robot, within so far ahead, it is narrow, m."""
-NARROW_LOOKAHEAD, NARROW_SPEED, NARROW_ANGLE = 0.2, 0.2, 0.35
-_SHORTEST = 0.12  # m, lookahead where everything longer would touch
-_CREEP = 0.1  # m/s, speed then
+NARROW_LOOKAHEAD, NARROW_SPEED, NARROW_ANGLE = 0.2, 0.2, 0.25
+MARGIN = 0.04
+"""Arcs keep this far from everything, or as far as the path itself does, m."""
+TIGHT = 0.03
+"""Where there is less than this, it goes from point to point, m."""
+_SHORTEST = 0.05  # m, lookahead where everything longer would touch
+_CREEP, _ALIGNED = 0.1, 0.06  # speed then, m/s, once it heads for the next point so closely, rad
+_INCHING = 20  # periods
 
 
 @dataclass
@@ -50,6 +55,8 @@ class Pursuit:
     arrived: bool = False
     """Within tolerance of the goal; only the heading is left."""
     turning: bool = False
+    inching: int = 0
+    """Periods for which it still goes from point to point."""
 
     def command(self, x: float, y: float, yaw: float) -> tuple[float, float, bool]:
         """Speed (m/s) and turn (rad/s) for the next period, and whether the goal is reached."""
@@ -71,7 +78,11 @@ class Pursuit:
         self.at += int(np.hypot(*(ahead - here).T).argmin())
 
     def _wanted(self, here: Array, yaw: float, left: float) -> tuple[float, float]:
-        narrow = self._narrow()
+        tightest = self._tightest()
+        narrow = tightest < base.RADIUS + NARROW
+        room = min(base.RADIUS + MARGIN, tightest)
+        if self.inching > 0 or tightest < base.RADIUS + TIGHT:
+            return self._inched(here, yaw)
         reach = NARROW_LOOKAHEAD if narrow else float(np.clip(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD))
         most = NARROW_ANGLE if narrow else ROTATE_ANGLE
         while True:
@@ -84,16 +95,27 @@ class Pursuit:
             distance = max(float(np.hypot(*(carrot - here))), 1e-3)
             curvature = 2 * np.sin(off) / distance
             speed = min(self._regulated(here, curvature, left), NARROW_SPEED if narrow else base.SPEED)
-            if self._clear(here, yaw, speed, curvature, distance):
+            if self._clear(here, yaw, speed, curvature, distance, room):
                 return speed, speed * curvature
-            if reach <= _SHORTEST:
-                return min(speed, _CREEP), min(speed, _CREEP) * curvature
-            reach = max(_SHORTEST, reach * 0.75)
+            reach *= 0.75
+            if reach < _SHORTEST:
+                self.inching = _INCHING
+                return self._inched(here, yaw)
 
-    def _narrow(self) -> bool:
-        """Whether the path just ahead leaves little beside the robot."""
+    def _inched(self, here: Array, yaw: float) -> tuple[float, float]:
+        """From point to point of the path, turning on the spot between them."""
+        self.inching -= 1
+        carrot = self._carrot(here, _SHORTEST)
+        off = _wrapped(float(np.arctan2(*(carrot - here)[::-1])) - yaw)
+        self.turning = abs(off) > (_ALIGNED if self.turning else 3 * _ALIGNED)
+        if self.turning:
+            return 0.0, self._turn_to(off)
+        return _CREEP, _CREEP * 2 * float(np.sin(off)) / max(float(np.hypot(*(carrot - here))), 1e-3)
+
+    def _tightest(self) -> float:
+        """The least clearance of the path just ahead, m."""
         row, column = planner.cell(self.floor, self.path[self.at : self.at + int(NARROW_AHEAD / planner.SPACING)]).T
-        return bool(self.floor.clearance[row, column].min() < base.RADIUS + NARROW)
+        return float(self.floor.clearance[row, column].min())
 
     def _carrot(self, here: Array, reach: float) -> Array:
         """The first point of the path at least the lookahead away, or its end."""
@@ -106,13 +128,16 @@ class Pursuit:
         speed = max(speed, MIN_SPEED)
         return speed if left > APPROACH else max(APPROACH_SPEED, speed * left / APPROACH)
 
-    def _clear(self, here: Array, yaw: float, speed: float, curvature: float, distance: float) -> bool:
-        """Whether the next second on this arc, or as much of it as leads to the carrot, touches nothing."""
+    def _clear(
+        self, here: Array, yaw: float, speed: float, curvature: float, distance: float, room: float
+    ) -> bool:
+        """Whether the next second on this arc, or as much of it as leads to the carrot, keeps clear of everything."""
         run = np.linspace(0, min(speed * TIME_TO_COLLISION, distance), 12)[1:]
         bend = np.where(abs(curvature) > 1e-6, curvature, 1e-6)
         arc = np.stack([np.sin(bend * run), 1 - np.cos(bend * run)], -1) / bend
         c, s = np.cos(yaw), np.sin(yaw)
-        return bool(planner.is_free(self.floor, here + arc @ np.array([[c, s], [-s, c]])).all())
+        row, column = planner.cell(self.floor, here + arc @ np.array([[c, s], [-s, c]])).T
+        return bool((self.floor.free[row, column] & (self.floor.clearance[row, column] >= room)).all())
 
     def _turn_to(self, off: float) -> float:
         """As fast as still can be stopped in time."""
