@@ -21,6 +21,8 @@ PLAY = 0.012
 """How much wider than what they take the fingers open, on each side, m."""
 DEEP = 0.004
 """How far behind a handle's foremost point the fingers' middle takes hold, m."""
+LIP = 0.035
+"""How far from a lid's front edge the cup sits on it, m."""
 EDGE = 0.05
 """How far from a leaf's free edge it is pushed, m."""
 
@@ -110,7 +112,7 @@ def _part(world: World, data: Any, body: Body, link: Link, k: int) -> Part:
     boxes = _boxes(link)
     handle = _handle(link, boxes)
     geoms = np.array([world.model.geom(f"{body.link_name(link)}__c{i}").id for i in range(len(link.colliders))], int)
-    holds = [*_pinches(boxes, handle, pose, geoms), _touch("cup", handle, pose, geoms)]
+    holds = [*_pinches(boxes, handle, pose, geoms), *_cups(link, boxes, handle, pose, geoms)]
     pushes = [] if joint.type == "slide" else _pushes(link, boxes, handle, pose, geoms)
     return Part(
         body.id, body.category, body.room, joint.name, str(world.model.joint(k).name), int(world.model.jnt_bodyid[k]),
@@ -166,8 +168,24 @@ def _pinches(boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[H
     return sorted(found, key=lambda hold: hold.width)
 
 
-def _touch(kind: Kind, point: Array, pose: Array, geoms: Index) -> Hold:
-    return Hold(kind, pose[:3, :3] @ point + pose[:3, 3], pose[:3, 1], pose[:3, 0], tuple(geoms.tolist()))
+def _touch(kind: Kind, point: Array, pose: Array, geoms: Index, out: int = 0) -> Hold:
+    """A hold on the face that looks along the object's axis `out`."""
+    return Hold(kind, pose[:3, :3] @ point + pose[:3, 3], pose[:3, 1], pose[:3, out], tuple(geoms.tolist()))
+
+
+def _cups(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[Hold]:
+    """The cup on the front, before that on the top of what is lifted, some way in from its edge."""
+    front = _touch("cup", handle, pose, geoms)
+    assert link.joint is not None
+    lift = np.cross(link.joint.axis, handle - np.asarray(link.joint.origin))
+    if link.joint.type == "slide" or lift[2] < 0.7 * np.linalg.norm(lift):
+        return [front]
+    point = handle - [LIP, 0, 0]
+    inside = ((boxes[:, 0, :2] <= point[:2]) & (point[:2] <= boxes[:, 1, :2])).all(1)
+    if not inside.any():
+        return [front]
+    point[2] = boxes[inside, 1, 2].max()
+    return [_touch("cup", point, pose, geoms, out=2), front]
 
 
 def _pushes(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[Hold]:

@@ -97,10 +97,10 @@ def turned(part: Part, hold: Hold, value: float, ahead: Array) -> Array | None:
     facing = float(ahead @ (turn @ hold.out)) * (1 if hold.kind == "push" else -1)
     if hold.kind != "pinch" and facing < _LIMIT[hold.kind]:
         return None
-    across = turn @ hold.across if hold.kind == "pinch" else _cross(part.up, ahead)
+    across = turn @ hold.across if hold.kind == "pinch" else _cross(part.up, part.front)
     across = across - (across @ ahead) * ahead
     length = float(np.linalg.norm(across))
-    if length < _LIMIT["pinch"]:
+    if length < (_LIMIT["pinch"] if hold.kind == "pinch" else 0.1):
         return None
     across = across / length
     return np.stack([ahead, across, _cross(ahead, across)], 1)
@@ -193,17 +193,21 @@ class Planner:
         stops.append(Stop(found, value, turned(self.part, hold, value, ahead)))
         return True
 
-    def reach(self, base: Array, hold: Hold, k: int, o: int, near: Array) -> Phase | None:
-        """The way from arm in to the hold (its last stop), the part standing at the k-th position; None without."""
+    def reach(self, base: Array, hold: Hold, k: int, o: int, near: Array, on: bool = False) -> Phase | None:
+        """The way from arm in to the hold (its last stop), the part standing at the k-th position; None without.
+
+        With `on` it begins where the arm is, at `near`, else wherever suits.
+        """
         value, ahead = float(self.values[k]), self.ahead(hold, k, o)
         ready = self.at(base, hold, value, ahead, near, wide=True)
         before = self.at(base, hold, value, ahead, near, wide=True, back=BACK)
         if ready is None or before is None:
             return None
         for middle in _unfolding(base, before):
-            stops = [Stop(p, value) for p in (*middle, before, ready)]
-            if self._clear(stops, hold):
-                return Phase("move", stops)
+            for first in _turning(near, middle[0]) if on else [[]]:
+                stops = [Stop(p, value) for p in (*first, *middle, before, ready)]
+                if self._clear(stops, hold):
+                    return Phase("move", stops)
         return None
 
     def _clear(self, stops: list[Stop], hold: Hold) -> bool:
@@ -250,7 +254,7 @@ class Planner:
                     away = self._leave(base, cut[-1], grip)
                     if away is None:
                         continue
-                    came = self.reach(base, hold, k, chain[0], away.stops[-1].posture)
+                    came = self.reach(base, hold, k, chain[0], away.stops[-1].posture, on=True)
                     pushed = None if came is None else self.follow(base, hold, k, chain, came.stops[-1].posture)
                     if came is not None and pushed is not None:
                         return [pulled[0], Phase("hold", cut, grip), away, came, pushed]
@@ -314,6 +318,15 @@ def _unfolding(base: Array, before: Array) -> Iterator[list[Array]]:
     yield [start, folded]
     yield [start]
     yield [start, upright]
+
+
+def _turning(start: Array, end: Array) -> Iterator[list[Array]]:
+    """Ways from one posture with the arm in to another: straight, or up or down on the side away from the part."""
+    yield [start]
+    for turn in (np.pi, -np.pi):
+        low, high = start.copy(), end.copy()
+        low[4] = high[4] = start[4] + turn
+        yield [start, low, high]
 
 
 def spots(part: Part, cells: Array) -> Array:

@@ -2,8 +2,8 @@
 
 The base is the navigating robot's disc. On its mast a carriage goes up and down and turns about it; the telescope on
 the carriage ends in a wrist that yaws, pitches and rolls, and carries two parallel fingers: six degrees of freedom
-between base and hand, every one force limited. Reach, payload and grip are those of a Franka Panda and its hand
-(0.855 m, 3 kg, 70 N continuous); the shape is that of the lift-and-telescope robots, as Stretch.
+between base and hand, every one force limited. Its reach and grip stay within those of a Franka Panda and its hand
+(0.855 m to the flange, 70 N continuous); the shape is that of the lift-and-telescope robots, as Stretch.
 
 Hand frame: x forward between the fingers, y from finger to finger, z up; its origin lies between the fingers' pads.
 """
@@ -17,17 +17,17 @@ RADIUS = 0.25
 """Of the base, m."""
 BASE_HEIGHT = 0.14
 MAST = 1.9
-REACH = 0.855
-"""Furthest that the hand gets from the mast's axis, m."""
 LIFT = (0.175, 1.9)
 """Heights of the telescope, m."""
-_SEGMENT, _STROKE = 0.2, 0.18  # m, of each of the telescope's pieces, and how far each comes out
+_SEGMENT, _STROKE = 0.22, 0.2  # m, of each of the telescope's pieces, and how far each comes out
 ARM = (_SEGMENT, _SEGMENT + 3 * _STROKE)
 """Distance of the wrist from the mast's axis, m."""
 PALM, FINGER, TIP = 0.06, 0.075, 0.006
 """Lengths of palm and fingers, and how far the fingers reach beyond the hand's origin, m."""
 HAND = PALM + FINGER - TIP
 """From the wrist to the hand's origin, m."""
+REACH = ARM[1] + HAND
+"""Furthest that the hand gets from the mast's axis, m."""
 CUP = 0.02
 """Length of the suction cup before the closed fingers; it gives way to any slant, m."""
 OPENING = 0.045
@@ -157,8 +157,6 @@ def posture(
     out = float(np.hypot(wrist[0] - x, wrist[1] - y))
     ends = ((out, ARM), (wrist[2], LIFT))
     if any(not lo + spare <= value <= hi - spare for value, (lo, hi) in ends):
-        return None
-    if np.hypot(at[0] - x, at[1] - y) > REACH:
         return None
     bearing = float(np.arctan2(wrist[1] - y, wrist[0] - x))
     c, s = np.cos(bearing), np.sin(bearing)
