@@ -2,7 +2,6 @@
 
 import mujoco
 import numpy as np
-import pytest
 import trimesh
 from scipy.spatial import ConvexHull
 
@@ -113,7 +112,5 @@ def _bare(model, data, building, felt):
     return [("building", touch[bare][k].round(2).tolist(), round(float(away[k]), 4)) for k in bad]
 
 
-@pytest.mark.parametrize("name", ["sample", "flat"])
-def test_what_is_seen_is_felt_and_the_other_way_round(name, request):
-    made = request.getfixturevalue(name)
-    assert not faults(made.scene, made.folder)
+def test_what_is_seen_is_felt_and_the_other_way_round(sample):
+    assert not faults(sample.scene, sample.folder)

