@@ -1,4 +1,7 @@
-"""Twenty sentences through every stage into the simulator, and what one run costs. Minutes: `make acceptance`."""
+"""Twenty sentences through every stage into the simulator, and what one run costs. Minutes: `make acceptance`.
+
+APARTGEN_SEED is the first home's seed, 0 by default; APARTGEN_KEEP keeps the homes in a folder.
+"""
 
 import os
 import resource
@@ -48,12 +51,13 @@ SECONDS, BYTES = 15.0, 2 * 2**30
 
 @pytest.fixture(scope="module")
 def homes(tmp_path_factory):
-    """Where each prompt's home was made, or what went wrong; APARTGEN_KEEP keeps them in a folder."""
+    """Where each prompt's home was made, or what went wrong."""
     root = Path(os.environ.get("APARTGEN_KEEP") or tmp_path_factory.mktemp("acceptance"))
     found = {}
+    first = int(os.environ.get("APARTGEN_SEED", 0))
     for i, prompt in enumerate(PROMPTS):
-        folder = root / f"{i:02d}"
-        done = commandline.program("make", prompt, "-o", f"{folder}/", "--seed", i, "--format=mjcf", "--format=png")
+        folder, seed = root / f"{i:02d}", first + i
+        done = commandline.program("make", prompt, "-o", f"{folder}/", "--seed", seed, "--format=mjcf", "--format=png")
         found[prompt] = folder if done.code == 0 else done.err.strip()
     return found
 
