@@ -23,6 +23,7 @@ INCH = 0.72
 """Inches of paper to a metre, before the sheet is fitted."""
 LARGEST = 13.0  # inches, longer side of the plan
 MARGIN = 1.1  # m about the outer walls, for dimensions and the scale bar
+CHARACTER = 0.06  # m of the plan that a character of the sentence takes
 POCHE, PARAPET = "#2f2d2b", "#d5d1ca"
 TINTS = {
     "living_room": "#fbf6ec", "dining_room": "#fbf6ec", "kitchen": "#f6f4f0", "bedroom": "#f7f3ee", "study": "#f7f3ee",
@@ -212,11 +213,13 @@ def _frame(axes: Axes, home: Plan) -> None:
     north.shape([(0, 0.28), (-0.11, -0.22), (0, -0.12)], PAPER, POCHE)
     north.word(0, 0.4, "N", 6.5, INK)
     area = sum(polygons.floor(room).area for room in home.rooms)
-    note = f"{home.prompt}  ·  {area:.0f} m²" if home.prompt else f"{area:.0f} m²"
-    axes.text(x1 - 0.55, y0 - 0.72, _shortened(note), fontsize=7, color="#555555", ha="right", va="center", zorder=6)
+    # The sentence ends before it meets the scale bar.
+    room = int((x1 - x0 - 5.0) / CHARACTER) - 10
+    note = f"{_shortened(home.prompt, room)}  ·  {area:.0f} m²" if home.prompt and room > 8 else f"{area:.0f} m²"
+    axes.text(x1 - 0.55, y0 - 0.72, note, fontsize=7, color="#555555", ha="right", va="center", zorder=6)
 
 
-def _shortened(text: str, most: int = 90) -> str:
+def _shortened(text: str, most: int) -> str:
     return text if len(text) <= most else text[: most - 1].rstrip() + "…"
 
 
