@@ -56,7 +56,8 @@ class Floor:
         outline = shapely.get_coordinates(shapely.segmentize(self.solid.boundary, _STEP))
         open_ = grid.raster(polygons.free_floor(self.space.plan), self.grid) & ~grid.raster(self.solid, self.grid)
         found = np.zeros(self.grid.shape)
-        found[open_] = cKDTree(outline).query(self.grid.centers()[open_], distance_upper_bound=FAR)[0].clip(max=FAR)
+        nearest, _ = cKDTree(outline).query(self.grid.centers()[open_], distance_upper_bound=FAR)
+        found[open_] = np.minimum(nearest, FAR)
         return found
 
 
