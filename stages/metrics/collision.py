@@ -32,5 +32,7 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     for version, pairs in versions.items():
         hit = pairs.any(-1)
         values += shares(home, "Col_obj", version, hit, things)
-        values.append(Value(name="Col_scene", value=float(hit.any()), unit="scene", version=version))
+        by_room = {o.room: False for o in things} | {o.room: True for o, met in zip(things, hit, strict=True) if met}
+        values += [Value(name="Col_scene", value=float(any_), unit="scene", version=version, of=of)
+                   for of, any_ in {"apartment": bool(hit.any()), **by_room}.items()]
     return values

@@ -54,5 +54,5 @@ def _counts(scenes: Sequence[Sequence[str]], names: list[str]) -> Array:
 
 
 def _ckl(q: Array, p: Array) -> float:
-    q, p = q / q.sum(), p / p.sum()
+    q, p = q / max(q.sum(), 1), p / max(p.sum(), 1)  # a resample may hold nothing
     return float((p * (np.log(p + EPSILON) - np.log(q + EPSILON))).sum())

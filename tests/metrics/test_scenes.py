@@ -77,6 +77,8 @@ def test_collisions_by_room():
     values = collision.measure(home)
     assert figure(values, "Col_obj") == pytest.approx(2 / 3)
     assert figure(values, "Col_obj", of=h.LIVING) == 1 and figure(values, "Col_obj", of=h.BEDROOM) == 0
+    scenes = [figure(values, "Col_scene", of=of) for of in ("apartment", h.LIVING, h.BEDROOM)]
+    assert scenes == [1, 1, 0]
 
 
 def test_a_lamp_on_a_rug_is_no_collision():
