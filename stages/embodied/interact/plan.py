@@ -6,17 +6,17 @@ held all the way, as where it opens against a wall, it is pulled as far as it go
 """
 
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import product
 from typing import Literal, NamedTuple
 
 import numpy as np
 
 from stages.boxes import Array
+from stages.embodied.interact.aim import NEAR, OPTIONS, forward, turned
 from stages.embodied.interact.parts import PLAY, Hold, Part
 from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import ARM, CUP, HAND, REACH, THICK, TIP, posture, tucked
+from stages.embodied.interact.robot import CUP, REACH, THICK, TIP, posture, tucked
+from stages.embodied.interact.ways import turning, unfolding, withdrawn
 
 OPEN = 0.8
 """Share of its range at which a part counts as open."""
@@ -29,31 +29,6 @@ FINE, FREE = 0.05, 0.02
 """Held and free paths are checked at least every so much of a turn (rad) or way (m)."""
 SPARE = 0.012
 """What the arm keeps of its travel for where the hand really takes hold, m."""
-YAWS = np.radians([0, 35, -35, 70, -70])
-PITCHES = np.radians([0, 40, 75, -40])
-_LIMIT = {"pinch": 0.7, "cup": 0.5, "push": 0.6}
-"""Least cosine between hand and what it acts on: of the fingers' line to the pinch, of the hand to the face."""
-
-class Option(NamedTuple):
-    """A direction of the hand: straight at the object but for a turn to the left and one down, rad.
-
-    `follows` says whether the hand turns with the part or keeps its direction.
-    """
-
-    yaw: float
-    pitch: float
-    follows: bool
-
-    @property
-    def cost(self) -> float:
-        """What it costs beside one for every change."""
-        return 0.3 * (abs(self.yaw) + abs(self.pitch)) + 0.1 * self.follows
-
-
-OPTIONS = [Option(*angles, False) for angles in product(YAWS.tolist(), PITCHES.tolist())]
-OPTIONS += [Option(yaw, pitch, True) for yaw, pitch in product(YAWS[:3].tolist(), PITCHES[:2].tolist())]
-_NEAR = float(np.cos(np.radians(46)))
-"""Directions no further apart follow one another."""
 
 
 class Stop(NamedTuple):
@@ -79,31 +54,6 @@ class Plan:
 
     base: Array
     phases: list[Phase] = field(default_factory=list)
-
-
-def forward(part: Part, hold: Hold, value: float, option: Option) -> Array:
-    """Which way the hand points (unit), the part at a position."""
-    left = _cross(part.up, part.front)
-    level = -np.cos(option.yaw) * part.front - np.sin(option.yaw) * left
-    if hold.kind == "push":
-        level = -level
-    found = np.cos(option.pitch) * level - np.sin(option.pitch) * part.up
-    return np.asarray(part.moved(value)[0] @ found if option.follows else found)
-
-
-def turned(part: Part, hold: Hold, value: float, ahead: Array) -> Array | None:
-    """The hand's axes (3, 3) when it points `ahead`; None where it would not grip, or push out of the face."""
-    turn, _ = part.moved(value)
-    facing = float(ahead @ (turn @ hold.out)) * (1 if hold.kind == "push" else -1)
-    if hold.kind != "pinch" and facing < _LIMIT[hold.kind]:
-        return None
-    across = turn @ hold.across if hold.kind == "pinch" else _cross(part.up, part.front)
-    across = across - (across @ ahead) * ahead
-    length = float(np.linalg.norm(across))
-    if length < (_LIMIT["pinch"] if hold.kind == "pinch" else 0.1):
-        return None
-    across = across / length
-    return np.stack([ahead, across, _cross(ahead, across)], 1)
 
 
 class Planner:
@@ -159,7 +109,7 @@ class Planner:
         every = range(len(OPTIONS))
         for k in range(start + 1, STEPS + 1):
             old, new = ([self.ahead(hold, j, o) for o in every] for j in (k - 1, k))
-            near = np.array(new) @ np.array(old).T > _NEAR
+            near = np.array(new) @ np.array(old).T > NEAR
             ways = {o: min((costs[p] + (o != p), p) for p in costs if near[o, p] or o == p)
                     for o in every if any(near[o, p] or o == p for p in costs)}
             ways = {o: way for o, way in ways.items() if self.free(base, hold, k, o)}
@@ -203,8 +153,8 @@ class Planner:
         before = self.at(base, hold, value, ahead, near, wide=True, back=BACK)
         if ready is None or before is None:
             return None
-        for middle in _unfolding(base, before):
-            for first in _turning(near, middle[0]) if on else [[]]:
+        for middle in unfolding(base, before):
+            for first in turning(near, middle[0]) if on else [[]]:
                 stops = [Stop(p, value) for p in (*first, *middle, before, ready)]
                 if self._clear(stops, hold):
                     return Phase("move", stops)
@@ -264,10 +214,10 @@ class Planner:
         """The way from a hold back to arm in."""
         wide = stop.posture.copy()
         wide[11:] += PLAY if hold.kind == "pinch" else 0.0
-        back = _withdrawn(wide, BACK)
+        back = withdrawn(wide, BACK)
         if back is None:
             return None
-        for middle in _unfolding(base, back):
+        for middle in unfolding(base, back):
             stops = [Stop(p, stop.value) for p in (*middle, back, wide)]
             if self._clear(stops, hold):
                 return Phase("move", stops[::-1])
@@ -280,53 +230,11 @@ def _short(forward: Array, out: Array) -> float:
     return TIP + THICK * float(np.sqrt(1 - min(cosine, 1.0) ** 2)) / cosine
 
 
-def _cross(a: Array, b: Array) -> Array:
-    """Of two vectors; numpy's is slow for one pair."""
-    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
-
-
 def _traced(layers: list[dict[int, int]], last: int) -> list[int]:
     found = [last]
     for layer in layers[::-1]:
         found.append(layer[found[-1]])
     return found[::-1]
-
-
-def _withdrawn(at: Array, by: float) -> Array | None:
-    """The posture with the hand that much further back along its own direction."""
-    bearing = at[2] + at[4]
-    pitch, yaw = at[9], bearing + at[8]
-    forward = np.array([np.cos(yaw) * np.cos(pitch), np.sin(yaw) * np.cos(pitch), -np.sin(pitch)])
-    out = ARM[0] + at[5:8].sum()
-    wrist = np.array([at[0] + out * np.cos(bearing), at[1] + out * np.sin(bearing), at[3]])
-    roll = at[10]
-    flat = np.array([-np.sin(yaw), np.cos(yaw), 0])
-    up = _cross(forward, flat)
-    across = np.cos(roll) * flat + np.sin(roll) * up
-    turn = np.stack([forward, across, _cross(forward, across)], 1)
-    return posture(at[:3], wrist + (HAND - by) * forward, turn, at[11], at)
-
-
-def _unfolding(base: Array, before: Array) -> Iterator[list[Array]]:
-    """Ways from arm in to a posture: hand down first then out, both at once, out first then down."""
-    start = tucked(base, before[3], before[4])
-    folded = before.copy()
-    folded[5:8] = 0.0
-    upright = before.copy()
-    upright[8:11] = start[8:11]
-    start[11:] = folded[11:] = upright[11:] = before[11:]
-    yield [start, folded]
-    yield [start]
-    yield [start, upright]
-
-
-def _turning(start: Array, end: Array) -> Iterator[list[Array]]:
-    """Ways from one posture with the arm in to another: straight, or up or down on the side away from the part."""
-    yield [start]
-    for turn in (np.pi, -np.pi):
-        low, high = start.copy(), end.copy()
-        low[4] = high[4] = start[4] + turn
-        yield [start, low, high]
 
 
 def spots(part: Part, cells: Array) -> Array:
