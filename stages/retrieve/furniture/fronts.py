@@ -121,7 +121,8 @@ def door(
     at_y = own_y[0] + inset if left else own_y[1] - inset
     length = min(0.5, max(0.12, 0.3 * (own_z[1] - own_z[0]))) if look.handle in ("bar", "edge") else 0.09
     length = min(length, own_z[1] - own_z[0] - 0.04)
-    at_z = _handle_height(own_z, length / 2 + 0.05)
+    inset = length / 2 + 0.05
+    at_z = min(own_z[0] + inset, sum(own_z) / 2) if look.hung else _handle_height(own_z, inset)
     handle(body, look, face, at_y, at_z, length, upright=True)
     pivot, axis = (y[1], (0, 0, 1)) if left else (y[0], (0, 0, -1))
     kit.hinge("door", body, (front, pivot, at_z), axis, handle=(front, at_y, at_z), grip=GRIP[look.handle])

@@ -185,7 +185,7 @@ def wall_unit(kit: Kit) -> None:
     own = kitchen_look(kit)
     kit.style = style
     kind = "glass_" if style == "glazed" else ""
-    own = own.with_(body=own.front if style in ("shaker", "glazed") else own.body)
+    own = own.with_(body=own.front if style in ("shaker", "glazed") else own.body, hung=True)
     cases.cabinet(
         kit, own, kit.x, kit.y, (0, kit.h), cases.door_columns(kit, kit.w, kind), cases.door_widths(kit, kit.w)
     )

@@ -7,7 +7,10 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Look:
-    """Material names of carcass, fronts, top, handles and base; profile, handle and base kinds."""
+    """Material names of carcass, fronts, top, handles and base; profile, handle and base kinds.
+
+    `hung` has the handles of doors at their lower edge, where people reach what hangs on a wall.
+    """
 
     body: str
     front: str
@@ -18,6 +21,7 @@ class Look:
     base: str
     leg: str
     overhang: float = 0.0
+    hung: bool = False
 
     def with_(self, **changes: object) -> "Look":
         """The same look but for some fields."""

@@ -178,3 +178,11 @@ def test_doors_and_windows_of_the_building_come_at_any_size():
             asset = furniture.build(category, style, size, 1)
             lo, hi = bounds(asset.links[0].visuals)
             assert np.allclose(hi - lo, size, atol=1e-3)
+
+
+def test_wall_units_are_opened_from_below():
+    """What hangs over a worktop is gripped in its lower half, in every style and size."""
+    for asset in built("wall_unit"):
+        doors = [joint for joint in asset.joints if joint.type == "hinge"]
+        assert doors
+        assert all(joint.origin[2] <= 1e-3 for joint in doors), asset.id
