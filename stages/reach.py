@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import unary_union
 from shapely.geometry import Polygon
 
 from schemas.layout import Box
@@ -25,6 +26,8 @@ HEIGHT = 1.5
 """The robot passes under what hangs above this, m."""
 POCKET = 0.8
 """A room is reached when no more than this of where the robot's centre could be in it is cut off, m²."""
+LEVER = 0.05
+"""How far the levers of doors stand out, m."""
 _AROUND = 6  # cells about shut ones within which another way round is looked for
 _STEP_IN = 0.15  # how far inside a room the robot's centre must get for the door to count as passed, m
 
@@ -64,8 +67,10 @@ class Reached:
 
 
 def space(plan: Plan, radius: float = RADIUS, resolution: float = grid.RESOLUTION) -> Space:
-    """Rasterise a plan for a robot of that radius."""
+    """Rasterise a plan for a robot of that radius; doors stand open at a right angle, the entrance is shut."""
     floor = polygons.free_floor(plan)
+    leaves = [polygons.leaf(o, plan).buffer(LEVER) for o in plan.openings if o.kind == "door"]
+    floor = floor.difference(unary_union(leaves))
     cells = grid.over(floor, resolution)
     rooms = np.full(cells.shape, -1, np.int16)
     for i, room in enumerate(plan.rooms):

@@ -35,10 +35,21 @@ def object_of(home, id):
 
 
 def test_enough_floor_changes_nothing():
-    home = h.home(bed(), sofa())
+    home = h.home(h.thing("double_bed", 6.3, 2.0, DOWN, h.BEDROOM, size=(2.0, 1.4, 1.0)), sofa())
     result = walk(home, target=0.5)
     assert result.objects == home.objects and result.walkable.steps == []
-    assert result.walkable.before == result.walkable.after == pytest.approx(1 - 6 / 21)
+    assert result.walkable.before == result.walkable.after == pytest.approx(1 - (2.8 + 2.4) / 21)
+
+
+def test_an_open_door_is_gone_round():
+    """A bed that would leave room for the robot without the door's leaf, but not with it, gives way."""
+    home = h.home(bed(id="bed"))
+    shut = [o.model_copy(update={"into": None}) if o.kind == "door" else o for o in home.openings]
+    without = home.model_copy(update={"openings": shut})
+    assert reach.survey(reach.space(without), without.objects).missed == []
+    assert reach.survey(reach.space(home), home.objects).missed != []
+    after = walk(home, target=0.5)
+    assert after.walkable.steps and reach.survey(reach.space(after), after.objects).missed == []
 
 
 def test_the_largest_is_replaced_first_and_only_until_the_target():
