@@ -95,6 +95,14 @@ def belong_together(a: str, b: str) -> bool:
     return (a, b) in groups() or (b, a) in groups()
 
 
+SEATS = frozenset({"chair", "office_chair", "stool", "bench", "balcony_chair"})
+
+
+def tucks(a: str, b: str) -> bool:
+    """Whether one is a seat that may be drawn under the other."""
+    return belong_together(a, b) and (a in SEATS or b in SEATS)
+
+
 @cache
 def by_word() -> dict[str, str]:
     """Category of every synonym, lower case."""

@@ -80,7 +80,7 @@ def _clear(site: Site, o: Furnishing, spots: Array, rest: list[Furnishing]) -> b
     areas = boxes.footprints(there)
     clear = shapely.covers(site.floors[o.room].buffer(_APART / 2), areas)
     clear &= ~shapely.intersects(site.doors.buffer(-_APART), areas)
-    others = [p for p in rest if not categories.belong_together(p.category, o.category)]
+    others = [p for p in rest if not categories.tucks(p.category, o.category)]
     if others:
         clear &= (boxes.penetration(there, boxes.of(others)) <= SLACK).all(-1)
     return np.asarray(clear, bool)

@@ -119,7 +119,8 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
     old = np.array([index[o.id] for o in after], int)
     rows = np.array([o.id in changed for o in after], bool)
     kin = np.array([[categories.belong_together(a.category, b.category) for b in after] for a in after], bool)
-    kin, apart = kin.reshape(len(after), -1), ~kin.reshape(len(after), -1)
+    tucked = np.array([[categories.tucks(a.category, b.category) for b in after] for a in after], bool)
+    kin, apart = kin.reshape(len(after), -1), ~tucked.reshape(len(after), -1)
     parted = (boxes.gap(boxes.of(after)) > COMPANY) & (boxes.gap(boxes.of(before))[np.ix_(old, old)] <= COMPANY)
     if (parted & kin)[rows].any():
         return False

@@ -137,3 +137,18 @@ def test_a_moved_table_takes_its_chair_along() -> None:
     done = project([table, chair], space)
     assert all(item.cost < BROKEN for item in done) and done[0].moved > 0.2
     assert np.linalg.norm(done[1].center[:2] - done[0].center[:2]) < 1.0
+
+
+def test_a_seat_leaves_drawers_free_to_push_it() -> None:
+    """At a desk the chair stands before it, not in it; under a table without drawers it is drawn in."""
+    space = space_of(some_rooms(1, 2), 0)
+    for name in ("desk", "dining_table"):
+        kind = TABLE[name]
+        y = float(space.corners[:, 1].max()) - kind.size[0] / 2 - 0.01
+        at = np.array([1.2, y if name == "desk" else 0.2, kind.size[2] / 2])
+        table = Item(name, at, np.array(kind.size), -np.pi / 2)
+        chair = Item("chair", table.center + [0.05, -0.5, 0], np.array([0.5, 0.45, 0.9]), np.pi / 2)
+        done = project([table, chair], space)
+        assert all(item.cost < BROKEN for item in done)
+        depth = boxes.penetration(as_boxes(done))[0, 1]
+        assert depth <= 1e-6 if name == "desk" else 0.1 < depth <= 0.28

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
-from stages.categories import TABLE, belong_together, reach
+from stages.categories import TABLE, reach
 from stages.layout.projection.space import Space, outside
 
 Array = NDArray[np.float64]
@@ -22,12 +22,14 @@ BROKEN = 10.0
 
 @dataclass
 class Placed:
-    """What already stands: boxes, b′, which of it is no hindrance, which is a seat or table with the object."""
+    """What already stands: boxes, b′, which of it is no hindrance, which is a seat or table with the object, and how
+    far (m) the two may be drawn into one another."""
 
     boxes: Boxes
     grown: Boxes
     soft: NDArray[np.bool_]
     seated: NDArray[np.bool_]
+    tuck: Array
 
 
 def grown(category: str, found: Boxes) -> Boxes:
@@ -69,8 +71,7 @@ def _meetings(found: Boxes, wide: Boxes, category: str, placed: Placed, has_reac
         return np.zeros(found.n)
     seated, solid, swept = placed.seated[hard], placed.boxes.take(hard), placed.grown.take(hard)
     depth = penetration(found, solid)
-    # A chair may be pushed under its table, but not into its middle; the same pair seen from the table is as good.
-    total = _sum(np.where(seated, depth - 0.28, depth), 20)
+    total = _sum(depth - placed.tuck[hard], 20)
     apart = ~seated
     moving = (swept.size[:, 0] > solid.size[:, 0] + 1e-6) & apart
     if moving.any():
@@ -80,14 +81,6 @@ def _meetings(found: Boxes, wide: Boxes, category: str, placed: Placed, has_reac
     if has_reach and apart.any():
         total = total + _sum(penetration(wide, solid.take(apart)), 14)
     return np.asarray(total)
-
-
-def at_table(a: str, b: str) -> bool:
-    """Whether one is a seat that belongs at the other."""
-    return belong_together(a, b) and (a in TUCKED or b in TUCKED)
-
-
-TUCKED = frozenset({"chair", "office_chair", "stool", "bench", "balcony_chair"})
 
 
 def _price(depth: Array, price: float) -> Array:

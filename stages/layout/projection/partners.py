@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes
+from stages.categories import TABLE
 
 Array = NDArray[np.float64]
 PULL = 0.8
@@ -11,6 +12,8 @@ PULL = 0.8
 STRONG = {"chair": 5.0, "office_chair": 5.0, "stool": 5.0, "balcony_chair": 5.0, "nightstand": 3.0, "coffee_table": 1.6}
 TUCK = 0.16
 """How far a seat goes under its table, m."""
+GAP = 0.01
+"""Between a seat and a table with drawers, m."""
 SEAT = 0.58
 """Width of a place at a table, m."""
 AHEAD = {"coffee_table": 0.42, "bench": 0.03}
@@ -111,19 +114,20 @@ def _at(category: str, partner: str, size: Array, at: Array, extent: Array, turn
         far = extent[:2].max() / 2 + size[0] / 2 - TUCK
         local, yaw = far * np.stack([np.cos(angle), np.sin(angle)], -1), angle + np.pi
     else:
-        local, yaw = _seats(size, extent, all_round=partner in TABLES)
+        tuck = -GAP if TABLE[partner].opens else TUCK
+        local, yaw = _seats(size, extent, tuck, all_round=partner in TABLES)
     c, s = np.cos(turn), np.sin(turn)
     return at + local @ np.array([[c, s], [-s, c]]), yaw + turn
 
 
-def _seats(size: Array, extent: Array, all_round: bool) -> tuple[Array, Array]:
+def _seats(size: Array, extent: Array, tuck: float, all_round: bool) -> tuple[Array, Array]:
     """Seats along the front of a table, and along its other sides where people sit all round; facing it."""
     local, yaw = [], []
     for angle in np.arange(4 if all_round else 1) * np.pi / 2:
         far, wide = (extent[0], extent[1]) if angle % np.pi < 0.1 else (extent[1], extent[0])
         seats = max(1, int(wide / SEAT))
         aside = (np.arange(seats) - (seats - 1) / 2) * wide / seats
-        out = far / 2 + size[0] / 2 - TUCK
+        out = far / 2 + size[0] / 2 - tuck
         direction, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
         local.append(out * direction + aside[:, None] * across)
         yaw.append(np.full(seats, angle + np.pi))

@@ -7,10 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.layout.projection.costs import SOFT, Placed, at_table, grown
+from stages.categories import TABLE, tucks
+from stages.layout.projection.costs import SOFT, Placed, grown
 
 Array = NDArray[np.float64]
+TUCK_MOST = 0.28
+"""How far a seat may go under its table, m."""
 ROD = 1.9
 """Curtain rods hang above this, m."""
 
@@ -38,7 +40,8 @@ class Standing:
         self.grown = Boxes(np.zeros((n, 3)), np.ones((n, 3)), np.zeros(n))
         self.there = np.zeros(n, bool)
         self.soft = np.array([item.category in SOFT for item in items], bool)
-        self.seated = np.array([[at_table(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
+        self.opens = [bool(TABLE[item.category].opens) for item in items]
+        self.seated = np.array([[tucks(a.category, b.category) for b in items] for a in items], bool).reshape(n, n)
 
     def put(self, i: int, item: Item) -> None:
         """Give object `i` its place."""
@@ -54,7 +57,11 @@ class Standing:
         if TABLE[item.category].place == "top":
             top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
             index &= np.abs(top - (item.center[2] - item.size[2] / 2)) > 0.02
-        return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], self.seated[i][index])
+        seated = self.seated[i][index]
+        # A chair goes under its table, not into its middle, nor where it would hold drawers shut.
+        shut = np.array([self.opens[i] or self.opens[k] for k in np.flatnonzero(index)], bool)
+        tuck = np.where(seated & ~shut, TUCK_MOST, 0.0)
+        return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], seated, tuck)
 
     def _soft(self, item: Item) -> NDArray[np.bool_]:
         """What gives way to an item; a tall door does not pass a curtain's rod."""

@@ -82,17 +82,22 @@ def test_windows_keep_their_light(homes: list[Layout]) -> None:
             assert not any(part.intersects(pane) for part in boxes.footprints(boxes.of(over)))
 
 
+def without_leaves(home: Layout) -> Layout:
+    """The home with its doors off their hinges: the furnisher keeps swings clear, not ways round open doors."""
+    return home.model_copy(update={"openings": [o.model_copy(update={"into": None}) for o in home.openings]})
+
+
 def test_a_robot_reaches_every_door_and_every_moving_part(homes: list[Layout]) -> None:
     for home in homes:
-        world = reach.space(home)
+        world = reach.space(without_leaves(home))
         empty, full = reach.survey(world, []), reach.survey(world, home.objects)
         assert set(full.doors) <= set(empty.doors)
         assert len(full.closed) + len(full.opened) <= 0.02 * len(home.objects)
 
 
 def test_furniture_cuts_off_a_large_part_of_few_rooms(homes: list[Layout]) -> None:
-    cut = [home for home in homes if reach.survey(reach.space(home), home.objects).rooms]
-    bare = [home for home in homes if reach.survey(reach.space(home), []).rooms]
+    cut = [home for home in homes if reach.survey(reach.space(without_leaves(home)), home.objects).rooms]
+    bare = [home for home in homes if reach.survey(reach.space(without_leaves(home)), []).rooms]
     assert len(cut) - len(bare) <= 0.06 * len(homes)
 
 
