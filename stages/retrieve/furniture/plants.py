@@ -175,14 +175,13 @@ def _cactus(kit: Kit, b: Body, z: float, r: float) -> None:
                 4,
             ),
         )
-    b.add(
-        "leaf_dark",
-        mesh.pillow((-0.4 * thick, -r, z + 0.2 * (kit.h - z)), (0.4 * thick, 0, z + 0.2 * (kit.h - z) + thick), 3, 4),
-    )
-    b.add(
-        "leaf_dark",
-        mesh.pillow((-0.5 * thick, -r, z + 0.2 * (kit.h - z)), (0.5 * thick, -r + thick, z + 0.45 * (kit.h - z)), 3, 4),
-    )
+    # Arms to both sides, at different heights, keep its weight over the pot.
+    for s, at in ((-1, 0.2), (1, 0.28)):
+        low, tip = z + at * (kit.h - z), sorted((s * (r - thick), s * r))
+        near, far = sorted((0.0, s * r))
+        b.add("leaf_dark", mesh.pillow((-0.4 * thick, near, low), (0.4 * thick, far, low + thick), 3, 4))
+        up = low + 0.25 * (kit.h - z)
+        b.add("leaf_dark", mesh.pillow((-0.5 * thick, tip[0], low), (0.5 * thick, tip[1], up), 3, 4))
 
 
 @design("planter", "herbs", "flowers", "grasses")

@@ -171,10 +171,12 @@ def _shoe_tray(
     kit: Kit, body: Body, edge: float, back: float, y: tuple[float, float], low: float, tall: float, front: float
 ) -> None:
     # The tray's far upper corner turns about the hinge; it must pass under the board or flap above.
-    deep = min(edge - back - 0.02, 0.55 * tall, 0.16)
+    least, clear = 0.06, tall - 0.03
+    deep = min(edge - back - 0.02, 0.55 * tall, 0.16, max(clear**2 - least**2, 0.0) ** 0.5 - (front - edge))
+    if deep < 0.03:
+        return
     base = low + 0.024
-    far = front - edge + deep
-    top = min(tall * 0.55, ((tall - 0.03) ** 2 - far**2) ** 0.5 if tall - 0.03 > far else 0.06)
+    top = min(tall * 0.55, (clear**2 - (front - edge + deep) ** 2) ** 0.5)
     x, own = (edge - deep, edge + 0.002), (y[0] + 0.006, y[1] - 0.006)
     body.box("drawer_board", x, own, (base, base + 0.008))
     body.box("drawer_board", (x[0], x[0] + 0.008), own, (base + 0.008, low + top))
