@@ -103,7 +103,7 @@ def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
         return None
     rooms = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
     plan = Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
-    return plan if program.envelope.outline is None or not faults(plan) else None
+    return None if faults(plan) else plan
 
 
 def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:
