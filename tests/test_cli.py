@@ -244,10 +244,22 @@ def test_a_closed_pipe_is_no_error_to_speak_of(plan):
     assert done.stdout == '{\n  "$sche' and done.stderr == ""
 
 
+def until_idle(pid: int) -> None:
+    """Wait until a process has done its imports and waits for input: its CPU time stands still."""
+    seen, still, end = -1, 0, time.monotonic() + 60
+    while still < 4 and time.monotonic() < end:
+        time.sleep(0.5)
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        used, asleep = int(fields[11]) + int(fields[12]), fields[0] == "S"
+        still = still + 1 if used == seen and used > 0 and asleep else 0
+        seen = used
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
 def test_an_interrupt_is_a_line(tmp_path):
     waiting = subprocess.Popen([sys.executable, "-m", "apartgen_cli", "metrics"], stdin=subprocess.PIPE,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(2.0)
+    until_idle(waiting.pid)
     waiting.send_signal(signal.SIGINT)
     out, err = waiting.communicate(timeout=60)
     assert waiting.returncode == 130 and out == "" and err == "apartgen: interrupted; what was finished is kept\n"
