@@ -2,6 +2,7 @@
 
 Objects take their places one after another, large ones first, each at the cheapest of a few hundred candidate
 places about where the model put it; what still breaks a requirement is placed again, then smaller, then anywhere.
+At last what cuts the floor in two is shifted, tucked in or narrowed.
 """
 
 from stages.layout.projection.project import project
