@@ -1,4 +1,4 @@
-"""A denoiser that keeps to common sense about what a room holds: least, most, and never without (`sense.toml`)."""
+"""Common sense about what a room holds: least, most, and never without (`sense.toml`)."""
 
 import tomllib
 from collections import Counter
@@ -7,20 +7,12 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor
 
 from schemas.base import ROOM_TYPES
 from stages.categories import CATEGORIES, TABLE
-from stages.layout.config import T
-from stages.layout.diffusion import Denoise, Prediction
-from stages.layout.features import CLASS
-from stages.layout.rooms import Rooms
 
 RULES = Path(__file__).parent / "sense.toml"
-SETTLED = 0.5
-"""Below this share of the schedule a slot's likeliest class means something."""
 BARRED = -30.0
 Logits = NDArray[np.float32]
 
@@ -77,23 +69,6 @@ def at_home() -> NDArray[np.bool_]:
     return np.pad(table, ((0, 0), (0, 1)), constant_values=True)
 
 
-def sensible(denoise: Denoise, rooms: Rooms, filled: Tensor, scale: float) -> Denoise:
-    """The denoiser with classes that break a rule made unlikely; `filled` (B,) slots take part."""
-
-    foreign = torch.from_numpy(~at_home()[rooms.type] & np.pad(rooms.wanted < 0, ((0, 0), (0, 1))))
-
-    def wrapped(x: Tensor, t: Tensor) -> Prediction:
-        made = denoise(x, t)
-        logits = made.logits.masked_fill(foreign[:, None], BARRED)
-        for b, kind in enumerate(rooms.type if int(t[0]) <= SETTLED * T else ()):
-            settle(logits[b, : int(filled[b])].numpy(), int(kind), rooms.wanted[b])
-        x0 = made.x0.clone()
-        x0[..., CLASS] = logits.softmax(-1) * scale
-        return Prediction(x0, logits)
-
-    return wrapped
-
-
 def settle(logits: Logits, kind: int, wanted: NDArray[np.int64]) -> None:
     """Change one room's logits (N, C+1) in place until their likeliest classes keep the rules.
 
@@ -103,13 +78,11 @@ def settle(logits: Logits, kind: int, wanted: NDArray[np.int64]) -> None:
         return
     free = np.append(wanted < 0, True)
     _at_most(logits, free)
-    present = np.bincount(logits.argmax(-1), minlength=logits.shape[1]) > 0
-    needing, companions = _needs()
-    logits[:, needing[~companions[:, present].any(1) & free[needing]]] = BARRED
     taken: list[int] = []
     for group in sense().least[kind]:
         if len(taken) < len(logits) and not any(wanted[c] == 0 for c in group):
             taken.append(_one_of(logits, group, taken))
+    _companions(logits, free, taken)
 
 
 def _at_most(logits: Logits, free: NDArray[np.bool_]) -> None:
@@ -125,6 +98,43 @@ def _at_most(logits: Logits, free: NDArray[np.bool_]) -> None:
         best = logits[wins][:, members].max(-1)
         losers = wins[np.argsort(-best, kind="stable")[number[over[0]] :]]
         logits[np.ix_(losers, members)] = BARRED
+
+
+def _companions(logits: Logits, free: NDArray[np.bool_], taken: list[int]) -> None:
+    """Where a class lacks what it needs, turn a slot into that or bar the class, whichever is likelier by the logits.
+
+    Classes that were asked for by number, not `free` (C+1,), are neither made nor barred, and `taken` slots stay.
+    Barring alone would make tables' chairs and stands' screens rare, as both settle together.
+    """
+    turned = np.isin(np.arange(len(logits)), taken)
+    while (lack := _lacking(logits, free)) is not None:
+        row, group = lack
+        classes, best = logits.argmax(-1), logits.max(-1)
+        dependent = classes == row
+        others = logits[dependent]
+        others[:, row] = -np.inf
+        price = (best[dependent] - others.max(-1)).sum()
+        members = np.flatnonzero(group & free)
+        margin = logits[:, members] - best[:, None]
+        margin[turned | ~free[classes] | (dependent & (dependent.sum() == 1))] = -np.inf
+        if members.size and -margin.max() < price:
+            slot, which = divmod(int(margin.argmax()), len(members))
+            logits[slot, members[which]] = best[slot] + 3.0
+            turned[slot] = True
+        else:
+            logits[:, row] = BARRED
+
+
+def _lacking(logits: Logits, free: NDArray[np.bool_]) -> tuple[int, NDArray[np.bool_]] | None:
+    """The first class that is there without any of what it needs, and which would do, (C+1,)."""
+    needing, companions = _needs()
+    present = np.bincount(logits.argmax(-1), minlength=logits.shape[1]) > 0
+    present &= logits.max(0) > BARRED
+    lacks = present[needing] & free[needing] & ~companions[:, present].any(1)
+    if not lacks.any():
+        return None
+    first = int(lacks.argmax())
+    return int(needing[first]), companions[first]
 
 
 @cache

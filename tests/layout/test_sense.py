@@ -40,6 +40,23 @@ def test_what_is_asked_for_is_left_alone() -> None:
     assert (logits.argmax(-1) == CATEGORIES.index("tv")).sum() == 3, "one makes place for a seat"
 
 
+def test_what_needs_another_gets_it_or_goes_whichever_is_likelier() -> None:
+    at = {name: CATEGORIES.index(name) for name in ("tv", "tv_stand", "sofa", "plant")}
+    for stand, plant, expected in [(1.0, -4.0, {"tv", "tv_stand"}), (-4.0, 4.5, {"plant"})]:
+        logits = np.full((3, N_CLASSES), -9, np.float32)
+        logits[0, at["tv"]] = logits[1:, at["sofa"]] = 5
+        logits[2, at["tv_stand"]], logits[0, at["plant"]] = stand, plant
+        settle(logits, ROOM_TYPES.index("living_room"), np.full(len(CATEGORIES), -1))
+        assert {CATEGORIES[c] for c in logits.argmax(-1)} == {"sofa", *expected}
+
+
+def test_no_class_is_left_without_what_it_needs() -> None:
+    for seed in range(60):
+        found = classes("living_room", seed)
+        for category, companions in sense().needs:
+            assert CATEGORIES[category] not in found or {CATEGORIES[c] for c in companions} & set(found)
+
+
 def test_rooms_do_not_take_what_belongs_elsewhere() -> None:
     table = at_home()
     for kind, name, allowed in [
