@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -14,9 +15,12 @@ from stages.layout.geometry import Boxes, Floor, boxes_of, floor_of
 from stages.layout.rooms import Rooms
 from stages.layout.samplers import posterior
 from stages.layout.schedule import ALPHA_BAR
+from stages.layout.sense import BARRED, at_home, settle
 
 TRUST = 0.05
 """Longest shift of an object in one step without Σ, in units of the state; 10 cm where it is all of place."""
+SETTLED = 0.15
+"""Below this share of the schedule a slot's likeliest class means something; rules earlier would shift frequencies."""
 Energy = Callable[[Boxes, Floor], Tensor]
 
 
@@ -161,5 +165,22 @@ def without_empty(denoise: Denoise, filled: Tensor) -> Denoise:
         logits = made.logits.clone()
         logits[..., EMPTY] = torch.where(there, -30.0, 30.0)
         return Prediction(made.x0, logits)
+
+    return wrapped
+
+
+def sensible(denoise: Denoise, rooms: Rooms, filled: Tensor, scale: float) -> Denoise:
+    """The denoiser with classes that break a rule made unlikely; `filled` (B,) slots take part."""
+
+    foreign = torch.from_numpy(~at_home()[rooms.type] & np.pad(rooms.wanted < 0, ((0, 0), (0, 1))))
+
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        made = denoise(x, t)
+        logits = made.logits.masked_fill(foreign[:, None], BARRED)
+        for b, kind in enumerate(rooms.type if int(t[0]) <= SETTLED * T else ()):
+            settle(logits[b, : int(filled[b])].numpy(), int(kind), rooms.wanted[b])
+        x0 = made.x0.clone()
+        x0[..., CLASS] = logits.softmax(-1) * scale
+        return Prediction(x0, logits)
 
     return wrapped

@@ -13,7 +13,6 @@ from stages.layout.features import DIM, Objects, decode
 from stages.layout.geometry import floor_of
 from stages.layout.network import Denoiser
 from stages.layout.rooms import UNKNOWN, Rooms
-from stages.layout.sense import sensible
 
 AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
 """Lower edges of the floor-area classes (m²) for which the training record counts objects."""
@@ -79,7 +78,7 @@ def _wrapped(
     filled = count if exact else torch.full_like(count, N_MAX)
     if exact:
         denoise = guided.without_empty(denoise, count)
-    denoise = sensible(denoise, rooms, filled, model.class_scale)
+    denoise = guided.sensible(denoise, rooms, filled, model.class_scale)
     denoise = guided.fixed_categories(denoise, torch.from_numpy(rooms.wanted), filled, model)
     if config.count == "guided":
         gamma = config.guidance.get("quantity", QUANTITY)
