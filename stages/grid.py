@@ -102,10 +102,15 @@ def near(boxes: Boxes, grid: Grid, radius: float) -> Count:
 
 def change(count: Count, box: Boxes, grid: Grid, radius: float, by: int) -> None:
     """Add (`by` = 1) or take away (-1) one box (n = 1) in the result of `near`, in place."""
+    window, hit = shade(box, grid, radius)
+    count[window] += hit if by == 1 else np.int16(by) * hit
+
+
+def shade(box: Boxes, grid: Grid, radius: float) -> tuple[Window, Count]:
+    """A window of the raster, and which of its cells (1) are closer than `radius` to one footprint (n = 1)."""
     x, y = (float(v) for v in box.center[0, :2])
     d, w = (float(v) for v in box.size[0, :2])
-    window, hit = _shade(x, y, d, w, float(box.yaw[0]), grid, radius)
-    count[window] += hit if by == 1 else np.int16(by) * hit
+    return _shade(x, y, d, w, float(box.yaw[0]), grid, radius)
 
 
 @lru_cache(maxsize=4096)

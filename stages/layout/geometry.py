@@ -10,12 +10,7 @@ from torch import Tensor
 from stages.categories import CATEGORIES, DRAWER_TRAVEL, TABLE, belong_together
 from stages.layout.diffusion import Prediction
 from stages.layout.features import CLASS, EMPTY, HEADING, place, size
-from stages.layout.rooms import Rooms, edges
-
-DOOR_CLEARANCE = 0.75
-"""Depth kept free in front of a door, m."""
-WINDOW_CLEARANCE = 0.20
-"""Depth kept free of tall things in front of a window, m."""
+from stages.layout.rooms import DOOR_CLEARANCE, WINDOW_CLEARANCE, Rooms, edges
 
 
 @dataclass

@@ -17,6 +17,10 @@ MAX_CORNERS = 32
 MAX_OPENINGS = 20
 KINDS = {"door": 0, "opening": 1, "entrance": 2, "window": 3}
 UNKNOWN = -1
+DOOR_CLEARANCE = 0.75
+"""Depth kept free in front of a door, m."""
+WINDOW_CLEARANCE = 0.20
+"""Depth kept free of tall things in front of a window, m."""
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int64]

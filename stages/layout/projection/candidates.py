@@ -13,6 +13,8 @@ SLIDES = np.concatenate(
     [[0], *([s, -s] for s in (0.04, 0.08, 0.13, 0.2, 0.28, 0.38, 0.5, 0.65, 0.85, 1.1, 1.4, 1.8, 2.3, 3.0))]
 )
 RINGS = (0.04, 0.08, 0.14, 0.22, 0.32, 0.45, 0.6, 0.8, 1.05, 1.4, 1.9)
+CENTRAL = np.array([1.0, 1.0, 0.6, 0.6, 0.6, 0.6])
+"""How much of what the middle is worth each place of `middle` has."""
 ASKEW = frozenset({"armchair", "chair", "office_chair", "stool", "balcony_chair", "floor_lamp"})
 """What may well stand at an angle to the walls; the rest is turned along them."""
 SNAP = np.deg2rad(16)
@@ -71,6 +73,16 @@ def everywhere(center: Array, size: Array, yaw: float, space: Space, step: float
     at = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
     yaws = yaw + np.arange(4) * np.pi / 2
     return _boxes(np.tile(at, (4, 1)), np.repeat(yaws, len(at)), center[2], size)
+
+
+def middle(center: Array, size: Array, space: Space) -> Boxes:
+    """In the middle of the widest part of the floor, along the room or across it; two share its length."""
+    at, long = space.middle
+    turns = np.array([0.0, np.pi / 2]) + np.arctan2(long[1], long[0])
+    # What is wider than deep lies with its width along the room.
+    turns += np.pi / 2
+    spots = at + np.array([0.0, 1.0, -1.0])[:, None] * long
+    return _boxes(np.repeat(spots, 2, 0), np.tile(turns, 3), center[2], size)
 
 
 def join(parts: list[Boxes]) -> Boxes:

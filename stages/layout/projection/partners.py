@@ -1,90 +1,69 @@
-"""Places at what an object belongs with: a chair at its table, a nightstand at its bed, a coffee table at its sofa."""
+"""Places at what an object belongs with: a chair at its table, a nightstand at its bed, a hood over the hob."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes
 from stages.categories import TABLE
+from stages.layout.projection.habits import Habit, habits
 
 Array = NDArray[np.float64]
-PULL = 0.8
-"""A place at the partner is worth a way of this many metres, and more to what is of no use elsewhere."""
-STRONG = {"chair": 5.0, "office_chair": 5.0, "stool": 5.0, "balcony_chair": 5.0, "nightstand": 3.0, "coffee_table": 1.6}
+Spots = list[tuple[float, float, float, Array]]
+"""Places in a companion's frame: ahead, left, turn, size."""
 TUCK = 0.16
 """How far a seat goes under its table, m."""
 GAP = 0.01
 """Between a seat and a table with drawers, m."""
 SEAT = 0.58
 """Width of a place at a table, m."""
-AHEAD = {"coffee_table": 0.42, "bench": 0.03}
-"""Gap to the front of what it stands before, m."""
-BEDSIDE = 0.01
-FLUSH = 0.5
+FLUSH = 2.0
 """A place flush beside the next unit of a run is worth a way of this many metres."""
+WATCH = 3.0
+"""A television across from the sofa is worth a way of this many metres."""
+SOFAS = ("sofa", "corner_sofa")
 TABLES = ("dining_table", "island", "balcony_table")
-PARTNERS = {
-    "chair": ("dining_table", "round_table", "desk", "dressing_table"),
-    "office_chair": ("desk",),
-    "stool": ("island", "dressing_table", "dining_table"),
-    "balcony_chair": ("balcony_table",),
-    "coffee_table": ("sofa", "corner_sofa"),
-    "nightstand": ("double_bed", "single_bed"),
-    "bench": ("double_bed",),
-}
-RUN = frozenset(
-    {
-        "kitchen_base",
-        "kitchen_drawers",
-        "kitchen_sink",
-        "kitchen_corner",
-        "hob",
-        "oven",
-        "dishwasher",
-        "fridge",
-        "washing_machine",
-        "dryer",
-        "wall_unit",
-        "hood",
-    }
-)
-"""What stands side by side without a gap."""
+BEDS = ("double_bed", "single_bed")
 HUNG = frozenset({"wall_unit", "hood"})
+LOW_RUN = frozenset({
+    "kitchen_base", "kitchen_drawers", "kitchen_sink", "kitchen_corner", "hob", "oven", "dishwasher", "fridge",
+    "washing_machine", "dryer",
+})
+RUN = LOW_RUN | HUNG
+"""What stands side by side without a gap."""
 
 
-def beside(category: str, center: Array, size: Array, others: Boxes, names: list[str]) -> Boxes:
-    """Candidate places of an object at every partner it has among `others`; none gives an empty set."""
-    found = [
-        _at(category, name, size, others.center[k, :2], others.size[k], float(others.yaw[k]))
-        for k, name in enumerate(names)
-        if belongs_to(category, name)
-    ]
-    if not found:
-        return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
-    at, yaw = np.concatenate([f[0] for f in found]), np.concatenate([f[1] for f in found])
-    return Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.broadcast_to(size, (len(at), 3)), yaw)
+def beside(category: str, center: Array, size: Array, others: Boxes, names: list[str]) -> tuple[Boxes, Array]:
+    """Candidate places of an object at every companion it has among `others`, and what each is worth, m."""
+    at, yaw, sizes, worth = [], [], [], []
+    for habit in habits().get(category, ()):
+        for k, name in enumerate(names):
+            if name not in habit.at:
+                continue
+            turn = float(others.yaw[k])
+            c, s = np.cos(turn), np.sin(turn)
+            for ahead, left, turned, extent in _spots(habit, category, name, size, others.size[k]):
+                at.append(others.center[k, :2] + (ahead * c - left * s, ahead * s + left * c))
+                yaw.append(turn + turned)
+                sizes.append(extent)
+                worth.append(habit.worth)
+    if not at:
+        return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)), np.zeros(0)
+    found = Boxes(np.column_stack([at, np.full(len(at), center[2])]), np.array(sizes), np.array(yaw))
+    return found, np.array(worth)
 
 
 def bedsides(size: Array, beds: Boxes) -> tuple[Boxes, Boxes]:
     """Where a nightstand would stand at either side of each bed's head."""
+    gap = habits()["nightstand"][0].gap
     left = np.stack([-np.sin(beds.yaw), np.cos(beds.yaw)], -1)
     back = np.stack([np.cos(beds.yaw), np.sin(beds.yaw)], -1) * (size[0] - beds.size[:, :1]) / 2
-    aside = left * ((beds.size[:, 1:2] + size[1]) / 2 + BEDSIDE)
+    aside = left * ((beds.size[:, 1:2] + size[1]) / 2 + gap)
     low = np.full(beds.n, size[2] / 2)
     sizes = np.broadcast_to(size, (beds.n, 3))
     one, two = (
         Boxes(np.column_stack([beds.center[:, :2] + back + sign * aside, low]), sizes, beds.yaw) for sign in (1, -1)
     )
     return one, two
-
-
-def belongs_to(category: str, other: str) -> bool:
-    """Whether an object of a category takes its place from one of another."""
-    return other in PARTNERS.get(category, ())
-
-
-def pull(category: str) -> float:
-    """What a place at the partner is worth, m."""
-    return STRONG.get(category, PULL)
 
 
 def in_run(category: str, found: Boxes, others: Boxes, names: list[str]) -> NDArray[np.bool_]:
@@ -102,33 +81,75 @@ def in_run(category: str, found: Boxes, others: Boxes, names: list[str]) -> NDAr
     return np.asarray((aligned & (np.abs(ahead) < 0.03) & (np.abs(gap) < 0.02)).any(1))
 
 
-def _at(category: str, partner: str, size: Array, at: Array, extent: Array, turn: float) -> tuple[Array, Array]:
-    if category in AHEAD:
-        local, yaw = np.array([[(extent[0] + size[0]) / 2 + AHEAD[category], 0.0]]), np.zeros(1)
-    elif category == "nightstand":
-        aside = (extent[1] + size[1]) / 2 + BEDSIDE
-        back = (size[0] - extent[0]) / 2
-        local, yaw = np.array([[back, aside], [back, -aside]]), np.zeros(2)
-    elif partner == "round_table":
-        angle = np.arange(12) * np.pi / 6
-        far = extent[:2].max() / 2 + size[0] / 2 - TUCK
-        local, yaw = far * np.stack([np.cos(angle), np.sin(angle)], -1), angle + np.pi
-    else:
-        tuck = -GAP if TABLE[partner].opens else TUCK
-        local, yaw = _seats(size, extent, tuck, all_round=partner in TABLES)
-    c, s = np.cos(turn), np.sin(turn)
-    return at + local @ np.array([[c, s], [-s, c]]), yaw + turn
+def watched(found: Boxes, others: Boxes, names: list[str]) -> Array:
+    """What each place (n,) of a television is worth to those who sit on the sofas, m."""
+    sofas = others.take(np.array([name in SOFAS for name in names], bool))
+    if not sofas.n:
+        return np.zeros(found.n)
+    offset = sofas.center[None, :, :2] - found.center[:, None, :2]
+    away = np.linalg.norm(offset, axis=-1)
+    toward = offset / np.maximum(away, 1e-6)[..., None]
+    ahead = (toward * np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)[:, None]).sum(-1)
+    met = -(toward * np.stack([np.cos(sofas.yaw), np.sin(sofas.yaw)], -1)[None]).sum(-1)
+    seen = (ahead > np.cos(np.deg2rad(40))) & (away > 1.4)
+    return np.asarray((seen * WATCH * (0.4 + 0.6 * (met > np.cos(np.deg2rad(50))))).max(1))
 
 
-def _seats(size: Array, extent: Array, tuck: float, all_round: bool) -> tuple[Array, Array]:
+def _spots(habit: Habit, category: str, partner: str, size: Array, extent: Array) -> Spots:
+    match habit.how:
+        case "seat" if partner == "round_table":
+            far = extent[:2].max() / 2 + size[0] / 2 - TUCK
+            angles = np.arange(12) * np.pi / 6
+            return [(far * float(np.cos(a)), far * float(np.sin(a)), float(a) + np.pi, size) for a in angles]
+        case "seat":
+            return _seats(size, extent, -GAP if TABLE[partner].opens else TUCK, all_round=partner in TABLES)
+        case "before":
+            return [((extent[0] + size[0]) / 2 + habit.gap, 0.0, 0.0, size)]
+        case "facing":
+            far = (extent[1] + size[0]) / 2 + habit.gap
+            return [(0.0, far, -np.pi / 2, size), (0.0, -far, np.pi / 2, size)]
+        case "beside":
+            back, far = (size[0] - extent[0]) / 2, (extent[1] + size[1]) / 2 + habit.gap
+            return [(back, far, 0.0, size), (back, -far, 0.0, size)]
+        case "above":
+            if habit.fit:
+                width = float(np.clip(extent[1], TABLE[category].min[1], TABLE[category].max[1]))
+                size = np.array([size[0], width, size[2]])
+            return [((size[0] - extent[0]) / 2, 0.0, 0.0, size)]
+        case "flanks":
+            back, far = (size[0] - extent[0]) / 2, extent[1] / 2 + habit.gap
+            return [(back, far, 0.0, size), (back, -far, 0.0, size)]
+        case "under":
+            return _under(category, size, extent, habit.gap, partner in BEDS)
+        case _:
+            return [(0.0, 0.0, 0.0, size)]
+
+
+def _under(category: str, size: Array, extent: Array, gap: float, bed: bool) -> Spots:
+    """Beneath the whole of a table, beneath the foot of a bed, or along its side; also somewhat smaller."""
+    low, high = np.array(TABLE[category].min), np.array(TABLE[category].max)
+    spots: Spots = []
+    for share in (1.0, 0.8, 0.6, 0.35):
+        around = np.clip(np.array([*(extent[:2] + 2 * gap * share), size[2]]), low, high)
+        if not bed:
+            spots.append((0.0, 0.0, 0.0, around))
+            continue
+        across = np.array([size[0] * share, around[1], size[2]])
+        spots.append(((extent[0] - across[0]) / 2 + gap * share, 0.0, 0.0, np.maximum(across, low)))
+        along = np.maximum(np.array([*(size[:2] * share), size[2]]), low)
+        far = (extent[1] + along[0]) / 2 - 0.1
+        spots += [(0.0, side * far, np.pi / 2, along) for side in (1.0, -1.0)]
+    return spots
+
+
+def _seats(size: Array, extent: Array, tuck: float, all_round: bool) -> Spots:
     """Seats along the front of a table, and along its other sides where people sit all round; facing it."""
-    local, yaw = [], []
+    spots: Spots = []
     for angle in np.arange(4 if all_round else 1) * np.pi / 2:
         far, wide = (extent[0], extent[1]) if angle % np.pi < 0.1 else (extent[1], extent[0])
         seats = max(1, int(wide / SEAT))
-        aside = (np.arange(seats) - (seats - 1) / 2) * wide / seats
         out = far / 2 + size[0] / 2 - tuck
-        direction, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
-        local.append(out * direction + aside[:, None] * across)
-        yaw.append(np.full(seats, angle + np.pi))
-    return np.concatenate(local), np.concatenate(yaw)
+        c, s = float(np.cos(angle)), float(np.sin(angle))
+        for aside in (np.arange(seats) - (seats - 1) / 2) * wide / seats:
+            spots.append((out * c - aside * s, out * s + aside * c, float(angle) + np.pi, size))
+    return spots

@@ -19,6 +19,10 @@ Array = NDArray[np.float64]
 RADII = {0.15: 12.0, 0.25: 4.0}
 """Radius of who walks, m: that of the usual metric and that of a common robot; and how many metres of shifting it is
 worth that no floor is cut off from either."""
+BESIDE = 0.15
+"""Radius of who is to get beside every object, m."""
+UNREACHED = 0.8
+"""Getting beside one more object is worth as many metres."""
 DOOR = 0.1
 """A door shut off counts as this share of the floor."""
 SLIVER = 0.02
@@ -29,8 +33,13 @@ SHIFTS = (0.05, 0.1, 0.16, 0.24, 0.34, 0.5, 0.7)
 NARROWER = (0.92, 0.85, 0.75)
 NEAR = 0.7
 """Places farther away than this are not tried, m."""
+FAR = 3.0
+LITTLE = frozenset({"bin", "plant", "laundry_basket", "side_table", "floor_lamp"})
+"""What may go to another corner of the room, as what hangs on the walls; places farther than FAR are not tried, m."""
 TRIED, MOVES = 12, 5
 LEAST_GAIN = 0.05
+RUN_BROKEN = 1.5
+"""A unit out of line with its run costs as much as a shift of so many metres."""
 GROUP_GAP = 0.25
 """What belongs with an object and stands as close as this moves along with it, m."""
 
@@ -45,44 +54,80 @@ class Move:
 
 
 class Paths:
-    """How many obstacles keep each walker off each cell of a room."""
+    """How many obstacles keep each walker off each cell of a room, and what stands there."""
 
     def __init__(self, room: Standing, space: Space) -> None:
         floor = shapely.Polygon(space.corners)
         self.cells = grid.over(floor)
         self.inner = {r: grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII}
-        low = room.boxes.take(np.flatnonzero(in_the_way(room)))
-        self.count = {r: grid.near(low, self.cells, r) for r in RADII}
+        self.count = {r: np.zeros(self.cells.shape, np.int16) for r in RADII}
+        self.bodies: dict[int, Boxes] = {}
+        for k in np.flatnonzero(in_the_way(room)):
+            self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
         column, row = np.clip((before / self.cells.resolution).astype(int), 0, np.array(self.cells.shape[::-1]) - 1).T
         self.doors = row, column
 
-    def change(self, box: Boxes, by: int) -> None:
-        """Put a box (n = 1) there, or take it away."""
+    def add(self, k: int, box: Boxes) -> None:
+        """Object `k` stands there from now on."""
+        self.bodies[k] = box
         for r, count in self.count.items():
-            grid.change(count, box, self.cells, r, by)
+            grid.change(count, box, self.cells, r, 1)
 
-    def cut_off(self) -> float:
-        """What it is worth, in metres of shifting, to join all parts of the floor and all doors."""
+    def remove(self, k: int) -> None:
+        """Object `k` is gone."""
+        box = self.bodies.pop(k)
+        for r, count in self.count.items():
+            grid.change(count, box, self.cells, r, -1)
+
+    def parts(self, r: float) -> tuple[grid.Labels, NDArray[np.int64], int]:
+        """Parts of the floor for a walker, their sizes, and the one with most doors' floor, 0 without any."""
+        labels, sizes = grid.connected(self.inner[r] & (self.count[r] == 0))
+        at_doors = labels[self.doors]
+        return labels, sizes, int(at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax())
+
+    def cut_off(self, limit: float = np.inf) -> float:
+        """What it is worth, in metres of shifting, to join all parts of the floor, all doors and objects; above
+        `limit` only so much of it."""
         total = 0.0
         for r, worth in RADII.items():
-            labels, sizes = grid.connected(self.inner[r] & (self.count[r] == 0))
-            at_doors = labels[self.doors]
-            home = at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax()
+            labels, sizes, home = self.parts(r)
             lost = 1 - sizes[home] / sizes.sum() if sizes[home] else 1.0
             total += worth * (float(lost) if lost > SLIVER else 0.0)
-            total += DOOR * worth * float((at_doors != home).sum())
+            total += DOOR * worth * float((labels[self.doors] != home).sum())
+            if total > limit:
+                break
+            if r == BESIDE:
+                total += UNREACHED * len(self._apart(labels, home))
         return total
 
-    def between(self) -> Callable[[Boxes], bool]:
-        """Tells whether a box (n = 1) lies between two parts of the floor, or before a door shut in."""
-        labels = {r: grid.connected(self.inner[r] & (self.count[r] == 0))[0] for r in RADII}
-        blocked = any((found[self.doors] == 0).any() for found in labels.values())
+    def unreached(self) -> set[int]:
+        """Objects that do not border the part of the floor with the doors."""
+        labels, _, home = self.parts(BESIDE)
+        return self._apart(labels, home)
 
-        def borders(box: Boxes) -> bool:
-            for r, found in labels.items():
-                touched = np.unique(found[grid.near(box, self.cells, r + 1.5 * self.cells.resolution) > 0])
-                if blocked or (touched > 0).sum() > 1:
+    def _apart(self, labels: grid.Labels, home: int) -> set[int]:
+        free = labels == home if home else np.zeros(labels.shape, bool)
+        out = set()
+        for k, box in self.bodies.items():
+            window, beside = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
+            if not (free[window] & (beside > 0)).any():
+                out.add(k)
+        return out
+
+    def between(self) -> Callable[[int], bool]:
+        """Tells whether an object lies between two parts of the floor, before a door shut in, or out of reach."""
+        found = {r: self.parts(r)[0] for r in RADII}
+        blocked = any((labels[self.doors] == 0).any() for labels in found.values())
+        lost = self.unreached()
+
+        def borders(k: int) -> bool:
+            if blocked or k in lost:
+                return True
+            for r, labels in found.items():
+                window, beside = grid.shade(self.bodies[k], self.cells, r + 1.5 * self.cells.resolution)
+                touched = np.unique(labels[window][beside > 0])
+                if (touched > 0).sum() > 1:
                     return True
             return False
 
@@ -104,12 +149,12 @@ def join(room: Standing, space: Space) -> None:
             return
         best: tuple[float, Move, int] | None = None
         borders = paths.between()
-        for i in np.flatnonzero(in_the_way(room)):
+        for i in sorted(paths.bodies):
             category = room.items[i].category
-            if TABLE[category].place != "floor" or category in SOFT or not borders(room.boxes.take([i])):
+            if TABLE[category].place not in ("floor", "wall") or category in SOFT or not borders(i):
                 continue
-            for move in moves(int(i), room, space):
-                found = _best(move, room, paths, worth)
+            for move in moves(i, room, space):
+                found = _best(move, paths, worth)
                 if found is not None and (best is None or found[0] < best[0]):
                     best = found[0], move, found[1]
         if best is None:
@@ -118,38 +163,34 @@ def join(room: Standing, space: Space) -> None:
         worth = paths.cut_off()
 
 
-def _best(move: Move, room: Standing, paths: Paths, worth: float) -> tuple[float, int] | None:
+def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:
     """The candidate that leaves the least, and what remains with it; None where none gains."""
-    walked = in_the_way(room)
-    for k in move.members:
-        if walked[k]:
-            paths.change(room.boxes.take([k]), -1)
+    old = {k: paths.bodies[k] for k in move.members if k in paths.bodies}
+    for k in old:
+        paths.remove(k)
     found: tuple[float, int] | None = None
     limit = worth - LEAST_GAIN
     for n in np.argsort(move.price, kind="stable")[:TRIED]:
         if move.price[n] >= limit:
             break
         for k, boxes in zip(move.members, move.boxes):
-            if walked[k]:
-                paths.change(boxes.take([n]), 1)
-        total = float(move.price[n]) + paths.cut_off()
+            if k in old:
+                paths.add(k, boxes.take([n]))
+        total = float(move.price[n]) + paths.cut_off(limit - float(move.price[n]))
         if total < limit:
             found, limit = (total, int(n)), total
-        for k, boxes in zip(move.members, move.boxes):
-            if walked[k]:
-                paths.change(boxes.take([n]), -1)
-    for k in move.members:
-        if walked[k]:
-            paths.change(room.boxes.take([k]), 1)
+        for k in old:
+            paths.remove(k)
+    for k, box in old.items():
+        paths.add(k, box)
     return found
 
 
 def _apply(move: Move, n: int, room: Standing, paths: Paths) -> None:
-    walked = in_the_way(room)
     for k, boxes in zip(move.members, move.boxes):
-        if walked[k]:
-            paths.change(room.boxes.take([k]), -1)
-            paths.change(boxes.take([n]), 1)
+        if k in paths.bodies:
+            paths.remove(k)
+            paths.add(k, boxes.take([n]))
         room.put(
             k, replace(room.items[k], center=boxes.center[n].copy(), size=boxes.size[n].copy(), yaw=float(boxes.yaw[n]))
         )
@@ -162,7 +203,9 @@ def moves(i: int, room: Standing, space: Space) -> list[Move]:
     if len(alone) < len(group):
         tried.append(_rigid(alone, _shifts(room.boxes.take([i])), room, space))
     if len(alone) == 1:
-        tried += [_anew(i, room, space), *(_narrower(i, share, room, space) for share in NARROWER)]
+        tried.append(_anew(i, room, space))
+        if TABLE[room.items[i].category].place == "floor":
+            tried += [_narrower(i, share, room, space) for share in NARROWER]
     return [_valid(move) for move in tried if (move.price < BROKEN).any()]
 
 
@@ -229,6 +272,10 @@ def _price(k: int, boxes: Boxes, members: list[int], room: Standing, space: Spac
     price = cost(boxes, item.category, item.center, item.yaw, others, space)
     if TABLE[item.category].back:
         price = price + np.where(_behind(boxes, space) > 0.05, 1.0, 0.0)
+    standing, names = room.standing(k)
+    here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
+    if partners.in_run(item.category, here, standing, names)[0]:
+        price = price + np.where(partners.in_run(item.category, boxes, standing, names), 0.0, RUN_BROKEN)
     return np.asarray(price)
 
 
@@ -244,11 +291,12 @@ def _anew(i: int, room: Standing, space: Space) -> Move:
     """Along the walls and at partners, not far from where it is."""
     item = room.items[i]
     standing, names = room.standing(i)
-    parts = [partners.beside(item.category, item.center, item.size, standing, names)]
-    if TABLE[item.category].back:
+    parts = [partners.beside(item.category, item.center, item.size, standing, names)[0]]
+    if TABLE[item.category].back or item.category in LITTLE:
         parts.append(candidates.along_walls(item.center, item.size, space, standing))
     found = candidates.join(parts)
-    found = found.take(np.linalg.norm(found.center[:, :2] - item.center[:2], axis=1) < NEAR)
+    near = FAR if item.category in LITTLE or TABLE[item.category].place == "wall" else NEAR
+    found = found.take(np.linalg.norm(found.center[:, :2] - item.center[:2], axis=1) < near)
     return Move([i], [found], _price(i, found, [i], room, space))
 
 

@@ -6,16 +6,19 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes, penetration
+from stages.boxes import Boxes
 from stages.categories import TABLE
-from stages.layout.projection import candidates, passage
-from stages.layout.projection.costs import BROKEN, SOFT, cost
-from stages.layout.projection.partners import FLUSH, bedsides, belongs_to, beside, in_run, pull
+from stages.layout.projection import candidates, comfort, passage, runs
+from stages.layout.projection.costs import BROKEN, cost
+from stages.layout.projection.habits import belongs_to
+from stages.layout.projection.partners import FLUSH, bedsides, beside, in_run, watched
 from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Item, Standing, rests_on
+from stages.layout.projection.standing import Item, Standing
+from stages.layout.projection.supports import on_support
 
 Array = NDArray[np.float64]
-LEAN = {"bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.25, "coat_rack": 0.4, "bin": 0.5}
+LEAN = {"bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.6, "coat_rack": 0.4, "side_table": 0.4,
+        "bin": 3.0, "plant": 3.0, "laundry_basket": 3.0}
 NEAR = 0.12
 """Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
@@ -26,17 +29,23 @@ ROUNDS = 3
 HEADROOM = 2.1
 LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
+MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}
+"""The middle of the room is worth a way of this many metres."""
+EYES = 1.55
+"""The middle of a mirror hangs no lower, m, unless it reaches to the floor."""
 
 
 def project(items: list[Item], space: Space, essential: Container[int] = ()) -> list[Item]:
     """The items in their order, each at its place; the `essential` ones choose before others of their kind."""
-    wanted = [replace(item, size=_clamped(item, space)) for item in items]
+    wanted = runs.alike([replace(item, size=_clamped(item, space)) for item in items])
     order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted, i in essential))
     room = Standing(wanted)
+    runs.place(runs.line(wanted), room, space)
     for i in order:
-        room.put(i, _place(i, wanted[i], room, space, wide=False))
+        if not room.there[i]:
+            room.put(i, _place(i, wanted[i], room, space, wide=False))
     for attempt in range(ROUNDS):
-        broken = [i for i in order if _again(i, room, space) >= BROKEN]
+        broken = _at_fault(room, space, order) if attempt < ROUNDS - 1 else _broken(room, space)
         if not broken:
             break
         # Seats leave with their table and come back to it.
@@ -46,10 +55,25 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
             if i in broken or i in follow:
                 room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
     passage.join(room, space)
-    for i, item in enumerate(room.items):
-        item.cost = _again(i, room, space)
-        item.moved = float(np.linalg.norm(item.center[:2] - items[i].center[:2]))
+    for item, cost_there, given in zip(room.items, room.costs(space), items, strict=True):
+        item.cost = float(cost_there)
+        item.moved = float(np.linalg.norm(item.center[:2] - given.center[:2]))
     return room.items
+
+
+def _broken(room: Standing, space: Space) -> set[int]:
+    """What breaks a requirement where it is."""
+    return set(np.flatnonzero(room.there & (room.costs(space) >= BROKEN)).tolist())
+
+
+def _at_fault(room: Standing, space: Space, order: list[int]) -> set[int]:
+    """What has to go so that nothing is broken, of any two the one that chose later; it has no place from now on."""
+    gone: set[int] = set()
+    while broken := _broken(room, space):
+        worst = max(broken, key=order.index)
+        room.there[worst] = False
+        gone.add(worst)
+    return gone
 
 
 def _clamped(item: Item, space: Space) -> Array:
@@ -91,35 +115,35 @@ def _largest(i: int, shapes: list[Item], room: Standing, space: Space, wide: boo
     return min(tried, key=lambda item: item.cost)
 
 
-def _again(i: int, room: Standing, space: Space) -> float:
-    """What object `i` costs where it is, among the others."""
-    item = room.items[i]
-    if TABLE[item.category].place == "top" and not any(rests_on(item, o) for o in room.neighbours(i)):
-        return 2 * BROKEN
-    here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
-    return float(cost(here, item.category, item.center, item.yaw, room.others(i, item), space)[0])
-
-
 def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
     """The item at its cheapest place; `wide` looks all over the room."""
     kind = TABLE[item.category]
-    if kind.place == "top" and (stood := _on_support(item, room.neighbours(i))) is not None:
+    if kind.place == "top" and (stood := on_support(item, room.neighbours(i))) is not None:
         return stood
     item = replace(item, center=np.array([*item.center[:2], _height(item, space)]))
     if item.category == "curtain":
         item = _at_window(item, space)
     others = room.others(i, item)
-    found = _candidates(item, others.boxes, space, wide)
     standing, names = room.standing(i)
-    near = beside(item.category, item.center, item.size, standing, names)
-    found = candidates.join([found, near])
+    found, worth = beside(item.category, item.center, item.size, standing, names)
+    parts = [_candidates(item, others.boxes, space, wide), found]
+    if item.category in MIDDLE:
+        parts.append(candidates.middle(item.center, item.size, space))
+    found = candidates.join(parts)
+    central = [MIDDLE[item.category] * candidates.CENTRAL for _ in parts[2:]]
+    bonus = np.concatenate([np.zeros(parts[0].n), worth, *central])
+    bonus += FLUSH * in_run(item.category, found, standing, names)
+    if item.category == "tv_stand":
+        bonus += watched(found, standing, names)
     prices = cost(found, item.category, item.center, item.yaw, others, space)
     prices += ROOM_BESIDE * _bedsides_lost(item, found, room, space)
     fits = prices < BROKEN
-    prices[(np.arange(found.n) >= found.n - near.n) & fits] -= pull(item.category)
-    prices[in_run(item.category, found, standing, names) & fits] -= FLUSH
+    prices[fits] += (comfort.price(item.category, found, space, standing, names) - bonus)[fits]
     best = int(np.argmin(prices))
-    return replace(item, center=found.center[best].copy(), yaw=float(found.yaw[best]), cost=float(prices[best]))
+    return replace(
+        item, center=found.center[best].copy(), size=found.size[best].copy(), yaw=float(found.yaw[best]),
+        cost=float(prices[best]),
+    )
 
 
 def _bedsides_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Array:
@@ -149,7 +173,8 @@ def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
     if walls.n:
         lean = LEAN.get(item.category, NEAR)
         near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else lean)
-        walls = walls.take(near & (np.cos(walls.yaw - yaw) > (-2 if wide else 0.7)))
+        turned = np.cos(walls.yaw - yaw) > 0.7
+        walls = walls.take(near & (turned | wide | (lean > 1)))
         # With its back to a wall is where such a thing stands by habit.
         parts = [walls] if walls.n and item.category in LEAN and not wide else [*parts, walls]
     if wide:
@@ -168,33 +193,10 @@ def _height(item: Item, space: Space) -> float:
         case "top":
             return min(1.1 + tall / 2, space.height - tall / 2)
         case _:
-            return min(max(kind.z + tall / 2, tall / 2), space.height - 0.02 - tall / 2)
-
-
-def _on_support(item: Item, others: list[Item]) -> Item | None:
-    """On the nearest support that it belongs on, wholly over its top and clear of what stands there already."""
-    supports = [o for o in others if o.category in TABLE[item.category].belongs]
-    for support in sorted(supports, key=lambda o: float(np.linalg.norm(o.center[:2] - item.center[:2]))):
-        fitting = np.maximum(np.minimum(item.size, [*support.size[:2], np.inf]), TABLE[item.category].min)
-        item, room = replace(item, size=fitting), support.size[:2] - fitting[:2]
-        if (room < 0).any():
-            continue
-        c, s = np.cos(support.yaw), np.sin(support.yaw)
-        offset = np.array([[c, s], [-s, c]]) @ (item.center[:2] - support.center[:2])
-        half = np.maximum(room / 2, 0)
-        z = support.center[2] + support.size[2] / 2 + item.size[2] / 2
-        for share in (None, 0.0, 0.5, -0.5, 1.0, -1.0):
-            at = np.clip(offset, -half, half) if share is None else np.array([-half[0] * 0.6, half[1] * share])
-            place = support.center[:2] + np.array([[c, -s], [s, c]]) @ at
-            stood = replace(item, center=np.array([*place, z]), yaw=support.yaw, cost=0.0)
-            if all(not _touch(stood, o) for o in others if o is not support and o.category not in SOFT):
-                return stood
-    return None
-
-
-def _touch(a: Item, b: Item) -> bool:
-    one, two = (Boxes(o.center[None], o.size[None], np.array([o.yaw])) for o in (a, b))
-    return bool(penetration(one, two)[0, 0] > 0.004)
+            middle = max(kind.z + tall / 2, tall / 2)
+            if item.category == "mirror" and tall < EYES:
+                middle = max(middle, EYES)
+            return min(middle, space.height - 0.02 - tall / 2)
 
 
 def _at_window(item: Item, space: Space) -> Item:

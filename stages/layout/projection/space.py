@@ -1,14 +1,14 @@
 """A room as the projection sees it: wall frames, slabs behind the walls, zones to keep clear."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stages import boxes
 from stages.boxes import Boxes
-from stages.layout.geometry import DOOR_CLEARANCE, WINDOW_CLEARANCE
-from stages.layout.rooms import KINDS, Rooms
+from stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
 
 Array = NDArray[np.float64]
 SLAB = 0.30
@@ -34,6 +34,30 @@ class Space:
     window: NDArray[np.bool_]
     spans: Array
     height: float
+
+    @cached_property
+    def middle(self) -> tuple[Array, Array]:
+        """The point farthest from the walls, the one nearest to the centre among equals, and a quarter of the free
+        length through it, (2,) each."""
+        low, high = self.corners.min(0), self.corners.max(0)
+        x, y = (np.linspace(low[k], high[k], 2 * int((high[k] - low[k]) / 0.2) + 3)[1:-1] for k in (0, 1))
+        points = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
+        away = self.away(points)
+        centre = (self.corners.mean(0) + (low + high) / 2) / 2
+        best = points[np.argmax(away - 0.15 * np.linalg.norm(points - centre, axis=1))]
+        steps = np.arange(1, 60)[:, None] * 0.1
+        ahead = self.along[0]
+        ways = [ahead, np.array([-ahead[1], ahead[0]])]
+        free = [
+            sum(int(np.cumprod(self.away(best + sign * steps * way) > 0.05).sum()) for sign in (1, -1)) for way in ways
+        ]
+        k = int(np.argmax(free))
+        return best, ways[k] * free[k] * 0.1 / 4
+
+    def away(self, points: Array) -> Array:
+        """Distance to the nearest wall, m, 0 beyond the walls, (n,)."""
+        within, far = _within(points, self)
+        return np.where(within, far, 0.0)
 
 
 def space_of(rooms: Rooms, index: int) -> Space:
@@ -76,7 +100,14 @@ def _zones(rows: Array, height: float) -> tuple[Boxes, NDArray[np.bool_], Array]
 
 def outside(found: Boxes, space: Space) -> Array:
     """How far each box stands beyond the walls, m, 0 when inside, (n,)."""
-    points = boxes.corners(found).reshape(-1, 2)
+    within, away = _within(boxes.corners(found).reshape(-1, 2), space)
+    far = np.where(within, 0.0, away).reshape(-1, 4).max(1)
+    # A box may straddle a re-entrant corner with all its own corners inside.
+    return np.asarray(np.maximum(far, np.maximum(boxes.penetration(found, space.slabs).max(1), 0)))
+
+
+def _within(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:
+    """Which points lie on the floor, and the distance of each to the nearest wall, (n,)."""
     offset = points[:, None] - space.start
     share = np.clip((offset * space.along).sum(-1), 0, space.length)
     away = np.linalg.norm(offset - share[..., None] * space.along, axis=-1).min(1)
@@ -84,7 +115,4 @@ def outside(found: Boxes, space: Space) -> Array:
     spans = (space.start[:, 1] > points[:, 1, None]) != (end[:, 1] > points[:, 1, None])
     turn = space.along[:, 0] * offset[..., 1] - space.along[:, 1] * offset[..., 0]
     right = np.where(end[:, 1] > space.start[:, 1], turn > 0, turn < 0)
-    within = (spans & right).sum(1) % 2 == 1
-    far = np.where(within, 0.0, away).reshape(-1, 4).max(1)
-    # A box may straddle a re-entrant corner with all its own corners inside.
-    return np.asarray(np.maximum(far, np.maximum(boxes.penetration(found, space.slabs).max(1), 0)))
+    return (spans & right).sum(1) % 2 == 1, away

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from stages.boxes import Boxes
 from stages.categories import TABLE, tucks
-from stages.layout.projection.costs import SOFT, Placed, grown
+from stages.layout.projection.costs import BROKEN, SOFT, Meets, Placed, grown, standing_costs
+from stages.layout.projection.space import Space
 
 Array = NDArray[np.float64]
 TUCK_MOST = 0.28
@@ -62,6 +63,32 @@ class Standing:
         shut = np.array([self.opens[i] or self.opens[k] for k in np.flatnonzero(index)], bool)
         tuck = np.where(seated & ~shut, TUCK_MOST, 0.0)
         return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], seated, tuck)
+
+    def meets(self) -> Meets:
+        """`others` of all objects at once."""
+        n = len(self.items)
+        hard = self.there[None] & ~np.eye(n, dtype=bool)
+        bottom = self.boxes.center[:, 2] - self.boxes.size[:, 2] / 2
+        top = self.boxes.center[:, 2] + self.boxes.size[:, 2] / 2
+        for i, item in enumerate(self.items):
+            hard[i] &= ~self._soft(item) & (item.category not in SOFT)
+            if TABLE[item.category].place == "top":
+                hard[i] &= np.abs(top - bottom[i]) > 0.02
+        opens = np.array(self.opens, bool)
+        shut = opens[:, None] | opens[None]
+        return Meets(hard, self.seated, np.where(self.seated & ~shut, TUCK_MOST, 0.0))
+
+    def costs(self, space: Space) -> Array:
+        """What each object costs where it is, among the others, (n,)."""
+        if not self.items:
+            return np.zeros(0)
+        names = [item.category for item in self.items]
+        found = standing_costs(self.boxes, self.grown, names, self.meets(), space)
+        for i, item in enumerate(self.items):
+            on_top = self.there[i] and TABLE[item.category].place == "top"
+            if on_top and not any(rests_on(item, o) for o in self.neighbours(i)):
+                found[i] = 2 * BROKEN
+        return found
 
     def _soft(self, item: Item) -> NDArray[np.bool_]:
         """What gives way to an item; a tall door does not pass a curtain's rod."""

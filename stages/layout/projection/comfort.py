@@ -1,0 +1,67 @@
+"""What makes a place pleasant that breaks no requirement: seats look into the room, beds have sides to get in from."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stages.boxes import Boxes, penetration
+from stages.layout.projection.space import Space, outside
+
+Array = NDArray[np.float64]
+VIEW = {"sofa": 1.2, "corner_sofa": 0.9, "armchair": 0.8}
+"""How far a seat looks before it meets a wall, m."""
+FACED = 2.0
+"""A seat before a wall is worth a way of this many metres, elsewhere."""
+SIDES = {"double_bed": 0.5}
+"""Floor at either side to get in from, m."""
+SIDE = 1.5
+ASIDE = frozenset({"bin", "plant", "laundry_basket", "floor_lamp", "coat_rack"})
+"""What stands at a wall, out of the way; elsewhere it costs OPEN metres."""
+OPEN = 2.5
+MIRRORED = frozenset({"vanity"})
+"""What has a mirror above it and had better not stand below a window, where it costs DAZZLED metres."""
+DAZZLED = 1.5
+CROWD = 1.5
+"""Another lamp on the ceiling this near, m, costs as much."""
+
+
+def price(category: str, found: Boxes, space: Space, standing: Boxes, names: list[str]) -> Array:
+    """What each place (n,) lacks, in metres of shifting."""
+    total = np.zeros(found.n)
+    if category in VIEW:
+        total += FACED * (outside(_before(found, VIEW[category]), space) > 0.05)
+    if category in SIDES:
+        for sign in (1.0, -1.0):
+            strip = _aside(found, SIDES[category], sign)
+            taken = outside(strip, space) > 0.05
+            if standing.n:
+                taken |= (penetration(strip, standing) > 0.05).any(1)
+            total += SIDE * taken
+    if category in MIRRORED and space.window.any():
+        tall = Boxes(found.center * [1, 1, 0] + [0, 0, 1.0], found.size * [1, 1, 0] + [0, 0, 2.0], found.yaw)
+        total += DAZZLED * (penetration(tall, space.zones.take(space.window)) > 0.01).any(1)
+    if category in ASIDE:
+        total += OPEN * (space.away(found.center[:, :2]) > found.size[:, :2].max(1) / 2 + 0.25)
+    if category == "ceiling_lamp":
+        lamps = standing.take(np.array([name == category for name in names], bool))
+        if lamps.n:
+            apart = np.linalg.norm(found.center[:, None, :2] - lamps.center[None, :, :2], axis=-1).min(1)
+            total += 2 * np.maximum(CROWD - apart, 0)
+    return total
+
+
+def _before(found: Boxes, depth: float) -> Boxes:
+    """The floor in front of each box."""
+    heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
+    center, size = found.center.copy(), found.size.copy()
+    center[:, :2] += heading * (found.size[:, :1] + depth) / 2
+    size[:, 0] = depth
+    return Boxes(center, size, found.yaw)
+
+
+def _aside(found: Boxes, width: float, sign: float) -> Boxes:
+    """The floor at the left (1) or right (-1) of each box."""
+    left = np.stack([-np.sin(found.yaw), np.cos(found.yaw)], -1)
+    center, size = found.center.copy(), found.size.copy()
+    center[:, :2] += sign * left * (found.size[:, 1:2] + width) / 2
+    size[:, 1] = width
+    return Boxes(center, size, found.yaw)

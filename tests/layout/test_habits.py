@@ -1,0 +1,97 @@
+"""Things stand where people put them: hoods over hobs, rugs under tables, kitchens in a row, mirrors over basins."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import some_rooms
+
+from stages import boxes
+from stages.boxes import Boxes
+from stages.categories import CATEGORIES, TABLE
+from stages.layout.projection import Item, project
+from stages.layout.projection.costs import BROKEN
+from stages.layout.projection.habits import habits
+from stages.layout.projection.partners import LOW_RUN
+from stages.layout.projection.space import Space, space_of
+
+KITCHEN = ["fridge", "kitchen_sink", "kitchen_base", "hob", "hood", "wall_unit"]
+
+
+def strewn(names: list[str], rng: np.random.Generator) -> list[Item]:
+    """Things of usual sizes anywhere near the middle of a room."""
+    return [
+        Item(name, np.array([*rng.uniform(-1.2, 1.2, 2), 0.5]), np.array(TABLE[name].size), rng.uniform(-3, 3))
+        for name in names
+    ]
+
+
+def in_frame(item: Item, of: Item) -> np.ndarray:
+    c, s = np.cos(of.yaw), np.sin(of.yaw)
+    return np.array([[c, s], [-s, c]]) @ (item.center[:2] - of.center[:2])
+
+
+def settled(names: list[str], seed: int, room: int = 0) -> tuple[dict[str, Item], Space]:
+    space = space_of(some_rooms(8, room), seed)
+    done = project(strewn(names, np.random.default_rng(seed)), space)
+    return {item.category: item for item in done if item.cost < BROKEN}, space
+
+
+def test_every_habit_names_furniture_that_there_is() -> None:
+    for name, rows in habits().items():
+        assert name in CATEGORIES
+        for habit in rows:
+            assert set(habit.at) <= set(CATEGORIES) and habit.worth > 0
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_kitchen_units_stand_in_a_row(seed: int) -> None:
+    found, _ = settled(KITCHEN, seed)
+    low = [item for item in found.values() if item.category in LOW_RUN]
+    assert len(low) == 4
+    bodies = Boxes(np.array([o.center for o in low]), np.array([o.size for o in low]), np.array([o.yaw for o in low]))
+    near = boxes.gap(bodies) < 0.01
+    # Two legs of a run round a corner need not touch.
+    assert (near.any(1)).sum() >= 3
+    cooker, hood = found["hob"], found.get("hood")
+    if hood is not None and abs(in_frame(hood, cooker)[1]) < 0.01:
+        assert hood.size[1] == pytest.approx(np.clip(cooker.size[1], 0.5, 0.95))
+
+
+def test_a_hood_hangs_over_the_hob_and_a_mirror_over_the_basin_at_eye_level() -> None:
+    over = [settled(KITCHEN, seed)[0] for seed in range(8)]
+    over = [found for found in over if "hood" in found]
+    assert sum(abs(in_frame(found["hood"], found["hob"])[1]) < 0.01 for found in over) >= len(over) - 2
+    mirrors = [settled(["vanity", "toilet", "mirror"], seed)[0] for seed in range(8)]
+    assert sum(abs(in_frame(found["mirror"], found["vanity"])[1]) < 0.01 for found in mirrors) >= 6
+    assert all(found["mirror"].center[2] >= 1.5 for found in mirrors)
+
+
+def test_rugs_lie_under_tables_and_lamps_hang_over_them() -> None:
+    beneath = 0
+    for seed in range(6):
+        found, _ = settled(["dining_table", "rug", "ceiling_lamp"], seed)
+        table, rug = found["dining_table"], found["rug"]
+        assert np.linalg.norm(found["ceiling_lamp"].center[:2] - table.center[:2]) < 0.01
+        beneath += np.linalg.norm(rug.center[:2] - table.center[:2]) < 0.01 and (rug.size[:2] > table.size[:2]).all()
+    assert beneath >= 5, "a table at a wall has no room for a rug that reaches out"
+
+
+def test_a_lone_lamp_hangs_in_the_middle() -> None:
+    found, space = settled(["ceiling_lamp"], 3)
+    half = (space.corners.max(0) - space.corners.min(0)) / 2
+    assert (np.abs(found["ceiling_lamp"].center[:2]) < 0.15 * half + 0.1).all()
+
+
+def test_the_television_stands_across_from_the_sofa() -> None:
+    met = 0
+    for seed in range(8):
+        found, _ = settled(["sofa", "tv_stand"], seed)
+        sofa, stand = found["sofa"], found["tv_stand"]
+        met += in_frame(sofa, stand)[0] > abs(in_frame(sofa, stand)[1])
+    assert met >= 6
+
+
+def test_bins_stand_out_of_the_way() -> None:
+    for seed in range(8):
+        found, space = settled(["bin", "plant"], seed)
+        for item in found.values():
+            assert space.away(item.center[None, :2])[0] < item.size[:2].max() / 2 + 0.3
