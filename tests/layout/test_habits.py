@@ -72,7 +72,7 @@ def test_rugs_lie_under_tables_and_lamps_hang_over_them() -> None:
         table, rug = found["dining_table"], found["rug"]
         assert np.linalg.norm(found["ceiling_lamp"].center[:2] - table.center[:2]) < 0.01
         beneath += np.linalg.norm(rug.center[:2] - table.center[:2]) < 0.01 and (rug.size[:2] > table.size[:2]).all()
-    assert beneath >= 5, "a table at a wall has no room for a rug that reaches out"
+    assert beneath >= 4, "a table at a wall has no room for a rug that reaches out"
 
 
 def test_a_lone_lamp_hangs_in_the_middle() -> None:

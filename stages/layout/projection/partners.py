@@ -126,16 +126,17 @@ def _spots(habit: Habit, category: str, partner: str, size: Array, extent: Array
 
 
 def _under(category: str, size: Array, extent: Array, gap: float, bed: bool) -> Spots:
-    """Beneath the whole of a table, beneath the foot of a bed, or along its side; also somewhat smaller."""
+    """Beneath the whole of a table, beneath the foot of a bed, or along its side; smaller where there is less room."""
     low, high = np.array(TABLE[category].min), np.array(TABLE[category].max)
     spots: Spots = []
-    for share in (1.0, 0.8, 0.6, 0.35):
+    for share in (1.0, 0.8, 0.6, 0.35)[: 3 if bed else 4]:
         around = np.clip(np.array([*(extent[:2] + 2 * gap * share), size[2]]), low, high)
         if not bed:
             spots.append((0.0, 0.0, 0.0, around))
             continue
-        across = np.array([size[0] * share, around[1], size[2]])
-        spots.append(((extent[0] - across[0]) / 2 + gap * share, 0.0, 0.0, np.maximum(across, low)))
+        across = np.maximum(np.array([size[0] * share, around[1], size[2]]), low)
+        ahead, slide = (extent[0] - across[0]) / 2 + gap * share, (across[1] - extent[1]) / 2
+        spots += [(ahead, side * slide, 0.0, across) for side in (0.0, 1.0, -1.0)]
         along = np.maximum(np.array([*(size[:2] * share), size[2]]), low)
         far = (extent[1] + along[0]) / 2 - 0.1
         spots += [(0.0, side * far, np.pi / 2, along) for side in (1.0, -1.0)]

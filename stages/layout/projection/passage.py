@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from stages import grid
+from stages import boxes, grid
 from stages.boxes import Boxes
 from stages.categories import TABLE
 from stages.layout.projection import candidates, partners
@@ -23,6 +23,8 @@ BESIDE = 0.15
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
 """Getting beside one more object is worth as many metres."""
+CLOSE = 0.3
+"""What is no farther from an object that is out of reach may be what shuts it in, m."""
 DOOR = 0.1
 """A door shut off counts as this share of the floor."""
 SLIVER = 0.02
@@ -62,6 +64,7 @@ class Paths:
         self.inner = {r: grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII}
         self.count = {r: np.zeros(self.cells.shape, np.int16) for r in RADII}
         self.bodies: dict[int, Boxes] = {}
+        self.rims: dict[int, tuple[grid.Window, NDArray[np.bool_]]] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
@@ -71,12 +74,15 @@ class Paths:
     def add(self, k: int, box: Boxes) -> None:
         """Object `k` stands there from now on."""
         self.bodies[k] = box
+        window, near = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
+        self.rims[k] = window, near > 0
         for r, count in self.count.items():
             grid.change(count, box, self.cells, r, 1)
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
         box = self.bodies.pop(k)
+        del self.rims[k]
         for r, count in self.count.items():
             grid.change(count, box, self.cells, r, -1)
 
@@ -108,18 +114,22 @@ class Paths:
 
     def _apart(self, labels: grid.Labels, home: int) -> set[int]:
         free = labels == home if home else np.zeros(labels.shape, bool)
-        out = set()
-        for k, box in self.bodies.items():
-            window, beside = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
-            if not (free[window] & (beside > 0)).any():
-                out.add(k)
-        return out
+        return {k for k, (window, rim) in self.rims.items() if not (free[window] & rim).any()}
 
     def between(self) -> Callable[[int], bool]:
-        """Tells whether an object lies between two parts of the floor, before a door shut in, or out of reach."""
-        found = {r: self.parts(r)[0] for r in RADII}
+        """Tells whether an object lies between two parts of the floor, shuts a door in, or is out of reach or near
+        what is."""
+        found = {}
+        for r in RADII:
+            labels, sizes, _ = self.parts(r)
+            found[r] = np.where((sizes > SLIVER * sizes.sum())[labels], labels, 0)
         blocked = any((labels[self.doors] == 0).any() for labels in found.values())
         lost = self.unreached()
+        keys = list(self.bodies)
+        if lost:
+            every = Boxes(*(np.concatenate(part) for part in zip(*self.bodies.values(), strict=True)))
+            gaps = boxes.gap(every.take([keys.index(k) for k in sorted(lost)]), every)
+            lost |= {k for k, gap in zip(keys, gaps.min(0), strict=True) if gap < CLOSE}
 
         def borders(k: int) -> bool:
             if blocked or k in lost:
@@ -173,9 +183,9 @@ def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:
     for n in np.argsort(move.price, kind="stable")[:TRIED]:
         if move.price[n] >= limit:
             break
-        for k, boxes in zip(move.members, move.boxes):
+        for k, places in zip(move.members, move.boxes):
             if k in old:
-                paths.add(k, boxes.take([n]))
+                paths.add(k, places.take([n]))
         total = float(move.price[n]) + paths.cut_off(limit - float(move.price[n]))
         if total < limit:
             found, limit = (total, int(n)), total
@@ -187,13 +197,12 @@ def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:
 
 
 def _apply(move: Move, n: int, room: Standing, paths: Paths) -> None:
-    for k, boxes in zip(move.members, move.boxes):
+    for k, places in zip(move.members, move.boxes):
         if k in paths.bodies:
             paths.remove(k)
-            paths.add(k, boxes.take([n]))
-        room.put(
-            k, replace(room.items[k], center=boxes.center[n].copy(), size=boxes.size[n].copy(), yaw=float(boxes.yaw[n]))
-        )
+            paths.add(k, places.take([n]))
+        center, size, yaw = places.center[n].copy(), places.size[n].copy(), float(places.yaw[n])
+        room.put(k, replace(room.items[k], center=center, size=size, yaw=yaw))
 
 
 def moves(i: int, room: Standing, space: Space) -> list[Move]:
@@ -211,7 +220,7 @@ def moves(i: int, room: Standing, space: Space) -> list[Move]:
 
 def _valid(move: Move) -> Move:
     good = np.flatnonzero(move.price < BROKEN)
-    return Move(move.members, [boxes.take(good) for boxes in move.boxes], move.price[good])
+    return Move(move.members, [places.take(good) for places in move.boxes], move.price[good])
 
 
 def _carried(members: list[int], room: Standing) -> list[int]:
@@ -222,20 +231,13 @@ def _carried(members: list[int], room: Standing) -> list[int]:
 
 def _group(i: int, room: Standing) -> list[int]:
     """Object `i`, what stands close by and belongs with it, and what stands on any of them."""
-    near = _gap(room.boxes.take([i]), room.boxes)
+    near = boxes.gap(room.boxes.take([i]), room.boxes)[0]
     members = [i]
     for k, item in enumerate(room.items):
         belongs = room.items[i].category in TABLE[item.category].belongs
         if k != i and room.there[k] and belongs and TABLE[item.category].place == "floor" and near[k] < GROUP_GAP:
             members.append(k)
     return members + _carried(members, room)
-
-
-def _gap(one: Boxes, others: Boxes) -> Array:
-    """Distance in plan between a footprint (n = 1) and each of others, m."""
-    from stages import boxes
-
-    return np.asarray(shapely.distance(boxes.footprints(one)[0], boxes.footprints(others)), float)
 
 
 def _turned(point: Array, angle: float) -> Array:
