@@ -17,6 +17,8 @@ Opens = Literal["", "leaf", "drawer", "flap", "lid", "sliding"]
 
 DRAWER_TRAVEL = 0.75
 """A drawer comes out by this share of its unit's depth."""
+OVEN_TOWER = 1.3
+"""Ovens that are higher stand in a tower, others under a worktop or their own hob, m."""
 LEAST_CLEARANCE_HEIGHT = 1.8
 """What hangs above this is no obstacle to people, m."""
 

@@ -3,12 +3,13 @@
 import numpy as np
 
 from stages import categories, materials
+from stages.categories import OVEN_TOWER
 from stages.retrieve.furniture import cases, fronts
 from stages.retrieve.furniture.body import Body
 from stages.retrieve.furniture.cases import Cell
 from stages.retrieve.furniture.fronts import Span
 from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.kitchen import cooktop
+from stages.retrieve.furniture.kitchen import PLINTH, STYLES, cooktop, kitchen_look, worktop_front
 from stages.retrieve.furniture.looks import Look
 from stages.retrieve.furniture.mesh import Array
 from stages.retrieve.furniture.registry import design
@@ -60,8 +61,10 @@ def _racks(kit: Kit, x: Span, y: Span, levels: Array) -> None:
 @design("oven", "steel", "black", "white", "range")
 def oven(kit: Kit) -> None:
     """A cooker with its hob on top, or in a tall box an oven tower."""
-    if kit.h > 1.3:
-        _tower(kit)
+    if kit.h > OVEN_TOWER:
+        front = {"steel": "white", "black": "graphite", "white": "white", "range": "sage"}[kit.style]
+        own = Look("white", front, front, "aluminium", "slab", "bar", "plinth", "graphite")
+        _tower(kit, own, _look("steel" if kit.style != "black" else "black", "steel"))
         return
     b, h = kit.base, kit.h
     material = {"steel": "steel", "black": "black", "white": "enamel", "range": kit.pick("cream", "navy", "sage")}[
@@ -118,9 +121,46 @@ def oven(kit: Kit) -> None:
     pans.mass *= 2 * sheet(material)
 
 
-def _tower(kit: Kit) -> None:
-    front = {"steel": "white", "black": "graphite", "white": "white", "range": "sage"}[kit.style]
-    own = Look("white", front, front, "aluminium", "slab", "bar", "plinth", "graphite")
+@design("oven", *STYLES)
+def fitted_oven(kit: Kit) -> None:
+    """An oven under the worktop of its kitchen's run, or in a tall box a tower with its fronts."""
+    own, slab = kitchen_look(kit), 0.038
+    metal = _look("steel" if kit.style in ("shaker", "scandi", "modern") else "black", "steel")
+    if kit.h > OVEN_TOWER:
+        _tower(kit, own.with_(handle="bar"), metal)
+        return
+    b, thick = kit.base, 0.035
+    under = kit.h - slab
+    face = kit.x[1] - fronts.projection(metal)
+    edge = face - thick - 0.002
+    panel = under - 0.095
+    low = max(0.23, panel - 0.55 * kit.h)
+    b.box(own.leg, (kit.x[0] + 0.02, edge - 0.04), (kit.y[0] + 0.001, kit.y[1] - 0.001), (0, PLINTH))
+    cases.cabinet(kit, own, kit.x, kit.y, (PLINTH, low), [[Cell("drawer")]])
+    _housing(kit, metal.body, "plastic_grey", (kit.x[0], edge), kit.y, (low, panel), 0.04)
+    b.mass += 22.0
+    b.fill = sheet(metal.body)
+    b.box(metal.body, (kit.x[0], face), kit.y, (panel, under))
+    b.fill = 1.0
+    b.box("screen", (face - 0.001, face + 0.001), (-0.07, 0.07), (panel + 0.03, panel + 0.065), False)
+    for y in (-0.19, 0.19):
+        b.turned("plastic_black", [(0.018, 0), (0.016, 0.018)], (face, y, panel + 0.047), 12, along=(1, 0, 0))
+    b.box(own.top, (kit.x[0], max(face, worktop_front(kit, own))), kit.y, (under, kit.h))
+    _oven_door(kit, metal, edge, (low, panel), thick)
+
+
+def _oven_door(kit: Kit, metal: Look, edge: float, z: Span, thick: float) -> None:
+    """A glazed flap over two racks."""
+    face = kit.x[1] - fronts.projection(metal)
+    door = fronts.flap(kit, metal, kit.x[1], kit.y, z, thick, bar=0.8)
+    door.mass *= 3 * sheet(metal.body)
+    _glazed(door, (face - thick, face), (kit.y[0] + 0.07, kit.y[1] - 0.07), (z[0] + 0.06, z[1] - 0.1))
+    _racks(
+        kit, (kit.x[0] + 0.05, edge - 0.02), (kit.y[0] + 0.04, kit.y[1] - 0.04), np.linspace(z[0] + 0.1, z[1] - 0.15, 2)
+    )
+
+
+def _tower(kit: Kit, own: Look, metal: Look) -> None:
     low, high = 0.62, 1.22
     out, b = fronts.projection(own), kit.base
     edge = kit.x[1] - out - fronts.LEAF - 0.002
@@ -128,7 +168,6 @@ def _tower(kit: Kit) -> None:
     cases.cabinet(kit, own, kit.x, kit.y, (0.1, low), [[Cell("drawer"), Cell("drawer")]])
     top = [[Cell("pair", 1.0, 1)]] if kit.w > 0.62 else [[Cell("left", 1.0, 1)]]
     cases.cabinet(kit, own, kit.x, kit.y, (high, kit.h), top)
-    metal = _look("steel" if kit.style != "black" else "black", "steel")
     _housing(kit, metal.body, "plastic_grey", (kit.x[0], edge - 0.02), kit.y, (low, high - 0.1), 0.04)
     b.fill = sheet(metal.body)
     b.mass += 25.0
@@ -137,13 +176,7 @@ def _tower(kit: Kit) -> None:
     b.box(
         "screen", (kit.x[1] - out - 0.001, kit.x[1] - out + 0.001), (-0.08, 0.08), (high - 0.075, high - 0.035), False
     )
-    door = fronts.flap(kit, metal, kit.x[1], kit.y, (low, high - 0.1), 0.035, bar=0.8)
-    door.mass *= 3 * sheet(metal.body)
-    face = kit.x[1] - out
-    _glazed(door, (face - 0.035, face), (kit.y[0] + 0.07, kit.y[1] - 0.07), (low + 0.05, high - 0.2))
-    _racks(
-        kit, (kit.x[0] + 0.05, edge - 0.04), (kit.y[0] + 0.04, kit.y[1] - 0.04), np.linspace(low + 0.1, high - 0.25, 2)
-    )
+    _oven_door(kit, metal, edge - 0.02, (low, high - 0.1), 0.035)
 
 
 @design("fridge", "white", "steel", "retro", "panelled")

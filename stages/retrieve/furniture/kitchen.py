@@ -13,7 +13,8 @@ from stages.retrieve.furniture.looks import Look, look
 from stages.retrieve.furniture.registry import design
 
 STYLES = ("modern", "shaker", "scandi", "handleless", "industrial")
-_PLINTH = 0.1
+PLINTH = 0.1
+"""Height of what fronts stand on, m."""
 _SEEDS = 16
 """So many seeds in a row give a kitchen of the same materials."""
 _TOPS = {"modern": ("worktop_white", "granite"), "shaker": ("oak", "marble"), "scandi": ("oak", "worktop_white"),
@@ -41,9 +42,9 @@ def worktop_front(kit: Kit, own: Look) -> float:
 
 def base(kit: Kit, own: Look, columns: Sequence[Column], widths: Sequence[float] | None, slab: float = 0.038) -> float:
     """Plinth and cabinet; returns the height of the worktop's underside."""
-    z = (_PLINTH, kit.h - slab)
+    z = (PLINTH, kit.h - slab)
     out = fronts.projection(own)
-    kit.base.box(own.leg, (kit.x[0] + 0.02, kit.x[1] - out - 0.06), (kit.y[0] + 0.001, kit.y[1] - 0.001), (0, _PLINTH))
+    kit.base.box(own.leg, (kit.x[0] + 0.02, kit.x[1] - out - 0.06), (kit.y[0] + 0.001, kit.y[1] - 0.001), (0, PLINTH))
     cases.cabinet(kit, own, kit.x, kit.y, z, columns, widths)
     return z[1]
 
@@ -79,8 +80,8 @@ def kitchen_sink(kit: Kit) -> None:
     """A sunk bowl with a low tap on its ledge, so that the worktop runs level with its neighbours."""
     own, slab = kitchen_look(kit), 0.038
     b, front = kit.base, worktop_front(kit, own)
-    z, out = (_PLINTH, kit.h - slab), fronts.projection(own)
-    b.box(own.leg, (kit.x[0] + 0.02, kit.x[1] - out - 0.06), (kit.y[0] + 0.001, kit.y[1] - 0.001), (0, _PLINTH))
+    z, out = (PLINTH, kit.h - slab), fronts.projection(own)
+    b.box(own.leg, (kit.x[0] + 0.02, kit.x[1] - out - 0.06), (kit.y[0] + 0.001, kit.y[1] - 0.001), (0, PLINTH))
     columns = [[Cell(c.kind, c.share, 0) for c in column] for column in cases.door_columns(kit, kit.w)]
     cases.cabinet(kit, own, kit.x, kit.y, z, columns, cases.door_widths(kit, kit.w), top=False)
     half = min(0.29, kit.w / 2 - 0.07)
@@ -197,11 +198,11 @@ def island(kit: Kit) -> None:
     own, slab = kitchen_look(kit), 0.038
     out, b = fronts.projection(own), kit.base
     back = kit.x[0] + (0.28 if kit.d > 0.85 else 0.02)
-    b.box(own.leg, (back + 0.03, kit.x[1] - out - 0.06), (kit.y[0] + 0.05, kit.y[1] - 0.05), (0, _PLINTH))
+    b.box(own.leg, (back + 0.03, kit.x[1] - out - 0.06), (kit.y[0] + 0.05, kit.y[1] - 0.05), (0, PLINTH))
     n = max(2, round(kit.w / 0.65))
     columns: list[list[Cell]] = [[Cell("drawer", 0.7), Cell("drawer", 1.2), Cell("drawer", 1.2)] for _ in range(n)]
     columns[0] = [Cell("open", 1.0, 2)]
-    z = (_PLINTH, kit.h - slab)
+    z = (PLINTH, kit.h - slab)
     y = (kit.y[0] + 0.03, kit.y[1] - 0.03)
     cases.cabinet(kit, own, (back, kit.x[1]), y, z, columns)
     for side in ((kit.y[0] + 0.01, kit.y[0] + 0.029), (kit.y[1] - 0.029, kit.y[1] - 0.01)):

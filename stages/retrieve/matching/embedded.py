@@ -49,6 +49,10 @@ class Embedded:
         """The piece of that id; BadInput when there is none."""
         return self._maker.load(id)
 
+    def styles(self, category: str) -> frozenset[str]:
+        """Styles that a category comes in."""
+        return frozenset(s for s, c in zip(self._index.style, self._index.category, strict=True) if c == category)
+
     def costs(self, category: str, size: ArrayLike, latent: ArrayLike) -> dict[tuple[str, int], float]:
         """Cost of each design of a category, by style and seed; size only decides between equal latents."""
         rows = self._table.rows(category)
