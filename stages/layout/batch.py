@@ -74,7 +74,7 @@ def _furnished(
     for index in np.split(order, range(config.batch, len(order), config.batch)):
         chosen = rooms[index]
         objects = sample(network, chosen, config, [lanes[i] for i in index])
-        tasks = [furnish.task(*whose[i], chosen, objects, k) for k, i in enumerate(index)]
+        tasks = [furnish.task(whose[i][0], whose[i][1], chosen, objects, k) for k, i in enumerate(index)]
         place = spread(settle, [task for task, _ in tasks]) if config.projection else map(
             furnish.as_sampled, [task for task, _ in tasks])
         work.append((index, [latents for _, latents in tasks], place))

@@ -16,16 +16,16 @@ from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Standing, rests_on
 
 Array = NDArray[np.float64]
-RADII = {0.15: 12.0, 0.25: 4.0}
-"""Radius of who walks, m: that of the usual metric and that of a common robot; and how many metres of shifting it is
-worth that no floor is cut off from either."""
+RADII = {0.15: 12.0, 0.25: 8.0}
+"""Radius of who walks, m: that of the usual metric and that of a common robot, which goes round open doors; and how
+many metres of shifting it is worth that no floor is cut off from either."""
 BESIDE = 0.15
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
 """Getting beside one more object is worth as many metres."""
 CLOSE = 0.3
 """What is no farther from an object that is out of reach may be what shuts it in, m."""
-DOOR = 0.1
+DOOR = 0.2
 """A door shut off counts as this share of the floor."""
 SLIVER = 0.02
 """A share of the free floor that may be cut off."""
@@ -38,10 +38,12 @@ NEAR = 0.7
 FAR = 3.0
 LITTLE = frozenset({"bin", "plant", "laundry_basket", "side_table", "floor_lamp"})
 """What may go to another corner of the room, as what hangs on the walls; places farther than FAR are not tried, m."""
-TRIED, MOVES = 12, 5
+TRIED, PASSES = 12, 2
 LEAST_GAIN = 0.05
 RUN_BROKEN = 1.5
 """A unit out of line with its run costs as much as a shift of so many metres."""
+PARTED = 0.4
+"""Leaving a companion costs this share of what being with it is worth."""
 GROUP_GAP = 0.25
 """What belongs with an object and stands as close as this moves along with it, m."""
 
@@ -69,7 +71,13 @@ class Paths:
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
         column, row = np.clip((before / self.cells.resolution).astype(int), 0, np.array(self.cells.shape[::-1]) - 1).T
-        self.doors = row, column
+        # A door before which a walker has no room, whatever stands there, is nobody's fault.
+        self.doors = {}
+        for r, inner in self.inner.items():
+            if r > BESIDE:
+                inner &= grid.near(space.leaves, self.cells, r) == 0
+            usable = inner[row, column]
+            self.doors[r] = row[usable], column[usable]
 
     def add(self, k: int, box: Boxes) -> None:
         """Object `k` stands there from now on."""
@@ -89,7 +97,7 @@ class Paths:
     def parts(self, r: float) -> tuple[grid.Labels, NDArray[np.int64], int]:
         """Parts of the floor for a walker, their sizes, and the one with most doors' floor, 0 without any."""
         labels, sizes = grid.connected(self.inner[r] & (self.count[r] == 0))
-        at_doors = labels[self.doors]
+        at_doors = labels[self.doors[r]]
         return labels, sizes, int(at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax())
 
     def cut_off(self, limit: float = np.inf) -> float:
@@ -100,7 +108,7 @@ class Paths:
             labels, sizes, home = self.parts(r)
             lost = 1 - sizes[home] / sizes.sum() if sizes[home] else 1.0
             total += worth * (float(lost) if lost > SLIVER else 0.0)
-            total += DOOR * worth * float((labels[self.doors] != home).sum())
+            total += DOOR * worth * float((labels[self.doors[r]] != home).sum())
             if total > limit:
                 break
             if r == BESIDE:
@@ -123,7 +131,7 @@ class Paths:
         for r in RADII:
             labels, sizes, _ = self.parts(r)
             found[r] = np.where((sizes > SLIVER * sizes.sum())[labels], labels, 0)
-        blocked = any((labels[self.doors] == 0).any() for labels in found.values())
+        blocked = any((labels[self.doors[r]] == 0).any() for r, labels in found.items())
         lost = self.unreached()
         keys = list(self.bodies)
         if lost:
@@ -151,26 +159,28 @@ def in_the_way(room: Standing) -> NDArray[np.bool_]:
 
 
 def join(room: Standing, space: Space) -> None:
-    """Change places, in place, until no more floor can be joined at a price that it is worth."""
+    """Change places, in place, small things first, while floor can be joined at a price that it is worth."""
     paths = Paths(room, space)
     worth = paths.cut_off()
-    for _ in range(MOVES):
+    for _ in range(PASSES):
         if worth == 0:
             return
-        best: tuple[float, Move, int] | None = None
-        borders = paths.between()
-        for i in sorted(paths.bodies):
+        before, borders = worth, paths.between()
+        for i in sorted(paths.bodies, key=lambda k: (room.boxes.size[k, :2].prod(), k)):
             category = room.items[i].category
             if TABLE[category].place not in ("floor", "wall") or category in SOFT or not borders(i):
                 continue
-            for move in moves(i, room, space):
-                found = _best(move, paths, worth)
-                if found is not None and (best is None or found[0] < best[0]):
-                    best = found[0], move, found[1]
-        if best is None:
+            tried = [(found, move) for move in moves(i, room, space) if (found := _best(move, paths, worth))]
+            if not tried:
+                continue
+            (_, n), move = min(tried, key=lambda row: row[0][0])
+            _apply(move, n, room, paths)
+            worth = paths.cut_off()
+            if worth == 0:
+                return
+            borders = paths.between()
+        if worth == before:
             return
-        _apply(best[1], best[2], room, paths)
-        worth = paths.cut_off()
 
 
 def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:
@@ -265,20 +275,28 @@ def _rigid(members: list[int], shift: Array, room: Standing, space: Space) -> Mo
     return Move(members, found, price)
 
 
-def _price(k: int, boxes: Boxes, members: list[int], room: Standing, space: Space) -> Array:
+def _price(k: int, places: Boxes, members: list[int], room: Standing, space: Space) -> Array:
     """What each place costs object `k`; members of its group are not in its way."""
     item = room.items[k]
-    if TABLE[item.category].place == "top" or not boxes.n:
-        return np.zeros(boxes.n)
+    if TABLE[item.category].place == "top" or not places.n:
+        return np.zeros(places.n)
     others = room.others(k, item, members)
-    price = cost(boxes, item.category, item.center, item.yaw, others, space)
+    price = cost(places, item.category, item.center, item.yaw, others, space)
     if TABLE[item.category].back:
-        price = price + np.where(_behind(boxes, space) > 0.05, 1.0, 0.0)
-    standing, names = room.standing(k)
+        price = price + np.where(_behind(places, space) > 0.05, 2.0, 0.0)
+    standing, names = room.standing(k, members)
     here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
     if partners.in_run(item.category, here, standing, names)[0]:
-        price = price + np.where(partners.in_run(item.category, boxes, standing, names), 0.0, RUN_BROKEN)
+        price = price + np.where(partners.in_run(item.category, places, standing, names), 0.0, RUN_BROKEN)
+    spots, worth = partners.beside(item.category, item.center, item.size, standing, names)
+    if spots.n and _at(here, spots)[0].any():
+        price = price + np.where(_at(places, spots).any(1), 0.0, PARTED * worth.max())
     return np.asarray(price)
+
+
+def _at(places: Boxes, spots: Boxes) -> NDArray[np.bool_]:
+    """Which places (n,) are which of the spots (m,), (n, m)."""
+    return np.asarray(np.linalg.norm(places.center[:, None, :2] - spots.center[None, :, :2], axis=-1) < 0.05)
 
 
 def _behind(boxes: Boxes, space: Space) -> Array:

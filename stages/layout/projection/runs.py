@@ -116,7 +116,7 @@ def _steamed(item: Item, boxes: Boxes, space: Space) -> Array:
     if item.category not in COOKERS or not windows.n:
         return np.zeros(boxes.n)
     tall = Boxes(boxes.center * [1, 1, 0] + [0, 0, 1.0], boxes.size * [1, 1, 0] + [0, 0, 2.0], boxes.yaw)
-    return COOKERS_AT_WINDOW * (penetration(tall, windows) > 0.01).any(1)
+    return np.asarray(COOKERS_AT_WINDOW * (penetration(tall, windows) > 0.01).any(1))
 
 
 def _starts(space: Space, room: Standing) -> tuple[NDArray[np.int64], Array, Array]:

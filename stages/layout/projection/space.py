@@ -1,6 +1,6 @@
 """A room as the projection sees it: wall frames, slabs behind the walls, zones to keep clear."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 SLAB = 0.30
 DOOR_HEAD = 2.1
 SILL = 1.0
+LEAF = 0.14
+"""Thickness of a door with its levers, m."""
 
 
 @dataclass
@@ -21,7 +23,8 @@ class Space:
     """One room, metres, in its own frame.
 
     start, along, normal (E, 2) and length (E,) of walls, normals inward · slabs: wall bodies · zones: boxes to keep
-    clear, `window` (Z,) tells which are before windows · spans (Z, 2, 2) the openings' own segments.
+    clear, `window` (Z,) tells which are before windows · spans (Z, 2, 2) the openings' own segments · leaves: doors
+    that stand open in the room, with their levers.
     """
 
     corners: Array
@@ -34,6 +37,7 @@ class Space:
     window: NDArray[np.bool_]
     spans: Array
     height: float
+    leaves: Boxes = field(default_factory=lambda: Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)))
 
     @cached_property
     def middle(self) -> tuple[Array, Array]:
@@ -77,7 +81,21 @@ def space_of(rooms: Rooms, index: int) -> Space:
     )
     rows = rooms.openings[index].astype(float)
     rows = rows[~np.isnan(rows[:, 0])]
-    return Space(corners, corners, along, normal, length, slabs, *_zones(rows, height), height)
+    return Space(corners, corners, along, normal, length, slabs, *_zones(rows, height), height, _leaves(rows))
+
+
+def _leaves(rows: Array) -> Boxes:
+    """Inner doors that open into the room, at a right angle."""
+    rows = rows[(rows[:, 4] == KINDS["door"]) & (rows[:, 5] > 0)]
+    spans = rows[:, :4].reshape(-1, 2, 2)
+    side = spans[:, 1] - spans[:, 0]
+    wide = np.linalg.norm(side, axis=1)
+    inward = np.stack([-side[:, 1], side[:, 0]], -1) / np.maximum(wide, 1e-9)[:, None]
+    pivot = spans[np.arange(len(rows)), rows[:, 6].astype(int)]
+    center, size = np.full((len(rows), 3), DOOR_HEAD / 2), np.full((len(rows), 3), DOOR_HEAD)
+    center[:, :2] = pivot + inward * wide[:, None] / 2
+    size[:, 0], size[:, 1] = wide, LEAF
+    return Boxes(center, size, np.arctan2(inward[:, 1], inward[:, 0]))
 
 
 def _zones(rows: Array, height: float) -> tuple[Boxes, NDArray[np.bool_], Array]:

@@ -96,9 +96,9 @@ class Standing:
             return self.soft
         return np.array([o.category in SOFT and o.category != "curtain" for o in self.items], bool)
 
-    def standing(self, i: int) -> tuple[Boxes, list[str]]:
-        """All that has a place but object `i`, and their categories."""
-        index = np.array([j for j in np.flatnonzero(self.there) if j != i], int)
+    def standing(self, i: int, besides: Container[int] = ()) -> tuple[Boxes, list[str]]:
+        """All that has a place but object `i` and what is `besides`, and their categories."""
+        index = np.array([j for j in np.flatnonzero(self.there) if j != i and j not in besides], int)
         return self.boxes.take(index), [self.items[j].category for j in index]
 
     def neighbours(self, i: int) -> list[Item]:
