@@ -20,6 +20,8 @@ OPEN = 2.5
 MIRRORED = frozenset({"vanity"})
 """What has a mirror above it and had better not stand below a window, where it costs DAZZLED metres."""
 DAZZLED = 1.5
+OVERHEAD = frozenset({"water_heater"})
+"""What had better not hang over anything; there it costs as much as OPEN."""
 CROWD = 1.5
 """Another lamp on the ceiling this near, m, costs as much."""
 
@@ -41,6 +43,9 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
         total += DAZZLED * (penetration(tall, space.zones.take(space.window)) > 0.01).any(1)
     if category in ASIDE:
         total += OPEN * (space.away(found.center[:, :2]) > found.size[:, :2].max(1) / 2 + 0.25)
+    if category in OVERHEAD and standing.n:
+        flat = [Boxes(b.center * [1, 1, 0], b.size * [1, 1, 0] + [0, 0, 1], b.yaw) for b in (found, standing)]
+        total += OPEN * (penetration(*flat) > 0.05).any(1)
     if category == "ceiling_lamp":
         lamps = standing.take(np.array([name == category for name in names], bool))
         if lamps.n:

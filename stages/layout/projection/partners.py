@@ -18,7 +18,7 @@ SEAT = 0.58
 """Width of a place at a table, m."""
 FLUSH = 2.0
 """A place flush beside the next unit of a run is worth a way of this many metres."""
-WATCH = 3.0
+WATCH = 4.5
 """A television across from the sofa is worth a way of this many metres."""
 SOFAS = ("sofa", "corner_sofa")
 TABLES = ("dining_table", "island", "balcony_table")

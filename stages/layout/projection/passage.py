@@ -283,7 +283,7 @@ def _price(k: int, places: Boxes, members: list[int], room: Standing, space: Spa
     others = room.others(k, item, members)
     price = cost(places, item.category, item.center, item.yaw, others, space)
     if TABLE[item.category].back:
-        price = price + np.where(_behind(places, space) > 0.05, 2.0, 0.0)
+        price = price + np.where(space.behind(places) > 0.05, 2.0, 0.0)
     standing, names = room.standing(k, members)
     here = Boxes(item.center[None], item.size[None], np.array([item.yaw]))
     if partners.in_run(item.category, here, standing, names)[0]:
@@ -299,14 +299,6 @@ def _at(places: Boxes, spots: Boxes) -> NDArray[np.bool_]:
     return np.asarray(np.linalg.norm(places.center[:, None, :2] - spots.center[None, :, :2], axis=-1) < 0.05)
 
 
-def _behind(boxes: Boxes, space: Space) -> Array:
-    """Distance of each back from the nearest wall, m, (n,)."""
-    back = boxes.center[:, :2] - np.stack([np.cos(boxes.yaw), np.sin(boxes.yaw)], -1) * boxes.size[:, :1] / 2
-    offset = back[:, None] - space.start
-    share = np.clip((offset * space.along).sum(-1), 0, space.length)
-    return np.asarray(np.linalg.norm(offset - share[..., None] * space.along, axis=-1).min(1))
-
-
 def _anew(i: int, room: Standing, space: Space) -> Move:
     """Along the walls and at partners, not far from where it is."""
     item = room.items[i]
@@ -317,6 +309,8 @@ def _anew(i: int, room: Standing, space: Space) -> Move:
     found = candidates.join(parts)
     near = FAR if item.category in LITTLE or TABLE[item.category].place == "wall" else NEAR
     found = found.take(np.linalg.norm(found.center[:, :2] - item.center[:2], axis=1) < near)
+    if TABLE[item.category].place == "wall":
+        found = found.take(space.behind(found) < 0.03)
     return Move([i], [found], _price(i, found, [i], room, space))
 
 

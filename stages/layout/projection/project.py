@@ -17,11 +17,13 @@ from stages.layout.projection.standing import Item, Standing
 from stages.layout.projection.supports import on_support
 
 Array = NDArray[np.float64]
-LEAN = {"bench": 0.3, "sofa": 0.4, "corner_sofa": 0.4, "floor_lamp": 0.6, "coat_rack": 0.4, "side_table": 0.4,
+LEAN = {"bench": 0.3, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,
         "bin": 3.0, "plant": 3.0, "laundry_basket": 3.0}
 NEAR = 0.12
 """Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
+FLUSH_WITH = 0.03
+"""What hangs at a wall is no farther from it, m."""
 WINDOW_MARGIN = 0.15
 ROOM_BESIDE = 1.0
 """Room for a nightstand is worth a shift of the bed by as much, m."""
@@ -54,11 +56,25 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
         for i in order:
             if i in broken or i in follow:
                 room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
+    before = room.boxes.center[:, :2].copy()
     passage.join(room, space)
+    _follow(np.flatnonzero(np.abs(room.boxes.center[:, :2] - before).max(1, initial=0) > 0.01), order, room, space)
     for item, cost_there, given in zip(room.items, room.costs(space), items, strict=True):
         item.cost = float(cost_there)
         item.moved = float(np.linalg.norm(item.center[:2] - given.center[:2]))
     return room.items
+
+
+def _follow(moved: NDArray[np.intp], order: list[int], room: Standing, space: Space) -> None:
+    """Rugs, lamps and what hangs at the wall go along with what moved, where they find a place."""
+    names = {room.items[k].category for k in moved}
+    for i in order:
+        old = room.items[i]
+        if TABLE[old.category].place in ("floor", "top") or not any(belongs_to(old.category, name) for name in names):
+            continue
+        room.there[i] = False
+        new = _place(i, old, room, space, wide=False)
+        room.put(i, new if new.cost < BROKEN else old)
 
 
 def _broken(room: Standing, space: Space) -> set[int]:
@@ -126,6 +142,9 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
     others = room.others(i, item)
     standing, names = room.standing(i)
     found, worth = beside(item.category, item.center, item.size, standing, names)
+    if kind.place == "wall":
+        flush = space.behind(found) < FLUSH_WITH
+        found, worth = found.take(flush), worth[flush]
     parts = [_candidates(item, others.boxes, space, wide), found]
     if item.category in MIDDLE:
         parts.append(candidates.middle(item.center, item.size, space))

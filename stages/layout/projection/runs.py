@@ -27,13 +27,19 @@ COOKERS = frozenset({"hob", "oven"})
 COOKERS_AT_WINDOW = 2.0
 LEGS = 3
 TALL = 1.2
+LOW_OVEN = 0.9
 SEAM = 0.001
 """Between units, m."""
 
 
 def alike(items: list[Item]) -> list[Item]:
-    """Low units of one worktop share its depth and height, those on the wall theirs."""
+    """Low units of one worktop share its depth and height, those on the wall theirs; the only oven has a hob on top."""
     out = list(items)
+    ovens = [i for i, o in enumerate(items) if o.category == "oven" and o.size[2] >= LOW_OVEN]
+    if ovens and not any(o.category == "hob" for o in items):
+        for i in ovens:
+            out[i] = replace(out[i], size=np.array([*out[i].size[:2], LOW_OVEN]))
+    items = list(out)
     for group in (LOW_RUN - {"fridge", "washing_machine", "dryer"}, HUNG - {"hood"}):
         members = [i for i, o in enumerate(items) if o.category in group and (o.category in HUNG or o.size[2] < TALL)]
         if len(members) < 2:

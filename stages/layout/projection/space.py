@@ -63,6 +63,11 @@ class Space:
         within, far = _within(points, self)
         return np.where(within, far, 0.0)
 
+    def behind(self, found: Boxes) -> Array:
+        """Distance of each back from the nearest wall, m, (n,)."""
+        back = found.center[:, :2] - np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1) * found.size[:, :1] / 2
+        return _within(back, self)[1]
+
 
 def space_of(rooms: Rooms, index: int) -> Space:
     """The space of one room of a batch."""
