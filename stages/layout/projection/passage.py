@@ -67,6 +67,7 @@ class Paths:
         self.count = {r: np.zeros(self.cells.shape, np.int16) for r in RADII}
         self.bodies: dict[int, Boxes] = {}
         self.rims: dict[int, tuple[grid.Window, NDArray[np.bool_]]] = {}
+        self.shades: dict[int, list[tuple[grid.Window, grid.Count]]] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
@@ -84,15 +85,15 @@ class Paths:
         self.bodies[k] = box
         window, near = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
         self.rims[k] = window, near > 0
-        for r, count in self.count.items():
-            grid.change(count, box, self.cells, r, 1)
+        self.shades[k] = [grid.shade(box, self.cells, r) for r in self.count]
+        for count, (window, hit) in zip(self.count.values(), self.shades[k]):
+            count[window] += hit
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
-        box = self.bodies.pop(k)
-        del self.rims[k]
-        for r, count in self.count.items():
-            grid.change(count, box, self.cells, r, -1)
+        del self.bodies[k], self.rims[k]
+        for count, (window, hit) in zip(self.count.values(), self.shades.pop(k)):
+            count[window] -= hit
 
     def parts(self, r: float) -> tuple[grid.Labels, NDArray[np.int64], int]:
         """Parts of the floor for a walker, their sizes, and the one with most doors' floor, 0 without any."""
@@ -190,8 +191,10 @@ def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:
         paths.remove(k)
     found: tuple[float, int] | None = None
     limit = worth - LEAST_GAIN
+    # What is left without the objects is left wherever they go.
+    bound = paths.cut_off(limit)
     for n in np.argsort(move.price, kind="stable")[:TRIED]:
-        if move.price[n] >= limit:
+        if move.price[n] + bound >= limit:
             break
         for k, places in zip(move.members, move.boxes):
             if k in old:
