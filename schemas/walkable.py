@@ -27,7 +27,7 @@ class Placement(Record):
 
 
 class Step(Record):
-    """One change and its reason: the target ratio ("ratio"), or the id of what could not be reached.
+    """One change and its reason: the target ratio ("ratio"), or the id of what could not be reached or opened.
 
     `after` is None where the object was dropped. What stands on a changed object goes with it.
     """
@@ -39,8 +39,20 @@ class Step(Record):
     after: Placement | None
 
 
+class Blocked(Record):
+    """A part that does not move through its whole range: a joint of an object, the `leaf` of a room door, or the `way`
+    through an opening; `by` is the object or door met, `wall` or `ceiling`.
+    """
+
+    owner: str
+    part: str
+    by: str
+
+
 class Report(Record):
-    """Walkable ratio wanted, before, after and by room; `unreached` names what a robot cannot get to."""
+    """Walkable ratio wanted, before, after and by room; `unreached` names what a robot cannot get to, `blocked` what
+    does not open.
+    """
 
     target: float
     before: float
@@ -50,6 +62,7 @@ class Report(Record):
     moved: list[str] = Field(default_factory=list)
     dropped: list[str] = Field(default_factory=list)
     unreached: list[str] = Field(default_factory=list)
+    blocked: list[Blocked] = Field(default_factory=list)
     steps: list[Step] = Field(default_factory=list, description="every change in order")
 
 

@@ -42,7 +42,7 @@ def bodies(plan: Plan) -> list[Body]:
     floors = [_floor(plan, room) for room in plan.rooms]
     ceilings = [_ceiling(plan, room) for room in plan.rooms if room.type != "balcony"]
     linings = [lined for room in plan.rooms for lined in _linings(plan, room, storeys)]
-    leaves = [_opening(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
+    leaves = [fitting(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
     return [_ground(plan), *floors, _walls(plan, storeys), *linings, *ceilings, *leaves]
 
 
@@ -147,7 +147,7 @@ def _skirting(plan: Plan, room: Room, floor: Polygon) -> Geometry:
     return floor.difference(floor.buffer(-SKIRTING[0], join_style="mitre")).difference(unary_union(open_))
 
 
-def _opening(plan: Plan, opening: Opening) -> Body:
+def fitting(plan: Plan, opening: Opening) -> Body:
     """Door, window or lined passage in its own frame: origin on the floor in the middle of the wall's opening."""
     towards = opening.into or opening.rooms[0]
     normal, reach = polygons.face(opening, plan, towards)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from schemas.errors import BadInput
 from schemas.retrieve import Joint
 from stages.asset import Asset, Link, Material, Mesh
 from stages.categories import DRAWER_TRAVEL, TABLE, leaves
@@ -59,8 +60,14 @@ class Boxes:
         moving = [Link(joint.name, [], [], 1.0, joint) for joint in joints(category, size)]
         return Asset("boxes", name, category, "plain", size, [Link("body", [mesh], [], 1.0), *moving])
 
+    def alternatives(self, category, size, latent):
+        return []
 
-class Empty:
+    def load(self, library, id):
+        raise BadInput("nothing is known of it but its boxes")
+
+
+class Empty(Boxes):
     """A library with nothing smaller."""
 
     def nearest(self, category, size, latent, limit=None):

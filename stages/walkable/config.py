@@ -21,6 +21,7 @@ class WalkableConfig(Record):
                           "spare; 0 is Algorithm 2 as printed")
     drop: bool = Field(True, description="leave out the least important objects where smaller ones do not suffice")
     connect: bool = Field(True, description="make the free space connected for a robot, up to all that opens")
+    unblock: bool = Field(True, description="let all parts of furniture and all doors move through their whole range")
     robot_radius: Positive = 0.25
     reach: Positive = Field(0.8, description="from the robot's centre to the front of what it uses, m")
     resolution: Positive = Field(0.05, le=0.1, description="cells of the occupancy raster, m")

@@ -1,6 +1,7 @@
 """Which objects a home misses least."""
 
 from collections import Counter
+from collections.abc import Sequence
 
 from schemas.plan import Program
 from schemas.retrieve import Furnishing
@@ -76,3 +77,14 @@ def droppable(scene: Scene, program: Program, essential: bool = False) -> list[F
     loose = [o for o in scene if footprints.is_obstacle(o) and _rank(o, alike) <= most
              and not _spared(o, scene, program)]
     return sorted(loose, key=lambda o: (_rank(o, alike), -footprints.area(o), o.id))
+
+
+def sparable(some: Sequence[Furnishing], scene: Scene, program: Program) -> list[Furnishing]:
+    """Of some objects those that a room does without and nobody asked for, the least important first.
+
+    A seat goes before the table that it belongs to, but after anything else that matters as little.
+    """
+    alike, pair = _alike(scene), len(some) == 2 and categories.tucks(*(o.category for o in some))
+    loose = [o for o in some if _rank(o, alike) <= 1 and not _spared(o, scene, program)]
+    return sorted(loose, key=lambda o: (
+        0 if pair else _rank(o, alike), (o.category in categories.SEATS) != pair, footprints.area(o), o.id))

@@ -7,17 +7,21 @@ import numpy as np
 
 from schemas.errors import Unmet
 from schemas.retrieve import Furnishing, Retrieve
-from schemas.walkable import Replaced, Report, Step, Walkable
+from schemas.walkable import Blocked, Replaced, Report, Step, Walkable
 from stages.walkable import importance, repair
 from stages.walkable.config import WalkableConfig
+from stages.walkable.leaves import building
 from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
+from stages.walkable.parts import Check, Fault
 from stages.walkable.site import Candidates, Scene, Site, survey
+from stages.walkable.solids import Solids
+from stages.walkable.unblock import unblock
 
 LOG = logging.getLogger("apartgen")
 
 
 def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, library: Candidates) -> Walkable:
-    """Algorithm 2, then connectivity for a robot; pure, and nothing is drawn from `rng`.
+    """Algorithm 2, connectivity for a robot, then free ways for all that opens; pure, and nothing is drawn from `rng`.
 
     Raises Unmet, naming the rooms and the ratio reached, when the target can't be met (unless `write_anyway`).
     """
@@ -37,10 +41,18 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
         scene, taken = thin_out(site, scene, rooms)
         steps += taken
         unreached = repair.missed(site, scene) if unreached and taken else unreached
+    faults: list[Fault] = []
+    if config.unblock:
+        scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(library)), unreached)
+        steps += taken
+        unreached = repair.missed(site, scene) if unreached and taken else unreached
     _check(site, scene, parts)
     for name in unreached:
         LOG.warning("a robot of %.2f m radius does not get to %s", config.robot_radius, name)
+    for fault in faults:
+        LOG.warning("%s of %s is blocked by %s", fault.part, fault.owner, fault.by)
     report = _report(site, start, scene, steps, unreached)
+    report.blocked += [Blocked(**fault._asdict()) for fault in faults]
     fields = {name: getattr(previous, name) for name in Retrieve.model_fields}
     return Walkable(**fields | {"objects": list(scene), "walkable": report})
 

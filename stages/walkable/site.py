@@ -21,6 +21,8 @@ SLACK = 0.004
 """Contact that a change may make, m: less than half of what counts as collision."""
 COMPANY = 0.25
 """What belongs together and is closer than this stays so, m."""
+DRAWN_BACK = 0.5
+"""Seats may be this far from their tables, m."""
 BEFORE_DOOR = 0.6
 """Floor kept free on both sides of a door, m."""
 BEFORE_WINDOW = 0.3
@@ -38,6 +40,12 @@ class Candidates(Protocol):
         self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
     ) -> Asset | None:
         """The asset closest in size and shape latent, none of its sides above `limit`; None if none fits."""
+
+    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterable[Asset]:
+        """Other designs of that size, the one closest in latent first."""
+
+    def load(self, library: str, id: str) -> Asset:
+        """The asset of that library and id; BadInput when there is none."""
 
 
 @dataclass(frozen=True)
@@ -120,8 +128,9 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
     rows = np.array([o.id in changed for o in after], bool)
     kin = np.array([[categories.belong_together(a.category, b.category) for b in after] for a in after], bool)
     tucked = np.array([[categories.tucks(a.category, b.category) for b in after] for a in after], bool)
-    kin, apart = kin.reshape(len(after), -1), ~tucked.reshape(len(after), -1)
-    parted = (boxes.gap(boxes.of(after)) > COMPANY) & (boxes.gap(boxes.of(before))[np.ix_(old, old)] <= COMPANY)
+    kin, apart = kin.reshape(len(after), len(after)), ~tucked.reshape(len(after), len(after))
+    close = np.where(apart, COMPANY, DRAWN_BACK)
+    parted = (boxes.gap(boxes.of(after)) > close) & (boxes.gap(boxes.of(before))[np.ix_(old, old)] <= close)
     if (parted & kin)[rows].any():
         return False
     for shapes in (boxes.of, sweeps.extended):

@@ -1,5 +1,6 @@
 """Several asset libraries at once."""
 
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -51,6 +52,14 @@ class LibrarySet:
         """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big."""
         own = self.owned(category, size, latent, limit)
         return own or self.embedded.nearest(category, size, latent, limit)
+
+    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterator[Asset]:
+        """Every design made to measure at that size, the one closest in latent first."""
+        costs = self.embedded.costs(category, size, latent)
+        for design in sorted(costs, key=lambda one: (costs[one], one)):
+            made = self.embedded.nearest(category, size, latent, size, design)
+            if made is not None:
+                yield made
 
 
 def open_libraries(config: RetrieveConfig | None = None) -> LibrarySet:

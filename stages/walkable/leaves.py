@@ -1,0 +1,87 @@
+"""The building about the furniture: where room doors turn, what is wall, and how high it is."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+from shapely import Geometry
+from shapely.ops import unary_union
+
+from schemas.plan import Opening, Plan
+from stages import convex, polygons, shell
+from stages.convex import Hulls
+
+LEVER = 0.06
+"""Levers of doors stand out by less than this, m."""
+INTO_WALL = 0.0005
+"""What is no deeper in a wall touches it, m."""
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A room door: `zone` is floor that its leaf and levers sweep, `ends` where they are shut and open.
+
+    `about` is the wall's cut and what is beside it, which levers pass.
+    """
+
+    plan: Plan
+    opening: Opening
+    zone: Geometry
+    ends: Geometry
+    about: Geometry
+
+    @cached_property
+    def _hulls(self) -> tuple[Hulls, Hulls]:
+        body = shell.fitting(self.plan, self.opening)
+        link = next(link for link in body.links if link.joint)
+        assert link.joint is not None
+        solids = convex.of(link.colliders)
+        ends = [convex.moved(solids, link.joint, value) for value in link.joint.range]
+        both = Hulls(*(np.concatenate(fields) for fields in zip(*ends)))
+        at = body.position.tolist(), body.yaw
+        return convex.swept(solids, link.joint).placed(*at), both.placed(*at)
+
+    @property
+    def sweep(self) -> Hulls:
+        """What the leaf passes through."""
+        return self._hulls[0]
+
+    @property
+    def still(self) -> Hulls:
+        """The leaf shut and the leaf open."""
+        return self._hulls[1]
+
+
+@dataclass(frozen=True)
+class Building:
+    """`free`: floors and the ways through walls, in plan; `ways`: by opening id what must stay empty to pass."""
+
+    height: float
+    free: Geometry
+    leaves: dict[str, Leaf]
+    ways: dict[str, Geometry]
+
+    def in_wall(self, solids: Hulls) -> bool:
+        """Whether solids reach into a wall."""
+        hulls = shapely.convex_hull(shapely.multipoints(solids.points[..., :2]))
+        bulge = float(solids.bulge.max(initial=0.0))
+        return not bool(shapely.covers(self.free.buffer(INTO_WALL + bulge, join_style="mitre"), hulls).all())
+
+
+def building(plan: Plan) -> Building:
+    """Everything of a plan that moving parts may meet."""
+    passages = [o for o in plan.openings if o.kind in polygons.PASSAGES]
+    thresholds = {o.id: polygons.threshold(o, plan) for o in passages}
+    free = unary_union([*polygons.floors(plan).values(), *thresholds.values()])
+    shapely.prepare(free)
+    leaves = {o.id: _leaf(o, plan) for o in passages if polygons.hinge(o, plan) is not None}
+    ways = {o.id: unary_union([thresholds[o.id], polygons.swing(o, plan)]) for o in passages}
+    return Building(plan.height, free, leaves, ways)
+
+
+def _leaf(opening: Opening, plan: Plan) -> Leaf:
+    ends = [polygons.leaf(opening, plan, turned) for turned in (0.0, np.pi / 2)]
+    zone = polygons.swing(opening, plan).buffer(LEVER)
+    about = polygons.threshold(opening, plan).buffer(2 * LEVER, join_style="mitre")
+    return Leaf(plan, opening, zone, unary_union(ends).buffer(LEVER), about)

@@ -1,0 +1,59 @@
+"""What objects are made of, to tell whether their parts move freely: colliders at rest, and what each part sweeps."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from schemas.errors import BadInput
+from schemas.retrieve import Furnishing, Joint
+from stages import categories, convex
+from stages.asset import Asset, Collider, Link
+from stages.convex import Hulls
+from stages.solids import slab
+from stages.walkable.site import Candidates
+
+
+class Solid(NamedTuple):
+    """An asset's colliders, parts shut, and by joint what its part sweeps; in the object's frame."""
+
+    rest: Hulls
+    parts: dict[str, Hulls]
+
+
+class Solids:
+    """Solids of objects, made when first asked for; an asset that can't be had is taken for its boxes."""
+
+    def __init__(self, library: Candidates) -> None:
+        self._library = library
+        self._known: dict[tuple[str, ...], Solid] = {}
+
+    def of(self, o: Furnishing) -> Solid:
+        """The solid of an object's asset."""
+        key = (o.asset.library, o.asset.id)
+        if key not in self._known:
+            self._known[key] = self._made(o)
+        return self._known[key]
+
+    def rest(self, o: Furnishing) -> Hulls:
+        """An object's colliders where it stands, parts shut."""
+        return self.of(o).rest.placed(o.center, o.yaw)
+
+    def _made(self, o: Furnishing) -> Solid:
+        try:
+            return solid(self._library.load(o.asset.library, o.asset.id))
+        except BadInput:
+            half = np.asarray(o.size) / 2
+            parts = [Link(j.name, [], [slab(*j.extent)], 0.0, j) for j in o.joints if j.extent is not None]
+            return _solid([Link("base", [], [slab(-half, half)], 0.0), *parts])
+
+
+def solid(asset: Asset) -> Solid:
+    """The solid of an asset; what lies flat on the floor hinders nothing."""
+    flat = asset.category in categories.TABLE and categories.TABLE[asset.category].place == "flat"
+    return _solid([] if flat else asset.links)
+
+
+def _solid(links: list[Link]) -> Solid:
+    rest: list[Collider] = [c for link in links for c in link.colliders]
+    moving: list[tuple[Joint, list[Collider]]] = [(k.joint, k.colliders) for k in links if k.joint and k.colliders]
+    return Solid(convex.of(rest), {joint.name: convex.swept(convex.of(own), joint) for joint, own in moving})

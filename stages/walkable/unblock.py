@@ -1,0 +1,200 @@
+"""Opening: let every part of furniture and every room door move through its whole range, by true geometry.
+
+For each thing that does not, in this order: what it meets, or it itself, is nudged; it gets another design that opens
+otherwise, or what it meets a smaller one; one of the two gets another place in its room; the less important one is
+left out. A repair counts only if nothing else is lost by it.
+"""
+
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from itertools import islice
+
+import numpy as np
+
+from schemas.retrieve import Furnishing
+from schemas.walkable import Step
+from stages import boxes, categories
+from stages.walkable import importance, placing, repair
+from stages.walkable.changes import Change, applied, dropped, nudged, replaced
+from stages.walkable.nudge import nudges
+from stages.walkable.optimize import EPSILON, area_ratio
+from stages.walkable.parts import Check, Fault, stuck_doors
+from stages.walkable.places import places
+from stages.walkable.site import Changes, Scene, Site, fits, swapped
+from stages.walkable.smaller import LATENT, candidate, limits
+
+SLIGHT = (0.003, 0.006, 0.012, 0.025)
+"""Shifts in any direction tried first, even away from a wall, m."""
+UP = (0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
+"""Shifts in height of what hangs on a wall, m."""
+BACK = (0.35, 0.4, 0.45, 0.5, 0.55)
+"""How far a seat is drawn back where less does not do, m."""
+TRIMMED = (0.004, 0.008, 0.016)
+"""By how much sides get shorter of what stands wedged in, m."""
+SHARES = (0.95, 0.9, 0.8, 0.7)
+"""Sizes tried for what is met."""
+DESIGNS = 12
+"""Other designs tried of an object whose parts are blocked."""
+
+
+@dataclass
+class _State:
+    """The scene so far, what is blocked in it, and what the robot does not get to."""
+
+    scene: Scene
+    faults: set[Fault]
+    out: set[str]
+
+
+def unblock(
+    site: Site, scene: Scene, check: Check, unreached: Collection[str] = ()
+) -> tuple[Scene, list[Step], list[Fault]]:
+    """Repair until all opens that can; returns the scene, the steps, and what is still blocked.
+
+    Nothing else than `unreached` may become unreached.
+
+    Room doors that meet walls or one another are named, too; no furniture can help them.
+    """
+    faults, fixed = check.blocked(scene), stuck_doors(check.building)
+    if not faults:
+        return scene, [], sorted(fixed)
+    state = _State(scene, faults, set(unreached))
+    steps: list[Step] = []
+    given_up: set[Fault] = set()
+    while todo := sorted(state.faults - given_up):
+        change = _repaired(site, check, state, todo[0])
+        if change is None:
+            given_up.add(todo[0])
+            continue
+        state.scene, step = applied(state.scene, change)
+        steps.append(step)
+        given_up = set()
+    return state.scene, steps, sorted(state.faults | fixed)
+
+
+def _repaired(site: Site, check: Check, state: _State, fault: Fault) -> Change | None:
+    """The first change that frees the pair and breaks nothing; the state's faults follow it."""
+    known = {o.id: o for o in state.scene}
+    owner, by = known.get(fault.owner), known.get(fault.by)
+    pair = {f for f in state.faults if (f.owner, f.by) == (fault.owner, fault.by)}
+    for change in _changes(site, state.scene, fault, owner, by):
+        both = [o for o in (change.to.get(o.id, o) for o in (owner, by) if o) if o]
+        if check.blocked(both, set(change.to)) & pair or not _whole(site, state, change):
+            continue
+        left = _left(check, state, change)
+        if not left & pair and left <= state.faults:
+            state.faults = left
+            return change
+    return None
+
+
+def _left(check: Check, state: _State, change: Change) -> set[Fault]:
+    """What is blocked after a change."""
+    after = swapped(state.scene, change.to)
+    rooms = {o.room for o in state.scene if o.id in change.to}
+    near = [o for o in after if o.room in rooms]
+    rest = {f for f in state.faults if f.owner not in change.to and f.by not in change.to}
+    return rest | check.blocked(near, set(change.to))
+
+
+def _whole(site: Site, state: _State, change: Change) -> bool:
+    """Whether a change keeps furniture, doors, ways and the target as they were."""
+    if change.action != "drop" and not fits(site, state.scene, change.to):
+        return False
+    after = swapped(state.scene, change.to)
+    if site.config.connect and not set(repair.missed(site, after)) <= state.out:
+        return False
+    rooms = list(site.floors) if site.config.scope == "apartment" else [change.object.room]
+    ratio = area_ratio(site, after, rooms)
+    return ratio >= min(site.config.target, area_ratio(site, state.scene, rooms)) - EPSILON
+
+
+def _changes(
+    site: Site, scene: Scene, fault: Fault, owner: Furnishing | None, by: Furnishing | None
+) -> Iterator[Change]:
+    """Repairs in order, of what is met and of what is blocked."""
+    both = [o for o in (by, owner) if o is not None]
+    names = {o.id for o in both}
+
+    def shifted(o: Furnishing, shifts: Iterable[Changes]) -> Iterator[Change]:
+        # Companions that move along stay where they were to one another.
+        return (nudged(o, to, fault.owner) for to in shifts if len(names) < 2 or names - set(to))
+
+    for o in both:
+        yield from shifted(o, _slight(scene, o))
+    for o in both:
+        yield from (replaced(o, to, fault.owner) for to in _trimmed(site, scene, o))
+    for o in both:
+        yield from shifted(o, nudges(site, scene, o))
+        yield from shifted(o, _raised(site, scene, o))
+    if owner is not None:
+        yield from (replaced(owner, to, fault.owner) for to in _redesigned(site, scene, owner))
+    for o in both:
+        yield from (replaced(o, to, fault.owner) for to in _smaller(site, scene, o))
+    for o in both:
+        yield from shifted(o, _drawn_back(scene, o, both))
+        yield from shifted(o, places(site, scene, o))
+    if site.config.drop:
+        loose = importance.sparable(both, scene, site.program)
+        yield from (dropped(o, placing.carried(o, scene), fault.owner) for o in loose)
+
+
+def _slight(scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    """Shifts that nobody sees, which part what stands pressed together."""
+    axes = boxes.axes(boxes.of([o]))[0]
+    for length in SLIGHT:
+        for way in (axes[1], -axes[1], axes[0], -axes[0]):
+            yield _shifted(scene, o, [*(length * way), 0.0])
+
+
+def _raised(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    """What hangs on a wall, higher or lower."""
+    if o.category not in categories.TABLE or categories.TABLE[o.category].place != "wall":
+        return
+    for up in UP:
+        low, high = o.center[2] - o.size[2] / 2 + up, o.center[2] + o.size[2] / 2 + up
+        if low >= 0 and high <= site.world.plan.height:
+            yield _shifted(scene, o, [0.0, 0.0, up])
+
+
+def _drawn_back(scene: Scene, o: Furnishing, both: list[Furnishing]) -> Iterator[Changes]:
+    """A seat further from its table than it would be nudged, and beside its middle."""
+    table = next((p for p in both if p is not o and categories.tucks(o.category, p.category)), None)
+    if table is None or o.category not in categories.SEATS:
+        return
+    at = boxes.local([o.center[:2]], boxes.of([table]))[0, 0]
+    side = int(np.argmax(np.abs(at) - np.asarray(table.size[:2]) / 2))
+    way = boxes.axes(boxes.of([table]))[0, side] * np.sign(at[side])
+    for back in BACK:
+        yield _shifted(scene, o, [*(back * way), 0.0])
+
+
+def _shifted(scene: Scene, o: Furnishing, by: list[float]) -> Changes:
+    return {p.id: placing.moved(p, by) for p in (o, *placing.carried(o, scene))}
+
+
+def _redesigned(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    """The object in other designs of its size, the most alike first, those that open before those that do not."""
+    latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
+    found = list(islice(site.library.alternatives(o.category, o.size, latent), DESIGNS))
+    for asset in sorted(found, key=lambda asset: not asset.joints):
+        to = placing.settled(o, placing.furnished(o, asset, site), asset, scene)
+        if to is not None:
+            yield to
+
+
+def _trimmed(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    """The object a little narrower or shallower, which nobody sees."""
+    for by in TRIMMED:
+        for sides in ((0.0, by, 0.0), (by, 0.0, 0.0)):
+            to = candidate(site, scene, o, np.asarray(o.size) - sides, gain=1.0)
+            if to is not None:
+                yield to
+
+
+def _smaller(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    for share in SHARES:
+        for limit in limits(o, share):
+            to = candidate(site, scene, o, limit)
+            if to is not None:
+                yield to

@@ -1,0 +1,166 @@
+"""What keeps parts from opening in the true geometry, and how it is got out of the way."""
+
+import boxes_library as fake
+import handmade as h
+import numpy as np
+import pytest
+
+from schemas.retrieve import Joint
+from stages import retrieve
+from stages.categories import TABLE
+from stages.walkable import WalkableConfig, run
+from stages.walkable.leaves import building
+from stages.walkable.parts import Check, Fault, stuck_doors
+from stages.walkable.solids import Solids
+
+UP, DOWN = np.pi / 2, -np.pi / 2
+
+
+def blocked(home, library=None):
+    return Check(building(home), Solids(library or fake.Empty())).blocked(home.objects)
+
+
+def opened(home, library=None, **config):
+    config = {"target": 0.0, "connect": False} | config
+    return run(home, WalkableConfig(**config), np.random.default_rng(0), library or fake.Empty())
+
+
+def lidded(x, y, **more):
+    """A box 0.4 m in all directions whose lid turns up about its back edge."""
+    lid = Joint(name="lid", type="hinge", axis=(0, -1, 0), origin=(-0.2, 0, 0.18), range=(0, np.pi / 2),
+                part="hinge_lid", extent=((-0.2, -0.2, 0.18), (0.2, 0.2, 0.2)))
+    return h.thing("laundry_basket", x, y, UP, size=(0.4, 0.4, 0.4), joints=(lid,), id="basket", **more)
+
+
+def steps(home):
+    return [(step.action, step.object, step.reason) for step in home.walkable.steps]
+
+
+@pytest.mark.parametrize("into, is_blocked", [(0.02, True), (0.0005, True), (-0.0005, True), (-0.002, False)])
+def test_a_drawer_is_blocked_by_what_stands_in_its_way(into, is_blocked):
+    chest = h.chest(2, 0.25, UP, id="chest")  # 0.5 deep; its drawer comes to y = 0.9
+    stool = h.thing("stool", 2, 0.9 + 0.2 - into, size=(0.4, 0.4, 0.45), id="stool")
+    assert blocked(h.home(chest, stool)) == ({Fault("chest", "drawer", "stool")} if is_blocked else set())
+
+
+def test_what_blocks_a_drawer_by_2_cm_is_nudged():
+    chest = h.chest(2, 0.25, UP, id="chest")
+    stool = h.thing("stool", 2, 1.08, size=(0.4, 0.4, 0.45), id="stool")
+    result = opened(h.home(chest, stool))
+    assert steps(result) == [("nudge", "stool", "chest")] and result.walkable.blocked == []
+    shift = np.subtract(result.walkable.steps[0].after.center, result.walkable.steps[0].before.center)
+    assert np.abs(shift).max() <= 0.05 and blocked(result) == set()
+    assert opened(h.home(chest, stool), unblock=False).walkable.steps == []
+
+
+def test_a_lid_under_a_rail():
+    rail = h.thing("towel_rail", 2, 0.1, UP, size=(0.1, 0.6, 0.1), bottom=0.7, id="rail")
+    # Upright, the lid stands at y = 0.11 and ends at z = 0.78.
+    basket = lidded(2, 0.31)
+    assert blocked(h.home(basket, rail)) == {Fault("basket", "lid", "rail")}
+    result = opened(h.home(basket, rail))
+    assert result.walkable.blocked == [] and blocked(result) == set() and result.walkable.dropped == []
+
+
+def test_a_lid_that_turns_past_a_rail_is_free():
+    """Beyond the arc of its edge, but within the box about the arc."""
+    rail = h.thing("towel_rail", 2, 0.45, UP, size=(0.04, 0.6, 0.04), bottom=0.72, id="rail")
+    assert blocked(h.home(lidded(2, 0.24), rail)) == set()
+
+
+def test_neighbours_pressed_3_mm_into_each_other_are_parted():
+    left, right = (h.chest(x, 0.25, UP, id=name) for x, name in ((1.5, "right"), (2.497, "left")))
+    home = h.home(left, right)
+    assert {f.owner for f in blocked(home)} == {"left", "right"}
+    result = opened(home)
+    assert blocked(result) == set() and len(result.walkable.steps) == 1
+    a, b = (next(o for o in result.objects if o.id == name).center[0] for name in ("right", "left"))
+    assert 1.001 <= b - a <= 1.03
+
+
+def test_a_curtain_leaves_the_swing_of_a_door():
+    curtain = h.thing("curtain", 0.06, 0.7, 0.0, size=(0.12, 0.7, 2.3), id="curtain")  # 5 cm into the entrance's way
+    home = h.home(curtain)
+    assert Fault("entrance_1", "way", "curtain") in blocked(home)
+    result = opened(home)
+    assert blocked(result) == set() and result.walkable.dropped == []
+
+
+def test_a_door_that_turns_into_furniture_is_freed():
+    plant = h.thing("plant", 0.75, 1.5, size=(0.3, 0.3, 1.0), id="plant")
+    assert {f.owner for f in blocked(h.home(plant))} == {"entrance_1"}
+    result = opened(h.home(plant))
+    assert blocked(result) == set() and result.walkable.dropped == []
+
+
+def test_a_part_that_turns_into_a_wall_or_above_the_ceiling():
+    def leaf(**more):
+        return Joint(name="leaf", type="hinge", range=(0, np.pi / 2), part="hinge_door", **more)
+    left = leaf(axis=(0, 0, 1), origin=(0.25, 0.5, 0), extent=((0.23, -0.5, -0.4), (0.25, 0.5, 0.4)))
+    case = h.thing("wardrobe", 2, 2.5, DOWN, size=(0.5, 1.0, 0.8), joints=(left,), id="case")
+    assert blocked(h.home(case)) == set()
+    turned = case.model_copy(update={"center": (0.26, 2.4, 0.4), "yaw": np.pi})
+    assert {f.by for f in blocked(h.home(turned))} == {"wall"}
+    up = leaf(axis=(0, -1, 0), origin=(-0.25, 0, 0.4), extent=((-0.25, -0.5, 0.38), (0.25, 0.5, 0.4)))
+    high = case.model_copy(update={"center": (2.0, 2.5, h.plan().height - 0.41), "joints": [up]})
+    assert {f.by for f in blocked(h.home(high))} == {"ceiling"}
+
+
+def test_what_cannot_be_freed_is_named():
+    """A drawer longer than the room, in what the room does not do without."""
+    chest = h.chest(5.35, 1.5, 0, h.BEDROOM, travel=4.0, id="chest").model_copy(update={"category": "wardrobe"})
+    result = opened(h.home(chest))
+    assert [tuple(fault.model_dump().values()) for fault in result.walkable.blocked] == [("chest", "drawer", "wall")]
+    assert result.walkable.dropped == []
+
+
+def test_the_least_important_goes_when_nothing_else_helps():
+    size = (2.9, 2.98, 0.8)
+    chest = h.thing("wardrobe", 1.5, 1.5, 0, size=size, id="chest", joints=(h.drawer(size, 0.9),))
+    plant = h.thing("plant", 3.8, 1.5, size=(0.3, 2.9, 1.0), id="plant")
+    home = h.home(chest, plant).model_copy(update={"openings": []})
+    result = opened(home)
+    assert result.walkable.dropped == ["plant"] and result.walkable.blocked == []
+    kept = opened(home, drop=False)
+    assert kept.walkable.dropped == [] and kept.walkable.blocked
+
+
+def test_doors_of_the_flat_itself_turn_freely():
+    assert stuck_doors(building(h.plan())) == set()
+
+
+def furnished(seed, libraries):
+    """The flat with real assets as they stand in many homes: a desk with its chair drawn up, a basket under a rail."""
+    rng = np.random.default_rng(seed)
+
+    def piece(category, x, y, yaw, bottom=0.0, room=h.LIVING):
+        found = list(libraries.alternatives(category, TABLE[category].size, np.zeros(32)))
+        asset = found[int(rng.integers(len(found)))]
+        about = {"size": asset.size, "bottom": bottom, "joints": tuple(asset.joints), "id": category}
+        made = h.thing(category, x, y, yaw, room, **about)
+        return made.model_copy(update={"asset": {"library": asset.library, "id": asset.id}})
+
+    desk = piece("desk", 2.6, 0.36 + rng.uniform(0, 0.02), UP)
+    chair = piece("office_chair", 2.6 + rng.uniform(-0.3, 0.3), 0.75 + rng.uniform(0, 0.2), DOWN)
+    basket = piece("laundry_basket", 3.0, 2.75, DOWN)
+    rail = piece("towel_rail", 3.0 + rng.uniform(-0.1, 0.1), 2.9, DOWN, 0.6 + rng.uniform(0, 0.3))
+    objects = [type(o).model_validate(o.model_dump()) for o in (desk, chair, basket, rail)]
+    return h.home(*objects)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(6))
+def test_the_simulator_agrees(seed, tmp_path):
+    """Every joint turns through its range in MuJoCo, once repaired."""
+    mujoco = pytest.importorskip("mujoco")
+    from test_acceptance import driven
+
+    from stages import export
+
+    libraries = retrieve.open_libraries()
+    result = opened(furnished(seed, libraries), libraries)
+    assert result.walkable.blocked == []
+    export.run(result, ["mjcf"], tmp_path / "scene", libraries.load)
+    world = mujoco.MjModel.from_xml_path(str(tmp_path / "scene/mjcf/apartment.xml"))
+    faults = [driven(mujoco, world, j) for j in range(world.njnt) if world.jnt_type[j] != mujoco.mjtJoint.mjJNT_FREE]
+    assert [fault for fault in faults if fault] == []
