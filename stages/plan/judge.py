@@ -11,15 +11,19 @@ import networkx as nx
 import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon
+from shapely.ops import unary_union
 
 from schemas.plan import Opening, Plan
 from stages import polygons
 from stages.plan.standards import STANDARDS
+from stages.reach import LEVER
 
 NEAR = 0.005
 """Tolerance of lengths, m."""
 DEEP = 3.0
 """Depth of open air required before a window or an entrance, m."""
+WAY = 0.54
+"""Width of the way to every door past the leaves that stand open, m."""
 THICKEST = 0.4
 """Floors further apart than this have more than a wall between them, m."""
 GREATEST_ASPECT = 2.2
@@ -153,7 +157,7 @@ def _daylight(plan: Plan, shapes: Shapes) -> Iterator[str]:
     for room, kind in types.items():
         if STANDARDS[kind].lit and room not in lit and not (kind == "kitchen" and room in joined):
             yield f"{room} has no window"
-        if kind in ("closet", "storage", "hallway") and room in lit:
+        if kind in ("closet", "storage") and room in lit:
             yield f"{room} has a window"
     names = {(0, 1): "north", (0, -1): "south", (1, 0): "east", (-1, 0): "west"}
     for opening in plan.openings:
@@ -187,6 +191,14 @@ def _leaves(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 
 def _connected(plan: Plan, shapes: Shapes) -> Iterator[str]:
-    free = polygons.free_floor(plan).buffer(-0.25, join_style="mitre").buffer(0.01)
+    floor = polygons.free_floor(plan)
+    free = floor.buffer(-0.25, join_style="mitre").buffer(0.01)
     if len(shapely.get_parts(free)) > 1:
         yield "the floor falls into parts for someone 0.5 m wide"
+        return
+    leaves = [polygons.leaf(o, plan).buffer(LEVER) for o in plan.openings if o.kind == "door"]
+    ways = shapely.get_parts(floor.difference(unary_union(leaves)).buffer(-WAY / 2))
+    main = max(ways, key=lambda part: part.area, default=Polygon())
+    for o in plan.openings:
+        if o.kind in polygons.PASSAGES and main.distance(polygons.threshold(o, plan)) > WAY * (len(o.rooms) == 1):
+            yield f"nobody {WAY} m wide gets to {o.id} while the doors stand open"

@@ -7,7 +7,7 @@ from zlib import crc32
 import numpy as np
 from numba import njit
 
-from stages.plan.slicing import EPS, L_LONG, L_SHORT, LACKING, LEFT, R_AREA, RIGHT, S_TARGET, UPRIGHT, inner
+from stages.plan.slicing import COMPILED, EPS, L_LONG, L_SHORT, LACKING, LEFT, R_AREA, RIGHT, S_TARGET, UPRIGHT, inner
 from stages.plan.terms import evaluate
 
 
@@ -90,11 +90,10 @@ def _stamp() -> int:
 
 def _compiled(stamp: int):
     # numba's cache of a function sees changes in its own file only; a captured value is part of the key, too.
-    @njit(cache=True, nogil=True, error_model="numpy")
+    @njit(cache=True, **COMPILED)
     def anneal(p, t, new, best, z, rng, steps, hot, cold):
         cost = low = np.inf
         valid, temperature = stamp < 0, hot
-        area = z.room[:, 0].copy()
         for step in range(steps + 2):  # the first looks at the start, the last measures the best
             bar = np.inf
             _copy(best if step > steps else t, new)
@@ -102,14 +101,14 @@ def _compiled(stamp: int):
                 temperature *= (cold / hot) ** (1 / steps)
                 bar = cost - temperature * np.log(1 - _random(rng))
                 if new.share.shape[0] > 2:
-                    _propose(p, new, area, rng)
+                    _propose(p, new, z.area, rng)
             tried = evaluate(p, new, z, bar)
             if tried > bar:
                 continue
             _copy(new, t)
             cost = tried
-            for r in range(area.shape[0]):
-                area[r] = z.room[r, R_AREA]
+            for r in range(z.area.shape[0]):
+                z.area[r] = z.room[r, R_AREA]
             ok = z.terms[LACKING] < EPS
             if (ok and not valid) or (ok == valid and tried < low):
                 low, valid = tried, ok

@@ -26,7 +26,7 @@ def wish(envelope: Envelope, regularity: float, rng: Generator) -> tuple[str, fl
     """A shape and an aspect of the bounding box; irregular flats have more corners."""
     shape: str = envelope.shape
     if shape == "auto":
-        odds = 0.8 * (1 - regularity) ** 1.5
+        odds = 0.8 * (1 - regularity)
         shape = str(rng.choice(["rectangle", "L", "notched"], p=[1 - odds, 0.6 * odds, 0.4 * odds]))
     return shape, float(np.exp(rng.uniform(-1, 1) * np.log(GREATEST_ASPECT / PLAY)))
 

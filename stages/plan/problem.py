@@ -41,11 +41,11 @@ class Whim:
 def whim(program: Program, rng: Generator) -> Whim:
     """A corridor of one to three rectangles, few other rooms of two, pairs of rooms to be near, an outline."""
     rooms = [i for i, r in enumerate(program.rooms) if r.type != "hallway"]
-    pairs = [rng.choice(rooms, 2, replace=False) for _ in range(2 if len(rooms) > 1 else 0)]
+    pairs = [rng.choice(rooms, 2, replace=False) for _ in range(3 if len(rooms) > 1 else 0)]
     shape, aspect = wish(program.envelope, program.regularity, rng)
     wanted = areas(program)
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
-    return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 4, axis=0), shape, aspect)
+    return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 6, axis=0), shape, aspect)
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
@@ -110,7 +110,7 @@ def _near(program: Program) -> Ints:
     types = [r.type for r in program.rooms]
     wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
     meals = [(i, j) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == ("kitchen", "dining_room")]
-    return np.array([*zip(wet, wet[1:], strict=False), *meals * 6], np.int64).reshape(-1, 2)
+    return np.array([*zip(wet, wet[1:], strict=False), *meals * 24], np.int64).reshape(-1, 2)
 
 
 def _ways(program: Program, index: dict[str, int]) -> Ints:
@@ -162,4 +162,5 @@ def scratch(n: int, leaves: int, k: int) -> Scratch:
         terms=np.zeros(15),
         entry=np.zeros(4),
         walked=np.zeros((n, 3)),
+        area=np.zeros(n),
     )

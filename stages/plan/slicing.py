@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+# Without counting references, since nothing is allocated: that costs much to compile.
+COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
 # Not cached one by one (`kernel.anneal` is, with all it calls), and not callable from Python: those wrappers cost as
 # much to compile as the functions.
 WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-inner = njit(nogil=True, error_model="numpy", **WITHIN)
+inner = njit(**COMPILED, **WITHIN)
 
 EPS = 1e-6
 TERMS = (
@@ -68,6 +70,7 @@ class Scratch(NamedTuple):
     terms: Floats  # (15,) by TERMS, then the lack
     entry: Floats  # (4,) entrance x, y, length of its wall, distance of its room from such a wall
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
+    area: Floats  # (n,) of the state accepted last
 
 
 @inner

@@ -151,7 +151,7 @@ def _shape(p, z, count):  # terms and lacks of each room's own form
             surplus = max(_corners(z, count, r), 4) / want[S_CORNERS] - 1
             z.terms[CONCISE] += surplus * surplus
         z.terms[NARROW] += (room[R_LEAST] < 0.5) + (room[R_LEAST] < 1.0)
-        z.terms[WIDE] += want[S_CORRIDOR] * max(0.0, room[R_WIDTH] - 1.3)
+        z.terms[WIDE] += want[S_CORRIDOR] * (max(0.0, room[R_WIDTH] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
         lack = 3 * max(0.0, abs(ratio - 1) - want[S_LOOSE]) + 2 * max(0.0, want[S_WIDTH] - room[R_WIDTH])
         lack += 2 * max(0.0, want[S_JOINT] - room[R_LEAST]) + max(0.0, aspect - want[S_ASPECT])
         if room[R_PIECES] - 1 > room[R_JOINTS]:

@@ -9,10 +9,18 @@ from stages.plan.blocks import facing
 from stages.plan.faces import Face
 from stages.plan.standards import STANDARDS, Standard
 
-JAMB = 0.35
-"""Wall left on both sides of a window, m."""
+JAMB, HALL_JAMB = 0.35, 0.2
+"""Wall left on both sides of a window, m; less where a corridor ends."""
 NARROWEST = 0.6
 WIDEST = 2.4
+BROAD = 4.2
+"""Length of a face from which two windows stand on it side by side, m."""
+END = 2.2
+"""Length of a face up to which it is the end of a corridor, m."""
+LONG = 8.0
+"""Floor of a hallway from which it may have two windows, m²."""
+NEED: dict[Side, float] = {"south": 0.85, "east": 1.0, "west": 1.0, "north": 1.1}
+"""Glass wanted by the side it faces: the north is lit by the sky alone."""
 
 
 def place(program: Program, floors: dict[str, Polygon], doors: list[Opening], walls: Walls) -> list[Opening]:
@@ -20,11 +28,14 @@ def place(program: Program, floors: dict[str, Polygon], doors: list[Opening], wa
     out: list[Opening] = []
     for room in program.rooms:
         norm = STANDARDS[room.type]
-        if room.type != "balcony" and norm.glass == 0:
+        if room.type not in ("balcony", "hallway") and norm.glass == 0:
             continue
         others = [floor for r, floor in floors.items() if r != room.id]
         free = _facades(faces.outside(floors[room.id], others), program.envelope.party_walls, doors)
-        out += _glazed(room.id, norm, floors[room.id].area, free, walls, balcony=room.type == "balcony")
+        if room.type == "hallway":
+            out += _ends(room.id, norm, free, walls, 2 if floors[room.id].area >= LONG else 1)
+        else:
+            out += _glazed(room.id, norm, floors[room.id].area, free, walls, balcony=room.type == "balcony")
     return [window.model_copy(update={"id": f"window_{i + 1}"}) for i, window in enumerate(out)]
 
 
@@ -55,6 +66,16 @@ def _cuts(door: Opening, line: LineString) -> bool:
     return len(door.rooms) == 1 and float(LineString(door.segment).distance(line)) < 0.4
 
 
+def _ends(name: str, norm: Standard, free: list[Face], walls: Walls, most: int) -> list[Opening]:
+    """At most `most` narrow windows where a corridor ends at a façade; else one on its longest face."""
+    usable = [face for face in free if face.length >= NARROWEST + 2 * HALL_JAMB]
+    ends = [face for face in usable if face.length <= END]
+    return [
+        _window(name, norm, norm.sill, face, 0.5, min(face.length - 2 * HALL_JAMB, 0.9), walls)
+        for face in (ends[:most] or usable[:1])
+    ]
+
+
 def _glazed(name: str, norm: Standard, area: float, free: list[Face], walls: Walls, balcony: bool) -> list[Opening]:
     """Windows on at most three faces, until the glass suffices; wide demand lowers the sill."""
     out: list[Opening] = []
@@ -67,12 +88,23 @@ def _glazed(name: str, norm: Standard, area: float, free: list[Face], walls: Wal
     for face in usable[:3]:
         if (lack <= 0.2 and out) or (not norm.lit and out):
             break
-        most = face.length - 2 * JAMB
+        need = NEED[facing(*face.along)] if norm.lit else 1.0
         least, widest = (0.9, WIDEST) if norm.lit else (NARROWEST, 0.9)
-        clear = most if balcony else float(np.clip(lack / (norm.head - sill), least, widest))
-        clear = round(min(clear, most), 2)
-        lo = 0.5 * (face.length - clear)
-        segment = face.segment(lo, lo + clear, walls.outer / 2)
-        out.append(Opening(id="window", kind="window", rooms=[name], segment=segment, sill=sill, head=norm.head))
-        lack -= clear * (norm.head - sill)
+        wanted = need * lack / (norm.head - sill)
+        pair = norm.lit and face.length >= BROAD and wanted >= 2 * least
+        many = 2 if pair else 1
+        most = face.length / many - 2 * JAMB
+        clear = most if balcony else min(float(np.clip(wanted / many, least, widest)), most)
+        out += [_window(name, norm, sill, face, (i + 0.5) / many, clear, walls) for i in range(many)]
+        lack -= many * clear * (norm.head - sill) / need
     return out
+
+
+def _window(
+    name: str, norm: Standard, sill: float, face: Face, middle: float, clear: float, walls: Walls
+) -> Opening:
+    """A window about a share of the face's length."""
+    clear = round(clear, 2)
+    lo = middle * face.length - 0.5 * clear
+    segment = face.segment(lo, lo + clear, walls.outer / 2)
+    return Opening(id="window", kind="window", rooms=[name], segment=segment, sill=sill, head=norm.head)

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import pytest
-from plan.flats import flat
+from plan.flats import drawn, flat
 
 from schemas.plan import Opening, Plan
 from stages import polygons
@@ -78,3 +78,21 @@ def test_finds_colliding_leaves() -> None:
     inward = [o.model_copy(update={"into": "hallway_1"}) if "hallway_1" in o.rooms else o for o in plan.openings]
     crowded = validate(plan.model_copy(update={"openings": inward}))
     assert any("leaf" in fault or "leaves" in fault for fault in crowded), crowded
+
+
+@pytest.mark.parametrize("width, passes", [(1.3, False), (1.6, True)])
+def test_finds_a_leaf_that_closes_a_hallway_while_it_stands_open(width: float, passes: bool) -> None:
+    rooms = [drawn("hallway_1", 0, 0, 6, width), drawn("storage_1", 1, -2.1, 4, -0.1),
+             drawn("bedroom_1", 6.1, -1, 10, 3)]
+    asked = [{"id": room.id, "type": room.type} for room in rooms]
+    doors = [
+        {"id": "entrance_1", "rooms": ["hallway_1"], "segment": ((-0.15, width - 0.1), (-0.15, width - 1.0)),
+         "kind": "entrance", "into": "hallway_1"},
+        {"id": "door_1", "rooms": ["hallway_1", "storage_1"], "segment": ((2.4, -0.05), (3.2, -0.05)), "kind": "door",
+         "into": "hallway_1"},
+        {"id": "door_2", "rooms": ["hallway_1", "bedroom_1"], "segment": ((6.05, 0.2), (6.05, 1.1)), "kind": "door",
+         "into": "bedroom_1"},
+    ]
+    plan = Plan.model_validate({"program": {"rooms": asked}, "rooms": rooms,
+                                "openings": [door | {"sill": 0.0, "head": 2.1, "hinge": 0} for door in doors]})
+    assert (not [fault for fault in validate(plan) if "stand open" in fault]) == passes
