@@ -66,12 +66,17 @@ class Reached:
         return list(dict.fromkeys([*self.doors, *self.rooms, *self.closed, *self.opened]))
 
 
-def space(plan: Plan, radius: float = RADIUS, resolution: float = grid.RESOLUTION) -> Space:
-    """Rasterise a plan for a robot of that radius; doors stand open at a right angle, the entrance is shut."""
+def space(
+    plan: Plan, radius: float = RADIUS, resolution: float = grid.RESOLUTION, cells: Grid | None = None
+) -> Space:
+    """Rasterise a plan for a robot of that radius; doors stand open at a right angle, the entrance is shut.
+
+    `cells` may be given in place of a resolution.
+    """
     floor = polygons.free_floor(plan)
     leaves = [polygons.leaf(o, plan).buffer(LEVER) for o in plan.openings if o.kind == "door"]
     floor = floor.difference(unary_union(leaves))
-    cells = grid.over(floor, resolution)
+    cells = grid.over(floor, resolution) if cells is None else cells
     rooms = np.full(cells.shape, -1, np.int16)
     for i, room in enumerate(plan.rooms):
         rooms[grid.raster(polygons.floor(room), cells)] = i

@@ -20,6 +20,7 @@ from schemas.retrieve import Retrieve
 if TYPE_CHECKING:
     from stages.asset import Asset
     from stages.embodied.outcome import Outcome
+    from stages.embodied.world import World
     from stages.scene import Scene
 
 PAPER = [
@@ -67,27 +68,31 @@ def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Re
 
 
 def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
-    """Records of all episodes of an apartment, of both halves."""
+    """Records of all episodes of an apartment, of both halves; the export counts to navigation."""
+    from stages.embodied import world
+
+    began = process_time()
     with _exported(home, bare=True) as (scene, mjcf):
         found = []
+        apartment = world.build(scene, mjcf, moving=(), name=name)
         for half in (_navigation, _interaction):
-            began = process_time()
-            outcomes = half(scene, mjcf, name, None)
+            outcomes = half(apartment, None)
             took = round((process_time() - began) / max(1, len(outcomes)), 3)
             found += [{"id": o.id, **o.model_dump(exclude={"trace"}), "cpu_seconds": took} for o in outcomes]
+            began = process_time()
     return found
 
 
-def _navigation(scene: "Scene", mjcf: Path, name: str, only: str | None) -> "list[Outcome]":
+def _navigation(apartment: "World", only: str | None) -> "list[Outcome]":
     from stages.embodied import navigate
 
-    return navigate.run(scene, mjcf, _rng(name, 8), name, only)
+    return navigate.run(apartment, _rng(apartment.name, 8), only)
 
 
-def _interaction(scene: "Scene", mjcf: Path, name: str, only: str | None) -> "list[Outcome]":
-    from stages.embodied import interact, world
+def _interaction(apartment: "World", only: str | None) -> "list[Outcome]":
+    from stages.embodied import interact
 
-    return interact.run(world.build(scene, mjcf, name=name), _rng(name, 9), only)
+    return interact.run(apartment, _rng(apartment.name, 9), only)
 
 
 def _rng(name: str, lane: int) -> np.random.Generator:
@@ -120,7 +125,7 @@ def replay(out: Path, id: str) -> list[Path]:
     """
     # Without a display, MuJoCo must be told before it is imported.
     os.environ.setdefault("MUJOCO_GL", "egl")
-    from stages.embodied import base, interact
+    from stages.embodied import base, interact, world
     from stages.embodied import replay as shown
 
     name, kind, thing, *joint = id.split(":") if id.count(":") in (2, 3) else ("", "", "")
@@ -130,7 +135,7 @@ def replay(out: Path, id: str) -> list[Path]:
     home = Retrieve.model_validate_json(path.read_text())
     half, robot = (_navigation, base.mjcf()) if kind == "navigation" else (_interaction, interact.robot.mjcf())
     with _exported(home) as (scene, mjcf):
-        found = [o for o in half(scene, mjcf, name, thing) if o.id == id]
+        found = [o for o in half(world.build(scene, mjcf, moving=(), name=name), thing) if o.id == id]
         if not found:
             raise BadInput(f"{name} has no episode {id!r}; ids are in {out / 'trials.jsonl'}")
         target = out / "replays" / f"{id.replace(':', '-')}.gif"

@@ -3,8 +3,10 @@
 Cells are those of `stages/grid.py`; distances are in metres.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import mujoco
@@ -25,22 +27,30 @@ LOW = 0.015
 FAR = 1.0
 """Clearance beyond this is not told apart, m."""
 _STEP = 0.01  # m between points of outlines that distances are measured to; wrong by s² / 8 d = 0.05 mm at contact
-RESOLUTION = 0.025
-"""Cell size, m: half of Nav2's default, so that gaps little wider than the robot have cells in them."""
+FINER = 2
+"""Cells are so much smaller than those of the walkable stage, and than Nav2's default of 5 cm.
+
+Gaps little wider than the robot have cells in them then.
+"""
 
 
 @dataclass(frozen=True)
 class Floor:
-    """A raster of the apartment: `space` without furniture, `solid` all that stands in the robot's height."""
+    """A raster of the apartment: `space` without furniture, `parts` the colliders in the robot's height from above."""
 
     space: reach.Space
-    solid: Geometry
+    parts: dict[str, Geometry]
     radius: float
 
     @property
     def grid(self) -> Grid:
         """The cells."""
         return self.space.grid
+
+    @cached_property
+    def solid(self) -> Geometry:
+        """All that stands in the robot's height, from above."""
+        return shapely.union_all(list(self.parts.values()))
 
     @cached_property
     def free(self) -> Mask:
@@ -61,28 +71,47 @@ class Floor:
         return found
 
 
-def survey(world: World, radius: float = reach.RADIUS, height: float = HEIGHT, resolution: float = RESOLUTION) -> Floor:
-    """The floor of a world, everything at rest as it is built (room doors open)."""
-    return Floor(reach.space(world.home, radius, resolution), solid(world, height), radius)
+def survey(
+    world: World, radius: float = reach.RADIUS, height: float = HEIGHT, without: Collection[str] = ()
+) -> Floor:
+    """The floor of a world, everything at rest as it is built (room doors open); `without` names colliders left out.
+
+    Among the cells' centres are those that `stages/reach.py` looks at, so that no way found there is missed.
+    """
+    parts = {name: shape for name, shape in standing(world, height).items() if name not in without}
+    cells = _finer(grid.over(polygons.free_floor(world.home)))
+    return Floor(reach.space(world.home, radius, cells=cells), parts, radius)
 
 
-def solid(world: World, height: float = HEIGHT) -> Geometry:
-    """Seen from above: all that stands in the robot's height."""
-    return shapely.union_all([shape for _, shape in standing(world, height)])
+def _finer(cells: Grid) -> Grid:
+    """Smaller cells over the same area, the old centres among the new."""
+    size = cells.resolution / FINER
+    x, y = (low + (cells.resolution - size) / 2 - (FINER // 2) * size for low in cells.origin)
+    rows, columns = (FINER * n + 1 for n in cells.shape)
+    return Grid((x, y), (rows, columns), size)
 
 
-def standing(world: World, height: float = HEIGHT) -> list[tuple[int, Geometry]]:
-    """Geom id and outline from above of every collider in the robot's height, but for the robot's own."""
-    model, found = world.model, []
+def standing(world: World, height: float = HEIGHT) -> dict[str, Geometry]:
+    """Outline from above of every collider in the robot's height but for the robot's own, by its name."""
+    model = world.model
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
+    names, points = [], list[Array]()
     for k in range(model.ngeom):
         if model.geom_contype[k] == 0 or model.geom_bodyid[k] in world.robot_bodies:
             continue
-        points = _corners(model, data, k)
-        if points[:, 2].max() > LOW and points[:, 2].min() < height:
-            found.append((k, shapely.MultiPoint(points[:, :2]).convex_hull))
-    return found
+        corners = _corners(model, data, k)
+        if corners[:, 2].max() > LOW and corners[:, 2].min() < height:
+            names.append(model.geom(k).name)
+            points.append(corners[:, :2])
+    if not names:
+        return {}
+    whose = np.repeat(np.arange(len(points)), [len(p) for p in points])
+    hulls = shapely.convex_hull(shapely.multipoints(np.concatenate(points), indices=whose))
+    return dict(zip(names, hulls, strict=True))
+
+
+_SIGNS = np.array(list(product((-1.0, 1.0), repeat=3)))
 
 
 def _corners(model: Any, data: Any, k: int) -> Array:
@@ -94,8 +123,8 @@ def _corners(model: Any, data: Any, k: int) -> Array:
         first, count = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
         return np.asarray(model.mesh_vert[first : first + count] @ turned.T + at)
     if kind == mujoco.mjtGeom.mjGEOM_BOX:
-        shape = Collider("box", at, 2 * size, turned)
-    elif kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
+        return np.asarray((_SIGNS * size) @ turned.T + at)
+    if kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
         shape = Collider("cylinder", at, np.array([size[0], size[0], 2 * size[1]]), turned)
     elif kind == mujoco.mjtGeom.mjGEOM_SPHERE:
         shape = Collider("sphere", at, np.repeat(size[:1], 3), turned)

@@ -4,8 +4,6 @@ An episode succeeds when the robot comes to rest within 0.25 m of the pose, faci
 harder than a graze, within the time limit.
 """
 
-from pathlib import Path
-
 import numpy as np
 import shapely
 
@@ -18,44 +16,43 @@ from stages.embodied.outcome import Outcome
 from stages.embodied.planner import Roadmap
 from stages.embodied.pursuit import XY_TOLERANCE, Pursuit
 from stages.embodied.world import World
-from stages.scene import Scene
 
-TIMESTEP = 0.005
+TIMESTEP = 0.01
 """Of the simulation, s; the base drives alike from 0.002 to 0.01 s."""
 PATIENCE, SLOWEST = 30.0, 0.1
 """Time limit: so many seconds, and the way at so many metres a second."""
 _TOUCHABLE = 0.15  # m about the places where the robot can be; colliders further off are left out
+_BLOCK = 4  # cells in a row that are looked at as one for this
 
 
-def run(
-    scene: Scene, mjcf: Path, rng: np.random.Generator, name: str = "", only: str | None = None
-) -> list[Outcome]:
-    """An episode for every room of the apartment exported to `mjcf`; `only` one object's, and then with its trace."""
-    still = world.build(scene, mjcf, moving=(), name=name)
-    ground = floor.survey(still, base.RADIUS, base.HEIGHT)
+def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> list[Outcome]:
+    """An episode for every room of a world without a robot; `only` one object's, and then with its trace."""
+    name, objects = apartment.name, apartment.home.objects
+    ground = floor.survey(apartment, base.RADIUS, base.HEIGHT)
     began = goals.start(ground)
     if began is None:
-        nowhere = np.zeros(ground.grid.shape, bool)
-        there = goals.goals(ground, still.home.objects, nowhere, rng)
+        there = goals.goals(ground, objects, np.zeros(ground.grid.shape, bool), rng)
         return [_failed(name, goal, "planner", "the entrance is blocked") for goal in there]
     cell, yaw = began
     ways = planner.roadmap(ground, cell)
-    there = [g for g in goals.goals(ground, still.home.objects, ways.reached, rng) if only in (None, g.object)]
-    driven = world.build(scene, mjcf, base.mjcf(), moving=(), fused=True, timestep=TIMESTEP, name=name,
-                         without=_out_of_reach(still, ground, ways.reached))
+    there = [g for g in goals.goals(ground, objects, ways.reached, rng) if only in (None, g.object)]
+    driven = world.build(apartment.scene, apartment.mjcf, base.mjcf(), moving=(), fused=True, timestep=TIMESTEP,
+                         name=name, without=_out_of_reach(apartment, ground, ways.reached), source=apartment.source)
     return [_episode(driven, ways, goal, yaw, only is not None) for goal in there]
 
 
-def _out_of_reach(still: World, ground: Floor, reached: Mask) -> list[str]:
+def _out_of_reach(apartment: World, ground: Floor, reached: Mask) -> list[str]:
     """Colliders that the robot can't touch wherever it drives; the ground stays."""
-    row, column = np.nonzero(reached)
-    points = shapely.points(ground.grid.x[column], ground.grid.y[row])
-    parts = floor.standing(still, base.HEIGHT)
-    tree = shapely.STRtree([shape for _, shape in parts])
-    near = set(tree.query(points, predicate="dwithin", distance=base.RADIUS + _TOUCHABLE)[1].tolist())
-    model = still.model
-    keep = {parts[k][0] for k in near} | {k for k in range(model.ngeom) if _is_ground(still, k)}
-    return [model.geom(k).name for k in range(model.ngeom) if k not in keep]
+    blocks = np.unique(np.argwhere(reached) // _BLOCK, axis=0)
+    size = ground.grid.resolution
+    points = shapely.points(ground.grid.origin + (blocks[:, ::-1] + 0.5) * _BLOCK * size)
+    names = list(ground.parts)
+    far = base.RADIUS + _TOUCHABLE + _BLOCK * size * np.sqrt(0.5)
+    near = shapely.STRtree(list(ground.parts.values())).query(points, predicate="dwithin", distance=far)[1]
+    model = apartment.model
+    keep = {names[k] for k in set(near.tolist())}
+    keep |= {model.geom(k).name for k in range(model.ngeom) if _is_ground(apartment, k)}
+    return [name for k in range(model.ngeom) if (name := model.geom(k).name) not in keep]
 
 
 def _is_ground(still: World, geom: int) -> bool:

@@ -5,6 +5,7 @@ doors stand open at the end of their range and stay there, as with a doorstop; t
 """
 
 from collections.abc import Collection
+from copy import deepcopy
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -39,6 +40,8 @@ class World:
     model: Any
     doors: dict[str, float] = field(default_factory=dict)
     name: str = ""
+    source: Element | None = field(default=None, repr=False, compare=False)
+    """What was read, without what only shows; worlds of the same apartment are built from it faster."""
 
     @property
     def home(self) -> Retrieve:
@@ -68,29 +71,30 @@ class World:
 def build(
     scene: Scene, mjcf: Path, robot: str = "", *, moving: Collection[str] | None = None,
     without: Collection[str] = (), visuals: bool = False, fused: bool = False, timestep: float | None = None,
-    name: str = "",
+    name: str = "", source: Element | None = None,
 ) -> World:
     """The apartment exported to `mjcf` (an apartment.xml), with a robot given as MJCF text.
 
     `moving` are ids of the objects that may move, joints and all (None: every one); any other is welded as it stands,
-    shut. Colliders named in `without` are left out. `visuals` keeps what only shows. `fused` joins all that is welded
-    into the world's own body, which is faster; only geoms then tell things apart. BadInput when the file is not that
-    apartment's.
+    shut. Colliders named in `without` are left out, and with its last collider a body that does not move. `visuals`
+    keeps what only shows. `fused` joins all that is welded into the world's own body, which is faster; only geoms then
+    tell things apart. `source` is that of a world of this apartment. BadInput when the file is not that apartment's.
     """
     if not isinstance(scene.home, Retrieve):
         raise BadInput("robots need real furniture; run `apartgen retrieve` on this first")
     bodies = {body.id: body for body in scene.bodies if body.id and body.kind in ("object", "door")}
-    root = _read(mjcf)
-    named = {element.get("name"): element for element in root.iter("body")}
-    missing = [body.name for body in bodies.values() if body.name not in named]
+    source = _read(mjcf, visuals) if source is None else source
+    missing = {body.name for body in bodies.values()} - {element.get("name") for element in source.iter("body")}
     if missing:
-        raise BadInput(f"{mjcf}: holds no {missing[0]!r}; export this apartment again")
+        raise BadInput(f"{mjcf}: holds no {min(missing)!r}; export this apartment again")
+    free = bodies if moving is None else moving
+    root = _copied(source, frozenset(without), {body.name for id, body in bodies.items() if id in free})
+    named = {element.get("name"): element for element in root.iter("body")}
     doors = _open_doors(bodies, named)
-    if moving is not None:
-        for id, body in bodies.items():
-            if id not in moving:
-                _weld(named[body.name])
-    _strip(root, visuals, frozenset(without))
+    for id, body in bodies.items():
+        if id not in free and body.name in named:
+            _weld(named[body.name])
+    _drop_unused(root, named)
     if fused:
         _section(root, "contact").clear()
         _section(root, "compiler").set("fusestatic", "true")
@@ -99,15 +103,65 @@ def build(
     if timestep:
         _section(root, "option").set("timestep", str(timestep))
     model = mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode"))
-    return World(scene, mjcf, bodies, model, doors, name)
+    return World(scene, mjcf, bodies, model, doors, name, None if visuals else source)
 
 
-def _read(mjcf: Path) -> Element:
+def _read(mjcf: Path, visuals: bool) -> Element:
     root = ElementTree.parse(mjcf).getroot()
     compiler = _section(root, "compiler")
     for key in ("meshdir", "texturedir"):
         compiler.set(key, str((mjcf.parent / compiler.get(key, "")).resolve()))
+    if visuals:
+        return root
+    for body in root.iter("body"):
+        for geom in body.findall("geom"):
+            if geom.get("class") == "visual":
+                body.remove(geom)
+    world, assets = _section(root, "worldbody"), _section(root, "asset")
+    for light in world.findall("light"):
+        world.remove(light)
+    for asset in list(assets):
+        if asset.tag != "mesh":
+            assets.remove(asset)
     return root
+
+
+def _copied(source: Element, without: frozenset[str], free: Collection[str]) -> Element:
+    """A copy to be changed, some colliders left out; assets are shared."""
+    root = Element(source.tag, source.attrib)
+    for section in source:
+        if section.tag not in ("worldbody", "asset"):
+            root.append(deepcopy(section))
+            continue
+        ours = ElementTree.SubElement(root, section.tag, section.attrib)
+        for part in section:
+            geoms = [geom.get("name") for geom in part.iter("geom")] if part.tag == "body" else []
+            left_out = without.intersection(geoms) if without else set()
+            if left_out and len(left_out) == len(geoms) and part.get("name") not in free:
+                continue
+            ours.append(part if section.tag == "asset" else deepcopy(part))
+            if left_out:
+                _leave_out(ours[-1], left_out)
+    return root
+
+
+def _leave_out(part: Element, geoms: Collection[str]) -> None:
+    for body in part.iter("body"):
+        for geom in body.findall("geom"):
+            if geom.get("name") in geoms:
+                body.remove(geom)
+
+
+def _drop_unused(root: Element, named: Collection[str | None]) -> None:
+    """Take away meshes that nothing uses, and pairs of bodies of which one is not there."""
+    assets, used = _section(root, "asset"), {geom.get("mesh") for geom in root.iter("geom")}
+    for asset in list(assets):
+        if asset.tag == "mesh" and asset.get("name") not in used:
+            assets.remove(asset)
+    contact = _section(root, "contact")
+    for pair in contact.findall("exclude"):
+        if pair.get("body1") not in named or pair.get("body2") not in named:
+            contact.remove(pair)
 
 
 def _section(root: Element, tag: str) -> Element:
@@ -120,7 +174,7 @@ def _open_doors(bodies: dict[str, Body], named: dict[str | None, Element]) -> di
     doors = {}
     for id, body in bodies.items():
         for link in body.links if body.kind == "door" else []:
-            if link.joint is None:
+            if link.joint is None or body.link_name(link) not in named:
                 continue
             angle = link.joint.range[1] if body.category == "door" else 0.0
             _turn(named[body.link_name(link)], link.joint, angle)
@@ -150,22 +204,6 @@ def _weld(body: Element) -> None:
         for tag in ("joint", "freejoint"):
             for joint in part.findall(tag):
                 part.remove(joint)
-
-
-def _strip(root: Element, visuals: bool, without: Collection[str]) -> None:
-    """Take away colliders by name; unless `visuals`, all that only shows; then meshes that nothing uses."""
-    for body in root.iter("body"):
-        for geom in body.findall("geom"):
-            if geom.get("name") in without or (geom.get("class") == "visual" and not visuals):
-                body.remove(geom)
-    if not visuals:
-        world = _section(root, "worldbody")
-        for light in world.findall("light"):
-            world.remove(light)
-    assets, used = _section(root, "asset"), {geom.get("mesh") for geom in root.iter("geom")}
-    for asset in list(assets):
-        if asset.get("name") not in used if asset.tag == "mesh" else not visuals:
-            assets.remove(asset)
 
 
 def _attach(root: Element, robot: Element) -> None:

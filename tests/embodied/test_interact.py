@@ -11,8 +11,11 @@ from schemas.retrieve import Joint
 from stages import solids
 from stages.asset import Asset, Link
 from stages.embodied import interact, world
-from stages.embodied.interact import robot
-from stages.embodied.interact.plan import GOAL
+from stages.embodied.interact import parts, robot
+from stages.embodied.interact.aim import OPTIONS
+from stages.embodied.interact.near import Surroundings
+from stages.embodied.interact.plan import GOAL, STEPS, Planner
+from stages.embodied.interact.probe import Probe
 from stages.export import mjcf
 from stages.materials import PALETTE
 from stages.scene import Scene
@@ -189,3 +192,46 @@ def test_postures_put_the_hand_where_they_say():
         assert data.xpos[palm] + robot.HAND * frame[:, 0] == pytest.approx(at, abs=1e-6)
         assert np.hypot(*(at - [*base[:2], 0])[:2]) <= robot.REACH
     assert reached > 20
+
+
+def test_what_is_left_out_of_an_episode_is_what_it_cannot_touch(flat, monkeypatch):
+    far = block("sofa", 6.5, 2.0, room=h.BEDROOM, id="far")
+    apartment = flat(drawer(), chest(0.3, 2.0, id="one"), block("chair", 0.4, 1.0, id="near"), far)
+    body = apartment.bodies["one"]
+    gone = Surroundings(apartment, []).far(body, body.links[1:])
+    assert any(name.startswith("far") for name in gone) and not any(name.startswith(("near", "one")) for name in gone)
+    lean = opened(apartment)
+    monkeypatch.setattr(Surroundings, "far", lambda *_: [])
+    assert opened(apartment) == lean
+
+
+def test_many_postures_are_those_of_one_after_another():
+    rng = np.random.default_rng(1)
+    at = np.stack([*rng.uniform(-0.8, 0.8, (2, 300)), rng.uniform(0.2, 1.8, 300)], 1)
+    turns = np.linalg.qr(rng.normal(size=(300, 3, 3)))[0]
+    turns[:, :, 2] *= np.sign(np.linalg.det(turns))[:, None]
+    found, able = robot.postures((0.1, 0.2, 0.3), at, turns, 0.01, 0.01)
+    single = [robot.posture((0.1, 0.2, 0.3), a, turn, 0.01, None, 0.01) for a, turn in zip(at, turns)]
+    assert able.tolist() == [one is not None for one in single] and 20 < able.sum() < 300
+    assert found[able] == pytest.approx(np.array([one for one in single if one is not None]))
+
+
+def test_chains_are_the_cheapest_and_touch_nothing(flat):
+    apartment = flat(drawer(), chest(0.3, 2.0))
+    body = next(body for body in apartment.bodies.values() if body.category == "chest")
+    probe = Probe(interact.equipped(apartment, body.id, []))
+    part = parts.part(probe.world, body, body.links[1])
+    probe.reset(part.body)
+    planner, hold, base = Planner(probe, part), part.holds[0], np.array([1.35, 1.8, np.pi])
+    chain, *_ = planner.chains(base, hold, 0)
+    able = []
+    for k in range(STEPS + 1):
+        found, within = planner._held(base, hold, k)
+        able.append([o for o in np.flatnonzero(within).tolist() if planner._meets_nothing(found[o], k, hold)])
+    assert len(chain) == STEPS + 1 and all(o in free for o, free in zip(chain, able))
+    best = {o: OPTIONS[o].cost for o in able[0]}
+    for k in range(STEPS):
+        ways = planner._next(hold, k)
+        best = {p: min(c + (o != p) for o, c in best.items() if ways[o, p])
+                for p in able[k + 1] if ways[list(best), p].any()}
+    assert OPTIONS[chain[0]].cost + sum(a != b for a, b in zip(chain, chain[1:])) == pytest.approx(min(best.values()))

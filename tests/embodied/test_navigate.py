@@ -12,7 +12,8 @@ from stages.embodied.pursuit import Pursuit
 
 
 def _run(home, folder, seed=0, **more):
-    return navigate.run(*blocks.exported(home, folder), np.random.default_rng(seed), "home-1", **more)
+    apartment = world.build(*blocks.exported(home, folder), moving=(), name="home-1")
+    return navigate.run(apartment, np.random.default_rng(seed), **more)
 
 
 def _beyond(gap, x=3.0, width=1.6):

@@ -8,17 +8,18 @@ ajar. What the fingers hold is modelled by a ball joint that breaks at the force
 rooms are shut behind the robot: their leaves are left out, as are handles that are none (windows do not open).
 """
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
-import mujoco
 import numpy as np
 
 from stages import grid
 from stages.boxes import Array
 from stages.embodied import floor, world
+from stages.embodied.interact import parts
 from stages.embodied.interact.act import FRAMES, Actor, Result
-from stages.embodied.interact.parts import Part, openable
+from stages.embodied.interact.near import Surroundings
+from stages.embodied.interact.parts import Part
 from stages.embodied.interact.plan import GOAL, OPEN, Plan, Planner, spots
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
@@ -51,28 +52,41 @@ class _Tried:
 def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> list[Outcome]:
     """An episode for every part that opens; `only` one object's, and then with their traces.
 
-    The apartment may hold any robot or none: it is built again with the manipulator.
+    The apartment may hold any robot or none: it is built again with the manipulator, for every object with what is
+    near it.
     """
-    own = equipped(apartment)
-    probe = Probe(own)
-    every = list(openable(own, probe.data))
-    ground = floor.survey(own, RADIUS)
+    leaves = _leaves(apartment)
+    ground = floor.survey(apartment, RADIUS, without=leaves)
     reached = grid.from_seeds(ground.free, ground.space.entry)
     points = ground.grid.centers()
     cells, others = points[reached], points[ground.free & ~reached]
-    return [_episode(probe, part, cells, others, lane, only is not None)
-            for part, lane in zip(every, rng.spawn(len(every)), strict=True) if only in (None, part.object)]
+    every = parts.listed(apartment)
+    surroundings = Surroundings(apartment, leaves)
+    own: dict[str, Probe] = {}
+    found = []
+    for (body, link), lane in zip(every, rng.spawn(len(every)), strict=True):
+        if only not in (None, body.id):
+            continue
+        if body.id not in own:
+            mine = [moving for other, moving in every if other is body]
+            own = {body.id: Probe(equipped(apartment, body.id, surroundings.far(body, mine)))}
+        probe = own[body.id]
+        found.append(_episode(probe, parts.part(probe.world, body, link), cells, others, lane, only is not None))
+    return found
 
 
-def equipped(apartment: World) -> World:
-    """The apartment with the manipulator in it, room doors without leaves."""
-    leaves = [f"{body.link_name(link)}__c{k}" for body in apartment.bodies.values() if body.kind == "door"
-              for link in body.links if link.joint is not None and body.category == "door"
-              for k in range(len(link.colliders))]
-    made = world.build(apartment.scene, apartment.mjcf, mjcf(), without=leaves, name=apartment.name)
-    # What rests is left out of the simulation until it is touched, where the engine can do so.
-    made.model.opt.enableflags |= int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0))
-    return made
+def equipped(apartment: World, object: str, without: Collection[str]) -> World:
+    """The apartment with the manipulator in it, nothing but one object's parts moving, some colliders left out."""
+    return world.build(apartment.scene, apartment.mjcf, mjcf(), moving=[object], without=without, name=apartment.name,
+                       source=apartment.source)
+
+
+def _leaves(apartment: World) -> frozenset[str]:
+    """Names of the colliders of room doors' leaves."""
+    return frozenset(
+        f"{body.link_name(link)}__c{k}" for body in apartment.bodies.values() if body.category == "door"
+        for link in body.links if body.kind == "door" and link.joint is not None for k in range(len(link.colliders))
+    )
 
 
 def _episode(

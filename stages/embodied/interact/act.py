@@ -1,6 +1,7 @@
 """Carries a plan out in physics: servos with limited force, contacts, a grip that slips."""
 
 from dataclasses import dataclass, field
+from math import sqrt
 
 import mujoco
 import numpy as np
@@ -27,9 +28,14 @@ RAMP = 0.3
 """Seconds to gather speed and to lose it."""
 FRAMES = 20
 """Recorded a second."""
+TIMESTEP = 0.004
+"""Of the simulation while the hand takes hold, holds or pushes, s."""
+STRIDE = 2
+"""Steps of the simulation between commands to the servos near what is opened; elsewhere one step is as long."""
 _SMOOTH = 0.12  # s over which the targets of a held motion are averaged
 _CLOSE = 1.2  # s at most for the fingers to close
-_REST = 0.2  # s at the end of each phase, for the arm to catch up
+_REST = 0.2  # s at most at the end of each phase, for the arm to catch up
+_CAUGHT_UP, _STILL = 5e-4, 5e-3  # m or rad off the target, m/s or rad/s of every joint, when it has
 
 
 @dataclass
@@ -59,7 +65,7 @@ class Actor:
         self.own = probe.own(part)
         self.eq = self.model.equality("robot__hold").id
         self.result = Result()
-        self.steps = 0
+        self.period = STRIDE * TIMESTEP
 
     def run(self, plan: Plan) -> Result:
         """Carry out every phase, or as far as it goes."""
@@ -83,7 +89,12 @@ class Actor:
 
     def _travel(self, phase: Phase) -> bool:
         """From stop to stop, halting at each, so that no corner is cut."""
-        return all(self._along([stop.posture]) for stop in phase.stops) and self._wait(_REST)
+        *far, last = phase.stops
+        self.model.opt.timestep = self.period
+        if not all(self._along([stop.posture]) for stop in far):
+            return False
+        self.model.opt.timestep = TIMESTEP
+        return self._along([last.posture]) and self._wait(_REST)
 
     def _along(self, postures: list[Array], values: Array | None = None) -> bool:
         """Servo through postures, each joint within its speed and a held part within its own."""
@@ -92,7 +103,7 @@ class Actor:
         if values is not None:
             pace = PACE["slide" if self.part.slides else "hinge"]
             spans = np.maximum(2 * spans, np.abs(np.diff(values, prepend=values[0])) / pace)
-        step = float(self.model.opt.timestep)
+        step = self.period
         targets = _timed(path, spans, step)
         if values is not None:
             targets = _smoothed(targets, int(_SMOOTH / step))
@@ -104,7 +115,14 @@ class Actor:
         return True
 
     def _wait(self, seconds: float) -> bool:
-        return all(self._step() for _ in range(int(seconds / self.model.opt.timestep)))
+        """Until the arm has caught up, or for so long."""
+        for _ in range(int(seconds / self.period)):
+            off = self.data.qpos[self.probe.joints] - self.data.ctrl[self.servos]
+            if (np.abs(off[:11]) < _CAUGHT_UP).all() and (np.abs(self.data.qvel) < _STILL).all():
+                return True
+            if not self._step():
+                return False
+        return True
 
     def _hold(self, phase: Phase) -> bool:
         hold = phase.hold
@@ -123,11 +141,13 @@ class Actor:
     def _close(self) -> bool:
         """Close the fingers until both touch the part."""
         self.data.ctrl[self.servos[FINGERS]] = 0.0
-        for _ in range(int(_CLOSE / self.model.opt.timestep)):
-            if not self._step():
-                return False
+        for _ in range(int(_CLOSE / self.period) * STRIDE):
+            mujoco.mj_step(self.model, self.data)
+            self._record()
             if self._touching() == 2:
-                return True
+                return self._unharmed()
+            if not self._unharmed():
+                return False
         self.result.trouble = "the fingers did not find the handle"
         return False
 
@@ -181,28 +201,36 @@ class Actor:
             self.model.actuator_forcerange[k] = [-GRIP, GRIP]
 
     def _step(self) -> bool:
-        """One step of the simulation; False when the episode is over."""
-        mujoco.mj_step(self.model, self.data)
-        self.steps += 1
-        if self.steps % round(1 / FRAMES / self.model.opt.timestep) == 0:
+        """One period of the simulation; False when the episode is over."""
+        if self.data.eq_active[self.eq]:
+            for _ in range(STRIDE):
+                mujoco.mj_step(self.model, self.data)
+                if not self._holding():
+                    return False
+        else:
+            mujoco.mj_step(self.model, self.data, round(self.period / self.model.opt.timestep))
+        self._record()
+        return self._unharmed()
+
+    def _record(self) -> None:
+        if self.data.time * FRAMES >= len(self.result.times) + 1:
             self.result.times.append(round(float(self.data.time), 4))
             self.result.qpos.append([round(float(v), 5) for v in self.data.qpos[self.recorded]])
-        return self._holding() and (self.steps % 2 == 1 or self._unharmed())
 
     def _holding(self) -> bool:
-        if not self.data.eq_active[self.eq]:
+        """Whether the hold bears what it has to; it is the model's only equality, and equalities come first."""
+        x, y, z = self.data.efc_force[:3].tolist() if self.data.ne else (0.0, 0.0, 0.0)
+        self.pull += (sqrt(x * x + y * y + z * z) - self.pull) * TIMESTEP / SLIPPING
+        self.result.force = max(self.result.force, self.pull)
+        if self.pull <= self.limit:
             return True
-        rows = (self.data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY) & (self.data.efc_id == self.eq)
-        now = float(np.linalg.norm(self.data.efc_force[rows]))
-        force = self.pull = self.pull + (now - self.pull) * self.model.opt.timestep / SLIPPING
-        self.result.force = max(self.result.force, force)
-        if force <= self.limit:
-            return True
-        self.result.trouble = f"the grip slipped at {force:.0f} N"
+        self.result.trouble = f"the grip slipped at {self.pull:.0f} N"
         return False
 
     def _unharmed(self) -> bool:
         """Whether neither robot nor part presses against anything that they should not."""
+        if not self.data.ncon:
+            return True
         pairs = np.array(self.data.contact.geom).reshape(-1, 2)
         mine, part = self.mine[pairs].any(1), self.moving[pairs].any(1)
         bad = (mine ^ part) & ~(part & self.own[pairs].all(1))

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from stages.boxes import Array
+from stages.boxes import Array, Mask
 from stages.embodied.interact.parts import Hold, Part
 
 YAWS = np.radians([0, 35, -35, 70, -70])
@@ -47,17 +47,26 @@ def forward(part: Part, hold: Hold, value: float, option: Option) -> Array:
 
 def turned(part: Part, hold: Hold, value: float, ahead: Array) -> Array | None:
     """The hand's axes (3, 3) when it points `ahead`; None where it would not grip, or push out of the face."""
+    turns, able = every_turn(part, hold, value, ahead[None])
+    return turns[0] if able[0] else None
+
+
+def every_turn(part: Part, hold: Hold, value: float, ahead: Array) -> tuple[Array, Mask]:
+    """The same for many directions (n, 3): axes (n, 3, 3), and where they are any good."""
     turn, _ = part.moved(value)
-    facing = float(ahead @ (turn @ hold.out)) * (1 if hold.kind == "push" else -1)
-    if hold.kind != "pinch" and facing < _LIMIT[hold.kind]:
-        return None
-    across = turn @ hold.across if hold.kind == "pinch" else cross(part.up, part.front)
-    across = across - (across @ ahead) * ahead
-    length = float(np.linalg.norm(across))
-    if length < (_LIMIT["pinch"] if hold.kind == "pinch" else 0.1):
-        return None
-    across = across / length
-    return np.stack([ahead, across, cross(ahead, across)], 1)
+    if hold.kind == "pinch":
+        able = np.ones(len(ahead), bool)
+        across = turn @ hold.across
+    else:
+        able = ahead @ (turn @ hold.out) * (1 if hold.kind == "push" else -1) >= _LIMIT[hold.kind]
+        across = cross(part.up, part.front)
+    across = across - (ahead @ across)[:, None] * ahead
+    length = np.sqrt((across * across).sum(1))
+    able &= length >= (_LIMIT["pinch"] if hold.kind == "pinch" else 0.1)
+    across = across / np.maximum(length, 1e-9)[:, None]
+    a, b = ahead.T, across.T
+    up = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    return np.stack([ahead, across, np.stack(up, 1)], 2), able
 
 
 def cross(a: Array, b: Array) -> Array:

@@ -1,8 +1,8 @@
 """What can be opened: one part of an object, where it is held, how it moves."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal
+from math import cos, sin
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,23 +88,29 @@ class Part:
 
 def rotation(axis: Array, angle: float) -> Array:
     """Rotation about a unit axis (Rodrigues), (3, 3)."""
-    x, y, z = axis
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
+    x, y, z = (float(v) for v in axis)
+    c, s = cos(angle), sin(angle)
+    d = 1 - c
+    return np.array([
+        [c + d * x * x, d * x * y - s * z, d * x * z + s * y],
+        [d * x * y + s * z, c + d * y * y, d * y * z - s * x],
+        [d * x * z - s * y, d * y * z + s * x, c + d * z * z],
+    ])
 
 
-def openable(world: World, data: Any) -> Iterator[Part]:
-    """Every part of every object whose joint is in the model; `data` must hold the shut apartment, kinematics done."""
-    known = {world.model.joint(k).name: k for k in range(world.model.njnt)}
-    for body in world.bodies.values():
-        for link in body.links if body.kind == "object" else []:
-            if link.joint is not None and body.joint_name(link.joint) in known:
-                yield _part(world, data, body, link, known[body.joint_name(link.joint)])
+def listed(world: World) -> list[tuple[Body, Link]]:
+    """Everything that opens in an apartment: the link, and the object that it belongs to."""
+    assert world.source is not None
+    known = {joint.get("name") for joint in world.source.iter("joint")}
+    return [(body, link) for body in world.bodies.values() if body.kind == "object"
+            for link in body.links if link.joint is not None and body.joint_name(link.joint) in known]
 
 
-def _part(world: World, data: Any, body: Body, link: Link, k: int) -> Part:
+def part(world: World, body: Body, link: Link) -> Part:
+    """A link as it stands in a world in which it may move."""
     joint = link.joint
     assert joint is not None
+    k = world.model.joint(body.joint_name(joint)).id
     pose = body.pose()
     turn = pose[:3, :3]
     axis = turn @ (np.asarray(joint.axis, float) / np.linalg.norm(joint.axis))

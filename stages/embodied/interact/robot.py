@@ -11,7 +11,7 @@ Hand frame: x forward between the fingers, y from finger to finger, z up; its or
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stages.boxes import Array
+from stages.boxes import Array, Mask
 
 RADIUS = 0.25
 """Of the base, m."""
@@ -170,3 +170,26 @@ def posture(
         found[k] = old[k] + (found[k] - old[k] + np.pi) % (2 * np.pi) - np.pi
     within = all(abs(found[k]) <= _WRIST[name] for k, name in ((8, "yaw"), (9, "pitch"), (10, "roll")))
     return found if within else None
+
+
+def postures(base: ArrayLike, at: Array, turns: Array, opening: float, spare: float = 0.0) -> tuple[Array, Mask]:
+    """The postures (n, 13) that hold the hand at points (n, 3) with axes (n, 3, 3), and which are within reach."""
+    x, y, heading = (float(v) for v in np.asarray(base, float))
+    wrist = at - HAND * turns[:, :, 0]
+    aside, ahead = wrist[:, 1] - y, wrist[:, 0] - x
+    out, bearing = np.hypot(aside, ahead), np.arctan2(aside, ahead)
+    c, s = np.cos(bearing)[:, None], np.sin(bearing)[:, None]
+    first, second, last = c * turns[:, 0] + s * turns[:, 1], c * turns[:, 1] - s * turns[:, 0], turns[:, 2]
+    found = np.empty((len(at), 13))
+    found[:, :3] = x, y, heading
+    found[:, 3] = wrist[:, 2]
+    found[:, 4] = (bearing - heading + np.pi) % (2 * np.pi) - np.pi
+    found[:, 5:8] = (out[:, None] - ARM[0]) / 3
+    found[:, 8] = np.arctan2(second[:, 0], first[:, 0])
+    found[:, 9] = -np.arcsin(last[:, 0].clip(-1, 1))
+    found[:, 10] = np.arctan2(last[:, 1], last[:, 2])
+    found[:, 11:] = opening
+    within = (ARM[0] + spare <= out) & (out <= ARM[1] - spare)
+    within &= (LIFT[0] + spare <= wrist[:, 2]) & (wrist[:, 2] <= LIFT[1] - spare)
+    within &= (np.abs(found[:, 8:11]) <= list(_WRIST.values())).all(1)
+    return found, within
