@@ -56,6 +56,23 @@ def wall_frames(rooms: Rooms) -> tuple[Tensor, Tensor]:
     return frames.nan_to_num(0.0), mask
 
 
+class EncoderLayer(nn.TransformerEncoderLayer):
+    """The standard layer with attention called directly: torch's own check of shapes first imports sympy, which takes
+    longer than a flat's layout."""
+
+    def _sa_block(
+        self, x: Tensor, attn_mask: Tensor | None, key_padding_mask: Tensor | None, is_causal: bool = False
+    ) -> Tensor:
+        b, n, w = x.shape
+        own = self.self_attn
+        both = torch.nn.functional.linear(x, own.in_proj_weight, own.in_proj_bias)
+        q, k, v = both.view(b, n, 3, own.num_heads, -1).permute(2, 0, 3, 1, 4).unbind(0)
+        mask = None if key_padding_mask is None else key_padding_mask[:, None, None]
+        found = torch.nn.functional.scaled_dot_product_attention(q, k, v, attn_mask=mask)
+        out: Tensor = own.out_proj(found.transpose(1, 2).reshape(b, n, w))
+        return out
+
+
 class RoomEncoder(nn.Module):
     """Tokens of walls, doors and windows, and one vector of type, size, count and wanted categories."""
 
@@ -69,7 +86,7 @@ class RoomEncoder(nn.Module):
         self.slots = nn.Embedding(2, w)
         self.wanted = nn.Linear(2 * len(CATEGORIES), w)
         self.scalars = nn.Linear(3, w)
-        layer = nn.TransformerEncoderLayer(w, config.heads, 2 * w, 0.0, "gelu", batch_first=True, norm_first=True)
+        layer = EncoderLayer(w, config.heads, 2 * w, 0.0, "gelu", batch_first=True, norm_first=True)
         self.layers = nn.TransformerEncoder(layer, config.encoder_layers, enable_nested_tensor=False)
 
     def forward(self, rooms: Rooms, all_slots: bool) -> Context:

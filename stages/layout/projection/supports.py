@@ -12,6 +12,7 @@ from stages.layout.projection.standing import Item
 EDGE = 0.01
 """From the front edge of what carries it, m: where a hand gets to what is used or switched."""
 AT_HAND = frozenset({"table_lamp", "microwave"})
+CENTRED = frozenset({"tv", "monitor"})
 SEATED_AT = frozenset({"desk"})
 """Its front edge is for the arms."""
 
@@ -27,6 +28,8 @@ def on_support(item: Item, others: list[Item]) -> Item | None:
         c, s = np.cos(support.yaw), np.sin(support.yaw)
         offset = np.array([[c, s], [-s, c]]) @ (item.center[:2] - support.center[:2])
         half = np.maximum(room / 2, 0)
+        if item.category in CENTRED:
+            offset[1] = 0.0
         z = support.center[2] + support.size[2] / 2 + item.size[2] / 2
         for share in (None, 0.0, 0.5, -0.5, 1.0, -1.0):
             at = np.clip(offset, -half, half) if share is None else np.array([-half[0] * 0.6, half[1] * share])
