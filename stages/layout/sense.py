@@ -19,11 +19,13 @@ Logits = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class Sense:
-    """Rules by class index: least groups of every room type, (number, group) at most, class → companions."""
+    """Rules by class index: least groups of every room type, (number, group) at most, class → companions, (class,
+    guest, number of guests at least)."""
 
     least: tuple[tuple[tuple[int, ...], ...], ...]
     most: tuple[tuple[int, tuple[int, ...]], ...]
     needs: tuple[tuple[int, tuple[int, ...]], ...]
+    company: tuple[tuple[int, int, int], ...]
 
 
 @cache
@@ -38,6 +40,11 @@ def sense() -> Sense:
         tuple(tuple(indices(group) for group in table["least"].get(kind, [])) for kind in ROOM_TYPES),
         tuple((int(number), indices(group)) for number, groups in table["most"].items() for group in groups),
         tuple((CATEGORIES.index(name), indices(group)) for name, group in table["needs"].items()),
+        tuple(
+            (CATEGORIES.index(host), CATEGORIES.index(guest), int(number))
+            for host, guests in table["company"].items()
+            for guest, number in guests.items()
+        ),
     )
 
 
@@ -83,6 +90,7 @@ def settle(logits: Logits, kind: int, wanted: NDArray[np.int64]) -> None:
         if len(taken) < len(logits) and not any(wanted[c] == 0 for c in group):
             taken.append(_one_of(logits, group, taken))
     _companions(logits, free, taken)
+    _company(logits, free, taken)
 
 
 def _at_most(logits: Logits, free: NDArray[np.bool_]) -> None:
@@ -114,7 +122,7 @@ def _companions(logits: Logits, free: NDArray[np.bool_], taken: list[int]) -> No
         others = logits[dependent]
         others[:, row] = -np.inf
         price = (best[dependent] - others.max(-1)).sum()
-        members = np.flatnonzero(group & free)
+        members = np.flatnonzero(group & free & ~_full(classes, logits.shape[1]))
         margin = logits[:, members] - best[:, None]
         margin[turned | ~free[classes] | (dependent & (dependent.sum() == 1))] = -np.inf
         if members.size and -margin.max() < price:
@@ -123,6 +131,31 @@ def _companions(logits: Logits, free: NDArray[np.bool_], taken: list[int]) -> No
             turned[slot] = True
         else:
             logits[:, row] = BARRED
+
+
+def _company(logits: Logits, free: NDArray[np.bool_], taken: list[int]) -> None:
+    """Turn the slots that mind least into guests that a host lacks; `taken` slots and hosts' needs stay."""
+    needing, companions = _needs()
+    for host, guest, number in sense().company:
+        for _ in range(number):
+            classes = logits.argmax(-1)
+            present = np.bincount(classes, minlength=logits.shape[1])
+            if not present[host] or present[guest] >= number or not free[guest]:
+                break
+            kept = companions[np.isin(needing, classes)].any(0) | ~free
+            margin = logits[:, guest] - logits.max(-1)
+            margin[kept[classes] | (classes == host) | (classes == guest)] = -np.inf
+            margin[taken] = -np.inf
+            slot = int(margin.argmax())
+            if not np.isfinite(margin[slot]):
+                break
+            logits[slot, guest] = logits[slot].max() + 3.0
+
+
+def _full(classes: NDArray[np.int64], n: int) -> NDArray[np.bool_]:
+    """Classes of which there are as many as a room may hold, (n,)."""
+    number, groups = _most()
+    return np.asarray(groups[groups @ np.bincount(classes, minlength=n) >= number].any(0))
 
 
 def _lacking(logits: Logits, free: NDArray[np.bool_]) -> tuple[int, NDArray[np.bool_]] | None:

@@ -71,7 +71,7 @@ def test_rugs_lie_under_tables_and_lamps_hang_over_them() -> None:
         found, _ = settled(["dining_table", "rug", "ceiling_lamp"], seed)
         table, rug = found["dining_table"], found["rug"]
         assert np.linalg.norm(found["ceiling_lamp"].center[:2] - table.center[:2]) < 0.01
-        beneath += np.linalg.norm(rug.center[:2] - table.center[:2]) < 0.01 and (rug.size[:2] > table.size[:2]).all()
+        beneath += bool(np.linalg.norm((rug.center - table.center)[:2]) < 0.01 and (rug.size > table.size)[:2].all())
     assert beneath >= 4, "a table at a wall has no room for a rug that reaches out"
 
 

@@ -65,3 +65,22 @@ def test_rooms_do_not_take_what_belongs_elsewhere() -> None:
     ]:
         assert table[ROOM_TYPES.index(kind), CATEGORIES.index(name)] == allowed
     assert table[:, EMPTY].all()
+
+
+def test_a_companion_is_not_made_where_there_are_enough_of_its_kind() -> None:
+    """A nightstand needs a bed to stand at, but a room with a bunk bed gets no second bed for it."""
+    logits = np.full((5, N_CLASSES), -5, np.float32)
+    for slot, name in enumerate(["bunk_bed", "nightstand", "wardrobe", "plant", "rug"]):
+        logits[slot, CATEGORIES.index(name)] = 5
+    settle(logits, ROOM_TYPES.index("bedroom"), np.full(len(CATEGORIES), -1))
+    names = [CATEGORIES[c] for c in logits.argmax(-1)]
+    assert "bunk_bed" in names and not {"double_bed", "single_bed", "nightstand"} & set(names)
+
+
+def test_a_table_has_chairs_for_two() -> None:
+    logits = np.full((6, N_CLASSES), -5, np.float32)
+    for slot, name in enumerate(["dining_table", "chair", "sofa", "tv_stand", "tv", "plant"]):
+        logits[slot, CATEGORIES.index(name)] = 5
+    logits[5, CATEGORIES.index("chair")] = 0
+    settle(logits, ROOM_TYPES.index("living_room"), np.full(len(CATEGORIES), -1))
+    assert [CATEGORIES[c] for c in logits.argmax(-1)] == ["dining_table", "chair", "sofa", "tv_stand", "tv", "chair"]
