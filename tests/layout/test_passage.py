@@ -91,7 +91,7 @@ def test_joining_breaks_nothing_and_cuts_off_no_more(seed: int, monkeypatch: pyt
     room = space_of(some_rooms(1, seed), 0)
     items = random_items(np.random.default_rng(50 + seed), 8)
     with monkeypatch.context() as patch:
-        patch.setattr(passage, "join", lambda room, space: None)
+        patch.setattr(passage, "join", lambda *_: None)
         before = project(items, room)
     after = project(items, room)
     assert sum(o.cost >= BROKEN for o in after) <= sum(o.cost >= BROKEN for o in before)
@@ -109,3 +109,17 @@ def test_free_floor_agrees_with_the_raster() -> None:
     floor = shapely.Polygon(room.corners).buffer(-RADIUS, join_style="mitre")
     exact = floor.difference(boxes.footprints(there.boxes)[0].buffer(RADIUS)).area
     assert free.sum() * grid.RESOLUTION**2 == pytest.approx(exact, abs=0.1)
+
+
+def test_what_shuts_the_only_way_has_no_place() -> None:
+    """In a corridor too narrow to pass furniture, what stands between its two doors goes, unless it is needed."""
+    room = space(0.84, 6.0)
+    room.zones = Boxes(
+        np.array([[0.42, 0.4, 1.0], [0.42, 5.6, 1.0]]), np.full((2, 3), [0.8, 0.8, 2]), np.array([1, -1]) * np.pi / 2
+    )
+    room.window = np.array([False, False])
+    chest = Item("chest", np.array([0.25, 3.0, 0.45]), np.array([0.5, 1.0, 0.9]), 0.0)
+    lamp = Item("ceiling_lamp", np.array([0.5, 3.0, 2.4]), np.array([0.3, 0.3, 0.3]), 0.0)
+    done = project([chest, lamp], room)
+    assert done[0].cost >= BROKEN and done[1].cost < BROKEN
+    assert project([chest, lamp], room, essential={0})[0].cost < BROKEN

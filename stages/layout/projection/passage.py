@@ -1,6 +1,6 @@
 """Keeps the free floor of a room in one piece: shifts, tucks in or narrows what cuts a part of it off."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -23,6 +23,8 @@ BESIDE = 0.15
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
 """Getting beside one more object is worth as many metres."""
+SHUT = 1.5
+"""Where so much stays cut off for one thing's sake, that has no place in the room."""
 CLOSE = 0.3
 """What is no farther from an object that is out of reach may be what shuts it in, m."""
 DOOR = 0.2
@@ -159,13 +161,31 @@ def in_the_way(room: Standing) -> NDArray[np.bool_]:
     return np.asarray(room.there & (room.boxes.center[:, 2] < LOW) & (top > FLAT))
 
 
-def join(room: Standing, space: Space) -> None:
-    """Change places, in place, small things first, while floor can be joined at a price that it is worth."""
+def join(room: Standing, space: Space, needed: Container[int] = ()) -> int | None:
+    """Change places, in place, small things first, while floor can be joined at a price that it is worth.
+
+    Returns what had better leave the room, not one of the `needed`, where the way is still shut; None where it is not.
+    """
     paths = Paths(room, space)
+    worth = _joined(paths, room, space)
+    if worth < SHUT:
+        return None
+    left = {}
+    for k, box in list(paths.bodies.items()):
+        if k not in needed and TABLE[room.items[k].category].place == "floor":
+            paths.remove(k)
+            left[k] = paths.cut_off()
+            paths.add(k, box)
+    best = min(left, key=left.__getitem__, default=None)
+    return best if best is not None and left[best] < worth - SHUT else None
+
+
+def _joined(paths: Paths, room: Standing, space: Space) -> float:
+    """What is still cut off when no move gains any more."""
     worth = paths.cut_off()
     for _ in range(PASSES):
         if worth == 0:
-            return
+            return worth
         before, borders = worth, paths.between()
         for i in sorted(paths.bodies, key=lambda k: (room.boxes.size[k, :2].prod(), k)):
             category = room.items[i].category
@@ -178,10 +198,11 @@ def join(room: Standing, space: Space) -> None:
             _apply(move, n, room, paths)
             worth = paths.cut_off()
             if worth == 0:
-                return
+                return worth
             borders = paths.between()
         if worth == before:
-            return
+            break
+    return worth
 
 
 def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:

@@ -57,11 +57,13 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
             if i in broken or i in follow:
                 room.put(i, _largest(i, _shapes(wanted[i], attempt), room, space, wide=attempt > 0))
     before = room.boxes.center[:, :2].copy()
-    passage.join(room, space)
+    in_the_way = passage.join(room, space, essential)
     _follow(np.flatnonzero(np.abs(room.boxes.center[:, :2] - before).max(1, initial=0) > 0.01), order, room, space)
     for item, cost_there, given in zip(room.items, room.costs(space), items, strict=True):
         item.cost = float(cost_there)
         item.moved = float(np.linalg.norm(item.center[:2] - given.center[:2]))
+    if in_the_way is not None:
+        room.items[in_the_way].cost += BROKEN
     return room.items
 
 
