@@ -95,3 +95,20 @@ def test_bins_stand_out_of_the_way() -> None:
         found, space = settled(["bin", "plant"], seed)
         for item in found.values():
             assert space.away(item.center[None, :2])[0] < item.size[:2].max() / 2 + 0.3
+
+
+def test_no_table_stands_between_the_sofa_and_what_it_looks_at() -> None:
+    rooms = [found for found in (settled(["sofa", "dining_table"], seed)[0] for seed in range(8)) if len(found) == 2]
+    assert len(rooms) >= 6
+    for found in rooms:
+        ahead, aside = in_frame(found["dining_table"], found["sofa"])
+        assert not (0 < ahead < 1.2 and abs(aside) < 0.8)
+
+
+def test_radiators_hang_below_windows() -> None:
+    below = 0
+    for seed in range(8):
+        found, space = settled(["radiator"], seed)
+        middle = space.spans[space.window].mean(1)
+        below += bool(np.abs(middle - found["radiator"].center[:2]).max() < 0.1)
+    assert below >= 7

@@ -85,6 +85,14 @@ def middle(center: Array, size: Array, space: Space) -> Boxes:
     return _boxes(np.repeat(spots, 2, 0), np.tile(turns, 3), center[2], size)
 
 
+def under_windows(center: Array, size: Array, space: Space) -> Boxes:
+    """At the wall, in the middle of every window."""
+    spans = space.spans[space.window]
+    yaw = space.zones.yaw[space.window]
+    inward = np.stack([np.cos(yaw), np.sin(yaw)], -1)
+    return _boxes(spans.mean(1) + inward * (size[0] / 2 + GAP), yaw, center[2], size)
+
+
 def join(parts: list[Boxes]) -> Boxes:
     """All boxes in one."""
     return Boxes(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))

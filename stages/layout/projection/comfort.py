@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
+from stages.layout.projection.partners import SOFAS
 from stages.layout.projection.space import Space, outside
 
 Array = NDArray[np.float64]
@@ -22,6 +23,9 @@ MIRRORED = frozenset({"vanity"})
 DAZZLED = 1.5
 OVERHEAD = frozenset({"water_heater"})
 """What had better not hang over anything; there it costs as much as OPEN."""
+KEPT_OFF = frozenset({"dining_table", "round_table", "desk"})
+"""What does not stand between a sofa and what it looks at, LOUNGE m deep; there it costs as much as OPEN."""
+LOUNGE = 1.3
 CROWD = 1.5
 """Another lamp on the ceiling this near, m, costs as much."""
 
@@ -43,6 +47,10 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
         total += DAZZLED * (penetration(tall, space.zones.take(space.window)) > 0.01).any(1)
     if category in ASIDE:
         total += OPEN * (space.away(found.center[:, :2]) > found.size[:, :2].max(1) / 2 + 0.25)
+    if category in KEPT_OFF:
+        sofas = standing.take(np.array([name in SOFAS for name in names], bool))
+        if sofas.n:
+            total += OPEN * (penetration(found, _before(sofas, LOUNGE)) > 0.05).any(1)
     if category in OVERHEAD and standing.n:
         flat = [Boxes(b.center * [1, 1, 0], b.size * [1, 1, 0] + [0, 0, 1], b.yaw) for b in (found, standing)]
         total += OPEN * (penetration(*flat) > 0.05).any(1)

@@ -33,6 +33,8 @@ LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
 MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}
 """The middle of the room is worth a way of this many metres."""
+AT_WINDOWS = {"radiator": 3.0}
+"""So is a place below a window."""
 EYES = 1.55
 """The middle of a mirror hangs no lower, m, unless it reaches to the floor."""
 
@@ -148,11 +150,14 @@ def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item
         flush = space.behind(found) < FLUSH_WITH
         found, worth = found.take(flush), worth[flush]
     parts = [_candidates(item, others.boxes, space, wide), found]
+    liked = [np.zeros(parts[0].n), worth]
     if item.category in MIDDLE:
         parts.append(candidates.middle(item.center, item.size, space))
-    found = candidates.join(parts)
-    central = [MIDDLE[item.category] * candidates.CENTRAL for _ in parts[2:]]
-    bonus = np.concatenate([np.zeros(parts[0].n), worth, *central])
+        liked.append(MIDDLE[item.category] * candidates.CENTRAL)
+    if item.category in AT_WINDOWS:
+        parts.append(candidates.under_windows(item.center, item.size, space))
+        liked.append(np.full(parts[-1].n, AT_WINDOWS[item.category]))
+    found, bonus = candidates.join(parts), np.concatenate(liked)
     bonus += FLUSH * in_run(item.category, found, standing, names)
     if item.category == "tv_stand":
         bonus += watched(found, standing, names)
