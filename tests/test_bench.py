@@ -1,6 +1,9 @@
 """Experiments: paired trials, resuming after a kill, and every experiment's contract."""
 
 import json
+import signal
+import subprocess
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -9,7 +12,8 @@ import commandline
 import numpy as np
 import pytest
 
-from apartgen_cli.bench import _runner, _scenes, ablation, quantity, synthesis, walkable
+from apartgen_cli.bench import _compared, _rooms, _runner, _scenes, ablation, quantity, synthesis, walkable
+from schemas.errors import BadInput
 from stages import registry
 
 EXPERIMENTS = list(registry.members("apartgen_cli.bench"))
@@ -85,13 +89,15 @@ def test_files_reach_the_trials_and_the_record_but_not_their_folders(
     assert seen == [files, files]
     record = json.loads((tmp_path / "out" / "results.json").read_text())
     assert record["weights"] == "run_1.safetensors" and str(tmp_path) not in json.dumps(record)
-    assert record["commit"] and record["core_seconds"] >= 0 and record["machine"]
+    assert record["commit"] and record["seconds"] >= 0 and record["cpu_seconds"] >= 0 and record["machine"]
 
 
 @pytest.mark.parametrize("args, said", [
     (["walkable", "--weights", "{file}"], "walkable takes none"),
     (["ablation", "--weights", "none.safetensors"], "no such file"),
     (["ablation", "--weights", "{file}", "--weights", "{twin}"], "rename one"),
+    (["ablation", "--weights", "{file}", "--anticipating", "{file}", "--anticipating", "{twin}"], "2 files for 1"),
+    (["quantity", "--anticipating", "{file}"], "takes none"),
     (["synthesis", "--real", "{file}"], "SOURCE=PATH"),
     (["synthesi"], "there are"),
 ])
@@ -106,18 +112,104 @@ def test_files_that_make_no_sense_are_refused(args, said, tmp_path, capsys, monk
 
 def test_training_runs_are_pooled_and_shown_apart() -> None:
     names = ablation.settings(["x/one.bin", "y/two.bin"])
-    assert names[:2] == ["no guidance · one", "no guidance · two"] and len(names) == 2 * len(ablation.SETTINGS)
-    records = [{"setting": name, "R_out/ours": float("two" in name), "of": "bedroom"} for name in names for _ in "ab"]
-    rows = {row["setting"]: row for row in ablation.rows(records, np.random.default_rng(0))}
-    assert rows["no guidance"]["R_out/ours"][0] == 0.5 and rows["no guidance"]["scenes"] == 4
-    assert rows["no guidance · two"]["R_out/ours"] == [1, 1, 1]
-    assert list(rows)[:3] == ["no guidance", "no guidance · one", "no guidance · two"]
+    assert names[2:4] == ["no guidance · one", "no guidance · two"] and "anticipating · one" not in names
+    records = [{"setting": name, "R_out/ours": [float("two" in name), 3], "R_reach/ours": 0.5, "categories": ["sofa"]}
+               for name in names for _ in "ab"]
+    rows = ablation.rows(records, np.random.default_rng(0))
+    pooled, one, two = [row for row in rows if row["setting"] == "no guidance"]
+    assert [row["run"] for row in (pooled, one, two)] == ["mean of 2", "one", "two"]
+    assert pooled["R_out/ours"] == [0.5, pytest.approx(2**-0.5, abs=1e-5)] and pooled["scenes"] == 2
+    assert two["R_out/ours"] == [1, 1, 1] and pooled["R_reach/ours"] == [0.5, 0]
+
+
+def test_anticipating_weights_serve_the_settings_that_anticipate() -> None:
+    files = {"weights": ["x/one.bin", "y/two.bin"], "anticipating": ["x/one-100.bin", "y/two-100.bin"]}
+    assert {"anticipating · one", "anticipating · two"} < set(ablation.settings(**files))
+    assert ablation.used("no guidance · two", **files) == {"weights": ["y/two.bin"]}
+    assert ablation.used("all · two", **files) == {"weights": ["y/two-100.bin"]}
+    assert ablation.used("all · two", weights=files["weights"]) == {"weights": ["y/two.bin"]}
+    assert ablation.used("reference", **files) == {}
+    with pytest.raises(BadInput, match="1 files for 2"):
+        ablation.settings(files["weights"], ["x/one-100.bin"])
+
+
+def test_new_files_leave_the_trials_of_others_alone(tmp_path: Path) -> None:
+    one, two = tmp_path / "one.bin", tmp_path / "two.bin"
+    one.write_bytes(b"1"), two.write_bytes(b"2")
+    before = _runner.jobs(ablation, 50, 0, {"weights": [str(one)]})
+    after = _runner.jobs(ablation, 50, 0, {"weights": [str(one), str(two)]})
+    assert set(map(str, before)) < set(map(str, after))
+
+
+def test_every_room_is_asked_for_as_many_objects_as_its_reference_holds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import handmade as h
+
+    pytest.importorskip("efficientnet_lite_pytorch")
+    home = h.home(h.thing("sofa", 1, 1), h.thing("armchair", 1, 1), h.thing("double_bed", 5.5, 1.5, room=h.BEDROOM))
+    monkeypatch.setattr(_scenes, "of_rooms", lambda seed, rooms, work: [h.plan()])
+    monkeypatch.setattr(_compared, "furnished", lambda plans, seed, lane: [home])
+    (plan,) = _rooms.plans(0, 2, tmp_path)
+    assert plan.program.counts == {h.LIVING: 2, h.BEDROOM: 1}
+    made = h.home(h.thing("sofa", 1, 1), h.thing("sofa", 1, 1.2), h.thing("plant", 3, 2)).model_copy(
+        update={"program": plan.program})
+    living, bedroom = _rooms.records([made], 0.25)
+    assert (living["Q_ratio"], bedroom["Q_ratio"]) == (0, 0) and living["seconds"] == 0.25
+    assert living["Col_obj/ours"] == [pytest.approx(2 / 3), 3] and "Col_obj/ours" not in bedroom
+    assert living["objects_a_room"] == [3, 1] and bedroom["categories"] == []
+    row = _rooms.row("x", "", [{**r, "setting": "x"} for r in (living, bedroom)], [], np.random.default_rng(0))
+    assert row["Col_obj/ours"][0] == pytest.approx(2 / 3, abs=1e-5) and row["scenes"] == 2
+
+
+def test_shares_of_objects_are_over_objects() -> None:
+    value, low, high = _scenes.mean([[1.0, 1], [0.0, 3]], np.random.default_rng(0))
+    assert value == 0.25 and (low, high) == (0, 1) and _scenes.mean([1.0, 0.0], np.random.default_rng(0))[0] == 0.5
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from types import SimpleNamespace
+from apartgen_cli.bench import _runner
+from stages import registry
+left = [int(sys.argv[2])]
+def trial(setting, seed, scenes, work):
+    left[0] -= 1
+    if left[0] < 0:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return [{"value": seed}]
+fake = SimpleNamespace(SETTINGS=["a"], SCENES=5, CHUNK=1, PAPER=[], NOTE="n", trial=trial,
+                       rows=lambda records, rng: [{"sum": sum(r["value"] for r in records)}])
+registry.load = lambda package, name: fake
+list(_runner.run(fake, "fake", Path(sys.argv[1]), None, 0, 1))
+"""
+
+
+def test_a_killed_run_keeps_its_trials_and_goes_on(tmp_path: Path) -> None:
+    def run(trials: int) -> int:
+        return subprocess.run([sys.executable, "-c", KILLED, tmp_path, str(trials)], check=False).returncode
+
+    assert run(3) == -signal.SIGKILL and not (tmp_path / "results.json").exists()
+    assert run(2) == 0
+    assert json.loads((tmp_path / "results.json").read_text())["rows"] == [{"sum": 0 + 1 + 2 + 3 + 4}]
+
+
+def test_wide_tables_are_cut_by_title(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    wide = fake([])
+    wide.TABLES = {"One": ["setting", "a", "never"], "Two": ["setting", "b"]}
+    wide.rows = lambda records, rng: [{"setting": "x", "a": [0.5, 0.25]}, {"setting": "y", "b": [1.0, 0.0, 2.0]}]
+    monkeypatch.setattr(registry, "load", lambda package, name: wide)
+    list(_runner.run(wide, "fake", tmp_path, 4, 0, 1))
+    text = (tmp_path / "table.md").read_text()
+    assert "## One\n\n| setting | a |\n| --- | --- |\n| x | 0.5 ± 0.25 |\n\n## Two" in text
+    assert "| y | 1 [0, 2] |" in text
 
 
 def seen(setting: str, n: int, shift: float, category: str) -> list[dict[str, Any]]:
     features = np.random.default_rng(len(setting)).normal(shift, 1, (n, 5)).astype(np.float32)
     return [{"setting": setting, "network": "test", "suffix": "_t", "categories": [category],
-             "features": synthesis._packed(row)} for row in features]
+             "features": _compared._packed(row)} for row in features]
 
 
 def test_synthesis_compares_with_the_reference_of_its_place() -> None:
@@ -133,9 +225,9 @@ def test_synthesis_compares_with_the_reference_of_its_place() -> None:
 
 
 def test_real_rooms_are_split_into_reference_and_others(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(synthesis, "_read", lambda name, folder: list(range(21)))
-    first = synthesis._given("ssr=x", 0, 5, other=False) + synthesis._given("ssr=x", 5, 50, other=False)
-    other = synthesis._given("ssr=x", 0, 50, other=True)
+    monkeypatch.setattr(_compared, "_read", lambda name, folder: list(range(21)))
+    first = _compared.real_rooms("ssr=x", 0, 5) + _compared.real_rooms("ssr=x", 5, 50)
+    other = _compared.real_rooms("ssr=x", 0, 50, other=True)
     assert sorted(first + other) == list(range(21)) and len(first) == 11
 
 

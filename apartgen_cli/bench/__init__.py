@@ -2,10 +2,12 @@
 
 Each public module here is one: `PAPER`, what the paper reports · `NOTE`, how ours differs · `SETTINGS`, names of what
 is compared · `SCENES`, scenes a setting by default · `CHUNK`, scenes a trial · `trial(setting, seed, scenes, work)`,
-records of one trial · `rows(records, rng)`, the table · optionally `draw(rows, axes)`, the figure.
+records of one trial · `rows(records, rng)`, the table · optionally `draw(rows, axes)`, the figure · `TABLES`, columns
+by title, where one table would be too wide.
 
-An experiment may take files (`TAKES`, of `weights`, `inception_weights`, `real`), which its trials get by name when
-they are given; `settings(**given)` stands in for `SETTINGS` where there is one.
+An experiment may take files (`TAKES`, of `weights`, `anticipating`, `inception_weights`, `real`), which its trials get
+by name when they are given; `settings(**given)` stands in for `SETTINGS` where there is one, and `used(setting,
+**given)` says which of the files a setting's trials depend on, where not on all.
 """
 
 from collections.abc import Callable
@@ -28,6 +30,9 @@ PROCESSES = Annotated[int | None, typer.Option("--processes", min=1, help="Worke
 
 WEIGHTS = Annotated[list[Path] | None, typer.Option(
     "--weights", help="Layout weights, any number of times: training runs to compare; the shipped ones by default.")]
+ANTICIPATING = Annotated[list[Path] | None, typer.Option(
+    "--anticipating", metavar="FILE",
+    help="Weights trained as those of --weights, but by Eq. 1: one for each of them, in the same order.")]
 INCEPTION = Annotated[Path | None, typer.Option(
     "--inception-weights", metavar="FILE", help="Inception-v3 for FID, KID and SCA; a packaged network by default.")]
 REAL = Annotated[str | None, typer.Option(
@@ -37,8 +42,8 @@ REPLAY = Annotated[str | None, typer.Option(
 
 
 def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, processes: PROCESSES = None,
-         weights: WEIGHTS = None, inception_weights: INCEPTION = None, real: REAL = None,
-         replay: REPLAY = None) -> int:
+         weights: WEIGHTS = None, anticipating: ANTICIPATING = None, inception_weights: INCEPTION = None,
+         real: REAL = None, replay: REPLAY = None) -> int:
     from apartgen_cli.bench import _runner
 
     experiments = registry.members(__name__)
@@ -48,7 +53,7 @@ def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, pro
     if name not in experiments:
         raise BadInput(f"no experiment {name!r}; there are: {', '.join(experiments)}")
     experiment = registry.load(__name__, name)
-    given = {"weights": weights, "inception_weights": inception_weights, "real": real}
+    given = {"weights": weights, "anticipating": anticipating, "inception_weights": inception_weights, "real": real}
     files = _taken(name, experiment, {option: value for option, value in given.items() if value})
     if replay is not None:
         if not hasattr(experiment, "replay"):

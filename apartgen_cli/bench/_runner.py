@@ -5,11 +5,11 @@ import json
 import os
 import platform
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from multiprocessing import get_context
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 from types import ModuleType
 from typing import Any
 
@@ -20,6 +20,8 @@ from apartgen_cli.console import watched
 from schemas import artifact
 from schemas.errors import BadInput
 
+SEEDS = 1_000_003
+"""By which the seeds of runs lie apart; what is left over is the first scene of a trial."""
 Record = dict[str, Any]
 Job = tuple[Any, ...]
 Files = dict[str, Any]
@@ -28,13 +30,20 @@ Files = dict[str, Any]
 def jobs(experiment: ModuleType, scenes: int, seed: int, files: Files | None = None) -> list[Job]:
     """(setting, seed, scenes) of every trial; a trial's seed is the same in every setting, so that scenes pair up.
 
-    Where files are given, their digests come fourth, so that other files are other trials.
+    Where a setting uses files, their digest comes fourth, so that other files are other trials.
     """
     chunk = min(experiment.CHUNK, scenes)
     starts = range(0, scenes, chunk)
     settings = experiment.settings(**files or {}) if hasattr(experiment, "settings") else experiment.SETTINGS
-    last = [_digests(files)] if files else []
-    return [(s, seed * 1_000_003 + start, min(chunk, scenes - start), *last) for s in settings for start in starts]
+    used = {s: _used(experiment, s, files) for s in settings}
+    last = {s: [_digests(given)] if given else [] for s, given in used.items()}
+    return [(s, seed * SEEDS + start, min(chunk, scenes - start), *last[s]) for s in settings for start in starts]
+
+
+def _used(experiment: ModuleType, setting: str, files: Files | None) -> Files:
+    """The files that a setting's trials depend on; all that are given, where the experiment does not say."""
+    chosen: Files = experiment.used(setting, **files or {}) if hasattr(experiment, "used") else files or {}
+    return chosen
 
 
 def _digests(files: Files) -> str:
@@ -63,8 +72,8 @@ def run(
     todo = [job for job in wanted if _key(job) not in done]
     with (out / "trials.jsonl").open("a") as log, watched(name, len(wanted)) as report:
         report(len(wanted) - len(todo))
-        for count, (job, records, seconds) in enumerate(_worked(name, todo, out, processes, files), 1):
-            row = {"job": job, "records": records, "seconds": seconds, "commit": commit}
+        for count, (job, found) in enumerate(_worked(name, todo, out, processes, files), 1):
+            row = {"job": job, **found, "commit": commit}
             done[_key(job)] = row
             log.write(json.dumps(row) + "\n")
             log.flush()
@@ -91,16 +100,16 @@ def _finished(path: Path) -> dict[str, Record]:
 
 def _worked(
     name: str, todo: list[Job], out: Path, processes: int | None, files: Files | None
-) -> Iterator[tuple[Job, list[Record], float]]:
+) -> Iterator[tuple[Job, Record]]:
     workers = min(processes or os.cpu_count() or 1, max(1, len(todo)))
     if workers == 1:
         for job in todo:
-            yield job, *_trial(name, job, out, files)
+            yield job, _trial(name, job, out, files)
         return
     with ProcessPoolExecutor(workers, get_context("spawn"), initializer=_quiet) as pool:
         futures = {pool.submit(_trial, name, job, out, files): job for job in todo}
         for future in as_completed(futures):
-            yield futures[future], *future.result()
+            yield futures[future], future.result()
 
 
 def _quiet() -> None:
@@ -108,14 +117,16 @@ def _quiet() -> None:
     os.environ["OMP_NUM_THREADS"] = "1"
 
 
-def _trial(name: str, job: Job, out: Path, files: Files | None) -> tuple[list[Record], float]:
+def _trial(name: str, job: Job, out: Path, files: Files | None) -> Record:
+    """What a trial found, with the seconds that passed and those the processor worked on it."""
     from stages import registry
 
     experiment = registry.load("apartgen_cli.bench", name)
     setting, seed, scenes = job[:3]
-    began = perf_counter()
-    found = [{"setting": setting, **record} for record in experiment.trial(setting, seed, scenes, out, **files or {})]
-    return found, round(perf_counter() - began, 3)
+    began, worked = perf_counter(), process_time()
+    found = experiment.trial(setting, seed, scenes, out, **_used(experiment, setting, files))
+    return {"records": [{"setting": setting, **record} for record in found],
+            "seconds": round(perf_counter() - began, 3), "cpu": round(process_time() - worked, 3)}
 
 
 def _written(
@@ -132,13 +143,14 @@ def _written(
         "seed": seed,
         "scenes": scenes,
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}",
-        "core_seconds": round(sum(trial["seconds"] for trial in trials), 1),
+        "seconds": round(sum(trial["seconds"] for trial in trials), 1),
+        "cpu_seconds": round(sum(trial["cpu"] for trial in trials), 1),
     }
     facts |= {option: _named(value) for option, value in (files or {}).items()}
     body = {**facts, "note": experiment.NOTE, "paper": experiment.PAPER, "rows": rows}
     artifact.write(json.dumps(body, indent=1) + "\n", out / "results.json")
     yield out / "results.json"
-    artifact.write(_markdown(name, facts, experiment.NOTE, rows, experiment.PAPER), out / "table.md")
+    artifact.write(_markdown(experiment, facts, rows), out / "table.md")
     yield out / "table.md"
     if hasattr(experiment, "draw"):
         yield _figure(experiment, rows, out / "figure.png")
@@ -156,16 +168,21 @@ def _commit() -> str | None:
     return asked.stdout.strip() or None
 
 
-def _markdown(name: str, facts: Record, note: str, rows: list[Record], paper: list[Record]) -> str:
+def _markdown(experiment: ModuleType, facts: Record, rows: list[Record]) -> str:
     about = ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in facts.items() if key != "experiment")
-    parts = [f"# {name}", note, "## Measured", _table(rows)]
-    if paper:
-        parts += ["## The paper", _table(paper)]
+    parts = [f"# {facts['experiment']}", experiment.NOTE]
+    for title, columns in getattr(experiment, "TABLES", {"Measured": []}).items():
+        parts += [f"## {title}", _table(rows, columns)]
+    if experiment.PAPER:
+        parts += ["## The paper", _table(experiment.PAPER)]
     return "\n\n".join([*parts, f"{about}."]) + "\n"
 
 
-def _table(rows: list[Record]) -> str:
-    columns = list(dict.fromkeys(key for row in rows for key in row))
+def _table(rows: list[Record], wanted: Sequence[str] = ()) -> str:
+    """The wanted columns that there are, by default all; without rows that hold nothing but their names."""
+    there = list(dict.fromkeys(key for row in rows for key in row))
+    columns = [c for c in wanted if c in there] if wanted else there
+    rows = [row for row in rows if any(not isinstance(row.get(c), str | None) for c in columns)]
     lines = [columns, ["---"] * len(columns), *([_cell(row.get(c)) for c in columns] for row in rows)]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
@@ -173,13 +190,15 @@ def _table(rows: list[Record]) -> str:
 def _cell(value: Any) -> str:
     if isinstance(value, list) and len(value) == 3:
         return f"{value[0]:.4g} [{value[1]:.4g}, {value[2]:.4g}]"
+    if isinstance(value, list) and len(value) == 2:
+        return f"{value[0]:.4g} ± {value[1]:.2g}"
     return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def _figure(experiment: ModuleType, rows: list[Record], path: Path) -> Path:
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(7, 4.2), dpi=120, layout="constrained")
+    figure = Figure(figsize=(8.2, 4.2), dpi=130, layout="constrained")
     experiment.draw(rows, figure.subplots())
     part = path.with_suffix(".part")
     figure.savefig(part, format="png", metadata={"Software": None})

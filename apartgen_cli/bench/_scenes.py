@@ -54,6 +54,14 @@ def _plan(seed: int, folder: Path) -> Plan:
     return made
 
 
+def of_rooms(seed: int, rooms: int, work: Path) -> list[Plan]:
+    """Plans as in `plans`, as many as hold at least so many rooms."""
+    made: list[Plan] = []
+    while sum(len(plan.rooms) for plan in made) < rooms:
+        made.append(_plan(seed + len(made), work / "plans"))
+    return made
+
+
 def area(polygon: list[tuple[float, float]]) -> float:
     """Area of a counter-clockwise polygon, m²."""
     x, y = np.array(polygon).T
@@ -62,7 +70,12 @@ def area(polygon: list[tuple[float, float]]) -> float:
 
 def config(method: str, **changes: Any) -> LayoutConfig:
     """The layout settings of a method; one core, because trials run side by side."""
-    return LayoutConfig(**({"threads": 1} | METHODS[method] | changes))
+    return config_of(METHODS[method] | changes)
+
+
+def config_of(changes: dict[str, Any]) -> LayoutConfig:
+    """Layout settings that differ so from the default."""
+    return LayoutConfig(**({"threads": 1} | changes))
 
 
 def furnished(homes: list[Plan], settings: LayoutConfig, seed: int) -> list[Layout]:
@@ -95,15 +108,25 @@ def placed(method: str, seed: int, n: int, work: Path) -> list[Retrieve]:
 
 
 def measured(home: Layout, names: list[str]) -> list[dict[str, Any]]:
-    """One record a room: figures as "name/version", with `of` the room's type."""
-    from stages import metrics
-
+    """One record a room that has any figure, with `of` the room's type."""
     types = {room.id: room.type for room in home.rooms}
+    return [{"of": types[room], **found} for room, found in by_room(home, names).items() if found]
+
+
+def by_room(home: Layout, names: list[str]) -> dict[str, dict[str, Any]]:
+    """Figures as "name/version" by room id.
+
+    Shares of all objects come as (share, objects), so that `mean` is over objects; other figures are of scenes.
+    """
+    from stages import metrics
+    from stages.metrics._table import POOLED
+
     rooms: dict[str, dict[str, Any]] = {room.id: {} for room in home.rooms}
     for value in metrics.run(home, names).values:
         if value.of in rooms and value.value is not None:
-            rooms[value.of][f"{value.name}/{value.version}"] = value.value
-    return [{"of": types[room], **found} for room, found in rooms.items() if found]
+            pooled = value.name in POOLED and value.n is not None
+            rooms[value.of][f"{value.name}/{value.version}"] = [value.value, value.n] if pooled else value.value
+    return rooms
 
 
 def intervals(
@@ -122,11 +145,12 @@ def intervals(
     return out
 
 
-def mean(values: Iterable[float], rng: np.random.Generator) -> list[float]:
-    """Mean with the ends of its 95 % bootstrap interval."""
+def mean(values: Iterable[float | list[float]], rng: np.random.Generator) -> list[float]:
+    """Mean of values, or of [value, weight], with the ends of its 95 % bootstrap interval over them."""
     from stages.metrics._table import interval
 
-    return [round(v, 5) for v in interval(np.array([(float(v), 1.0) for v in values]), rng)]
+    pairs = [(float(v[0]), float(v[1])) if isinstance(v, list) else (float(v), 1.0) for v in values]
+    return [round(v, 5) for v in interval(np.array(pairs), rng)]
 
 
 def bars(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:

@@ -1,19 +1,15 @@
 """Table 1: FID, KID, SCA and CKL of floor-conditioned rooms, alone and in apartments, and of real against real."""
 
-import base64
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from apartgen_cli.bench import _scenes
+from apartgen_cli.bench import _compared, _scenes
+from apartgen_cli.bench._compared import FURNISHER, HELD_OUT, REAL, REFERENCE
 from schemas.base import RoomType
 from schemas.layout import Layout
 from schemas.plan import Plan
-from stages.metrics import _networks, _pictures
-from stages.metrics._distances import Figure, frechet, kernel, separability
-from stages.metrics.frequencies import divergence
 
 PAPER = [
     {"setting": "ATISS", "FID": 30.19, "KID": 0.0010, "SCA": 49.14, "CKL": 0.0028},
@@ -33,15 +29,12 @@ NOTE = (
 )
 TAKES = ("weights", "inception_weights", "real")
 SINGLE, APARTMENT, GIVEN = "single room", "apartment", "3D-FRONT"
-REFERENCE, REAL, FURNISHER = "reference", "real against real", "furnisher"
 METHODS = ("all guidance + projection", "all guidance", "no guidance")
 SETTINGS = [f"{place}, {who}" for place in (SINGLE, APARTMENT) for who in (REFERENCE, REAL, *METHODS)]
 TYPES: tuple[RoomType, ...] = ("bedroom", "living_room", "dining_room")
 """Of single rooms, in turn."""
+FIGURES = ("FID", "KID", "SCA", "CKL")
 SCENES, CHUNK = 1000, 50
-HELD_OUT = 77_000
-"""Begins every seed here: no training data are made with it."""
-_SEEDS = 1_000_003
 
 
 def settings(
@@ -59,14 +52,15 @@ def trial(
     """`scenes` rooms: what the network sees of them, and their categories."""
     place, _, who = setting.partition(", ")
     if place == GIVEN:
-        homes = _given(str(real), seed, scenes, other=who == REAL)
-        made = homes if who in (REFERENCE, REAL) else _made([_bare(home) for home in homes], who, seed, weights)
+        homes = _compared.real_rooms(str(real), seed, scenes, other=who == REAL)
+        real_ones = who in (REFERENCE, REAL)
+        made = homes if real_ones else _made([_compared.bare(home) for home in homes], who, seed, weights)
     else:
         single = place == SINGLE
         plans = _drawn(seed, scenes) if single else _scenes.plans(seed, -(-scenes // 6), work)
         made = _made(plans, who, seed, weights)
-    network = _networks.network(Path(inception_weights) if inception_weights else None)
-    return _seen(made, network)[:scenes]
+    rooms = [(room, objects) for room, objects in _compared.inside(made) if objects]
+    return _compared.seen(rooms[:scenes], inception_weights)
 
 
 def _drawn(seed: int, scenes: int) -> list[Plan]:
@@ -82,52 +76,7 @@ def _made(plans: list[Plan], who: str, seed: int, weights: list[str] | None) -> 
     if who in METHODS:
         changes = {"weights": weights[0]} if weights else {}
         return _scenes.furnished(plans, _scenes.config(who, **changes), seed)
-    from stages.layout.datasets.furnisher import furnish
-
-    # Lanes that agree with no other's: of the reference, of the other real ones, of the furnisher as a method.
-    lane = [REFERENCE, REAL, FURNISHER].index(who)
-    lanes = [np.random.default_rng([HELD_OUT, seed, i, lane]) for i in range(len(plans))]
-    return [Layout(**dict(plan), objects=furnish(plan, rng)) for plan, rng in zip(plans, lanes, strict=True)]
-
-
-def _given(real: str, seed: int, scenes: int, other: bool) -> list[Layout]:
-    """Real rooms by turns: of every two, one for reference and the other to compare with it."""
-    name, _, folder = real.partition("=")
-    homes = _read(name, folder)
-    order = np.random.default_rng(HELD_OUT).permutation(len(homes))[int(other) :: 2]
-    return [homes[i] for i in order[seed % _SEEDS :][:scenes]]
-
-
-@cache
-def _read(name: str, folder: str) -> list[Layout]:
-    from stages.layout import datasets
-
-    return list(datasets.source(name).homes(Path(folder)))
-
-
-def _bare(home: Layout) -> Plan:
-    return Plan(**{name: getattr(home, name) for name in Plan.model_fields})
-
-
-def _seen(homes: list[Layout], network: _networks.Network) -> list[dict[str, Any]]:
-    """One record a furnished room."""
-    inside = [(room, [o for o in home.objects if o.room == room.id]) for home in homes for room in home.rooms]
-    inside = [(room, objects) for room, objects in inside if objects]
-    features = network.features([_pictures.picture(room.polygon, objects, room.type) for room, objects in inside])
-    return [
-        {"of": room.type, "network": network.name, "suffix": network.suffix,
-         "categories": [o.category for o in objects], "features": _packed(row)}
-        for (room, objects), row in zip(inside, features, strict=True)
-    ]
-
-
-def _packed(features: _networks.Features) -> str:
-    """Half precision as text: far finer than what sets differ by."""
-    return base64.b64encode(features.astype(np.float16).tobytes()).decode()
-
-
-def _unpacked(records: list[dict[str, Any]]) -> _networks.Features:
-    return np.stack([np.frombuffer(base64.b64decode(r["features"]), np.float16) for r in records]).astype(np.float32)
+    return _compared.furnished(plans, seed, who)
 
 
 def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:
@@ -141,19 +90,8 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
         reference = [r for r in records if r["setting"] == f"{place}, {REFERENCE}"]
         n = min(len(mine), len(reference))
         out.append({"setting": setting, "network": mine[0]["network"], "scenes": n,
-                    **_figures(mine[:n], reference[:n], rng)})
+                    **_compared.apart(mine[:n], reference[:n], rng, FIGURES)})
     return out
-
-
-def _figures(mine: list[dict[str, Any]], reference: list[dict[str, Any]], rng: np.random.Generator) -> dict[str, Any]:
-    a, b, suffix = _unpacked(mine), _unpacked(reference), mine[0]["suffix"]
-    found: dict[str, Figure | None] = {
-        f"FID{suffix}": frechet(a, b, rng),
-        f"KID{suffix}": kernel(a, b, rng),
-        f"SCA{suffix}": separability(a, b, rng),
-        "CKL": divergence([r["categories"] for r in mine], [r["categories"] for r in reference], rng),
-    }
-    return {name: [round(v, 6) for v in figure] for name, figure in found.items() if figure}
 
 
 def draw(rows: list[dict[str, Any]], axes: Any) -> None:

