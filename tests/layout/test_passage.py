@@ -9,8 +9,9 @@ from test_projection import random_items
 from stages import boxes, grid
 from stages.boxes import Boxes
 from stages.categories import TABLE
-from stages.layout.projection import Item, passage, project
+from stages.layout.projection import Item, moves, passage, project
 from stages.layout.projection.costs import BROKEN
+from stages.layout.projection.paths import SLIVER, Paths
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Standing
 
@@ -59,7 +60,7 @@ def test_a_bed_off_the_wall_by_a_hand_gives_way() -> None:
     assert cut_share([bed], room) > 0.1
     there = standing([bed])
     passage.join(there, room)
-    assert cut_share(there.items, room) < passage.SLIVER
+    assert cut_share(there.items, room) < SLIVER
     assert np.linalg.norm(there.items[0].center[:2] - bed.center[:2]) < 0.6
 
 
@@ -70,8 +71,8 @@ def test_what_belongs_moves_along() -> None:
     stand = Item("nightstand", np.array([2.63, 3.78, 0.25]), np.array([0.4, 0.45, 0.5]), -np.pi / 2)
     lamp = Item("table_lamp", np.array([2.63, 3.78, 0.65]), np.array([0.2, 0.2, 0.3]), -np.pi / 2)
     there = standing([bed, stand, lamp])
-    assert set(passage._group(0, there)) == {0, 1, 2}
-    move = passage.moves(0, there, room)[0]
+    assert set(moves._group(0, there)) == {0, 1, 2}
+    move = moves.moves(0, there, room)[0]
     gaps = move.boxes[1].center - move.boxes[0].center
     assert np.allclose(gaps, gaps[0]) and np.allclose(move.boxes[2].center - move.boxes[1].center, [0, 0, 0.4])
 
@@ -104,7 +105,7 @@ def test_free_floor_agrees_with_the_raster() -> None:
     """Cells counted free are those of the shapely difference, to a cell's width along borders."""
     room = space(3.0, 3.0)
     there = standing([Item("chest", np.array([1.5, 1.7, 0.5]), np.array([0.5, 1.0, 1.0]), 0.4)])
-    paths = passage.Paths(there, room)
+    paths = Paths(there, room)
     free = paths.inner[RADIUS] & (paths.count[RADIUS] == 0)
     floor = shapely.Polygon(room.corners).buffer(-RADIUS, join_style="mitre")
     exact = floor.difference(boxes.footprints(there.boxes)[0].buffer(RADIUS)).area
