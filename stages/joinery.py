@@ -63,22 +63,44 @@ def _stops(width: float, span: Span, head: float) -> list[Mesh]:
 
 
 def _leaf(width: float, face: float, opening: Opening, hinge: int) -> Link:
-    half, thick = width / 2 - GAP, polygons.LEAF
-    lo, hi = np.array([face - thick, -half, FLOOR_GAP]), np.array([face, half, opening.head - GAP])
+    lo, hi = _slab(width, face, opening)
     material = finishes.ENTRANCE if opening.kind == "entrance" else finishes.LEAF
     visuals = [solids.box(lo, hi, material), *_panels(lo, hi, material)]
-    colliders = [solids.slab(lo, hi)]
-    grip = np.array([face, -hinge * (half - 0.07), HANDLE_HEIGHT])
-    for side in (0, 1):
-        shown, solid = _lever(grip - [thick * (1 - side), 0, 0], 1 if side else -1, hinge)
-        visuals += shown
-        colliders += solid
+    colliders, joint = leaf(width, face, opening, hinge)
+    grip = _grip(width, face, hinge)
+    for at, out in _levers(grip):
+        visuals += _lever(at, out, hinge)
+    mass = _LEAF_DENSITY * float(np.prod(hi - lo))
+    return Link("leaf", visuals, colliders, mass, joint, grip + [0.045, hinge * 0.05, 0.0])
+
+
+def leaf(width: float, face: float, opening: Opening, hinge: int) -> tuple[list[Collider], Joint]:
+    """Colliders of a door's leaf and its levers, and the joint that it hangs on."""
+    lo, hi = _slab(width, face, opening)
     joint = Joint(
         name="leaf", type="hinge", axis=(0.0, 0.0, float(hinge)), origin=(face, hinge * width / 2, 0.0),
         range=(0.0, float(np.pi / 2)), part="hinge_door", extent=(_vector(lo), _vector(hi)),
     )
-    mass = _LEAF_DENSITY * float(np.prod(hi - lo))
-    return Link("leaf", visuals, colliders, mass, joint, grip + [0.045, hinge * 0.05, 0.0])
+    rods = [rod for at, out in _levers(_grip(width, face, hinge)) for rod in _rods(at, out, hinge)]
+    lows = [np.minimum(a, b) - np.where(np.abs(b - a) > 0, 0.0, ROD) for a, b in rods]
+    highs = [np.maximum(a, b) + np.where(np.abs(b - a) > 0, 0.0, ROD) for a, b in rods]
+    return [solids.slab(lo, hi), *(solids.slab(low, high) for low, high in zip(lows, highs, strict=True))], joint
+
+
+def _slab(width: float, face: float, opening: Opening) -> tuple[Array, Array]:
+    """Least and greatest corners of the leaf."""
+    half = width / 2 - GAP
+    return np.array([face - polygons.LEAF, -half, FLOOR_GAP]), np.array([face, half, opening.head - GAP])
+
+
+def _grip(width: float, face: float, hinge: int) -> Array:
+    """Where the lever is on the near face."""
+    return np.array([face, -hinge * (width / 2 - GAP - 0.07), HANDLE_HEIGHT])
+
+
+def _levers(grip: Array) -> list[tuple[Array, int]]:
+    """Where the levers of both faces are, and which way they stand out."""
+    return [(grip - [polygons.LEAF, 0, 0], -1), (grip, 1)]
 
 
 def _vector(v: Array) -> tuple[float, float, float]:
@@ -97,15 +119,16 @@ def _panels(lo: Array, hi: Array, material: Material) -> list[Mesh]:
     return [solids.box((x0, y0, z0), (x1, y1, z1), raised) for z0, z1 in fields]
 
 
-def _lever(at: Array, out: int, hinge: int) -> tuple[list[Mesh], list[Collider]]:
-    """A lever handle: rose, neck, and lever pointing to the hinge."""
+def _rods(at: Array, out: int, hinge: int) -> list[tuple[Array, Array]]:
+    """Neck and lever, which points to the hinge."""
     neck = at + [out * 0.045, 0, 0]
-    rods = [(at, neck), (neck + [0, -hinge * 0.009, 0], neck + [0, hinge * 0.11, 0])]
+    return [(at, neck), (neck + [0, -hinge * 0.009, 0], neck + [0, hinge * 0.11, 0])]
+
+
+def _lever(at: Array, out: int, hinge: int) -> list[Mesh]:
+    """A lever handle: rose, neck, and lever."""
     rose = solids.cylinder(at, at + [out * 0.004, 0, 0], 0.025, finishes.METAL)
-    shown = [rose, *(solids.cylinder(a, b, ROD, finishes.METAL, 10) for a, b in rods)]
-    lows = [np.minimum(a, b) - np.where(np.abs(b - a) > 0, 0.0, ROD) for a, b in rods]
-    highs = [np.maximum(a, b) + np.where(np.abs(b - a) > 0, 0.0, ROD) for a, b in rods]
-    return shown, [solids.slab(lo, hi) for lo, hi in zip(lows, highs, strict=True)]
+    return [rose, *(solids.cylinder(a, b, ROD, finishes.METAL, 10) for a, b in _rods(at, out, hinge))]
 
 
 def window(width: float, span: Span, opening: Opening) -> list[Link]:

@@ -3,6 +3,7 @@
 Everything is a shapely geometry in the plan's metres; an empty polygon stands for "nothing".
 """
 
+from functools import lru_cache
 from math import hypot
 from typing import NamedTuple
 
@@ -60,12 +61,23 @@ def along(opening: Opening) -> Array:
 
 def face(opening: Opening, plan: Plan, room: str) -> tuple[Array, float]:
     """Unit normal of the cut wall towards `room`, and the distance from its centre line to that room's floor."""
-    here = floor(next(r for r in plan.rooms if r.id == room))
-    middle = np.mean(np.asarray(opening.segment, float), axis=0)
-    near = nearest_points(here, Point(middle))[0]
-    normal = np.array([-along(opening)[1], along(opening)[0]])
+    here = next(r for r in plan.rooms if r.id == room)
+    (ax, ay), (bx, by) = opening.segment
+    x, y, reach = _face((ax, ay, bx, by), tuple((x, y) for x, y in here.polygon))
+    return np.array([x, y]), reach
+
+
+@lru_cache(maxsize=4096)
+def _face(segment: tuple[float, ...], corners: tuple[tuple[float, float], ...]) -> tuple[float, float, float]:
+    """The same by value, because the same openings are asked for again and again."""
+    a, b = np.array(segment).reshape(2, 2)
+    middle = (a + b) / 2
+    near = nearest_points(Polygon(corners), Point(middle))[0]
+    ahead = (b - a) / max(float(np.hypot(*(b - a))), 1e-9)
+    normal = np.array([-ahead[1], ahead[0]])
     reach = float(np.dot(np.array([near.x, near.y]) - middle, normal))
-    return (normal, reach) if reach >= 0 else (-normal, -reach)
+    sign = 1.0 if reach >= 0 else -1.0
+    return float(sign * normal[0]), float(sign * normal[1]), sign * reach
 
 
 def _strip(opening: Opening, normal: Array, lo: float, hi: float) -> Polygon:

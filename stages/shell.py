@@ -14,9 +14,9 @@ from shapely.ops import unary_union
 
 from schemas.plan import Opening, Plan, Room
 from stages import finishes, polygons, solids
-from stages.asset import Collider, Link, Mesh
+from stages.asset import Array, Collider, Link, Mesh
 from stages.body import Body, Kind
-from stages.joinery import door, lining_of_passage, window
+from stages.joinery import Span, door, lining_of_passage, window
 
 SLAB = 0.12
 """Thickness of floors, m."""
@@ -42,7 +42,7 @@ def bodies(plan: Plan) -> list[Body]:
     floors = [_floor(plan, room) for room in plan.rooms]
     ceilings = [_ceiling(plan, room) for room in plan.rooms if room.type != "balcony"]
     linings = [lined for room in plan.rooms for lined in _linings(plan, room, storeys)]
-    leaves = [fitting(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
+    leaves = [_opening(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
     return [_ground(plan), *floors, _walls(plan, storeys), *linings, *ceilings, *leaves]
 
 
@@ -147,24 +147,29 @@ def _skirting(plan: Plan, room: Room, floor: Polygon) -> Geometry:
     return floor.difference(floor.buffer(-SKIRTING[0], join_style="mitre")).difference(unary_union(open_))
 
 
-def fitting(plan: Plan, opening: Opening) -> Body:
+def _opening(plan: Plan, opening: Opening) -> Body:
     """Door, window or lined passage in its own frame: origin on the floor in the middle of the wall's opening."""
+    span, position, yaw = frame(plan, opening)
+    hung = partial(door, hinge=hinge(opening, plan))
+    make = {"window": window, "opening": lining_of_passage}.get(opening.kind, hung)
+    links = make(polygons.width(opening), span, opening)
+    kind: Kind = {"window": "window", "opening": "trim"}.get(opening.kind, "door")  # type: ignore[assignment]
+    name = opening.id if opening.id.startswith(kind) else f"{kind}_{opening.id}"
+    towards = opening.into or opening.rooms[0]
+    return Body(name, kind, opening.kind, towards, position, yaw, links, id=opening.id)
+
+
+def frame(plan: Plan, opening: Opening) -> tuple[Span, Array, float]:
+    """Where the wall's faces lie in an opening's own frame, and that frame's origin (3,) and yaw."""
     towards = opening.into or opening.rooms[0]
     normal, reach = polygons.face(opening, plan, towards)
     others = [room for room in opening.rooms if room != towards]
     beyond = polygons.face(opening, plan, others[0])[1] if others else reach
     middle = np.mean(np.asarray(opening.segment, float), axis=0)
-    hung = partial(door, hinge=_hinge(opening, plan))
-    make = {"window": window, "opening": lining_of_passage}.get(opening.kind, hung)
-    links = make(polygons.width(opening), (-beyond, reach), opening)
-    kind: Kind = {"window": "window", "opening": "trim"}.get(opening.kind, "door")  # type: ignore[assignment]
-    yaw = float(np.arctan2(normal[1], normal[0]))
-    position = np.array([*middle, 0.0])
-    name = opening.id if opening.id.startswith(kind) else f"{kind}_{opening.id}"
-    return Body(name, kind, opening.kind, towards, position, yaw, links, id=opening.id)
+    return (-beyond, reach), np.array([*middle, 0.0]), float(np.arctan2(normal[1], normal[0]))
 
 
-def _hinge(opening: Opening, plan: Plan) -> int:
+def hinge(opening: Opening, plan: Plan) -> int:
     """Which side the leaf hangs on seen from the room it opens to: +1 to the left (+y), -1 to the right, 0 no leaf."""
     turn = polygons.hinge(opening, plan)
     if turn is None:

@@ -39,21 +39,19 @@ class View:
 
 def view(site: Site, scene: Scene, target: str) -> View:
     """The view that decides about a door, a room or an object."""
-    rooms = frozenset(_rooms(site, scene, target))
-    space = reach.part(site.world, rooms, reach.free(site.world, scene))
-    near = {o.id: o for o in scene if o.room in rooms}
-    return View(target, rooms, space, site.config.reach, near, reach.count(space, list(near.values())))
-
-
-def _rooms(site: Site, scene: Scene, target: str) -> set[str]:
     links = [set(o.rooms) for o in site.world.plan.openings if o.kind in ("door", "opening")]
+    own = frozenset(rooms(site, scene, target)).union(*(link for link in links if target in link))
+    space = reach.part(site.world, own, reach.free(site.world, scene))
+    near = {o.id: o for o in scene if o.room in own}
+    return View(target, own, space, site.config.reach, near, reach.count(space, list(near.values())))
+
+
+def rooms(site: Site, scene: Scene, target: str) -> set[str]:
+    """The rooms that a door joins, or that an object stands in; of a room itself."""
     for opening in site.world.plan.openings:
         if opening.id == target:
             return set(opening.rooms)
-    owner = next((o.room for o in scene if o.id == target), None)
-    if owner is not None:
-        return {owner}
-    return {target}.union(*(link for link in links if target in link))
+    return {next((o.room for o in scene if o.id == target), target)}
 
 
 def blockers(scene: Scene, here: View) -> tuple[list[Furnishing], list[Furnishing]]:

@@ -9,7 +9,7 @@ from shapely import Geometry
 from shapely.ops import unary_union
 
 from schemas.plan import Opening, Plan
-from stages import convex, polygons, shell
+from stages import convex, joinery, polygons, shell
 from stages.convex import Hulls
 
 LEVER = 0.06
@@ -33,14 +33,14 @@ class Leaf:
 
     @cached_property
     def _hulls(self) -> tuple[Hulls, Hulls]:
-        body = shell.fitting(self.plan, self.opening)
-        link = next(link for link in body.links if link.joint)
-        assert link.joint is not None
-        solids = convex.of(link.colliders)
-        ends = [convex.moved(solids, link.joint, value) for value in link.joint.range]
+        (_, face), position, yaw = shell.frame(self.plan, self.opening)
+        colliders, joint = joinery.leaf(
+            polygons.width(self.opening), face, self.opening, shell.hinge(self.opening, self.plan)
+        )
+        solids, at = convex.of(colliders), position.tolist()
+        ends = [convex.moved(solids, joint, value) for value in joint.range]
         both = Hulls(*(np.concatenate(fields) for fields in zip(*ends)))
-        at = body.position.tolist(), body.yaw
-        return convex.swept(solids, link.joint).placed(*at), both.placed(*at)
+        return convex.swept(solids, joint).placed(at, yaw), both.placed(at, yaw)
 
     @property
     def sweep(self) -> Hulls:

@@ -8,11 +8,13 @@ nothing else is lost by it.
 from collections.abc import Iterator
 from itertools import chain
 
+import numpy as np
+
 from schemas.retrieve import Furnishing
 from schemas.walkable import Step
 from stages import reach
 from stages.walkable import importance, placing
-from stages.walkable.blocking import View, blockers, view
+from stages.walkable.blocking import View, blockers, rooms, view
 from stages.walkable.changes import Change, applied, dropped, nudged, replaced
 from stages.walkable.nudge import nudges
 from stages.walkable.places import places
@@ -33,15 +35,25 @@ def connect(site: Site, scene: Scene) -> tuple[Scene, list[Step], list[str]]:
     for essential in (False, True) if site.config.drop else (False,):
         given_up: list[str] = []
         while todo := [target for target in out if target not in given_up]:
-            change, left = _repaired(site, scene, todo[0], set(out), essential)
+            target = _nearest(site, scene, todo)
+            change, left = _repaired(site, scene, target, set(out), essential)
             if change is None:
-                given_up.append(todo[0])
+                given_up.append(target)
                 continue
             scene, step = applied(scene, change)
             steps.append(step)
             # What could not be got to before may be possible now.
             out, given_up = left, []
     return scene, steps, out
+
+
+def _nearest(site: Site, scene: Scene, todo: list[str]) -> str:
+    """The first of what is not reached in a room that is; what lies beyond may come with it."""
+    if len(todo) == 1:
+        return todo[0]
+    got = reach.survey(site.world, scene, site.config.reach, only=()).cells
+    entered = {site.world.plan.rooms[i].id for i in np.unique(site.world.rooms[got]).tolist() if i >= 0}
+    return next((target for target in todo if not entered.isdisjoint(rooms(site, scene, target))), todo[0])
 
 
 def missed(site: Site, scene: Scene) -> list[str]:

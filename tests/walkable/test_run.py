@@ -266,3 +266,21 @@ def test_the_library_keeps_the_categories_reach(name):
     grown = sweeps.extended([item])
     assert grown.size[0, 0] <= size[0] + categories.reach(name, size) + 1e-9
     assert grown.size[0, 1] == pytest.approx(size[1], abs=1e-3)
+
+
+def test_what_is_cut_off_further_on_waits_for_what_comes_first():
+    """A shelf right behind the entrance cuts off all; nothing beyond it changes."""
+    home = h.home(*(h.thing("plant", x, 2.6, size=(0.4, 0.4, 0.8), room=h.BEDROOM) for x in (4.5, 6.5)), sofa(x=2.5))
+    door = {"sill": 0, "head": 2.1}
+    hall = {"id": "hallway_1", "type": "hallway", "polygon": h.rectangle(-3.1, 0, 3, 3)}
+    way = {"id": "door_2", "kind": "door", "rooms": ["hallway_1", h.LIVING], "segment": [[-0.05, 1.0], [-0.05, 1.9]],
+           "into": h.LIVING, **door}
+    entrance = {"id": "entrance_1", "kind": "entrance", "rooms": ["hallway_1"], "into": "hallway_1",
+                "segment": [[-3.25, 1.0], [-3.25, 1.9]], **door}
+    shelf = h.thing("shelving", -1.5, 1.5, np.pi, "hallway_1", size=(0.3, 2.9, 1.8), id="shelf")
+    rooms = [room.model_dump() for room in home.rooms]
+    openings = [home.openings[1].model_dump(), way, entrance]
+    body = home.model_dump() | {"rooms": [*rooms, hall], "openings": openings}
+    body["objects"].append(shelf.model_dump())
+    result = walk(Retrieve.model_validate(body), fake.Empty(), target=0.5)
+    assert result.walkable.unreached == [] and {step.object for step in result.walkable.steps} == {"shelf"}
