@@ -6,7 +6,7 @@ import numpy as np
 
 from stages.export._soup import Array, Index, length
 
-AZIMUTH, ELEVATION = np.radians(-74.0), np.radians(66.0)
+AZIMUTH, ELEVATION = np.radians(-74.0), np.radians(68.0)
 """Where it stands, seen from the middle of the house."""
 FIELD = np.radians(32.0)
 BORDER = 0.04

@@ -1,13 +1,12 @@
-"""A picture of the furnished apartment from above with its roof off: sun, sky and their shadows, by ray tracing."""
+"""A picture of the furnished apartment from above: sun, sky and their shadows, by ray tracing."""
 
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.body import Body
-from stages.categories import TABLE
 from stages.export._camera import Camera
+from stages.export._lowered import lowered
 from stages.export._soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, soup, split
 from stages.scene import Scene
 
@@ -47,7 +46,7 @@ class Seen(NamedTuple):
 
 def picture(scene: Scene) -> NDArray[np.uint8]:
     """The image, (rows, columns, 3)."""
-    every = soup(body for body in scene.bodies if not _overhead(body))
+    every = soup(lowered(scene.bodies))
     clear = np.array([m.color[3] < 1 for m in every.materials])[every.material]
     glass, solid = split(every, clear)
     camera = Camera.at(every.corners.reshape(-1, 3), PIXELS)
@@ -61,11 +60,6 @@ def picture(scene: Scene) -> NDArray[np.uint8]:
     fine = [_pass(camera, *traced, edge, PASSES + k) for k in range(EDGE_PASSES)]
     image[edge] = sum(_toned(part.color * _falling(light[edge], part.normal)) for part in fine) / EDGE_PASSES
     return np.asarray(np.rint(encoded(_toned(image)).reshape(*shape, 3) * 255), np.uint8)
-
-
-def _overhead(body: Body) -> bool:
-    """What is taken off with the roof."""
-    return body.kind == "ceiling" or (body.category in TABLE and TABLE[body.category].place == "ceiling")
 
 
 def _falling(light: Array, normal: Array) -> Array:

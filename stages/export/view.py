@@ -1,4 +1,4 @@
-"""The furnished apartment seen from above with its ceilings off, as a picture, view.png."""
+"""The furnished apartment seen from above, its walls cut off at 1.5 m, as a picture, view.png."""
 
 from pathlib import Path
 
