@@ -52,7 +52,7 @@ def drive(world: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
         _record(out, data)
         speed, turn, out.done = pursuit.command(x, y, yaw)
         data.ctrl[drives] = (speed - turn * base.TRACK / 2) / base.WHEEL, (speed + turn * base.TRACK / 2) / base.WHEEL
-        if planner.clearance(pursuit.floor, np.array([x, y])) > base.RADIUS + _NEAR:
+        if planner.clearance(pursuit.floor, x, y) > base.RADIUS + _NEAR:
             mujoco.mj_step(model, data, steps)
             push, what = 0.0, -1
         else:

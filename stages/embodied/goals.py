@@ -1,7 +1,8 @@
 """Where to send the robot: from inside the entrance to a pose in front of one object of every room.
 
 What opens is used from its front. Anything else is met from its front where one can stand there, or else from beside
-(a chair at its table). A room without furniture is met in its middle.
+(a chair at its table); what no robot gets to and does not open, as a plant behind a sofa, is no goal, unless the room
+has no other. A room without furniture is met in its middle.
 """
 
 from dataclasses import dataclass
@@ -64,7 +65,10 @@ def _goal(
     standing = [o for o in objects if o.room == room.id and worth_meeting(o)]
     if not standing:
         return _chosen(Goal(room.id, room.id, room.type), floor, [here & floor.free], reached, None)
-    o = standing[int(rng.integers(len(standing)))]
+    opens = sweeps.articulated(standing)
+    meant = [o for o, must in zip(standing, opens, strict=True)
+             if must or any((place & here & reached).any() for place in _places(floor, o))]
+    o = (meant or standing)[int(rng.integers(len(meant or standing)))]
     places = [place & here & floor.free for place in _places(floor, o)]
     return _chosen(Goal(room.id, o.id, o.category), floor, places, reached, np.array(o.center[:2]))
 

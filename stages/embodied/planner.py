@@ -180,8 +180,8 @@ def _smoothed(floor: Floor, points: Array) -> Array:
 
 def cell(floor: Floor, points: Array) -> NDArray[np.int64]:
     """Rows and columns (n, 2) of the cells that hold points (n, 2), held to the raster."""
-    found = np.floor((points - floor.grid.origin) / floor.grid.resolution).astype(np.int64)[..., ::-1]
-    return found.clip(0, np.array(floor.grid.shape) - 1)
+    found = ((points - floor.grid.origin) / floor.grid.resolution).astype(np.int64)[..., ::-1]
+    return np.minimum(np.maximum(found, 0), (floor.grid.shape[0] - 1, floor.grid.shape[1] - 1))
 
 
 def is_free(floor: Floor, points: Array) -> Mask:
@@ -191,7 +191,8 @@ def is_free(floor: Floor, points: Array) -> Mask:
     return found
 
 
-def clearance(floor: Floor, point: Array) -> float:
-    """Distance from a point (2,) to what is solid, to a cell."""
-    row, column = cell(floor, point)
-    return float(floor.clearance[row, column])
+def clearance(floor: Floor, x: float, y: float) -> float:
+    """Distance from a point to what is solid, to a cell, m."""
+    (left, below), (rows, columns), size = floor.grid.origin, floor.grid.shape, floor.grid.resolution
+    row, column = int((y - below) / size), int((x - left) / size)
+    return float(floor.clearance[min(max(row, 0), rows - 1), min(max(column, 0), columns - 1)])

@@ -7,6 +7,7 @@ the path closely and slowly.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -40,6 +41,7 @@ TIGHT = 0.03
 _SHORTEST = 0.05  # m, lookahead where everything longer would touch
 _CREEP, _ALIGNED = 0.1, 0.06  # speed then, m/s, once it heads for the next point so closely, rad
 _INCHING = 20  # periods
+_AHEAD = np.linspace(0, 1, 12)[1:]  # shares of the next second's way that are looked at
 
 
 @dataclass
@@ -114,8 +116,13 @@ class Pursuit:
 
     def _tightest(self) -> float:
         """The least clearance of the path just ahead, m."""
-        row, column = planner.cell(self.floor, self.path[self.at : self.at + int(NARROW_AHEAD / planner.SPACING)]).T
-        return float(self.floor.clearance[row, column].min())
+        return float(self.beside[self.at : self.at + int(NARROW_AHEAD / planner.SPACING)].min())
+
+    @cached_property
+    def beside(self) -> Array:
+        """Clearance at every point of the path (n,), m."""
+        row, column = planner.cell(self.floor, self.path).T
+        return np.asarray(self.floor.clearance[row, column])
 
     def _carrot(self, here: Array, reach: float) -> Array:
         """The first point of the path at least the lookahead away, or its end."""
@@ -123,7 +130,7 @@ class Pursuit:
         return np.asarray(self.path[self.at + int(far[0])] if len(far) else self.path[-1])
 
     def _regulated(self, here: Array, curvature: float, left: float) -> float:
-        near = planner.clearance(self.floor, here)
+        near = planner.clearance(self.floor, *here.tolist())
         speed = base.SPEED * min(1.0, near / COST_DISTANCE, 1 / max(MIN_RADIUS * abs(curvature), 1e-9))
         speed = max(speed, MIN_SPEED)
         return speed if left > APPROACH else max(APPROACH_SPEED, speed * left / APPROACH)
@@ -132,12 +139,12 @@ class Pursuit:
         self, here: Array, yaw: float, speed: float, curvature: float, distance: float, room: float
     ) -> bool:
         """Whether the next second on this arc, or as much of it as leads to the carrot, keeps clear of everything."""
-        run = np.linspace(0, min(speed * TIME_TO_COLLISION, distance), 12)[1:]
-        bend = np.where(abs(curvature) > 1e-6, curvature, 1e-6)
+        run = min(speed * TIME_TO_COLLISION, distance) * _AHEAD
+        bend = curvature if abs(curvature) > 1e-6 else 1e-6
         arc = np.stack([np.sin(bend * run), 1 - np.cos(bend * run)], -1) / bend
         c, s = np.cos(yaw), np.sin(yaw)
         row, column = planner.cell(self.floor, here + arc @ np.array([[c, s], [-s, c]])).T
-        return bool((self.floor.free[row, column] & (self.floor.clearance[row, column] >= room)).all())
+        return bool((self.floor.clearance[row, column] >= room).all() and self.floor.free[row, column].all())
 
     def _turn_to(self, off: float) -> float:
         """As fast as still can be stopped in time."""

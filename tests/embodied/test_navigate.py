@@ -68,6 +68,19 @@ def test_what_opens_must_be_reached_from_its_front(tmp_path):
     assert goal.cell is None and goal.missing == "no standing room"
 
 
+def test_a_plant_that_nobody_gets_to_is_no_goal_but_a_cupboard_is(tmp_path):
+    things = [blocks.block("table", 3.0, 1.0, 0.6, 0.6), blocks.block("sofa_1", 5.3, 1.5, 0.3, 1.0),
+              blocks.block("sofa_2", 5.3, 0.5, 0.3, 1.0), blocks.block("plant", 5.9, 1.0, 0.2, 0.2, np.pi)]
+    home = blocks.furnished(blocks.corridor(6, 2), *things)
+    ground = floor.survey(world.build(*blocks.exported(home, tmp_path), moving=()))
+    reached = ground.free & (np.arange(ground.grid.shape[1]) * ground.grid.resolution < 5.0)
+    for joints, drawn in (([], False), ([handmade.drawer((0.2, 0.2, 1.0))], True)):
+        objects = [o.model_copy(update={"joints": joints}) if o.id == "plant" else o for o in home.objects]
+        goal = [goals.goals(ground, objects, reached, np.random.default_rng(k))[0] for k in range(20)]
+        assert {g.object for g in goal} >= {"table"} and any(g.object == "plant" for g in goal) == drawn
+        assert all(bool(g.missing) == (g.object == "plant") for g in goal)
+
+
 def test_a_blocked_entrance_fails_every_room(tmp_path):
     home = blocks.furnished(blocks.corridor(6, 1.2), blocks.block("crate", 0.4, 0.6, 0.8, 1.2))
     (outcome,) = _run(home, tmp_path)

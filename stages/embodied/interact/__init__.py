@@ -12,8 +12,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
+import shapely
+from shapely import Geometry
 
-from stages import grid
+from stages import grid, polygons
 from stages.boxes import Array
 from stages.embodied import floor, world
 from stages.embodied.interact import parts
@@ -32,6 +34,15 @@ FAR = 100.0
 """Where the robot waits in a trace when it has no place to stand, m."""
 ASTRAY = (0.01, 0.03)
 """Standard deviation of where the base comes to rest, m and rad."""
+
+
+@dataclass(frozen=True)
+class _Ground:
+    """Points (n, 2) that the base gets to, those where it could only stand, and the floor between the walls."""
+
+    cells: Array
+    others: Array
+    inside: Geometry
 
 
 @dataclass
@@ -59,7 +70,8 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     ground = floor.survey(apartment, RADIUS, without=leaves)
     reached = grid.from_seeds(ground.free, ground.space.entry)
     points = ground.grid.centers()
-    cells, others = points[reached], points[ground.free & ~reached]
+    places = _Ground(points[reached], points[ground.free & ~reached], polygons.free_floor(apartment.home).buffer(0.02))
+    shapely.prepare(places.inside)
     every = parts.listed(apartment)
     surroundings = Surroundings(apartment, leaves)
     own: dict[str, Probe] = {}
@@ -71,7 +83,7 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
             mine = [moving for other, moving in every if other is body]
             own = {body.id: Probe(equipped(apartment, body.id, surroundings.far(body, mine)))}
         probe = own[body.id]
-        found.append(_episode(probe, parts.part(probe.world, body, link), cells, others, lane, only is not None))
+        found.append(_episode(probe, parts.part(probe.world, body, link), places, lane, only is not None))
     return found
 
 
@@ -90,9 +102,9 @@ def _leaves(apartment: World) -> frozenset[str]:
 
 
 def _episode(
-    probe: Probe, part: Part, cells: Array, others: Array, rng: np.random.Generator, trace: bool
+    probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator, trace: bool
 ) -> Outcome:
-    tried = _tried(probe, part, cells, others, rng)
+    tried = _tried(probe, part, ground, rng)
     if tried.plan is None:
         return _outcome(probe, part, tried.failure, tried.reason, tried.numbers, _shown(part, tried) if trace else None)
     actor = Actor(probe, part, np.append(probe.joints, part.address))
@@ -132,7 +144,7 @@ def _outcome(
     )
 
 
-def _tried(probe: Probe, part: Part, cells: Array, others: Array, rng: np.random.Generator) -> _Tried:
+def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) -> _Tried:
     """Looks for a place and a plan; says what is in the way if there is none."""
     probe.reset(part.body)
     for value in np.linspace(0, OPEN * part.travel, 17):
@@ -142,15 +154,16 @@ def _tried(probe: Probe, part: Part, cells: Array, others: Array, rng: np.random
             reason = f"meets {probe.name(met)} at {share:.0%} of its range"
             return _Tried(None, "blocked part", reason, share=share)
     planner = Planner(probe, part)
-    places, base = 0, None
-    for places, base in enumerate(_stands(planner, spots(part, cells)[:SPOTS], rng), 1):
-        found = planner.plan(base)
-        if found is not None:
-            pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
-            return _Tried(found, numbers={"places": float(places), "pushed": float(pushed)})
-    if places:
-        return _Tried(None, "planner", planner.complaint(), {"places": float(places)}, base)
-    if any(True for _ in _stands(planner, spots(part, others)[:SPOTS], rng)):
+    stands = list(_stands(planner, spots(part, ground.cells, ground.inside)[:SPOTS], rng))
+    for holds in (part.holds, part.others):
+        for places, base in enumerate(stands, 1):
+            found = planner.plan(base, holds)
+            if found is not None:
+                pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
+                return _Tried(found, numbers={"places": float(places), "pushed": float(pushed)})
+    if stands:
+        return _Tried(None, "planner", planner.complaint(), {"places": float(len(stands))}, stands[0])
+    if any(True for _ in _stands(planner, spots(part, ground.others, ground.inside)[:SPOTS], rng)):
         return _Tried(None, "planner", "no way from the entrance")
     return _Tried(None, "no standing room", "the robot fits nowhere before it")
 

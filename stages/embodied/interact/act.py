@@ -12,8 +12,8 @@ from stages.embodied.interact.plan import OPEN, Phase, Plan
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import CUP, FINGERS, GRIP, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
 
-SLIP = {"pinch": 60.0, "cup": 38.0}
-"""Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4 cm at -60 kPa bears."""
+SLIP = {"pinch": 60.0, "cup": 48.0}
+"""Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4.5 cm bears (-60 kPa)."""
 SEATED = 0.01
 """The cup takes hold of what its mouth is no further from, m."""
 SLIPPING = 0.02

@@ -1,6 +1,6 @@
 """What can be opened: one part of an object, where it is held, how it moves."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, sin
 from typing import Literal
 
@@ -23,6 +23,10 @@ DEEP = 0.004
 """How far behind a handle's foremost point the fingers' middle takes hold, m."""
 LIP = 0.035
 """How far from a lid's front edge the cup sits on it, m."""
+RIM = 0.03
+"""How far below the upper edge of a drawer's front its back is pushed, m."""
+SHARES, APART = (0.5, 0.25, 0.75), 0.04
+"""Where else a long handle or front is held, as shares of its length, if no nearer than this to the handle's middle."""
 EDGE = 0.05
 """How far from a leaf's free edge it is pushed, m."""
 
@@ -54,7 +58,8 @@ class Hold:
 class Part:
     """A moving link of an object where it stands; `front` and `up` are the object's (world, unit).
 
-    `joint` is its joint's name in the artifact, `name` that in the model.
+    `joint` is its joint's name in the artifact, `name` that in the model; `others` are holds that are tried where
+    `holds` do nowhere, `pushes` those that a part standing ajar is pushed on by.
     """
 
     object: str
@@ -71,6 +76,7 @@ class Part:
     front: Array
     up: Array
     holds: list[Hold]
+    others: list[Hold]
     pushes: list[Hold]
 
     def moved(self, value: float) -> tuple[Array, Array]:
@@ -119,11 +125,12 @@ def part(world: World, body: Body, link: Link) -> Part:
     handle = _handle(link, boxes)
     geoms = np.array([world.model.geom(f"{body.link_name(link)}__c{i}").id for i in range(len(link.colliders))], int)
     holds = [*_pinches(boxes, handle, pose, geoms), *_cups(link, boxes, handle, pose, geoms)]
-    pushes = [] if joint.type == "slide" else _pushes(link, boxes, handle, pose, geoms)
+    others = _aside(holds, link, boxes, pose)
+    pushes = (_inside if joint.type == "slide" else _pushes)(link, boxes, handle, pose, geoms)
     return Part(
         body.id, body.category, body.room, joint.name, str(world.model.joint(k).name), int(world.model.jnt_bodyid[k]),
         int(world.model.jnt_qposadr[k]), joint.type == "slide", axis, turn @ np.asarray(joint.origin) + pose[:3, 3],
-        float(travel), turn[:, 0], turn[:, 2], holds, pushes,
+        float(travel), turn[:, 0], turn[:, 2], holds, others, pushes,
     )
 
 
@@ -209,3 +216,36 @@ def _pushes(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index
     inside = ((boxes[:, 0, 1:] <= point[1:]) & (point[1:] <= boxes[:, 1, 1:])).all(1)
     point[0] = boxes[inside, 0, 0].min() if inside.any() else panel[0, 0]
     return [_touch("push", point, pose, geoms)]
+
+
+def _inside(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[Hold]:
+    """Where the back of a drawer's front is pushed, from above into the open drawer: below its upper edge."""
+    assert link.joint is not None
+    if link.joint.axis[0] < 0.9:
+        return []
+    panel = boxes[int((boxes[:, 1, 1:] - boxes[:, 0, 1:]).prod(1).argmax())]
+    point = np.array([panel[0, 0], panel[:, 1].mean(), panel[1, 2] - RIM])
+    return [_touch("push", point, pose, geoms)]
+
+
+def _aside(holds: list[Hold], link: Link, boxes: Corners, pose: Array) -> list[Hold]:
+    """The same holds elsewhere: along a long bar, and across a front that slides and has nothing to grip."""
+    assert link.joint is not None
+    found = []
+    up, across = pose[:3, 2], pose[:3, 1]
+    lo, hi = boxes[:, 0].min(0), boxes[:, 1].max(0)
+    for hold in holds:
+        local = pose[:3, :3].T @ (hold.point - pose[:3, 3])
+        side, way = (2, up) if abs(float(hold.across @ across)) > 0.5 and hold.kind == "pinch" else (1, across)
+        if hold.kind == "cup" and link.joint.type != "slide":
+            continue
+        ends = np.array([lo[side], hi[side]])
+        if hold.kind == "pinch":
+            near = (np.abs(np.clip(local, boxes[:, 0], boxes[:, 1]) - local) <= NEAR).all(1)
+            bar = boxes[near][(boxes[near, 1] - boxes[near, 0]).prod(1).argmin()] if near.any() else boxes[0]
+            ends = bar[:, side]
+        for share in SHARES:
+            at = ends[0] + share * (ends[1] - ends[0])
+            if abs(at - local[side]) > APART:
+                found.append(replace(hold, point=hold.point + (at - local[side]) * way))
+    return found

@@ -7,10 +7,13 @@ held all the way, as where it opens against a wall, it is pulled as far as it go
 
 import heapq
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 import numpy as np
+import shapely
+from shapely import Geometry
 
 from stages.boxes import Array, Mask
 from stages.embodied.interact.aim import NEAR, OPTIONS, every_turn, forward, turned
@@ -28,6 +31,8 @@ BACK = 0.09
 """The hand comes from and goes this far back from what it takes hold of, m."""
 FINE, FREE = 0.05, 0.02
 """Held and free paths are checked at least every so much of a turn (rad) or way (m)."""
+SHORTER = 2
+"""A pull that does not open the part is cut short by so many more positions each time that a push is looked for."""
 SPARE = 0.012
 """What the arm keeps of its travel for where the hand really takes hold, m."""
 
@@ -200,18 +205,22 @@ class Planner:
         return None
 
     def _clear(self, stops: list[Stop], hold: Hold) -> bool:
-        """Whether the robot meets nothing between stops; the last stretch may touch the part with the fingers."""
+        """Whether the robot meets nothing between stops; the last stretch may touch the part with the fingers.
+
+        Looks first at points far from each other: what is in the way is found sooner so.
+        """
+        points: list[tuple[Array, Hold | None]] = []
         for k, (a, b) in enumerate(zip(stops[:-1], stops[1:], strict=True)):
             step = np.abs(b.posture - a.posture) * [1, 1, 0.5, 1, 0.5, 3, 0, 0, 0.15, 0.15, 0, 1, 1]
-            for share in np.linspace(0, 1, max(2, int(np.ceil(step.max() / FREE)) + 1)):
-                here = a.posture + share * (b.posture - a.posture)
-                if self.probe.hit(here, self.part, a.value, hold if k == len(stops) - 2 else None) >= 0:
-                    return False
-        return True
+            shares = np.linspace(0, 1, max(2, int(np.ceil(step.max() / FREE)) + 1))[:, None]
+            held = hold if k == len(stops) - 2 else None
+            points += [(here, held) for here in a.posture + shares * (b.posture - a.posture)]
+        value = stops[0].value
+        return all(self.probe.hit(points[i][0], self.part, value, points[i][1]) < 0 for i in _spread(len(points)))
 
-    def plan(self, base: Array) -> Plan | None:
-        """All that opens the part from one place; None if nothing does."""
-        for hold in self.part.holds:
+    def plan(self, base: Array, holds: Sequence[Hold]) -> Plan | None:
+        """All that opens the part from one place, first taking hold as one of `holds` says; None if nothing does."""
+        for hold in holds:
             for chain in self.chains(base, hold, 0):
                 pulled = self._pulled(base, hold, chain)
                 if pulled is None:
@@ -231,22 +240,22 @@ class Planner:
         return None if held is None else [came, held]
 
     def _pushed(self, base: Array, pulled: list[Phase], furthest: int) -> list[Phase] | None:
-        """The pull cut short where the leaf can be pushed on from behind, and the push."""
-        for k in range(furthest, 1, -1):
+        """The pull cut short where the part can be pushed on from behind, and the push."""
+        grip = pulled[1].hold
+        assert grip is not None
+        for k in range(furthest, 1, -SHORTER):
+            ways = [(hold, chain) for hold in self.part.pushes for chain in self.chains(base, hold, k)
+                    if len(chain) == STEPS + 1 - k]
+            if not ways:
+                continue
             cut = [stop for stop in pulled[1].stops if stop.value <= self.values[k] + 1e-9]
-            grip = pulled[1].hold
-            assert grip is not None
-            for hold in self.part.pushes:
-                for chain in self.chains(base, hold, k):
-                    if len(chain) < STEPS + 1 - k:
-                        continue
-                    away = self._leave(base, cut[-1], grip)
-                    if away is None:
-                        continue
-                    came = self.reach(base, hold, k, chain[0], away.stops[-1].posture, on=True)
-                    pushed = None if came is None else self.follow(base, hold, k, chain, came.stops[-1].posture)
-                    if came is not None and pushed is not None:
-                        return [pulled[0], Phase("hold", cut, grip), away, came, pushed]
+            away = self._leave(base, cut[-1], grip)
+            for hold, chain in ways if away is not None else []:
+                assert away is not None
+                came = self.reach(base, hold, k, chain[0], away.stops[-1].posture, on=True)
+                pushed = None if came is None else self.follow(base, hold, k, chain, came.stops[-1].posture)
+                if came is not None and pushed is not None:
+                    return [pulled[0], Phase("hold", cut, grip), away, came, pushed]
         return None
 
     def _leave(self, base: Array, stop: Stop, hold: Hold) -> Phase | None:
@@ -269,8 +278,21 @@ def _short(forward: Array, out: Array) -> float:
     return TIP + THICK * float(np.sqrt(1 - min(cosine, 1.0) ** 2)) / cosine
 
 
-def spots(part: Part, cells: Array) -> Array:
-    """Those of the floor's points (n, 2) from which the arm might do, best first, one in each 0.1 m square; (m, 2)."""
+def _spread(n: int) -> list[int]:
+    """0 to n - 1 in an order that comes near everywhere soon."""
+    step = 1 << max(n - 1, 1).bit_length()
+    order = [0]
+    while step > 1:
+        order += range(step // 2, n, step)
+        step //= 2
+    return order[:n] if n else []
+
+
+def spots(part: Part, cells: Array, floor: Geometry) -> Array:
+    """Those of the floor's points (n, 2) from which the arm might do, best first, one in each 0.1 m square; (m, 2).
+
+    No wall stands between them and the handle: what is between lies within the `floor`.
+    """
     path = np.array([part.at(part.holds[0].point, v)[:2] for v in part.travel * GOAL * np.linspace(0, 1, 5)])
     cells = cells[(np.abs(cells - path[0]) <= REACH).all(1)]
     apart = np.linalg.norm(cells[:, None] - path[None], axis=2)
@@ -279,4 +301,6 @@ def spots(part: Part, cells: Array) -> Array:
     cost = np.abs(apart - 0.55).mean(1) + 0.5 * (0.32 - apart).clip(0).max(1) + (apart - REACH).clip(0).max(1)
     order = np.argsort(cost, kind="stable")
     _, first = np.unique(np.floor(cells[order] / 0.1), axis=0, return_index=True)
-    return np.asarray(cells[order[np.sort(first)]])
+    best = cells[order[np.sort(first)]]
+    seen = shapely.linestrings(np.stack([best, np.broadcast_to(path[0], best.shape)], 1))
+    return np.asarray(best[shapely.covers(floor, seen)])
