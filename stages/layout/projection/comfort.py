@@ -12,10 +12,10 @@ VIEW = {"sofa": 1.2, "corner_sofa": 0.9, "armchair": 0.8}
 """How far a seat looks before it meets a wall, m."""
 FACED = 2.0
 """A seat before a wall is worth a way of this many metres, elsewhere."""
-SIDES = {"double_bed": 0.5}
+SIDES = {"double_bed": 0.6}
 """Floor at either side to get in from, m."""
 SIDE = 1.5
-ASIDE = frozenset({"bin", "plant", "laundry_basket", "floor_lamp", "coat_rack"})
+ASIDE = frozenset({"bin", "plant", "laundry_basket", "floor_lamp", "coat_rack", "bench"})
 """What stands at a wall, out of the way; elsewhere it costs OPEN metres."""
 OPEN = 2.5
 MIRRORED = frozenset({"vanity"})

@@ -11,13 +11,13 @@ from stages.categories import TABLE
 from stages.layout.projection import candidates, comfort, passage, runs
 from stages.layout.projection.costs import BROKEN, cost
 from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import FLUSH, bedsides, beside, in_run, watched
+from stages.layout.projection.partners import FLUSH, SOFAS, bedsides, beside, in_run, watched
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing
 from stages.layout.projection.supports import on_support
 
 Array = NDArray[np.float64]
-LEAN = {"bench": 0.3, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,
+LEAN = {"bench": 3.0, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,
         "bin": 3.0, "plant": 3.0, "laundry_basket": 3.0}
 NEAR = 0.12
 """Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
@@ -114,6 +114,10 @@ def _rank(item: Item, items: list[Item], essential: bool) -> tuple[int, bool, fl
         if item.category == "nightstand":
             return 0, False, 0.0
         level = 1
+    sofas = [float(other.size[0] * other.size[1]) for other in items if other.category in SOFAS]
+    if item.category == "tv_stand" and sofas:
+        # Right after the sofas: the place across from them shall not be taken.
+        return level, not essential, 0.01 - min(sofas)
     return level, not essential, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
 
 
