@@ -1,7 +1,8 @@
 """The controllability benchmark: prompts with the programme an architect would write for them.
 
-`prompts.jsonl` was written by hand before the reader was tuned; the `held` half is for measuring only. What a
-prompt leaves open follows these rules:
+`prompts.jsonl` is written by hand: 240 prompts in two halves before the reader was tuned, of which the `held` half is
+for measuring only, and more that joined the `tune` half as the reader grew. What a prompt leaves open follows these
+rules:
 
 1. A home has a living room, a kitchen, a bathroom and, unless it is a studio, a bedroom and a hallway.
    One bathroom up to two bedrooms, two up to four, three beyond. A prompt that excludes a room wins.

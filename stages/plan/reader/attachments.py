@@ -78,7 +78,10 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
     k = 0
     while k < len(items):
         item = items[k]
-        opens = item.kind == "with" or is_mark(item, "(:")
+        if item.value == "in" and _in_each(out, items[k + 1 : k + 2]):
+            k += 1
+            continue
+        opens = (item.kind == "with" and not _inside(out, item, items[k + 1 : k + 2])) or is_mark(item, "(:")
         owner = (
             next(
                 (i.room for i in reversed(out) if not is_mark(i, ")") and i.kind not in ("copula", "label", "size")),
@@ -111,6 +114,27 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _inside(before: list[Item], item: Item, after: list[Item]) -> bool:
+    """`a kitchenette in the living room`, `through a vestibule into the lounge`."""
+    inner, outer = (before or [item])[-1].room, (after or [item])[0].room
+    if item.value != "in" or inner is None or outer is None:
+        return False
+    return outer.type in OWNED_BY.get(inner.type, ()) or (len(before) > 1 and before[-2].kind == "front")
+
+
+def _in_each(before: list[Item], after: list[Item]) -> bool:
+    """`a bathroom in each bedroom`: moves the room before to those after it."""
+    inner, owner = (before or [Item("mark")])[-1].room, (after or [Item("mark")])[0].room
+    if inner is None or owner is None or owner.type not in OWNED_BY.get(inner.type, ()):
+        return False
+    if owner.quantifier not in ("each", "all", "both"):
+        return False
+    inner.quantifier = "each"
+    owner.owned.append(inner)
+    before.pop()
+    return True
 
 
 def _subject(before: list[Item]) -> RoomPhrase | None:

@@ -49,13 +49,28 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
                 out.only += left if s.kind == "only" else []
                 out.links += pairs
     out.links += out.near
+    stated = {frozenset((id(a), id(b))) for a, b in out.open}
     for e in home.rooms:
         if e.owner is not None:
             out.links.append((e.owner, e))
             if {e.type, e.owner.type} <= set(OPEN_TYPES) and not e.labels & {"adjoining", "separate"}:
                 out.open.append((e.owner, e))
     _open_labels(home, out)
+    _in_order(out, stated)
     return out
+
+
+def _in_order(out: Doors, stated: set[frozenset[int]]) -> None:
+    """An open kitchen beside one space to live and dine in opens onto where one dines, unless the prompt says else."""
+    for a, b in list(out.open):
+        kitchen, living = (a, b) if a.type == "kitchen" else (b, a)
+        around = [y if x is living else x for x, y in out.open if living in (x, y)]
+        dining = next((e for e in around if e.type == "dining_room"), None)
+        pair = frozenset((id(a), id(b)))
+        if (kitchen.type, living.type) != ("kitchen", "living_room") or dining is None or pair in stated:
+            continue
+        for pairs in (out.open, out.links):
+            pairs[:] = [(kitchen, dining) if {id(x), id(y)} == pair else (x, y) for x, y in pairs]
 
 
 def _served(a: Entity, b: Entity) -> bool:

@@ -5,6 +5,13 @@ import math
 from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
 from stages.plan.reader.mention import RoomPhrase
 
+CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
+"""Words for a hallway that no one uses of the entrance hall."""
+
+
+ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
+"""Rooms a home has: no additional one is still one."""
+
 
 class Household:
     """Rooms in the order of their creation, and what each phrase refers to."""
@@ -54,7 +61,11 @@ class Household:
         return found
 
     def _ban(self, phrase: RoomPhrase) -> None:
-        if phrase.type == "kitchen" and "separate" in phrase.labels:
+        if phrase.ordinals:  # "no second bathroom"
+            self.totals.setdefault(phrase.type, len(self._ensure(phrase.type, min(phrase.ordinals) - 1, counted=True)))
+        elif phrase.quantifier == "another" and (self.of(phrase.type) or phrase.type in ALWAYS):
+            pass  # "no extra bathroom"
+        elif phrase.type == "kitchen" and "separate" in phrase.labels:
             self.open_kitchen = True
         elif "separate" not in phrase.labels:
             label = next((x for x in sorted(phrase.labels) if x in DISTINCT), "")
@@ -229,7 +240,9 @@ class Household:
         refers = refers or (single and not phrase.text.isascii())  # languages without articles
         if phrase.type == "bedroom" and not mentioned and known and all(e.labels & {"guest", "kids"} for e in known):
             return self.add(phrase.type)  # "a guest room besides our bedroom"
-        if known and mentioned and phrase.quantifier == "a" and all("entrance" in e.labels for e in known):
+        entered = known and all("entrance" in e.labels for e in known) and "entrance" not in phrase.labels
+        named = phrase.quantifier == "" and phrase.text in CORRIDORS
+        if mentioned and entered and (phrase.quantifier == "a" or named):
             return self.add(phrase.type)
         if (
             phrase.type == "bathroom"

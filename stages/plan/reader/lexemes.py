@@ -162,5 +162,5 @@ def _short(tokens: list[Token], i: int) -> tuple[Lexeme, int] | None:
 
 
 def _counts(parts: dict[str, str], n: float) -> tuple[tuple[str, float], ...]:
-    value = {"n": n, "n-1": n - 1, "1": 1.0}
+    value = {"n": n, "n-1": n - 1, "1": 1.0, "0": 0.0}
     return tuple((kind, value[count]) for kind, count in parts.items())

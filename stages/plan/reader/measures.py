@@ -14,6 +14,8 @@ def mark_headlines(items: list[Item], said: Said) -> None:
         phrase = item.room
         if phrase is not None and phrase.count is not None and _totals(items, k):
             phrase.headline = True
+        if phrase is not None and _on_top(items, k):
+            phrase.quantifier = "another"
         if item.kind != "dwelling" or said.dwelling:
             continue
         j = k - 1
@@ -30,6 +32,21 @@ def mark_headlines(items: list[Item], said: Said) -> None:
                 if phrase.headline:
                     said.flat_size, phrase.factor = said.flat_size * phrase.factor, 1.0
             j -= 1
+
+
+def _on_top(items: list[Item], k: int) -> bool:
+    """`3BHK + servant room`: a bedroom beside those counted."""
+    phrase = items[k].room
+    if phrase is None or k == 0 or items[k - 1].text not in ("+", "plus"):
+        return False
+    counted = any(r.type == "bedroom" and r.count is not None for r in rooms_of(items[:k]))
+    return (
+        counted
+        and phrase.count in (None, 1)
+        and phrase.type == "bedroom"
+        and "master" not in phrase.labels
+        and phrase.quantifier in ("", "a")
+    )
 
 
 def _totals(items: list[Item], k: int) -> bool:
@@ -96,9 +113,10 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     ahead = rooms_of(items[k + 2 : k + 3])
     if ahead and items[k + 1].value == "with" and (items[k].kind == "share" or items[k + 1].text == "for"):
         return ahead
+    is_of = [i for i in items[k + 1 : k + 3] if i.kind != "copula"]
     leading = not before or before[-1].kind == "conjunction" or is_mark(before[-1], ",:")
-    if items[k].kind == "share" and leading and rooms_of(items[k + 1 : k + 2]):
-        return rooms_of(items[k + 1 : k + 2])
+    if items[k].kind == "share" and leading and rooms_of(is_of[:1]):
+        return rooms_of(is_of[:1])
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in SKIPPED):
         j -= 1

@@ -7,8 +7,8 @@ from stages.plan.reader.measures import attach_areas, comparisons, mark_headline
 from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from stages.plan.reader.openplan import open_groups
 from stages.plan.reader.phrases import Phraser
-from stages.plan.reader.relations import relations
-from stages.plan.reader.scope import drop_alternatives, spread_negation
+from stages.plan.reader.relations import place, relations
+from stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from stages.plan.reader.statements import Said, Statement, sentences
 from stages.plan.reader.tokens import fold, tokenize
 
@@ -23,8 +23,11 @@ def parse(prompt: str) -> Said:
     said = Said(unread=list(phraser.unread))
     _whole(phraser.items, said)
     before: list[RoomPhrase] = []
+    known = 0
     for sentence in sentences(phraser.items):
-        before = _sentence(sentence, said, before)
+        trail = place(said.statements[known:])
+        known = len(said.statements)
+        before = _sentence(sentence, said, before, trail)
     return said
 
 
@@ -81,9 +84,9 @@ def _lists_home(after: list[Item]) -> bool:
     return run >= 2
 
 
-def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[RoomPhrase]:
+def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: list[RoomPhrase]) -> list[RoomPhrase]:
     """Add one sentence to `said`; returns what "it" may mean in the next."""
-    items = drop_alternatives(items, said)
+    items = negate_links(drop_alternatives(items, said))
     spread_negation(items)
     mark_headlines(items, said)
     for item in items:
@@ -101,7 +104,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase]) -> list[R
     items, found = comparisons(items)
     said.statements += found
     said.rooms += [r for r in rooms_of(items) if r not in said.rooms]
-    doors = relations(items, before, said.graph)
+    doors = relations(items, before, trail, said.graph)
     said.statements += doors
     return (
         doors[-1].left

@@ -37,7 +37,7 @@ class Pending:
         phrase.areas = self.area.values if self.area else ()
         if kind == "bathroom" and "own" in phrase.labels:
             phrase.labels.add("ensuite")
-        if phrase.quantifier == "both" and not word.plural:
+        if phrase.quantifier == "both" and "both" in self.texts and not word.plural:
             phrase.quantifier = "the"  # "both the bedroom and the hallway"
         counted = (word.joined and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in LISTED)
         phrase.headline = counted and self.number is not None

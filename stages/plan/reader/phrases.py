@@ -212,7 +212,10 @@ class Phraser:
         if word.kind == "unknown":
             self.unread.append(word.text)
         elif word.kind == "shorthand":
-            phrases = [RoomPhrase(kind, count=n, headline=True, text=word.text) for kind, n in word.parts]
+            phrases = [
+                RoomPhrase(kind, count=n or None, headline=n > 0, negated=n == 0, text=word.text)
+                for kind, n in word.parts
+            ]
             self.items += [Item("room", phrase.type, word.text, phrase) for phrase in phrases]
         elif word.kind == "compound":
             self.items.append(Item("main_rooms", "", word.text, number=float(word.value)))

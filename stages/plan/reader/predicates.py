@@ -90,7 +90,8 @@ def _near_room(items: list[Item], k: int) -> bool:
 
 def _way_in(items: list[Item], k: int) -> bool:
     """`you enter the kitchen through the living room`."""
-    return _between_rooms(items, k) and any(i.kind == "reach" for i in items[:k])
+    onward = k > 1 and items[k - 2].value == "to" and items[k].text in ("through", "via")
+    return _between_rooms(items, k) and (onward or any(i.kind == "reach" for i in items[:k]))
 
 
 def _between_rooms(items: list[Item], k: int) -> bool:

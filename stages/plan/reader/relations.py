@@ -4,9 +4,12 @@ from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from stages.plan.reader.predicates import Predicate, new_clause, predicates
 from stages.plan.reader.statements import Statement
 
+ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
+"""Rooms that may open off a bedroom or a bathroom."""
 
-def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[Statement]:
-    """Statements of one sentence; `before` is what "it" at its start refers to."""
+
+def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhrase], graph: bool) -> list[Statement]:
+    """Statements of one sentence; `before` is what "it" at its start refers to, `trail` what "there" does."""
     found = predicates(items, graph)
     floor = 0
     for k, p in enumerate(found):
@@ -14,9 +17,10 @@ def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[
         floor = p.objects
     out = []
     for k, p in enumerate(found):
-        left = _rooms(items, *p.subject) or before
+        left = _rooms(items, *p.subject) or (trail if trail and _onward(items[p.at]) else before)
         stop = found[k + 1] if k + 1 < len(found) else None
         right = _objects(items, p, stop, left)
+        left = _annexes(left, right) if p.form == "part" else left
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
         out += [Statement("not", left, barred)] if barred and left else []
@@ -31,6 +35,27 @@ def relations(items: list[Item], before: list[RoomPhrase], graph: bool) -> list[
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
         out += _statement(p, left, right)
     return out
+
+
+def _onward(item: Item) -> bool:
+    """`from there`, `beyond it`: the place one came to last, not what the sentence before was about."""
+    return item.value == "from_which" and ("there" in item.text or "beyond" in item.text)
+
+
+def _crossed(phrase: RoomPhrase | None) -> bool:
+    return phrase is not None and phrase.type in ("hallway", *OPEN_TYPES)
+
+
+def place(doors: list[Statement]) -> list[RoomPhrase]:
+    """What "there" means after a sentence: the one room it led to, where one may go on from it."""
+    last = [s for s in doors if s.kind in ("door", "only", "open")][-1:]
+    return last[0].right if last and len(last[0].right) == 1 and _crossed(last[0].right[0]) else []
+
+
+def _annexes(left: list[RoomPhrase], right: list[RoomPhrase]) -> list[RoomPhrase]:
+    """`a kitchen and a balcony off the bedroom`: of a list, only what may belong to a bedroom opens off one."""
+    private = bool(right) and all(r.type in ("bedroom", "bathroom") for r in right)
+    return [r for r in left if r.type in ANNEXES] or left if private else left
 
 
 def _barred(items: list[Item], phrase: RoomPhrase) -> bool:
@@ -76,7 +101,9 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     if last and _back_to_head(items, p, last, rooms, between):
         p.subject, p.shared = last.subject, True
         return
-    if not rooms or (last and _verb_coordination(between)):
+    if not rooms or (
+        last and _verb_coordination(between) and not (_onward(items[p.at]) and _crossed(items[rooms[-1]].room))
+    ):
         p.subject = last.subject if last else (0, 0)
         if last and not rooms and p.form not in ("s", "p", ""):
             p.subject = last.subject

@@ -4,6 +4,23 @@ from stages.plan.reader.mention import Item, is_mark
 from stages.plan.reader.statements import Said
 
 
+def negate_links(items: list[Item]) -> list[Item]:
+    """`neither the kitchen nor the bathroom opens onto the hall`: of known rooms the link is denied, not the rooms."""
+    out = list(items)
+    for k, item in enumerate(items):
+        if item.text != "neither":
+            continue
+        end = next((j for j in range(k + 1, len(items)) if items[j].kind not in ("room", "conjunction", "negation")), k)
+        while end < len(items) and items[end].kind == "copula":
+            end += 1
+        rooms = [i.room for i in items[k:end] if i.room is not None]
+        if end < len(items) and items[end].kind == "link" and all(r.quantifier == "the" for r in rooms):
+            for room in rooms:
+                room.negated = False
+            out = [*items[:k], *items[k + 1 : end], Item("negation", "not", item.text), *items[end:]]
+    return out
+
+
 def spread_negation(items: list[Item]) -> None:
     """`no study or balcony`, `without a dining room and balcony`."""
     word, scope = "", False

@@ -8,6 +8,8 @@ from stages.plan.reader.lexicon import Lexicon, load
 def correct(word: str, lexicon: Lexicon) -> str:
     """The lexicon's nearest word within one slip (two from nine letters), or the word itself."""
     known = (word,) in lexicon.entries or word in lexicon.words
+    if not known and len(word) == 4 and word.isascii():
+        return _short(word)
     return word if known or len(word) < 5 or not word.isascii() else _nearest(word)
 
 
@@ -48,6 +50,20 @@ def _nearest(word: str) -> str:
             if slips < least:
                 best, least = other, slips
     return best
+
+
+@cache
+def _short(word: str) -> str:
+    """A number that lacks a letter: of words so short, any other slip makes another word."""
+    longer = _by_length().get(5, {}).get(word[0], [])
+    fits = [w for w in longer if w in _numbers() and any(w[:k] + w[k + 1 :] == word for k in range(5))]
+    return fits[0] if fits else word
+
+
+@cache
+def _numbers() -> frozenset[str]:
+    entries = load().entries
+    return frozenset(w[0] for w, found in entries.items() if len(w) == 1 and found[0].kind == "number")
 
 
 SUBSTITUTION = 1.2

@@ -166,8 +166,10 @@ def test_doors(prompt: str, present: str, absent: str) -> None:
         ("a one hundred and twenty square metre flat with a 1,2 m² storage", {"T1": 1.2}),
         ("three-bed semi, beds 13/11/8 m²", {"B1": 13, "B2": 11, "B3": 8}),
         ("one-bedroom flat, 38 m², 12 for the bedroom, shower room 3.5", {"B1": 12, "W1": 3.5}),
-        ("two bedrooms, the living room takes a third of the 90 m², each bedroom a sixth",
-         {"L1": 30, "B1": 15, "B2": 15}),
+        (
+            "two bedrooms, the living room takes a third of the 90 m², each bedroom a sixth",
+            {"L1": 30, "B1": 15, "B2": 15},
+        ),
     ],
 )
 def test_areas_stated_hold(prompt: str, wanted: dict[str, float]) -> None:
@@ -301,6 +303,59 @@ def test_no_text_breaks_it(prompt: str) -> None:
         read(prompt)
     except BadInput as e:
         assert str(e)
+
+
+def pairs(prompt: str) -> set[tuple[str, str]]:
+    return {(min(p), max(p)) for p in read(prompt).links}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "there", "not_there"),
+    [
+        ("flat with a kitchenette in the living room and a bedroom", ("kitchen_1", "living_room_1"), None),
+        (
+            "two-bedroom flat; neither the kitchen nor the bathroom should open onto the living room",
+            ("bathroom_1", "hallway_1"),
+            ("kitchen_1", "living_room_1"),
+        ),
+        (
+            "The hall leads to the living room, and from there you get to the kitchen. One bedroom, one bathroom.",
+            ("kitchen_1", "living_room_1"),
+            ("hallway_1", "kitchen_1"),
+        ),
+        (
+            "two-bedroom flat with an open kitchen and a balcony off the bedroom",
+            ("balcony_1", "bedroom_1"),
+            ("bedroom_1", "kitchen_1"),
+        ),
+        ("A bedroom lies behind the living room. Kitchen, bath, hall.", ("bedroom_1", "living_room_1"), None),
+        (
+            "living/dining room with open kitchen, two bedrooms",
+            ("dining_room_1", "kitchen_1"),
+            ("kitchen_1", "living_room_1"),
+        ),
+    ],
+)
+def test_places_and_what_leads_to_them(prompt: str, there: tuple[str, str], not_there: tuple[str, str] | None) -> None:
+    assert there in pairs(prompt) and not_there not in pairs(prompt)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind", "count"),
+    [
+        ("thre bedroom flat", "bedroom", 3),
+        ("3bhk + servant room", "bedroom", 4),
+        ("a three-bedroom flat, no second bathroom", "bathroom", 1),
+        ("a two-bedroom flat without an extra bathroom", "bathroom", 1),
+        ("2DK apartment", "living_room", 0),
+        ("two bedroom flat with a bathroom in each bedroom", "bathroom", 2),
+        ("entrance hall -> corridor -> bedroom, bathroom; entrance hall -> living room -> kitchen", "hallway", 2),
+        ("Dreizimmerwohnung mit Arbeitszimmer statt zweitem Schlafzimmer", "bedroom", 1),
+        ("Der Flur führt zum Wohnzimmer, zur Küche, zum Bad und zu beiden Schlafzimmern.", "bedroom", 2),
+    ],
+)
+def test_counts_that_are_said_in_passing(prompt: str, kind: str, count: int) -> None:
+    assert sum(room.type == kind for room in read(prompt).rooms) == count
 
 
 @pytest.mark.parametrize(("half", "floors"), [("tune", (0.995, 0.97, 0.985)), ("held", (0.99, 0.97, 0.98))])
