@@ -14,19 +14,22 @@ from stages.convex import Hulls
 
 LEVER = 0.06
 """Levers of doors stand out by less than this, m."""
+LEVERS = (joinery.HANDLE_HEIGHT - 0.02, joinery.HANDLE_HEIGHT + 0.02)
+"""Heights between which they are, m."""
 INTO_WALL = 0.0005
 """What is no deeper in a wall touches it, m."""
 
 
 @dataclass(frozen=True)
 class Leaf:
-    """A room door: `zone` is floor that its leaf and levers sweep, `ends` where they are shut and open.
+    """A room door: `swing` is floor that its leaf sweeps, `zone` with its levers, `ends` where they are shut and open.
 
     `about` is the wall's cut and what is beside it, which levers pass.
     """
 
     plan: Plan
     opening: Opening
+    swing: Geometry
     zone: Geometry
     ends: Geometry
     about: Geometry
@@ -82,6 +85,6 @@ def building(plan: Plan) -> Building:
 
 def _leaf(opening: Opening, plan: Plan) -> Leaf:
     ends = [polygons.leaf(opening, plan, turned) for turned in (0.0, np.pi / 2)]
-    zone = polygons.swing(opening, plan).buffer(LEVER)
+    swing = polygons.swing(opening, plan)
     about = polygons.threshold(opening, plan).buffer(2 * LEVER, join_style="mitre")
-    return Leaf(plan, opening, zone, unary_union(ends).buffer(LEVER), about)
+    return Leaf(plan, opening, swing.buffer(0.002), swing.buffer(LEVER), unary_union(ends).buffer(LEVER), about)

@@ -12,7 +12,7 @@ import shapely
 
 from schemas.retrieve import Furnishing, Joint
 from stages import boxes, categories, convex, footprints, sweeps
-from stages.walkable.leaves import Building
+from stages.walkable.leaves import LEVERS, Building
 from stages.walkable.solids import Solids
 
 CLEAR = 0.001
@@ -92,8 +92,11 @@ def _of_doors(building: Building, solids: Solids, some: list[Furnishing]) -> set
         for i in np.flatnonzero(walked & shapely.intersects(way, marks)).tolist():
             if way.intersection(marks[i]).area > IN_THE_WAY:
                 found.add(Fault(name, WAY, some[i].id))
+    at_levers = (low < LEVERS[1]) & (high > LEVERS[0])
     for name, leaf in building.leaves.items():
-        for i in np.flatnonzero((low < leaf.opening.head) & shapely.intersects(leaf.zone, marks)).tolist():
+        near = (low < leaf.opening.head) & shapely.intersects(leaf.swing, marks)
+        near |= at_levers & shapely.intersects(leaf.zone, marks)
+        for i in np.flatnonzero(near).tolist():
             if convex.meet(leaf.sweep, solids.rest(some[i]), CLEAR):
                 found.add(Fault(name, LEAF, some[i].id))
     return found
