@@ -2,6 +2,7 @@
 
 from collections.abc import Container
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from stages.layout.projection.standing import Standing
 
 SHUT = 1.5
 """Where so much stays cut off for one thing's sake, that has no place in the room."""
-TRIED, PASSES = 12, 2
+TRIED, PASSES, MOST = 12, 2, 7
 LEAST_GAIN = 0.05
 
 
@@ -24,17 +25,32 @@ def join(room: Standing, space: Space, needed: Container[int] = ()) -> int | Non
     Returns what had better leave the room, not one of the `needed`, where the way is still shut; None where it is not.
     """
     paths = Paths(room, space)
-    worth = _joined(paths, room, space)
-    if worth < SHUT:
-        return None
-    left = {}
-    for k, box in list(paths.bodies.items()):
-        if k not in needed and TABLE[room.items[k].category].place == "floor":
-            paths.remove(k)
-            left[k] = paths.cut_off()
-            paths.add(k, box)
+    return in_its_way(paths, room, needed) if _joined(paths, room, space) >= SHUT else None
+
+
+def in_its_way(paths: Paths, room: Standing, needed: Container[int]) -> int | None:
+    """What shuts the way, alone or together with one other thing; the smaller of two."""
+    worth = paths.cut_off()
+    spare = [k for k in paths.bodies if k not in needed and TABLE[room.items[k].category].place == "floor"]
+    left = {(k,): _without((k,), paths) for k in spare}
+    if min(left.values(), default=worth) > worth - SHUT:
+        small = sorted(spare, key=lambda k: float(room.boxes.size[k, :2].prod()))[:MOST]
+        left = {pair: _without(pair, paths) for pair in combinations(small, 2)}
     best = min(left, key=left.__getitem__, default=None)
-    return best if best is not None and left[best] < worth - SHUT else None
+    if best is None or left[best] > worth - SHUT * len(best):
+        return None
+    return best[0]
+
+
+def _without(members: tuple[int, ...], paths: Paths) -> float:
+    """What is cut off once some objects are gone."""
+    old = {k: paths.bodies[k] for k in members}
+    for k in old:
+        paths.remove(k)
+    left = paths.cut_off()
+    for k, box in old.items():
+        paths.add(k, box)
+    return left
 
 
 def _joined(paths: Paths, room: Standing, space: Space) -> float:

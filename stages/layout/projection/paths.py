@@ -11,10 +11,10 @@ from stages.boxes import Boxes
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Standing
 
-RADII = {0.15: 12.0, 0.25: 8.0}
-"""Radius of who walks, m: that of the usual metric and that of a common robot, which goes round open doors; and how
-many metres of shifting it is worth that no floor is cut off from either."""
-BESIDE = 0.15
+RADII = {0.16: 12.0, 0.27: 8.0}
+"""Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open
+doors, each with room for the raster's error; and how many metres of shifting it is worth that no floor is cut off."""
+BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
 """Getting beside one more object is worth as many metres."""
