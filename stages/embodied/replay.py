@@ -1,13 +1,16 @@
 """Shows an episode: its trace laid over the exported apartment, ceilings off, as frames and an animated GIF."""
 
 from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import mujoco
 import numpy as np
+from shapely.geometry import LineString
 
 from schemas.errors import BadInput
+from stages import polygons
 from stages.boxes import Array
 from stages.embodied import world
 from stages.embodied.outcome import Outcome, Trace
@@ -16,8 +19,11 @@ from stages.scene import Scene
 
 SIZE = (640, 480)
 """Width and height of a frame, pixels."""
-NEAR = 2.6
-"""How far off an interaction is watched, m."""
+NEAR = (2.6, 2.0, 1.6)
+"""How far off an interaction is watched, m, from where there is no wall between."""
+STEEP = (-35, -50, -65)
+ASIDE = (35, -35, 15, -15, 60, -60)
+"""How steeply it is looked down on, and from how far to the side of its front, degrees; the first of each is best."""
 _HIDDEN = (3, 4)  # geom groups of the export: colliders, ceilings
 _WIDTH = {int(mujoco.mjtJoint.mjJNT_FREE): 7, int(mujoco.mjtJoint.mjJNT_BALL): 4}
 _TRAIL = (0.95, 0.35, 0.1, 1.0)
@@ -72,13 +78,25 @@ def _camera(shown: World, outcome: Outcome) -> Any:
     found = {o.id: o for o in shown.home.objects}.get(outcome.object)
     if outcome.episode == "interaction" and found is not None:
         camera.lookat[:] = *found.center[:2], min(found.center[2], 1.2)
-        camera.distance, camera.elevation, camera.azimuth = NEAR, -35, np.degrees(found.yaw) + 180 + 35
+        camera.distance, camera.elevation, camera.azimuth = _view(shown, np.array(found.center[:2]), found.yaw)
         return camera
     points = np.concatenate([room.polygon for room in shown.home.rooms])
     lo, hi = points.min(0), points.max(0)
     camera.lookat[:] = *(lo + hi) / 2, 0.5
     camera.distance, camera.elevation, camera.azimuth = 1.25 * float(np.hypot(*(hi - lo))), -78, 90
     return camera
+
+
+def _view(shown: World, at: Array, yaw: float) -> tuple[float, float, float]:
+    """Distance (m), elevation and azimuth (degrees) from which nothing but furniture hides an object's front."""
+    floor = polygons.free_floor(shown.home).buffer(0.02)
+    for steep, far, aside in product(STEEP, NEAR, ASIDE):
+        azimuth = np.degrees(yaw) + 180 + aside
+        level = far * np.cos(np.radians(steep))
+        eye = at - level * np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
+        if floor.covers(LineString([at, eye])):
+            return far, steep, azimuth
+    return NEAR[0], -80.0, np.degrees(yaw) + 180
 
 
 def _pose(shown: World, data: Any, trace: Trace, moment: int) -> None:

@@ -10,6 +10,7 @@ rooms are shut behind the robot: their leaves are left out, as are handles that 
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 
 import numpy as np
 import shapely
@@ -28,8 +29,8 @@ from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
 from stages.embodied.outcome import Failure, Outcome, Trace
 from stages.embodied.world import World
 
-SPOTS = 60
-"""Places tried at most for a part."""
+SPOTS, TOGETHER = 60, 6
+"""Places tried at most for a part, and how many with its usual holds before others are tried there."""
 FAR = 100.0
 """Where the robot waits in a trace when it has no place to stand, m."""
 ASTRAY = (0.01, 0.03)
@@ -154,15 +155,19 @@ def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) 
             reason = f"meets {probe.name(met)} at {share:.0%} of its range"
             return _Tried(None, "blocked part", reason, share=share)
     planner = Planner(probe, part)
-    stands = list(_stands(planner, spots(part, ground.cells, ground.inside)[:SPOTS], rng))
-    for holds in (part.holds, part.others):
-        for places, base in enumerate(stands, 1):
-            found = planner.plan(base, holds)
-            if found is not None:
-                pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
-                return _Tried(found, numbers={"places": float(places), "pushed": float(pushed)})
-    if stands:
-        return _Tried(None, "planner", planner.complaint(), {"places": float(len(stands))}, stands[0])
+    stands = _stands(planner, spots(part, ground.cells, ground.inside)[:SPOTS], rng)
+    places, first = 0, None
+    while some := list(islice(stands, TOGETHER)):
+        first = some[0] if first is None else first
+        for holds in (part.holds, part.others):
+            for k, base in enumerate(some, 1):
+                found = planner.plan(base, holds)
+                if found is not None:
+                    pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
+                    return _Tried(found, numbers={"places": float(places + k), "pushed": float(pushed)})
+        places += len(some)
+    if places:
+        return _Tried(None, "planner", planner.complaint(), {"places": float(places)}, first)
     if any(True for _ in _stands(planner, spots(part, ground.others, ground.inside)[:SPOTS], rng)):
         return _Tried(None, "planner", "no way from the entrance")
     return _Tried(None, "no standing room", "the robot fits nowhere before it")

@@ -31,8 +31,6 @@ BACK = 0.09
 """The hand comes from and goes this far back from what it takes hold of, m."""
 FINE, FREE = 0.05, 0.02
 """Held and free paths are checked at least every so much of a turn (rad) or way (m)."""
-SHORTER = 2
-"""A pull that does not open the part is cut short by so many more positions each time that a push is looked for."""
 SPARE = 0.012
 """What the arm keeps of its travel for where the hand really takes hold, m."""
 
@@ -243,7 +241,7 @@ class Planner:
         """The pull cut short where the part can be pushed on from behind, and the push."""
         grip = pulled[1].hold
         assert grip is not None
-        for k in range(furthest, 1, -SHORTER):
+        for k in range(furthest, 1, -1):
             ways = [(hold, chain) for hold in self.part.pushes for chain in self.chains(base, hold, k)
                     if len(chain) == STEPS + 1 - k]
             if not ways:

@@ -34,6 +34,7 @@ class Probe:
         self.solid: Mask = np.asarray(self.model.geom_contype != 0) & ~self.robot
         self.model.geom_margin[self.robot] = CLEARANCE
         self.data = mujoco.MjData(self.model)
+        self._masks: dict[tuple[int, ...], Mask] = {}
         self.reset(-1)
 
     @cached_property
@@ -89,12 +90,18 @@ class Probe:
         room = np.where(mine.all(1), 0.0, np.where(self.fingers[pairs].any(1), least, CLEARANCE))
         touching = mine.any(1) & (apart < room)
         if held is not None and touching.any():
-            grasped = self.fingers[pairs].any(1) & np.isin(pairs, held.geoms).any(1)
+            grasped = self.fingers[pairs].any(1) & self._among(held.geoms)[pairs].any(1)
             touching &= ~(grasped & (apart > -PRESSED))
         if not touching.any():
             return -1
         first = pairs[touching][0]
         return int(first[1] if self.robot[first[0]] else first[0])
+
+    def _among(self, geoms: tuple[int, ...]) -> Mask:
+        """Which geoms are these, (ngeom,)."""
+        if geoms not in self._masks:
+            self._masks[geoms] = np.isin(np.arange(self.model.ngeom), geoms)
+        return self._masks[geoms]
 
     def blocked(self, part: Part, value: float) -> int:
         """A geom of something else that the part would run into at a position, -1 for none."""
