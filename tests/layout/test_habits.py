@@ -112,3 +112,14 @@ def test_radiators_hang_below_windows() -> None:
         middle = space.spans[space.window].mean(1)
         below += bool(np.abs(middle - found["radiator"].center[:2]).max() < 0.1)
     assert below >= 7
+
+
+def test_a_chair_for_which_a_table_has_no_seat_does_not_stand_about() -> None:
+    for seed in range(4):
+        space = space_of(some_rooms(8, 0), seed)
+        names = ["dining_table"] + ["chair"] * 9
+        done = project(strewn(names, np.random.default_rng(seed)), space, essential={0})
+        placed = [item for item in done if item.cost < BROKEN]
+        assert len(placed) < len(done)
+        table = done[0]
+        assert sum(np.linalg.norm((item.center - table.center)[:2]) < 1.4 for item in placed[1:]) >= 4

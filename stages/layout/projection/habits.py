@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 RULES = Path(__file__).parent / "habits.toml"
-How = Literal["seat", "before", "facing", "beside", "above", "flanks", "under", "over"]
+How = Literal["seat", "before", "facing", "opposite", "beside", "above", "flanks", "under", "over"]
 
 
 @dataclass(frozen=True)

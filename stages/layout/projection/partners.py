@@ -18,7 +18,7 @@ SEAT = 0.58
 """Width of a place at a table, m."""
 FLUSH = 2.0
 """A place flush beside the next unit of a run is worth a way of this many metres."""
-WATCH = 4.5
+WATCH = 6.0
 """A television across from the sofa is worth a way of this many metres."""
 SOFAS = ("sofa", "corner_sofa")
 TABLES = ("dining_table", "island", "balcony_table")
@@ -92,7 +92,9 @@ def watched(found: Boxes, others: Boxes, names: list[str]) -> Array:
     ahead = (toward * np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)[:, None]).sum(-1)
     met = -(toward * np.stack([np.cos(sofas.yaw), np.sin(sofas.yaw)], -1)[None]).sum(-1)
     seen = (ahead > np.cos(np.deg2rad(40))) & (away > 1.4)
-    return np.asarray((seen * WATCH * (0.4 + 0.6 * (met > np.cos(np.deg2rad(50))))).max(1))
+    # From the side is better than not at all; nobody turns round for it.
+    view = np.where(met > np.cos(np.deg2rad(50)), 1.0, np.where(met > 0, 0.4, 0.0))
+    return np.asarray((seen * WATCH * view).max(1))
 
 
 def _spots(habit: Habit, category: str, partner: str, size: Array, extent: Array) -> Spots:
@@ -108,6 +110,9 @@ def _spots(habit: Habit, category: str, partner: str, size: Array, extent: Array
         case "facing":
             far = (extent[1] + size[0]) / 2 + habit.gap
             return [(0.0, far, -np.pi / 2, size), (0.0, -far, np.pi / 2, size)]
+        case "opposite":
+            middle = (extent[0] + size[0]) / 2 + habit.gap
+            return [(middle + d, aside, np.pi, size) for d in (0.0, -0.5, 0.5, -1.0, 1.0) for aside in (0.0, 0.4, -0.4)]
         case "beside":
             back, far = (size[0] - extent[0]) / 2, (extent[1] + size[1]) / 2 + habit.gap
             return [(back, far, 0.0, size), (back, -far, 0.0, size)]

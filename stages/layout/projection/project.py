@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.categories import TABLE
+from stages.boxes import Boxes, gap
+from stages.categories import SEATS, TABLE
 from stages.layout.projection import candidates, comfort, passage, runs
 from stages.layout.projection.costs import BROKEN, cost
 from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import FLUSH, SOFAS, bedsides, beside, in_run, watched
+from stages.layout.projection.partners import FLUSH, SOFAS, WATCH, bedsides, beside, in_run, watched
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing
 from stages.layout.projection.supports import on_support
@@ -35,6 +35,8 @@ MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}
 """The middle of the room is worth a way of this many metres."""
 AT_WINDOWS = {"radiator": 3.0}
 """So is a place below a window."""
+ASTRAY = 0.35
+"""A seat no farther from a table stands at it, m."""
 EYES = 1.55
 """The middle of a mirror hangs no lower, m, unless it reaches to the floor."""
 
@@ -48,6 +50,7 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
     for i in order:
         if not room.there[i]:
             room.put(i, _place(i, wanted[i], room, space, wide=False))
+    _turn_to_screen(order, wanted, room, space)
     for attempt in range(ROUNDS):
         broken = _at_fault(room, space, order) if attempt < ROUNDS - 1 else _broken(room, space)
         if not broken:
@@ -64,9 +67,37 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
     for item, cost_there, given in zip(room.items, room.costs(space), items, strict=True):
         item.cost = float(cost_there)
         item.moved = float(np.linalg.norm(item.center[:2] - given.center[:2]))
-    if in_the_way is not None:
-        room.items[in_the_way].cost += BROKEN
+    astray = _astray(room, essential)
+    out = in_the_way if in_the_way is not None else astray
+    if out is not None:
+        room.items[out].cost += BROKEN
     return room.items
+
+
+def _turn_to_screen(order: list[int], wanted: list[Item], room: Standing, space: Space) -> None:
+    """A sofa that does not see the television's stand from in front is placed anew, and what belongs with it."""
+    for i in order:
+        others, names = room.standing(i)
+        stands = others.take(np.array([name == "tv_stand" for name in names], bool))
+        if room.items[i].category not in SOFAS or not stands.n:
+            continue
+        if watched(stands, room.boxes.take([i]), [room.items[i].category])[0] >= WATCH:
+            continue
+        with_it = [k for k in order if belongs_to(wanted[k].category, wanted[i].category)]
+        room.there[[i, *with_it]] = False
+        for k in (i, *with_it):
+            room.put(k, _place(k, wanted[k], room, space, wide=False))
+
+
+def _astray(room: Standing, essential: Container[int]) -> int | None:
+    """The seat farthest from any table that it could stand at, which has no place in a room that has such tables."""
+    found: dict[int, float] = {}
+    for i, item in enumerate(room.items):
+        tables = [k for k, other in enumerate(room.items) if belongs_to(item.category, other.category)]
+        if item.category in SEATS - {"bench"} and i not in essential and tables:
+            found[i] = float(gap(room.boxes.take([i]), room.boxes.take(tables)).min())
+    worst = max(found, key=found.__getitem__, default=None)
+    return worst if worst is not None and found[worst] > ASTRAY else None
 
 
 def _follow(moved: NDArray[np.intp], order: list[int], room: Standing, space: Space) -> None:
@@ -118,6 +149,7 @@ def _rank(item: Item, items: list[Item], essential: bool) -> tuple[int, bool, fl
     if item.category == "tv_stand" and sofas:
         # Right after the sofas: the place across from them shall not be taken.
         return level, not essential, 0.01 - min(sofas)
+    essential &= not (item.category == "armchair" and bool(sofas))
     return level, not essential, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
 
 
