@@ -12,7 +12,17 @@ import commandline
 import numpy as np
 import pytest
 
-from apartgen_cli.bench import _compared, _rooms, _runner, _scenes, ablation, quantity, synthesis, walkable
+from apartgen_cli.bench import (
+    _compared,
+    _rooms,
+    _runner,
+    _scenes,
+    ablation,
+    articulation,
+    quantity,
+    synthesis,
+    walkable,
+)
 from schemas.errors import BadInput
 from stages import registry
 
@@ -229,6 +239,34 @@ def test_real_rooms_are_split_into_reference_and_others(monkeypatch: pytest.Monk
     first = _compared.real_rooms("ssr=x", 0, 5) + _compared.real_rooms("ssr=x", 5, 50)
     other = _compared.real_rooms("ssr=x", 0, 50, other=True)
     assert sorted(first + other) == list(range(21)) and len(first) == 11
+
+
+def test_things_that_real_rooms_never_have_are_left_out_beside_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    import handmade as h
+
+    real = h.home(h.thing("sofa", 1, 1))
+    monkeypatch.setattr(_compared, "_read", lambda name, folder: [real] * 4)
+    monkeypatch.setattr(_compared, "seen", lambda rooms, _: [[o.category for o in things] for _, things in rooms])
+    made = h.home(h.thing("sofa", 1, 1), h.thing("plant", 3, 2))
+    monkeypatch.setattr(synthesis, "_made", lambda plans, who, seed, weights: [made])
+    _compared.kinds.cache_clear()
+    assert synthesis.trial("3D-FRONT, no guidance", 0, 2, Path(), real="ssr=x") == [["sofa"]]
+    _compared.kinds.cache_clear()
+    assert synthesis.used("3D-FRONT, reference", ["w"], None, "ssr=x") == {"real": "ssr=x"}
+    assert synthesis.used("apartment, no guidance", ["w"], None, "ssr=x") == {"weights": ["w"]}
+
+
+def test_the_papers_figures_stand_at_the_settings_they_are_of() -> None:
+    from matplotlib.figure import Figure
+
+    assert {row["setting"] for row in articulation.PAPER} <= set(articulation.SETTINGS)
+    axes = Figure().subplots()
+    rows = [{"setting": name, "R_acoll/ours": [0.5, 0.4, 0.6], "Col_obj/ours": [0.5, 0.4, 0.6],
+             "R_reach/standing": [0.5, 0.4, 0.6]} for name in articulation.SETTINGS]
+    articulation.draw(rows, axes)
+    marks = [(round(float(x), 2), y) for line in axes.lines for x, y in zip(line.get_xdata(), line.get_ydata())]
+    # The first setting's first bar is a third of the group's width left of its middle.
+    assert (-0.27, 0.191) in marks and len(marks) == sum(len(row) - 2 for row in articulation.PAPER)
 
 
 def test_success_rates_are_counted_at_every_threshold() -> None:

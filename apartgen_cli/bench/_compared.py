@@ -46,6 +46,13 @@ def _read(name: str, folder: str) -> list[Layout]:
     return list(datasets.source(name).homes(Path(folder)))
 
 
+@cache
+def kinds(real: str) -> frozenset[str]:
+    """Every category that the real rooms have."""
+    name, _, folder = real.partition("=")
+    return frozenset(o.category for home in _read(name, folder) for o in home.objects)
+
+
 def bare(home: Layout) -> Plan:
     """The plan alone."""
     return Plan(**{name: getattr(home, name) for name in Plan.model_fields})

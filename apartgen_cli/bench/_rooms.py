@@ -110,15 +110,11 @@ def scattered(runs: list[dict[str, Any]], setting: str) -> dict[str, Any]:
 
 
 
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-"""Told apart by the colour-blind, too (Okabe and Ito)."""
-
-
 def draw(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:
     """Groups of bars, a group a setting, a bar a figure, each with its interval or a point for each training run."""
     settings = list(dict.fromkeys(row["setting"] for row in rows))
     width = 0.84 / len(names)
-    for k, (name, colour) in enumerate(zip(names, COLOURS)):
+    for k, (name, colour) in enumerate(zip(names, _scenes.COLOURS)):
         there = [(i, [row[name] for row in rows if row["setting"] == setting and name in row])
                  for i, setting in enumerate(settings)]
         for i, (first, *runs) in [(i, found) for i, found in there if found]:
@@ -130,7 +126,4 @@ def draw(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:
         axes.bar(0, 0, color=colour, label=name.partition("/")[0])
     axes.set_xticks(range(len(settings)), [fill(setting, 14) for setting in settings], fontsize=7)
     axes.set_ylim(0, 1.02)
-    axes.grid(axis="y", alpha=0.3)
-    axes.set_axisbelow(True)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(ncols=len(names), fontsize=7, frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    _scenes.tidy(axes)

@@ -4,6 +4,7 @@ import json
 import zlib
 from collections.abc import Iterable
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -153,13 +154,34 @@ def mean(values: Iterable[float | list[float]], rng: np.random.Generator) -> lis
     return [round(v, 5) for v in interval(np.array(pairs), rng)]
 
 
-def bars(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:
-    """Figures of `intervals` as groups of bars, a group a setting."""
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+"""Told apart by the colour-blind, too (Okabe and Ito)."""
+
+
+def tidy(axes: Any) -> None:
+    """A light grid behind, no box, the legend above."""
+    axes.grid(axis="y", alpha=0.3)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(ncols=4, fontsize=8, frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
+def bars(
+    rows: list[dict[str, Any]], names: list[str], axes: Any, paper: Iterable[dict[str, Any]] = ()
+) -> None:
+    """Figures of `intervals` as groups of bars, a group a setting; what the paper has of a setting as diamonds."""
+    place = {row["setting"]: i for i, row in enumerate(rows)}
     width = 0.8 / len(names)
     for k, name in enumerate(names):
         mine = [(i, row[name]) for i, row in enumerate(rows) if name in row]
         value, low, high = np.array([found for _, found in mine]).T
         at = np.array([i for i, _ in mine]) + (k - (len(names) - 1) / 2) * width
-        axes.bar(at, value, width, yerr=[value - low, high - value], label=name, capsize=2)
-    axes.set_xticks(range(len(rows)), [row["setting"] for row in rows], rotation=20, ha="right", fontsize=7)
-    axes.legend(fontsize=7)
+        axes.bar(at, value, width * 0.92, color=COLOURS[k % len(COLOURS)], label=name.partition("/")[0])
+        axes.vlines(at, low, high, color="0.15", linewidth=0.8)
+        theirs = [(place[row["setting"]] + (k - (len(names) - 1) / 2) * width, row[figure])
+                  for row in paper if (figure := name.partition("/")[0]) in row and row["setting"] in place]
+        if theirs:
+            axes.plot(*zip(*theirs), "D", color="white", markeredgecolor="0.15", markersize=4,
+                      label=None if k else "the paper")
+    axes.set_xticks(range(len(rows)), [fill(row["setting"], 14) for row in rows], fontsize=7)
+    tidy(axes)

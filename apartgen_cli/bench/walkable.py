@@ -32,7 +32,7 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
     homes = _scenes.placed(BASES.get(setting, BASES["guided"]), seed, scenes, work)
     target = 0.0 if setting in BASES else float(setting.split()[1])
-    effort = {"connect": False, "drop": False, "max_iterations": 0} if setting in BASES else {}
+    effort = {"connect": False, "drop": False, "unblock": False, "max_iterations": 0} if setting in BASES else {}
     config = WalkableConfig(target=target, write_anyway=True, **effort)
     library, out = retrieve.open_libraries(RetrieveConfig()), []
     for i, home in enumerate(homes):
@@ -73,9 +73,9 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
 
 def draw(rows: list[dict[str, Any]], axes: Any) -> None:
     """All curves over the threshold."""
-    for name, color in (("unguided", "tab:blue"), ("guided", "tab:green"), ("walkable", "tab:orange")):
+    for name, color in (("unguided", "#0072B2"), ("guided", "#009E73"), ("walkable", "#E69F00")):
         value, low, high = np.array([row[f"SR, {name}"] for row in rows]).T
         axes.plot([row["threshold"] for row in rows], value, marker="o", color=color, label=name)
         axes.fill_between([row["threshold"] for row in rows], low, high, color=color, alpha=0.2)
-    axes.set(xlabel="threshold τ", ylabel="SR(τ)", ylim=(-0.02, 1.03))
-    axes.legend()
+    axes.set(xlabel="threshold τ", ylabel="SR(τ)", ylim=(-0.02, 1.04), xticks=THRESHOLDS)
+    _scenes.tidy(axes)

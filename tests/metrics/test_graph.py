@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from schemas.plan import Program
+from stages import graphs
 from stages.graph_matching import matched
 from stages.metrics import graph
 
@@ -45,6 +46,19 @@ def test_equal_rooms_swapped_score_the_same():
     swapped = {(0, 1), (0, 2), (0, 3), (2, 4)}
     pairs, found = matched(types, edges, types, swapped)
     assert found == 4 and pairs == {0: 0, 1: 1, 2: 3, 3: 2, 4: 4}
+
+
+def test_equal_rooms_swapped_lose_no_score_but_lost_doors_do():
+    # Built: the bathroom is off bedroom_1. Asked: off bedroom_2, which is as good; off the living room is not.
+    def asked(bath_off, area=9.0):
+        rooms = [("living_room", 1, 12.0), ("bedroom", 1, area), ("bedroom", 2, 9.0), ("bathroom", 1, 4.0)]
+        doors = [(("living_room", 1), ("bedroom", 1)), (("living_room", 1), ("bedroom", 2))]
+        return graphs.of_program(program(rooms, [*doors, (bath_off, ("bathroom", 1))]))
+    built = asked(("bedroom", 1))
+    assert graphs.edge_similarity(built, asked(("bedroom", 2))) == graphs.node_similarity(built, built) == 1
+    assert graphs.edge_similarity(built, asked(("living_room", 1))) == pytest.approx(2 / 3)
+    # Shares 18/34 against 12/28 of bedrooms, 12/34 against 12/28, 4/34 against 4/28: L1 is 2 · (18/34 - 12/28).
+    assert graphs.constraint_satisfaction(built, asked(("bedroom", 1), 3.0)) == pytest.approx(1 - (18 / 34 - 12 / 28))
 
 
 def test_a_plan_is_its_own_reference():

@@ -97,6 +97,15 @@ def test_a_wall_through_a_cabinet():
     assert figure(outside.measure(h.home(h.thing("sideboard", 3.605, 2.4, size=(0.8, 1.0, 0.8)))), "R_out") == 0
 
 
+def test_a_cabinet_through_a_wall_meets_what_stands_behind_it():
+    # Collisions are between boxes, walls or no walls: the bed behind the wall is hit by 0.1 m.
+    through = h.thing("sideboard", 4.0, 0.5, size=(0.4, 1.0, 0.8))
+    beyond, clear = (h.thing("double_bed", x, 0.9, room=h.BEDROOM, size=(2.0, 1.6, 1.0)) for x in (5.1, 5.25))
+    assert figure(collision.measure(h.home(through, beyond)), "Col_obj") == 1
+    assert figure(collision.measure(h.home(through, clear)), "Col_obj") == 0
+    assert figure(outside.measure(h.home(through, clear)), "R_out", of=h.LIVING) == 1
+
+
 def test_walkable_by_hand():
     sofa, twin = h.thing("sofa", 1, 1, size=(1, 2, 1)), h.thing("sofa", 1, 1, size=(1, 2, 1), id="twin")
     values = walkable.measure(h.home(sofa, twin, h.thing("rug", 2, 2)))
