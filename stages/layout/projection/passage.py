@@ -32,7 +32,7 @@ def in_its_way(paths: Paths, room: Standing, needed: Container[int]) -> int | No
     """What shuts the way, alone or together with one other thing; the smaller of two."""
     worth = paths.cut_off()
     spare = [k for k in paths.bodies if k not in needed and TABLE[room.items[k].category].place == "floor"]
-    left = {(k,): _without((k,), paths) for k in spare}
+    left: dict[tuple[int, ...], float] = {(k,): _without((k,), paths) for k in spare}
     if min(left.values(), default=worth) > worth - SHUT:
         small = sorted(spare, key=lambda k: float(room.boxes.size[k, :2].prod()))[:MOST]
         left = {pair: _without(pair, paths) for pair in combinations(small, 2)}
