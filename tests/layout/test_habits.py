@@ -123,3 +123,14 @@ def test_a_chair_for_which_a_table_has_no_seat_does_not_stand_about() -> None:
         assert len(placed) < len(done)
         table = done[0]
         assert sum(np.linalg.norm((item.center - table.center)[:2]) < 1.4 for item in placed[1:]) >= 4
+
+
+def test_two_people_sit_across_the_table() -> None:
+    across = 0
+    for seed in range(8):
+        space = space_of(some_rooms(8, 0), seed)
+        table = Item("dining_table", np.array([0.0, 0.2, 0.38]), np.array([0.9, 1.6, 0.75]), 0.0)
+        chairs = [Item("chair", np.array([0.6, y, 0.45]), np.array([0.5, 0.47, 0.9]), np.pi) for y in (-0.2, 0.5)]
+        one, two = project([table, *chairs], space)[1:]
+        across += bool(np.linalg.norm((one.center - two.center)[:2]) > 0.9)
+    assert across >= 6

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
+from stages.categories import SEATS
 from stages.layout.projection.partners import SOFAS
 from stages.layout.projection.space import Space, outside
 
@@ -26,6 +27,8 @@ OVERHEAD = frozenset({"water_heater"})
 KEPT_OFF = frozenset({"dining_table", "round_table", "desk"})
 """What does not stand between a sofa and what it looks at, LOUNGE m deep; there it costs as much as OPEN."""
 LOUNGE = 1.3
+ELBOW = 0.85
+"""A seat nearer than this to another, m, costs as much as OPEN: two people sit across a table, not side by side."""
 CROWD = 1.5
 """Another lamp on the ceiling this near, m, costs as much."""
 
@@ -51,6 +54,10 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
         sofas = standing.take(np.array([name in SOFAS for name in names], bool))
         if sofas.n:
             total += OPEN * (penetration(found, _before(sofas, LOUNGE)) > 0.05).any(1)
+    if category in SEATS:
+        seats = standing.take(np.array([name in SEATS for name in names], bool))
+        apart = np.linalg.norm(found.center[:, None, :2] - seats.center[None, :, :2], axis=-1)
+        total += OPEN * (apart < ELBOW).any(1)
     if category in OVERHEAD and standing.n:
         flat = [Boxes(b.center * [1, 1, 0], b.size * [1, 1, 0] + [0, 0, 1], b.yaw) for b in (found, standing)]
         total += OPEN * (penetration(*flat) > 0.05).any(1)
