@@ -13,8 +13,9 @@ from stages.metrics import _physics
 PAPER: list[dict[str, Any]] = []
 NOTE = (
     "The exported MJCF in MuJoCo. Stays: loose things that drift less than 5 cm in 2 s. Travel: the share of its range "
-    "over which each hinge and slide can be driven alone, with no more than 15 N or N m, all else free to move; "
-    "opened: at least 95 % of it. The paper does not measure this; SAGE reports 99.8 % stable, SceneSmith 96 %."
+    "over which each hinge and slide can be driven, with no more than 15 N or N m, nothing within 4 m driven with it, "
+    "all else free to move; opened: at least 95 % of it. The paper does not measure this; SAGE reports 99.8 % stable, "
+    "SceneSmith 96 %."
 )
 SETTINGS = ["no guidance", "all guidance + projection", "+ walkable"]
 SCENES, CHUNK = 100, 5

@@ -42,3 +42,16 @@ def test_a_hinge_is_driven_to_the_end_farther_from_where_it_rests(tmp_path):
     door = """<body name="door" pos="0 0 1"><joint name="hinge" type="hinge" axis="0 0 1" range="-1.5 0.1"/>
     <geom type="box" pos="0.4 0 0" size="0.4 0.02 0.9" mass="8"/></body>"""
     assert _physics.travels(world(tmp_path, door))[0].share == 1
+
+
+def test_joints_far_apart_are_driven_together_and_near_ones_alone(tmp_path):
+    # A drawer that meets the next one's only when both come out, and a third one far away, blocked by a post.
+    def chest(name, x, y, turn):
+        return (f'<body name="{name}" pos="{x} {y} 0.3" euler="0 0 {turn}"><joint name="{name}" type="slide" '
+                'axis="1 0 0" range="0 0.4"/><geom type="box" size="0.2 0.2 0.1" mass="3" contype="1" '
+                'conaffinity="3"/></body>')
+    post = '<geom type="box" pos="8.4 0 0.3" size="0.1 0.3 0.3" contype="2" conaffinity="1"/>'
+    model = world(tmp_path, chest("a", 0, 0, 0), chest("b", 0.9, 0, 3.14159265), chest("far", 8, 0, 0), post)
+    assert [len(batch) for batch in _physics._batches(model, [0, 1, 2])] == [2, 1]
+    found = {travel.joint: travel.share for travel in _physics.travels(model)}
+    assert found["a"] == found["b"] == 1 and found["far"] == pytest.approx(0.25, abs=0.03)
