@@ -6,39 +6,22 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes, gap
+from stages.boxes import gap
 from stages.categories import SEATS, TABLE
-from stages.layout.projection import candidates, comfort, passage, runs
-from stages.layout.projection.costs import BROKEN, cost
+from stages.layout.projection import passage, runs
+from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import FLUSH, SOFAS, WATCH, bedsides, beside, in_run, watched
+from stages.layout.projection.partners import SOFAS, WATCH, watched
+from stages.layout.projection.placing import place
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing
-from stages.layout.projection.supports import on_support
 
 Array = NDArray[np.float64]
-LEAN = {"bench": 3.0, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,
-        "bin": 3.0, "plant": 3.0, "laundry_basket": 3.0}
-NEAR = 0.12
-"""Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
-FLUSH_WITH = 0.03
-"""What hangs at a wall is no farther from it, m."""
-WINDOW_MARGIN = 0.15
-ROOM_BESIDE = 1.0
-"""Room for a nightstand is worth a shift of the bed by as much, m."""
 ROUNDS = 3
 HEADROOM = 2.1
-LOOSE = frozenset({"plant", "pouffe"})
-"""What people leave at any angle."""
-MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}
-"""The middle of the room is worth a way of this many metres."""
-AT_WINDOWS = {"radiator": 3.0}
-"""So is a place below a window."""
 ASTRAY = 0.35
 """A seat no farther from a table stands at it, m."""
-EYES = 1.55
-"""The middle of a mirror hangs no lower, m, unless it reaches to the floor."""
 
 
 def project(items: list[Item], space: Space, essential: Container[int] = ()) -> list[Item]:
@@ -49,7 +32,7 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
     runs.place(runs.line(wanted), room, space)
     for i in order:
         if not room.there[i]:
-            room.put(i, _place(i, wanted[i], room, space, wide=False))
+            room.put(i, place(i, wanted[i], room, space, wide=False))
     _turn_to_screen(order, wanted, room, space)
     for attempt in range(ROUNDS):
         broken = _at_fault(room, space, order) if attempt < ROUNDS - 1 else _broken(room, space)
@@ -86,7 +69,7 @@ def _turn_to_screen(order: list[int], wanted: list[Item], room: Standing, space:
         with_it = [k for k in order if belongs_to(wanted[k].category, wanted[i].category)]
         room.there[[i, *with_it]] = False
         for k in (i, *with_it):
-            room.put(k, _place(k, wanted[k], room, space, wide=False))
+            room.put(k, place(k, wanted[k], room, space, wide=False))
 
 
 def _astray(room: Standing, essential: Container[int]) -> int | None:
@@ -108,7 +91,7 @@ def _follow(moved: NDArray[np.intp], order: list[int], room: Standing, space: Sp
         if TABLE[old.category].place in ("floor", "top") or not any(belongs_to(old.category, name) for name in names):
             continue
         room.there[i] = False
-        new = _place(i, old, room, space, wide=False)
+        new = place(i, old, room, space, wide=False)
         room.put(i, new if new.cost < BROKEN else old)
 
 
@@ -165,110 +148,7 @@ def _largest(i: int, shapes: list[Item], room: Standing, space: Space, wide: boo
     """The first shape with a place that breaks nothing, else the cheapest."""
     tried: list[Item] = []
     for shape in shapes:
-        tried.append(_place(i, shape, room, space, wide))
+        tried.append(place(i, shape, room, space, wide))
         if tried[-1].cost < BROKEN:
             return tried[-1]
     return min(tried, key=lambda item: item.cost)
-
-
-def _place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
-    """The item at its cheapest place; `wide` looks all over the room."""
-    kind = TABLE[item.category]
-    if kind.place == "top" and (stood := on_support(item, room.neighbours(i))) is not None:
-        return stood
-    item = replace(item, center=np.array([*item.center[:2], _height(item, space)]))
-    if item.category == "curtain":
-        item = _at_window(item, space)
-    others = room.others(i, item)
-    standing, names = room.standing(i)
-    found, worth = beside(item.category, item.center, item.size, standing, names)
-    if kind.place == "wall":
-        flush = space.behind(found) < FLUSH_WITH
-        found, worth = found.take(flush), worth[flush]
-    parts = [_candidates(item, others.boxes, space, wide), found]
-    liked = [np.zeros(parts[0].n), worth]
-    if item.category in MIDDLE:
-        parts.append(candidates.middle(item.center, item.size, space))
-        liked.append(MIDDLE[item.category] * candidates.CENTRAL)
-    if item.category in AT_WINDOWS:
-        parts.append(candidates.under_windows(item.center, item.size, space))
-        liked.append(np.full(parts[-1].n, AT_WINDOWS[item.category]))
-    found, bonus = candidates.join(parts), np.concatenate(liked)
-    bonus += FLUSH * in_run(item.category, found, standing, names)
-    if item.category == "tv_stand":
-        bonus += watched(found, standing, names)
-    prices = cost(found, item.category, item.center, item.yaw, others, space)
-    prices += ROOM_BESIDE * _bedsides_lost(item, found, room, space)
-    fits = prices < BROKEN
-    prices[fits] += (comfort.price(item.category, found, space, standing, names) - bonus)[fits]
-    best = int(np.argmin(prices))
-    return replace(
-        item, center=found.center[best].copy(), size=found.size[best].copy(), yaw=float(found.yaw[best]),
-        cost=float(prices[best]),
-    )
-
-
-def _bedsides_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Array:
-    """How many nightstands that have no place yet would find none at a bed in each of its places, (n,)."""
-    waiting = [k for k, o in enumerate(room.items) if not room.there[k] and belongs_to(o.category, item.category)]
-    waiting = [k for k in waiting if room.items[k].category == "nightstand"][:2]
-    if not waiting or not found.n:
-        return np.zeros(found.n)
-    stand = room.items[waiting[0]]
-    others, free = room.others(waiting[0], stand), np.zeros(found.n)
-    for places in bedsides(stand.size, found):
-        free += cost(places, stand.category, stand.center, stand.yaw, others, space) - _way(places, stand) < BROKEN
-    return np.asarray(np.maximum(len(waiting) - free, 0))
-
-
-def _way(places: Boxes, item: Item) -> Array:
-    return np.asarray(np.linalg.norm(places.center[:, :2] - item.center[:2], axis=1))
-
-
-def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
-    kind = TABLE[item.category]
-    yaw = candidates.snapped(item.category, item.yaw, space) if item.category not in LOOSE else item.yaw
-    walls = candidates.along_walls(item.center, item.size, space, others)
-    if (kind.back or item.category == "desk" or kind.place in ("wall", "top")) and walls.n:
-        return walls
-    parts = [candidates.about(item.center, item.size, yaw)]
-    if walls.n:
-        lean = LEAN.get(item.category, NEAR)
-        near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else lean)
-        turned = np.cos(walls.yaw - yaw) > 0.7
-        walls = walls.take(near & (turned | wide | (lean > 1)))
-        # With its back to a wall is where such a thing stands by habit.
-        parts = [walls] if walls.n and item.category in LEAN and not wide else [*parts, walls]
-    if wide:
-        parts.append(candidates.everywhere(item.center, item.size, yaw, space))
-    return candidates.join(parts)
-
-
-def _height(item: Item, space: Space) -> float:
-    """Centre height by where the category belongs."""
-    kind, tall = TABLE[item.category], float(item.size[2])
-    match kind.place:
-        case "floor" | "flat":
-            return tall / 2
-        case "ceiling":
-            return space.height - tall / 2 - 0.002
-        case "top":
-            return min(1.1 + tall / 2, space.height - tall / 2)
-        case _:
-            middle = max(kind.z + tall / 2, tall / 2)
-            if item.category == "mirror" and tall < EYES:
-                middle = max(middle, EYES)
-            return min(middle, space.height - 0.02 - tall / 2)
-
-
-def _at_window(item: Item, space: Space) -> Item:
-    """A curtain hangs at the window nearest to it, a little wider."""
-    spans = space.spans[space.window]
-    if not len(spans):
-        return item
-    span = spans[np.argmin(np.linalg.norm(spans.mean(1) - item.center[:2], axis=1))]
-    width = np.clip(
-        np.linalg.norm(span[1] - span[0]) + 2 * WINDOW_MARGIN, TABLE["curtain"].min[1], TABLE["curtain"].max[1]
-    )
-    mid = span.mean(0)
-    return replace(item, center=np.array([*mid, item.center[2]]), size=np.array([item.size[0], width, item.size[2]]))
