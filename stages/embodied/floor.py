@@ -24,6 +24,8 @@ HEIGHT = 1.4
 """Of the robot, m: what is higher is passed under."""
 LOW = 0.015
 """What is no higher is driven over, m."""
+SNAP = 1e-6
+"""Outlines are joined on a grid this fine, where joining never fails for rounding, m."""
 FAR = 1.0
 """Clearance beyond this is not told apart, m."""
 _STEP = 0.01  # m between points of outlines that distances are measured to; wrong by s² / 8 d = 0.05 mm at contact
@@ -50,7 +52,7 @@ class Floor:
     @cached_property
     def solid(self) -> Geometry:
         """All that stands in the robot's height, from above."""
-        return shapely.union_all(list(self.parts.values()))
+        return shapely.union_all(list(self.parts.values()), grid_size=SNAP)
 
     @cached_property
     def free(self) -> Mask:

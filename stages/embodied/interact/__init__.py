@@ -159,12 +159,11 @@ def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) 
     places, first = 0, None
     while some := list(islice(stands, TOGETHER)):
         first = some[0] if first is None else first
-        for holds in (part.holds, part.others):
+        for holds, push in ((part.holds, False), (part.others, False), (part.holds, True)):
             for k, base in enumerate(some, 1):
-                found = planner.plan(base, holds)
+                found = planner.plan(base, holds, push)
                 if found is not None:
-                    pushed = any(phase.hold is not None and phase.hold.kind == "push" for phase in found.phases)
-                    return _Tried(found, numbers={"places": float(places + k), "pushed": float(pushed)})
+                    return _Tried(found, numbers={"places": float(places + k), "pushed": float(push)})
         places += len(some)
     if places:
         return _Tried(None, "planner", planner.complaint(), {"places": float(places)}, first)

@@ -23,8 +23,8 @@ DEEP = 0.004
 """How far behind a handle's foremost point the fingers' middle takes hold, m."""
 LIP = 0.035
 """How far from a lid's front edge the cup sits on it, m."""
-RIM = 0.03
-"""How far below the upper edge of a drawer's front its back is pushed, m."""
+RIM, BOARD = 0.03, 0.05
+"""How far below the upper edge of a drawer's front its back is pushed; boards are thinner than this, m."""
 SHARES, APART = (0.5, 0.25, 0.75), 0.04
 """Where else a long handle or front is held, as shares of its length, if no nearer than this to the handle's middle."""
 EDGE = 0.05
@@ -223,8 +223,14 @@ def _inside(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index
     assert link.joint is not None
     if link.joint.axis[0] < 0.9:
         return []
-    panel = boxes[int((boxes[:, 1, 1:] - boxes[:, 0, 1:]).prod(1).argmax())]
-    point = np.array([panel[0, 0], panel[:, 1].mean(), panel[1, 2] - RIM])
+    sizes = boxes[:, 1] - boxes[:, 0]
+    panel = boxes[int(sizes[:, 1:].prod(1).argmax())]
+    # Fronts are screwed to the box: what lies flat behind the panel belongs to it.
+    flat = (sizes[:, 0] < BOARD) & (sizes[:, 1:] > BOARD).all(1) & (boxes[:, 0, 0] <= panel[0, 0])
+    boards = boxes[flat & (boxes[:, 1, 0] >= panel[0, 0] - NEAR)]
+    if not len(boards):
+        return []
+    point = np.array([boards[:, 0, 0].min(), panel[:, 1].mean(), boards[:, 1, 2].min() - RIM])
     return [_touch("push", point, pose, geoms)]
 
 

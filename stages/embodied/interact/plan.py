@@ -216,18 +216,21 @@ class Planner:
         value = stops[0].value
         return all(self.probe.hit(points[i][0], self.part, value, points[i][1]) < 0 for i in _spread(len(points)))
 
-    def plan(self, base: Array, holds: Sequence[Hold]) -> Plan | None:
-        """All that opens the part from one place, first taking hold as one of `holds` says; None if nothing does."""
+    def plan(self, base: Array, holds: Sequence[Hold], push: bool) -> Plan | None:
+        """All that opens the part from one place, taking hold as one of `holds` says; None if nothing does.
+
+        With `push` the part is pulled ajar and pushed on, else pulled all the way.
+        """
         for hold in holds:
             for chain in self.chains(base, hold, 0):
-                pulled = self._pulled(base, hold, chain)
-                if pulled is None:
+                whole = len(chain) == STEPS + 1
+                if whole == push or (push and not self.part.pushes):
                     continue
-                if len(chain) == STEPS + 1:
-                    return Plan(base, pulled)
-                pushed = self._pushed(base, pulled, len(chain) - 1)
-                if pushed is not None:
-                    return Plan(base, pushed)
+                phases = self._pulled(base, hold, chain)
+                if phases is not None and push:
+                    phases = self._pushed(base, phases, len(chain) - 1)
+                if phases is not None:
+                    return Plan(base, phases)
         return None
 
     def _pulled(self, base: Array, hold: Hold, chain: list[int]) -> list[Phase] | None:
