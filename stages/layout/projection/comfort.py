@@ -49,7 +49,7 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
         tall = Boxes(found.center * [1, 1, 0] + [0, 0, 1.0], found.size * [1, 1, 0] + [0, 0, 2.0], found.yaw)
         total += DAZZLED * (penetration(tall, space.zones.take(space.window)) > 0.01).any(1)
     if category in ASIDE:
-        total += OPEN * (space.away(found.center[:, :2]) > found.size[:, :2].max(1) / 2 + 0.25)
+        total += OPEN * (space.away(found.center[:, :2]) > found.size[:, :2].min(1) / 2 + 0.25)
     if category in KEPT_OFF:
         sofas = standing.take(np.array([name in SOFAS for name in names], bool))
         if sofas.n:

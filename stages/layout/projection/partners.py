@@ -92,8 +92,9 @@ def watched(found: Boxes, others: Boxes, names: list[str]) -> Array:
     ahead = (toward * np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)[:, None]).sum(-1)
     met = -(toward * np.stack([np.cos(sofas.yaw), np.sin(sofas.yaw)], -1)[None]).sum(-1)
     seen = (ahead > np.cos(np.deg2rad(40))) & (away > 1.4)
-    # From the side is better than not at all; nobody turns round for it.
-    view = np.where(met > np.cos(np.deg2rad(50)), 1.0, np.where(met > 0, 0.4, 0.0))
+    # Straight ahead is best, from the side better than not at all; nobody turns round for it.
+    least = np.cos(np.deg2rad(50))
+    view = np.where(met > least, 0.5 + 0.5 * (met - least) / (1 - least), np.where(met > 0, 0.3, 0.0))
     return np.asarray((seen * WATCH * view).max(1))
 
 

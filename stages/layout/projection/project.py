@@ -64,7 +64,7 @@ def _turn_to_screen(order: list[int], wanted: list[Item], room: Standing, space:
         stands = others.take(np.array([name == "tv_stand" for name in names], bool))
         if room.items[i].category not in SOFAS or not stands.n:
             continue
-        if watched(stands, room.boxes.take([i]), [room.items[i].category])[0] >= WATCH:
+        if watched(stands, room.boxes.take([i]), [room.items[i].category])[0] >= WATCH / 2:
             continue
         with_it = [k for k in order if belongs_to(wanted[k].category, wanted[i].category)]
         room.there[[i, *with_it]] = False
