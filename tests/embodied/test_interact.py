@@ -13,8 +13,9 @@ from stages.asset import Asset, Link
 from stages.embodied import interact, world
 from stages.embodied.interact import parts, robot
 from stages.embodied.interact.aim import OPTIONS
+from stages.embodied.interact.chains import GOAL, STEPS, Chains
 from stages.embodied.interact.near import Surroundings
-from stages.embodied.interact.plan import GOAL, STEPS, Planner
+from stages.embodied.interact.plan import Planner
 from stages.embodied.interact.probe import Probe
 from stages.export import mjcf
 from stages.materials import PALETTE
@@ -225,16 +226,16 @@ def test_chains_are_the_cheapest_and_touch_nothing(flat):
     probe = Probe(interact.equipped(apartment, body.id, []))
     part = parts.part(probe.world, body, body.links[1])
     probe.reset(part.body)
-    planner, hold, base = Planner(probe, part), part.holds[0], np.array([1.35, 1.8, np.pi])
-    chain, *_ = planner.chains(base, hold, 0)
+    chains, hold, base = Chains(probe, part), part.holds[0], np.array([1.35, 1.8, np.pi])
+    chain, *_ = chains.found(base, hold, 0)
     able = []
     for k in range(STEPS + 1):
-        found, within = planner._held(base, hold, k)
-        able.append([o for o in np.flatnonzero(within).tolist() if planner._meets_nothing(found[o], k, hold)])
+        found, within = chains.held(base, hold, k)
+        able.append([o for o in np.flatnonzero(within).tolist() if chains.meets_nothing(found[o], k, hold)])
     assert len(chain) == STEPS + 1 and all(o in free for o, free in zip(chain, able))
     best = {o: OPTIONS[o].cost for o in able[0]}
     for k in range(STEPS):
-        ways = planner._next(hold, k)
+        ways = chains.next(hold, k)
         best = {p: min(c + (o != p) for o, c in best.items() if ways[o, p])
                 for p in able[k + 1] if ways[list(best), p].any()}
     assert OPTIONS[chain[0]].cost + sum(a != b for a, b in zip(chain, chain[1:])) == pytest.approx(min(best.values()))

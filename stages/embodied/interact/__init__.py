@@ -21,9 +21,10 @@ from stages.boxes import Array
 from stages.embodied import floor, world
 from stages.embodied.interact import parts
 from stages.embodied.interact.act import FRAMES, Actor, Result
+from stages.embodied.interact.chains import GOAL, OPEN
 from stages.embodied.interact.near import Surroundings
 from stages.embodied.interact.parts import Part
-from stages.embodied.interact.plan import GOAL, OPEN, Plan, Planner, spots
+from stages.embodied.interact.plan import Plan, Planner, spots
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
 from stages.embodied.outcome import Failure, Outcome, Trace
@@ -166,7 +167,7 @@ def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) 
                     return _Tried(found, numbers={"places": float(places + k), "pushed": float(push)})
         places += len(some)
     if places:
-        return _Tried(None, "planner", planner.complaint(), {"places": float(places)}, first)
+        return _Tried(None, "planner", planner.chains.complaint(), {"places": float(places)}, first)
     if any(True for _ in _stands(planner, spots(part, ground.others, ground.inside)[:SPOTS], rng)):
         return _Tried(None, "planner", "no way from the entrance")
     return _Tried(None, "no standing room", "the robot fits nowhere before it")

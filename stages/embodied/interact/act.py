@@ -7,8 +7,9 @@ import mujoco
 import numpy as np
 
 from stages.boxes import Array
+from stages.embodied.interact.chains import OPEN
 from stages.embodied.interact.parts import Hold, Part
-from stages.embodied.interact.plan import OPEN, Phase, Plan
+from stages.embodied.interact.plan import Phase, Plan
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import CUP, FINGERS, GRIP, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
 

@@ -5,8 +5,6 @@ a few directions of the hand will do, if neighbouring positions have neighbourin
 held all the way, as where it opens against a wall, it is pulled as far as it goes and pushed on from behind.
 """
 
-import heapq
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
@@ -15,24 +13,18 @@ import numpy as np
 import shapely
 from shapely import Geometry
 
-from stages.boxes import Array, Mask
-from stages.embodied.interact.aim import NEAR, OPTIONS, every_turn, forward, turned
+from stages.boxes import Array
+from stages.embodied.interact.aim import OPTIONS, forward, turned
+from stages.embodied.interact.chains import GOAL, SPARE, STEPS, Chains
 from stages.embodied.interact.parts import PLAY, Hold, Part
 from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import CUP, REACH, THICK, TIP, posture, postures, tucked
+from stages.embodied.interact.robot import REACH, posture, tucked
 from stages.embodied.interact.ways import turning, unfolding, withdrawn
 
-OPEN = 0.8
-"""Share of its range at which a part counts as open."""
-GOAL = 0.86
-"""Share of its range to which a part is moved."""
-STEPS = 10
 BACK = 0.09
 """The hand comes from and goes this far back from what it takes hold of, m."""
 FINE, FREE = 0.05, 0.02
 """Held and free paths are checked at least every so much of a turn (rad) or way (m)."""
-SPARE = 0.012
-"""What the arm keeps of its travel for where the hand really takes hold, m."""
 
 
 class Stop(NamedTuple):
@@ -65,11 +57,8 @@ class Planner:
 
     def __init__(self, probe: Probe, part: Part) -> None:
         self.probe, self.part = probe, part
-        self.values = part.travel * GOAL * np.linspace(0, 1, STEPS + 1)
-        self.met: Counter[int] = Counter()
-        self._ahead: dict[tuple[bool, int, int], Array] = {}
-        self._grips: dict[tuple[int, int], tuple[Array, Array, Mask]] = {}
-        self._near: dict[tuple[bool, int], Mask] = {}
+        self.chains = Chains(probe, part)
+        self.values = self.chains.values
 
     def at(self, base: Array, hold: Hold, value: float, ahead: Array, near: Array | None = None, wide: bool = False,
            back: float = 0.0) -> Array | None:  # fmt: skip
@@ -78,88 +67,7 @@ class Planner:
         if turn is None:
             return None
         opening = hold.opening + (PLAY if wide and hold.kind == "pinch" else 0.0)
-        return posture(base, self._point(hold, value, turn, back), turn, opening, near, SPARE)
-
-    def _point(self, hold: Hold, value: float, turn: Array, back: float) -> Array:
-        """Where the hand is that acts on the part, its axes given, or `back` metres before that."""
-        return self.part.at(hold.point, value) - (back + self._back(hold, value, turn[:, 0])) * turn[:, 0]
-
-    def _back(self, hold: Hold, value: float, ahead: Array) -> float:
-        """How far from what it acts on the hand is that points ahead, m."""
-        if hold.kind == "push":
-            return _short(ahead, self.part.moved(value)[0] @ hold.out)
-        return TIP + CUP if hold.kind == "cup" else 0.0
-
-    def ahead(self, hold: Hold, k: int, o: int) -> Array:
-        """Which way the hand points at the k-th position with the o-th option."""
-        key = (hold.kind == "push", k, o)
-        if key not in self._ahead:
-            self._ahead[key] = forward(self.part, hold, self.values[k], OPTIONS[o])
-        return self._ahead[key]
-
-    def grips(self, hold: Hold, k: int) -> tuple[Array, Array, Mask]:
-        """The hand's point (n, 3) and axes (n, 3, 3) with every option at the k-th position, and which of them hold."""
-        key = (id(hold), k)
-        if key not in self._grips:
-            value = float(self.values[k])
-            ahead = np.array([self.ahead(hold, k, o) for o in range(len(OPTIONS))])
-            turns, able = every_turn(self.part, hold, value, ahead)
-            back = np.array([self._back(hold, value, way) for way in ahead])
-            self._grips[key] = self.part.at(hold.point, value) - back[:, None] * ahead, turns, able
-        return self._grips[key]
-
-    def complaint(self) -> str:
-        """What the arm met most often, or that nothing was within its reach."""
-        met = Counter({k: count for k, count in self.met.items() if k >= 0})
-        if not met:
-            return "out of the arm's reach"
-        return f"the arm meets {self.probe.name(met.most_common(1)[0][0])}"
-
-    def chains(self, base: Array, hold: Hold, start: int, most: int = 2) -> list[list[int]]:
-        """Ways on from position `start`, as far as it goes: indices of options at each position, straightest first.
-
-        Dijkstra over (position, option), each of which is tested for collisions only once it is the cheapest left.
-        """
-        grip = {k: self._held(base, hold, k) for k in range(start, STEPS + 1)}
-        heap: list[tuple[float, int, int, tuple[int, ...]]]
-        heap = [(option.cost, start, o, (o,)) for o, option in enumerate(OPTIONS) if grip[start][1][o]]
-        heapq.heapify(heap)
-        seen: set[tuple[int, int]] = set()
-        found: list[tuple[int, ...]] = [()]
-        while heap and (len(found) < most or len(found[0]) < STEPS + 1 - start):
-            cost, k, o, chain = heapq.heappop(heap)
-            if (k, o) in seen:
-                continue
-            seen.add((k, o))
-            if not self._meets_nothing(grip[k][0][o], k, hold):
-                continue
-            if len(chain) > len(found[0]):
-                found = [chain]
-            elif len(chain) == len(found[0]) and len(found) < most:
-                found.append(chain)
-            if k < STEPS:
-                for p in np.flatnonzero(grip[k + 1][1] & self._next(hold, k)[o]).tolist():
-                    if (k + 1, p) not in seen:
-                        heapq.heappush(heap, (cost + (o != p), k + 1, p, (*chain, p)))
-        return [list(chain) for chain in found if chain]
-
-    def _held(self, base: Array, hold: Hold, k: int) -> tuple[Array, Mask]:
-        points, turns, able = self.grips(hold, k)
-        found, within = postures(base, points, turns, hold.opening, SPARE)
-        return found, able & within
-
-    def _next(self, hold: Hold, k: int) -> Mask:
-        """Which option at position k may be followed by which at k + 1."""
-        key = (hold.kind == "push", k)
-        if key not in self._near:
-            old, new = (np.array([self.ahead(hold, j, o) for o in range(len(OPTIONS))]) for j in (k, k + 1))
-            self._near[key] = (old @ new.T > NEAR) | np.eye(len(OPTIONS), dtype=bool)
-        return self._near[key]
-
-    def _meets_nothing(self, found: Array, k: int, hold: Hold) -> bool:
-        met = self.probe.hit(found, self.part, float(self.values[k]), hold)
-        self.met[met] += 1
-        return met < 0
+        return posture(base, self.chains.point(hold, value, turn, back), turn, opening, near, SPARE)
 
     def follow(self, base: Array, hold: Hold, start: int, chain: list[int], near: Array) -> Phase | None:
         """The held motion along a chain, on from a posture, checked closely; None where it meets something."""
@@ -173,7 +81,7 @@ class Planner:
                     return None
                 near = stops[-1].posture
         last = start + len(chain) - 1
-        if not self._stop(base, hold, float(self.values[last]), self.ahead(hold, last, chain[-1]), near, stops):
+        if not self._stop(base, hold, float(self.values[last]), self.chains.ahead(hold, last, chain[-1]), near, stops):
             return None
         return Phase("hold", stops, hold)
 
@@ -190,7 +98,7 @@ class Planner:
 
         With `on` it begins where the arm is, at `near`, else wherever suits.
         """
-        value, ahead = float(self.values[k]), self.ahead(hold, k, o)
+        value, ahead = float(self.values[k]), self.chains.ahead(hold, k, o)
         ready = self.at(base, hold, value, ahead, near, wide=True)
         before = self.at(base, hold, value, ahead, near, wide=True, back=BACK)
         if ready is None or before is None:
@@ -222,7 +130,7 @@ class Planner:
         With `push` the part is pulled ajar and pushed on, else pulled all the way.
         """
         for hold in holds:
-            for chain in self.chains(base, hold, 0):
+            for chain in self.chains.found(base, hold, 0):
                 whole = len(chain) == STEPS + 1
                 if whole == push or (push and not self.part.pushes):
                     continue
@@ -245,7 +153,7 @@ class Planner:
         grip = pulled[1].hold
         assert grip is not None
         for k in range(furthest, 1, -1):
-            ways = [(hold, chain) for hold in self.part.pushes for chain in self.chains(base, hold, k)
+            ways = [(hold, chain) for hold in self.part.pushes for chain in self.chains.found(base, hold, k)
                     if len(chain) == STEPS + 1 - k]
             if not ways:
                 continue
@@ -271,12 +179,6 @@ class Planner:
             if self._clear(stops, hold):
                 return Phase("move", stops[::-1])
         return None
-
-
-def _short(forward: Array, out: Array) -> float:
-    """How far before a face closed fingers stop that come at a slant, so that their corners touch it first, m."""
-    cosine = max(abs(float(forward @ out)), 0.2)
-    return TIP + THICK * float(np.sqrt(1 - min(cosine, 1.0) ** 2)) / cosine
 
 
 def _spread(n: int) -> list[int]:
