@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from shapely import Geometry
 from shapely.ops import unary_union
 
@@ -124,18 +124,27 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
     before = [o for o in before if not footprints.gives_way(o)]
     after = [o for o in after if not footprints.gives_way(o)]
     index = {o.id: i for i, o in enumerate(before)}
+    rows = np.array([i for i, o in enumerate(after) if o.id in changed], int)
+    if not len(rows):
+        return True
     old = np.array([index[o.id] for o in after], int)
-    rows = np.array([o.id in changed for o in after], bool)
-    kin = np.array([[categories.belong_together(a.category, b.category) for b in after] for a in after], bool)
-    tucked = np.array([[categories.tucks(a.category, b.category) for b in after] for a in after], bool)
-    kin, apart = kin.reshape(len(after), len(after)), ~tucked.reshape(len(after), len(after))
-    close = np.where(apart, COMPANY, DRAWN_BACK)
-    parted = (boxes.gap(boxes.of(after)) > close) & (boxes.gap(boxes.of(before))[np.ix_(old, old)] <= close)
-    if (parted & kin)[rows].any():
+    new = [after[i] for i in rows.tolist()]
+    apart = np.array([[not categories.tucks(a.category, b.category) for b in after] for a in new], bool)
+    kin = np.array([[categories.belong_together(a.category, b.category) for b in after] for a in new], bool)
+    kin[np.arange(len(rows)), rows] = False
+    close = np.where(apart, COMPANY, DRAWN_BACK)[kin]
+    if len(close) and ((_gaps(after, rows)[kin] > close) & (_gaps(before, old[rows])[:, old][kin] <= close)).any():
         return False
+    apart[np.arange(len(rows)), rows] = False
     for shapes in (boxes.of, sweeps.extended):
-        was = boxes.penetration(shapes(before))[np.ix_(old, old)]
-        new = boxes.penetration(shapes(after))
-        if ((new > np.maximum(was, SLACK) + 1e-6) & apart)[rows].any():
+        ours, theirs = shapes(after), shapes(before)
+        was = boxes.penetration(theirs.take(old[rows]), theirs)[:, old]
+        now = boxes.penetration(ours.take(rows), ours)
+        if ((now > np.maximum(was, SLACK) + 1e-6) & apart).any():
             return False
     return True
+
+
+def _gaps(objects: Sequence[Furnishing], rows: NDArray[np.int64]) -> boxes.Array:
+    every = boxes.of(objects)
+    return boxes.gap(every.take(rows), every)
