@@ -31,6 +31,8 @@ TIME_TO_COLLISION = 1.0
 """max_allowed_time_to_collision_up_to_carrot, s."""
 XY_TOLERANCE, YAW_TOLERANCE = 0.25, 0.25
 """Of Nav2's goal checker, m and rad."""
+WITHIN = 0.03
+"""It drives on until it is so much nearer, so that it still is once it has stopped and turned, m."""
 NARROW, NARROW_AHEAD = 0.10, 0.5
 """Where the path leaves less than this beside the robot, within so far ahead, it is narrow, m."""
 NARROW_LOOKAHEAD, NARROW_SPEED, NARROW_ANGLE = 0.2, 0.2, 0.25
@@ -65,7 +67,7 @@ class Pursuit:
         here = np.array([x, y])
         self._advance(here)
         left = float(np.hypot(*(self.path[-1] - here)))
-        self.arrived = self.arrived or left < XY_TOLERANCE
+        self.arrived = self.arrived or left < XY_TOLERANCE - WITHIN
         if self.arrived:
             off = _wrapped(self.heading - yaw)
             done = abs(off) < YAW_TOLERANCE and abs(self.speed) < 0.01

@@ -192,11 +192,19 @@ def _spread(n: int) -> list[int]:
 
 
 def spots(part: Part, cells: Array, floor: Geometry) -> Array:
-    """Those of the floor's points (n, 2) from which the arm might do, best first, one in each 0.1 m square; (m, 2).
+    """Those of the floor's points (n, 2) from which the arm might do, best first; (m, 2).
 
-    No wall stands between them and the handle: what is between lies within the `floor`.
+    No wall stands between them and the handle: what is between lies within the `floor`. Those for the usual hold come
+    first.
     """
-    path = np.array([part.at(part.holds[0].point, v)[:2] for v in part.travel * GOAL * np.linspace(0, 1, 5)])
+    found = np.concatenate([_spots(part, hold, cells, floor) for hold in (part.holds[0], *part.others)])
+    _, first = np.unique(found, axis=0, return_index=True)
+    return np.asarray(found[np.sort(first)])
+
+
+def _spots(part: Part, hold: Hold, cells: Array, floor: Geometry) -> Array:
+    """Those for one hold, one in each 0.1 m square."""
+    path = np.array([part.at(hold.point, v)[:2] for v in part.travel * GOAL * np.linspace(0, 1, 5)])
     cells = cells[(np.abs(cells - path[0]) <= REACH).all(1)]
     apart = np.linalg.norm(cells[:, None] - path[None], axis=2)
     able = (apart[:, 0] <= REACH) & (apart[:, 0] >= 0.3) & (apart[:, 2] <= REACH + 0.1)
