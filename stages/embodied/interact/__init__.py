@@ -166,11 +166,11 @@ def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) 
                 if found is not None:
                     return _Tried(found, numbers={"places": float(places + k), "pushed": float(push)})
         places += len(some)
-    if places:
+    if planner.chains.met:
         return _Tried(None, "planner", planner.chains.complaint(), {"places": float(places)}, first)
     if any(True for _ in _stands(planner, spots(part, ground.others, ground.inside)[:SPOTS], rng)):
         return _Tried(None, "planner", "no way from the entrance")
-    return _Tried(None, "no standing room", "the robot fits nowhere before it")
+    return _Tried(None, "no standing room", "the robot fits nowhere from where it reaches it")
 
 
 def _stands(planner: Planner, places: Array, rng: np.random.Generator) -> Iterator[Array]:

@@ -108,10 +108,10 @@ class Chains:
         return TIP + CUP if hold.kind == "cup" else 0.0
 
     def complaint(self) -> str:
-        """What the arm met most often, or that nothing was within its reach."""
+        """What the arm met most often; or, if it never met anything, that no motion was found."""
         met = Counter({k: count for k, count in self.met.items() if k >= 0})
         if not met:
-            return "out of the arm's reach"
+            return "out of the arm's reach before it is open"
         return f"the arm meets {self.probe.name(met.most_common(1)[0][0])}"
 
 
