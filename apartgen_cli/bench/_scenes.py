@@ -19,15 +19,6 @@ SPATIAL = {"articulation": 1.0, "inside": 1.0, "openings": 1.0}
 BARE: dict[str, Any] = {"guidance": {}, "projection": False}
 METHODS: dict[str, dict[str, Any]] = {
     "no guidance": BARE,
-    "articulation, Eq. 2 with Σ, ddpm 1000": {
-        "guidance": {"articulation": 1.0},
-        "projection": False,
-        "scaling": "sigma",
-        "guide_below": 0.01,
-        "guidance_scale": 2000.0,
-        "sampler": "ddpm",
-        "steps": 1000,
-    },
     "articulation": {"guidance": {"articulation": 1.0}, "projection": False},
     "all guidance": {"guidance": SPATIAL, "projection": False},
     "all guidance + projection": {"guidance": SPATIAL},
