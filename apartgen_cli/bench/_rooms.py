@@ -3,7 +3,6 @@
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -124,6 +123,6 @@ def draw(rows: list[dict[str, Any]], names: list[str], axes: Any) -> None:
             if len(first) == 3:
                 axes.plot([at, at], first[1:], color="0.15", linewidth=0.8)
         axes.bar(0, 0, color=colour, label=name.partition("/")[0])
-    axes.set_xticks(range(len(settings)), [fill(setting, 14) for setting in settings], fontsize=7)
+    axes.set_xticks(range(len(settings)), _scenes.labels(settings), fontsize=7)
     axes.set_ylim(0, 1.02)
     _scenes.tidy(axes)

@@ -149,6 +149,11 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 """Told apart by the colour-blind, too (Okabe and Ito)."""
 
 
+def labels(settings: list[str]) -> list[str]:
+    """Names in lines short enough to stand side by side."""
+    return [fill(setting, max(9, 110 // len(settings))) for setting in settings]
+
+
 def tidy(axes: Any) -> None:
     """A light grid behind, no box, the legend above."""
     axes.grid(axis="y", alpha=0.3)
@@ -174,5 +179,5 @@ def bars(
         if theirs:
             axes.plot(*zip(*theirs), "D", color="white", markeredgecolor="0.15", markersize=4,
                       label=None if k else "the paper")
-    axes.set_xticks(range(len(rows)), [fill(row["setting"], 14) for row in rows], fontsize=7)
+    axes.set_xticks(range(len(rows)), labels([row["setting"] for row in rows]), fontsize=7)
     tidy(axes)

@@ -21,10 +21,10 @@ NOTE = (
     "A scene is one room. `ours` leaves out contacts that belong to use (a chair at its desk), `published` counts all; "
     "contacts up to 1 cm deep are none. `standing` is of what stands on the floor. The layout stage's boxes, so that "
     "nothing but the sampler differs; with `assets` the objects retrieved, their own joints and sizes. `+ walkable` is "
-    "Algorithm 2 alone, but for the last row, which is the whole walkable stage. Guidance as Eq. 2 has it, with Σ over "
-    "1000 steps, is in the experiment `samplers`."
+    "Algorithm 2 alone in every room, τ = .70, but for the last row, which is the whole walkable stage. Guidance "
+    "as Eq. 2 has it, with Σ over 1000 steps, is in the experiment `samplers`."
 )
-ALGORITHM_2 = {"connect": False, "drop": False, "unblock": False, "gentle": 0.0}
+ALGORITHM_2 = {"scope": "rooms", "connect": False, "drop": False, "unblock": False, "gentle": 0.0}
 WALKABLE = {
     f"no guidance{ASSETS}": ("no guidance", None),
     f"articulation{ASSETS}": ("articulation", None),
