@@ -29,11 +29,12 @@ GUIDED: dict[str, dict[str, Any]] = {
     "articulation with Σ": {
         "guidance": {"articulation": 1.0}, "scaling": "sigma", "guide_below": 0.01, "guidance_scale": 2000.0},
     "all guidance": {"guidance": _scenes.SPATIAL},
+    "all + projection": {"guidance": _scenes.SPATIAL, "projection": True},
 }
 METHODS = [
     *(("no guidance", sampler) for sampler in SAMPLERS),
     ("articulation", "dpm++ 20"), ("articulation with Σ", "ddpm 1000"),
-    ("all guidance", "dpm++ 20"), ("all guidance", "ddpm 1000"),
+    *((guidance, sampler) for guidance in ("all guidance", "all + projection") for sampler in ("dpm++ 20", "ddpm 1000")),
 ]
 SETTINGS = [REFERENCE, REAL, *(f"{guidance}, {sampler}" for guidance, sampler in METHODS)]
 SCENES, CHUNK = 100, 25
@@ -46,10 +47,10 @@ def trial(
     if setting in (REFERENCE, REAL):
         return _rooms.records((_rooms.reference if setting == REFERENCE else _rooms.other)(seed, scenes, work))[:scenes]
     guidance, _, sampler = setting.partition(", ")
-    changes = {"projection": False, "weights": weights[0] if weights else None}
+    changes = {"projection": False, "weights": weights[0] if weights else None} | GUIDED[guidance]
     plans = _rooms.plans(seed, scenes, work)
     began = process_time()
-    made = _scenes.furnished(plans, _scenes.config_of(GUIDED[guidance] | SAMPLERS[sampler] | changes), seed)
+    made = _scenes.furnished(plans, _scenes.config_of(SAMPLERS[sampler] | changes), seed)
     took = (process_time() - began) / sum(len(plan.rooms) for plan in plans)
     return _rooms.records(made, took)[:scenes]
 
