@@ -34,7 +34,8 @@ GUIDED: dict[str, dict[str, Any]] = {
 METHODS = [
     *(("no guidance", sampler) for sampler in SAMPLERS),
     ("articulation", "dpm++ 20"), ("articulation with Σ", "ddpm 1000"),
-    *((guidance, sampler) for guidance in ("all guidance", "all + projection") for sampler in ("dpm++ 20", "ddpm 1000")),
+    ("all guidance", "dpm++ 20"), ("all guidance", "ddpm 1000"),
+    ("all + projection", "dpm++ 20"), ("all + projection", "ddpm 1000"),
 ]
 SETTINGS = [REFERENCE, REAL, *(f"{guidance}, {sampler}" for guidance, sampler in METHODS)]
 SCENES, CHUNK = 100, 25
