@@ -114,7 +114,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if ahead and items[k + 1].value == "with" and (items[k].kind == "share" or items[k + 1].text == "for"):
         return ahead
     is_of = [i for i in items[k + 1 : k + 3] if i.kind != "copula"]
-    leading = not before or before[-1].kind == "conjunction" or is_mark(before[-1], ",:")
+    leading = not before or before[-1].kind in ("conjunction", "with") or is_mark(before[-1], ",:")
     if items[k].kind == "share" and leading and rooms_of(is_of[:1]):
         return rooms_of(is_of[:1])
     j = len(before) - 1

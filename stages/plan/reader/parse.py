@@ -61,7 +61,10 @@ def _whole(items: list[Item], said: Said) -> None:
 
 def _role(items: list[Item], k: int) -> str:
     """What a side is said of: `entrance on the north side`, `party walls to the east and west`, `north entrance`."""
-    before = [i.value for i in items[max(0, k - 4) : k] if i.kind == "side_role"]
+    start = k
+    while start > 0 and (items[start - 1].kind in ("side", "conjunction") or is_mark(items[start - 1], ",")):
+        start -= 1  # "party walls to the north, east and west"
+    before = [i.value for i in items[max(0, start - 4) : k] if i.kind == "side_role"]
     ahead = items[k + 1 : k + 4]
     stop = next((j for j, i in enumerate(ahead) if i.room is not None or i.kind == "mark"), len(ahead))
     after = [i.value for i in ahead[:stop] if i.kind == "side_role"]

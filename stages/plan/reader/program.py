@@ -5,6 +5,7 @@ from schemas.errors import BadInput
 from schemas.plan import AskedObjects, AskedRoom, Envelope, Link, Program
 from stages.categories import TABLE
 from stages.plan.reader.areas import fill, typical
+from stages.plan.reader.contradict import consistent
 from stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
 from stages.plan.reader.entity import MOST, Entity
 from stages.plan.reader.household import Household
@@ -23,7 +24,7 @@ LONGEST = 8000
 def read(prompt: str) -> Program:
     """The programme a prompt asks for, gaps filled by architectural common sense. Pure; no network.
 
-    BadInput when no room can be read or the request is absurd.
+    BadInput when no room can be read or the request is absurd, Unmet when it contradicts itself.
     """
     said = bounded(prompt)
     home = Household(mentions(said.statements))
@@ -33,6 +34,7 @@ def read(prompt: str) -> Program:
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
         )
+    consistent(said, home)
     doors = doors_said(said.statements, home)
     complete = said.only or full_graph(said, home, doors)
     if not complete:

@@ -43,6 +43,8 @@ def spread_negation(items: list[Item]) -> None:
             ):
                 phrase.negated = _closes_with_or(items[k:])
             scope = phrase.negated
+            if scope and k + 1 < len(items) and items[k + 1].kind in ("link", "front", "with", "relative"):
+                phrase.labels.add("placed")  # "no bathroom off the hallway": not there, but maybe elsewhere
         elif item.kind not in ("conjunction",) and not is_mark(item, ","):
             scope = False
 

@@ -5,6 +5,7 @@ import math
 from schemas.base import ROOM_TYPES
 from schemas.plan import AskedRoom, Link
 from stages.plan.reader.areas import fill, typical
+from stages.plan.reader.contradict import shares_fit
 from stages.plan.reader.doors import entities
 from stages.plan.reader.household import Household
 from stages.plan.reader.statements import Said, Statement
@@ -22,6 +23,7 @@ def room_areas(
         base[ids[id(e)]] *= style["scale"] * said.flat_size if said.total_area is None else 1.0
     stated = {ids[id(e)]: e.area for e in home.rooms if e.area is not None}
     shares = {ids[id(e)]: e.share for e in home.rooms if e.share is not None and e.area is None}
+    shares_fit(shares)
     _equalise(base, home, ids)
     for statement in said.statements:
         _compare(statement, home, ids, base, stated)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from schemas.errors import BadInput
+from schemas.errors import BadInput, Unmet
 from schemas.plan import AskedRoom, Program
 from stages.graphs import constraint_satisfaction, edge_similarity, node_similarity, of_program
 from stages.plan.prompts import Case, cases
@@ -303,6 +303,41 @@ def test_no_text_breaks_it(prompt: str) -> None:
         read(prompt)
     except BadInput as e:
         assert str(e)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("a flat with half of the floor area living room and 60 % of the floor area kitchen", "add up to 110 %"),
+        ("the living room takes up 70 % of the flat and the bedroom 40 %", "living_room_1 70 %, bedroom_1 40 %"),
+        ("a two-bedroom flat without bedrooms", "for a bedroom and for no bedroom"),
+        ("two bedroom flat, no balcony, with a balcony", "for a balcony and for no balcony"),
+        (
+            "flat where the kitchen is larger than the living room and the living room is larger than the kitchen",
+            "kitchen and the living room are each to be larger",
+        ),
+    ],
+)
+def test_wishes_that_exclude_one_another_are_named(prompt: str, words: str) -> None:
+    with pytest.raises(Unmet, match=words):
+        read(prompt)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "three bedrooms, no bathroom off the hallway, all ensuite",
+        "two-bedroom flat, the bedroom smaller than the living room and the living room larger than the bedroom",
+        "2 bed flat with no door from the kitchen to the hallway",
+    ],
+)
+def test_wishes_that_only_sound_so_are_met(prompt: str) -> None:
+    assert read(prompt).rooms
+
+
+def test_party_walls_on_all_sides_that_are_listed() -> None:
+    program = read("two-bedroom flat with party walls to the north, east, and west")
+    assert sorted(program.envelope.party_walls) == ["east", "north", "west"]
 
 
 def pairs(prompt: str) -> set[tuple[str, str]]:
