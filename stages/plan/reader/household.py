@@ -4,11 +4,10 @@ import math
 
 from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
 from stages.plan.reader.mention import RoomPhrase
+from stages.plan.reader.traits import lay
 
 CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
 """Words for a hallway that no one uses of the entrance hall."""
-
-
 ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 """Rooms a home has: no additional one is still one."""
 
@@ -49,7 +48,7 @@ class Household:
         for entity in self.rooms[before:]:
             named = phrase.quantifier == "" and id(phrase) in self.mentions
             entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
-        self._lay(phrase, found)
+        lay(phrase, found)
         self.refs[id(phrase)] = found
         if len(found) > 1:
             self.group = found
@@ -261,21 +260,6 @@ class Household:
             return [e for e in known if e.owner is None and not e.picked][:1] or known[:1]
         return self.add(phrase.type)
 
-    def _lay(self, phrase: RoomPhrase, found: list[Entity]) -> None:
-        """Areas, traits and furniture of a phrase onto its rooms."""
-        for k, entity in enumerate(found):
-            if phrase.areas and entity.area is None:
-                entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
-            entity.share = (
-                entity.share if phrase.share is None else phrase.share / (len(found) if phrase.together else 1)
-            )
-            if phrase.together and phrase.areas:
-                entity.area = phrase.areas[0] / len(found)
-            entity.factor *= phrase.factor
-            entity.labels |= phrase.labels - {"size", "ensuite?", "own", "halls"}
-            entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
-            entity.objects += phrase.objects
-
     def _own(self, owned: RoomPhrase, owners: list[Entity], all_of_them: bool = False) -> None:
         """Rooms that open off their owners."""
         if not owners or owned.negated:
@@ -290,7 +274,7 @@ class Household:
             for entity in found:
                 entity.owner = owner
             made += found
-        self._lay(owned, made)
+        lay(owned, made)
         self.refs[id(owned)] = made
         for inner in owned.owned:
             self._own(inner, made)

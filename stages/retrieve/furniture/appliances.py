@@ -62,8 +62,8 @@ def _racks(kit: Kit, x: Span, y: Span, levels: Array) -> None:
 def oven(kit: Kit) -> None:
     """A cooker with its hob on top, or in a tall box an oven tower."""
     if kit.h > OVEN_TOWER:
-        front = {"steel": "white", "black": "graphite", "white": "white", "range": "sage"}[kit.style]
-        own = Look("white", front, front, "aluminium", "slab", "bar", "plinth", "graphite")
+        face_of = {"steel": "white", "black": "graphite", "white": "white", "range": "sage"}[kit.style]
+        own = Look("white", face_of, face_of, "aluminium", "slab", "bar", "plinth", "graphite")
         _tower(kit, own, _look("steel" if kit.style != "black" else "black", "steel"))
         return
     b, h = kit.base, kit.h

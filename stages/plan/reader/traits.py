@@ -1,0 +1,20 @@
+"""What a phrase says of its rooms, laid on them."""
+
+from stages.plan.reader.entity import Entity
+from stages.plan.reader.mention import RoomPhrase
+
+
+def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:
+    """Areas, traits and furniture of a phrase onto its rooms."""
+    for k, entity in enumerate(rooms):
+        if phrase.areas and entity.area is None:
+            entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
+        entity.share = (
+            entity.share if phrase.share is None else phrase.share / (len(rooms) if phrase.together else 1)
+        )
+        if phrase.together and phrase.areas:
+            entity.area = phrase.areas[0] / len(rooms)
+        entity.factor *= phrase.factor
+        entity.labels |= phrase.labels - {"size", "ensuite?", "own", "halls"}
+        entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
+        entity.objects += phrase.objects
