@@ -4,7 +4,7 @@ import itertools
 import re
 import tomllib
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 from stages.categories import by_word
@@ -21,6 +21,9 @@ PRIORITY = (
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
 
+_RANK = {kind: k for k, kind in enumerate(PRIORITY)}
+_PLAIN = re.compile(r"[a-z -]+")
+
 
 @dataclass(frozen=True, slots=True)
 class Entry:
@@ -33,17 +36,29 @@ class Entry:
 
 @dataclass(frozen=True)
 class Lexicon:
-    """All readings of every phrase, `longest` words at most; `words` are those worth a spelling correction."""
+    """All readings of every phrase, `longest` words at most."""
 
     entries: dict[Phrase, tuple[Entry, ...]]
     also_object: dict[str, str]
     suffixes: dict[str, Entry]
-    words: frozenset[str]
     longest: int
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """Words worth a spelling correction; most prompts never ask for them."""
+        return frozenset(
+            w
+            for p, es in self.entries.items()
+            if es[0].kind not in ("stop", "reach")
+            for w in p
+            if len(w) >= 5 and w.isascii()
+        )
 
 
 def expand(pattern: str) -> list[str]:
     """`{a,b} c` → `a c`, `b c`."""
+    if "{" not in pattern:
+        return [pattern]
     parts = re.split(r"(\{[^}]*\})", pattern)
     options = [p[1:-1].split(",") if p.startswith("{") else [p] for p in parts]
     return [" ".join("".join(choice).split()) for choice in itertools.product(*options)]
@@ -51,17 +66,19 @@ def expand(pattern: str) -> list[str]:
 
 def phrase(text: str) -> Phrase:
     """The words of a phrase, without hyphens."""
+    if _PLAIN.fullmatch(text):  # as tokens would be, without their cost: a process's first sentence waits for this
+        return tuple(text.replace("-", " ").split())
     return tuple(t.text for t in tokenize(fold(text)) if t.text != "-")
 
 
 def plural(words: Phrase) -> Phrase:
     """English plural of the last word."""
     *head, last = words
-    if re.search(r"[^aeiou]y$", last):
+    if last.endswith("y") and last[-2:-1] not in "aeiou":
         many = last[:-1] + "ies"
     elif last.endswith("shelf"):
         many = last[:-1] + "ves"
-    elif re.search(r"(s|x|ch|sh)$", last):
+    elif last.endswith(("s", "x", "ch", "sh")):
         many = last + "es"
     else:
         many = last + "s"
@@ -82,24 +99,22 @@ def load() -> Lexicon:
         for kind, group in table.items():
             _add_group(found, kind, group)
     _add_group(found, "furniture", _furniture())
-    ranked = {p: tuple(sorted(es.values(), key=lambda e: PRIORITY.index(e.kind))) for p, es in found.items()}
-    words = frozenset(
-        w for p, es in ranked.items() if es[0].kind not in ("stop", "reach") for w in p if len(w) >= 5 and w.isascii()
-    )
-    return Lexicon(ranked, also_object, suffixes, words, max(map(len, ranked)))
+    ranked = {p: tuple(es.values() if len(es) == 1 else sorted(es.values(), key=_rank)) for p, es in found.items()}
+    return Lexicon(ranked, also_object, suffixes, max(map(len, ranked)))
+
+
+def _rank(entry: Entry) -> int:
+    return _RANK[entry.kind]
 
 
 def _add_group(found: dict[Phrase, dict[str, Entry]], kind: str, group: dict[str, list[str]]) -> None:
     for value, patterns in group.items():
-        for text in itertools.chain.from_iterable(expand(p) for p in patterns):
+        one, several = Entry(kind, value), Entry(kind, value, plural=True)
+        for text in itertools.chain.from_iterable(map(expand, patterns)):
             words = phrase(text)
-            _add(found, words, Entry(kind, value))
+            found.setdefault(words, {}).setdefault(kind, one)
             if kind in NOUNS and words[-1].isascii():
-                _add(found, plural(words), Entry(kind, value, plural=True))
-
-
-def _add(found: dict[Phrase, dict[str, Entry]], words: Phrase, entry: Entry) -> None:
-    found.setdefault(words, {}).setdefault(entry.kind, entry)
+                found.setdefault(plural(words), {}).setdefault(kind, several)
 
 
 def _furniture() -> dict[str, list[str]]:
