@@ -12,6 +12,7 @@ from schemas.base import ROOM_TYPES
 from schemas.errors import BadInput
 from schemas.plan import Plan, Room
 from stages.categories import CATEGORIES
+from stages.layout.meals import TABLES, table_of
 
 MAX_CORNERS = 32
 MAX_OPENINGS = 20
@@ -87,7 +88,7 @@ def oriented(rooms: Rooms) -> Rooms:
 
 
 def of_plan(plan: Plan) -> Rooms:
-    """All rooms of a plan in its order, with the counts and objects the programme asks for."""
+    """All rooms of a plan in its order, with the counts and objects the programme asks for, and the home's table."""
     n = len(plan.rooms)
     out = Rooms(
         polygon=np.full((n, MAX_CORNERS, 2), np.nan, np.float32),
@@ -110,6 +111,10 @@ def of_plan(plan: Plan) -> Rooms:
         for asked in plan.program.objects:
             if asked.room == room.id and asked.category in CATEGORIES:
                 out.wanted[i, CATEGORIES.index(asked.category)] = asked.count
+    if (table := table_of(plan)) is not None:
+        row = out.wanted[[room.id for room in plan.rooms].index(table[0])]
+        for category in TABLES:
+            row[CATEGORIES.index(category)] = int(category == table[1])
     return oriented(out)
 
 

@@ -18,6 +18,8 @@ AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
 """Lower edges of the floor-area classes (m²) for which the training record counts objects."""
 EARLY = 0.10
 """Quantity guidance acts below this share of the schedule (Fig. 4)."""
+SPARSE = 0.25
+"""Share of the emptiest rooms in the training record that is not drawn from: they look as if someone was moving out."""
 QUANTITY = 100.0
 """Its weight γ; a mean over slots has small gradients, and settled classes hold on to their evidence."""
 
@@ -35,7 +37,7 @@ def draw_counts(rooms: Rooms, table: list[list[list[int]]], lanes: list[np.rando
     asked = np.where(rooms.wanted > 0, rooms.wanted, 0).sum(1)
     out = np.zeros(len(rooms), np.int64)
     for i, (kind, area, rng) in enumerate(zip(rooms.type, rooms.area, lanes, strict=True)):
-        share = rng.random()
+        share = SPARSE + (1 - SPARSE) * rng.random()
         if rooms.count[i] != UNKNOWN:
             out[i] = min(int(rooms.count[i]), N_MAX)
             continue

@@ -17,6 +17,7 @@ from stages import polygons
 from stages.boxes import Array
 from stages.layout.datasets._furnish import build, shape
 from stages.layout.datasets._furnish.shape import Hole, Shape
+from stages.layout.meals import TABLES, table_of
 
 
 def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
@@ -39,16 +40,23 @@ def _read(path: Path) -> Plan:
 
 
 def furnish(plan: Plan, rng: Generator) -> list[Box]:
-    """Objects for every room of a plan, as many as `program.counts` says where it says so."""
+    """Objects for every room of a plan, as many as `program.counts` says where it says so; somewhere a table."""
     objects: list[Box] = []
+    table = table_of(plan)
     for room, lane in zip(plan.rooms, rng.spawn(len(plan.rooms)), strict=True):
-        objects += furnish_room(shape_of(plan, room), room.id, lane, plan.program.counts.get(room.id))
+        must = (TABLES,) if table is not None and table[0] == room.id else ()
+        objects += furnish_room(shape_of(plan, room), room.id, lane, plan.program.counts.get(room.id), must)
     return objects
 
 
-def furnish_room(room: Shape, id: str, rng: Generator, count: int | None = None) -> list[Box]:
-    """Objects for one room; about `count` where it is given, else as many as suit the floor area, widely spread."""
-    space = build.furnish(room, rng, count)
+def furnish_room(
+    room: Shape, id: str, rng: Generator, count: int | None = None, must: tuple[tuple[str, ...], ...] = ()
+) -> list[Box]:
+    """Objects for one room; about `count` where it is given, else as many as suit the floor area, widely spread.
+
+    `must`: of each of these sets of categories at least one, beyond what every room of its type has.
+    """
+    space = build.furnish(room, rng, count, must)
     body, seen, objects = space.body, dict[str, int](), []
     for i, name in enumerate(space.category):
         seen[name] = seen.get(name, 0) + 1

@@ -113,11 +113,16 @@ class Builder:
         return -1
 
 
-def furnish(shape: Shape, rng: Generator, count: int | None = None) -> Space:
-    """A furnished room; `count` objects at most, drawn from the set-up's range when None."""
+def furnish(
+    shape: Shape, rng: Generator, count: int | None = None, must: tuple[tuple[str, ...], ...] = ()
+) -> Space:
+    """A furnished room; `count` objects at most, drawn from the set-up's range when None.
+
+    `must`: of each of these sets of categories at least one, beyond what the room's rules say, where it finds a place.
+    """
     best, most = Space(shape), -1.0
     for _ in range(ATTEMPTS):
-        setup = _draw(shape, rng)
+        setup = _draw(shape, rng, must)
         wanted = count if count is not None else _count(setup, shape, rng)
         builder = Builder(Space(shape), rng, wanted)
         cored = _carry_out(builder, setup)
@@ -129,8 +134,10 @@ def furnish(shape: Shape, rng: Generator, count: int | None = None) -> Space:
     return best
 
 
-def _draw(shape: Shape, rng: Generator) -> Setup:
-    fitting = [s for s in setups(shape.type) if s.least <= shape.area <= s.most] or list(setups(shape.type))
+def _draw(shape: Shape, rng: Generator, must: tuple[tuple[str, ...], ...]) -> Setup:
+    able = [replace(s, must=s.must + must) for s in setups(shape.type) if all(s.puts(names) for names in must)]
+    able = able or list(setups(shape.type))
+    fitting = [s for s in able if s.least <= shape.area <= s.most] or able
     weight = np.array([s.weight for s in fitting])
     return fitting[int(rng.choice(len(fitting), p=weight / weight.sum()))]
 

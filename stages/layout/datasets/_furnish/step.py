@@ -61,6 +61,10 @@ class Setup:
     count: tuple[float, float, float]
     must: tuple[tuple[str, ...], ...]
 
+    def puts(self, categories: tuple[str, ...]) -> bool:
+        """Whether the core has a place for any of the categories."""
+        return any(set(step.put) & set(categories) for step in self.core)
+
 
 def _step(row: dict[str, Any]) -> Step:
     row = {key: tuple(value) if isinstance(value, list) else value for key, value in row.items()}

@@ -1,0 +1,38 @@
+"""Where a home without a dining room eats: a rule over all its rooms, where those of `sense.toml` are of one room."""
+
+import shapely
+
+from schemas.plan import Plan, Room
+
+TABLES = ("dining_table", "round_table")
+PLACES = (("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
+"""Where a table is looked for, in this order: room types with at least so much floor, m²."""
+SMALL = 10.0
+"""In a room below this floor area, m², the table is a round one."""
+FEWEST = 6
+"""A room that is to hold fewer objects than this is not asked for a table: seats at it would be all it has."""
+
+
+def table_of(plan: Plan) -> tuple[str, str] | None:
+    """The room, and the category of table, in which the home is to have its meals.
+
+    None where a dining room sees to that, where the prompt speaks of tables itself, where no room has the floor, and
+    for a room by itself, which is no home.
+    """
+    spoken = any(asked.category in TABLES for asked in plan.program.objects)
+    if spoken or len(plan.rooms) == 1 or any(room.type == "dining_room" for room in plan.rooms):
+        return None
+    for kind, least in PLACES:
+        fitting = [room for room in plan.rooms if room.type == kind and _area(room) >= least and _holds(plan, room)]
+        if fitting:
+            room = max(fitting, key=_area)
+            return room.id, "round_table" if _area(room) < SMALL else "dining_table"
+    return None
+
+
+def _holds(plan: Plan, room: Room) -> bool:
+    return plan.program.counts.get(room.id, FEWEST) >= FEWEST
+
+
+def _area(room: Room) -> float:
+    return float(shapely.Polygon(room.polygon).area)

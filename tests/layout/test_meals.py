@@ -1,0 +1,45 @@
+"""Every home has somewhere to eat, and what the prompt says about tables wins."""
+
+import numpy as np
+import pytest
+
+from schemas.layout import Box
+from schemas.plan import AskedObjects, Plan
+from stages.layout import LayoutConfig, run_many
+from stages.layout.datasets import furnisher
+from stages.layout.meals import TABLES, table_of
+from stages.plan import PlanConfig, build
+from stages.plan.study import archetypes
+
+
+@pytest.fixture(scope="module")
+def homes() -> list[Plan]:
+    names = ("studio", "one_bedroom", "two_bedroom", "three_bedroom")
+    return [build(archetypes()[name], PlanConfig(), np.random.default_rng(3)) for name in names]
+
+
+def seated(plan: Plan, objects: list[Box]) -> bool:
+    """Whether one room holds a table and a chair at least."""
+    held = [{box.category for box in objects if box.room == room.id} for room in plan.rooms]
+    return any("chair" in names and not names.isdisjoint(TABLES) for names in held)
+
+
+def test_a_home_has_a_table_with_chairs(homes: list[Plan]) -> None:
+    rngs = [np.random.default_rng(i) for i in range(len(homes))]
+    for home in run_many(homes, LayoutConfig(), rngs):
+        assert seated(home, home.objects)
+    for home in homes:
+        assert seated(home, furnisher.furnish(home, np.random.default_rng(0)))
+
+
+def test_what_the_prompt_says_of_tables_wins(homes: list[Plan]) -> None:
+    plan = next(home for home in homes if table_of(home) is not None)
+    place, _ = table_of(plan) or ("", "")
+
+    def told(**said: object) -> Plan:
+        return plan.model_copy(update={"program": plan.program.model_copy(update=said)})
+
+    assert table_of(told(objects=[AskedObjects(room=place, category="dining_table", count=0)])) is None
+    assert (table_of(told(counts={place: 3})) or ("",))[0] != place
+    alone = plan.model_copy(update={"rooms": [room for room in plan.rooms if room.id == place]})
+    assert table_of(alone) is None, "a room by itself is no home"
