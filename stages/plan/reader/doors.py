@@ -26,7 +26,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
     for s in statements:
         left = entities(s.left, home)
         right = entities(s.right, home)
-        pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b)]
+        pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b, s.kind)]
         if left and left == right:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"
         match s.kind:
@@ -43,6 +43,9 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
                 ]
             case "share":
                 _share(left, right, out, home)
+            case "uses" if len(left) > 1 and all(e.type == "bathroom" for e in right):
+                for room in right:
+                    room.labels.add("shared")
             case "compare" | "equal":
                 continue
             case _:
@@ -73,10 +76,11 @@ def _in_order(out: Doors, stated: set[frozenset[int]]) -> None:
             pairs[:] = [(kitchen, dining) if {id(x), id(y)} == pair else (x, y) for x, y in pairs]
 
 
-def _served(a: Entity, b: Entity) -> bool:
-    """A family bathroom that serves a bedroom has no door to it."""
+def _served(a: Entity, b: Entity, kind: str) -> bool:
+    """A family bathroom that serves a bedroom has no door to it; a shared one that is connected to it has."""
     bath = a if a.type == "bathroom" else b
-    return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & {"family", "shared", "guest"})
+    common = {"family", "guest"} if "shared" not in bath.labels else {"shared"} if kind in ("serve", "uses") else set()
+    return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & common)
 
 
 def entities(phrases: list[RoomPhrase], home: Household) -> list[Entity]:
@@ -90,8 +94,9 @@ def every_room(statements: list[Statement], home: Household, doors: Doors) -> No
     """`every room opens onto the hallway`, once all rooms are known."""
     for s in statements:
         for some, others in ((s.left, s.right), (s.right, s.left)):
-            if s.kind in ("door", "only") and any(p.type == "any" for p in some):
+            if s.kind in ("door", "only", "serve") and any(p.type == "any" for p in some):
                 hubs = entities(others, home)
+                excluded = entities([x for p in some for x in p.excluded], home)
                 linked = (
                     {id(e) for pair in doors.links for e in pair}
                     if any(p.quantifier == "other" for p in some)
@@ -100,7 +105,7 @@ def every_room(statements: list[Statement], home: Household, doors: Doors) -> No
                 rooms = [
                     e
                     for e in home.rooms
-                    if e not in hubs
+                    if e not in [*hubs, *excluded]
                     and e.owner is None
                     and e.type not in ("balcony", "closet")
                     and "ensuite" not in e.labels

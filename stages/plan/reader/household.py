@@ -12,6 +12,11 @@ ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 """Rooms a home has: no additional one is still one."""
 
 
+def _index(ordinal: int) -> int:
+    """Of `first`, `second`, `last` (-1) in a list."""
+    return ordinal - 1 if ordinal > 0 else ordinal
+
+
 class Household:
     """Rooms in the order of their creation, and what each phrase refers to."""
 
@@ -37,14 +42,19 @@ class Household:
 
     def resolve(self, phrase: RoomPhrase) -> list[Entity]:
         """Rooms the phrase refers to, made where needed, with its traits laid on them."""
+        if id(phrase) in self.refs:
+            return self.refs[id(phrase)]
         if phrase.negated:
             self._ban(phrase)
             self.refs[id(phrase)] = []
             return []
         if phrase.plural and phrase.count is None and len(phrase.areas) > 1:
             phrase.count = float(len(phrase.areas))  # "the bedrooms are 12, 13 and 15 m²"
+        for left_out in phrase.excluded:
+            self.resolve(left_out)
         before = len(self.rooms)
-        found = self._find(phrase)
+        excluded = [e for p in phrase.excluded for e in self.refs[id(p)]]
+        found = [e for e in self._find(phrase) if e not in excluded]
         for entity in self.rooms[before:]:
             named = phrase.quantifier == "" and id(phrase) in self.mentions
             entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
@@ -80,8 +90,8 @@ class Household:
         if phrase.headline and phrase.count is not None:
             return self._headline(phrase)
         if phrase.ordinals:
-            self._ensure(phrase.type, max(phrase.ordinals))
-            return [self.of(phrase.type)[n - 1] for n in phrase.ordinals]
+            self._ensure(phrase.type, max(1, *phrase.ordinals))
+            return [self.of(phrase.type)[_index(n)] for n in phrase.ordinals]
         if phrase.quantifier in (*PAIRED, "one_of", "other") or (phrase.quantifier == "the" and phrase.count):
             return self._partitive(phrase)
         labels = phrase.labels & set(DISTINCT)
@@ -114,7 +124,7 @@ class Household:
         return self.of(kind)
 
     def _ellipsis(self, phrase: RoomPhrase) -> list[Entity]:
-        pool = self.group or self.last
+        pool = [e for p in phrase.among for e in self.refs.get(id(p), [])] or self.group or self.last
         if not pool:
             return []
         phrase.type = pool[0].type
@@ -127,7 +137,7 @@ class Household:
             found = free
         elif phrase.ordinals:
             whole = pool if max(phrase.ordinals) <= len(pool) else self._ensure(phrase.type, max(phrase.ordinals))
-            found = [whole[n - 1] for n in phrase.ordinals]
+            found = [whole[_index(n)] for n in phrase.ordinals]
         else:
             found = free[: int(phrase.count or 1)]
         for entity in found if phrase.quantifier not in PAIRED else []:

@@ -11,6 +11,7 @@ PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
 class RoomPhrase:
     """A mention of rooms. `type` is "" for an elliptical one ("one of them") until it is resolved.
 
+    `among` are the rooms an elliptical phrase speaks of where the sentence says so, `excluded` those it leaves out.
     `quantifier` is the determiner's value; `area` has one value, or one per room, in m².
     """
 
@@ -29,6 +30,8 @@ class RoomPhrase:
     together: bool = False
     another: bool = False
     subset: bool = False
+    among: list["RoomPhrase"] = field(default_factory=list)
+    excluded: list["RoomPhrase"] = field(default_factory=list)
     owned: list["RoomPhrase"] = field(default_factory=list)
     objects: list[tuple[str, int]] = field(default_factory=list)
     object_count: int | None = None

@@ -1,5 +1,6 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
+from stages.plan.reader.anaphora import bind, exceptions, shared_verb
 from stages.plan.reader.attachments import attach_owned, merge_ensuites
 from stages.plan.reader.lexemes import lexemes
 from stages.plan.reader.lexicon import load
@@ -9,7 +10,7 @@ from stages.plan.reader.openplan import open_groups
 from stages.plan.reader.phrases import Phraser
 from stages.plan.reader.relations import place, relations
 from stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
-from stages.plan.reader.statements import Said, Statement, sentences
+from stages.plan.reader.statements import Said, Statement, door_pairs, sentences
 from stages.plan.reader.tokens import fold, tokenize
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
@@ -24,7 +25,10 @@ def parse(prompt: str) -> Said:
     _whole(phraser.items, said)
     before: list[RoomPhrase] = []
     known = 0
-    for sentence in sentences(phraser.items):
+    last: list[Item] = []
+    for sentence in sentences(door_pairs(phraser.items) if said.graph else phraser.items):
+        bind(sentence, last)
+        last = sentence
         trail = place(said.statements[known:])
         known = len(said.statements)
         before = _sentence(sentence, said, before, trail)
@@ -89,7 +93,7 @@ def _lists_home(after: list[Item]) -> bool:
 
 def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: list[RoomPhrase]) -> list[RoomPhrase]:
     """Add one sentence to `said`; returns what "it" may mean in the next."""
-    items = negate_links(drop_alternatives(items, said))
+    items = shared_verb(exceptions(negate_links(drop_alternatives(items, said))))
     spread_negation(items)
     mark_headlines(items, said)
     for item in items:

@@ -80,6 +80,9 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
     if i < len(words) and _bare_area(words, i, phrase):
         phrase.areas = (words[i].number,)
         return i + 1
+    if _lettered(words, i, phrase):
+        phrase.ordinals = ("abcd".index(words[i].text) + 1,)
+        return i + 1
     numbers: list[int] = []
     j = i
     while j < len(words) and _is_ordinal(words, j):
@@ -102,8 +105,25 @@ def _bare_area(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
     plain = words[i].kind == "number" and not phrase.plural and phrase.count is None and not phrase.areas
     if not plain:
         return False
-    most = 2.5 if words[i].number % 1 else 6 if phrase.type in ("bedroom", "bathroom") else 3
+    counts_up = phrase.type in ("bedroom", "bathroom") and not (words[i].number > 3 and _areas_said(words, i))
+    most = 2.5 if words[i].number % 1 else 6 if counts_up else 3
     return words[i].text[0].isdigit() and most < words[i].number <= 200 and not counts_next(words, i)
+
+
+def _areas_said(words: list[Lexeme], i: int) -> bool:
+    """Whether numbers behind other rooms are areas, and none counts this type up to here: `kitchen 12, bathroom 6`."""
+    before = [w for a, w in zip(words, words[1:], strict=False) if a.text == words[i - 1].text and w.kind == "number"]
+    last = [w for w in before if w is not words[i] and w.number == words[i].number - 1]
+    areas = [b for a, b in zip(words[:i], words[1:i], strict=False) if a.kind == "room" and b.kind == "number"]
+    return not last and any(w.number > 6 for w in areas)
+
+
+def _lettered(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
+    """`bedroom A, bedroom B`; an article stands before its noun."""
+    if i >= len(words) or words[i].text not in ("a", "b", "c", "d") or phrase.plural or phrase.count is not None:
+        return False
+    following = words[i + 1].kind if i + 1 < len(words) else "mark"
+    return following in ("mark", "conjunction", "link", "with", "area")
 
 
 def _is_ordinal(words: list[Lexeme], j: int) -> bool:

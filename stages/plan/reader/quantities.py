@@ -8,6 +8,9 @@ SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
 METRES = {"m": 1.0, "ft": 0.3048}
 
+NONE = ("none", "no", "0", "zero", "nil")
+"""`Balcony: none`."""
+
 JOINTS = {
     "-": "-",
     "to": "-",
@@ -198,7 +201,10 @@ def _listing(words: list[Lexeme]) -> list[Lexeme]:
     for i in range(len(out) - 2):
         room, mark, number = out[i : i + 3]
         closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
-        if room.kind != "room" or mark.text not in ("(", ":", "-", "=", "x") or number.kind != "number" or not closed:
+        if room.kind == "room" and mark.text in (":", "-") and closed and number.text in NONE:
+            out[i : i + 3] = [replace(number, kind="negation", value="no"), room, replace(mark, kind="stop", value="")]
+            continue
+        if room.kind != "room" or mark.text not in ("(", ":", "-", "x", "*") or number.kind != "number" or not closed:
             continue
         if room.plural or (number.number <= 3 and number.number % 1 == 0):
             out[i : i + 3] = [number, room, replace(mark, kind="stop", value="", text=",")]

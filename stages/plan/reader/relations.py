@@ -26,13 +26,13 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
         out += [Statement("not", left, barred)] if barred and left else []
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
-        if any(i.value == "except" for i in items[p.at :]):
-            for phrase in (*left, *right):
-                phrase.quantifier = "other" if phrase.type == "any" else phrase.quantifier
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
             right = [r for r in before if r not in left]
         if not right and len(left) > 1:
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
+        if p.kind == "same":  # "the bedrooms are off the hall, as is the bathroom"
+            out += [Statement(s.kind, right, s.right) for s in out[-1:] if right]
+            continue
         out += _statement(p, left, right)
     return out
 
@@ -48,7 +48,7 @@ def _crossed(phrase: RoomPhrase | None) -> bool:
 
 def place(doors: list[Statement]) -> list[RoomPhrase]:
     """What "there" means after a sentence: the one room it led to, where one may go on from it."""
-    last = [s for s in doors if s.kind in ("door", "only", "open")][-1:]
+    last = [s for s in doors if s.kind in ("door", "only", "serve", "open")][-1:]
     return last[0].right if last and len(last[0].right) == 1 and _crossed(last[0].right[0]) else []
 
 

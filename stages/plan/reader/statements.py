@@ -34,6 +34,22 @@ class Said:
     unread: list[str] = field(default_factory=list)
 
 
+def door_pairs(items: list[Item]) -> list[Item]:
+    """`(hallway, kitchen)` in a list of connections is a sentence of its own: `hallway - kitchen`."""
+    out: list[Item] = []
+    k = 0
+    while k < len(items):
+        first, joint, second, close = (items[k + 1 : k + 5] + [Item("")] * 4)[:4]
+        pair = first.room is not None and is_mark(joint, ",-:") and second.room is not None and is_mark(close, ")")
+        if is_mark(items[k], "(") and pair:
+            out += [Item("mark", "."), first, Item("mark", "-", "-"), second, Item("mark", ".")]
+            k += 5
+        else:
+            out.append(items[k])
+            k += 1
+    return out
+
+
 def sentences(items: list[Item]) -> list[list[Item]]:
     """Items cut at full stops."""
     out: list[list[Item]] = [[]]

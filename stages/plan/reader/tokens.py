@@ -11,7 +11,8 @@ CJK = "\u3400-\u9fff"
 
 _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
 _QUOTES = str.maketrans(
-    {"’": "'", "‘": "'", "`": "'", "–": "-", "—": "-", "−": "-", "×": "x", "，": ",", "。": ".", "；": ";", "、": ","}
+    {"’": "'", "‘": "'", "`": "'", "–": "-", "—": "-", "−": "-", "×": "x", "，": ",", "。": ".", "；": ";", "、": ",",
+     "[": "(", "]": ")", "{": "(", "}": ")", "_": " "}
 )
 _TOKEN = re.compile(
     rf"""(?P<number>\d{{1,3}}(?:[,' ]\d{{3}})+(?![\d])|\d+[.,]\d+|\.\d+|\d+)
@@ -35,6 +36,7 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
+    text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
     for sign, plain in _FRACTIONS.items():
         text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
         text = text.replace(sign, "0" + plain)

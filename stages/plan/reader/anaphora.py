@@ -1,0 +1,101 @@
+"""What `both`, `each`, `the former` stand for, and what `all but` leaves out."""
+
+from stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
+
+PAIRED = ("all", "each", "both")
+
+
+def bind(items: list[Item], before: list[Item]) -> None:
+    """`a study and a lounge. Both …`, `the latter`: elliptical phrases learn which coordination they speak of."""
+    for k, item in enumerate(items):
+        phrase = item.room
+        if phrase is None or phrase.type != "":
+            continue
+        whole = phrase.quantifier in PAIRED and phrase.count is None and not phrase.labels
+        if whole or phrase.text in ("former", "the former", "latter", "the latter"):
+            group = _coordination(items[:k]) or _coordination(before)
+            single = all(r.count in (None, 1) and not r.plural for r in group)
+            fits = len(group) == 2 if phrase.quantifier != "all" and not _at_end(items, k) else len(group) > 1
+            if single and fits:
+                phrase.among = group
+
+
+def _at_end(items: list[Item], k: int) -> bool:
+    """Whether the list itself ends here: `kitchen, dining room and living room each with …`."""
+    return k > 0 and items[k - 1].room is not None
+
+
+def _coordination(items: list[Item]) -> list[RoomPhrase]:
+    """The last `A, B and C` among items; a plural phrase after it stands nearer."""
+    for k in range(len(items) - 1, 1, -1):
+        room = items[k].room
+        if room is None or room.type == "":
+            continue
+        if items[k - 1].kind != "conjunction" or items[k - 2].room is None:
+            if room.plural or (room.count or 1) > 1:
+                return []
+            continue
+        out = [room]
+        j = k - 1
+        while j > 0 and (items[j].kind == "conjunction" or is_mark(items[j], ",")):
+            other = items[j - 1].room
+            if other is None or other.type == "":
+                break
+            out.insert(0, other)
+            j -= 2
+        return out if len(out) > 1 else []
+    return []
+
+
+def exceptions(items: list[Item]) -> list[Item]:
+    """`every room but the study opens onto the hall`: the study is left out of the rooms spoken of."""
+    out: list[Item] = []
+    k = 0
+    while k < len(items):
+        item = items[k]
+        whole = _whole_before(out)
+        but = item.text == "but" and bool(out) and out[-1].room is not None and out[-1].room is whole
+        if whole is None or not (item.value == "except" or but):
+            out.append(item)
+            k += 1
+            continue
+        end = _run(items, k + 1)
+        whole.excluded += [i.room for i in items[k + 1 : end] if i.room is not None and i.room not in whole.excluded]
+        aside = but or (bool(out) and out[-1].room is whole)
+        if not aside or end == k + 1:
+            out.append(item)
+            k += 1
+        else:
+            k = end
+    return out
+
+
+def _whole_before(items: list[Item]) -> RoomPhrase | None:
+    rooms = [i.room for i in items if i.room is not None]
+    return next((r for r in reversed(rooms) if r.quantifier in (*PAIRED, "other") or r.type == "any"), None)
+
+
+def _run(items: list[Item], k: int) -> int:
+    """End of the list of rooms that starts at `k`."""
+    end = k
+    while k < len(items) and (items[k].kind == "conjunction" or items[k].room is not None):
+        k += 1
+        end = k if items[k - 1].room is not None else end
+    return end
+
+
+def shared_verb(items: list[Item]) -> list[Item]:
+    """`one has an en suite, the other a balcony`: the second `has`, which is not said."""
+    out: list[Item] = []
+    has: Item | None = None
+    for k, item in enumerate(items):
+        phrase, last = item.room, out[-1].room if out else None
+        if item.kind == "with" and item.value == "has":
+            has = item
+        gap = len(out) > 1 and (out[-2].kind in ("conjunction", "boundary") or is_mark(out[-2], ","))
+        known = last is not None and (last.quantifier in PARTITIVE or bool(last.ordinals) or last.definite)
+        new = phrase is not None and (phrase.quantifier in ("a", "own", "another") or bool(phrase.count))
+        if has is not None and gap and known and new and k and items[k - 1].room is last:
+            out.append(Item("with", "has", has.text))
+        out.append(item)
+    return out
