@@ -4,6 +4,7 @@ The data is `categories.toml`; the order of `CATEGORIES` is alphabetical, so tha
 """
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -11,6 +12,8 @@ from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from schemas.layout import Box
 
 Place = Literal["floor", "wall", "ceiling", "top", "flat"]
 Opens = Literal["", "leaf", "drawer", "flap", "lid", "sliding"]
@@ -110,3 +113,9 @@ def by_word() -> dict[str, str]:
     """Category of every synonym, lower case."""
     own = {c.name.replace("_", " "): c.name for c in TABLE.values()}
     return own | {word: c.name for c in TABLE.values() for word in c.synonyms}
+
+
+def fitted_ovens(objects: Sequence[Box]) -> frozenset[str]:
+    """Ids of ovens fitted into a kitchen with a hob of its own; elsewhere an oven is a cooker."""
+    hobs = {o.room for o in objects if o.category == "hob"}
+    return frozenset(o.id for o in objects if o.category == "oven" and o.room in hobs)

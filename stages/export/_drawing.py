@@ -15,7 +15,7 @@ from schemas.layout import Box, Layout
 from schemas.plan import Opening, Plan, Room
 from schemas.retrieve import Furnishing, Joint
 from stages import boxes, polygons, shell
-from stages.categories import TABLE
+from stages.categories import TABLE, fitted_ovens
 from stages.export import _symbols
 from stages.export._pen import FAINT, INK, PAPER, Pen
 
@@ -97,9 +97,10 @@ def _layer(o: Box) -> float:
 
 
 def _furniture(axes: Axes, objects: Sequence[Box]) -> None:
+    fitted = fitted_ovens(objects)
     for o in objects:
         pen = Pen(axes, o.center[0], o.center[1], o.yaw, _layer(o))
-        _symbols.draw(pen, o.category, o.size[0], o.size[1])
+        _symbols.draw(pen, "fitted_oven" if o.id in fitted else o.category, o.size[0], o.size[1])
         for joint in o.joints if isinstance(o, Furnishing) else []:
             _swept(Pen(axes, o.center[0], o.center[1], o.yaw, 4.8), joint)
 

@@ -232,7 +232,7 @@ SYMBOLS: dict[str, Symbol] = {
     "office_chair": _office_chair, "stool": _stool, "sofa": _sofa, "armchair": _sofa, "corner_sofa": _corner_sofa,
     "pouffe": _cushion, "bench": _slats, "tv": _screen, "monitor": _screen,
     "kitchen_sink": _fixtures.sink, "hob": _fixtures.rings, "oven": partial(_fixtures.rings, knobs=True),
-    "fridge": _fixtures.fridge,
+    "fitted_oven": partial(_fixtures.marked, word="OV", fill=STEEL), "fridge": _fixtures.fridge,
     "dishwasher": partial(_fixtures.marked, word="DW"), "microwave": partial(_fixtures.marked, word="MW"),
     "washing_machine": partial(_fixtures.marked, word="WM", drum=True),
     "dryer": partial(_fixtures.marked, word="TD", drum=True),

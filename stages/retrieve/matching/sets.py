@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from schemas.layout import Box
-from stages.categories import OVEN_TOWER, TABLE
+from stages.categories import OVEN_TOWER, TABLE, fitted_ovens
 from stages.retrieve.matching.embedded import Embedded
 
 Array = NDArray[np.float64]
@@ -49,7 +49,7 @@ def wishes(objects: Sequence[Box], height: float) -> list[Wish]:
         for i in same:
             latent[i] = np.asarray(mean)
         _level(size, rows, [objects[i].category for i in rows], (0, 1, 2))
-    fitted = _fitted(objects)
+    fitted = fitted_ovens(objects)
     run = {o.id for o in objects if o.category in RUN or (o.id in fitted and o.size[2] < OVEN_TOWER)}
     for rows in _grouped(objects, lambda o: (o.room, "run" if o.id in run else o.id)):
         _level(size, rows, [objects[i].category for i in rows], (0, 2))
@@ -72,16 +72,10 @@ def _grouped(objects: Sequence[Box], key: Callable[[Box], Hashable]) -> list[lis
     return list(groups.values())
 
 
-def _fitted(objects: Sequence[Box]) -> frozenset[str]:
-    """Ids of ovens fitted into a kitchen with a hob of its own; elsewhere an oven is a cooker."""
-    hobs = {o.room for o in objects if o.category == "hob"}
-    return frozenset(o.id for o in objects if o.category == "oven" and o.room in hobs)
-
-
 def designs(objects: Sequence[Box], wished: Sequence[Wish], embedded: Embedded) -> list[Design]:
     """Style and seed of each object: within a family of a room those that cost all its members least."""
     chosen: list[Design] = [("", 0)] * len(objects)
-    fitted, of_kitchens = _fitted(objects), embedded.styles("hob")
+    fitted, of_kitchens = fitted_ovens(objects), embedded.styles("hob")
 
     def family(o: Box) -> tuple[str, str]:
         return o.room, "kitchen" if o.id in fitted else FAMILY.get(o.category, o.category)
