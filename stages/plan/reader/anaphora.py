@@ -12,12 +12,15 @@ def bind(items: list[Item], before: list[Item]) -> None:
         if phrase is None or phrase.type != "":
             continue
         whole = phrase.quantifier in PAIRED and phrase.count is None and not phrase.labels
-        if whole or phrase.text in ("former", "the former", "latter", "the latter"):
+        named = phrase.text in ("former", "the former", "latter", "the latter")
+        if whole or named:
             group = _coordination(items[:k]) or _coordination(before)
             single = all(r.count in (None, 1) and not r.plural for r in group)
             fits = len(group) == 2 if phrase.quantifier != "all" and not _at_end(items, k) else len(group) > 1
             if single and fits:
                 phrase.among = group
+            elif named:
+                phrase.quantifier = "none"
 
 
 def _at_end(items: list[Item], k: int) -> bool:

@@ -15,6 +15,7 @@ OWNED_BY = {
     "bedroom": ("hallway",),
 }
 """What `A with a B` makes B: a room that opens off A."""
+PLURAL = ("have", "need", "get", "should have", "must have")
 
 
 def merge_ensuites(items: list[Item]) -> list[Item]:
@@ -102,7 +103,12 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             owner.headline and (item.kind == "mark" or item.value == "with") and not _only_things(items, k + 1)
         ):
             before = len(owner.owned)
-            k = _take(owner, items, k + 1, bare=item.kind == "mark")
+            start = k + 1
+            k = _take(owner, items, start, item.value if item.kind == "mark" else "")
+            if item.value == "has" and item.text in PLURAL:
+                _give_each(owner, owner.owned[before:], out)
+            if k == start and is_mark(item, ":"):
+                out.append(item)
             if item.value == "has" and (owner.plural or (owner.count or 1) > 1):
                 for owned in owner.owned[before:]:
                     owned.quantifier = "each" if owned.quantifier == "a" else owned.quantifier
@@ -158,8 +164,19 @@ def _mark_subset(owner: RoomPhrase, after: list[Item], parenthesis: bool) -> Non
             item.room.subset = True
 
 
-def _take(owner: RoomPhrase, items: list[Item], k: int, bare: bool) -> int:
-    """Move what belongs to `owner` from `items[k:]` onto it; returns where the rest begins."""
+def _give_each(owner: RoomPhrase, given: list[RoomPhrase], before: list[Item]) -> None:
+    """`the lounge and the main bedroom have balconies`: one for each."""
+    at = next((k for k, i in enumerate(before) if i.room is owner), 0)
+    if not given or at < 2 or before[at - 1].kind != "conjunction" or before[at - 2].room is None:
+        return
+    first = before[at - 2].room
+    for room in given if first is not None and first.type and owner.quantifier == first.quantifier else []:
+        room.plural, room.quantifier = False, "each"
+        first.owned.append(RoomPhrase(room.type, set(room.labels), quantifier="each", text=room.text))
+
+
+def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
+    """Move what belongs to `owner` from `items[k:]` onto it; returns where the rest begins. `bare` is a mark's text."""
     first = True
     taken = k
     while k < len(items):
@@ -197,7 +214,7 @@ def _each_after(items: list[Item], k: int) -> bool:
     return following is not None and following.type == "" and following.quantifier == "each" and not following.labels
 
 
-def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare: bool) -> bool:
+def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare: str) -> bool:
     phrase = item.room
     assert phrase is not None
     kind = owner.type or "bedroom"
@@ -221,7 +238,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
         fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
         return after_one and fits and not bare and phrase.count is None
-    return first or phrase.type in ("closet", "balcony") and not bare
+    listed = bare == "(" and bool(owner.owned) and not owner.plural  # "master (en suite, balcony)"
+    return first or phrase.type in ("closet", "balcony") and (not bare or listed)
 
 
 def _listed(after: list[Item]) -> bool:

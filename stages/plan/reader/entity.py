@@ -14,6 +14,7 @@ DISTINCT = (
     "family",
     "shared_pair",
     "entrance",
+    "inner",
     "eat_in",
     "size",
 )

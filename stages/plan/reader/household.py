@@ -81,10 +81,10 @@ class Household:
             self.banned.add((phrase.type, label))
 
     def _find(self, phrase: RoomPhrase) -> list[Entity]:
-        if phrase.type == "":
-            return self._ellipsis(phrase)
         if phrase.type == "any" or phrase.quantifier == "none":
             return []
+        if phrase.type == "":
+            return self._ellipsis(phrase)
         if "halls" in phrase.labels:
             return self._halls(phrase)
         if phrase.headline and phrase.count is not None:
@@ -185,7 +185,8 @@ class Household:
             free = [e for e in self.of(phrase.type) if not e.picked and not e.labels & set(DISTINCT)]
             if free and (phrase.quantifier == "the" or id(phrase) in self.mentions):
                 return free[:1]
-        free = [e for e in self.of(phrase.type) if not e.labels & set(DISTINCT) and not e.picked and e.owner is None]
+        apart = set(DISTINCT) - ({"double"} if "master" in labels else set())
+        free = [e for e in self.of(phrase.type) if not e.labels & apart and not e.picked and e.owner is None]
         total = phrase.type in self.totals or phrase.subset
         take = free if self._among_known(phrase, labels, free, total) else []
         found = take[:count]

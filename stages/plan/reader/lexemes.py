@@ -66,7 +66,8 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
         return Lexeme("number", first.text, first.text, values=(first.value,), glued=first.glued), i + 1
     found = _longest(tokens, i, lexicon, {})
     if found:
-        return found
+        slips = _slips(tokens, found[1], lexicon)
+        return slips and _longest(tokens, i, lexicon, slips) or found
     if first.kind == "word":
         fixed = {
             j: correct(tokens[j].text, lexicon) for j in range(i, min(i + 3, len(tokens))) if tokens[j].kind == "word"
@@ -76,6 +77,13 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
     if first.text == "." and i and tokens[i - 1].text in ABBREVIATED and i + 1 < len(tokens):
         return Lexeme("stop", "", "."), i + 1
     return Lexeme("mark", "." if first.text in "\n;!?." else first.text, first.text, glued=first.glued), i + 1
+
+
+def _slips(tokens: list[Token], j: int, lexicon: Lexicon) -> dict[int, str]:
+    """The correction of the word at `j`, which may make the phrase before it longer: `all togehter`."""
+    word = tokens[j].text if j < len(tokens) and tokens[j].kind == "word" else ""
+    fixed = correct(word, lexicon) if word and (word,) not in lexicon.entries else word
+    return {j: fixed} if fixed != word else {}
 
 
 def _compound(token: Token, lexicon: Lexicon) -> Lexeme:

@@ -80,6 +80,12 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if together and len(owners) == 1 and not owners[0].plural:
             owners = _coordinated(out, owners[0])
             split_area(owners, item.values[0]) if item.kind == "area" else None
+        if len(item.values) > 1 and len(owners) == 1 and not owners[0].plural:
+            listed = _coordinated(out, owners[0])  # "kitchen and living room 10 and 26 m²"
+            if len(listed) == len(item.values) and item.kind == "area":
+                for owner, value in zip(listed, item.values, strict=True):
+                    owner.areas = owner.areas or (value,)
+                continue
         for owner in owners:
             owner.together = together or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
             if item.kind == "area":

@@ -28,7 +28,7 @@ def parse(prompt: str) -> Said:
     last: list[Item] = []
     for sentence in sentences(door_pairs(phraser.items) if said.graph else phraser.items):
         bind(sentence, last)
-        last = sentence
+        last = [*last, *sentence]
         trail = place(said.statements[known:])
         known = len(said.statements)
         before = _sentence(sentence, said, before, trail)

@@ -123,6 +123,8 @@ class Phraser:
         return p.empty() and bool(self.items) and self.items[-1].kind == "room"
 
     def _determiner(self, word: Lexeme) -> None:
+        if word.value == "a" and (self.pending.quantifier == "other" or self.pending.ordinals):
+            self._flush(word)  # "the other a balcony"
         p = self.pending
         if p.quantifier in PARTITIVE and word.value in ("the", "a"):
             return

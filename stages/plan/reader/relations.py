@@ -8,6 +8,9 @@ ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
 
 
+JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "connecting", "linking")
+
+
 def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhrase], graph: bool) -> list[Statement]:
     """Statements of one sentence; `before` is what "it" at its start refers to, `trail` what "there" does."""
     found = predicates(items, graph)
@@ -27,7 +30,7 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
-            right = [r for r in before if r not in left]
+            right = [r for r in (trail if trail and _onward(items[p.at]) else before) if r not in left]
         if not right and len(left) > 1:
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
         if p.kind == "same":  # "the bedrooms are off the hall, as is the bathroom"
@@ -39,7 +42,8 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
 
 def _onward(item: Item) -> bool:
     """`from there`, `beyond it`: the place one came to last, not what the sentence before was about."""
-    return item.value == "from_which" and ("there" in item.text or "beyond" in item.text)
+    words = item.text.split()
+    return bool({"there", "beyond", "that"} & set(words)) if item.value == "from_which" else "beyond" in words
 
 
 def _crossed(phrase: RoomPhrase | None) -> bool:
@@ -97,6 +101,9 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         return
     if last and items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
         p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
+        return
+    if last and p.kind == "to" and items[last.at].text.split()[0] in JOINING and last.subject != (0, 0):
+        p.subject, p.kind = last.subject, "door"  # "a hallway joins the lounge to two bedrooms"
         return
     if last and _back_to_head(items, p, last, rooms, between):
         p.subject, p.shared = last.subject, True
@@ -198,6 +205,8 @@ def _objects(items: list[Item], p: Predicate, following: Predicate | None, left:
             if not phrase.negated and phrase not in left:
                 out.append(phrase)
         elif item.kind in ("boundary", "dwelling", "with") or item.value == "except":
+            break
+        elif item.kind == "reach" and out and item.text.startswith("there"):
             break
         elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1:
             break

@@ -23,6 +23,8 @@ def room_areas(
         base[ids[id(e)]] *= style["scale"] * said.flat_size if said.total_area is None else 1.0
     stated = {ids[id(e)]: e.area for e in home.rooms if e.area is not None}
     shares = {ids[id(e)]: e.share for e in home.rooms if e.share is not None and e.area is None}
+    for s in said.statements:
+        _share_compared(s, home, ids, shares)
     shares_fit(shares)
     _equalise(base, home, ids)
     for statement in said.statements:
@@ -38,6 +40,14 @@ def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> N
     for kind in ROOM_TYPES:
         same = [ids[id(e)] for e in home.of(kind) if "equal" in e.labels]
         base.update(dict.fromkeys(same, sum(base[j] for j in same) / max(len(same), 1)))
+
+
+def _share_compared(s: Statement, home: Household, ids: dict[int, str], shares: dict[str, float]) -> None:
+    """A room compared with one whose share of the floor is known has a share itself."""
+    left = [ids[id(e)] for e in entities(s.left, home)]
+    right = [ids[id(e)] for e in entities(s.right, home)]
+    if s.kind == "compare" and s.number > 0 and len(right) == 1 and right[0] in shares:
+        shares |= {i: shares[right[0]] * s.number for i in left if i not in shares}
 
 
 def _compare(
