@@ -1,6 +1,6 @@
 """Differentiable geometry of boxes and rooms, batched over rooms and objects."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 
 import numpy as np
@@ -54,6 +54,10 @@ class Floor:
     zone_floor: Tensor
     height: Tensor
     empty: Tensor
+
+    def take(self, index: Tensor) -> "Floor":
+        """The floors of some rooms."""
+        return Floor(**{f.name: getattr(self, f.name)[index] for f in fields(self)})
 
 
 def boxes_of(made: Prediction, class_scale: float) -> Boxes:

@@ -31,11 +31,34 @@ def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
 
 def gradient(terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room: Floor, model: ModelConfig) -> Tensor:
     """∇φ(x) of φ = Σ γ φ_k, (B, N, D)."""
+    return energy_and_gradient(terms, x, logits, room, model)[1]
+
+
+def energy_and_gradient(
+    terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room: Floor, model: ModelConfig
+) -> tuple[Tensor, Tensor]:
+    """φ (B,) and ∇φ (B, N, D)."""
     with torch.enable_grad():
         x = x.detach().requires_grad_()
         boxes = boxes_of(Prediction(x, logits), model.class_scale)
-        total = torch.stack([gamma * energy(boxes, room).sum() for gamma, energy in terms]).sum()
-    return torch.autograd.grad(total, x, materialize_grads=True)[0] if total.requires_grad else torch.zeros_like(x)
+        phi = torch.stack([gamma * energy(boxes, room) for gamma, energy in terms]).sum(0)
+        total = phi.sum()
+    grad = torch.autograd.grad(total, x, materialize_grads=True)[0] if total.requires_grad else torch.zeros_like(x)
+    return phi.detach(), grad
+
+
+def descended(
+    terms: list[tuple[float, Energy]], x0: Tensor, logits: Tensor, room: Floor, model: ModelConfig, config: LayoutConfig
+) -> Tensor:
+    """x_0 after gradient steps without Σ; a room where every energy has reached 0 is done with."""
+    x0, left = x0.clone(), torch.arange(len(x0))
+    for _ in range(config.guidance_repeats):
+        phi, grad = energy_and_gradient(terms, x0[left], logits[left], room.take(left), model)
+        x0[left] -= trusted(config.guidance_scale * grad)
+        left = left[phi > 0]
+        if not len(left):
+            break
+    return x0
 
 
 def guided(
@@ -58,10 +81,7 @@ def guided(
         if not terms or step > below * T or step == 0:
             return made
         if config.scaling == "plain":
-            x0 = made.x0
-            for _ in range(config.guidance_repeats):
-                x0 = x0 - trusted(config.guidance_scale * gradient(terms, x0, made.logits, room, model))
-            return Prediction(x0, made.logits)
+            return Prediction(descended(terms, made.x0, made.logits, room, model, config), made.logits)
         mean, variance = posterior(x, made.x0, step, step - 1)
         share = posterior(torch.zeros_like(x), torch.ones_like(x), step, step - 1)[0]
         shift = config.guidance_scale * variance * gradient(terms, mean, made.logits, room, model) / share

@@ -27,7 +27,8 @@ class Context:
 
     tokens (B, K, W) of walls then openings · mask (B, K) true where real · vector (B, W) ·
     frames (B, K, 7) of [mid x, mid y, normal x, normal y, half length, is wall, kind] · present (B, N) objects that
-    exist, None when all do.
+    exist, None when all do · seen: keys and values (B, heads, K, W / heads) of the tokens in every block, None where
+    they are not kept from step to step.
     """
 
     tokens: Tensor
@@ -35,6 +36,7 @@ class Context:
     vector: Tensor
     frames: Tensor
     present: Tensor | None = None
+    seen: list[tuple[Tensor, ...]] | None = None
 
 
 def wall_frames(rooms: Rooms) -> tuple[Tensor, Tensor]:
@@ -134,8 +136,12 @@ class Block(nn.Module):
         b, n, _ = x.shape
         return x.view(b, n, parts, self.heads, -1).permute(2, 0, 3, 1, 4).unbind(0)
 
-    def forward(self, x: Tensor, room: Tensor, time: Tensor, bias: tuple[Tensor, Tensor]) -> Tensor:
-        """x (B, N, W), room tokens (B, K, W), time (B, 9, W), biases (B, heads, N, N) and (B, heads, N, K)."""
+    def seen(self, room: Tensor) -> tuple[Tensor, ...]:
+        """Keys and values (B, heads, K, W / heads) of room tokens (B, K, W)."""
+        return self.split(self.key_value(room), 2)
+
+    def forward(self, x: Tensor, room: tuple[Tensor, ...], time: Tensor, bias: tuple[Tensor, Tensor]) -> Tensor:
+        """x (B, N, W), the room's keys and values, time (B, 9, W), biases (B, heads, N, N) and (B, heads, N, K)."""
         shift_a, scale_a, gate_a, shift_c, scale_c, gate_c, shift_m, scale_m, gate_m = (self.modulation + time)[
             :, :, None
         ].unbind(1)
@@ -143,7 +149,7 @@ class Block(nn.Module):
         q, k, v = self.split(self.qkv(h), 3)
         x = x + gate_a * self.out[0](scaled_dot_product_attention(q, k, v, bias[0]).transpose(1, 2).flatten(2))
         h = self.norms[1](x) * (1 + scale_c) + shift_c
-        (q,), (k, v) = self.split(self.query(h), 1), self.split(self.key_value(room), 2)
+        (q,), (k, v) = self.split(self.query(h), 1), room
         x = x + gate_c * self.out[1](scaled_dot_product_attention(q, k, v, bias[1]).transpose(1, 2).flatten(2))
         out: Tensor = x + gate_m * self.mlp(self.norms[2](x) * (1 + scale_m) + shift_m)
         return out
@@ -171,9 +177,14 @@ class Denoiser(nn.Module):
         nn.init.zeros_(self.output.weight)
         nn.init.zeros_(self.output.bias)
 
+    def seen(self, room: Context) -> list[tuple[Tensor, ...]]:
+        """What every block reads of the room, which is the same at every step of a sample."""
+        return [block.seen(room.tokens) for block in self.blocks]
+
     def forward(self, x: Tensor, t: Tensor, room: Context) -> Tensor:
         """x (B, N, D), t (B,)."""
         b, n, _ = x.shape
+        seen = room.seen or self.seen(room)
         walls, objects = wall_pairs(x, room.frames), object_pairs(x)
         near = self.wall_pair(walls)
         near = near * room.mask[:, None, :, None]
@@ -187,7 +198,7 @@ class Denoiser(nn.Module):
         h = self.input(x) + self.wall_value(near.amax(2)) + room.vector[:, None]
         time = self.modulation(self.time(fourier(t, 64)) + room.vector).view(b, 9, -1)
         for i, block in enumerate(self.blocks):
-            h = block(h, room.tokens, time, (to_objects[i], to_walls[i]))
+            h = block(h, seen[i], time, (to_objects[i], to_walls[i]))
         h = self.norm(h)
         out: Tensor = self.output(h).float()
         present = torch.ones(b, n, dtype=torch.bool) if room.present is None else room.present

@@ -58,7 +58,9 @@ def sample(
     count = torch.from_numpy(rooms.count)
     exact = config.count == "exact"
     slots = max(1, int(count.max())) if exact else N_MAX
-    context = network.encoder(rooms, not exact)
+    with torch.no_grad():
+        context = network.encoder(rooms, not exact)
+        context.seen = network.seen(context)
     if exact:
         context.present = torch.arange(slots)[None] < count[:, None]
     denoise: Denoise = lambda x, t: predict(network, x, t, context)  # noqa: E731
