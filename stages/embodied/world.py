@@ -6,10 +6,11 @@ doors stand open at the end of their range and stay there, as with a doorstop; t
 
 from collections.abc import Collection
 from copy import deepcopy
+from hashlib import blake2b
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 from xml.etree import ElementTree
 
 import mujoco
@@ -26,6 +27,16 @@ ROBOT = "robot"
 """Names of the robot's bodies, joints, geoms, actuators and sensors begin so."""
 
 
+class Source(NamedTuple):
+    """What was read of an exported apartment: the document, and its colliders' meshes as files named by content.
+
+    MuJoCo keeps what it makes of such a file, so that each mesh's hull is computed once however many worlds use it.
+    """
+
+    root: Element
+    meshes: dict[str, bytes]
+
+
 @dataclass(frozen=True)
 class World:
     """The compiled model, what it was built from, and which of its bodies and joints are what in the artifact.
@@ -40,7 +51,7 @@ class World:
     model: Any
     doors: dict[str, float] = field(default_factory=dict)
     name: str = ""
-    source: Element | None = field(default=None, repr=False, compare=False)
+    source: Source | None = field(default=None, repr=False, compare=False)
     """What was read, without what only shows; worlds of the same apartment are built from it faster."""
 
     @property
@@ -54,15 +65,8 @@ class World:
         return frozenset(k for k in range(self.model.nbody) if self.model.body(k).name.startswith(ROBOT))
 
     @cached_property
-    def object_of(self) -> dict[int, str]:
-        """Artifact id of every body's object or opening, by body id; what belongs to none is left out."""
-        names = {body.link_name(link): id for id, body in self.bodies.items() for link in body.links}
-        found = ((k, names.get(self.model.body(k).name)) for k in range(self.model.nbody))
-        return {k: id for k, id in found if id is not None}
-
-    @cached_property
     def owner(self) -> dict[int, str]:
-        """The same of every collider, by geom id, which holds in fused worlds, too."""
+        """Artifact id of every collider's object or opening, by geom id; what belongs to none is left out."""
         names = {body.link_name(link): id for id, body in self.bodies.items() for link in body.links}
         found = ((k, names.get(self.model.geom(k).name.rpartition("__c")[0])) for k in range(self.model.ngeom))
         return {k: id for k, id in found if id is not None}
@@ -71,24 +75,25 @@ class World:
 def build(
     scene: Scene, mjcf: Path, robot: str = "", *, moving: Collection[str] | None = None,
     without: Collection[str] = (), visuals: bool = False, fused: bool = False, timestep: float | None = None,
-    name: str = "", source: Element | None = None,
+    name: str = "", source: Source | None = None,
 ) -> World:
     """The apartment exported to `mjcf` (an apartment.xml), with a robot given as MJCF text.
 
     `moving` are ids of the objects that may move, joints and all (None: every one); any other is welded as it stands,
     shut. Colliders named in `without` are left out, and with its last collider a body that does not move. `visuals`
-    keeps what only shows. `fused` joins all that is welded into the world's own body, which is faster; only geoms then
-    tell things apart. `source` is that of a world of this apartment. BadInput when the file is not that apartment's.
+    keeps what only shows. `fused` joins all that is fixed, but for the bases of what may move, into the world's own
+    body, which is faster; only geoms then tell things apart. `source` is that of a world of this apartment. BadInput when the file is not that apartment's.
     """
     if not isinstance(scene.home, Retrieve):
         raise BadInput("robots need real furniture; run `apartgen retrieve` on this first")
     bodies = {body.id: body for body in scene.bodies if body.id and body.kind in ("object", "door")}
     source = _read(mjcf, visuals) if source is None else source
-    missing = {body.name for body in bodies.values()} - {element.get("name") for element in source.iter("body")}
+    missing = {body.name for body in bodies.values()} - {element.get("name") for element in source.root.iter("body")}
     if missing:
         raise BadInput(f"{mjcf}: holds no {min(missing)!r}; export this apartment again")
     free = bodies if moving is None else moving
-    root = _copied(source, frozenset(without), {body.name for id, body in bodies.items() if id in free})
+    loose = {body.name for id, body in bodies.items() if id in free}
+    root = _copied(source.root, frozenset(without), loose)
     named = {element.get("name"): element for element in root.iter("body")}
     doors = _open_doors(bodies, named)
     for id, body in bodies.items():
@@ -96,23 +101,22 @@ def build(
             _weld(named[body.name])
     _drop_unused(root, named)
     if fused:
-        _section(root, "contact").clear()
-        _section(root, "compiler").set("fusestatic", "true")
+        _fuse(root, {element.get("name") for name in loose if name in named for element in named[name].iter("body")})
     if robot:
         _attach(root, ElementTree.fromstring(robot))
     if timestep:
         _section(root, "option").set("timestep", str(timestep))
-    model = mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode"))
+    model = mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode"), source.meshes)
     return World(scene, mjcf, bodies, model, doors, name, None if visuals else source)
 
 
-def _read(mjcf: Path, visuals: bool) -> Element:
+def _read(mjcf: Path, visuals: bool) -> Source:
     root = ElementTree.parse(mjcf).getroot()
     compiler = _section(root, "compiler")
-    for key in ("meshdir", "texturedir"):
-        compiler.set(key, str((mjcf.parent / compiler.get(key, "")).resolve()))
+    folders = {key: str((mjcf.parent / compiler.attrib.pop(key, "")).resolve()) for key in ("meshdir", "texturedir")}
     if visuals:
-        return root
+        compiler.attrib.update(folders)
+        return Source(root, {})
     for body in root.iter("body"):
         for geom in body.findall("geom"):
             if geom.get("class") == "visual":
@@ -121,9 +125,18 @@ def _read(mjcf: Path, visuals: bool) -> Element:
     for light in world.findall("light"):
         world.remove(light)
     for asset in list(assets):
-        if asset.tag != "mesh":
+        if asset.tag != "mesh" or "vertex" not in asset.attrib:
             assets.remove(asset)
-    return root
+    return Source(root, dict(_filed(mesh) for mesh in assets))
+
+
+def _filed(mesh: Element) -> tuple[str, bytes]:
+    """Make a mesh given by its vertices one that is read from a file; that file's name and content (MuJoCo's MSH)."""
+    vertices = np.array(mesh.attrib.pop("vertex").split(), np.float32)
+    content = np.array([len(vertices) // 3, 0, 0, 0], np.int32).tobytes() + vertices.tobytes()
+    name = f"{blake2b(content, digest_size=16).hexdigest()}.msh"
+    mesh.set("file", name)
+    return name, content
 
 
 def _copied(source: Element, without: frozenset[str], free: Collection[str]) -> Element:
@@ -162,6 +175,15 @@ def _drop_unused(root: Element, named: Collection[str | None]) -> None:
     for pair in contact.findall("exclude"):
         if pair.get("body1") not in named or pair.get("body2") not in named:
             contact.remove(pair)
+
+
+def _fuse(root: Element, moving: Collection[str | None]) -> None:
+    """Have static bodies joined to the world's; those that pairs name stay, so only moving bodies' pairs are kept."""
+    contact = _section(root, "contact")
+    for pair in contact.findall("exclude"):
+        if pair.get("body1") not in moving and pair.get("body2") not in moving:
+            contact.remove(pair)
+    _section(root, "compiler").set("fusestatic", "true")
 
 
 def _section(root: Element, tag: str) -> Element:

@@ -91,8 +91,8 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
 
 def equipped(apartment: World, object: str, without: Collection[str]) -> World:
     """The apartment with the manipulator in it, nothing but one object's parts moving, some colliders left out."""
-    return world.build(apartment.scene, apartment.mjcf, mjcf(), moving=[object], without=without, name=apartment.name,
-                       source=apartment.source)
+    return world.build(apartment.scene, apartment.mjcf, mjcf(), moving=[object], without=without, fused=True,
+                       name=apartment.name, source=apartment.source)
 
 
 def _leaves(apartment: World) -> frozenset[str]:

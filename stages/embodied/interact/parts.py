@@ -107,7 +107,7 @@ def rotation(axis: Array, angle: float) -> Array:
 def listed(world: World) -> list[tuple[Body, Link]]:
     """Everything that opens in an apartment: the link, and the object that it belongs to."""
     assert world.source is not None
-    known = {joint.get("name") for joint in world.source.iter("joint")}
+    known = {joint.get("name") for joint in world.source.root.iter("joint")}
     return [(body, link) for body in world.bodies.values() if body.kind == "object"
             for link in body.links if link.joint is not None and body.joint_name(link.joint) in known]
 

@@ -33,6 +33,7 @@ class Probe:
         """Which geoms are the robot's, (ngeom,)."""
         self.solid: Mask = np.asarray(self.model.geom_contype != 0) & ~self.robot
         self.model.geom_margin[self.robot] = CLEARANCE
+        self.model.body_margin[self.model.geom_bodyid[self.robot]] = CLEARANCE
         self.data = mujoco.MjData(self.model)
         self._masks: dict[tuple[int, ...], Mask] = {}
         self.reset(-1)
@@ -54,8 +55,8 @@ class Probe:
 
     def own(self, part: Part) -> Mask:
         """Which geoms are the object's whose part it is, (ngeom,)."""
-        ids = [k for k, id in self.world.object_of.items() if id == part.object]
-        return np.isin(self.model.geom_bodyid, ids)
+        ids = [k for k, id in self.world.owner.items() if id == part.object]
+        return np.isin(np.arange(self.model.ngeom), ids)
 
     def reset(self, body: int) -> None:
         """Everything shut again; the part that is asked about is this body."""
@@ -115,6 +116,6 @@ class Probe:
         return int(first[1] if moving[first[0]] else first[0])
 
     def name(self, geom: int) -> str:
-        """What a geom belongs to: the artifact's id of an object or opening, else its body's name."""
-        body = int(self.model.geom_bodyid[geom])
-        return self.world.object_of.get(body, str(self.model.body(body).name))
+        """What a geom belongs to: the artifact's id of an object or opening, else its body's name before fusing."""
+        body = str(self.model.body(self.model.geom_bodyid[geom]).name)
+        return self.world.owner.get(geom) or str(self.model.geom(geom).name).rpartition("__c")[0] or body
