@@ -11,16 +11,25 @@ def bind(items: list[Item], before: list[Item]) -> None:
         phrase = item.room
         if phrase is None or phrase.type != "":
             continue
+        if phrase.quantifier == "another":
+            kinds = [r.type for r in _rooms(items[:k]) if r.type and (r.quantifier in ("a", "another") or r.count == 1)]
+            phrase.type = kinds[-1] if kinds else ""
         whole = phrase.quantifier in PAIRED and phrase.count is None and not phrase.labels
         named = phrase.text in ("former", "the former", "latter", "the latter")
         if whole or named:
             group = _coordination(items[:k]) or _coordination(before)
+            if not group and phrase.quantifier == "both":
+                group = _rooms(items[:k])[-2:]
             single = all(r.count in (None, 1) and not r.plural for r in group)
             fits = len(group) == 2 if phrase.quantifier != "all" and not _at_end(items, k) else len(group) > 1
             if single and fits:
                 phrase.among = group
             elif named:
                 phrase.quantifier = "none"
+
+
+def _rooms(items: list[Item]) -> list[RoomPhrase]:
+    return [i.room for i in items if i.room is not None]
 
 
 def _at_end(items: list[Item], k: int) -> bool:
@@ -85,6 +94,23 @@ def _run(items: list[Item], k: int) -> int:
         k += 1
         end = k if items[k - 1].room is not None else end
     return end
+
+
+def counted(items: list[Item]) -> list[Item]:
+    """`the bedrooms, of which there are three, …`: the count is said afterwards."""
+    out: list[Item] = []
+    k = 0
+    while k < len(items):
+        kinds = [i.kind for i in items[k : k + 3]]
+        last = next((i.room for i in reversed(out) if i.kind != "mark"), None)
+        number = items[k + 2].room if kinds == ["with", "reach", "room"] else None
+        if number is not None and number.type == "" and number.count and last is not None and last.plural:
+            last.count, last.quantifier = number.count, ""
+            k += 3
+        else:
+            out.append(items[k])
+            k += 1
+    return out
 
 
 def shared_verb(items: list[Item]) -> list[Item]:

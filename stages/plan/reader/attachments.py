@@ -1,5 +1,6 @@
 """What belongs to one room phrase: the rooms that open off it, its furniture."""
 
+from stages.plan.reader.links import ANNEXES
 from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from stages.plan.reader.statements import Said
 
@@ -7,7 +8,7 @@ OWNED_BY = {
     "closet": ("bedroom", "hallway"),
     "bathroom": ("bedroom", "hallway"),
     "balcony": ("living_room", "bedroom", "kitchen", "dining_room", "study"),
-    "storage": ("kitchen", "hallway"),
+    "storage": ("kitchen", "hallway", "bathroom"),
     "utility": ("kitchen", "hallway", "bathroom"),
     "study": ("bedroom", "hallway"),
     "dining_room": ("living_room", "kitchen"),
@@ -223,7 +224,7 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     if "adjoining" in phrase.labels and first:
         return True
     if kind == "hallway":
-        return not bare and (first or phrase.type in ("bedroom", "bathroom", "study"))
+        return not bare and (first or phrase.type in ("bedroom", "bathroom", "study", *ANNEXES))
     if phrase.type == "bathroom":
         own = bool(phrase.labels & {"ensuite", "own"}) and not phrase.labels & {"family", "half"}
         lone = (
@@ -239,7 +240,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
         return after_one and fits and not bare and phrase.count is None
     listed = bare == "(" and bool(owner.owned) and not owner.plural  # "master (en suite, balcony)"
-    return first or phrase.type in ("closet", "balcony") and (not bare or listed)
+    alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)
+    return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
 
 
 def _listed(after: list[Item]) -> bool:

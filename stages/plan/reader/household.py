@@ -131,7 +131,12 @@ class Household:
         free = [e for e in pool if not e.picked] or pool
         if len(pool) == 1 and phrase.another and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
-        if phrase.quantifier in PAIRED and not phrase.count:
+        if phrase.quantifier == "another":
+            return self.add(phrase.type, int(phrase.count or 1))
+        if phrase.quantifier == "other" and phrase.count:
+            rest = [e for e in self.of(phrase.type) if not e.picked and (e not in self.last or len(pool) > 1)]
+            found = (rest + self.add(phrase.type, int(phrase.count) - len(rest)))[: int(phrase.count)]
+        elif phrase.quantifier in PAIRED and not phrase.count:
             found = pool
         elif phrase.quantifier == "other" and not phrase.count:
             found = free

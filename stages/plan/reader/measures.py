@@ -79,7 +79,9 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         together = any(i.kind == "sum" for i in items[max(k - 3, 0) : k + 2])
         if together and len(owners) == 1 and not owners[0].plural:
             owners = _coordinated(out, owners[0])
-            split_area(owners, item.values[0]) if item.kind == "area" else None
+            split_area(owners, item.values[0]) if item.kind == "area" else _split_share(owners, item.values[0])
+            if item.kind == "share":
+                continue
         if len(item.values) > 1 and len(owners) == 1 and not owners[0].plural:
             listed = _coordinated(out, owners[0])  # "kitchen and living room 10 and 26 m²"
             if len(listed) == len(item.values) and item.kind == "area":
@@ -128,7 +130,8 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
         j -= 1
     last = before[j].room if j >= 0 else None
     if last is not None:
-        return [] if _speaks_of_flat(before, j, items[k]) else _each_of(before, items, j, k)
+        each = any(r.quantifier == "each" for r in rooms_of(items[k + 1 : k + 2]))
+        return [] if not each and _speaks_of_flat(before, j, items[k]) else _each_of(before, items, j, k)
     if j >= 0 and before[j].kind == "dwelling":
         return []
     follows = k + 1 < len(items) and items[k + 1].kind in ("with", "link", "front")
@@ -163,6 +166,13 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
     usual = sense()["area"].get(phrase.type, 12.0)
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
     return phrase.headline or area.values[0] > (2.2 if apart else 5.0) * usual
+
+
+def _split_share(group: list[RoomPhrase], whole: float) -> None:
+    """One share of the floor for several rooms, in the ratio of their usual areas."""
+    usual = [sense()["area"].get(r.type, 12.0) for r in group]
+    for room, part in zip(group, usual, strict=True):
+        room.share = whole * part / sum(usual)
 
 
 def split_area(group: list[RoomPhrase], whole: float) -> None:

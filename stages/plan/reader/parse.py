@@ -1,6 +1,6 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
-from stages.plan.reader.anaphora import bind, exceptions, shared_verb
+from stages.plan.reader.anaphora import bind, counted, exceptions, shared_verb
 from stages.plan.reader.attachments import attach_owned, merge_ensuites
 from stages.plan.reader.lexemes import lexemes
 from stages.plan.reader.lexicon import load
@@ -93,7 +93,7 @@ def _lists_home(after: list[Item]) -> bool:
 
 def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: list[RoomPhrase]) -> list[RoomPhrase]:
     """Add one sentence to `said`; returns what "it" may mean in the next."""
-    items = shared_verb(exceptions(negate_links(drop_alternatives(items, said))))
+    items = shared_verb(exceptions(counted(negate_links(drop_alternatives(items, said)))))
     spread_negation(items)
     mark_headlines(items, said)
     for item in items:

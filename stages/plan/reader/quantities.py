@@ -28,7 +28,7 @@ JOINTS = {
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _listing(_bare(_areas(_shares(_numbers(words)))))
+    return _listing(_bare(_areas(_by_percent(_shares(_numbers(words))))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
@@ -186,8 +186,10 @@ def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
 
 def _bare(words: list[Lexeme]) -> list[Lexeme]:
     """`38 m² in all, 12 for the bedroom`: once areas are spoken of, a number for a room is one."""
-    out = list(words)
-    for i in range(len(out) - 3 if any(w.kind == "area" for w in out) else 0):
+    if not any(w.kind == "area" for w in words):
+        return words
+    out = _of_each(words)
+    for i in range(len(out) - 3):
         number, joint, article, room = out[i : i + 4]
         for_the = joint.text == "for" and article.kind == "determiner" and room.kind == "room" and not room.plural
         if number.kind == "number" and for_the and number.number >= 3:
@@ -195,9 +197,42 @@ def _bare(words: list[Lexeme]) -> list[Lexeme]:
     return out
 
 
+def _of_each(words: list[Lexeme]) -> list[Lexeme]:
+    """`a kitchen of 14 and bedrooms of 16, 12 and 11`."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        values, joints, end = _numbers_joined(words, i + 1) if words[i].text == "of" else ([], [], i)
+        plain = bool(out) and out[-1].kind == "room" and set(joints) <= {"and"} and min(values, default=0) >= 3
+        if plain and not out[-1].plural:
+            values, end = values[:1], i + 2
+        if plain and (end >= len(words) or words[end].kind in ("mark", "conjunction", "negation", "link")):
+            out.append(Lexeme("area", "", " ".join(w.text for w in words[i + 1 : end]), values=tuple(values)))
+            i = end
+        else:
+            out.append(words[i])
+            i += 1
+    return out
+
+
+def _by_percent(words: list[Lexeme]) -> list[Lexeme]:
+    """`40 % larger than`, `20 % smaller than`."""
+    out: list[Lexeme] = []
+    for word in words:
+        part = out[-1] if out and out[-1].kind == "share" else None
+        if word.kind == "compare" and part is not None and word.number in (1.3, 0.75):
+            ratio = 1 + part.values[0] * (1 if word.number > 1 else -1)
+            out[-1] = replace(word, value=str(ratio), text=f"{part.text} % {word.text}", values=(ratio,))
+        else:
+            out.append(word)
+    return out
+
+
 def _listing(words: list[Lexeme]) -> list[Lexeme]:
     """`Bedrooms: 3` and `bedrooms (3)` are counts, `kitchen (10)` is an area."""
     out = list(words)
+    in_brackets = [c.number for a, b, c in zip(words, words[1:], words[2:], strict=False) if _bracketed(a, b, c)]
+    areas = sum(n > 3 for n in in_brackets) > 1
     for i in range(len(out) - 2):
         room, mark, number = out[i : i + 3]
         closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
@@ -206,11 +241,15 @@ def _listing(words: list[Lexeme]) -> list[Lexeme]:
             continue
         if room.kind != "room" or mark.text not in ("(", ":", "-", "x", "*") or number.kind != "number" or not closed:
             continue
-        if room.plural or (number.number <= 3 and number.number % 1 == 0):
+        if room.plural or (number.number <= 3 and number.number % 1 == 0 and not (areas and mark.text == "(")):
             out[i : i + 3] = [number, room, replace(mark, kind="stop", value="", text=",")]
-        elif number.number >= 2:
+        elif number.number >= 1:
             out[i + 2] = Lexeme("area", "", number.text, values=(number.number,))
     return out
+
+
+def _bracketed(room: Lexeme, mark: Lexeme, number: Lexeme) -> bool:
+    return room.kind == "room" and not room.plural and mark.text == "(" and number.kind == "number"
 
 
 def _made(values: list[float], words: list[Lexeme], i: int, j: int) -> Lexeme:

@@ -30,7 +30,8 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
-            right = [r for r in (trail if trail and _onward(items[p.at]) else before) if r not in left]
+            topic = _rooms(items, 0, p.subject[0])[:1]
+            right = [r for r in (trail if trail and _onward(items[p.at]) else topic or before) if r not in left]
         if not right and len(left) > 1:
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
         if p.kind == "same":  # "the bedrooms are off the hall, as is the bathroom"
@@ -92,13 +93,18 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     gapped = (
         last is not None
         and len(rooms) > 1
-        and p.kind in ("to", "only", "gap")
+        and (p.kind in ("to", "only", "gap") or (p.form == "part" and items[p.at].text == items[last.at].text))
         and rooms[-1] == p.at - 1
         and new_clause(items, p.at - 2)
     )
     if gapped:
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
+    first, *onto = items[p.at].text.split()
+    if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link":
+        head = next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
+        p.subject = last.subject if last else (0, 0) if head is None else (head, head + 1)
+        return  # "the kitchen has two doors, one to the hall and one to the lounge"
     if last and items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
         p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
         return

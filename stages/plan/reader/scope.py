@@ -1,6 +1,6 @@
 """How far `no` and `or` reach."""
 
-from stages.plan.reader.mention import Item, is_mark
+from stages.plan.reader.mention import Item, is_mark, rooms_of
 from stages.plan.reader.statements import Said
 
 
@@ -14,6 +14,11 @@ def negate_links(items: list[Item]) -> list[Item]:
         while end < len(items) and items[end].kind == "copula":
             end += 1
         rooms = [i.room for i in items[k:end] if i.room is not None]
+        if len(rooms) == 1 and end < len(items) and items[end].value == "has":
+            rooms[0].negated, rooms[0].quantifier = False, "both"  # "neither bedroom has its own bathroom"
+            for owned in rooms_of(items[end:])[:1]:
+                owned.negated = True
+            return [*items[:k], *items[k + 1 :]]
         if end < len(items) and items[end].kind == "link" and all(r.quantifier == "the" for r in rooms):
             for room in rooms:
                 room.negated = False

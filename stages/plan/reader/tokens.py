@@ -36,6 +36,7 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
+    text = re.sub(r"(?<![-=<>])>", "->", text)
     text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
     for sign, plain in _FRACTIONS.items():
         text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
