@@ -54,13 +54,19 @@ def rooms(site: Site, scene: Scene, target: str) -> set[str]:
     return {next((o.room for o in scene if o.id == target), target)}
 
 
-def blockers(scene: Scene, here: View) -> tuple[list[Furnishing], list[Furnishing]]:
+def missed(site: Site, scene: Scene) -> list[str]:
+    """Ids of the doors, rooms and articulated objects that the robot does not get to."""
+    return reach.survey(site.world, scene, site.config.reach).missed
+
+
+def blockers(site: Site, scene: Scene, here: View) -> tuple[list[Furnishing], list[Furnishing]]:
     """Objects each of which alone keeps the robot from the target; and, without such, a least set that does together.
 
     Both begin with what matters least. Nothing at all is returned when an empty room would not help.
     """
     near = [o for o in here.scene.values() if reach.in_the_way(o) and o.id != here.target]
-    near.sort(key=lambda o: (importance.rank(o, scene), footprints.area(o), o.id))
+    ranks = importance.Ranks(site, scene)
+    near.sort(key=lambda o: (ranks.of(o), footprints.area(o), o.id))
     single = [o for o in near if here.reaches({o.id: None})]
     if single or not here.reaches({o.id: None for o in near}):
         return single, []

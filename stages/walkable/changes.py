@@ -19,6 +19,15 @@ class Change(NamedTuple):
     reason: str
 
 
+Repair = tuple[Change, ...]
+"""Changes that only make sense together, in order."""
+
+
+def merged(repair: Repair) -> Changes:
+    """All that several changes do."""
+    return {name: new for change in repair for name, new in change.to.items()}
+
+
 def replaced(o: Furnishing, to: Changes, reason: str) -> Change:
     """Another asset for an object, what it carries included."""
     return Change("replace", o, to, reason)

@@ -2,11 +2,12 @@
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
-from schemas.plan import Program
-from schemas.retrieve import Furnishing
+from schemas.retrieve import Furnishing, Retrieve
 from stages import categories, footprints
-from stages.walkable.site import Scene
+from stages.walkable.site import Need, Scene, Site
 
 ESSENTIAL = frozenset({
     "double_bed", "single_bed", "bunk_bed", "cot", "wardrobe", "sliding_wardrobe", "desk", "sofa", "corner_sofa",
@@ -14,8 +15,21 @@ ESSENTIAL = frozenset({
     "vanity", "bath", "shower", "washing_machine",
 })
 """Without the only one of these a room does not do what it is for."""
-VITAL = frozenset({"double_bed", "single_bed", "bunk_bed", "cot", "toilet", "kitchen_sink", "hob"})
-"""Without the only one of these it is not that room any more."""
+VITAL: tuple[tuple[str | None, frozenset[str], int], ...] = (
+    (None, frozenset({"double_bed", "single_bed", "bunk_bed", "cot"}), 1),
+    (None, frozenset({"toilet"}), 1),
+    (None, frozenset({"vanity"}), 1),
+    (None, frozenset({"bath", "shower"}), 1),
+    (None, frozenset({"kitchen_sink"}), 1),
+    (None, frozenset({"hob", "oven"}), 1),
+    (None, frozenset({"hob"}), 1),
+    (None, frozenset({"fridge"}), 1),
+    ("living_room", frozenset({"sofa", "corner_sofa", "armchair"}), 1),
+    ("dining_room", frozenset({"dining_table", "round_table"}), 1),
+    ("dining_room", categories.SEATS, 2),
+    ("study", frozenset({"desk"}), 1),
+)
+"""Type of room (None: any), categories, and how many of them together it keeps: with less it is not that room."""
 DECORATION = frozenset({
     "plant", "pouffe", "floor_lamp", "side_table", "bench", "coat_rack", "console_table", "planter", "stool", "bin",
     "laundry_basket", "ironing_board", "clothes_rail", "wall_shelf", "wall_lamp", "table_lamp",
@@ -39,52 +53,77 @@ def easily_smaller(o: Furnishing) -> bool:
     return upright and o.category not in STANDARD
 
 
-def rank(o: Furnishing, scene: Scene) -> int:
-    """0 decoration, 1 comfort, 2 essential, 3 vital; of several alike, each is comfort at most."""
-    return _rank(o, _alike(scene))
+def needs(home: Retrieve) -> tuple[Need, ...]:
+    """What the rooms of a home keep; of what it does not have, nothing."""
+    found = []
+    for room in home.rooms:
+        own = [o.category for o in home.objects if o.room == room.id]
+        for type, of, count in VITAL:
+            has = sum(category in of for category in own)
+            if has and type in (None, room.type):
+                found.append(Need(room.id, of, min(has, count)))
+    return tuple(found)
 
 
-def _alike(scene: Scene) -> Counter[tuple[str, str]]:
-    """How many of each category stand in each room, with what does for it."""
-    return Counter((o.room, _serves(o)) for o in scene)
+@dataclass(frozen=True)
+class Ranks:
+    """How much each object of a scene matters: 0 decoration, 1 comfort, 2 essential, 3 vital.
+
+    Of several alike, each is comfort at most.
+    """
+
+    site: Site
+    scene: Scene
+
+    @cached_property
+    def _alike(self) -> Counter[tuple[str, str]]:
+        """How many of each category stand in each room, with what does for it."""
+        return Counter((o.room, _serves(o)) for o in self.scene)
+
+    @cached_property
+    def _short(self) -> frozenset[tuple[str, str]]:
+        """Rooms and categories of which none can be spared."""
+        count = Counter((o.room, o.category) for o in self.scene)
+        return frozenset((need.room, category) for need in self.site.needs for category in need.of
+                         if sum(count[need.room, one] for one in need.of) <= need.least)
+
+    def of(self, o: Furnishing) -> int:
+        """The rank of an object."""
+        if (o.room, o.category) in self._short:
+            return 3
+        if o.category in DECORATION:
+            return 0
+        alone = self._alike[o.room, _serves(o)] <= 1
+        return 1 + alone if o.category in ESSENTIAL else int(alone)
 
 
 def _serves(o: Furnishing) -> str:
     return SERVES.get(o.category, o.category)
 
 
-def _rank(o: Furnishing, alike: Counter[tuple[str, str]]) -> int:
-    if o.category in DECORATION:
-        return 0
-    if o.category not in ESSENTIAL:
-        return int(alike[o.room, _serves(o)] <= 1)
-    return 1 if alike[o.room, _serves(o)] > 1 else 2 + (o.category in VITAL)
-
-
-def _spared(o: Furnishing, scene: Scene, program: Program) -> bool:
+def asked(o: Furnishing, scene: Scene, site: Site) -> bool:
     """Whether the prompt asked for it: its room's number of objects, or this many of its category."""
-    asked = [wish for wish in program.objects if (wish.room, wish.category) == (o.room, o.category)]
-    same = sum((p.room, p.category) == (o.room, o.category) for p in scene) if asked else 0
-    return o.room in program.counts or any(same <= wish.count for wish in asked)
+    wishes = [wish for wish in site.program.objects if (wish.room, wish.category) == (o.room, o.category)]
+    same = sum((p.room, p.category) == (o.room, o.category) for p in scene) if wishes else 0
+    return o.room in site.program.counts or any(same <= wish.count for wish in wishes)
 
 
-def droppable(scene: Scene, program: Program, essential: bool = False) -> list[Furnishing]:
-    """Obstacles that may be left out, the least important first, large before small.
+def droppable(site: Site, scene: Scene, most: int = 1) -> list[Furnishing]:
+    """Obstacles up to a rank that may be left out, the least important first, large before small.
 
-    What the prompt asked for never is; what a room does not do without only where `essential` says so.
+    What the prompt asked for never is, nor what is vital.
     """
-    alike, most = _alike(scene), 3 if essential else 1
-    loose = [o for o in scene if footprints.is_obstacle(o) and _rank(o, alike) <= most
-             and not _spared(o, scene, program)]
-    return sorted(loose, key=lambda o: (_rank(o, alike), -footprints.area(o), o.id))
+    ranks, most = Ranks(site, scene), min(most, 2)
+    loose = [o for o in scene if footprints.is_obstacle(o) and ranks.of(o) <= most and not asked(o, scene, site)]
+    return sorted(loose, key=lambda o: (ranks.of(o), -footprints.area(o), o.id))
 
 
-def sparable(some: Sequence[Furnishing], scene: Scene, program: Program) -> list[Furnishing]:
+def sparable(some: Sequence[Furnishing], scene: Scene, site: Site) -> list[Furnishing]:
     """Of some objects those that a room does without and nobody asked for, the least important first.
 
     A seat goes before the table that it belongs to, but after anything else that matters as little.
     """
-    alike, pair = _alike(scene), len(some) == 2 and categories.tucks(*(o.category for o in some))
-    loose = [o for o in some if _rank(o, alike) <= 1 and not _spared(o, scene, program)]
+    ranks, pair = Ranks(site, scene), len(some) == 2 and categories.tucks(*(o.category for o in some))
+    loose = [o for o in some if ranks.of(o) <= 1 and not asked(o, scene, site)]
     return sorted(loose, key=lambda o: (
-        0 if pair else _rank(o, alike), (o.category in categories.SEATS) != pair, footprints.area(o), o.id))
+        0 if pair else ranks.of(o), (o.category in categories.SEATS) != pair, footprints.area(o), o.id))

@@ -1,12 +1,12 @@
 """Algorithm 2: replace the largest objects by smaller ones until enough floor is free; then leave some out."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 
 import numpy as np
 
 from schemas.retrieve import Furnishing
 from schemas.walkable import Step
-from stages import footprints
+from stages import categories, footprints
 from stages.boxes import Array
 from stages.walkable import importance, placing
 from stages.walkable.changes import applied, dropped, replaced
@@ -80,16 +80,16 @@ def _within(new: Furnishing | None, low: Array) -> bool:
 
 
 def thin_out(
-    site: Site, scene: Scene, rooms: Collection[str], may: Callable[[Furnishing, Scene], bool] = lambda o, scene: True
+    site: Site, scene: Scene, rooms: Collection[str], most: int = 1, among: Collection[str] = categories.TABLE
 ) -> tuple[Scene, list[Step]]:
     """Leave out the least important objects of some rooms until the target is met or only needed ones are left.
 
-    Of the objects that can be spared, only those of which `may` says so.
+    Only objects of up to a rank (see `importance.Ranks`) and of some categories.
     """
     steps: list[Step] = []
     r = _Ratios(site, scene, rooms)
     while r.whole < site.config.target - EPSILON:
-        loose = [o for o in importance.droppable(scene, site.program) if o.room in rooms and may(o, scene)]
+        loose = [o for o in importance.droppable(site, scene, most) if o.room in rooms and o.category in among]
         gone = next((o for o in loose if _frees(site, scene, o)), None)
         if gone is None:
             break

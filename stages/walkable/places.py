@@ -29,7 +29,7 @@ def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     if o.category not in categories.TABLE or categories.TABLE[o.category].place != "floor":
         return
     floor = site.floors[o.room]
-    group = [o, *_kin(o, scene)]
+    group = [o, *kin(o, scene)]
     company = [p for member in group for p in (member, *placing.carried(member, scene))]
     spots = _along_walls(floor, o, group) if categories.TABLE[o.category].back else _all_over(floor, o)
     rest = [p for p in in_room(scene, o.room) if p not in company and not footprints.gives_way(p)]
@@ -40,7 +40,7 @@ def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
         yield {p.id: _along(p, o, (x, y, yaw)) for p in company}
 
 
-def _kin(o: Furnishing, scene: Scene) -> list[Furnishing]:
+def kin(o: Furnishing, scene: Scene) -> list[Furnishing]:
     """What belongs to an object and stands close to it."""
     kin = [p for p in in_room(scene, o.room) if p.category in categories.TABLE and p.id != o.id
            and o.category in categories.TABLE[p.category].belongs and categories.TABLE[p.category].place == "floor"]

@@ -14,11 +14,12 @@ from schemas.retrieve import Furnishing
 from schemas.walkable import Step
 from stages import reach
 from stages.walkable import importance, placing
-from stages.walkable.blocking import View, blockers, rooms, view
-from stages.walkable.changes import Change, applied, dropped, nudged, replaced
+from stages.walkable.blocking import View, blockers, missed, rooms, view
+from stages.walkable.changes import Change, Repair, applied, dropped, merged, nudged, replaced
+from stages.walkable.insist import making_room
 from stages.walkable.nudge import nudges
 from stages.walkable.places import places
-from stages.walkable.site import Changes, Scene, Site, fits, swapped
+from stages.walkable.site import Scene, Site, fits, swapped
 from stages.walkable.smaller import candidate, limits
 
 SHARES = (0.9, 0.8, 0.7, 0.6)
@@ -31,19 +32,22 @@ def connect(site: Site, scene: Scene) -> tuple[Scene, list[Step], list[str]]:
     What a room does not do without is left out only when nothing else is left to try.
     """
     steps: list[Step] = []
-    out = missed(site, scene)
-    for essential in (False, True) if site.config.drop else (False,):
-        given_up: list[str] = []
+    out, shut = missed(site, scene), set(missed(site, ()))
+    for essential in (False, True):
+        # What not even an empty home lets the robot get to, furniture can't help.
+        given_up = [target for target in out if target in shut or rooms(site, scene, target) <= shut]
+        hopeless = list(given_up)
         while todo := [target for target in out if target not in given_up]:
             target = _nearest(site, scene, todo)
-            change, left = _repaired(site, scene, target, set(out), essential)
-            if change is None:
+            repair, left = _repaired(site, scene, target, set(out), essential)
+            if not repair:
                 given_up.append(target)
                 continue
-            scene, step = applied(scene, change)
-            steps.append(step)
+            for change in repair:
+                scene, step = applied(scene, change)
+                steps.append(step)
             # What could not be got to before may be possible now.
-            out, given_up = left, []
+            out, given_up = left, list(hopeless)
     return scene, steps, out
 
 
@@ -56,57 +60,29 @@ def _nearest(site: Site, scene: Scene, todo: list[str]) -> str:
     return next((target for target in todo if not entered.isdisjoint(rooms(site, scene, target))), todo[0])
 
 
-def missed(site: Site, scene: Scene) -> list[str]:
-    """Ids of the doors, rooms and articulated objects that the robot does not get to."""
-    return reach.survey(site.world, scene, site.config.reach).missed
-
-
 def _repaired(
     site: Site, scene: Scene, target: str, out: set[str], essential: bool
-) -> tuple[Change | None, list[str]]:
-    """The first change that lets the robot get to `target` and to all it got to before, and what is missed then.
+) -> tuple[Repair, list[str]]:
+    """The first changes that let the robot get to `target` and to all it got to before, and what is missed then.
 
     Where several objects block together and no single change helps, the least important of them goes, as a step on
-    the way; so does what matters less than a thing that could then go elsewhere.
+    the way. With `essential`, what must stay may become another kind, and what matters less makes room for it.
     """
     here = view(site, scene, target)
-    single, joint = blockers(scene, here)
-    loose = importance.droppable(scene, site.program, essential) if site.config.drop else []
+    single, joint = blockers(site, scene, here)
+    loose = importance.droppable(site, scene, 2 if essential else 1) if site.config.drop else []
     able = [*single, *(o for o in scene if o.id == target)]
-    gone = [dropped(o, placing.carried(o, scene), target) for o in loose]
-    final = [change for change in gone if change.object in able]
-    first = chain(_making_room(site, scene, here, able, out) if essential else (),
-                  (change for change in gone if change.object in joint and not single))
-    for changes, whole in ((_changes(site, scene, here, able), True), (first, False), (final, True)):
-        for change in changes:
-            left = missed(site, swapped(scene, change.to))
-            if set(left) < out or (not whole and set(left) == out):
-                return change, left
-    return None, []
-
-
-def _making_room(
-    site: Site, scene: Scene, here: View, able: list[Furnishing], out: set[str]
-) -> Iterator[Change]:
-    """What matters less, and has to go for a thing that must stay to have another place; the first of it."""
-    loose = [o for o in importance.droppable(scene, site.program) if o.room in here.rooms and o not in able]
-
-    def finds_place(o: Furnishing, without: list[Furnishing]) -> bool:
-        gone: Changes = {name: None for less in without for name in dropped(less, placing.carried(less, scene), "").to}
-        rest = swapped(scene, gone)
-        return any(here.reaches(gone | to) and fits(site, rest, to) and set(missed(site, swapped(rest, to))) < out
-                   for to in places(site, rest, o))
-
-    for o in able:
-        if importance.rank(o, scene) < 2 or not finds_place(o, loose):
-            continue
-        least = loose
-        for less in reversed(loose):
-            rest = [p for p in least if p is not less]
-            if finds_place(o, rest):
-                least = rest
-        if least:
-            yield dropped(least[0], placing.carried(least[0], scene), here.target)
+    gone = [(dropped(o, placing.carried(o, scene), target),) for o in loose]
+    whole = chain(((change,) for change in _changes(site, scene, here, able)),
+                  making_room(site, scene, here, able, out) if essential else ())
+    steps = (repair for repair in gone if repair[0].object in joint and not single)
+    final = (repair for repair in gone if repair[0].object in able)
+    for repairs, reaches in ((whole, True), (steps, False), (final, True)):
+        for repair in repairs:
+            left = missed(site, swapped(scene, merged(repair)))
+            if set(left) < out or (not reaches and set(left) == out):
+                return repair, left
+    return (), []
 
 
 def _changes(site: Site, scene: Scene, here: View, able: list[Furnishing]) -> Iterator[Change]:

@@ -8,7 +8,10 @@ import numpy as np
 from schemas.errors import Unmet
 from schemas.retrieve import Furnishing, Retrieve
 from schemas.walkable import Blocked, Replaced, Report, Step, Walkable
+from stages import categories
 from stages.walkable import importance, repair
+from stages.walkable.blocking import missed
+from stages.walkable.blocking import rooms as rooms_of
 from stages.walkable.config import WalkableConfig
 from stages.walkable.leaves import building
 from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
@@ -23,9 +26,10 @@ LOG = logging.getLogger("apartgen")
 def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, library: Candidates) -> Walkable:
     """Algorithm 2, connectivity for a robot, then free ways for all that opens; pure, and nothing is drawn from `rng`.
 
-    Raises Unmet, naming the rooms and the ratio reached, when the target can't be met (unless `write_anyway`).
+    Raises Unmet (unless `write_anyway`), naming the rooms, when the target can't be met, and when the robot does not
+    get somewhere for what a room can't do without.
     """
-    site = survey(previous, config, library)
+    site = survey(previous, config, library, importance.needs(previous))
     start: Scene = tuple(previous.objects)
     whole = [room.id for room in previous.rooms]
     parts = [[room] for room in whole] if config.scope == "rooms" else [whole]
@@ -40,13 +44,14 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
     for rooms in parts if config.drop else []:
         scene, taken = thin_out(site, scene, rooms)
         steps += taken
-        unreached = repair.missed(site, scene) if unreached and taken else unreached
+        unreached = missed(site, scene) if unreached and taken else unreached
     faults: list[Fault] = []
     if config.unblock:
         scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(library)), unreached)
         steps += taken
-        unreached = repair.missed(site, scene) if unreached and taken else unreached
+        unreached = missed(site, scene) if unreached and taken else unreached
     _check(site, scene, parts)
+    _check_ways(site, scene, unreached)
     for name in unreached:
         LOG.warning("a robot of %.2f m radius does not get to %s", config.robot_radius, name)
     for fault in faults:
@@ -63,12 +68,11 @@ def _opened(site: Site, scene: Scene, rooms: list[str]) -> tuple[Scene, list[Ste
     """
     config, start = site.config, scene
     steps: list[Step] = []
-    spare = (lambda o, scene: o.category in importance.DECORATION, lambda o, scene: importance.rank(o, scene) == 0)
-    for k, may in enumerate(spare, 1) if config.gentle > 0 else ():
+    for k, among in enumerate((importance.DECORATION, categories.TABLE), 1) if config.gentle > 0 else ():
         scene, taken = optimize(site, scene, rooms, start, config.gentle**k)
         steps += taken
         if config.drop:
-            scene, taken = thin_out(site, scene, rooms, may)
+            scene, taken = thin_out(site, scene, rooms, 0, among)
             steps += taken
     scene, taken = optimize(site, scene, rooms)
     return scene, [*steps, *taken]
@@ -86,6 +90,22 @@ def _check(site: Site, scene: Scene, parts: Iterable[list[str]]) -> None:
     if not site.config.write_anyway:
         raise Unmet(f"{message} (--write-anyway writes the best scene)")
     LOG.warning("%s", message)
+
+
+def _check_ways(site: Site, scene: Scene, unreached: list[str]) -> None:
+    """Raise Unmet where what is vital to a room keeps the robot from something, or is out of its reach."""
+    if not unreached or site.config.write_anyway:
+        return
+    ranks = importance.Ranks(site, scene)
+    lost = set(unreached) - set(missed(site, tuple(o for o in scene if ranks.of(o) < 3)))
+    if not lost:
+        return
+    where = {room for name in lost for room in rooms_of(site, scene, name)}
+    vital = ", ".join(o.id for o in scene if o.room in where and ranks.of(o) == 3)
+    raise Unmet(
+        f"a robot of {site.config.robot_radius:g} m radius does not get to {', '.join(sorted(lost))}, as "
+        f"{', '.join(sorted(where))} can't do without {vital}; ask for larger rooms or less furniture, or give "
+        "--no-connect (--write-anyway writes the best scene)")
 
 
 def _swap(name: str, old: Furnishing, new: Furnishing) -> Replaced:

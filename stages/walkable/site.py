@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 import shapely
@@ -48,11 +48,20 @@ class Candidates(Protocol):
         """The asset of that library and id; BadInput when there is none."""
 
 
+class Need(NamedTuple):
+    """A room keeps at least so many objects of some categories."""
+
+    room: str
+    of: frozenset[str]
+    least: int
+
+
 @dataclass(frozen=True)
 class Site:
     """The empty plan and everything measured on it once."""
 
     program: Program
+    needs: tuple[Need, ...]
     config: WalkableConfig
     library: Candidates
     floors: dict[str, Geometry]
@@ -66,7 +75,7 @@ class Site:
         return float(sum(floor.area for floor in self.floors.values()))
 
 
-def survey(plan: Plan, config: WalkableConfig, library: Candidates) -> Site:
+def survey(plan: Plan, config: WalkableConfig, library: Candidates, needs: tuple[Need, ...] = ()) -> Site:
     """Everything about a plan that changes of furniture are checked against."""
     doors = [polygons.clearance(o, plan, BEFORE_DOOR) for o in plan.openings if o.kind in ("door", "entrance")]
     ways = [polygons.threshold(o, plan) for o in plan.openings if o.kind == "opening"]
@@ -75,7 +84,7 @@ def survey(plan: Plan, config: WalkableConfig, library: Candidates) -> Site:
     for floor in floors.values():
         shapely.prepare(floor)
     world = reach.space(plan, config.robot_radius, config.resolution)
-    return Site(plan.program, config, library, floors, unary_union([*doors, *ways]), windows, world)
+    return Site(plan.program, needs, config, library, floors, unary_union([*doors, *ways]), windows, world)
 
 
 def _before(window: Opening, plan: Plan) -> Geometry:

@@ -14,7 +14,8 @@ import numpy as np
 from schemas.retrieve import Furnishing
 from schemas.walkable import Step
 from stages import boxes, categories
-from stages.walkable import importance, placing, repair
+from stages.walkable import importance, placing
+from stages.walkable.blocking import missed
 from stages.walkable.changes import Change, applied, dropped, nudged, replaced
 from stages.walkable.nudge import nudges
 from stages.walkable.optimize import EPSILON, area_ratio
@@ -102,7 +103,7 @@ def _whole(site: Site, state: _State, change: Change) -> bool:
     if change.action != "drop" and not fits(site, state.scene, change.to):
         return False
     after = swapped(state.scene, change.to)
-    if site.config.connect and not set(repair.missed(site, after)) <= state.out:
+    if site.config.connect and not set(missed(site, after)) <= state.out:
         return False
     rooms = list(site.floors) if site.config.scope == "apartment" else [change.object.room]
     ratio = area_ratio(site, after, rooms)
@@ -135,7 +136,7 @@ def _changes(
         yield from shifted(o, _drawn_back(scene, o, both))
         yield from shifted(o, places(site, scene, o))
     if site.config.drop:
-        loose = importance.sparable(both, scene, site.program)
+        loose = importance.sparable(both, scene, site)
         yield from (dropped(o, placing.carried(o, scene), fault.owner) for o in loose)
 
 

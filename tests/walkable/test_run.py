@@ -11,7 +11,8 @@ from schemas.retrieve import Retrieve
 from stages import boxes, categories, polygons, reach, sweeps
 from stages.categories import TABLE
 from stages.metrics import collision, doorways, outside
-from stages.walkable import WalkableConfig, run
+from stages.walkable import WalkableConfig, importance, run
+from stages.walkable.site import survey
 
 DOWN, UP = -np.pi / 2, np.pi / 2
 PAPER = {"connect": False, "unblock": False, "drop": False}
@@ -157,14 +158,15 @@ def test_what_a_room_does_not_do_without_goes_last():
 
 
 def test_of_two_sofas_one_can_be_spared():
-    from stages.walkable import importance
-
-    both = (h.thing("sofa", 1, 1, id="sofa"), h.thing("corner_sofa", 3, 1, id="corner"), h.thing("toilet", 6, 1))
-    assert [importance.rank(o, both) for o in both] == [1, 1, 3]
-    assert importance.rank(both[0], both[:1]) == 2
-    program = h.plan().program
-    assert {o.id for o in importance.droppable(both, program)} == {"sofa", "corner"}
-    assert len(importance.droppable(both, program, essential=True)) == 3
+    both = (h.thing("sofa", 1, 1, id="sofa"), h.thing("corner_sofa", 3, 1, id="corner"), h.thing("toilet", 6, 1),
+            h.thing("wardrobe", 6, 2, id="case"))
+    home = h.home(*both)
+    site = survey(home, WalkableConfig(), fake.Boxes(), importance.needs(home))
+    ranks = importance.Ranks(site, both)
+    assert [ranks.of(o) for o in both] == [1, 1, 3, 2]
+    assert importance.Ranks(site, both[:1]).of(both[0]) == 3
+    assert {o.id for o in importance.droppable(site, both)} == {"sofa", "corner"}
+    assert {o.id for o in importance.droppable(site, both, 3)} == {"sofa", "corner", "case"}
 
 
 def test_what_cannot_shrink_or_move_is_left_out_unless_asked_for():

@@ -1,0 +1,85 @@
+"""What must stay and is in the way: another place or a stand-in for it, in the end at the cost of lesser things."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from schemas.retrieve import Furnishing
+from stages.walkable import importance, placing
+from stages.walkable.blocking import View, missed
+from stages.walkable.changes import Change, Repair, dropped, nudged, replaced
+from stages.walkable.kinds import stand_ins
+from stages.walkable.places import places
+from stages.walkable.site import Changes, Scene, Site, fits, swapped
+
+
+class Question(NamedTuple):
+    """Whether a repair of `scene` lets the robot get to the view's target, and to no less than before (`out`)."""
+
+    site: Site
+    scene: Scene
+    here: View
+    out: set[str]
+
+    def answered(self, gone: list[Furnishing], to: Changes) -> bool:
+        """Whether `to` does it with some objects away."""
+        away = self.away(gone)
+        if not self.here.reaches(away | to):
+            return False
+        rest = swapped(self.scene, away)
+        return fits(self.site, rest, to) and set(missed(self.site, swapped(rest, to))) < self.out
+
+    def away(self, gone: list[Furnishing]) -> Changes:
+        """The objects and what stands on them taken away."""
+        return {name: None for o in gone for name in dropped(o, placing.carried(o, self.scene), "").to}
+
+
+def making_room(site: Site, scene: Scene, here: View, able: list[Furnishing], out: set[str]) -> Iterator[Repair]:
+    """Repairs that keep each object of `able` that must stay; the fewer and lesser things go for it the earlier."""
+    question, ranks = Question(site, scene, here, out), importance.Ranks(site, scene)
+    firm = sorted((o for o in able if ranks.of(o) >= 2), key=ranks.of)
+    near = [o for o in importance.droppable(site, scene, 2) if o.room in here.rooms] if site.config.drop else []
+    tried: list[list[str]] = []
+    for most in (-1, 0, 1, 2):
+        for o in firm:
+            loose = [p for p in near if ranks.of(p) <= min(most, ranks.of(o) - 1) and p.id != o.id]
+            names = [o.id, *(p.id for p in loose)]
+            if most < 0 or len(names) > 1 and names not in tried:
+                yield from _first(question, o, loose)
+            tried.append(names)
+
+
+def _first(question: Question, o: Furnishing, loose: list[Furnishing]) -> Iterator[Repair]:
+    """The first stand-in or place for an object once `loose` is away, with as little of that away as will do."""
+    rest = swapped(question.scene, question.away(loose))
+    for moves in _options(question.site, rest, o, bool(loose)):
+        to = {name: thing for move in moves for name, thing in move.items()}
+        if not question.answered(loose, to):
+            continue
+        least = loose
+        for less in reversed(loose):
+            fewer = [p for p in least if p is not less]
+            if question.answered(fewer, to):
+                least = fewer
+        target = question.here.target
+        away = [dropped(p, placing.carried(p, question.scene), target) for p in least]
+        yield (*away, *_changes(o, moves, target))
+        return
+
+
+def _options(site: Site, scene: Scene, o: Furnishing, moved: bool) -> Iterator[list[Changes]]:
+    """Other places for an object (unless these were tried), stand-ins where it is, and those in other places."""
+    if moved:
+        yield from ([move] for move in places(site, scene, o))
+    for other in stand_ins(site, scene, o):
+        new = other[o.id]
+        assert new is not None
+        yield [other]
+        yield from ([other, move] for move in places(site, swapped(scene, other), new))
+
+
+def _changes(o: Furnishing, moves: list[Changes], target: str) -> Iterator[Change]:
+    for to in moves:
+        new = to[o.id]
+        assert new is not None
+        yield (nudged if new.asset == o.asset else replaced)(o, to, target)
+        o = new

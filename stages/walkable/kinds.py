@@ -1,0 +1,84 @@
+"""What does for an object that cannot stay as it is: a lower or smaller one, or another kind for the same use."""
+
+from collections.abc import Iterator
+from itertools import islice
+
+import numpy as np
+
+from schemas.errors import BadInput
+from schemas.retrieve import Furnishing
+from stages import boxes, categories
+from stages.asset import Asset
+from stages.boxes import Array
+from stages.walkable import importance, placing
+from stages.walkable.places import kin
+from stages.walkable.site import Changes, Scene, Site
+from stages.walkable.smaller import BUILT_IN, LATENT
+
+INSTEAD = {
+    "double_bed": ("single_bed",), "bunk_bed": ("single_bed",), "wardrobe": ("sliding_wardrobe",),
+    "sliding_wardrobe": ("wardrobe",), "corner_sofa": ("sofa", "armchair"), "sofa": ("armchair",),
+    "bath": ("shower",), "dining_table": ("round_table",),
+}
+"""Kinds that do for another."""
+DESIGNS = 24
+"""Designs of another kind looked at for one of the same style."""
+BELOW_SILL = 0.01
+"""How far below a windowsill a lower one ends, m."""
+
+
+def stand_ins(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
+    """The object where it stands as a lower or smaller one, then as other kinds; its company moves up to it.
+
+    What the prompt asked for keeps its kind. Whether they fit is not looked at.
+    """
+    if o.category in BUILT_IN or o.category not in categories.TABLE:
+        return
+    kinds = () if importance.asked(o, scene, site) else INSTEAD.get(o.category, ())
+    sills = [window.sill for window in site.world.plan.openings if window.kind == "window" and o.room in window.rooms]
+    sill = min(sills, default=np.inf) - BELOW_SILL
+    for category in (o.category, *kinds):
+        kind = categories.TABLE[category]
+        least, usual = np.asarray(kind.min), np.maximum(kind.min, np.minimum(o.size, kind.max))
+        tall = [float(usual[2]), *([sill] if kind.min[2] <= sill < usual[2] else [])]
+        for d, w in (usual[:2], least[:2]):
+            for height in tall:
+                size = np.array([d, w, height])
+                asset = None if np.allclose(size, o.size, atol=2e-3) else _asset(site, o, category, size)
+                if asset is not None and (to := _stood_in(site, scene, o, asset)) is not None:
+                    yield to
+
+
+def _asset(site: Site, o: Furnishing, category: str, size: Array) -> Asset | None:
+    """The asset of that kind and size that is most like the object."""
+    latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
+    if category == o.category:
+        return site.library.nearest(category, size, latent, size)
+    designs = list(islice(site.library.alternatives(category, size, np.zeros(0)), DESIGNS))
+    style = style_of(site, o)
+    same = next((asset for asset in designs if asset.style == style), None)
+    return same or next(iter(designs), None) or site.library.nearest(category, size, np.zeros(0), size)
+
+
+def style_of(site: Site, o: Furnishing) -> str | None:
+    """The style of an object's asset; None where the asset can't be had."""
+    try:
+        return site.library.load(o.asset.library, o.asset.id).style
+    except BadInput:
+        return None
+
+
+def _stood_in(site: Site, scene: Scene, o: Furnishing, asset: Asset) -> Changes | None:
+    new = placing.furnished(o.model_copy(update={"category": asset.category}), asset, site)
+    low = o.center[2] - o.size[2] / 2
+    new = new.model_copy(update={"center": (*new.center[:2], low + new.size[2] / 2)})
+    changes = placing.settled(o, new, asset, scene)
+    if changes is None:
+        return None
+    base, lost = boxes.of([o]), (np.asarray(o.size) - new.size)[:2] / 2
+    for p in kin(o, scene):
+        at = boxes.local([p.center[:2]], base)[0, 0]
+        moved = at - np.where(np.abs(at) > np.asarray(o.size[:2]) / 2, np.sign(at) * lost, 0.0)
+        by = new.center[:2] + moved @ boxes.axes(base)[0] - p.center[:2]
+        changes |= {q.id: placing.moved(q, by.tolist()) for q in (p, *placing.carried(p, scene))}
+    return changes

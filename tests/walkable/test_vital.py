@@ -1,0 +1,108 @@
+"""What a room is for stays in it, whatever the robot and the target ask for."""
+
+import boxes_library as fake
+import handmade as h
+import numpy as np
+import pytest
+import shapely
+
+from schemas.errors import Unmet
+from schemas.plan import AskedObjects
+from stages import boxes, categories, polygons
+from stages.metrics import collision, doorways, outside
+from stages.walkable import WalkableConfig, importance, run
+
+DOWN, UP = -np.pi / 2, np.pi / 2
+ROOM = shapely.Polygon(h.rectangle(4.1, 0, 3, 3))
+FIRST = {
+    "bedroom": ["double_bed", "wardrobe", "chest", "nightstand"], "study": ["desk", "bookshelf"],
+    "bathroom": ["toilet", "vanity", "shower", "bath", "washing_machine"],
+    "kitchen": ["kitchen_sink", "hob", "fridge", "oven", "dining_table"],
+    "living_room": ["sofa", "armchair", "sideboard", "tv_stand"], "dining_room": ["dining_table", "chair", "chair"],
+}
+"""What a room of a type gets first, by which it is crowded."""
+
+
+def walk(home, library=None, **config):
+    return run(home, WalkableConfig(**config), np.random.default_rng(0), library or fake.Boxes())
+
+
+def crowded(seed, kind):
+    """The flat with its second room of some kind, full of what such rooms hold."""
+    rng = np.random.default_rng(seed)
+    doors = [polygons.clearance(o, h.plan(), 0.3) for o in h.plan().openings]
+    more = sorted(name for name, c in categories.TABLE.items() if kind in c.rooms and c.place == "floor")
+    kept = []
+    for name in FIRST[kind] + rng.choice(more, 6).tolist():
+        for _ in range(30):
+            size = tuple(rng.uniform(categories.TABLE[name].min, categories.TABLE[name].size))
+            x, y, yaw = rng.uniform(4.1, 7.1), rng.uniform(0, 3), float(rng.integers(4) * np.pi / 2)
+            about = {"id": f"o{len(kept)}", "size": size, "joints": tuple(fake.joints(name, size))}
+            item = h.thing(name, x, y, yaw, h.BEDROOM, **about)
+            area, others = boxes.footprints(boxes.of([item]))[0], boxes.footprints(boxes.of(kept))
+            if ROOM.covers(area) and not any(area.intersects(other) for other in (*doors, *others)):
+                kept.append(item)
+                break
+    return of_kind(h.home(*kept), kind)
+
+
+def of_kind(home, kind):
+    rooms = [room.model_copy(update={"type": kind}) if room.id == h.BEDROOM else room for room in home.rooms]
+    return home.model_copy(update={"rooms": rooms})
+
+
+def lacking(home, after):
+    """What a room was for and no longer has."""
+    return [need for need in importance.needs(home)
+            if sum(o.room == need.room and o.category in need.of for o in after.objects) < need.least]
+
+
+@pytest.mark.parametrize("kind", list(FIRST))
+@pytest.mark.parametrize("seed", range(4))
+def test_a_room_keeps_what_it_is_for(seed, kind):
+    home = crowded(seed, kind)
+    assert importance.needs(home)
+    for library, target in ((fake.Boxes(), 0.95), (fake.Empty(), 0.5)):
+        result = walk(home, library, target=target, write_anyway=True)
+        assert lacking(home, result) == []
+        assert collision.measure(result)[0].value in (0, None) and outside.measure(result)[0].value in (0, None)
+        assert doorways.measure(result)[0].value <= doorways.measure(home)[0].value
+
+
+def small(*objects):
+    """The flat with a bedroom of 2.2 × 3 m."""
+    home = h.home(*objects)
+    rooms = [room.model_copy(update={"polygon": h.rectangle(4.1, 0, 2.2, 3)}) if room.id == h.BEDROOM else room
+             for room in home.rooms]
+    return home.model_copy(update={"rooms": rooms})
+
+
+def barred():
+    """A bedroom whose wardrobe the bed bars, and neither has another place."""
+    bed = h.thing("double_bed", 5.4, 1.15, UP, h.BEDROOM, size=(2.3, 1.8, 0.8), id="bed")
+    size = (0.6, 2.1, 2.1)
+    return small(bed, h.thing("wardrobe", 5.2, 2.69, DOWN, h.BEDROOM, size=size, id="wardrobe",
+                              joints=tuple(fake.joints("wardrobe", size))))
+
+
+def test_a_wardrobe_goes_before_the_only_bed():
+    result = walk(barred(), fake.Empty(), target=0.2, reach=0.6)
+    assert result.walkable.dropped == ["wardrobe"] and result.walkable.unreached == []
+
+
+def test_what_was_asked_for_and_the_bed_can_not_both_be_had():
+    home = barred()
+    wish = AskedObjects(room=h.BEDROOM, category="wardrobe", count=1)
+    asked = home.model_copy(update={"program": home.program.model_copy(update={"objects": [wish]})})
+    with pytest.raises(Unmet, match=rf"not get to wardrobe, as {h.BEDROOM} can't do without bed; .*--no-connect"):
+        walk(asked, fake.Empty(), target=0.2, reach=0.6)
+    best = walk(asked, fake.Empty(), target=0.2, reach=0.6, write_anyway=True)
+    assert best.walkable.dropped == [] and best.walkable.unreached == ["wardrobe"]
+
+
+def test_a_bed_that_bars_the_way_becomes_a_smaller_one():
+    bed = h.thing("double_bed", 5.3, 1.95, DOWN, h.BEDROOM, size=(2.1, 1.9, 1.0), id="bed")
+    chest = h.chest(5.3, 0.25, UP, h.BEDROOM, id="chest")
+    result = walk(small(bed, chest), target=0.2)
+    (bed,) = [o for o in result.objects if o.id == "bed"]
+    assert bed.category == "single_bed" and result.walkable.unreached == [] and result.walkable.dropped == []
