@@ -193,6 +193,8 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             owner.objects.append((item.value, int(item.number)))
         elif item.kind == "objects":
             owner.object_count = int(item.number)
+        elif item.room is not None and "suite" in owner.labels and bare == "(" and item.room.type == owner.type:
+            pass  # "master suite (bedroom, bathroom, closet)"
         elif item.room is not None and _belongs(owner, item, first, items[k + 1 : k + 2], bare):
             if not item.room.negated:
                 owner.owned.append(item.room)
@@ -226,7 +228,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     if kind == "hallway":
         return not bare and (first or phrase.type in ("bedroom", "bathroom", "study", *ANNEXES))
     if phrase.type == "bathroom":
-        own = bool(phrase.labels & {"ensuite", "own"}) and not phrase.labels & {"family", "half"}
+        own = bool(phrase.labels & {"ensuite", "own"}) or ("suite" in owner.labels and bare == "(")
+        own = own and not phrase.labels & {"family", "half"}
         lone = (
             first
             and not bare
@@ -239,7 +242,9 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
         fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
         return after_one and fits and not bare and phrase.count is None
-    listed = bare == "(" and bool(owner.owned) and not owner.plural  # "master (en suite, balcony)"
+    listed = bare == "(" and (bool(owner.owned) or "suite" in owner.labels) and not owner.plural  # "master (en suite, balcony)"
+    if not first and after and after[0].kind in ("link", "front"):
+        return False  # "…, and a second balcony off the living room"
     alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)
     return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
 

@@ -23,6 +23,7 @@ class Doors:
 
 def doors_said(statements: list[Statement], home: Household) -> Doors:
     out = Doors()
+    owned: list[tuple[Entity, set[int]]] = []
     for s in statements:
         left = entities(s.left, home)
         right = entities(s.right, home)
@@ -43,6 +44,9 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
                 ]
             case "share":
                 _share(left, right, out, home)
+            case "own":
+                out.links += pairs
+                owned += [(a, {id(x) for pair in pairs if a in pair for x in pair}) for a in left]
             case "uses" if len(left) > 1 and all(e.type == "bathroom" for e in right):
                 for room in right:
                     room.labels.add("shared")
@@ -51,6 +55,8 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
             case _:
                 out.only += left if s.kind == "only" else []
                 out.links += pairs
+    for room, theirs in owned:  # "two bathrooms, one of which belongs to the main bedroom"
+        out.links = [p for p in out.links if room not in p or {id(p[0]), id(p[1])} <= theirs]
     out.links += out.near
     stated = {frozenset((id(a), id(b))) for a, b in out.open}
     for e in home.rooms:
@@ -154,7 +160,7 @@ def ensuites(home: Household, doors: Doors) -> None:
     """One bathroom serves the home; further full ones, where nothing is said of them, open off bedrooms."""
 
     def linked(e: Entity) -> bool:
-        return any(e in pair for pair in doors.links)
+        return any(e in pair and pair[pair[0] is e].owner is not e for pair in doors.links)
 
     _open_labels(home, doors)
     beds = [

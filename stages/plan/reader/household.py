@@ -131,8 +131,8 @@ class Household:
         free = [e for e in pool if not e.picked] or pool
         if len(pool) == 1 and phrase.another and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
-        if phrase.quantifier == "another":
-            return self.add(phrase.type, int(phrase.count or 1))
+        if phrase.quantifier == "another" and not phrase.count:
+            return self.add(phrase.type)
         if phrase.quantifier == "other" and phrase.count:
             rest = [e for e in self.of(phrase.type) if not e.picked and (e not in self.last or len(pool) > 1)]
             found = (rest + self.add(phrase.type, int(phrase.count) - len(rest)))[: int(phrase.count)]
@@ -165,6 +165,7 @@ class Household:
             whole = self._ensure(
                 phrase.type, int(phrase.count or 2) if phrase.quantifier == "one_of" else max(len(known), 1)
             )
+            self.group = whole if phrase.quantifier == "one_of" and len(whole) > 1 else self.group
             free = [e for e in whole if not e.picked and (phrase.quantifier == "one_of" or e not in self.last)]
             many = phrase.quantifier == "other" and (phrase.plural or phrase.count)
             found = (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]

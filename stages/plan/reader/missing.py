@@ -102,7 +102,7 @@ def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:
     have = home.of("bathroom")
     full = [e for e in have if "half" not in e.labels]
     served = max(len({id(e.owner) for e in full}), len([e for e in full if "ensuite" in e.labels]))
-    common = [e for e in full if e.owner is None and "ensuite" not in e.labels]
+    common = [e for e in full if (e.owner is None or e.owner.type == "hallway") and "ensuite" not in e.labels]
     if not have:
         home.add("bathroom", data["bathrooms"][min(beds, len(data["bathrooms"]) - 1)])
     elif "bathroom" not in home.totals and not common and (not full or beds > served):

@@ -10,7 +10,7 @@ from stages.plan.reader.openplan import open_groups
 from stages.plan.reader.phrases import Phraser
 from stages.plan.reader.relations import place, relations
 from stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
-from stages.plan.reader.statements import Said, Statement, door_pairs, sentences
+from stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from stages.plan.reader.tokens import fold, tokenize
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
@@ -26,7 +26,9 @@ def parse(prompt: str) -> Said:
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []
-    for sentence in sentences(door_pairs(phraser.items) if said.graph else phraser.items):
+    said.graph = said.graph or lists_doors(phraser.items)
+    items = between_pairs(phraser.items)
+    for sentence in sentences(door_pairs(items) if said.graph else items):
         bind(sentence, last)
         last = [*last, *sentence]
         trail = place(said.statements[known:])

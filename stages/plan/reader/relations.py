@@ -225,7 +225,7 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     assert phrase is not None
     if items[j - 1].value == "plus" and p.form == "part":
         return False
-    if p.kind in ("to", "in", "gap") or (p.form == "which" and is_mark(items[j - 1], ",")):
+    if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
         return False
     if p.kind == "between":
         return len(out) < 2 or items[j - 1].kind == "conjunction"

@@ -50,6 +50,51 @@ def door_pairs(items: list[Item]) -> list[Item]:
     return out
 
 
+def lists_doors(items: list[Item]) -> bool:
+    """`hall: lounge, kitchen; lounge: balcony`: rooms named before head lists of their own."""
+    named: set[str] = set()
+    heads = 0
+    for sentence in sentences(items):
+        rooms = [i.room for i in sentence if i.room is not None]
+        single = bool(rooms) and sentence[0].room is not None and not rooms[0].plural and not rooms[0].count
+        if single and len(rooms) > 1 and is_mark(sentence[1], ":") and sentence[2].room is not None:
+            heads += rooms[0].type in named or not heads
+        named |= {r.type for r in rooms}
+    return heads > 1
+
+
+def between_pairs(items: list[Item]) -> list[Item]:
+    """`doors between foyer and lounge, lounge and kitchen`: each pair a sentence of its own."""
+    out: list[Item] = []
+    k = 0
+    while k < len(items):
+        j = k + 1 + (k + 1 < len(items) and is_mark(items[k + 1], ":"))
+        pairs, end = _pairs(items, j) if items[k].value == "between" else ([], k)
+        if len(pairs) > 1:
+            for a, b in pairs:
+                out += [Item("mark", "."), a, Item("mark", "-", "-"), b]
+            out.append(Item("mark", "."))
+            k = end
+        else:
+            out.append(items[k])
+            k += 1
+    return out
+
+
+def _pairs(items: list[Item], j: int) -> tuple[list[tuple[Item, Item]], int]:
+    """`A and B, C and D` from `j` on, and where it ends."""
+    out: list[tuple[Item, Item]] = []
+    end = j
+    while j + 2 < len(items) and items[j].room is not None and items[j + 2].room is not None:
+        if items[j + 1].kind != "conjunction":
+            break
+        out.append((items[j], items[j + 2]))
+        end = j = j + 3
+        while j < len(items) and (is_mark(items[j], ",") or items[j].kind in ("conjunction", "link")):
+            j += 1
+    return out, end
+
+
 def sentences(items: list[Item]) -> list[list[Item]]:
     """Items cut at full stops."""
     out: list[list[Item]] = [[]]
