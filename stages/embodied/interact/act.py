@@ -58,6 +58,9 @@ class Actor:
     def __init__(self, probe: Probe, part: Part, recorded: Array) -> None:
         self.probe, self.part, self.recorded = probe, part, recorded
         self.model = probe.world.model
+        # Only what stands loose on something needs that; other parts rest at their joints' limits.
+        base = int(self.model.body_parentid[part.body])
+        probe.limit(self.model, part.body, *([base] if self.model.body_weldid[base] else []))
         self.data = mujoco.MjData(self.model)
         self.servos = np.array([self.model.actuator(joint(name)).id for name in NAMES])
         self.mine = probe.robot

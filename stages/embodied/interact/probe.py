@@ -2,6 +2,7 @@
 
 from copy import copy
 from functools import cached_property
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -18,7 +19,7 @@ PRESSED = 0.003
 """How far fingers may be planned into what they hold, m: handles are rounder than their collision pieces."""
 JAMMED = 0.005
 """A part that would go deeper than this into something is blocked by it, m."""
-_PART, _ALL = 8, 15  # collision bits of a copy of the model in which only robot and part look for contacts
+_PART, _ALL = 8, 15  # collision bits where only robot and part look for contacts
 
 Index = NDArray[np.int64]
 
@@ -60,14 +61,17 @@ class Probe:
 
     def reset(self, body: int) -> None:
         """Everything shut again; the part that is asked about is this body."""
-        model = self.model
-        mujoco.mj_resetData(model, self.data)
-        model.geom_contype[self.solid] = np.where(model.geom_bodyid[self.solid] == body, _PART, 0)
+        mujoco.mj_resetData(self.model, self.data)
+        self.limit(self.model, body)
+        mujoco.mj_kinematics(self.model, self.data)
+
+    def limit(self, model: Any, *bodies: int) -> None:
+        """Have only the robot and some bodies meet things, in the world's model or its copy."""
+        model.geom_contype[self.solid] = np.where(np.isin(model.geom_bodyid[self.solid], bodies), _PART, 0)
         model.geom_conaffinity[self.solid] = _ALL
         model.body_contype[:] = model.body_conaffinity[:] = 0
         np.bitwise_or.at(model.body_contype, model.geom_bodyid, model.geom_contype)
         np.bitwise_or.at(model.body_conaffinity, model.geom_bodyid, model.geom_conaffinity)
-        mujoco.mj_kinematics(model, self.data)
 
     def _contacts(self, part: Part, value: float) -> tuple[Index, Array]:
         """Pairs of geoms (n, 2) that are close, and how far apart."""
