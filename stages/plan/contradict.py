@@ -26,8 +26,8 @@ def lacks(program: Program, p: Problem, z: Scratch) -> list[str]:
     ids = [room.id for room in program.rooms]
     out = [
         f"{ids[a]} and {ids[b]} share too little wall for a door"
-        for a, b in p.links
-        if z.wall[a, b, 0] < p.limits[L_LINK] - EPS
+        for (a, b), wall in zip(p.links, z.wall, strict=True)
+        if wall[0] < p.limits[L_LINK] - EPS
     ]
     if z.entry[2] < p.limits[L_ENTRY] - EPS:
         out.append(f"{ids[p.order[0, 0]]} finds no outside wall for the entrance")

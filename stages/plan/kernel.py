@@ -10,6 +10,11 @@ from numba import njit
 from stages.plan.slicing import COMPILED, EPS, L_LONG, L_SHORT, LACKING, LEFT, R_AREA, RIGHT, S_TARGET, UPRIGHT, inner
 from stages.plan.terms import evaluate
 
+LOOK = 0.35
+"""Share of the steps after which a run is given up"""
+HOPELESS = 0.15
+"""if the best state lacks more than this a room, m: of such runs of large flats one in forty would come out valid."""
+
 
 @inner
 def _random(state):
@@ -92,17 +97,21 @@ def _compiled(stamp: int):
     # numba's cache of a function sees changes in its own file only; a captured value is part of the key, too.
     @njit(cache=True, **COMPILED)
     def anneal(p, t, new, best, z, rng, steps, hot, cold):
-        cost = low = np.inf
-        valid, temperature = stamp < 0, hot
-        for step in range(steps + 2):  # the first looks at the start, the last measures the best
+        cost = low = lack = np.inf
+        valid, temperature, cooling, last = stamp < 0, hot, (cold / hot) ** (1 / steps), steps
+        for step in range(steps + 2):  # the first looks at the start
+            if step == 1 + int(LOOK * steps) and lack > HOPELESS * p.spec.shape[0]:
+                last = step - 1
             bar = np.inf
-            _copy(best if step > steps else t, new)
-            if 0 < step <= steps:
-                temperature *= (cold / hot) ** (1 / steps)
+            _copy(best if step > last else t, new)
+            if 0 < step <= last:
+                temperature *= cooling
                 bar = cost - temperature * np.log(1 - _random(rng))
                 if new.share.shape[0] > 2:
                     _propose(p, new, z.area, rng)
             tried = evaluate(p, new, z, bar)
+            if step > last:  # `z` holds the best
+                break
             if tried > bar:
                 continue
             _copy(new, t)
@@ -111,7 +120,7 @@ def _compiled(stamp: int):
                 z.area[r] = z.room[r, R_AREA]
             ok = z.terms[LACKING] < EPS
             if (ok and not valid) or (ok == valid and tried < low):
-                low, valid = tried, ok
+                low, lack, valid = tried, z.terms[LACKING], ok
                 _copy(t, best)
         return low
 
@@ -122,5 +131,6 @@ anneal = _compiled(_stamp())
 """anneal(p, t, new, best, z, rng, steps, hot, cold): anneal the tree `t` in place for the problem `p`.
 
 Leaves in `best` the cheapest state that lacks nothing, else the cheapest, its measures in `z`, and returns its cost.
+A run that still lacks much at `LOOK` ends there.
 `new` is room for a state, `rng` a (1,) uint64 seed, not 0; the temperature falls geometrically from `hot` to `cold`.
 """

@@ -2,6 +2,7 @@
 
 from collections import deque
 from dataclasses import dataclass
+from itertools import pairwise
 from math import sqrt
 
 import numpy as np
@@ -15,8 +16,13 @@ from stages.plan.slicing import Ints, Problem, Scratch, Tree
 from stages.plan.standards import LINK_WALL, STANDARDS
 from stages.plan.weights import WEIGHTS
 
+WET, WHIM, MEALS = 1, 6, 24
+"""What it counts that wet rooms, rooms of a draw, and kitchen and dining room are near one another."""
 ODD = 0.6
 """Share of large rooms that are made of two rectangles where nothing need be regular."""
+
+Pair = tuple[int, int, int]
+"""Two rooms that should be near one another, and how much that counts."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +39,7 @@ class Whim:
     """What the programme leaves open, drawn once for many runs: it is what makes two seeds differ."""
 
     parts: tuple[int, ...]
-    near: Ints
+    near: list[Pair]
     shape: str
     aspect: float
 
@@ -45,7 +51,7 @@ def whim(program: Program, rng: Generator) -> Whim:
     shape, aspect = wish(program.envelope, program.regularity, rng)
     wanted = areas(program)
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
-    return Whim(parts, np.repeat(np.array(pairs, np.int64).reshape(-1, 2), 6, axis=0), shape, aspect)
+    return Whim(parts, [(int(a), int(b), WHIM) for a, b in pairs], shape, aspect)
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
@@ -78,7 +84,7 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
     return Problem(
         spec=np.array(spec),
         links=np.array([(index[a], index[b]) for a, b in links(program)], np.int64).reshape(-1, 2),
-        near=np.concatenate([_near(program), whim.near]),
+        near=weighed([*_near(program), *whim.near]),
         order=_ways(program, index),
         blocks=outline.blocks,
         edges=outline.edges,
@@ -105,27 +111,38 @@ def _spec(room: AskedRoom, area: float, corners: float, joined: bool, slack: Sla
     )
 
 
-def _near(program: Program) -> Ints:
+def _near(program: Program) -> list[Pair]:
     """Pairs that should be close: each wet room and the one before it, kitchen and dining room."""
     types = [r.type for r in program.rooms]
     wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
     meals = [(i, j) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == ("kitchen", "dining_room")]
-    return np.array([*zip(wet, wet[1:], strict=False), *meals * 24], np.int64).reshape(-1, 2)
+    return [*((i, j, WET) for i, j in pairwise(wet)), *((i, j, MEALS) for i, j in meals)]
+
+
+def weighed(pairs: list[Pair]) -> Ints:
+    """Each pair once (q, 3), in the order it first stands in, with the sum of what it counts."""
+    total: dict[tuple[int, int], int] = {}
+    for a, b, count in pairs:
+        pair = (min(a, b), max(a, b))
+        total[pair] = total.get(pair, 0) + count
+    return np.array([(*pair, count) for pair, count in total.items()], np.int64).reshape(-1, 3)
 
 
 def _ways(program: Program, index: dict[str, int]) -> Ints:
+    """Rooms breadth first from the entrance, with the room before each and the link between them (n, 3)."""
     near = neighbours(program)
-    start = entrance_room(program).id
-    before = {start: -1}
-    queue, order = deque([start]), []
+    number = {frozenset(pair): i for i, pair in enumerate(links(program))}
+    first = entrance_room(program).id
+    before = {first: (-1, -1)}
+    queue, order = deque([first]), []
     while queue:
         here = queue.popleft()
-        order.append(index[here])
+        order.append(here)
         for there in near[here]:
             if there not in before:
-                before[there] = index[here]
+                before[there] = index[here], number[frozenset((here, there))]
                 queue.append(there)
-    return np.array([(i, before[program.rooms[i].id]) for i in order], np.int64)
+    return np.array([(index[room], *before[room]) for room in order], np.int64)
 
 
 def start(program: Program, parts: tuple[int, ...], stretch: tuple[float, float], rng: Generator) -> Tree:
@@ -150,14 +167,16 @@ def copy(tree: Tree) -> Tree:
     return Tree(tree.nodes.copy(), tree.share.copy())
 
 
-def scratch(n: int, leaves: int, k: int) -> Scratch:
-    """Room for the measures of a state of `n` rooms."""
+def scratch(n: int, links: int, leaves: int, k: int) -> Scratch:
+    """Room for the measures of a state of `n` rooms in an outline of `k` blocks."""
     return Scratch(
         box=np.zeros((2 * leaves - 1, 5)),
         seq=np.zeros(2 * leaves, np.int64),
         piece=np.zeros((leaves * k, 4)),
         owner=np.zeros(leaves * k, np.int64),
-        wall=np.zeros((n, n, 3)),
+        last=np.zeros(n, np.int64),
+        before=np.zeros(leaves * k, np.int64),
+        wall=np.zeros((links, 3)),
         room=np.zeros((n, 13)),
         terms=np.zeros(15),
         entry=np.zeros(4),

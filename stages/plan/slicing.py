@@ -43,8 +43,8 @@ class Problem(NamedTuple):
 
     spec: Floats  # (n, 11) of each room, by SPEC; lengths and areas net
     links: Ints  # (m, 2)
-    near: Ints  # (q, 2) rooms that should be close to one another
-    order: Ints  # (n, 2) rooms breadth first from the entrance, and the room before each, -1 at the start
+    near: Ints  # (q, 3) two rooms that should be close to one another, and how much that counts
+    order: Ints  # (n, 3) rooms breadth first from the entrance, the room before each and their link, -1 at the start
     blocks: Floats  # (k, 4) x0 y0 x1 y1, disjoint, together the outline
     edges: Floats  # (e, 6) axis (0: x is constant), coordinate, lo, hi, window allowed, entrance allowed
     weights: Floats  # (14,) by TERMS
@@ -65,10 +65,12 @@ class Scratch(NamedTuple):
     seq: Ints  # (2L,) nodes, parents first; then the number of pieces
     piece: Floats  # (P, 4) rectangles of rooms
     owner: Ints  # (P,)
-    wall: Floats  # (n, n, 3) longest straight wall between two rooms, its middle
+    last: Ints  # (n,) last piece of each room
+    before: Ints  # (P,) the piece of the same room before each, -1 for the first
+    wall: Floats  # (m, 3) longest straight wall between two linked rooms, its middle
     room: Floats  # (n, 13) by the R_ columns
     terms: Floats  # (15,) by TERMS, then the lack
-    entry: Floats  # (4,) entrance x, y, length of its wall, distance of its room from such a wall
+    entry: Floats  # (4,) entrance x, y (else of its room), length of its wall, distance of its room from such a wall
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
     area: Floats  # (n,) of the state accepted last
 
@@ -89,9 +91,9 @@ def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covere
     a, b = (box[0], box[2]) if upright else (box[1], box[3])
     if p.blocks.shape[0] == 1:
         return a + share * (b - a)
-    goal = share * _covered(p.blocks, s, box[0], box[1], box[2], box[3])
-    lo, hi = a, b
-    for _ in range(18):
+    whole = _covered(p.blocks, s, box[0], box[1], box[2], box[3])
+    goal, lo, hi, c = share * whole, a, b, a + share * (b - a)
+    for _ in range(18 if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS else 0):
         c = 0.5 * (lo + hi)
         x1, y1 = (c, box[3]) if upright else (box[2], c)
         if _covered(p.blocks, s, box[0], box[1], x1, y1) < goal:

@@ -1,0 +1,85 @@
+"""What an arrangement costs: terms by hand, and measures that belong to the state an annealing run ends with."""
+
+import numpy as np
+import pytest
+
+from schemas.plan import Program, Walls
+from stages.plan import PlanConfig, kernel
+from stages.plan.blocks import given
+from stages.plan.outline import draw
+from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, weighed, whim
+from stages.plan.slicing import LACKING, NEAR, PATH, Floats, Problem, Tree
+from stages.plan.study import archetypes
+
+BARE = Walls(inner=0.1, outer=0.3)
+
+
+def energy(p: Problem, tree: Tree, steps: int = 0, seed: int = 1) -> tuple[float, Floats, Tree]:
+    """Cost, terms and state at the end of a run; of no steps, so of the tree itself, unless told."""
+    z = scratch(len(p.spec), len(p.links), len(tree.share) - 1, len(p.blocks))
+    best = copy(tree)
+    cost = kernel.anneal(p, copy(tree), copy(tree), best, z, np.array([seed], np.uint64), steps, 20.0, 1.0)
+    return float(cost), z.terms, best
+
+
+def row_of_three() -> tuple[Problem, Tree]:
+    """Rooms 3, 4 and 5 m wide, 3 m deep, side by side between wall centre lines; linked in a row."""
+    rooms = [{"id": f"{kind}_1", "type": kind, "area": 10.0} for kind in ("living_room", "study", "bedroom")]
+    links = [("living_room_1", "study_1"), ("living_room_1", "bedroom_1")]
+    ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 2.95), (0.05, 2.95)]
+    program = Program(rooms=rooms, links=links, envelope={"outline": ring})
+    nothing = Whim((1, 1, 1), [(0, 1, 2), (2, 0, 3), (0, 2, 1)], "rectangle", 1.0)
+    p = problem(program, given(program.envelope, BARE.inner), nothing, BARE, Slack())
+    nodes = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 1], [3, 2, 1], [4, 0, 0]])
+    return p, Tree(nodes, np.array([3.0, 4.0, 5.0, 1.0]))
+
+
+def test_near_rooms_counts_metres_between_rooms_times_their_weights() -> None:
+    p, tree = row_of_three()
+    assert p.near.tolist() == [[0, 1, 2], [0, 2, 4]]
+    assert energy(p, tree)[1][NEAR] == pytest.approx(4 * 4.0)
+
+
+def test_a_weight_is_as_good_as_pairs_that_stand_many_times() -> None:
+    p, tree = row_of_three()
+    many = [(a, b, 1) for a, b, count in p.near.tolist() for _ in range(count)]
+    assert energy(p._replace(near=np.array(many)), tree)[0] == pytest.approx(energy(p, tree)[0])
+
+
+def test_each_pair_stands_once() -> None:
+    assert weighed([(2, 1, 6), (1, 2, 1), (0, 3, 24)]).tolist() == [[1, 2, 7], [0, 3, 24]]
+    for name, program in archetypes().items():
+        near = _drawn(name, 0)[0].near
+        assert len({frozenset(pair) for pair in near[:, :2].tolist()}) == len(near)
+        assert near[:, 2].max() >= (24 if any(room.type == "dining_room" for room in program.rooms) else 6)
+
+
+def test_without_a_common_wall_the_way_leads_between_the_rooms() -> None:
+    p, tree = row_of_three()
+    cost, terms, _ = energy(p, tree)
+    assert terms[LACKING] > 0, "living room and bedroom do not touch"
+    other = row_of_three()[1]
+    other.nodes[[0, 2]] = other.nodes[[2, 0]]
+    energy(p, other)
+    assert energy(p, tree)[0] == cost and energy(p, tree)[1][PATH] == terms[PATH]
+
+
+@pytest.mark.parametrize("name", ["one_bedroom", "four_bedroom"])
+@pytest.mark.parametrize("seed", [0, 1, 2, 3])
+def test_measures_are_those_of_the_best_state_even_of_a_run_given_up(name: str, seed: int) -> None:
+    p, tree = _drawn(name, seed)
+    cost, terms, best = energy(p, tree, 3000, seed + 1)
+    again, measured, _ = energy(p, best)
+    assert np.isfinite(cost) and again == cost and measured.tolist() == terms.tolist()
+
+
+def _drawn(name: str, seed: int) -> tuple[Problem, Tree]:
+    """An archetype in a drawn outline, and a random tree."""
+    program, config, rng = archetypes()[name], PlanConfig(), np.random.default_rng(seed)
+    wanted = whim(program, rng)
+    gross = gross_area(program, config.walls)
+    outline = draw(program.envelope, gross, wanted.shape, wanted.aspect, rng)
+    return (
+        problem(program, outline, wanted, config.walls, Slack()),
+        start(program, wanted.parts, outline.stretch, rng),
+    )
