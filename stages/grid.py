@@ -15,6 +15,7 @@ from stages.boxes import Array, Boxes, Mask
 
 RESOLUTION = 0.05
 """Default cell size, m."""
+_BY_EDGES = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]])
 
 Count = NDArray[np.int16]
 """Obstacles that keep the robot off each cell."""
@@ -130,10 +131,11 @@ def connected(free: Mask) -> tuple[Labels, NDArray[np.int64]]:
     """Labels of the parts joined by cell edges (0 = not free), and their cell counts with [0] = 0."""
     from scipy import ndimage
 
-    labels, count = ndimage.label(free)
+    labels = np.empty(free.shape, np.int32)
+    count = ndimage.label(free, _BY_EDGES, labels)
     sizes = np.bincount(labels.ravel(), minlength=count + 1)
     sizes[0] = 0
-    return labels.astype(np.int32), sizes
+    return labels, sizes
 
 
 def largest(free: Mask) -> Mask:

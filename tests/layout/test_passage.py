@@ -71,7 +71,7 @@ def test_what_belongs_moves_along() -> None:
     stand = Item("nightstand", np.array([2.63, 3.78, 0.25]), np.array([0.4, 0.45, 0.5]), -np.pi / 2)
     lamp = Item("table_lamp", np.array([2.63, 3.78, 0.65]), np.array([0.2, 0.2, 0.3]), -np.pi / 2)
     there = standing([bed, stand, lamp])
-    assert set(moves._group(0, there)) == {0, 1, 2}
+    assert set(moves.group(0, there)) == {0, 1, 2}
     move = moves.moves(0, there, room)[0]
     gaps = move.boxes[1].center - move.boxes[0].center
     assert np.allclose(gaps, gaps[0]) and np.allclose(move.boxes[2].center - move.boxes[1].center, [0, 0, 0.4])

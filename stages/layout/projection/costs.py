@@ -62,18 +62,14 @@ def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed,
     total += np.where(beyond > SLACK, 40 + 100 * beyond, 0)
     if category in SOFT:
         return np.asarray(total + _in_swings(found, category, space))
-    wide = grown(category, found)
-    has_reach = wide.size[0, 0] > found.size[0, 0] + 1e-6
-    if has_reach:
-        total += _price(outside(wide, space), 12)
-    if space.zones.n:
-        blocked = penetration(found, space.zones)
-        total += _price(blocked[:, ~space.window].max(1, initial=-1), 30) + _price(
-            blocked[:, space.window].max(1, initial=-1), 12
-        )
-        if has_reach:
-            total += _price(penetration(wide, space.zones)[:, ~space.window].max(1, initial=-1), 6)
-    return np.asarray(total + _meetings(found, wide, category, placed, has_reach))
+    # What is broken already is priced to the end only where no place breaks nothing.
+    staged = total.copy()
+    for price in (_bodies, _sweeps):
+        good = np.flatnonzero(staged < BROKEN)
+        staged[good] += price(found.take(good), category, placed, space)
+    if (staged < BROKEN).any():
+        return np.asarray(staged)
+    return np.asarray(total + _bodies(found, category, placed, space) + _sweeps(found, category, placed, space))
 
 
 def _in_swings(found: Boxes, category: str, space: Space) -> Array:
@@ -112,23 +108,39 @@ def standing_costs(boxes: Boxes, wide: Boxes, categories: list[str], meets: "Mee
     return np.asarray(total)
 
 
-def _meetings(found: Boxes, wide: Boxes, category: str, placed: Placed, has_reach: bool) -> Array:
-    """Price of standing in others, of sweeping others, of being swept, and of sweeps that meet."""
+def _bodies(found: Boxes, category: str, placed: Placed, space: Space) -> Array:
+    """Price of standing before doors and windows and in others."""
+    total = np.zeros(found.n)
+    if space.zones.n:
+        blocked = penetration(found, space.zones)
+        total += _price(blocked[:, ~space.window].max(1, initial=-1), 30) + _price(
+            blocked[:, space.window].max(1, initial=-1), 12
+        )
     hard = ~placed.soft
-    if not hard.any():
-        return np.zeros(found.n)
-    seated, solid, swept = placed.seated[hard], placed.boxes.take(hard), placed.grown.take(hard)
-    depth = penetration(found, solid)
-    total = _sum(depth - placed.tuck[hard], 20)
-    apart = ~seated
-    moving = (swept.size[:, 0] > solid.size[:, 0] + 1e-6) & apart
+    if hard.any():
+        total += _sum(penetration(found, placed.boxes.take(hard)) - placed.tuck[hard], 20)
+    return total
+
+
+def _sweeps(found: Boxes, category: str, placed: Placed, space: Space) -> Array:
+    """Price of sweeping walls, doors and others, of being swept, and of sweeps that meet."""
+    total = np.zeros(found.n)
+    wide = grown(category, found)
+    opens = found.n > 0 and wide.size[0, 0] > found.size[0, 0] + 1e-6
+    if opens:
+        total += _price(outside(wide, space), 12)
+        if not space.window.all():
+            total += _price(penetration(wide, space.zones.take(~space.window)).max(1), 6)
+    apart = ~placed.soft & ~placed.seated
+    solid, swept = placed.boxes.take(apart), placed.grown.take(apart)
+    moving = swept.size[:, 0] > solid.size[:, 0] + 1e-6
     if moving.any():
-        total = total + _sum(penetration(found, swept.take(moving)), 14)
-        if has_reach:
-            total = total + _sum(penetration(wide, swept.take(moving)), 10.5)
-    if has_reach and apart.any():
-        total = total + _sum(penetration(wide, solid.take(apart)), 14)
-    return np.asarray(total)
+        total += _sum(penetration(found, swept.take(moving)), 14)
+    if opens and moving.any():
+        total += _sum(penetration(wide, swept.take(moving)), 10.5)
+    if opens and apart.any():
+        total += _sum(penetration(wide, solid), 14)
+    return total
 
 
 def _price(depth: Array, price: float) -> Array:

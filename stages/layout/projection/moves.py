@@ -40,9 +40,9 @@ class Move:
 
 def moves(i: int, room: Standing, space: Space) -> list[Move]:
     """What can be done about object `i`: shifted with its group, placed anew nearby, made narrower."""
-    group, alone = _group(i, room), [i, *_carried([i], room)]
-    tried = [_rigid(group, _shifts(room.boxes.take([i])), room, space)]
-    if len(alone) < len(group):
+    together, alone = group(i, room), [i, *_carried([i], room)]
+    tried = [_rigid(together, _shifts(room.boxes.take([i])), room, space)]
+    if len(alone) < len(together):
         tried.append(_rigid(alone, _shifts(room.boxes.take([i])), room, space))
     if len(alone) == 1:
         tried.append(_anew(i, room, space))
@@ -62,7 +62,7 @@ def _carried(members: list[int], room: Standing) -> list[int]:
     return [k for k in tops if k not in members and any(rests_on(room.items[k], room.items[m]) for m in members)]
 
 
-def _group(i: int, room: Standing) -> list[int]:
+def group(i: int, room: Standing) -> list[int]:
     """Object `i`, what stands close by and belongs with it, and what stands on any of them."""
     near = boxes.gap(room.boxes.take([i]), room.boxes)[0]
     members = [i]

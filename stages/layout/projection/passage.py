@@ -1,14 +1,15 @@
 """Keeps the free floor of a room in one piece: shifts, tucks in or narrows what cuts a part of it off."""
 
-from collections.abc import Container
+from collections.abc import Container, Iterable
 from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
+from stages.boxes import Boxes
 from stages.categories import TABLE
 from stages.layout.projection.costs import SOFT
-from stages.layout.projection.moves import Move, moves
+from stages.layout.projection.moves import Move, group, moves
 from stages.layout.projection.paths import Paths
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Standing
@@ -44,12 +45,9 @@ def in_its_way(paths: Paths, room: Standing, needed: Container[int]) -> int | No
 
 def _without(members: tuple[int, ...], paths: Paths) -> float:
     """What is cut off once some objects are gone."""
-    old = {k: paths.bodies[k] for k in members}
-    for k in old:
-        paths.remove(k)
+    old = _taken_out(members, paths)
     left = paths.cut_off()
-    for k, box in old.items():
-        paths.add(k, box)
+    _put_back(old, paths)
     return left
 
 
@@ -64,11 +62,10 @@ def _joined(paths: Paths, room: Standing, space: Space) -> float:
             category = room.items[i].category
             if TABLE[category].place not in ("floor", "wall") or category in SOFT or not borders(i):
                 continue
-            tried = [(found, move) for move in moves(i, room, space) if (found := _best(move, paths, worth))]
-            if not tried:
+            found = _best(i, paths, room, space, worth)
+            if found is None:
                 continue
-            (_, n), move = min(tried, key=lambda row: row[0][0])
-            _apply(move, n, room, paths)
+            _apply(*found, room, paths)
             worth = paths.cut_off()
             if worth == 0:
                 return worth
@@ -78,29 +75,47 @@ def _joined(paths: Paths, room: Standing, space: Space) -> float:
     return worth
 
 
-def _best(move: Move, paths: Paths, worth: float) -> tuple[float, int] | None:
-    """The candidate that leaves the least, and what remains with it; None where none gains."""
-    old = {k: paths.bodies[k] for k in move.members if k in paths.bodies}
+def _best(i: int, paths: Paths, room: Standing, space: Space, worth: float) -> tuple[Move, int] | None:
+    """The change of place of object `i` that leaves the least; None where none gains."""
+    best: tuple[Move, int] | None = None
+    limit = worth - LEAST_GAIN
+    bounds: dict[tuple[int, ...], float] = {}
+    if _left_without(group(i, room), paths, limit, bounds) >= limit:
+        return None
+    for move in moves(i, room, space):
+        bound = _left_without(move.members, paths, limit, bounds)
+        old = _taken_out(move.members, paths)
+        for n in np.argsort(move.price, kind="stable")[:TRIED]:
+            if move.price[n] + bound >= limit:
+                break
+            there = {k: places.take([n]) for k, places in zip(move.members, move.boxes) if k in old}
+            total = float(move.price[n]) + paths.cut_off(limit - float(move.price[n]), there)
+            if total < limit:
+                best, limit = (move, int(n)), total
+        _put_back(old, paths)
+    return best
+
+
+def _left_without(members: list[int], paths: Paths, limit: float, known: dict[tuple[int, ...], float]) -> float:
+    """What is left without some objects, which is left wherever they go; above `limit` only so much of it."""
+    key = tuple(members)
+    if key not in known:
+        old = _taken_out(members, paths)
+        known[key] = paths.cut_off(limit)
+        _put_back(old, paths)
+    return known[key]
+
+
+def _taken_out(members: Iterable[int], paths: Paths) -> dict[int, Boxes]:
+    old = {k: paths.bodies[k] for k in members if k in paths.bodies}
     for k in old:
         paths.remove(k)
-    found: tuple[float, int] | None = None
-    limit = worth - LEAST_GAIN
-    # What is left without the objects is left wherever they go.
-    bound = paths.cut_off(limit)
-    for n in np.argsort(move.price, kind="stable")[:TRIED]:
-        if move.price[n] + bound >= limit:
-            break
-        for k, places in zip(move.members, move.boxes):
-            if k in old:
-                paths.add(k, places.take([n]))
-        total = float(move.price[n]) + paths.cut_off(limit - float(move.price[n]))
-        if total < limit:
-            found, limit = (total, int(n)), total
-        for k in old:
-            paths.remove(k)
+    return old
+
+
+def _put_back(old: dict[int, Boxes], paths: Paths) -> None:
     for k, box in old.items():
         paths.add(k, box)
-    return found
 
 
 def _apply(move: Move, n: int, room: Standing, paths: Paths) -> None:

@@ -1,6 +1,6 @@
 """The free floor of a room on a raster: what keeps walkers off it, and what that cuts off."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import shapely
@@ -26,6 +26,9 @@ SLIVER = 0.02
 """A share of the free floor that may be cut off."""
 LOW, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
+Bodies = Mapping[int, Boxes]
+Rim = tuple[grid.Window, NDArray[np.bool_]]
+NOTHING: Bodies = {}
 
 
 class Paths:
@@ -37,7 +40,7 @@ class Paths:
         self.inner = {r: grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII}
         self.count = {r: np.zeros(self.cells.shape, np.int16) for r in RADII}
         self.bodies: dict[int, Boxes] = {}
-        self.rims: dict[int, tuple[grid.Window, NDArray[np.bool_]]] = {}
+        self.rims: dict[int, Rim] = {}
         self.shades: dict[int, list[tuple[grid.Window, grid.Count]]] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
@@ -54,8 +57,7 @@ class Paths:
     def add(self, k: int, box: Boxes) -> None:
         """Object `k` stands there from now on."""
         self.bodies[k] = box
-        window, near = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
-        self.rims[k] = window, near > 0
+        self.rims[k] = self._rim(box)
         self.shades[k] = [grid.shade(box, self.cells, r) for r in self.count]
         for count, (window, hit) in zip(self.count.values(), self.shades[k]):
             count[window] += hit
@@ -66,35 +68,41 @@ class Paths:
         for count, (window, hit) in zip(self.count.values(), self.shades.pop(k)):
             count[window] -= hit
 
-    def parts(self, r: float) -> tuple[grid.Labels, NDArray[np.int64], int]:
-        """Parts of the floor for a walker, their sizes, and the one with most doors' floor, 0 without any."""
-        labels, sizes = grid.connected(self.inner[r] & (self.count[r] == 0))
+    def parts(self, r: float, more: Bodies = NOTHING) -> tuple[grid.Labels, NDArray[np.int64], int]:
+        """Parts of the floor for a walker with `more` objects there, their sizes, and the one with most doors' floor,
+        0 without any."""
+        free = self.inner[r] & (self.count[r] == 0)
+        for box in more.values():
+            window, hit = grid.shade(box, self.cells, r)
+            free[window] &= hit == 0
+        labels, sizes = grid.connected(free)
         at_doors = labels[self.doors[r]]
         return labels, sizes, int(at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax())
 
-    def cut_off(self, limit: float = np.inf) -> float:
-        """What it is worth, in metres of shifting, to join all parts of the floor, all doors and objects; above
-        `limit` only so much of it."""
+    def cut_off(self, limit: float = np.inf, more: Bodies = NOTHING) -> float:
+        """What it is worth, in metres of shifting, to join all parts of the floor, all doors and objects, with `more`
+        objects there; above `limit` only so much of it."""
         total = 0.0
         for r, worth in RADII.items():
-            labels, sizes, home = self.parts(r)
+            labels, sizes, home = self.parts(r, more)
             lost = 1 - sizes[home] / sizes.sum() if sizes[home] else 1.0
             total += worth * (float(lost) if lost > SLIVER else 0.0)
             total += DOOR * worth * float((labels[self.doors[r]] != home).sum())
             if total > limit:
                 break
             if r == BESIDE:
-                total += UNREACHED * len(self._apart(labels, home))
+                rims = self.rims if not more else self.rims | {k: self._rim(box) for k, box in more.items()}
+                total += UNREACHED * len(_apart(rims, labels, home))
         return total
 
     def unreached(self) -> set[int]:
         """Objects that do not border the part of the floor with the doors."""
         labels, _, home = self.parts(BESIDE)
-        return self._apart(labels, home)
+        return _apart(self.rims, labels, home)
 
-    def _apart(self, labels: grid.Labels, home: int) -> set[int]:
-        free = labels == home if home else np.zeros(labels.shape, bool)
-        return {k for k, (window, rim) in self.rims.items() if not (free[window] & rim).any()}
+    def _rim(self, box: Boxes) -> Rim:
+        window, near = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
+        return window, near > 0
 
     def between(self) -> Callable[[int], bool]:
         """Tells whether an object lies between two parts of the floor, shuts a door in, or is out of reach or near
@@ -122,6 +130,12 @@ class Paths:
             return False
 
         return borders
+
+
+def _apart(rims: Mapping[int, Rim], labels: grid.Labels, home: int) -> set[int]:
+    """Objects about which there is nothing of one part of the floor."""
+    free = labels == home if home else np.zeros(labels.shape, bool)
+    return {k for k, (window, rim) in rims.items() if not (free[window] & rim).any()}
 
 
 def in_the_way(room: Standing) -> NDArray[np.bool_]:

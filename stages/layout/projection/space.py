@@ -40,6 +40,13 @@ class Space:
     leaves: Boxes = field(default_factory=lambda: Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)))
 
     @cached_property
+    def reentrant(self) -> Boxes:
+        """Bodies of the walls that meet at corners which stand out into the room."""
+        before = np.roll(self.along, 1, 0)
+        out = before[:, 0] * self.along[:, 1] - before[:, 1] * self.along[:, 0] < -1e-9
+        return self.slabs.take(out | np.roll(out, -1))
+
+    @cached_property
     def middle(self) -> tuple[Array, Array]:
         """The point farthest from the walls, the one nearest to the centre among equals, and a quarter of the free
         length through it, (2,) each."""
@@ -124,13 +131,28 @@ def _zones(rows: Array, height: float) -> tuple[Boxes, NDArray[np.bool_], Array]
 def outside(found: Boxes, space: Space) -> Array:
     """How far each box stands beyond the walls, m, 0 when inside, (n,)."""
     within, away = _within(boxes.corners(found).reshape(-1, 2), space)
-    far = np.where(within, 0.0, away).reshape(-1, 4).max(1)
+    far = np.asarray(np.where(within, 0.0, away).reshape(-1, 4).max(1))
+    if not space.reentrant.n:
+        return far
     # A box may straddle a re-entrant corner with all its own corners inside.
-    return np.asarray(np.maximum(far, np.maximum(boxes.penetration(found, space.slabs).max(1), 0)))
+    return np.asarray(np.maximum(far, np.maximum(boxes.penetration(found, space.reentrant).max(1), 0)))
 
 
 def _within(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:
     """Which points lie on the floor, and the distance of each to the nearest wall, (n,)."""
+    if not space.reentrant.n:
+        # In a convex room the signed distances from the walls' lines tell all about what lies inside.
+        signed = np.asarray((points @ space.normal.T - (space.start * space.normal).sum(1)).min(1))
+        within = signed > 0
+        if within.all():
+            return within, signed
+        _, past = _measured(points[~within], space)
+        signed[~within] = past
+        return within, signed
+    return _measured(points, space)
+
+
+def _measured(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:
     offset = points[:, None] - space.start
     share = np.clip((offset * space.along).sum(-1), 0, space.length)
     away = np.linalg.norm(offset - share[..., None] * space.along, axis=-1).min(1)
