@@ -3,7 +3,7 @@
 Cells are those of `stages/grid.py`; distances are in metres.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
@@ -24,11 +24,9 @@ HEIGHT = 1.4
 """Of the robot, m: what is higher is passed under."""
 LOW = 0.015
 """What is no higher is driven over, m."""
-SNAP = 1e-6
-"""Outlines are joined on a grid this fine, where joining never fails for rounding, m."""
 FAR = 1.0
 """Clearance beyond this is not told apart, m."""
-_STEP = 0.01  # m between points of outlines that distances are measured to; wrong by s² / 8 d = 0.05 mm at contact
+_STEP = 0.01  # m between points of outlines that distances are measured to; too great by s² / 8 d = 0.05 mm at contact
 FINER = 2
 """Cells are so much smaller than those of the walkable stage, and than Nav2's default of 5 cm.
 
@@ -50,27 +48,44 @@ class Floor:
         return self.space.grid
 
     @cached_property
-    def solid(self) -> Geometry:
-        """All that stands in the robot's height, from above."""
-        return shapely.union_all(list(self.parts.values()), grid_size=SNAP)
+    def open(self) -> Mask:
+        """Cells whose centre is on the floor and not in anything that stands in the robot's height."""
+        inside = grid.raster(polygons.free_floor(self.space.plan), self.grid)
+        return inside & ~covered(list(self.parts.values()), self.grid)
 
     @cached_property
     def free(self) -> Mask:
         """Cells where the robot's centre can be, its disc touching nothing."""
-        inside = grid.raster(polygons.free_floor(self.space.plan), self.grid)
-        return inside & ~grid.raster(self.solid.buffer(self.radius), self.grid)
+        found: Mask = self.clearance >= self.radius - 1e-6
+        return found
 
     @cached_property
     def clearance(self) -> Array:
         """Distance from every cell's centre to what is solid, m, up to `FAR`; 0 where that is or there is no floor."""
         from scipy.spatial import cKDTree
 
-        outline = shapely.get_coordinates(shapely.segmentize(self.solid.boundary, _STEP))
-        open_ = grid.raster(polygons.free_floor(self.space.plan), self.grid) & ~grid.raster(self.solid, self.grid)
-        found = np.zeros(self.grid.shape)
-        nearest, _ = cKDTree(outline).query(self.grid.centers()[open_], distance_upper_bound=FAR)
-        found[open_] = np.minimum(nearest, FAR)
+        found = self.open.astype(float) * FAR
+        outlines = shapely.segmentize(shapely.boundary(list(self.parts.values())), _STEP)
+        if len(outlines):
+            tree = cKDTree(shapely.get_coordinates(outlines), balanced_tree=False, compact_nodes=False)
+            nearest, _ = tree.query(self.grid.centers()[self.open], distance_upper_bound=FAR)
+            found[self.open] = np.minimum(nearest, FAR)
         return found
+
+
+def covered(parts: Sequence[Geometry], cells: Grid) -> Mask:
+    """Cells whose centre lies in any of some convex polygons, (rows, columns); by scan lines, as `grid.raster`."""
+    points, whose = shapely.get_coordinates(shapely.orient_polygons(list(parts)), return_index=True)
+    same = whose[1:] == whose[:-1]
+    (x0, y0), (x1, y1) = points[:-1][same].T[:, :, None], points[1:][same].T[:, :, None]
+    edge, row = np.nonzero((y0 <= cells.y) != (y1 <= cells.y))
+    crossing = x0[edge, 0] + (cells.y[row] - y0[edge, 0]) * (x1 - x0)[edge, 0] / (y1 - y0)[edge, 0]
+    column = np.ceil((crossing - cells.origin[0]) / cells.resolution - 0.5).astype(int)
+    depth = np.zeros((cells.shape[0], cells.shape[1] + 1), np.int32)
+    # Left edges go down and right edges up, all polygons being counter-clockwise.
+    np.add.at(depth, (row, column.clip(0, cells.shape[1])), np.where((y1 > y0)[edge, 0], -1, 1))
+    inside: Mask = np.cumsum(depth[:, :-1], axis=1) > 0
+    return inside
 
 
 def survey(
