@@ -14,6 +14,12 @@ def bind(items: list[Item], before: list[Item]) -> None:
         if phrase.quantifier == "another":
             kinds = [r.type for r in _rooms(items[:k]) if r.type and (r.quantifier in ("a", "another") or r.count == 1)]
             phrase.type = kinds[-1] if kinds else ""
+        if phrase.count == 1 and k and items[k - 1].value == "share":
+            phrase.type = next((r.type for r in reversed(_rooms([*before, *items[:k]])) if r.type == "bathroom"), "")
+            phrase.quantifier = "a"
+        near = next((i.room for i in reversed(items[:k]) if i.kind != "mark"), None)
+        if phrase.quantifier == "one_of" and near is not None and near.type and near.plural:
+            phrase.among = [near]
         whole = phrase.quantifier in PAIRED and phrase.count is None and not phrase.labels
         named = phrase.text in ("former", "the former", "latter", "the latter")
         if whole or named:
@@ -103,9 +109,12 @@ def counted(items: list[Item]) -> list[Item]:
     while k < len(items):
         kinds = [i.kind for i in items[k : k + 3]]
         last = next((i.room for i in reversed(out) if i.kind != "mark"), None)
-        number = items[k + 2].room if kinds == ["with", "reach", "room"] else None
-        if number is not None and number.type == "" and number.count and last is not None and last.plural:
-            last.count, last.quantifier = number.count, ""
+        number = items[k + 2].room if kinds in (["with", "reach", "room"], ["mark", "reach", "room"]) else None
+        many = last is not None and (last.plural or last.quantifier == "each")
+        if number is not None and number.type == "" and number.count and many:
+            assert last is not None
+            last.count = number.count
+            last.quantifier = "" if last.quantifier == "the" else last.quantifier
             k += 3
         else:
             out.append(items[k])
@@ -118,10 +127,14 @@ def shared_verb(items: list[Item]) -> list[Item]:
     out: list[Item] = []
     has: Item | None = None
     for k, item in enumerate(items):
+        if item.kind == "give":
+            has = Item("with", "has", item.text)
+            continue
         phrase, last = item.room, out[-1].room if out else None
         if item.kind == "with" and item.value == "has":
             has = item
-        gap = len(out) > 1 and (out[-2].kind in ("conjunction", "boundary") or is_mark(out[-2], ","))
+        given = k > 1 and items[k - 2].kind == "give"  # "give each bedroom a closet"
+        gap = given or len(out) > 1 and (out[-2].kind in ("conjunction", "boundary") or is_mark(out[-2], ","))
         known = last is not None and (last.quantifier in PARTITIVE or bool(last.ordinals) or last.definite)
         new = phrase is not None and (phrase.quantifier in ("a", "own", "another") or bool(phrase.count))
         if has is not None and gap and known and new and k and items[k - 1].room is last:

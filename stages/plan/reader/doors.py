@@ -32,6 +32,8 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"
         match s.kind:
             case "open":
+                if {"living_room", "dining_room"} <= {e.type for e in right}:  # in the order in which food travels
+                    pairs = [(a, b) for a, b in pairs if not {a.type, b.type} == {"kitchen", "living_room"}]
                 out.open += [(a, b) for a, b in pairs if {a.type, b.type} <= set(OPEN_TYPES)]
                 out.links += pairs
             case "not":
@@ -53,6 +55,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
             case "compare" | "equal":
                 continue
             case _:
+                pairs = _one_way_in(pairs, s, statements)
                 out.only += left if s.kind == "only" else []
                 out.links += pairs
     for room, theirs in owned:  # "two bathrooms, one of which belongs to the main bedroom"
@@ -80,6 +83,14 @@ def _in_order(out: Doors, stated: set[frozenset[int]]) -> None:
             continue
         for pairs in (out.open, out.links):
             pairs[:] = [(kitchen, dining) if {id(x), id(y)} == pair else (x, y) for x, y in pairs]
+
+
+def _one_way_in(pairs: list[Pair], s: Statement, statements: list[Statement]) -> list[Pair]:
+    """`the hall opens into a living-dining-kitchen`: one space needs one door, that of the living room."""
+    together = {id(p) for o in statements if o.kind == "open" for p in (*o.left, *o.right)}
+    joined = {p.type for p in s.right if id(p) in together} if sum(id(p) in together for p in s.right) > 1 else set()
+    entry = next((kind for kind in OPEN_TYPES if kind in joined), "")
+    return [(a, b) for a, b in pairs if a.type != "hallway" or b.type == entry or b.type not in joined]
 
 
 def _served(a: Entity, b: Entity, kind: str) -> bool:
@@ -167,6 +178,7 @@ def ensuites(home: Household, doors: Doors) -> None:
         e
         for e in home.of("bedroom")
         if not any(r.type == "bathroom" and (r.owner is e or (e, r) in doors.links) for r in home.rooms)
+        and not any(c.owner is e and b.type == "bathroom" for c, b in _ways(doors) if c.type == "closet")
     ]
     beds.sort(key=lambda e: "master" not in e.labels)
     if ("bathroom", "ensuite") in home.banned:
@@ -187,7 +199,12 @@ def ensuites(home: Household, doors: Doors) -> None:
             doors.links.append((closet.owner, closet))
 
 
+def _ways(doors: Doors) -> list[Pair]:
+    """Doors in both directions."""
+    return [*doors.links, *((b, a) for a, b in doors.links)]
+
+
 def _serves(bath: Entity, doors: Doors) -> bool:
     """Whether a bathroom is entered from elsewhere than a bedroom."""
     near = [b if a is bath else a for a, b in doors.links if bath in (a, b)]
-    return "half" not in bath.labels and any(e.type != "bedroom" for e in near)
+    return "half" not in bath.labels and any(e.type not in ("bedroom", "closet") for e in near)

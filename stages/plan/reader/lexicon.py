@@ -17,7 +17,7 @@ PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
     "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
     "only", "style", "shape", "side_role", "side", "furniture", "furniture_count", "graph", "main_rooms",
-    "compound", "sum", "adjective", "stop",
+    "compound", "sum", "give", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
 

@@ -37,7 +37,7 @@ class Pending:
         phrase.areas = self.area.values if self.area else ()
         if kind == "bathroom" and "own" in phrase.labels:
             phrase.labels.add("ensuite")
-        if phrase.quantifier == "both" and "both" in self.texts and not word.plural:
+        if phrase.quantifier == "both" and _both(self.texts) and not word.plural:
             phrase.quantifier = "the"  # "both the bedroom and the hallway"
         counted = (word.joined and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in LISTED)
         phrase.headline = counted and self.number is not None
@@ -56,6 +56,10 @@ class Pending:
             return phrase
         sized = self.quantifier == "the" and self.factor != 1.0
         return RoomPhrase("", {"size"}, None, "the", factor=self.factor) if sized else None
+
+
+def _both(texts: list[str]) -> bool:
+    return any(t.split()[0] == "both" for t in texts)
 
 
 def noun_ahead(words: list[Lexeme], i: int) -> bool:
@@ -93,7 +97,8 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
         ):
             break
         j += 1
-    fits = phrase.plural or (len(numbers) == 1 and words[i].text[0].isdigit())
+    spelled = phrase.type in ("bedroom", "bathroom") and not phrase.quantifier and phrase.text not in LISTED
+    fits = phrase.plural or (len(numbers) == 1 and (words[i].text[0].isdigit() or spelled))
     if not numbers or phrase.count is not None or not fits:
         return i
     phrase.ordinals = tuple(numbers)

@@ -214,7 +214,7 @@ def _objects(items: list[Item], p: Predicate, following: Predicate | None, left:
             break
         elif item.kind == "reach" and out and item.text.startswith("there"):
             break
-        elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1:
+        elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1 and p.form != "front":
             break
     return out
 
@@ -234,7 +234,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if p.form != "part":
         return True
     same = first.definite == phrase.definite
-    if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left):
+    alone = p.subject[0] == 0 and not any(i.room for i in items[p.subject[1] : p.at])  # a sentence of its own
+    if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left) and not alone:
         return False
     if first.definite or first.quantifier == "" and p.kind in ("near", "open"):
         return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same

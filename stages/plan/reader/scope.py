@@ -6,7 +6,7 @@ from stages.plan.reader.statements import Said
 
 def negate_links(items: list[Item]) -> list[Item]:
     """`neither the kitchen nor the bathroom opens onto the hall`: of known rooms the link is denied, not the rooms."""
-    out = list(items)
+    out = items = _without_contrast(items)
     for k, item in enumerate(items):
         if item.text != "neither":
             continue
@@ -23,6 +23,21 @@ def negate_links(items: list[Item]) -> list[Item]:
             for room in rooms:
                 room.negated = False
             out = [*items[:k], *items[k + 1 : end], Item("negation", "not", item.text), *items[end:]]
+    return out
+
+
+def _without_contrast(items: list[Item]) -> list[Item]:
+    """`the lounge, not the hallway, leads to …`: the verb is said of the lounge alone."""
+    out: list[Item] = []
+    k = 0
+    while k < len(items):
+        aside = [i.kind for i in items[k : k + 4]] == ["mark", "negation", "room", "mark"]
+        verb = items[k + 4].kind if k + 4 < len(items) else ""
+        if aside and items[k + 1].value == "not" and verb in ("link", "with", "copula"):
+            k += 4
+        else:
+            out.append(items[k])
+            k += 1
     return out
 
 

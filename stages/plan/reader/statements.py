@@ -86,7 +86,8 @@ def _pairs(items: list[Item], j: int) -> tuple[list[tuple[Item, Item]], int]:
     out: list[tuple[Item, Item]] = []
     end = j
     while j + 2 < len(items) and items[j].room is not None and items[j + 2].room is not None:
-        if items[j + 1].kind != "conjunction":
+        joined = items[j + 1].kind == "conjunction"
+        if not joined or any(i.room is None or i.room.plural or i.room.count for i in (items[j], items[j + 2])):
             break
         out.append((items[j], items[j + 2]))
         end = j = j + 3
