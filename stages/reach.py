@@ -1,7 +1,8 @@
 """What a round robot gets to: from the entrance, through every door, to in front of all that opens.
 
 The robot is a disc. It can be where its disc meets neither wall nor furniture; it uses an object from in front of
-it, its centre within `reach` of the face that opens, first with the parts closed and then with them open.
+it, its centre within `reach` of the face that opens, first with the parts closed and then with them open, and opens
+each part from where its arm gets to the handle.
 """
 
 from collections.abc import Collection, Sequence
@@ -14,7 +15,7 @@ from shapely.geometry import Polygon
 
 from schemas.layout import Box
 from schemas.plan import Opening, Plan
-from stages import boxes, footprints, grid, polygons, sweeps
+from stages import boxes, footprints, grid, handling, polygons, sweeps
 from stages.boxes import Boxes, Mask
 from stages.grid import Grid
 
@@ -183,9 +184,15 @@ def _objects(
         window, zone = standing(o, world.grid, reach, world.radius)
         if not (got[window] & zone & (world.rooms[window] == index[o.room])).any():
             closed.append(o.id)
-        elif not _still(world, o, parts.take(owner == i), reach, open_cells, got, index[o.room]):
+        elif not (_still(world, o, parts.take(owner == i), reach, open_cells, got, index[o.room])
+                  and _handled(world, o, got & (world.rooms == index[o.room]))):
             opened.append(o.id)
     return closed, opened
+
+
+def _handled(world: Space, o: Box, got: Mask) -> bool:
+    """Whether each part can be opened, the others shut, by an arm from somewhere that the robot gets to."""
+    return all(handling.standing(o, joint, world.grid, world.radius, got) for joint in handling.joints(o))
 
 
 def _still(world: Space, o: Box, parts: Boxes, reach: float, open_cells: Mask, got: Mask, room: int) -> bool:

@@ -56,6 +56,13 @@ def _corners(bounds: Bounds) -> Array:
     return np.where(grid == 0, bounds[0], bounds[1])
 
 
+def at(joint: Joint, point: Array, value: float) -> Array:
+    """Where a point (3,) of the shut part is at a joint position, object's frame."""
+    if joint.type == "slide":
+        return np.asarray(point + value * np.asarray(joint.axis, float) / np.linalg.norm(joint.axis))
+    return _turned(point, joint, value)
+
+
 def moved(joint: Joint, value: float) -> Bounds:
     """Bounds of the joint's part at one joint position; the joint must have its extent."""
     lo, hi = _moved(joint.type, joint.axis, joint.origin, joint.extent, value)

@@ -9,7 +9,7 @@ rooms are shut behind the robot: their leaves are left out, as are handles that 
 """
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 
 import numpy as np
@@ -23,7 +23,7 @@ from stages.embodied.interact import parts
 from stages.embodied.interact.act import FRAMES, Actor, Result
 from stages.embodied.interact.chains import GOAL, OPEN
 from stages.embodied.interact.near import Surroundings
-from stages.embodied.interact.parts import Part
+from stages.embodied.interact.parts import Hold, Part
 from stages.embodied.interact.plan import Plan, Planner, spots
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
@@ -32,6 +32,8 @@ from stages.embodied.world import World
 
 SPOTS, TOGETHER = 60, 6
 """Places tried at most for a part, and how many with its usual holds before others are tried there."""
+RETRIES = 2
+"""How often a robot that finds nothing in its grip goes back and takes another hold."""
 FAR = 100.0
 """Where the robot waits in a trace when it has no place to stand, m."""
 ASTRAY = (0.01, 0.03)
@@ -106,16 +108,29 @@ def _leaves(apartment: World) -> frozenset[str]:
 def _episode(
     probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator, trace: bool
 ) -> Outcome:
-    tried = _tried(probe, part, ground, rng)
-    if tried.plan is None:
-        return _outcome(probe, part, tried.failure, tried.reason, tried.numbers, _shown(part, tried) if trace else None)
-    actor = Actor(probe, part, np.append(probe.joints, part.address))
-    result = actor.run(tried.plan)
+    missed: list[Hold] = []
+    while True:
+        tried = _tried(probe, _without(part, missed), ground, rng)
+        if tried.plan is None:
+            shown = _shown(part, tried) if trace else None
+            return _outcome(probe, part, tried.failure, tried.reason, tried.numbers, shown)
+        result = Actor(probe, part, np.append(probe.joints, part.address)).run(tried.plan)
+        hold = tried.plan.phases[1].hold
+        if not result.missed or hold is None or len(missed) == RETRIES or len(part.holds + part.others) == len(missed) + 1:
+            break
+        missed.append(hold)
     failure: Failure | None = None
     if result.trouble or result.share < OPEN:
         failure = "blocked part" if result.blocked else "controller"
     shown = Trace(joints=_names(part), times=result.times, qpos=result.qpos) if trace else None
-    return _outcome(probe, part, failure, result.trouble, tried.numbers | _figures(result), shown)
+    numbers = tried.numbers | _figures(result) | {"retries": float(len(missed))}
+    return _outcome(probe, part, failure, result.trouble, numbers, shown)
+
+
+def _without(part: Part, missed: list[Hold]) -> Part:
+    """The part without the holds that turned out to hold nothing."""
+    holds, others = ([h for h in some if not any(h is m for m in missed)] for some in (part.holds, part.others))
+    return replace(part, holds=holds or others, others=others if holds else [])
 
 
 def _names(part: Part) -> list[str]:

@@ -17,6 +17,8 @@ SLIP = {"pinch": 60.0, "cup": 48.0}
 """Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4.5 cm bears (-60 kPa)."""
 SEATED = 0.01
 """The cup takes hold of what its mouth is no further from, m."""
+SHUT = 0.02
+"""Share of its range to which a part still counts as shut."""
 SLIPPING = 0.02
 """Forces are averaged over about this time: a shorter peak does not move the pads, s."""
 LIGHT = 5.0
@@ -46,6 +48,8 @@ class Result:
     share: float = 0.0
     trouble: str = ""
     blocked: bool = False
+    missed: bool = False
+    """The hand found nothing to hold, and nothing moved."""
     force: float = 0.0
     seconds: float = 0.0
     times: list[float] = field(default_factory=list)
@@ -152,7 +156,11 @@ class Actor:
                 return self._unharmed()
             if not self._unharmed():
                 return False
-        self.result.trouble = "the fingers did not find the handle"
+        return self._missed("the fingers did not find the handle")
+
+    def _missed(self, trouble: str) -> bool:
+        self.result.trouble = trouble
+        self.result.missed = abs(self.data.qpos[self.part.address]) < SHUT * abs(self.part.travel)
         return False
 
     def _touching(self) -> int:
@@ -167,8 +175,7 @@ class Actor:
         point = self._point(ahead)
         value = float(self.data.qpos[self.part.address])
         if hold.kind == "cup" and np.linalg.norm(point - self.part.at(hold.point, value)) > SEATED:
-            self.result.trouble = "the cup did not reach the part"
-            return False
+            return self._missed("the cup did not reach the part")
         body = self.part.body
         turn = self.data.xmat[body].reshape(3, 3)
         self.model.eq_obj2id[self.eq] = body
