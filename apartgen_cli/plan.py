@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import typer
 from pydantic import Field
 
-from apartgen_cli.console import progress
+from apartgen_cli.console import log, progress
 from apartgen_cli.drawn import Wanted, outline, wanted
 from apartgen_cli.options import CONFIG, OUT, SEED, configured, tables, with_options
 from apartgen_cli.stage import lane, made, settled, written
@@ -56,6 +56,8 @@ def read(prompt: str, config: PlanSettings) -> tuple[Program, dict[str, Any]]:
         from stages.plan import llm
 
         program, used = llm.read(prompt, config.llm, _cache())
+    if program.unread:
+        log.warning("not understood in the prompt: %s", ", ".join(f'"{words}"' for words in program.unread))
     return enclosed(program, config), used
 
 

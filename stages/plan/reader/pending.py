@@ -33,7 +33,8 @@ class Pending:
         kind, _, label = word.value.partition(":")
         phrase = RoomPhrase(kind, self.labels | set(label.split("+") if label else ()), self.number, self.quantifier)
         phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
-        phrase.negated, phrase.factor, phrase.whole = self.negated, self.factor, self.whole
+        phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
+        phrase.count = self.number or None
         phrase.areas = self.area.values if self.area else ()
         if kind == "bathroom" and "own" in phrase.labels:
             phrase.labels.add("ensuite")

@@ -193,7 +193,9 @@ class Phraser:
     def _main_rooms(self, word: Lexeme) -> None:
         """`3-room flat` counts living and sleeping rooms; `every room` means all others."""
         p, self.pending = self.pending, Pending()
-        if p.number is not None and p.quantifier not in PARTITIVE:
+        if p.negated:
+            self.unread.append(f"no {word.text}")
+        elif p.number is not None and p.quantifier not in PARTITIVE:
             self.items.append(Item("main_rooms", "", word.text, number=p.number))
         elif p.quantifier in ("all", "each", "other") or word.value == "everything":
             quantifier = p.quantifier or ("other" if "else" in word.text else "all")
