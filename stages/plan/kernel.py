@@ -41,7 +41,7 @@ def _replace(t, old, new):  # hang `new` where `old` hung
 
 @inner
 def _regraft(t, leaf, onto, upright, before):  # move a leaf beside another node
-    up = -1
+    up = leaf  # an int64 at once: of a literal, `_replace` would be compiled anew
     for node in range(t.share.shape[0] - 1, t.nodes.shape[0] - 1):
         if t.nodes[node, LEFT] == leaf or t.nodes[node, RIGHT] == leaf:
             up = node
@@ -95,7 +95,7 @@ def _stamp() -> int:
 
 def _compiled(stamp: int):
     # numba's cache of a function sees changes in its own file only; a captured value is part of the key, too.
-    @njit(cache=True, **COMPILED)
+    @njit(cache=True, no_cfunc_wrapper=True, **COMPILED)
     def anneal(p, t, new, best, z, rng, steps, hot, cold):
         cost = low = lack = np.inf
         valid, temperature, cooling, last = stamp < 0, hot, (cold / hot) ** (1 / steps), steps

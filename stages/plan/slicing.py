@@ -21,6 +21,8 @@ COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False
 # much to compile as the functions.
 WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 inner = njit(**COMPILED, **WITHIN)
+# For what is called in one place and is all but made of calls: compiled with its caller, not before it once more.
+once = njit(**COMPILED, **WITHIN, inline="always")
 
 EPS = 1e-6
 TERMS = (

@@ -48,6 +48,7 @@ from stages.plan.slicing import (
     WIDE,
     inner,
     lay,
+    once,
 )
 
 LACK = 60.0
@@ -246,7 +247,7 @@ def _weighed(weights, terms):
     return cost
 
 
-@inner
+@once
 def evaluate(p, t, z, bar):
     """Cost of a tree, its measures in `z`; gives up early, with a partial cost above `bar`, once that is certain."""
     count = z.seq[z.seq.shape[0] - 1] = lay(p, t, z)
