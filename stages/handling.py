@@ -5,14 +5,17 @@ edge of a leaf or lid that is furthest from its hinge.
 """
 
 from collections.abc import Iterator
+from functools import lru_cache
+from typing import Literal
 
 import numpy as np
 
+from schemas.base import Vector
 from schemas.layout import Box
 from schemas.retrieve import Furnishing, Joint
-from stages import grid, sweeps
-from stages.boxes import Array, Boxes, Mask
-from stages.grid import Grid
+from stages import sweeps
+from stages.boxes import Array, Mask
+from stages.grid import Grid, Window
 
 ARM = 0.9
 """From the middle of its base the robot gets hold of what is no further away, m."""
@@ -40,33 +43,43 @@ def handle(joint: Joint) -> Array:
 
 def standing(o: Box, joint: Joint, cells: Grid, radius: float, free: Mask) -> bool:
     """Whether on any of the free cells a robot reaches a part's handle, shut and open, and stays out of its way."""
-    c, s = np.cos(o.yaw), np.sin(o.yaw)
-    turn, middle = np.array([[c, s], [-s, c]]), np.array(o.center[:2])
-    travel = OPEN * max(joint.range, key=abs)
-    shut, ajar = (sweeps.at(joint, handle(joint), value)[:2] @ turn + middle for value in (0.0, travel))
+    pose = (o.center[0], o.center[1], o.yaw)
+    window, able = _places(pose, joint.type, joint.axis, joint.origin, joint.range, joint.extent, cells, radius)
+    return bool((free[window] & able).any())
+
+
+@lru_cache(maxsize=8192)
+def _places(
+    pose: Vector, type: Literal["hinge", "slide"], axis: Vector, origin: Vector, range: tuple[float, float],
+    extent: tuple[Vector, Vector] | None, cells: Grid, radius: float,
+) -> tuple[Window, Mask]:
+    """A window of the raster and the cells in it; kept, because repairs ask for the same again and again."""
+    joint = Joint(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
+    c, s = np.cos(pose[2]), np.sin(pose[2])
+    travel = OPEN * max(range, key=abs)
+    turn = np.array([[c, s], [-s, c]])
+    shut, ajar = (sweeps.at(joint, handle(joint), value)[:2] @ turn + pose[:2] for value in (0.0, travel))
     window = cells.around(np.maximum(shut, ajar) - ARM, np.minimum(shut, ajar) + ARM)
     x, y = cells.x[window[1]][None, :], cells.y[window[0]][:, None]
     far = [(x - at[0]) ** 2 + (y - at[1]) ** 2 for at in (shut, ajar)]
-    able = free[window] & (np.maximum(*far) <= ARM**2) & (far[0] >= NEAREST**2)
-    for box in _passed(o, joint, travel) if able.any() else ():
-        able &= grid.near(box, cells.part(window), radius) == 0
-        if not able.any():
-            return False
-    return bool(able.any())
+    able: Mask = (np.maximum(*far) <= ARM**2) & (far[0] >= NEAREST**2)
+    for middle, size, yaw in _passed(joint, travel):
+        along, aside = x - pose[0], y - pose[1]
+        across, up = along * c + aside * s - middle[0], aside * c - along * s - middle[1]
+        c_part, s_part = np.cos(yaw), np.sin(yaw)
+        ahead = (np.abs(across * c_part + up * s_part) - size[0] / 2).clip(0)
+        beside = (np.abs(up * c_part - across * s_part) - size[1] / 2).clip(0)
+        able &= ahead**2 + beside**2 >= radius**2
+    return window, able
 
 
-def _passed(o: Box, joint: Joint, travel: float) -> Iterator[Boxes]:
-    """Where the part stands on its way, one box each."""
+def _passed(joint: Joint, travel: float) -> Iterator[tuple[Array, Array, float]]:
+    """Where the part stands on its way: middle (3,), size (3,) and yaw in the object's frame."""
     lo, hi = np.array(joint.extent, float)
     upright = joint.type == "hinge" and abs(joint.axis[2]) > 0.99
-    c, s = np.cos(o.yaw), np.sin(o.yaw)
-    for share in _SHARES[::-1]:
-        value = share * travel
+    for value in np.array(_SHARES) * travel:
         if upright:
-            middle, size, yaw = sweeps.at(joint, (lo + hi) / 2, value), hi - lo, o.yaw + value * np.sign(joint.axis[2])
+            yield sweeps.at(joint, (lo + hi) / 2, value), hi - lo, float(value * np.sign(joint.axis[2]))
         else:
-            low, high = sweeps.moved(joint, value)
-            middle, size, yaw = (low + high) / 2, high - low, o.yaw
-        x, y, z = middle
-        center = np.array(o.center) + [c * x - s * y, s * x + c * y, z]
-        yield Boxes(center[None], size[None], np.array([yaw]))
+            low, high = sweeps.moved(joint, float(value))
+            yield (low + high) / 2, high - low, 0.0

@@ -6,9 +6,9 @@ doors stand open at the end of their range and stay there, as with a doorstop; t
 
 from collections.abc import Collection
 from copy import deepcopy
-from hashlib import blake2b
 from dataclasses import dataclass, field
 from functools import cached_property
+from hashlib import blake2b
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 from xml.etree import ElementTree
@@ -82,7 +82,8 @@ def build(
     `moving` are ids of the objects that may move, joints and all (None: every one); any other is welded as it stands,
     shut. Colliders named in `without` are left out, and with its last collider a body that does not move. `visuals`
     keeps what only shows. `fused` joins all that is fixed, but for the bases of what may move, into the world's own
-    body, which is faster; only geoms then tell things apart. `source` is that of a world of this apartment. BadInput when the file is not that apartment's.
+    body, which is faster; only geoms then tell things apart. `source` is that of a world of this apartment. BadInput
+    when the file is not that apartment's.
     """
     if not isinstance(scene.home, Retrieve):
         raise BadInput("robots need real furniture; run `apartgen retrieve` on this first")

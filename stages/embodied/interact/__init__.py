@@ -116,7 +116,8 @@ def _episode(
             return _outcome(probe, part, tried.failure, tried.reason, tried.numbers, shown)
         result = Actor(probe, part, np.append(probe.joints, part.address)).run(tried.plan)
         hold = tried.plan.phases[1].hold
-        if not result.missed or hold is None or len(missed) == RETRIES or len(part.holds + part.others) == len(missed) + 1:
+        left = min(RETRIES, len(part.holds + part.others) - 1) - len(missed)
+        if not result.missed or hold is None or not left:
             break
         missed.append(hold)
     failure: Failure | None = None
