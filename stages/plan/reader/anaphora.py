@@ -26,6 +26,7 @@ def bind(items: list[Item], before: list[Item]) -> None:
             group = _coordination(items[:k]) or _coordination(before)
             if not group and phrase.quantifier == "both":
                 group = _rooms(items[:k])[-2:]
+            group = group[-2:] if named else group
             single = all(r.count in (None, 1) and not r.plural for r in group)
             fits = len(group) == 2 if phrase.quantifier != "all" and not _at_end(items, k) else len(group) > 1
             if single and fits:

@@ -168,10 +168,10 @@ def _mark_subset(owner: RoomPhrase, after: list[Item], parenthesis: bool) -> Non
 def _give_each(owner: RoomPhrase, given: list[RoomPhrase], before: list[Item]) -> None:
     """`the lounge and the main bedroom have balconies`: one for each."""
     at = next((k for k, i in enumerate(before) if i.room is owner), 0)
-    if not given or at < 2 or before[at - 1].kind != "conjunction" or before[at - 2].room is None:
+    first = before[at - 2].room if at > 1 and before[at - 1].kind == "conjunction" else None
+    if first is None or not first.type or owner.quantifier != first.quantifier:
         return
-    first = before[at - 2].room
-    for room in given if first is not None and first.type and owner.quantifier == first.quantifier else []:
+    for room in given:
         room.plural, room.quantifier = False, "each"
         first.owned.append(RoomPhrase(room.type, set(room.labels), quantifier="each", text=room.text))
 
@@ -242,7 +242,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
         fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
         return after_one and fits and not bare and phrase.count is None
-    listed = bare == "(" and (bool(owner.owned) or "suite" in owner.labels) and not owner.plural  # "master (en suite, balcony)"
+    suite = bool(owner.owned) or "suite" in owner.labels
+    listed = bare == "(" and suite and not owner.plural  # "master (en suite, balcony)"
     if not first and after and after[0].kind in ("link", "front"):
         return False  # "…, and a second balcony off the living room"
     alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)

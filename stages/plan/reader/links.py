@@ -25,7 +25,7 @@ def mark_private(rooms: list[AskedRoom], links: list[Link]) -> None:
     kind = {r.id: r.type for r in rooms}
     for room in rooms:
         near = [b if a == room.id else a for a, b in links if room.id in (a, b)]
-        owners = ("bedroom", "bathroom") if room.type in ANNEXES else ("bedroom",)
+        owners: tuple[str, ...] = ("bedroom", "bathroom") if room.type in ANNEXES else ("bedroom",)
         if room.type == "bathroom" and sum(r.type == "bathroom" for r in rooms) > 1:
             owners += ("closet",)  # entered through the dressing room
         if room.type in OWNED and room.private_to is None and near and all(kind[n] in owners for n in near):

@@ -49,7 +49,8 @@ class Pending:
         if "own" in self.labels and self.number is None:
             return RoomPhrase("bathroom", {"ensuite", "own"}, text="own")
         few = self.number is not None and self.number <= 9
-        named = self.quantifier in (*PARTITIVE, "another") or few or self.ordinals or self.labels & {"master", "guest", "kids"}
+        one = self.quantifier in (*PARTITIVE, "another") or bool(self.ordinals)
+        named = one or few or self.labels & {"master", "guest", "kids"}
         if named and known and not self.negated:
             phrase = RoomPhrase("", set(self.labels), self.number, self.quantifier, self.ordinals, factor=self.factor)
             phrase.another = following is not None and following.kind == "with" and self.number is not None

@@ -1,0 +1,90 @@
+"""Two ways to say one thing give one programme."""
+
+import pytest
+
+from schemas.plan import Program
+from stages.graphs import edge_similarity, node_similarity, of_program
+from stages.plan.reader import read
+
+SAME = [
+    ("both", "The study and the lounge are off the hall. Both open onto a balcony. Two bedrooms, a bathroom.",
+     "The study and the lounge are off the hall. The balcony opens onto the study. The balcony opens onto the lounge. "
+     "Two bedrooms, a bathroom."),
+    ("former and latter", "Two bedrooms, a lounge and a kitchen, the latter reached from the former.",
+     "Two bedrooms, a lounge and a kitchen. The kitchen is reached from the lounge."),
+    ("all but", "Two bedrooms, a study, a bathroom. Every room but the study opens onto the hall. The study is reached "
+     "from the lounge.", "Two bedrooms, a study, a bathroom. The study is reached from the lounge."),
+    ("as is", "The bedrooms are off the hall, as is the bathroom. The kitchen is off the lounge.",
+     "The bedrooms and the bathroom are off the hall. The kitchen is off the lounge."),
+    ("unsaid has", "Two-bedroom flat. One of the bedrooms has an en suite, the other a balcony.",
+     "Two-bedroom flat. One of the bedrooms has an en suite, the other has a balcony."),
+    ("each of a coordination", "Two-bedroom flat. The lounge and the master bedroom have balconies.",
+     "Two-bedroom flat. The lounge has a balcony. The master bedroom has a balcony."),
+    ("give", "Give each of the two bedrooms a walk-in closet.", "Each of the two bedrooms has a walk-in closet."),
+    ("pairs in brackets", "Rooms: living_room, kitchen, bedroom, bathroom, hallway. Edges: (hallway, living_room), "
+     "(hallway, bedroom), (hallway, bathroom), (living_room, kitchen).",
+     "hallway -> living room, bedroom, bathroom; living room -> kitchen"),
+    ("pairs between", "Doors between hallway and lounge, lounge and kitchen, hallway and bedroom, hall and bath.",
+     "hallway -> living room, bedroom, bathroom; living room -> kitchen"),
+    ("lists by room", "hall: lounge, wc, bedroom; lounge: balcony, kitchen; bedroom: bathroom",
+     "hall -> lounge, wc, bedroom; lounge -> balcony, kitchen; bedroom -> bathroom"),
+    ("chain with >", "hall > living > dining > kitchen; hall > bedroom, bath",
+     "hall -> living -> dining -> kitchen; hall -> bedroom, bath"),
+    ("none", "bedrooms: 2, bathrooms: 1, hall: none", "two bedrooms, one bathroom, no hall"),
+    ("zero", "two-bedroom flat with 0 balconies and 0 studies", "two-bedroom flat with no balcony and no study"),
+    ("count afterwards", "The bedrooms, of which there are three, are off the hall. One bathroom.",
+     "Three bedrooms are off the hall. One bathroom."),
+    ("letters", "The hall leads to bedroom A, bedroom B and the bathroom.",
+     "The hall leads to bedroom 1, bedroom 2 and the bathroom."),
+    ("one of which", "Three bedrooms and two bathrooms, one of which belongs to the main bedroom.",
+     "Three bedrooms and two bathrooms; one bathroom belongs to the main bedroom."),
+    ("contrast", "Two-bedroom flat. The lounge, not the hallway, leads to the kitchen.",
+     "Two-bedroom flat. The lounge leads to the kitchen."),
+    ("neither has", "Neither bedroom has its own bathroom; there is one bathroom.",
+     "Two bedrooms without ensuite; there is one bathroom."),
+    ("one door each", "The kitchen has two doors, one to the hall and one to the dining room. Two bedrooms.",
+     "The kitchen opens to the hall. The kitchen opens to the dining room. Two bedrooms."),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("said", "plain"), [pair[1:] for pair in SAME], ids=[pair[0] for pair in SAME])
+def test_one_home_however_it_is_said(said: str, plain: str) -> None:
+    one, other = read(said), read(plain)
+    assert node_similarity(of_program(one), of_program(other)) == 1
+    assert edge_similarity(of_program(one), of_program(other)) == 1
+    assert not one.unread
+
+
+def area(program: Program, kind: str) -> list[float]:
+    return [r.area or 0.0 for r in program.rooms if r.type == kind]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind", "wanted"),
+    [
+        ("two bedrooms, kitchen and living room 10 and 26 m²", "kitchen", [10]),
+        ("two bedrooms, kitchen and living room 10 and 26 m²", "living_room", [26]),
+        ("a home of 110 m² with a kitchen of 14 and bedrooms of 16, 12 and 11", "bedroom", [16, 12, 11]),
+        ("90 m² flat: living 30, kitchen 12, two bedrooms of 14 m² each, bathroom 6", "bathroom", [6]),
+        ("hall (6), living room (24), bedroom (14), storage (2)", "storage", [2]),
+        ("1000 sq ft; two beds 150 sq ft each", "bedroom", [13.94, 13.94]),
+        ("100 m² flat whose living room takes a third, the kitchen is half the size of the living room", "kitchen",
+         [16.66]),
+    ],
+)  # fmt: skip
+def test_areas_of_lists(prompt: str, kind: str, wanted: list[float]) -> None:
+    assert area(read(prompt), kind) == pytest.approx(wanted, abs=0.02)
+
+
+def test_a_share_of_two_rooms_is_split() -> None:
+    home = read("Living room and kitchen together take half of an 80 m² flat with two bedrooms.")
+    assert sum(area(home, "living_room") + area(home, "kitchen")) == pytest.approx(40, abs=0.02)
+
+
+def test_a_percentage_more_is_a_ratio() -> None:
+    first, second = area(read("Two bedrooms, 70 m². Bedroom 1 is 40% larger than bedroom 2."), "bedroom")
+    assert first / second == pytest.approx(1.4, abs=0.01)
+
+
+def test_words_of_other_scripts_are_not_dropped_in_silence() -> None:
+    assert read("two-bedroom flat с балконом").unread == ["с", "балконом"]
