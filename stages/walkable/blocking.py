@@ -1,6 +1,7 @@
 """Which objects keep a robot from something."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -37,6 +38,24 @@ class View:
         return not reach.survey(self.space, [it] if it else [], self.reach, cells, only=(self.target,)).missed
 
 
+    def may_help(self, o: Furnishing) -> bool:
+        """Whether any floor is joined to what the robot gets to when an object goes; else that can't change a thing."""
+        window, hit = grid.shade(boxes.of([o]), self.space.grid, self.space.radius)
+        freed = (hit > 0) & (self.count[window] == 1) & self.space.open[window]
+        return bool((freed & self._beside[window]).any())
+
+    @cached_property
+    def _beside(self) -> boxes.Mask:
+        """Cells that the robot gets to, those beside them, and those where it comes in."""
+        got = grid.from_seeds(np.asarray(self.space.open & (self.count == 0)), self.space.entry)
+        wide = got | self.space.entry
+        wide[1:] |= got[:-1]
+        wide[:-1] |= got[1:]
+        wide[:, 1:] |= got[:, :-1]
+        wide[:, :-1] |= got[:, 1:]
+        return np.asarray(wide)
+
+
 def view(site: Site, scene: Scene, target: str) -> View:
     """The view that decides about a door, a room or an object."""
     links = [set(o.rooms) for o in site.world.plan.openings if o.kind in ("door", "opening")]
@@ -67,7 +86,7 @@ def blockers(site: Site, scene: Scene, here: View) -> tuple[list[Furnishing], li
     near = [o for o in here.scene.values() if reach.in_the_way(o) and o.id != here.target]
     ranks = importance.Ranks(site, scene)
     near.sort(key=lambda o: (ranks.of(o), footprints.area(o), o.id))
-    single = [o for o in near if here.reaches({o.id: None})]
+    single = [o for o in near if here.may_help(o) and here.reaches({o.id: None})]
     if single or not here.reaches({o.id: None for o in near}):
         return single, []
     least = list(near)

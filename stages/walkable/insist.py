@@ -5,39 +5,39 @@ from typing import NamedTuple
 
 from schemas.retrieve import Furnishing
 from stages.walkable import importance, placing
-from stages.walkable.blocking import View, missed
+from stages.walkable.blocking import View
 from stages.walkable.changes import Change, Repair, dropped, nudged, replaced
 from stages.walkable.kinds import stand_ins
 from stages.walkable.places import places
 from stages.walkable.site import Changes, Scene, Site, fits, swapped
+from stages.walkable.ways import Ways, after
 
 
 class Question(NamedTuple):
-    """Whether a repair of `scene` lets the robot get to the view's target, and to no less than before (`out`)."""
+    """Whether a repair of a scene lets the robot get to the view's target, and to no less than before."""
 
     site: Site
-    scene: Scene
+    now: Ways
     here: View
-    out: set[str]
 
     def answered(self, gone: list[Furnishing], to: Changes) -> bool:
         """Whether `to` does it with some objects away."""
         away = self.away(gone)
         if not self.here.reaches(away | to):
             return False
-        rest = swapped(self.scene, away)
-        return fits(self.site, rest, to) and set(missed(self.site, swapped(rest, to))) < self.out
+        rest = swapped(self.now.scene, away)
+        return fits(self.site, rest, to) and after(self.site, self.now, away | to).missed < self.now.missed
 
     def away(self, gone: list[Furnishing]) -> Changes:
         """The objects and what stands on them taken away."""
-        return {name: None for o in gone for name in dropped(o, placing.carried(o, self.scene), "").to}
+        return {name: None for o in gone for name in dropped(o, placing.carried(o, self.now.scene), "").to}
 
 
-def making_room(site: Site, scene: Scene, here: View, able: list[Furnishing], out: set[str]) -> Iterator[Repair]:
+def making_room(site: Site, now: Ways, here: View, able: list[Furnishing]) -> Iterator[Repair]:
     """Repairs that keep each object of `able` that must stay; the fewer and lesser things go for it the earlier."""
-    question, ranks = Question(site, scene, here, out), importance.Ranks(site, scene)
+    question, ranks = Question(site, now, here), importance.Ranks(site, now.scene)
     firm = sorted((o for o in able if ranks.of(o) >= 2), key=ranks.of)
-    near = [o for o in importance.droppable(site, scene, 2) if o.room in here.rooms] if site.config.drop else []
+    near = [o for o in importance.droppable(site, now.scene, 2) if o.room in here.rooms] if site.config.drop else []
     tried: list[list[str]] = []
     for most in (-1, 0, 1, 2):
         for o in firm:
@@ -50,7 +50,7 @@ def making_room(site: Site, scene: Scene, here: View, able: list[Furnishing], ou
 
 def _first(question: Question, o: Furnishing, loose: list[Furnishing]) -> Iterator[Repair]:
     """The first stand-in or place for an object once `loose` is away, with as little of that away as will do."""
-    rest = swapped(question.scene, question.away(loose))
+    rest = swapped(question.now.scene, question.away(loose))
     for moves in _options(question.site, rest, o, bool(loose)):
         to = {name: thing for move in moves for name, thing in move.items()}
         if not question.answered(loose, to):
@@ -61,7 +61,7 @@ def _first(question: Question, o: Furnishing, loose: list[Furnishing]) -> Iterat
             if question.answered(fewer, to):
                 least = fewer
         target = question.here.target
-        away = [dropped(p, placing.carried(p, question.scene), target) for p in least]
+        away = [dropped(p, placing.carried(p, question.now.scene), target) for p in least]
         yield (*away, *_changes(o, moves, target))
         return
 

@@ -19,8 +19,17 @@ EPSILON = 1e-9
 def area_ratio(site: Site, scene: Scene, rooms: Collection[str]) -> float:
     """AreaRatio(S): free share of the rooms' floors, footprints as a union."""
     floors = {room: site.floors[room] for room in rooms}
-    free = [footprints.walkable_ratio(floor, in_room(scene, room)) * floor.area for room, floor in floors.items()]
+    free = [_free(site, room, in_room(scene, room)) for room in floors]
     return float(sum(free) / sum(floor.area for floor in floors.values()))
+
+
+def _free(site: Site, room: str, objects: list[Furnishing]) -> float:
+    """Free floor of a room, m²; kept, because the same rooms are asked about again and again."""
+    key = (room, *((o.center, o.size, o.yaw, o.category) for o in objects))
+    if key not in site.free:
+        floor = site.floors[room]
+        site.free[key] = footprints.walkable_ratio(floor, objects) * floor.area
+    return site.free[key]
 
 
 class _Ratios:

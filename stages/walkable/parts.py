@@ -48,6 +48,22 @@ class Check:
         return found
 
 
+    def still(self, faults: Collection[Fault], some: Sequence[Furnishing]) -> bool:
+        """Whether any of these faults is there among some objects, as far as these have to do with it."""
+        known = {o.id: o for o in some}
+        for fault in sorted(faults):
+            o, other = known.get(fault.owner), known.get(fault.by)
+            if o is not None and other is not None:
+                hit = _meets(self.solids, o, fault.part, other)
+            elif o is not None:
+                hit = fault in _at_building(self.building, self.solids, [o])
+            else:
+                hit = other is not None and fault in _of_doors(self.building, self.solids, [other])
+            if hit:
+                return True
+        return False
+
+
 def _flat(o: Furnishing) -> bool:
     return o.category in categories.TABLE and categories.TABLE[o.category].place == "flat"
 
@@ -74,10 +90,14 @@ def _among(solids: Solids, things: list[Furnishing], asked: boxes.Mask) -> set[F
     found = set()
     for i, j in np.argwhere(near).tolist():
         (o, joint), other = parts[i], things[j]
-        sweep = solids.of(o).parts.get(joint.name)
-        if sweep is not None and convex.meet(sweep.placed(o.center, o.yaw), solids.rest(other), CLEAR):
+        if _meets(solids, o, joint.name, other):
             found.add(Fault(o.id, joint.name, other.id))
     return found
+
+
+def _meets(solids: Solids, o: Furnishing, part: str, other: Furnishing) -> bool:
+    sweep = solids.of(o).parts.get(part)
+    return sweep is not None and convex.meet(sweep.placed(o.center, o.yaw), solids.rest(other), CLEAR)
 
 
 def _of_doors(building: Building, solids: Solids, some: list[Furnishing]) -> set[Fault]:

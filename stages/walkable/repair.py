@@ -12,77 +12,95 @@ import numpy as np
 
 from schemas.retrieve import Furnishing
 from schemas.walkable import Step
-from stages import reach
 from stages.walkable import importance, placing
 from stages.walkable.blocking import View, blockers, missed, rooms, view
 from stages.walkable.changes import Change, Repair, applied, dropped, merged, nudged, replaced
 from stages.walkable.insist import making_room
 from stages.walkable.nudge import nudges
 from stages.walkable.places import places
-from stages.walkable.site import Scene, Site, fits, swapped
+from stages.walkable.site import Scene, Site, fits
 from stages.walkable.smaller import candidate, limits
+from stages.walkable.ways import Ways, after, ways
 
 SHARES = (0.9, 0.8, 0.7, 0.6)
 """Sizes tried for a blocking object."""
 
 
-def connect(site: Site, scene: Scene) -> tuple[Scene, list[Step], list[str]]:
-    """Repair until all is reached that can be; returns the scene, the steps, and the ids still not reached.
+def connect(site: Site, scene: Scene) -> tuple[Ways, list[Step]]:
+    """Repair until all is reached that can be; returns the ways at last, and the steps.
 
     What a room does not do without is left out only when nothing else is left to try.
     """
     steps: list[Step] = []
-    out, shut = missed(site, scene), set(missed(site, ()))
-    for essential in (False, True):
-        # What not even an empty home lets the robot get to, furniture can't help.
-        given_up = [target for target in out if target in shut or rooms(site, scene, target) <= shut]
-        hopeless = list(given_up)
-        while todo := [target for target in out if target not in given_up]:
-            target = _nearest(site, scene, todo)
-            repair, left = _repaired(site, scene, target, set(out), essential)
-            if not repair:
-                given_up.append(target)
-                continue
-            for change in repair:
-                scene, step = applied(scene, change)
-                steps.append(step)
-            # What could not be got to before may be possible now.
-            out, given_up = left, list(hopeless)
-    return scene, steps, out
+    now, shut = ways(site, scene), set(missed(site, ()))
+    while True:
+        for essential in (False, True):
+            now, taken = _tried(site, now, shut, essential)
+            steps += taken
+        if not steps or set(missed(site, now.scene)) <= now.missed:
+            return now, steps
+        now = ways(site, now.scene)
 
 
-def _nearest(site: Site, scene: Scene, todo: list[str]) -> str:
+def _tried(site: Site, now: Ways, shut: set[str], essential: bool) -> tuple[Ways, list[Step]]:
+    """Repair all that can be.
+
+    What not even an empty home lets the robot get to (`shut`), furniture can't help.
+    """
+    steps: list[Step] = []
+    given_up: set[str] = set()
+    while todo := [name for name in _ordered(site, now) if name not in given_up
+                   and name not in shut and not rooms(site, now.scene, name) <= shut]:
+        target = _nearest(site, now, todo)
+        repair, left = _repaired(site, now, target, essential)
+        if left is None:
+            given_up.add(target)
+            continue
+        scene = now.scene
+        for change in repair:
+            scene, step = applied(scene, change)
+            steps.append(step)
+        # What could not be got to before may be possible now.
+        now, given_up = left, set()
+    return now, steps
+
+
+def _ordered(site: Site, now: Ways) -> Iterator[str]:
+    """What is missed, doors first, then rooms, then objects."""
+    plan = site.world.plan
+    every = chain((o.id for o in plan.openings), (room.id for room in plan.rooms), (o.id for o in now.scene))
+    return (name for name in every if name in now.missed)
+
+
+def _nearest(site: Site, now: Ways, todo: list[str]) -> str:
     """The first of what is not reached in a room that is; what lies beyond may come with it."""
     if len(todo) == 1:
         return todo[0]
-    got = reach.survey(site.world, scene, site.config.reach, only=()).cells
-    entered = {site.world.plan.rooms[i].id for i in np.unique(site.world.rooms[got]).tolist() if i >= 0}
-    return next((target for target in todo if not entered.isdisjoint(rooms(site, scene, target))), todo[0])
+    entered = {site.world.plan.rooms[i].id for i in np.unique(site.world.rooms[now.got]).tolist() if i >= 0}
+    return next((target for target in todo if not entered.isdisjoint(rooms(site, now.scene, target))), todo[0])
 
 
-def _repaired(
-    site: Site, scene: Scene, target: str, out: set[str], essential: bool
-) -> tuple[Repair, list[str]]:
-    """The first changes that let the robot get to `target` and to all it got to before, and what is missed then.
+def _repaired(site: Site, now: Ways, target: str, essential: bool) -> tuple[Repair, Ways | None]:
+    """The first changes that let the robot get to `target` and to all it got to before, and the ways then.
 
     Where several objects block together and no single change helps, the least important of them goes, as a step on
     the way. With `essential`, what must stay may become another kind, and what matters less makes room for it.
     """
-    here = view(site, scene, target)
+    scene, here = now.scene, view(site, now.scene, target)
     single, joint = blockers(site, scene, here)
     loose = importance.droppable(site, scene, 2 if essential else 1) if site.config.drop else []
     able = [*single, *(o for o in scene if o.id == target)]
     gone = [(dropped(o, placing.carried(o, scene), target),) for o in loose]
     whole = chain(((change,) for change in _changes(site, scene, here, able)),
-                  making_room(site, scene, here, able, out) if essential else ())
+                  making_room(site, now, here, able) if essential else ())
     steps = (repair for repair in gone if repair[0].object in joint and not single)
     final = (repair for repair in gone if repair[0].object in able)
     for repairs, reaches in ((whole, True), (steps, False), (final, True)):
         for repair in repairs:
-            left = missed(site, swapped(scene, merged(repair)))
-            if set(left) < out or (not reaches and set(left) == out):
+            left = after(site, now, merged(repair))
+            if left.missed < now.missed or (not reaches and left.missed == now.missed):
                 return repair, left
-    return (), []
+    return (), None
 
 
 def _changes(site: Site, scene: Scene, here: View, able: list[Furnishing]) -> Iterator[Change]:

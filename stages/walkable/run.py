@@ -19,6 +19,7 @@ from stages.walkable.parts import Check, Fault
 from stages.walkable.site import Candidates, Scene, Site, survey
 from stages.walkable.solids import Solids
 from stages.walkable.unblock import unblock
+from stages.walkable.ways import ways
 
 LOG = logging.getLogger("apartgen")
 
@@ -37,19 +38,19 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
     for rooms in parts:
         scene, taken = _opened(site, scene, rooms)
         steps += taken
-    unreached: list[str] = []
+    now = None
     if config.connect:
-        scene, taken, unreached = repair.connect(site, scene)
-        steps += taken
+        now, taken = repair.connect(site, scene)
+        scene, steps = now.scene, [*steps, *taken]
     for rooms in parts if config.drop else []:
         scene, taken = thin_out(site, scene, rooms)
         steps += taken
-        unreached = missed(site, scene) if unreached and taken else unreached
+        now = ways(site, scene) if now and taken else now
     faults: list[Fault] = []
     if config.unblock:
-        scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(library)), unreached)
+        scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(library)), now)
         steps += taken
-        unreached = missed(site, scene) if unreached and taken else unreached
+    unreached = missed(site, scene) if now and now.missed else []
     _check(site, scene, parts)
     _check_ways(site, scene, unreached)
     for name in unreached:

@@ -1,7 +1,7 @@
 """What stays the same while furniture changes: floors, doors, raster, library; and what a change must respect."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -68,6 +68,7 @@ class Site:
     doors: Geometry
     windows: list[tuple[Geometry, float]]
     world: reach.Space
+    free: dict[Hashable, float] = field(default_factory=dict)
 
     @property
     def area(self) -> float:

@@ -5,7 +5,7 @@ otherwise, or what it meets a smaller one; one of the two gets another place in 
 left out. A repair counts only if nothing else is lost by it.
 """
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 
@@ -23,6 +23,7 @@ from stages.walkable.parts import Check, Fault, stuck_doors
 from stages.walkable.places import places
 from stages.walkable.site import Changes, Scene, Site, fits, swapped
 from stages.walkable.smaller import LATENT, candidate, limits
+from stages.walkable.ways import Ways, after, ways
 
 SLIGHT = (0.003, 0.006, 0.012, 0.025)
 """Shifts in any direction tried first, even away from a wall, m."""
@@ -40,73 +41,81 @@ DESIGNS = 12
 
 @dataclass
 class _State:
-    """The scene so far, what is blocked in it, and what the robot does not get to."""
+    """The scene so far, what is blocked in it, and, where that counts, the ways in it and what may stay unreached."""
 
     scene: Scene
     faults: set[Fault]
-    out: set[str]
+    ways: Ways | None
+    out: frozenset[str]
 
 
 def unblock(
-    site: Site, scene: Scene, check: Check, unreached: Collection[str] = ()
+    site: Site, scene: Scene, check: Check, now: Ways | None = None, exact: bool = False
 ) -> tuple[Scene, list[Step], list[Fault]]:
     """Repair until all opens that can; returns the scene, the steps, and what is still blocked.
 
-    Nothing else than `unreached` may become unreached.
+    Nothing may become unreached that is not in `now`, the ways in that scene; with `exact`, all is looked at anew after
+    every change.
 
     Room doors that meet walls or one another are named, too; no furniture can help them.
     """
     faults, fixed = check.blocked(scene), stuck_doors(check.building)
     if not faults:
         return scene, [], sorted(fixed)
-    state = _State(scene, faults, set(unreached))
+    state = _State(scene, faults, now, now.missed if now else frozenset())
     steps: list[Step] = []
     given_up: set[Fault] = set()
     while todo := sorted(state.faults - given_up):
-        change = _repaired(site, check, state, todo[0])
+        change = _repaired(site, check, state, todo[0], exact)
         if change is None:
             given_up.add(todo[0])
             continue
         state.scene, step = applied(state.scene, change)
         steps.append(step)
         given_up = set()
+    if steps and state.ways and not exact and not set(missed(site, state.scene)) <= state.out:
+        return unblock(site, scene, check, now, exact=True)
     return state.scene, steps, sorted(state.faults | fixed)
 
 
-def _repaired(site: Site, check: Check, state: _State, fault: Fault) -> Change | None:
+def _repaired(site: Site, check: Check, state: _State, fault: Fault, exact: bool) -> Change | None:
     """The first change that frees the pair and breaks nothing; the state's faults follow it."""
     known = {o.id: o for o in state.scene}
     owner, by = known.get(fault.owner), known.get(fault.by)
     pair = {f for f in state.faults if (f.owner, f.by) == (fault.owner, fault.by)}
     for change in _changes(site, state.scene, fault, owner, by):
         both = [o for o in (change.to.get(o.id, o) for o in (owner, by) if o) if o]
-        if check.blocked(both, set(change.to)) & pair or not _whole(site, state, change):
+        if check.still(pair, both) or (change.action != "drop" and not fits(site, state.scene, change.to)):
             continue
         left = _left(check, state, change)
-        if not left & pair and left <= state.faults:
-            state.faults = left
-            return change
+        if not left & pair and left <= state.faults and _keeps_target(site, state, change):
+            walked = _walked(site, state, change, exact)
+            if walked is None or walked.missed <= state.out:
+                state.faults, state.ways = left, walked
+                return change
     return None
 
 
 def _left(check: Check, state: _State, change: Change) -> set[Fault]:
     """What is blocked after a change."""
-    after = swapped(state.scene, change.to)
     rooms = {o.room for o in state.scene if o.id in change.to}
-    near = [o for o in after if o.room in rooms]
+    near = [o for o in swapped(state.scene, change.to) if o.room in rooms]
     rest = {f for f in state.faults if f.owner not in change.to and f.by not in change.to}
     return rest | check.blocked(near, set(change.to))
 
 
-def _whole(site: Site, state: _State, change: Change) -> bool:
-    """Whether a change keeps furniture, doors, ways and the target as they were."""
-    if change.action != "drop" and not fits(site, state.scene, change.to):
-        return False
-    after = swapped(state.scene, change.to)
-    if site.config.connect and not set(missed(site, after)) <= state.out:
-        return False
+def _walked(site: Site, state: _State, change: Change, exact: bool) -> Ways | None:
+    """The ways after a change."""
+    if state.ways is None:
+        return None
+    return ways(site, swapped(state.scene, change.to)) if exact else after(site, state.ways, change.to)
+
+
+def _keeps_target(site: Site, state: _State, change: Change) -> bool:
+    """Whether as much floor is free as before, or as is wanted."""
+    scene = swapped(state.scene, change.to)
     rooms = list(site.floors) if site.config.scope == "apartment" else [change.object.room]
-    ratio = area_ratio(site, after, rooms)
+    ratio = area_ratio(site, scene, rooms)
     return ratio >= min(site.config.target, area_ratio(site, state.scene, rooms)) - EPSILON
 
 
