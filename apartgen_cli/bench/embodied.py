@@ -18,7 +18,7 @@ from schemas.errors import BadInput
 from schemas.retrieve import Retrieve
 
 if TYPE_CHECKING:
-    from stages.asset import Asset
+    from stages.asset import Link
     from stages.embodied.outcome import Outcome
     from stages.embodied.world import World
     from stages.scene import Scene
@@ -103,20 +103,22 @@ def _rng(name: str, lane: int) -> np.random.Generator:
 
 @contextmanager
 def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path]]":
-    """The scene, and its MJCF for as long as it is needed; `bare` leaves out what of the furniture only shows."""
+    """The scene, and its MJCF for as long as it is needed; `bare` leaves out what only shows."""
     from stages import registry, retrieve
     from stages.retrieve.matching.config import RetrieveConfig
     from stages.scene import Scene
 
-    load = retrieve.open_libraries(RetrieveConfig()).load
-    scene = Scene(home, lambda library, id: _bare(load(library, id)) if bare else load(library, id))
+    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load)
+    if bare:
+        vars(scene)["bodies"] = [replace(body, links=_bare(body.links)) for body in scene.bodies]
     with TemporaryDirectory() as folder:
         registry.load("stages.export", "mjcf").write(scene, Path(folder))
         yield scene, Path(folder) / "mjcf" / "apartment.xml"
 
 
-def _bare(asset: "Asset") -> "Asset":
-    return replace(asset, links=[replace(link, visuals=[]) if link.colliders else link for link in asset.links])
+def _bare(links: "list[Link]") -> "list[Link]":
+    """Without what only shows, but for parts of which nothing else is known."""
+    return [replace(link, visuals=[]) if link.colliders or link.joint is None else link for link in links]
 
 
 def replay(out: Path, id: str) -> list[Path]:

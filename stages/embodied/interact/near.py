@@ -5,9 +5,10 @@ from collections.abc import Collection, Sequence
 import mujoco
 import numpy as np
 
+from stages import polygons
 from stages.asset import Link
 from stages.body import Body
-from stages.boxes import Array
+from stages.boxes import Array, Mask
 from stages.embodied.interact.parts import rotation
 from stages.embodied.interact.robot import REACH
 from stages.embodied.world import World
@@ -16,6 +17,8 @@ from stages.solids import corners
 ROBOT = REACH + 0.45
 """Nothing of the robot gets further than this from where a handle is while shut: it stands within reach, and what is
 not stretched out to the handle stays this much nearer its mast, m."""
+PASSED = 0.8
+"""From another room the robot touches what is no further than this from a passage between the two, m."""
 _SPARE = 0.05
 _STEPS = 9
 
@@ -34,13 +37,29 @@ class Surroundings:
         self.lo, self.hi = middle - half, middle + half
         self.gone = np.isin(self.names, list(without))
         self.ground = model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE
+        rooms = {o.id: o.room for o in apartment.home.objects}
+        self.rooms = np.array([rooms.get(apartment.owner.get(k, ""), "") for k in range(model.ngeom)])
+        self.passages = [(o.rooms, np.array(o.segment, float)) for o in apartment.home.openings
+                         if o.kind in polygons.PASSAGES]
 
     def far(self, body: Body, links: Sequence[Link]) -> list[str]:
         """Names of the colliders that no episode with these parts of an object can touch."""
         spans = [_span(body, link) for link in links]
         lo, hi = np.min([low for low, _ in spans], axis=0)[:2], np.max([high for _, high in spans], axis=0)[:2]
-        near = ((self.lo[:, :2] <= hi) & (self.hi[:, :2] >= lo)).all(1) | self.ground
+        near = (self._between(lo, hi) & self._beside(body.room)) | self.ground
         return [name for name, kept in zip(self.names, near & ~self.gone, strict=True) if not kept]
+
+
+    def _between(self, lo: Array, hi: Array) -> Mask:
+        return np.asarray(((self.lo[:, :2] <= hi) & (self.hi[:, :2] >= lo)).all(1))
+
+    def _beside(self, room: str) -> Mask:
+        """Which colliders are in a room, belong to none, or stand near a passage to it."""
+        near = (self.rooms == room) | (self.rooms == "")
+        for rooms, segment in self.passages:
+            if room in rooms:
+                near |= self._between(segment.min(0) - PASSED, segment.max(0) + PASSED)
+        return near
 
 
 def _span(body: Body, link: Link) -> tuple[Array, Array]:
