@@ -2,6 +2,8 @@
 
 from stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
 
+JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "connecting", "linking")
+"""Verbs of which subject and object are joined to a third: `a hall joins the lounge to the kitchen`."""
 PAIRED = ("all", "each", "both")
 
 
@@ -120,6 +122,35 @@ def counted(items: list[Item]) -> list[Item]:
         else:
             out.append(items[k])
             k += 1
+    return out
+
+
+def _is_other(items: list[Item]) -> bool:
+    last = items[-1].room if items else None
+    return last is not None and last.type == "" and last.quantifier == "other"
+
+
+def unfolded(items: list[Item]) -> list[Item]:
+    """Short forms written out: `a bathroom between them`, `the other to …`, `connects the hall with the lounge`."""
+    out: list[Item] = []
+    for k, item in enumerate(items):
+        links = [i for i in items[:k] if i.kind == "link"]
+        near = [i.kind for i in items[max(0, k - 1) : k + 2]]
+        if item.kind == "sum" and item.text == "between them" and near[0] == "room" and not {"area", "share"} & set(near):
+            shares = any(i.value == "share" for i in links)
+            out += [] if shares else [Item("link", "between", item.text)]
+        elif item.kind == "link" and item.text.startswith("one ") and _is_other(out):  # "the other one from the hall"
+            way = item.text.split()[-1]
+            out.append(Item("front", "from", way) if way == "from" else Item("link", "to", way))
+        elif item.kind == "link" and item.text.startswith("the other "):
+            told = any(i.text.split()[0] in ("one", "another") for i in links)
+            other = RoomPhrase("", quantifier="other", text="the other")
+            to = Item("link", "to", "to")
+            out += [item] if told else [Item("room", "", other.text, other), to]
+        elif item.text == "with" and links and links[-1].text in JOINING and links[-1] in items[max(0, k - 3) : k]:
+            out.append(Item("conjunction", "and", item.text))
+        else:
+            out.append(item)
     return out
 
 

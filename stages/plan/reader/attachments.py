@@ -223,6 +223,8 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     kind = owner.type or "bedroom"
     if phrase.headline or kind not in OWNED_BY.get(phrase.type, ()):
         return False
+    if after and after[0].kind == "link" and after[0].value == "between":
+        return False  # "two bedrooms with a bathroom in between"
     if "adjoining" in phrase.labels and first:
         return True
     if kind == "hallway":

@@ -89,8 +89,12 @@ def _one_way_in(pairs: list[Pair], s: Statement, statements: list[Statement]) ->
     """`the hall opens into a living-dining-kitchen`: one space needs one door, that of the living room."""
     together = {id(p) for o in statements if o.kind == "open" for p in (*o.left, *o.right)}
     joined = {p.type for p in s.right if id(p) in together} if sum(id(p) in together for p in s.right) > 1 else set()
-    entry = next((kind for kind in OPEN_TYPES if kind in joined), "")
-    return [(a, b) for a, b in pairs if a.type != "hallway" or b.type == entry or b.type not in joined]
+    out = []
+    for a, b in pairs:
+        order = ("dining_room", "living_room") if a.type == "kitchen" else OPEN_TYPES if a.type == "hallway" else ()
+        entry = next((kind for kind in order if kind in joined), b.type)
+        out += [(a, b)] if b.type == entry or b.type not in joined else []
+    return out
 
 
 def _served(a: Entity, b: Entity, kind: str) -> bool:

@@ -1,6 +1,6 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
-from stages.plan.reader.anaphora import bind, counted, exceptions, shared_verb
+from stages.plan.reader.anaphora import bind, counted, exceptions, shared_verb, unfolded
 from stages.plan.reader.attachments import attach_owned, merge_ensuites
 from stages.plan.reader.lexemes import lexemes
 from stages.plan.reader.lexicon import load
@@ -29,6 +29,7 @@ def parse(prompt: str) -> Said:
     said.graph = said.graph or lists_doors(phraser.items)
     items = between_pairs(phraser.items)
     for sentence in sentences(door_pairs(items) if said.graph else items):
+        sentence = unfolded(sentence)
         bind(sentence, last)
         last = [*last, *sentence]
         trail = place(said.statements[known:])
@@ -114,6 +115,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     said.statements += found
     said.rooms += [r for r in rooms_of(items) if r not in said.rooms]
     doors = relations(items, before, trail, said.graph)
+    _two_halls(doors)
     said.statements += doors
     return (
         doors[-1].left
@@ -122,6 +124,14 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if doors
         else [r for r in rooms_of(items) if not r.negated][-1:]
     ) or before
+
+
+def _two_halls(doors: list[Statement]) -> None:
+    """`from the hall a passage leads to …`: no hallway leads to itself."""
+    for s in doors:
+        pairs = [(a, b) for a in s.left for b in s.right if a.type == b.type == "hallway"]
+        for phrase in [p for pair in pairs for p in pair if p.quantifier == "a"][-1:]:
+            phrase.quantifier = "another" if any(p.quantifier == "the" for p in pairs[0]) else "a"
 
 
 def _of_link(items: list[Item], k: int) -> bool:

@@ -2,7 +2,7 @@
 
 from stages.plan.reader.lexeme import Lexeme
 from stages.plan.reader.lexicon import Lexicon
-from stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase
+from stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase
 from stages.plan.reader.pending import Pending, noun_ahead, trailing_number
 
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
@@ -162,6 +162,9 @@ class Phraser:
     def _room(self, words: list[Lexeme], i: int) -> int:
         word, p = words[i], self.pending
         phrase = p.room(word)
+        listed = [i.value for i in self.items[-2:]]  # "kitchen, dining and living areas" are three rooms
+        if phrase.type in OPEN_TYPES and phrase.count is None and listed[:1] and listed[0] in OPEN_TYPES:
+            phrase.plural = phrase.plural and self.items[-1].kind != "conjunction"
         self.items.append(Item("room", phrase.type, word.text, phrase, joined=word.joined and p.empty()))
         self.pending = Pending()
         return trailing_number(words, i + 1, phrase)

@@ -1,14 +1,13 @@
 """Doors between rooms: finds the subject and the objects of every relation in a sentence."""
 
+from stages.plan.reader.anaphora import JOINING
 from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from stages.plan.reader.openplan import chain
 from stages.plan.reader.predicates import Predicate, new_clause, predicates
 from stages.plan.reader.statements import Statement
 
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
-
-
-JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "connecting", "linking")
 
 
 def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhrase], graph: bool) -> list[Statement]:
@@ -32,6 +31,12 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
             topic = _rooms(items, 0, p.subject[0])[:1]
             right = [r for r in (trail if trail and _onward(items[p.at]) else topic or before) if r not in left]
+        if p.kind == "between" and not right:
+            right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
+            left = left[-1:] if right else []
+        if not right and len(left) > 1 and p.kind == "open":
+            out += chain(left)  # "kitchen, dining and living areas flow into each other"
+            continue
         if not right and len(left) > 1:
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
         if p.kind == "same":  # "the bedrooms are off the hall, as is the bathroom"
@@ -234,6 +239,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if p.form != "part":
         return True
     same = first.definite == phrase.definite
+    if left and all(r.type == "hallway" for r in left) and p.kind == "door":
+        return True
     alone = p.subject[0] == 0 and not any(i.room for i in items[p.subject[1] : p.at])  # a sentence of its own
     if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left) and not alone:
         return False
