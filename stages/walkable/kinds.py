@@ -5,12 +5,12 @@ from itertools import islice
 
 import numpy as np
 
-from schemas.errors import BadInput
 from schemas.retrieve import Furnishing
 from stages import boxes, categories
 from stages.asset import Asset
 from stages.boxes import Array
 from stages.walkable import importance, placing
+from stages.walkable.designs import look
 from stages.walkable.places import kin
 from stages.walkable.site import Changes, Scene, Site
 from stages.walkable.smaller import BUILT_IN, LATENT
@@ -55,17 +55,9 @@ def _asset(site: Site, o: Furnishing, category: str, size: Array) -> Asset | Non
     if category == o.category:
         return site.library.nearest(category, size, latent, size)
     designs = list(islice(site.library.alternatives(category, size, np.zeros(0)), DESIGNS))
-    style = style_of(site, o)
+    style, _ = look(site.library, o)
     same = next((asset for asset in designs if asset.style == style), None)
     return same or next(iter(designs), None) or site.library.nearest(category, size, np.zeros(0), size)
-
-
-def style_of(site: Site, o: Furnishing) -> str | None:
-    """The style of an object's asset; None where the asset can't be had."""
-    try:
-        return site.library.load(o.asset.library, o.asset.id).style
-    except BadInput:
-        return None
 
 
 def _stood_in(site: Site, scene: Scene, o: Furnishing, asset: Asset) -> Changes | None:

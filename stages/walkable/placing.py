@@ -57,9 +57,10 @@ def _scaled(joint: Joint, ratio: Array) -> Joint:
 
 
 def furnished(o: Furnishing, asset: Asset, site: Site) -> Furnishing:
-    """The object with another asset, placed as `resized` does."""
+    """The object with another asset and its latent, placed as `resized` does."""
     key = AssetKey(library=asset.library, id=asset.id)
-    return resized(o, asset.size, site).model_copy(update={"joints": asset.joints, "asset": key})
+    latent = np.round(asset.latent, 4).tolist()
+    return resized(o, asset.size, site).model_copy(update={"joints": asset.joints, "asset": key, "latent": latent})
 
 
 def moved(o: Furnishing, by: Sequence[float]) -> Furnishing:

@@ -7,7 +7,6 @@ left out. A repair counts only if nothing else is lost by it.
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import islice
 
 import numpy as np
 
@@ -17,12 +16,13 @@ from stages import boxes, categories
 from stages.walkable import importance, placing
 from stages.walkable.blocking import missed
 from stages.walkable.changes import Change, applied, dropped, nudged, replaced
+from stages.walkable.designs import redesigned
 from stages.walkable.nudge import nudges
 from stages.walkable.optimize import EPSILON, area_ratio
 from stages.walkable.parts import Check, Fault, stuck_doors
 from stages.walkable.places import places
 from stages.walkable.site import Changes, Scene, Site, fits, swapped
-from stages.walkable.smaller import LATENT, candidate, limits
+from stages.walkable.smaller import candidate, limits
 from stages.walkable.ways import Ways, after, ways
 
 SLIGHT = (0.003, 0.006, 0.012, 0.025)
@@ -35,8 +35,6 @@ TRIMMED = (0.004, 0.008, 0.016)
 """By how much sides get shorter of what stands wedged in, m."""
 SHARES = (0.95, 0.9, 0.8, 0.7)
 """Sizes tried for what is met."""
-DESIGNS = 12
-"""Other designs tried of an object whose parts are blocked."""
 
 
 @dataclass
@@ -138,7 +136,7 @@ def _changes(
         yield from shifted(o, nudges(site, scene, o))
         yield from shifted(o, _raised(site, scene, o))
     if owner is not None:
-        yield from (replaced(owner, to, fault.owner) for to in _redesigned(site, scene, owner))
+        yield from (replaced(owner, to, fault.owner) for to in redesigned(site, scene, owner))
     for o in both:
         yield from (replaced(o, to, fault.owner) for to in _smaller(site, scene, o))
     for o in both:
@@ -181,16 +179,6 @@ def _drawn_back(scene: Scene, o: Furnishing, both: list[Furnishing]) -> Iterator
 
 def _shifted(scene: Scene, o: Furnishing, by: list[float]) -> Changes:
     return {p.id: placing.moved(p, by) for p in (o, *placing.carried(o, scene))}
-
-
-def _redesigned(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
-    """The object in other designs of its size, the most alike first, those that open before those that do not."""
-    latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
-    found = list(islice(site.library.alternatives(o.category, o.size, latent), DESIGNS))
-    for asset in sorted(found, key=lambda asset: not asset.joints):
-        to = placing.settled(o, placing.furnished(o, asset, site), asset, scene)
-        if to is not None:
-            yield to
 
 
 def _trimmed(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:

@@ -8,9 +8,10 @@ import pytest
 from schemas.retrieve import AssetKey, Joint
 from stages import retrieve
 from stages.categories import TABLE
-from stages.walkable import WalkableConfig, run
+from stages.walkable import WalkableConfig, designs, run
 from stages.walkable.leaves import building
 from stages.walkable.parts import Check, Fault, stuck_doors
+from stages.walkable.site import survey
 from stages.walkable.solids import Solids
 
 UP, DOWN = np.pi / 2, -np.pi / 2
@@ -168,3 +169,22 @@ def test_the_simulator_agrees(seed, tmp_path):
 def test_some_of_these_flats_are_blocked_before():
     libraries = retrieve.open_libraries()
     assert sum(bool(blocked(furnished(seed, libraries), libraries)) for seed in range(6)) >= 3
+
+
+def test_another_design_is_of_the_same_style_and_material_and_brings_its_latent():
+    libraries = retrieve.open_libraries()
+    usual = TABLE["wardrobe"].size
+    for asset in list(libraries.alternatives("wardrobe", usual, np.zeros(0)))[:4]:
+        old = h.thing("wardrobe", 2, 2.6, DOWN, size=asset.size, joints=tuple(asset.joints), id="wardrobe")
+        old = old.model_copy(update={"asset": AssetKey(library=asset.library, id=asset.id),
+                                     "latent": np.round(asset.latent, 4).tolist()})
+        home = h.home(old)
+        site = survey(home, WalkableConfig(), libraries)
+        found = [to["wardrobe"] for to in designs.redesigned(site, tuple(home.objects), old)]
+        made = [libraries.load(o.asset.library, o.asset.id) for o in found]
+        unlike = [(a.style != asset.style) + (designs.main_material(a) != designs.main_material(asset)) for a in made]
+        assert len(made) > 4 and unlike == sorted(unlike) and min(unlike) < 2
+        assert old.asset not in [o.asset for o in found]
+        for o, a in zip(found, made, strict=True):
+            own = next(iter(libraries.alternatives("wardrobe", o.size, np.asarray(o.latent))))
+            assert own.style == a.style
