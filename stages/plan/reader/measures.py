@@ -152,7 +152,7 @@ def _each_of(before: list[Item], items: list[Item], j: int, k: int) -> list[Room
     while each and not room.plural and j > 1 and (before[j - 1].kind == "conjunction" or is_mark(before[j - 1], ",")):
         j -= 2
         phrase = before[j].room
-        if phrase is None:
+        if phrase is None or phrase.areas:
             break
         group.append(phrase)
     return group

@@ -230,7 +230,7 @@ class Phraser:
         elif word.kind == "stop":
             self.items += [Item("copula", COPULAS[word.text], word.text)] if word.text in COPULAS else []
         else:
-            value, _, form = (word.value, "", "") if word.kind == "compare" else word.value.partition(".")
+            value, _, form = (word.value, "", "") if word.kind in ("compare", "mark") else word.value.partition(".")
             number = word.values[0] if word.values else 1.0
             self.items.append(Item(word.kind, value, word.text, None, number, word.values, word.joined, form))
 

@@ -228,6 +228,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     """Whether the room at `j` is one more object of the relation."""
     phrase, first = items[j].room, out[0]
     assert phrase is not None
+    if is_mark(items[j - 1], "/"):
+        return True
     if items[j - 1].value == "plus" and p.form == "part":
         return False
     if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
