@@ -21,7 +21,7 @@ LOST = 2.0
 """A robot that stands still this long though it should drive is stuck, s."""
 FRAME = 0.2
 """Between frames of the trace, s."""
-_NEAR = 0.1  # m of clearance above which no contact can come within a period
+_NEAR = 0.05  # m of clearance above which no contact can come within a period: the way driven, and half a cell
 
 
 @dataclass
