@@ -45,7 +45,7 @@ class Boxes:
     def __init__(self) -> None:
         self.asked = 0
 
-    def nearest(self, category, size, latent, limit=None):
+    def nearest(self, category, size, latent, limit=None, like=""):
         self.asked += 1
         kind = TABLE[category]
         wanted = np.clip(size, kind.min, kind.max)
@@ -70,5 +70,5 @@ class Boxes:
 class Empty(Boxes):
     """A library with nothing smaller."""
 
-    def nearest(self, category, size, latent, limit=None):
+    def nearest(self, category, size, latent, limit=None, like=""):
         return None

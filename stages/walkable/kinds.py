@@ -53,7 +53,7 @@ def _asset(site: Site, o: Furnishing, category: str, size: Array) -> Asset | Non
     """The asset of that kind and size that is most like the object."""
     latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
     if category == o.category:
-        return site.library.nearest(category, size, latent, size)
+        return site.library.nearest(category, size, latent, size, o.asset.id)
     designs = list(islice(site.library.alternatives(category, size, np.zeros(0)), DESIGNS))
     style, _ = look(site.library, o)
     same = next((asset for asset in designs if asset.style == style), None)

@@ -37,9 +37,12 @@ class Candidates(Protocol):
     """Where smaller assets come from (any asset library, or several)."""
 
     def nearest(
-        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None, like: str = ""
     ) -> Asset | None:
-        """The asset closest in size and shape latent, none of its sides above `limit`; None if none fits."""
+        """The asset closest in size and shape latent, none of its sides above `limit`; None if none fits.
+
+        It looks like the one of id `like`, where it can.
+        """
 
     def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterable[Asset]:
         """Other designs of that size, the one closest in latent first."""

@@ -46,7 +46,7 @@ def limits(o: Furnishing, share: float) -> Iterator[Array]:
 def candidate(site: Site, scene: Scene, o: Furnishing, limit: Array, gain: float = GAIN) -> Changes | None:
     """The object with the library's nearest asset under a limit, with what it carries; None if there is none."""
     latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
-    asset = site.library.nearest(o.category, limit, latent, limit)
+    asset = site.library.nearest(o.category, limit, latent, limit, o.asset.id)
     if asset is None or asset.size[0] * asset.size[1] > gain * o.size[0] * o.size[1]:
         return None
     return placing.settled(o, placing.furnished(o, asset, site), asset, scene)

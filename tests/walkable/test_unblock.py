@@ -188,3 +188,11 @@ def test_another_design_is_of_the_same_style_and_material_and_brings_its_latent(
         for o, a in zip(found, made, strict=True):
             own = next(iter(libraries.alternatives("wardrobe", o.size, np.asarray(o.latent))))
             assert own.style == a.style
+
+
+def test_a_smaller_one_keeps_the_design():
+    libraries = retrieve.open_libraries()
+    for asset in libraries.alternatives("sofa", TABLE["sofa"].size, np.zeros(0)):
+        less = np.asarray(asset.size) * 0.9
+        found = libraries.nearest("sofa", less, asset.latent, less, asset.id)
+        assert found.style == asset.style and found.id.split("/")[-1] == asset.id.split("/")[-1]

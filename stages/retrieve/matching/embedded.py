@@ -53,6 +53,13 @@ class Embedded:
         """Styles that a category comes in."""
         return frozenset(s for s, c in zip(self._index.style, self._index.category, strict=True) if c == category)
 
+    def design(self, category: str, id: str) -> tuple[str, int] | None:
+        """Style and seed of a piece by its id; None where the index has no such design of the category."""
+        match id.split("/"):
+            case [name, style, _, seed] if seed.isdecimal() and (name, style, int(seed)) in self._latents:
+                return (style, int(seed)) if name == category else None
+        return None
+
     def costs(self, category: str, size: ArrayLike, latent: ArrayLike) -> dict[tuple[str, int], float]:
         """Cost of each design of a category, by style and seed; size only decides between equal latents."""
         rows = self._table.rows(category)

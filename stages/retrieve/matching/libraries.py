@@ -47,11 +47,14 @@ class LibrarySet:
         return others[which].at(row)
 
     def nearest(
-        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None
+        self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None, like: str = ""
     ) -> Asset | None:
-        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big."""
+        """The cheapest asset of all libraries that fits, else one made to measure; None if even that is too big.
+
+        What is made to measure has the design of `like`, where that is the id of such a piece.
+        """
         own = self.owned(category, size, latent, limit)
-        return own or self.embedded.nearest(category, size, latent, limit)
+        return own or self.embedded.nearest(category, size, latent, limit, self.embedded.design(category, like))
 
     def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterator[Asset]:
         """Every design made to measure at that size, the one closest in latent first."""
