@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-# Without counting references, since nothing is allocated: that costs much to compile.
-COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
+# Without counting references, since nothing is allocated, and without rewriting array expressions, since there are
+# none: both cost much to compile.
+COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_rewrites": True}
 # Not cached one by one (`kernel.anneal` is, with all it calls), and not callable from Python: those wrappers cost as
 # much to compile as the functions.
 WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}

@@ -139,9 +139,10 @@ def _shape(p, z):  # terms and lacks of each room's own form
 
 @inner
 def _gap(a, b):  # distance between two rooms' bounding boxes, Manhattan
-    x = max(a[R_X0], b[R_X0]) - min(a[R_X1], b[R_X1])
-    y = max(a[R_Y0], b[R_Y0]) - min(a[R_Y1], b[R_Y1])
-    return max(0.0, x) + max(0.0, y)
+    gap = 0.0
+    for low, high in ((R_X0, R_X1), (R_Y0, R_Y1)):
+        gap += max(0.0, max(a[low], b[low]) - min(a[high], b[high]))
+    return gap
 
 
 @inner
@@ -207,8 +208,8 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
         functional += room[R_AREA] * want[S_FUNCTION]
         outer += room[R_OUTER]
         held += room[R_OUTER] * want[S_OUTER]
-    terms[OUTER] = (held / (outer + 0.01) - 1) ** 2 * n
-    terms[FUNCTION] = (1 - functional / (total + 0.01)) ** 2 * n
+    away, unlived = held / (outer + 0.01) - 1, 1 - functional / (total + 0.01)
+    terms[OUTER], terms[FUNCTION] = away * away * n, unlived * unlived * n
     for i in range(p.near.shape[0]):
         near = p.near[i]
         terms[NEAR] += near[2] * min(_gap(z.room[near[0]], z.room[near[1]]), 6.0)
@@ -221,7 +222,8 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
             before = walked[o, 0] + abs(x - walked[o, 1]) + abs(y - walked[o, 2])
         walked[r, 0], walked[r, 1], walked[r, 2] = before, x, y
         straight = abs(x - ex) + abs(y - ey) + 0.5
-        terms[PATH] += max(0.0, before / straight - 1) ** 2
+        detour = max(0.0, before / straight - 1)
+        terms[PATH] += detour * detour
 
 
 @inner
@@ -235,7 +237,8 @@ def _lines(p, root, z, count):  # wall lines, and corners of the box `root` abou
             new_x &= abs(z.piece[j, 0] - q[0]) > 0.05
             new_y &= abs(z.piece[j, 1] - q[1]) > 0.05
         lines += new_x + new_y
-    z.terms[CORNER] = (min(held, 4.0) / 4 - 1) ** 2 * n
+    free = 1 - min(held, 4.0) / 4
+    z.terms[CORNER] = free * free * n
     z.terms[LINES] = lines
 
 
