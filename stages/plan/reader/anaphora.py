@@ -130,13 +130,23 @@ def _is_other(items: list[Item]) -> bool:
     return last is not None and last.type == "" and last.quantifier == "other"
 
 
+def _definite_pair(items: list[Item], k: int) -> bool:
+    around = [i.room for i in (*items[max(k - 1, 0) : k], *items[k + 1 : k + 2])]
+    return len(around) == 2 and all(r is not None and r.quantifier == "the" for r in around)
+
+
 def unfolded(items: list[Item]) -> list[Item]:
     """Short forms written out: `a bathroom between them`, `the other to …`, `connects the hall with the lounge`."""
     out: list[Item] = []
     for k, item in enumerate(items):
         links = [i for i in items[:k] if i.kind == "link"]
         near = [i.kind for i in items[max(0, k - 1) : k + 2]]
-        if item.kind == "sum" and item.text == "between them" and near[0] == "room" and not {"area", "share"} & set(near):
+        if (
+            item.kind == "sum"
+            and item.text == "between them"
+            and near[0] == "room"
+            and not {"area", "share"} & set(near)
+        ):
             shares = any(i.value == "share" for i in links)
             out += [] if shares else [Item("link", "between", item.text)]
         elif item.kind == "link" and item.text.startswith("one ") and _is_other(out):  # "the other one from the hall"
@@ -147,6 +157,8 @@ def unfolded(items: list[Item]) -> list[Item]:
             other = RoomPhrase("", quantifier="other", text="the other")
             to = Item("link", "to", "to")
             out += [item] if told else [Item("room", "", other.text, other), to]
+        elif item.text == "with" and links and links[-1].text.endswith(" with") and _definite_pair(items, k):
+            out.append(Item("link", "to", "to"))  # "the lounge connects with the hall, the kitchen with the lounge"
         elif item.text == "with" and links and links[-1].text in JOINING and links[-1] in items[max(0, k - 3) : k]:
             out.append(Item("conjunction", "and", item.text))
         else:

@@ -141,13 +141,13 @@ def _share(users: list[Entity], shared: list[Entity], out: Doors, home: Househol
         users, shared = shared, users
     users = [u for u in users if u.type == "bedroom"] if shared and shared[0].type == "bathroom" else users
     for room in shared:
-        others = [e for e in home.of("bathroom") if e is not room and e.owner is None]
+        others = [e for e in home.of("bathroom") if e is not room and e.owner is None and "half" not in e.labels]
         if room.type == "bathroom" and (
             "shared_pair" not in room.labels and not others or len(shared) > 1 or len(users) > 3
         ):
             room.labels.add("shared")
             continue
-        out.links += [(u, room) for u in users]
+        out.links += [(u, room) for u in users if u is not room]
 
 
 def _open_labels(home: Household, out: Doors) -> None:

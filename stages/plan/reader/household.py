@@ -288,6 +288,7 @@ class Household:
         for owner in owners if every else owners[:1]:
             count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))
             found = self._claim(owned, count)
+            found = [e for e in found if e is not owner]
             for entity in found:
                 entity.owner = owner
             made += found

@@ -204,6 +204,8 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             found.append(Statement("compare", before[-1:], after[:1], item.number))
             out.append(Item("room", after[0].type, after[0].text, after[0]))
             skip = True
+        elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
+            found.append(Statement("compare", before[-1:], before[-2:-1], item.number))
     return out, found
 
 

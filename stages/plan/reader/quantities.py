@@ -78,6 +78,11 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
     while i < len(words):
         word = words[i]
         percent = i + 1 < len(words) and (words[i + 1].text == "%" or words[i + 1].value == "percent")
+        end = _of_its_size(words, i)
+        if word.kind == "fraction" and end > i:
+            out.append(replace(word, kind="compare"))
+            i = end
+            continue
         if word.kind == "number" and percent:
             value, end = word.number / 100, i + 2
         elif word.kind == "fraction" or (word.text == "half" and _of_area(words, i + 1) > i + 1):
@@ -98,6 +103,14 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
             out.append(word)
         i = end
     return out
+
+
+def _of_its_size(words: list[Lexeme], i: int) -> int:
+    """Where `two thirds its size`, `three quarters the size of` ends; i when it does not stand here."""
+    texts = [w.text for w in words[i + 1 : i + 4]]
+    if texts[1:2] != ["size"] or texts[0] not in ("its", "their", "the"):
+        return i
+    return i + 3 if texts[0] != "the" else i + 4 if texts[2:] == ["of"] else i
 
 
 def _of_area(words: list[Lexeme], i: int) -> int:

@@ -20,9 +20,13 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
     out = []
     for k, p in enumerate(found):
         left = _rooms(items, *p.subject) or (trail if trail and _onward(items[p.at]) else before)
+        if p.kind == "between" and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):
+            left = []  # "also a door between the kitchen and the lounge"
         stop = found[k + 1] if k + 1 < len(found) else None
         right = _objects(items, p, stop, left)
         left = _annexes(left, right) if p.form == "part" else left
+        if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
+            left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
         out += [Statement("not", left, barred)] if barred and left else []
@@ -44,6 +48,14 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
             continue
         out += _statement(p, left, right)
     return out
+
+
+def _closes_list(items: list[Item], p: Predicate) -> bool:
+    """Whether the subject is the end of a longer list of new rooms."""
+    start = p.subject[0]
+    before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
+    new = [i.room for i in items[start : p.subject[1]] if i.room is not None]
+    return before is not None and all(r.quantifier == "a" for r in (before, *new)) and p.kind == "door"
 
 
 def _onward(item: Item) -> bool:
