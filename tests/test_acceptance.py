@@ -118,6 +118,20 @@ def test_no_object_stands_outside_its_room(folder):
     assert not faults
 
 
+KEPT = (
+    ("bedroom", {"double_bed", "single_bed", "bunk_bed"}), ("bathroom", {"toilet"}),
+    ("kitchen", {"kitchen_sink"}), ("kitchen", {"hob", "oven"}), ("living_room", {"sofa", "corner_sofa", "armchair"}),
+)
+
+
+@pytest.mark.parametrize("prompt", PROMPTS)
+def test_every_room_has_what_it_is_for(folder):
+    body = home(folder)
+    lacking = [f"{room.id}: {' or '.join(sorted(of))}" for room in body.rooms for kind, of in KEPT if room.type == kind
+               and not any(thing.room == room.id and thing.category in of for thing in body.objects)]
+    assert not lacking
+
+
 def model(folder: Path):
     mujoco = pytest.importorskip("mujoco")
     return mujoco, mujoco.MjModel.from_xml_path(str(folder / "scene/mjcf/apartment.xml"))
