@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from stages.plan.reader.entity import Entity
 from stages.plan.reader.household import Household
+from stages.plan.reader.links import ANNEXES
 from stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
 from stages.plan.reader.statements import Statement
 
@@ -175,7 +176,8 @@ def ensuites(home: Household, doors: Doors) -> None:
     """One bathroom serves the home; further full ones, where nothing is said of them, open off bedrooms."""
 
     def linked(e: Entity) -> bool:
-        return any(e in pair and pair[pair[0] is e].owner is not e for pair in doors.links)
+        others = [pair[pair[0] is e] for pair in doors.links if e in pair]
+        return any(o.owner is not e and not _annex(o, e) for o in others)
 
     _open_labels(home, doors)
     beds = [
@@ -208,7 +210,12 @@ def _ways(doors: Doors) -> list[Pair]:
     return [*doors.links, *((b, a) for a, b in doors.links)]
 
 
+def _annex(room: Entity, bath: Entity) -> bool:
+    """A linen closet is no way into its bathroom; a dressing room of the bedroom's is."""
+    return bath.type == "bathroom" and room.type in ANNEXES and room.owner is None
+
+
 def _serves(bath: Entity, doors: Doors) -> bool:
     """Whether a bathroom is entered from elsewhere than a bedroom."""
     near = [b if a is bath else a for a, b in doors.links if bath in (a, b)]
-    return "half" not in bath.labels and any(e.type not in ("bedroom", "closet") for e in near)
+    return "half" not in bath.labels and any(e.type not in ("bedroom", *ANNEXES) for e in near)
