@@ -171,6 +171,7 @@ def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) 
             share = float(value / part.travel)
             reason = f"meets {probe.name(met)} at {share:.0%} of its range"
             return _Tried(None, "blocked part", reason, share=share)
+    probe.limit(probe.model)
     planner = Planner(probe, part)
     stands = _stands(planner, spots(part, ground.cells, ground.inside)[:SPOTS], rng)
     places, first = 0, None

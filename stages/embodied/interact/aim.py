@@ -13,6 +13,7 @@ PITCHES = np.radians([0, 40, 75, -40])
 _LIMIT = {"pinch": 0.7, "cup": 0.5, "push": 0.6}
 """Least cosine between hand and what it acts on: of the fingers' line to the pinch, of the hand to the face."""
 
+
 class Option(NamedTuple):
     """A direction of the hand: straight at the object but for a turn to the left and one down, rad.
 
@@ -31,6 +32,7 @@ class Option(NamedTuple):
 
 OPTIONS = [Option(*angles, False) for angles in product(YAWS.tolist(), PITCHES.tolist())]
 OPTIONS += [Option(yaw, pitch, True) for yaw, pitch in product(YAWS[:3].tolist(), PITCHES[:2].tolist())]
+_YAW, _PITCH, _FOLLOWS = (np.array(column) for column in zip(*OPTIONS, strict=True))
 NEAR = float(np.cos(np.radians(46)))
 """Directions no further apart follow one another."""
 
@@ -43,6 +45,16 @@ def forward(part: Part, hold: Hold, value: float, option: Option) -> Array:
         level = -level
     found = np.cos(option.pitch) * level - np.sin(option.pitch) * part.up
     return np.asarray(part.moved(value)[0] @ found if option.follows else found)
+
+
+def directions(part: Part, hold: Hold, value: float) -> Array:
+    """The same for every one of `OPTIONS`, (n, 3)."""
+    left = cross(part.up, part.front)
+    level = -np.cos(_YAW)[:, None] * part.front - np.sin(_YAW)[:, None] * left
+    if hold.kind == "push":
+        level = -level
+    found = np.cos(_PITCH)[:, None] * level - np.sin(_PITCH)[:, None] * part.up
+    return np.asarray(np.where(_FOLLOWS[:, None], found @ part.moved(value)[0].T, found))
 
 
 def turned(part: Part, hold: Hold, value: float, ahead: Array) -> Array | None:

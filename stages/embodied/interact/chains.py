@@ -6,7 +6,7 @@ from collections import Counter
 import numpy as np
 
 from stages.boxes import Array, Mask
-from stages.embodied.interact.aim import NEAR, OPTIONS, every_turn, forward
+from stages.embodied.interact.aim import NEAR, OPTIONS, directions, every_turn
 from stages.embodied.interact.parts import Hold, Part
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import CUP, THICK, TIP, postures
@@ -27,7 +27,7 @@ class Chains:
         self.probe, self.part = probe, part
         self.values = part.travel * GOAL * np.linspace(0, 1, STEPS + 1)
         self.met: Counter[int] = Counter()
-        self._ahead: dict[tuple[bool, int, int], Array] = {}
+        self._ahead: dict[tuple[bool, int], Array] = {}
         self._grips: dict[tuple[int, int], tuple[Array, Array, Mask]] = {}
         self._near: dict[tuple[bool, int], Mask] = {}
 
@@ -36,7 +36,7 @@ class Chains:
 
         Dijkstra over (position, option), each of which is tested for collisions only once it is the cheapest left.
         """
-        grip = {k: self.held(base, hold, k) for k in range(start, STEPS + 1)}
+        grip = {start: self.held(base, hold, start)}
         heap: list[tuple[float, int, int, tuple[int, ...]]]
         heap = [(option.cost, start, o, (o,)) for o, option in enumerate(OPTIONS) if grip[start][1][o]]
         heapq.heapify(heap)
@@ -54,6 +54,8 @@ class Chains:
             elif len(chain) == len(found[0]) and len(found) < most:
                 found.append(chain)
             if k < STEPS:
+                if k + 1 not in grip:
+                    grip[k + 1] = self.held(base, hold, k + 1)
                 for p in np.flatnonzero(grip[k + 1][1] & self.next(hold, k)[o]).tolist():
                     if (k + 1, p) not in seen:
                         heapq.heappush(heap, (cost + (o != p), k + 1, p, (*chain, p)))
@@ -69,8 +71,8 @@ class Chains:
         """Which option at position k may be followed by which at k + 1."""
         key = (hold.kind == "push", k)
         if key not in self._near:
-            old, new = (np.array([self.ahead(hold, j, o) for o in range(len(OPTIONS))]) for j in (k, k + 1))
-            self._near[key] = (old @ new.T > NEAR) | np.eye(len(OPTIONS), dtype=bool)
+            near = self.aheads(hold, k) @ self.aheads(hold, k + 1).T > NEAR
+            self._near[key] = near | np.eye(len(OPTIONS), dtype=bool)
         return self._near[key]
 
     def meets_nothing(self, found: Array, k: int, hold: Hold) -> bool:
@@ -81,9 +83,13 @@ class Chains:
 
     def ahead(self, hold: Hold, k: int, o: int) -> Array:
         """Which way the hand points at the k-th position with the o-th option."""
-        key = (hold.kind == "push", k, o)
+        return np.asarray(self.aheads(hold, k)[o])
+
+    def aheads(self, hold: Hold, k: int) -> Array:
+        """The same with every option, (n, 3)."""
+        key = (hold.kind == "push", k)
         if key not in self._ahead:
-            self._ahead[key] = forward(self.part, hold, self.values[k], OPTIONS[o])
+            self._ahead[key] = directions(self.part, hold, float(self.values[k]))
         return self._ahead[key]
 
     def grips(self, hold: Hold, k: int) -> tuple[Array, Array, Mask]:
@@ -91,7 +97,7 @@ class Chains:
         key = (id(hold), k)
         if key not in self._grips:
             value = float(self.values[k])
-            ahead = np.array([self.ahead(hold, k, o) for o in range(len(OPTIONS))])
+            ahead = self.aheads(hold, k)
             turns, able = every_turn(self.part, hold, value, ahead)
             back = np.array([self._back(hold, value, way) for way in ahead])
             self._grips[key] = self.part.at(hold.point, value) - back[:, None] * ahead, turns, able

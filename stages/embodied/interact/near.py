@@ -51,11 +51,12 @@ class Surroundings:
 
 
     def _between(self, lo: Array, hi: Array) -> Mask:
-        return np.asarray(((self.lo[:, :2] <= hi) & (self.hi[:, :2] >= lo)).all(1))
+        found: Mask = ((self.lo[:, :2] <= hi) & (self.hi[:, :2] >= lo)).all(1)
+        return found
 
     def _beside(self, room: str) -> Mask:
         """Which colliders are in a room, belong to none, or stand near a passage to it."""
-        near = (self.rooms == room) | (self.rooms == "")
+        near: Mask = np.isin(self.rooms, ["", room])
         for rooms, segment in self.passages:
             if room in rooms:
                 near |= self._between(segment.min(0) - PASSED, segment.max(0) + PASSED)

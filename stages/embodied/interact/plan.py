@@ -197,6 +197,9 @@ def spots(part: Part, cells: Array, floor: Geometry) -> Array:
     No wall stands between them and the handle: what is between lies within the `floor`. Those for the usual hold come
     first.
     """
+    middle = part.holds[0].point
+    far = 2 * REACH + abs(part.travel)
+    cells = cells[(np.abs(cells[:, 0] - middle[0]) <= far) & (np.abs(cells[:, 1] - middle[1]) <= far)]
     found = np.concatenate([_spots(part, hold, cells, floor) for hold in (part.holds[0], *part.others)])
     _, first = np.unique(found, axis=0, return_index=True)
     return np.asarray(found[np.sort(first)])
@@ -205,7 +208,7 @@ def spots(part: Part, cells: Array, floor: Geometry) -> Array:
 def _spots(part: Part, hold: Hold, cells: Array, floor: Geometry) -> Array:
     """Those for one hold, one in each 0.1 m square."""
     path = np.array([part.at(hold.point, v)[:2] for v in part.travel * GOAL * np.linspace(0, 1, 5)])
-    cells = cells[(np.abs(cells - path[0]) <= REACH).all(1)]
+    cells = cells[(np.abs(cells[:, 0] - path[0, 0]) <= REACH) & (np.abs(cells[:, 1] - path[0, 1]) <= REACH)]
     apart = np.linalg.norm(cells[:, None] - path[None], axis=2)
     able = (apart[:, 0] <= REACH) & (apart[:, 0] >= 0.3) & (apart[:, 2] <= REACH + 0.1)
     cells, apart = cells[able], apart[able]

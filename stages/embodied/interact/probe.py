@@ -22,6 +22,7 @@ JAMMED = 0.005
 _PART, _ALL = 8, 15  # collision bits where only robot and part look for contacts
 
 Index = NDArray[np.int64]
+_NONE: tuple[Index, Array] = (np.empty((0, 2), np.int64), np.empty(0))
 
 
 class Probe:
@@ -60,7 +61,7 @@ class Probe:
         return np.isin(np.arange(self.model.ngeom), ids)
 
     def reset(self, body: int) -> None:
-        """Everything shut again; the part that is asked about is this body."""
+        """Everything shut again; the part that `blocked` is asked about is this body."""
         mujoco.mj_resetData(self.model, self.data)
         self.limit(self.model, body)
         mujoco.mj_kinematics(self.model, self.data)
@@ -78,6 +79,8 @@ class Probe:
         self.data.qpos[part.address] = value
         mujoco.mj_kinematics(self.model, self.data)
         mujoco.mj_collision(self.model, self.data)
+        if not self.data.ncon:
+            return _NONE
         contact = self.data.contact
         return np.array(contact.geom, np.int64).reshape(-1, 2), np.array(contact.dist)
 
