@@ -19,10 +19,11 @@ Logits = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class Sense:
-    """Rules by class index: least groups of every room type, (number, group) at most, class → companions, (class,
-    guest, number of guests at least)."""
+    """Rules by class index: least and kept groups of every room type, (number, group) at most, class → companions,
+    (class, guest, number of guests at least)."""
 
     least: tuple[tuple[tuple[int, ...], ...], ...]
+    keep: tuple[tuple[tuple[int, ...], ...], ...]
     most: tuple[tuple[int, tuple[int, ...]], ...]
     needs: tuple[tuple[int, tuple[int, ...]], ...]
     company: tuple[tuple[int, int, int], ...]
@@ -36,8 +37,12 @@ def sense() -> Sense:
     def indices(names: list[str]) -> tuple[int, ...]:
         return tuple(CATEGORIES.index(name) for name in names)
 
+    def by_room(rule: str) -> tuple[tuple[tuple[int, ...], ...], ...]:
+        return tuple(tuple(indices(group) for group in table[rule].get(kind, [])) for kind in ROOM_TYPES)
+
     return Sense(
-        tuple(tuple(indices(group) for group in table["least"].get(kind, [])) for kind in ROOM_TYPES),
+        by_room("least"),
+        by_room("keep"),
         tuple((int(number), indices(group)) for number, groups in table["most"].items() for group in groups),
         tuple((CATEGORIES.index(name), indices(group)) for name, group in table["needs"].items()),
         tuple(
@@ -51,12 +56,13 @@ def sense() -> Sense:
 def essentials(categories: list[str], kind: str, wishes: Counter[str]) -> frozenset[int]:
     """Indices of what a room of a type cannot be without.
 
-    One of each least group, what was wished for, and the only thing that others there are of use with.
+    One of each least or kept group, what was wished for, and the only thing that others there are of use with.
     """
     found: set[int] = set()
     for category, number in wishes.items():
         found.update([i for i, name in enumerate(categories) if name == category][:number])
-    for group in sense().least[ROOM_TYPES.index(kind)]:
+    room = ROOM_TYPES.index(kind)
+    for group in sense().least[room] + sense().keep[room]:
         names = {CATEGORIES[c] for c in group}
         found.update([i for i, name in enumerate(categories) if name in names][:1])
     for dependent, companions in sense().needs:

@@ -1,5 +1,7 @@
 """Things stand where people put them: hoods over hobs, rugs under tables, kitchens in a row, mirrors over basins."""
 
+from collections import Counter
+
 import numpy as np
 import pytest
 from rooms_for_tests import some_rooms
@@ -10,8 +12,9 @@ from stages.categories import CATEGORIES, TABLE
 from stages.layout.projection import Item, project
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.habits import habits
-from stages.layout.projection.partners import LOW_RUN
+from stages.layout.projection.partners import LOW_RUN, around, long_enough
 from stages.layout.projection.space import Space, space_of
+from stages.layout.sense import essentials
 
 KITCHEN = ["fridge", "kitchen_sink", "kitchen_base", "hob", "hood", "wall_unit"]
 
@@ -90,6 +93,41 @@ def test_the_television_stands_across_from_the_sofa() -> None:
     assert met >= 6
 
 
+def test_the_television_stands_where_the_sofa_looks() -> None:
+    aside = []
+    for seed in range(8):
+        found, _ = settled(["sofa", "tv_stand", "coffee_table"], seed)
+        if {"sofa", "tv_stand"} <= set(found) and in_frame(found["tv_stand"], found["sofa"])[0] > 1.2:
+            aside.append(abs(in_frame(found["tv_stand"], found["sofa"])[1]))
+    assert len(aside) >= 6 and np.median(aside) < 0.1
+
+
+def test_there_is_floor_before_a_toilet() -> None:
+    blocked = 0
+    for seed in range(8):
+        found, _ = settled(["toilet", "vanity", "shower", "stool"], seed)
+        toilet = found["toilet"]
+        for other in found.values():
+            far, aside = in_frame(other, toilet)
+            near = far - toilet.size[0] / 2 - other.size[:2].min() / 2 < 0.4
+            blocked += other is not toilet and far > 0 and near and abs(aside) < toilet.size[1] / 2
+    assert blocked <= 1
+
+
+def test_a_table_is_long_enough_for_its_chairs() -> None:
+    assert long_enough(np.array([0.9, 1.0, 0.75]), 4)[1] == 1.0
+    for chairs in (5, 6, 8):
+        grown = long_enough(np.array([0.9, 1.0, 0.75]), chairs)
+        one = Boxes(np.zeros((1, 3)), grown[None], np.zeros(1))
+        assert len(around(np.array([0.5, 0.5, 0.9]), one)) >= chairs
+
+
+def test_a_shower_stays_where_a_cabinet_could_go() -> None:
+    names = ["vanity", "toilet", "shower", "laundry_basket"]
+    kept = essentials(names, "bathroom", Counter())
+    assert kept == {0, 1, 2}
+
+
 def test_bins_stand_out_of_the_way() -> None:
     for seed in range(8):
         found, space = settled(["bin", "plant"], seed)
@@ -117,7 +155,7 @@ def test_radiators_hang_below_windows() -> None:
 def test_a_chair_for_which_a_table_has_no_seat_does_not_stand_about() -> None:
     for seed in range(4):
         space = space_of(some_rooms(8, 0), seed)
-        names = ["dining_table"] + ["chair"] * 9
+        names = ["round_table"] + ["chair"] * 9
         done = project(strewn(names, np.random.default_rng(seed)), space, essential={0})
         placed = [item for item in done if item.cost < BROKEN]
         assert len(placed) < len(done)

@@ -85,6 +85,25 @@ def middle(center: Array, size: Array, space: Space) -> Boxes:
     return _boxes(np.repeat(spots, 2, 0), np.tile(turns, 3), center[2], size)
 
 
+def across(center: Array, size: Array, space: Space, seats: Boxes) -> Boxes:
+    """At the wall that each seat looks at, in the middle of its view."""
+    at, yaw = [], []
+    for seat, turn in zip(seats.center[:, :2], seats.yaw, strict=True):
+        ahead = np.array([np.cos(turn), np.sin(turn)])
+        facing = space.normal @ ahead
+        with np.errstate(divide="ignore", invalid="ignore"):
+            far = ((space.start - seat) * space.normal).sum(1) / facing
+            along = ((seat + far[:, None] * ahead - space.start) * space.along).sum(1)
+        met = (facing < -0.9) & (far > 0) & (along > 0) & (along < space.length) & (space.length > size[1] + GAP)
+        if not met.any():
+            continue
+        k = int(np.argmin(np.where(met, far, np.inf)))
+        slid = np.clip(along[k], (size[1] + GAP) / 2, space.length[k] - (size[1] + GAP) / 2)
+        at.append(space.start[k] + slid * space.along[k] + space.normal[k] * (size[0] / 2 + GAP))
+        yaw.append(np.arctan2(space.normal[k, 1], space.normal[k, 0]))
+    return _boxes(np.array(at).reshape(-1, 2), np.array(yaw), center[2], size)
+
+
 def under_windows(center: Array, size: Array, space: Space) -> Boxes:
     """At the wall, in the middle of every window."""
     spans = space.spans[space.window]

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
-from stages.categories import SEATS
+from stages.categories import SEATS, TABLE
 from stages.layout.projection.partners import SOFAS
 from stages.layout.projection.space import Space, outside
 
@@ -16,11 +16,11 @@ FACED = 2.0
 SIDES = {"double_bed": 0.6}
 """Floor at either side to get in from, m."""
 SIDE = 1.5
-ASIDE = frozenset({"bin", "plant", "laundry_basket", "floor_lamp", "coat_rack", "bench"})
+ASIDE = frozenset({"bin", "plant", "laundry_basket", "floor_lamp", "coat_rack", "bench", "stool"})
 """What stands at a wall, out of the way; elsewhere it costs OPEN metres."""
 OPEN = 2.5
-MIRRORED = frozenset({"vanity"})
-"""What has a mirror above it and had better not stand below a window, where it costs DAZZLED metres."""
+MIRRORED = frozenset({"vanity", "tv_stand"})
+"""What has a mirror or a screen above it and had better not stand below a window, where it costs DAZZLED metres."""
 DAZZLED = 1.5
 OVERHEAD = frozenset({"water_heater"})
 """What had better not hang over anything; there it costs as much as OPEN."""
@@ -29,6 +29,14 @@ KEPT_OFF = frozenset({"dining_table", "round_table", "desk"})
 LOUNGE = 1.3
 ELBOW = 0.85
 """A seat nearer than this to another, m, costs as much as OPEN: two people sit across a table, not side by side."""
+BEFORE = {"toilet": 0.45}
+"""Floor to be kept free before it, m; where it is not, a place costs CRAMPED metres."""
+CRAMPED = 2.0
+ABOVE = frozenset({"wall_unit"})
+"""What hangs above something that stands on the floor; elsewhere it costs BARE metres."""
+BARE = 2.5
+WORKTOP = 1.3
+"""What is lower has something hung above it, m."""
 CROWD = 1.5
 """Another lamp on the ceiling this near, m, costs as much."""
 
@@ -40,11 +48,15 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
         total += FACED * (outside(_before(found, VIEW[category]), space) > 0.05)
     if category in SIDES:
         for sign in (1.0, -1.0):
-            strip = _aside(found, SIDES[category], sign)
-            taken = outside(strip, space) > 0.05
-            if standing.n:
-                taken |= (penetration(strip, standing) > 0.05).any(1)
-            total += SIDE * taken
+            total += SIDE * _taken(_aside(found, SIDES[category], sign), space, standing)
+    if category in BEFORE:
+        total += CRAMPED * _taken(_before(found, BEFORE[category]), space, standing)
+    for name, depth in BEFORE.items():
+        kept = _before(standing.take(np.array([other == name for other in names], bool)), depth)
+        if kept.n and TABLE[category].place == "floor":
+            total += CRAMPED * (penetration(found, kept) > 0.05).any(1)
+    if category in ABOVE:
+        total += BARE * ~_over(found, standing, names)
     if category in MIRRORED and space.window.any():
         tall = Boxes(found.center * [1, 1, 0] + [0, 0, 1.0], found.size * [1, 1, 0] + [0, 0, 2.0], found.yaw)
         total += DAZZLED * (penetration(tall, space.zones.take(space.window)) > 0.01).any(1)
@@ -67,6 +79,19 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
             apart = np.linalg.norm(found.center[:, None, :2] - lamps.center[None, :, :2], axis=-1).min(1)
             total += 2 * np.maximum(CROWD - apart, 0)
     return total
+
+
+def _taken(strip: Boxes, space: Space, standing: Boxes) -> NDArray[np.bool_]:
+    """Which strips of floor (n,) are beyond the walls or stood upon."""
+    taken = outside(strip, space) > 0.05
+    return np.asarray(taken | (penetration(strip, standing) > 0.05).any(1) if standing.n else taken)
+
+
+def _over(found: Boxes, standing: Boxes, names: list[str]) -> NDArray[np.bool_]:
+    """Which places (n,) have a worktop or the like under them."""
+    low = [TABLE[name].place == "floor" for name in names] & (standing.size[:, 2] < WORKTOP)
+    flat = [Boxes(b.center * [1, 1, 0], b.size * [1, 1, 0] + [0, 0, 1], b.yaw) for b in (found, standing.take(low))]
+    return np.asarray((penetration(*flat) > 0.1).any(1))
 
 
 def _before(found: Boxes, depth: float) -> Boxes:

@@ -20,6 +20,8 @@ FLUSH = 2.0
 """A place flush beside the next unit of a run is worth a way of this many metres."""
 WATCH = 6.0
 """A television across from the sofa is worth a way of this many metres."""
+OFF_AXIS = 1.5
+"""So much less a metre that it stands aside of where the sofa looks."""
 SOFAS = ("sofa", "corner_sofa")
 TABLES = ("dining_table", "island", "balcony_table")
 BEDS = ("double_bed", "single_bed")
@@ -66,6 +68,32 @@ def bedsides(size: Array, beds: Boxes) -> tuple[Boxes, Boxes]:
     return one, two
 
 
+def around(size: Array, tables: Boxes) -> list[Boxes]:
+    """Seats about each table, (n,) boxes a seat, as many as fit the first one."""
+    spots = _seats(size, tables.size[0], TUCK, all_round=True)
+    c, s = np.cos(tables.yaw), np.sin(tables.yaw)
+    return [
+        Boxes(
+            np.column_stack([
+                tables.center[:, 0] + ahead * c - left * s,
+                tables.center[:, 1] + ahead * s + left * c,
+                np.full(tables.n, size[2] / 2),
+            ]),
+            np.broadcast_to(extent, (tables.n, 3)),
+            tables.yaw + turn,
+        )
+        for ahead, left, turn, extent in spots
+    ]
+
+
+def long_enough(size: Array, seats: int) -> Array:
+    """A table's size, as wide as so many seats need, where there are tables of that width."""
+    widest, width = TABLE["dining_table"].max[1], float(size[1])
+    ends = 2 * max(1, int(size[0] / SEAT))
+    needed = SEAT * np.ceil((seats - ends) / 2) + GAP
+    return np.array([size[0], min(max(width, needed), max(width, widest)), size[2]])
+
+
 def in_run(category: str, found: Boxes, others: Boxes, names: list[str]) -> NDArray[np.bool_]:
     """Which candidate places (n,) stand flush beside a unit of the same run, backs in line."""
     units = np.array([name in RUN and (name in HUNG) == (category in HUNG) for name in names], bool)
@@ -94,8 +122,9 @@ def watched(found: Boxes, others: Boxes, names: list[str]) -> Array:
     seen = (ahead > np.cos(np.deg2rad(40))) & (away > 1.4)
     # Straight ahead is best, from the side better than not at all; nobody turns round for it.
     least = np.cos(np.deg2rad(50))
+    aside = np.abs(away * np.sqrt(np.maximum(1 - met**2, 0)))
     view = np.where(met > least, 0.5 + 0.5 * (met - least) / (1 - least), np.where(met > 0, 0.3, 0.0))
-    return np.asarray((seen * WATCH * view).max(1))
+    return np.asarray((seen * (WATCH * view - OFF_AXIS * np.minimum(aside, 1.0))).max(1).clip(0))
 
 
 def _spots(habit: Habit, category: str, partner: str, size: Array, extent: Array) -> Spots:

@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from stages.boxes import Boxes
 from stages.categories import TABLE
-from stages.layout.projection import candidates, comfort
+from stages.layout.projection import candidates, comfort, partners
 from stages.layout.projection.costs import BROKEN, cost
 from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import FLUSH, bedsides, beside, in_run, watched
+from stages.layout.projection.partners import FLUSH, SOFAS, bedsides, beside, in_run, watched
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing
 from stages.layout.projection.supports import on_support
@@ -25,6 +25,9 @@ FLUSH_WITH = 0.03
 WINDOW_MARGIN = 0.15
 ROOM_BESIDE = 1.0
 """Room for a nightstand is worth a shift of the bed by as much, m."""
+SEAT_LOST = 1.5
+"""So is room for one chair more of a table."""
+EATEN_AT = frozenset({"dining_table", "round_table"})
 LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
 MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}
@@ -57,12 +60,17 @@ def place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
     if item.category in AT_WINDOWS:
         parts.append(candidates.under_windows(item.center, item.size, space))
         liked.append(np.full(parts[-1].n, AT_WINDOWS[item.category]))
+    if item.category == "tv_stand":
+        sofas = standing.take(np.array([name in SOFAS for name in names], bool))
+        parts.append(candidates.across(item.center, item.size, space, sofas))
+        liked.append(np.zeros(parts[-1].n))
     found, bonus = candidates.join(parts), np.concatenate(liked)
     bonus += FLUSH * in_run(item.category, found, standing, names)
     if item.category == "tv_stand":
         bonus += watched(found, standing, names)
     prices = cost(found, item.category, item.center, item.yaw, others, space)
     prices += ROOM_BESIDE * _bedsides_lost(item, found, room, space)
+    prices += SEAT_LOST * _seats_lost(item, found, room, space)
     fits = prices < BROKEN
     prices[fits] += (comfort.price(item.category, found, space, standing, names) - bonus)[fits]
     best = int(np.argmin(prices))
@@ -83,6 +91,18 @@ def _bedsides_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Ar
     for places in bedsides(stand.size, found):
         free += cost(places, stand.category, stand.center, stand.yaw, others, space) - _way(places, stand) < BROKEN
     return np.asarray(np.maximum(len(waiting) - free, 0))
+
+
+def _seats_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Array:
+    """How many seats that have no place yet would find none at a table in each of its places, (n,)."""
+    waiting = [k for k, o in enumerate(room.items) if not room.there[k] and o.category == "chair"]
+    if not waiting or item.category not in EATEN_AT or not found.n:
+        return np.zeros(found.n)
+    chair = room.items[waiting[0]]
+    others, seats = room.others(waiting[0], chair), np.zeros(found.n)
+    for places in partners.around(chair.size, found):
+        seats += cost(places, chair.category, chair.center, chair.yaw, others, space) - _way(places, chair) < BROKEN
+    return np.asarray(np.maximum(len(waiting) - seats, 0))
 
 
 def _way(places: Boxes, item: Item) -> Array:

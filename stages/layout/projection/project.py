@@ -11,7 +11,7 @@ from stages.categories import SEATS, TABLE
 from stages.layout.projection import passage, runs
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import SOFAS, WATCH, watched
+from stages.layout.projection.partners import SOFAS, WATCH, long_enough, watched
 from stages.layout.projection.placing import place
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item, Standing
@@ -26,8 +26,8 @@ ASTRAY = 0.35
 
 def project(items: list[Item], space: Space, essential: Container[int] = ()) -> list[Item]:
     """The items in their order, each at its place; the `essential` ones choose before others of their kind."""
-    wanted = runs.alike([replace(item, size=_clamped(item, space)) for item in items])
-    order = sorted(range(len(items)), key=lambda i: _rank(wanted[i], wanted, i in essential))
+    wanted = _laid(runs.alike([replace(item, size=_clamped(item, space)) for item in items]))
+    order = sorted(range(len(items)), key=lambda i: _rank(i, wanted, essential))
     room = Standing(wanted)
     runs.place(runs.line(wanted), room, space)
     for i in order:
@@ -55,6 +55,17 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
     if out is not None:
         room.items[out].cost += BROKEN
     return room.items
+
+
+def _laid(items: list[Item]) -> list[Item]:
+    """The items, the only dining table long enough for the chairs."""
+    chairs = sum(item.category == "chair" for item in items)
+    tables = [i for i, item in enumerate(items) if item.category == "dining_table"]
+    if len(tables) != 1:
+        return items
+    table = items[tables[0]]
+    laid = replace(table, size=long_enough(table.size, chairs))
+    return [laid if item is table else item for item in items]
 
 
 def _turn_to_screen(order: list[int], wanted: list[Item], room: Standing, space: Space) -> None:
@@ -119,8 +130,9 @@ def _clamped(item: Item, space: Space) -> Array:
     return np.asarray(size)
 
 
-def _rank(item: Item, items: list[Item], essential: bool) -> tuple[int, bool, float]:
+def _rank(i: int, items: list[Item], essential: Container[int]) -> tuple[int, bool, float]:
     """Parents before children, floor before walls before what stands on top; large before small."""
+    item, first = items[i], i in essential
     kind = TABLE[item.category]
     level = {"floor": 0, "wall": 3, "top": 4, "flat": 5, "ceiling": 6}[kind.place]
     if kind.place == "floor" and kind.belongs and any(other.category in kind.belongs for other in items):
@@ -128,12 +140,17 @@ def _rank(item: Item, items: list[Item], essential: bool) -> tuple[int, bool, fl
         if item.category == "nightstand":
             return 0, False, 0.0
         level = 1
+    tables = [k for k, other in enumerate(items) if other.category in ("dining_table", "round_table")]
+    if item.category == "chair" and tables:
+        # Right after the table, as armchairs and cabinets would take their places.
+        level, late, size = max(_rank(k, items, essential) for k in tables)
+        return level, late, size + 0.01
     sofas = [float(other.size[0] * other.size[1]) for other in items if other.category in SOFAS]
     if item.category == "tv_stand" and sofas:
         # Right after the sofas: the place across from them shall not be taken.
-        return level, not essential, 0.01 - min(sofas)
-    essential &= not (item.category == "armchair" and bool(sofas))
-    return level, not essential, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
+        return level, not first, 0.01 - min(sofas)
+    first &= not (item.category == "armchair" and bool(sofas))
+    return level, not first, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
 
 
 def _shapes(item: Item, attempt: int) -> list[Item]:
