@@ -14,7 +14,7 @@ NOTE = (
     "the plan that was built, against the graph and areas an architect would write for the prompt."
 )
 SETTINGS = ["tune", "held"]
-SCENES, CHUNK = 500, 10
+SCENES, CHUNK = 600, 10
 FIGURES = ["S_node", "S_constraint", "S_constraint, stated", "S_edge", "built"]
 
 
