@@ -1,5 +1,6 @@
 """Which objects keep a robot from something."""
 
+from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -37,6 +38,12 @@ class View:
         cells = np.asarray(self.space.open & (count == 0))
         return not reach.survey(self.space, [it] if it else [], self.reach, cells, only=(self.target,)).missed
 
+
+    @property
+    def key(self) -> Hashable:
+        """What the view's answers depend on."""
+        shapes = tuple((o.id, o.center, o.size, o.yaw) for o in self.scene.values())
+        return self.target, shapes, self.space.entry.tobytes()
 
     def may_help(self, o: Furnishing) -> bool:
         """Whether any floor is joined to what the robot gets to when an object goes; else that can't change a thing."""

@@ -5,7 +5,7 @@ a smaller one, nudged, given another place in its room, or the least important a
 nothing else is lost by it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from itertools import chain
 
 import numpy as np
@@ -32,27 +32,30 @@ def connect(site: Site, scene: Scene) -> tuple[Ways, list[Step]]:
     What a room does not do without is left out only when nothing else is left to try.
     """
     steps: list[Step] = []
-    now, shut = ways(site, scene), set(missed(site, ()))
+    now, shut, failed = ways(site, scene), set(missed(site, ())), set[Hashable]()
     while True:
         for essential in (False, True):
-            now, taken = _tried(site, now, shut, essential)
+            now, taken = _tried(site, now, shut, essential, failed)
             steps += taken
         if not steps or set(missed(site, now.scene)) <= now.missed:
             return now, steps
         now = ways(site, now.scene)
 
 
-def _tried(site: Site, now: Ways, shut: set[str], essential: bool) -> tuple[Ways, list[Step]]:
+def _tried(
+    site: Site, now: Ways, shut: set[str], essential: bool, failed: set[Hashable]
+) -> tuple[Ways, list[Step]]:
     """Repair all that can be.
 
-    What not even an empty home lets the robot get to (`shut`), furniture can't help.
+    What not even an empty home lets the robot get to (`shut`), furniture can't help; what `failed` is not tried again
+    while nothing about it changes.
     """
     steps: list[Step] = []
     given_up: set[str] = set()
     while todo := [name for name in _ordered(site, now) if name not in given_up
                    and name not in shut and not rooms(site, now.scene, name) <= shut]:
         target = _nearest(site, now, todo)
-        repair, left = _repaired(site, now, target, essential)
+        repair, left = _repaired(site, now, target, essential, failed)
         if left is None:
             given_up.add(target)
             continue
@@ -80,19 +83,25 @@ def _nearest(site: Site, now: Ways, todo: list[str]) -> str:
     return next((target for target in todo if not entered.isdisjoint(rooms(site, now.scene, target))), todo[0])
 
 
-def _repaired(site: Site, now: Ways, target: str, essential: bool) -> tuple[Repair, Ways | None]:
+def _repaired(
+    site: Site, now: Ways, target: str, essential: bool, failed: set[Hashable]
+) -> tuple[Repair, Ways | None]:
     """The first changes that let the robot get to `target` and to all it got to before, and the ways then.
 
     Where several objects block together and no single change helps, the least important of them goes, as a step on
     the way. With `essential`, what must stay may become another kind, and what matters less makes room for it.
     """
     scene, here = now.scene, view(site, now.scene, target)
+    question = here.key
+    if (question, essential) in failed:
+        return (), None
     single, joint = blockers(site, scene, here)
     loose = importance.droppable(site, scene, 2 if essential else 1) if site.config.drop else []
     able = [*single, *(o for o in scene if o.id == target)]
     gone = [(dropped(o, placing.carried(o, scene), target),) for o in loose]
-    whole = chain(((change,) for change in _changes(site, scene, here, able)),
-                  making_room(site, now, here, able) if essential else ())
+    # What did not help without the last resorts does not help now.
+    kept = () if (question, False) in failed else _changes(site, scene, here, able)
+    whole = chain(((change,) for change in kept), making_room(site, now, here, able) if essential else ())
     steps = (repair for repair in gone if repair[0].object in joint and not single)
     final = (repair for repair in gone if repair[0].object in able)
     for repairs, reaches in ((whole, True), (steps, False), (final, True)):
@@ -100,6 +109,7 @@ def _repaired(site: Site, now: Ways, target: str, essential: bool) -> tuple[Repa
             left = after(site, now, merged(repair))
             if left.missed < now.missed or (not reaches and left.missed == now.missed):
                 return repair, left
+    failed.add((question, essential))
     return (), None
 
 
