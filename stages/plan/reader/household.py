@@ -4,6 +4,7 @@ import math
 
 from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
 from stages.plan.reader.mention import RoomPhrase
+from stages.plan.reader.owned import own
 from stages.plan.reader.traits import lay
 
 CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
@@ -66,7 +67,7 @@ class Household:
         if "suite" in phrase.labels and not any(o.type == "bathroom" for o in phrase.owned):
             phrase.owned.append(RoomPhrase("bathroom", {"ensuite"}, quantifier="each"))
         for owned in phrase.owned:
-            self._own(owned, found, phrase.quantifier in PAIRED)
+            own(self, owned, found, phrase.quantifier in PAIRED)
         return found
 
     def _ban(self, phrase: RoomPhrase) -> None:
@@ -276,37 +277,3 @@ class Household:
         if phrase.type in self.totals and known:
             return [e for e in known if e.owner is None and not e.picked][:1] or known[:1]
         return self.add(phrase.type)
-
-    def _own(self, owned: RoomPhrase, owners: list[Entity], all_of_them: bool = False) -> None:
-        """Rooms that open off their owners."""
-        if not owners or owned.negated:
-            return
-        every = all_of_them or owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
-        made: list[Entity] = []
-        if owned.type == "bathroom" and owned.count and len(owners) > 1:
-            owners, owned.count, every = owners[: int(owned.count)], None, True
-        for owner in owners if every else owners[:1]:
-            count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))
-            found = self._claim(owned, count)
-            found = [e for e in found if e is not owner]
-            for entity in found:
-                entity.owner = owner
-            made += found
-        lay(owned, made)
-        self.refs[id(owned)] = made
-        for inner in owned.owned:
-            self._own(inner, made)
-
-    def _claim(self, owned: RoomPhrase, count: int) -> list[Entity]:
-        free = [
-            e for e in self.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}
-        ]
-        within = (
-            owned.type in self.totals
-            or any(e.counted for e in free)
-            or owned.quantifier == "the"
-            or owned.type in ("kitchen", "dining_room")
-        )
-        named = [e for e in free if "ensuite" in e.labels]
-        found = (named or (free if within else []))[:count]
-        return found + self.add(owned.type, count - len(found))

@@ -1,0 +1,46 @@
+"""Rooms that belong to others: an ensuite to its bedroom, a walk-in wardrobe to each of two."""
+
+from typing import TYPE_CHECKING
+
+from stages.plan.reader.entity import Entity
+from stages.plan.reader.mention import RoomPhrase
+from stages.plan.reader.traits import lay
+
+if TYPE_CHECKING:
+    from stages.plan.reader.household import Household
+
+
+def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them: bool = False) -> None:
+    """Rooms that open off their owners."""
+    if not owners or owned.negated:
+        return
+    every = all_of_them or owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
+    made: list[Entity] = []
+    if owned.type == "bathroom" and owned.count and len(owners) > 1:
+        owners, owned.count, every = owners[: int(owned.count)], None, True
+    for owner in owners if every else owners[:1]:
+        count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))
+        found = _claim(home, owned, count)
+        found = [e for e in found if e is not owner]
+        for entity in found:
+            entity.owner = owner
+        made += found
+    lay(owned, made)
+    home.refs[id(owned)] = made
+    for inner in owned.owned:
+        own(home, inner, made)
+
+
+def _claim(home: "Household", owned: RoomPhrase, count: int) -> list[Entity]:
+    free = [
+        e for e in home.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}
+    ]
+    within = (
+        owned.type in home.totals
+        or any(e.counted for e in free)
+        or owned.quantifier == "the"
+        or owned.type in ("kitchen", "dining_room")
+    )
+    named = [e for e in free if "ensuite" in e.labels]
+    found = (named or (free if within else []))[:count]
+    return found + home.add(owned.type, count - len(found))
