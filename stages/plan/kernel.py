@@ -95,7 +95,7 @@ def _stamp() -> int:
 
 def _compiled(stamp: int):
     # numba's cache of a function sees changes in its own file only; a captured value is part of the key, too.
-    @njit(cache=True, no_cfunc_wrapper=True, **COMPILED)
+    @njit(cache=True, no_cfunc_wrapper=True, **COMPILED)  # type: ignore[call-overload]
     def anneal(p, t, new, best, z, rng, steps, hot, cold):
         cost = low = lack = np.inf
         valid, temperature, cooling, last = stamp < 0, hot, (cold / hot) ** (1 / steps), steps
