@@ -32,6 +32,8 @@ ELBOW = 0.85
 BEFORE = {"toilet": 0.45}
 """Floor to be kept free before it, m; where it is not, a place costs CRAMPED metres."""
 CRAMPED = 2.0
+DRAWN = {"chair": 0.35}
+"""Floor behind a seat to draw it back, m; where there is none, a place costs CRAMPED metres."""
 ABOVE = frozenset({"wall_unit"})
 """What hangs above something that stands on the floor; elsewhere it costs BARE metres."""
 BARE = 2.5
@@ -51,6 +53,9 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
             total += SIDE * _taken(_aside(found, SIDES[category], sign), space, standing)
     if category in BEFORE:
         total += CRAMPED * _taken(_before(found, BEFORE[category]), space, standing)
+    if category in DRAWN:
+        turned = Boxes(found.center, found.size, found.yaw + np.pi)
+        total += CRAMPED * _taken(_before(turned, DRAWN[category]), space, standing)
     for name, depth in BEFORE.items():
         kept = _before(standing.take(np.array([other == name for other in names], bool)), depth)
         if kept.n and TABLE[category].place == "floor":
