@@ -12,6 +12,8 @@ from stages.plan.weights import WEIGHTS
 
 THROUGH = ("hallway", "living_room", "dining_room", "kitchen")
 """Rooms that lead to other rooms; bedrooms and bathrooms lead to what belongs to them only."""
+BELONGING = ("bathroom", "closet", "balcony", "storage", "utility", "study")
+"""Rooms that may be part of a suite, entered through a bedroom or bathroom alone."""
 
 
 def neighbours(program: Program) -> dict[str, list[str]]:
@@ -136,9 +138,15 @@ def _check_through(program: Program, types: Mapping[str, str], near: dict[str, l
             if there not in open_to:
                 open_to.add(there)
                 queue.append(there)
+    # A suite's own rooms lead to one another: bedroom, dressing room, bathroom.
+    own = {room.id for room in program.rooms if room.type in BELONGING or room.private_to}
+    queue = deque(room for room in types if room in open_to and types[room] in ("bedroom", "bathroom"))
+    while queue:
+        for there in near[queue.popleft()]:
+            if there in own and there not in open_to:
+                open_to.add(there)
+                queue.append(there)
     for room in program.rooms:
-        owner = [r for r in near[room.id] if types[r] in ("bedroom", "bathroom") and r in open_to]
-        belongs = room.type in ("bathroom", "closet", "balcony", "storage", "utility", "study") or room.private_to
-        if room.id not in open_to and not (owner and belongs):
+        if room.id not in open_to:
             through = near[room.id][0]
             raise Unmet(f"{room.id} can only be reached through {through}: link it to a hallway or living room")

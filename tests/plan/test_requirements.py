@@ -6,7 +6,7 @@ from plan.flats import within
 
 from schemas.errors import BadInput, Unmet
 from schemas.plan import Program
-from stages.plan import PlanConfig, build
+from stages.plan import PlanConfig, build, validate
 from stages.plan.check import check
 from stages.plan.relax import ladder, spare_links, with_hallway
 from stages.plan.slicing import TERMS
@@ -68,6 +68,16 @@ def test_wrong_programmes_are_refused_with_the_place() -> None:
     with pytest.raises(BadInput, match="program.weights"):
         wrong = archetypes()["studio"].model_copy(update={"weights": {"beauty": 2.0}})
         build(wrong, PlanConfig(), np.random.default_rng(0))
+
+
+def test_a_suite_may_lead_from_room_to_room() -> None:
+    flat = {"living_room_1": 20.0, "kitchen_1": 9.0, "bedroom_1": 14.0, "closet_1": 5.0, "bathroom_1": 5.0}
+    chain = [("living_room_1", "kitchen_1"), ("living_room_1", "bedroom_1"), ("bedroom_1", "closet_1")]
+    suite = programme(flat, [*chain, ("closet_1", "bathroom_1")], complete=True)
+    made = build(suite, PlanConfig(), np.random.default_rng(0))
+    assert not made.relaxed and not validate(made)
+    with pytest.raises(Unmet, match="kitchen_1 can only be reached through bathroom_1"):
+        check(programme(flat, [*chain[1:], ("closet_1", "bathroom_1"), ("bathroom_1", "kitchen_1")]))
 
 
 def test_the_ladder_gives_up_one_thing_more_at_a_time() -> None:
