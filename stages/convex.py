@@ -113,6 +113,8 @@ def meet(a: Hulls, b: Hulls, clear: float) -> bool:
     Directions that part two solids are looked for among their axes, then by Gilbert's algorithm, then among the
     normals of their faces. Edges that pass each other even closer than rounding may count as meeting.
     """
+    if not len(a.points) or not len(b.points):
+        return False
     (low, high), (lo, hi) = a.bounds, b.bounds
     close = (low[:, None] < hi[None] + clear).all(-1) & (lo[None] < high[:, None] + clear).all(-1)
     i, j = np.nonzero(close)

@@ -6,6 +6,7 @@ from schemas.errors import BadInput
 from schemas.retrieve import Joint
 from stages.asset import Asset, Link, Material, Mesh
 from stages.categories import DRAWER_TRAVEL, TABLE, leaves
+from stages.solids import slab
 
 FRONT = 0.02
 
@@ -57,8 +58,9 @@ class Boxes:
         corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * np.array(size) / 2
         mesh = Mesh(corners, FACES, Material("plain"))
         name = "x".join(f"{s:.3f}" for s in size)
-        moving = [Link(joint.name, [], [], 1.0, joint) for joint in joints(category, size)]
-        return Asset("boxes", name, category, "plain", size, [Link("body", [mesh], [], 1.0), *moving])
+        half = np.array(size) / 2
+        moving = [Link(joint.name, [], [slab(*joint.extent)], 1.0, joint) for joint in joints(category, size)]
+        return Asset("boxes", name, category, "plain", size, [Link("body", [mesh], [slab(-half, half)], 1.0), *moving])
 
     def alternatives(self, category, size, latent):
         return []

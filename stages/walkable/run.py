@@ -13,6 +13,7 @@ from stages.walkable import importance, repair
 from stages.walkable.blocking import missed
 from stages.walkable.blocking import rooms as rooms_of
 from stages.walkable.config import WalkableConfig
+from stages.walkable.kept import Kept
 from stages.walkable.leaves import building
 from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
 from stages.walkable.parts import Check, Fault
@@ -30,7 +31,7 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
     Raises Unmet (unless `write_anyway`), naming the rooms, when the target can't be met, and when the robot does not
     get somewhere for what a room can't do without.
     """
-    site = survey(previous, config, library, importance.needs(previous))
+    site = survey(previous, config, Kept(library), importance.needs(previous))
     start: Scene = tuple(previous.objects)
     whole = [room.id for room in previous.rooms]
     parts = [[room] for room in whole] if config.scope == "rooms" else [whole]
@@ -48,7 +49,7 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
         now = ways(site, scene) if now and taken else now
     faults: list[Fault] = []
     if config.unblock:
-        scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(library)), now)
+        scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(site.library)), now)
         steps += taken
     unreached = missed(site, scene) if now and now.missed else []
     _check(site, scene, parts)

@@ -1,0 +1,68 @@
+"""What is kept to be quick gives the answers it stands for."""
+
+import boxes_library as fake
+import handmade as h
+import numpy as np
+import pytest
+from crowded import FIRST, crowded
+
+from stages import convex, reach, retrieve
+from stages.categories import TABLE
+from stages.walkable import WalkableConfig, importance
+from stages.walkable.blocking import blockers, view
+from stages.walkable.kept import Kept
+from stages.walkable.optimize import area_ratio
+from stages.walkable.site import survey, swapped
+from stages.walkable.ways import after, ways
+
+
+@pytest.mark.parametrize("kind", ["bedroom", "kitchen", "bathroom", "living_room"])
+def test_ways_brought_up_to_date_are_those_looked_at_anew(kind):
+    home = crowded(1, kind)
+    site = survey(home, WalkableConfig(), fake.Boxes(), importance.needs(home))
+    rng, scene = np.random.default_rng(0), tuple(home.objects)
+    now = ways(site, scene)
+    assert now.missed == set(reach.survey(site.world, scene).missed)
+    for _ in range(25):
+        o = now.scene[int(rng.integers(len(now.scene)))]
+        x, y = rng.uniform(-0.5, 0.5, 2)
+        moved = o.model_copy(update={"center": (o.center[0] + x, o.center[1] + y, o.center[2])})
+        to = {o.id: moved if rng.random() < 0.8 else None}
+        left = after(site, now, to)
+        assert left.scene == swapped(now.scene, to)
+        assert (left.got == reach.survey(site.world, left.scene).cells).all()
+        assert left.missed == set(reach.survey(site.world, left.scene).missed)
+        if to[o.id] is not None:
+            now = left
+
+
+@pytest.mark.parametrize("kind", list(FIRST))
+def test_no_object_that_may_not_help_helps(kind):
+    for seed in range(3):
+        home = crowded(seed, kind)
+        site, scene = survey(home, WalkableConfig(), fake.Boxes(), importance.needs(home)), tuple(home.objects)
+        for target in ways(site, scene).missed:
+            here = view(site, scene, target)
+            alone = {o.id for o in scene if o.id != target and reach.in_the_way(o) and here.reaches({o.id: None})}
+            assert {o.id for o in blockers(site, scene, here)[0]} >= alone
+
+
+def test_free_floor_is_kept_by_what_stands_on_it():
+    home = crowded(0, "bedroom")
+    site, scene = survey(home, WalkableConfig(), fake.Boxes()), tuple(home.objects)
+    first = area_ratio(site, scene, [h.BEDROOM])
+    assert area_ratio(site, scene[1:], [h.BEDROOM]) > first == area_ratio(site, scene, [h.BEDROOM])
+
+
+def test_a_library_gives_the_same_asset_again():
+    libraries = retrieve.open_libraries()
+    kept, size = Kept(libraries), np.asarray(TABLE["chest"].size)
+    first = kept.nearest("chest", size, (), size)
+    assert first is kept.nearest("chest", size, (), size) is kept.load(first.library, first.id)
+    assert first.id == libraries.nearest("chest", size, (), size).id
+    assert [a.id for a in kept.alternatives("chest", size, ())] == [
+        a.id for a in libraries.alternatives("chest", size, ())]
+
+
+def test_nothing_meets_no_solid():
+    assert not convex.meet(convex.of([]), convex.of([]), 0.001)
