@@ -132,7 +132,7 @@ def connected(free: Mask) -> tuple[Labels, NDArray[np.int64]]:
     from scipy import ndimage
 
     labels = np.empty(free.shape, np.int32)
-    count = ndimage.label(free, _BY_EDGES, labels)
+    count = ndimage.label(free, _BY_EDGES, output=labels)
     sizes = np.bincount(labels.ravel(), minlength=count + 1)
     sizes[0] = 0
     return labels, sizes

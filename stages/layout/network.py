@@ -1,6 +1,7 @@
 """The denoising network: a permutation-equivariant set transformer over object slots, conditioned on the room."""
 
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 import torch
@@ -179,7 +180,7 @@ class Denoiser(nn.Module):
 
     def seen(self, room: Context) -> list[tuple[Tensor, ...]]:
         """What every block reads of the room, which is the same at every step of a sample."""
-        return [block.seen(room.tokens) for block in self.blocks]
+        return [cast(Block, block).seen(room.tokens) for block in self.blocks]
 
     def forward(self, x: Tensor, t: Tensor, room: Context) -> Tensor:
         """x (B, N, D), t (B,)."""
