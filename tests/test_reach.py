@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 from shapely.geometry import box as rectangle
 
-from stages import footprints, reach
+from schemas.retrieve import Joint
+from stages import footprints, handling, reach
+from stages.grid import Grid
 
 
 def survey(*objects, radius=0.25):
@@ -82,6 +84,47 @@ def test_a_room_of_which_much_is_cut_off_is_not_reached():
     assert survey(shelves(0.4)).rooms == []
     assert survey(shelves(1.2)).rooms == [h.BEDROOM]
 
+
+
+def test_each_part_must_be_within_an_arms_reach():
+    def desk(side):
+        """2 m wide against the north wall, with one drawer of 0.4 m at its left (1, east) or right (-1) end."""
+        lo, hi = sorted((side * 0.95, side * 0.55))
+        extent = ((-0.2, lo, 0.0), (0.25, hi, 0.2))
+        joint = Joint(name="drawer_0", type="slide", axis=(1, 0, 0), origin=(0, 0, 0), range=(0, 0.35), part="drawer",
+                      extent=extent)
+        return h.thing("desk", 2.0, 2.75, -np.pi / 2, id="desk", size=(0.5, 2.0, 0.75), joints=(joint,))
+
+    # A sofa fills the floor before the east half; the front is still got to beside it.
+    sofa = h.thing("sofa", 3.0, 1.6, size=(2.0, 1.8, 0.8))
+    east, west = survey(desk(1), sofa), survey(desk(-1), sofa)
+    assert east.closed == [] and east.opened == ["desk"]
+    assert "desk" not in west.missed and survey(desk(1)).missed == []
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.7, -np.pi / 2])
+def test_an_arm_opens_a_leaf_from_out_of_its_way(yaw):
+    size = (0.5, 0.8, 2.0)
+    door = Joint(name="door", type="hinge", axis=(0, 0, 1), origin=(0.25, 0.4, 0), range=(0, np.pi / 2), part="door",
+                 extent=((0.23, -0.4, -1.0), (0.25, 0.4, 1.0)))
+    o = h.thing("wardrobe", 2.0, 1.5, yaw, size=size, joints=(door,))
+    cells, free = Grid((0.0, 0.0), (30, 40), 0.1), np.zeros((30, 40), bool)
+    turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
+    hinge, edge = turn @ (0.25, 0.4) + (2.0, 1.5), turn @ (0.25, -0.4) + (2.0, 1.5)
+    assert turn @ handling.handle(door)[:2] + (2.0, 1.5) == pytest.approx(edge)
+    able = 0
+    for row, column in np.ndindex(30, 40):
+        free[:] = False
+        free[row, column] = True
+        if handling.standing(o, door, cells, 0.25, free):
+            at = np.array([cells.x[column], cells.y[row]])
+            able += 1
+            assert np.hypot(*(at - edge)) <= handling.ARM
+            # Before the cabinet, the leaf's quarter turn stays clear of the disc.
+            ahead, aside = turn.T @ (at - hinge)
+            swept = ahead > 0 > aside
+            assert not swept or np.hypot(ahead, aside) > 0.8 + 0.25 - 0.15
+    assert able > 5
 
 
 def test_rugs_and_lamps_are_no_obstacles():

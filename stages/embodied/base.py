@@ -15,11 +15,10 @@ SPEED, TURN = 0.5, 1.8
 """Greatest speeds, m/s and rad/s: desired_linear_vel and rotate_to_heading_angular_vel."""
 ACCELERATION, TURN_ACCELERATION = 1.0, 3.2
 """Greatest accelerations, m/s² and rad/s²; Nav2's defaults are 2.5 and 3.2."""
-WHEEL, TRACK = 0.08, 0.34
-"""Radius of the driven wheels and distance between them, m.
-
-Tyres are spheres within the column: on a flat floor they roll as discs do, with one point of contact each.
-"""
+WHEEL, TRACK = 0.08, 0.36
+"""Radius of the driven wheels and distance between them, m."""
+TYRE = 0.015
+"""Half the width of a tyre, whose round tread meets the floor in one point, m."""
 TORQUE = 6.0
 """Greatest of a wheel's motor, N·m; at the wheel's rim 75 N."""
 STIFFNESS = 10_000.0
@@ -66,6 +65,6 @@ def _wheel(name: str, side: int) -> str:
     return (
         f'<body name="{ROBOT}_{name}_wheel" pos="0 {side * TRACK / 2} {WHEEL}">'
         f'<joint name="{ROBOT}_{name}_axle" type="hinge" axis="0 1 0" armature="0.02" damping="0.01"/>'
-        f'<geom name="{ROBOT}_{name}_tyre" type="sphere" size="{WHEEL}" mass="1" '
+        f'<geom name="{ROBOT}_{name}_tyre" type="ellipsoid" size="{WHEEL} {TYRE} {WHEEL}" mass="1" '
         'friction="0.9 0.01 0.001" condim="3" priority="1"/></body>'
     )

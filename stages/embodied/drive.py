@@ -21,6 +21,8 @@ LOST = 2.0
 """A robot that stands still this long though it should drive is stuck, s."""
 FRAME = 0.2
 """Between frames of the trace, s."""
+STEP, STRIDE = 0.01, 0.025
+"""Of the simulation where something may be touched, and where nothing can be, s; a period is some of either."""
 _NEAR = 0.05  # m of clearance above which no contact can come within a period: the way driven, and half a cell
 
 
@@ -43,7 +45,6 @@ def drive(world: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
     """From the path's start, facing `yaw`, until arrival, a push harder than a graze, or `limit` seconds."""
     model, out = world.model, Drive()
     data = _standing(model, pursuit.path[0], yaw)
-    steps = round(PERIOD / model.opt.timestep)
     column = model.geom(f"{ROBOT}_column").id
     drives = [model.actuator(name).id for name in base.DRIVES]
     still, touching = 0.0, False
@@ -53,10 +54,12 @@ def drive(world: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
         speed, turn, out.done = pursuit.command(x, y, yaw)
         data.ctrl[drives] = (speed - turn * base.TRACK / 2) / base.WHEEL, (speed + turn * base.TRACK / 2) / base.WHEEL
         if planner.clearance(pursuit.floor, x, y) > base.RADIUS + _NEAR:
-            mujoco.mj_step(model, data, steps)
+            model.opt.timestep = STRIDE
+            mujoco.mj_step(model, data, round(PERIOD / STRIDE))
             push, what = 0.0, -1
         else:
-            push, what = felt(model, data, steps, column)
+            model.opt.timestep = STEP
+            push, what = felt(model, data, round(PERIOD / STEP), column)
         out.touches += push > 0 and not touching
         touching = push > 0
         if push > out.push:

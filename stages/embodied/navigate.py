@@ -17,8 +17,6 @@ from stages.embodied.planner import Roadmap
 from stages.embodied.pursuit import XY_TOLERANCE, Pursuit
 from stages.embodied.world import World
 
-TIMESTEP = 0.01
-"""Of the simulation, s; the base drives alike from 0.002 to 0.01 s."""
 PATIENCE, SLOWEST = 30.0, 0.1
 """Time limit: so many seconds, and the way at so many metres a second."""
 _TOUCHABLE = 0.15  # m about the places where the robot can be; colliders further off are left out
@@ -36,8 +34,8 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     cell, yaw = began
     ways = planner.roadmap(ground, cell)
     there = [g for g in goals.goals(ground, objects, ways.reached, rng) if only in (None, g.object)]
-    driven = world.build(apartment.scene, apartment.mjcf, base.mjcf(), moving=(), fused=True, timestep=TIMESTEP,
-                         name=name, without=_out_of_reach(apartment, ground, ways.reached), source=apartment.source)
+    driven = world.build(apartment.scene, apartment.mjcf, base.mjcf(), moving=(), fused=True, name=name,
+                         without=_out_of_reach(apartment, ground, ways.reached), source=apartment.source)
     return [_episode(driven, ways, goal, yaw, only is not None) for goal in there]
 
 
@@ -75,7 +73,7 @@ def _judged(name: str, goal: Goal, went: Drive, path: Array, shortest: float, tr
     reason = went.reason or ("" if missed <= XY_TOLERANCE else "did not stop at the goal")
     success = not reason
     numbers = {
-        "spl": shortest / max(went.metres, shortest, 1e-6) if success else 0.0, "shortest": shortest,
+        "spl": float(success) * (shortest / max(went.metres, shortest) if shortest else 1.0), "shortest": shortest,
         "metres": went.metres, "seconds": went.seconds, "missed": missed, "push": went.push,
         "touches": float(went.touches), "goal_x": path[-1, 0], "goal_y": path[-1, 1], "goal_yaw": goal.yaw,
     }

@@ -8,6 +8,7 @@ the path closely and slowly.
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import cos, sin
 
 import numpy as np
 
@@ -43,7 +44,7 @@ TIGHT = 0.03
 _SHORTEST = 0.05  # m, lookahead where everything longer would touch
 _CREEP, _ALIGNED = 0.1, 0.06  # speed then, m/s, once it heads for the next point so closely, rad
 _INCHING = 20  # periods
-_AHEAD = np.linspace(0, 1, 12)[1:]  # shares of the next second's way that are looked at
+_AHEAD = tuple(k / 11 for k in range(1, 12))  # shares of the next second's way that are looked at
 
 
 @dataclass
@@ -84,7 +85,7 @@ class Pursuit:
     def _wanted(self, here: Array, yaw: float, left: float) -> tuple[float, float]:
         tightest = self._tightest()
         narrow = tightest < base.RADIUS + NARROW
-        room = min(base.RADIUS + MARGIN, tightest)
+        room = max(min(base.RADIUS + MARGIN, tightest), base.RADIUS)
         if self.inching > 0 or tightest < base.RADIUS + TIGHT:
             return self._inched(here, yaw)
         reach = NARROW_LOOKAHEAD if narrow else float(np.clip(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD))
@@ -141,12 +142,14 @@ class Pursuit:
         self, here: Array, yaw: float, speed: float, curvature: float, distance: float, room: float
     ) -> bool:
         """Whether the next second on this arc, or as much of it as leads to the carrot, keeps clear of everything."""
-        run = min(speed * TIME_TO_COLLISION, distance) * _AHEAD
+        run = min(speed * TIME_TO_COLLISION, distance)
         bend = curvature if abs(curvature) > 1e-6 else 1e-6
-        arc = np.stack([np.sin(bend * run), 1 - np.cos(bend * run)], -1) / bend
-        c, s = np.cos(yaw), np.sin(yaw)
-        row, column = planner.cell(self.floor, here + arc @ np.array([[c, s], [-s, c]])).T
-        return bool((self.floor.clearance[row, column] >= room).all() and self.floor.free[row, column].all())
+        (x, y), c, s = here.tolist(), cos(yaw), sin(yaw)
+        for share in _AHEAD:
+            ahead, left = sin(bend * run * share) / bend, (1 - cos(bend * run * share)) / bend
+            if planner.clearance(self.floor, x + c * ahead - s * left, y + s * ahead + c * left) < room:
+                return False
+        return True
 
     def _turn_to(self, off: float) -> float:
         """As fast as still can be stopped in time."""

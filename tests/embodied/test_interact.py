@@ -12,11 +12,12 @@ from stages import solids
 from stages.asset import Asset, Link
 from stages.embodied import interact, world
 from stages.embodied.interact import parts, robot
+from stages.embodied.interact.act import Actor
 from stages.embodied.interact.aim import OPTIONS
 from stages.embodied.interact.chains import GOAL, STEPS, Chains
 from stages.embodied.interact.near import Surroundings
 from stages.embodied.interact.plan import Planner
-from stages.embodied.interact.probe import Probe
+from stages.embodied.interact.probe import CLEARANCE, Probe
 from stages.export import mjcf
 from stages.materials import PALETTE
 from stages.scene import Scene
@@ -126,6 +127,35 @@ def test_the_cup_holds_less_than_the_fingers(flat):
     # Moved off as fast as ever, 50 kg take more than the cup's 48 N and less than the fingers' 60 N.
     assert opened(flat(drawer(mass=50.0), chest(0.3, 2.0))).success
     assert "slipped" in opened(flat(drawer(mass=50.0, bar=False), chest(0.3, 2.0))).reason
+
+
+def test_a_hand_that_closes_on_nothing_takes_another_hold(flat, monkeypatch):
+    close, held = Actor._close, []
+
+    def missing(self):
+        held.append(self.part.holds[0])
+        return self._missed("nothing there") if len(held) == 1 else close(self)
+
+    monkeypatch.setattr(Actor, "_close", missing)
+    outcome = opened(flat(drawer(), chest(0.3, 2.0)))
+    assert outcome.success and outcome.numbers["retries"] == 1
+    assert all(hold is not held[0] for hold in held[1:])
+    monkeypatch.setattr(Actor, "_close", lambda self: self._missed("nothing there"))
+    monkeypatch.setattr(Actor, "_fasten", lambda self, hold: self._missed("nothing there"))
+    never = opened(flat(drawer(), chest(0.3, 2.0)))
+    assert never.failure == "controller" and never.reason == "nothing there" and never.numbers["retries"] == 2
+
+
+@pytest.mark.parametrize("apart, met", [(CLEARANCE - 0.002, True), (CLEARANCE + 0.002, False)])
+def test_plans_keep_clear_of_what_is_fused_too(flat, apart, met):
+    apartment = flat(drawer(), chest(0.3, 2.0), block("sofa", 2.5, 2.0, id="sofa"))
+    body = next(body for body in apartment.bodies.values() if body.category == "chest")
+    probe = Probe(interact.equipped(apartment, body.id, []))
+    part = parts.part(probe.world, body, body.links[1])
+    probe.reset(part.body)
+    base = [2.5 - SIZE[0] / 2 - robot.RADIUS - apart, 2.0, np.pi]
+    hit = probe.hit(robot.tucked(base, 0.5, 0.0), part, 0.0)
+    assert (probe.name(hit) == "sofa") if met else (hit < 0)
 
 
 def test_behind_a_blocked_door_nothing_is_reached(flat):

@@ -7,7 +7,7 @@ import pytest
 from embodied import blocks
 
 from stages.embodied import base, floor, goals, navigate, planner, world
-from stages.embodied.drive import GRAZE, drive, felt
+from stages.embodied.drive import GRAZE, STEP, drive, felt
 from stages.embodied.pursuit import Pursuit
 
 
@@ -95,17 +95,27 @@ def _unseen(home, folder, obstacle):
     goal = goals.goals(ground, home.objects, ground.free, np.random.default_rng(0))[0]
     path = planner.roadmap(ground, cell).path(goal.cell)
     real = home.model_copy(update={"objects": [*home.objects, obstacle]})
-    driven = world.build(*blocks.exported(real, folder / "real"), base.mjcf(), moving=(), fused=True, timestep=0.005)
+    driven = world.build(*blocks.exported(real, folder / "real"), base.mjcf(), moving=(), fused=True)
     # Contacts are looked for where the map says that something is near: everywhere in a corridor this wide.
-    assert ground.clearance.max() < base.RADIUS + 0.1
+    assert ground.clearance.max() < base.RADIUS + 0.05
     return drive(driven, Pursuit(ground, path, goal.yaw), yaw, 60.0)
 
 
 def test_running_against_something_is_felt_and_ends_the_drive(tmp_path):
-    home = blocks.furnished(blocks.corridor(6, 0.66), blocks.block("goal", 5.75, 0.33, 0.4, 0.6, np.pi))
-    went = _unseen(home, tmp_path, blocks.block("post", 3.0, 0.33, 0.1, 0.1))
+    home = blocks.furnished(blocks.corridor(6, 0.58), blocks.block("goal", 5.75, 0.29, 0.4, 0.5, np.pi))
+    went = _unseen(home, tmp_path, blocks.block("post", 3.0, 0.29, 0.1, 0.1))
     assert went.push > GRAZE and went.reason == "ran against post" and not went.done
     assert went.pose[0] == pytest.approx(3.0 - 0.05 - base.RADIUS, abs=0.02)
+
+
+def test_where_contacts_are_not_looked_for_there_are_none_and_it_drives_alike(tmp_path, monkeypatch):
+    home = _beyond(0.62)
+    (some,) = _run(home, tmp_path, only="goal")
+    monkeypatch.setattr("stages.embodied.drive._NEAR", 10.0)
+    (fine,) = _run(home, tmp_path, only="goal")
+    assert fine.success == some.success and fine.numbers["touches"] == some.numbers["touches"]
+    for key, off in (("metres", 0.02), ("seconds", 0.3), ("missed", 0.02)):
+        assert fine.numbers[key] == pytest.approx(some.numbers[key], abs=off)
 
 
 @pytest.mark.parametrize("deep, hard", [(0.0003, False), (0.003, True)])
@@ -113,7 +123,7 @@ def test_pushes_are_felt_as_hard_as_the_skin_is_pressed(tmp_path, deep, hard):
     # A board abeam of the standing robot, so that its tyres hold it against the push.
     board = blocks.block("board", 3.0, 1.0 + base.RADIUS - deep + 0.05, 1.0, 0.1)
     scene, mjcf = blocks.exported(blocks.furnished(blocks.corridor(6, 2), board), tmp_path)
-    built = world.build(scene, mjcf, base.mjcf(), moving=(), timestep=navigate.TIMESTEP)
+    built = world.build(scene, mjcf, base.mjcf(), moving=(), timestep=STEP)
     data = mujoco.MjData(built.model)
     data.qpos[:2] = 3.0, 1.0
     push, what = felt(built.model, data, 10, built.model.geom("robot_column").id)

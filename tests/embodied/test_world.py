@@ -3,12 +3,14 @@
 import mujoco
 import numpy as np
 import pytest
+import shapely
 from embodied import blocks
 from export import sample
 
 from schemas.errors import BadInput
 from stages import export, reach
 from stages.embodied import base, floor, planner, world
+from stages.grid import Grid
 from stages.scene import Scene
 
 
@@ -65,6 +67,26 @@ def test_fusing_what_is_welded_changes_no_place(flat):
         assert _at(fused.model, name) == pytest.approx(_at(apart.model, name), abs=1e-9)
 
 
+def test_fusing_the_rest_leaves_a_cabinet_and_its_door_apart(flat):
+    whole, fused = (world.build(*flat, moving=["display_cabinet_11"], fused=fused) for fused in (False, True))
+    body = fused.bodies["display_cabinet_11"]
+    assert {fused.model.body(k).name for k in range(1, fused.model.nbody)} == {body.link_name(li) for li in body.links}
+    for built in (whole, fused):
+        data = mujoco.MjData(built.model)
+        mujoco.mj_step(built.model, data, 50)
+        assert data.qpos == pytest.approx(0, abs=1e-3) and data.ncon == 0
+
+
+def test_colliders_are_those_of_the_file(flat):
+    built, exported = world.build(*flat, moving=()), mujoco.MjModel.from_xml_path(str(flat[1]))
+    hulls = [k for k in range(built.model.ngeom) if built.model.geom_type[k] == mujoco.mjtGeom.mjGEOM_MESH]
+    assert hulls
+    for k in hulls:
+        same = exported.geom(built.model.geom(k).name)
+        assert built.model.geom_aabb[k] == pytest.approx(exported.geom_aabb[same.id], abs=1e-6)
+        assert built.model.geom_rbound[k] == pytest.approx(exported.geom_rbound[same.id], abs=1e-6)
+
+
 def test_another_apartments_file_is_refused(flat, tmp_path):
     _, other = blocks.exported(blocks.furnished(blocks.corridor(3, 1)), tmp_path)
     with pytest.raises(BadInput, match="export this apartment again"):
@@ -97,6 +119,16 @@ def test_the_floor_is_free_where_the_disc_touches_nothing(tmp_path):
     assert ground.free[away].all() and not ground.free[np.minimum(gap, wall) < 0.249].any()
     near = (gap > 0.01) & (gap < wall - 0.1)
     assert ground.clearance[near] == pytest.approx(gap[near], abs=1e-3)
+
+
+def test_cells_are_covered_that_lie_in_any_polygon():
+    rng = np.random.default_rng(0)
+    hulls = [shapely.convex_hull(shapely.multipoints(rng.uniform(0, 1, 2) + rng.uniform(0, 0.5, (6, 2))))
+             for _ in range(12)]
+    cells = Grid((-0.1, -0.1), (40, 45), 0.04)
+    x, y = np.moveaxis(cells.centers(), -1, 0)
+    turned = [shapely.reverse(hull) if k % 2 else hull for k, hull in enumerate(hulls)]
+    assert (floor.covered(turned, cells) == shapely.contains_xy(shapely.union_all(hulls), x, y)).all()
 
 
 def test_a_lamp_overhead_is_driven_under(tmp_path):
