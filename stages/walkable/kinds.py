@@ -39,9 +39,9 @@ def stand_ins(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     sill = min(sills, default=np.inf) - BELOW_SILL
     for category in (o.category, *kinds):
         kind = categories.TABLE[category]
-        least, usual = np.asarray(kind.min), np.maximum(kind.min, np.minimum(o.size, kind.max))
-        tall = [float(usual[2]), *([sill] if kind.min[2] <= sill < usual[2] else [])]
-        for d, w in (usual[:2], least[:2]):
+        most = np.maximum(kind.min, np.minimum(o.size, kind.max))
+        tall = [float(most[2]), *([sill] if kind.min[2] <= sill < most[2] else [])]
+        for d, w in dict.fromkeys(tuple(side[:2]) for side in (most, np.minimum(most, kind.size), np.array(kind.min))):
             for height in tall:
                 size = np.array([d, w, height])
                 asset = None if np.allclose(size, o.size, atol=2e-3) else _asset(site, o, category, size)
