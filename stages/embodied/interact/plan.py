@@ -86,11 +86,13 @@ class Planner:
         return Phase("hold", stops, hold)
 
     def _stop(self, base: Array, hold: Hold, value: float, ahead: Array, near: Array, stops: list[Stop]) -> bool:
-        ahead = ahead / np.linalg.norm(ahead)
-        found = self.at(base, hold, value, ahead, near)
+        turn = turned(self.part, hold, value, ahead / np.linalg.norm(ahead))
+        if turn is None:
+            return False
+        found = posture(base, self.chains.point(hold, value, turn, 0.0), turn, hold.opening, near, SPARE)
         if found is None or self.probe.hit(found, self.part, value, hold) >= 0:
             return False
-        stops.append(Stop(found, value, turned(self.part, hold, value, ahead)))
+        stops.append(Stop(found, value, turn))
         return True
 
     def reach(self, base: Array, hold: Hold, k: int, o: int, near: Array, on: bool = False) -> Phase | None:
