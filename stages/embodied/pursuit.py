@@ -44,6 +44,7 @@ TIGHT = 0.03
 _SHORTEST = 0.05  # m, lookahead where everything longer would touch
 _CREEP, _ALIGNED = 0.1, 0.06  # speed then, m/s, once it heads for the next point so closely, rad
 _INCHING = 20  # periods
+_PATIENCE = 60  # periods without getting any further along the path, after which it goes from point to point
 _AHEAD = tuple(k / 11 for k in range(1, 12))  # shares of the next second's way that are looked at
 
 
@@ -62,6 +63,8 @@ class Pursuit:
     turning: bool = False
     inching: int = 0
     """Periods for which it still goes from point to point."""
+    waited: int = 0
+    """Periods since it last got further along the path."""
 
     def command(self, x: float, y: float, yaw: float) -> tuple[float, float, bool]:
         """Speed (m/s) and turn (rad/s) for the next period, and whether the goal is reached."""
@@ -80,7 +83,12 @@ class Pursuit:
     def _advance(self, here: Array) -> None:
         """The nearest point of the path, not looking back, nor further ahead than a metre."""
         ahead = self.path[self.at : self.at + int(1.0 / planner.SPACING)]
-        self.at += int(np.hypot(*(ahead - here).T).argmin())
+        further = int(np.hypot(*(ahead - here).T).argmin())
+        self.at += further
+        self.waited = 0 if further else self.waited + 1
+        if self.waited > _PATIENCE:
+            # Arcs to nearer and further points of the path may call for turns to either side, one after the other.
+            self.inching, self.waited = _INCHING, 0
 
     def _wanted(self, here: Array, yaw: float, left: float) -> tuple[float, float]:
         tightest = self._tightest()

@@ -108,6 +108,14 @@ def test_running_against_something_is_felt_and_ends_the_drive(tmp_path):
     assert went.pose[0] == pytest.approx(3.0 - 0.05 - base.RADIUS, abs=0.02)
 
 
+def test_a_robot_that_gets_no_further_goes_from_point_to_point(tmp_path):
+    home = blocks.furnished(blocks.corridor(6, 2))
+    ground = floor.survey(world.build(*blocks.exported(home, tmp_path), moving=()))
+    pursuit = Pursuit(ground, np.stack([np.linspace(1, 5, 81), np.full(81, 1.0)], 1), 0.0)
+    inching = [pursuit.inching for _ in range(70) if pursuit.command(1.0, 1.0, 1.0)]
+    assert not any(inching[:60]) and inching[61] > 0
+
+
 def test_where_contacts_are_not_looked_for_there_are_none_and_it_drives_alike(tmp_path, monkeypatch):
     home = _beyond(0.62)
     (some,) = _run(home, tmp_path, only="goal")
