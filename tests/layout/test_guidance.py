@@ -199,3 +199,20 @@ def test_late_quantity_guidance_makes_counts_exact(wanted: int) -> None:
     lanes = [np.random.default_rng([i, 0]) for i in range(6)]
     free = (sample(network, rooms, config.model_copy(update={"count": "free"}), lanes).category >= 0).sum(1)
     assert (free != wanted).any()
+
+
+def test_rooms_that_need_no_guidance_are_left_alone_and_the_others_descend_as_ever() -> None:
+    room, config = floor_of(some_rooms(2)), LayoutConfig(guidance_repeats=5)
+    terms = guided.energies({name: 1.0 for name in SPATIAL if name != "walkway"})
+    category = torch.tensor([[CATEGORIES.index("wardrobe")] * 2] * 2)
+    center = torch.tensor([[[-0.2, 0.1, 0.4], [0.2, 0.0, 0.4]], [[-1.0, 0.6, 0.4], [1.0, -0.6, 0.4]]])
+    size = torch.tensor([0.3, 0.3, 0.8]).expand(2, 2, 3)
+    x0 = encode(Objects(center, size, torch.zeros(2, 2), category, torch.zeros(2, 2, 32)), MODEL)
+    logits = torch.nn.functional.one_hot(category, N_CLASSES).float() * 9
+    found = guided.descended(terms, x0, logits, room, MODEL, config)
+    expected = x0
+    for _ in range(config.guidance_repeats):
+        grad = guided.gradient(terms, expected, logits, room, MODEL)
+        expected = expected - guided.trusted(config.guidance_scale * grad)
+    assert torch.equal(found[1], x0[1]) and not torch.equal(found[0], x0[0])
+    assert torch.allclose(found, expected, atol=1e-6)

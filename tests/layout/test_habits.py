@@ -9,13 +9,15 @@ from rooms_for_tests import some_rooms
 from stages import boxes
 from stages.boxes import Boxes
 from stages.categories import CATEGORIES, TABLE
-from stages.layout.projection import Item, project
+from stages.layout.projection import Item, comfort, project
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.habits import habits
 from stages.layout.projection.partners import LOW_RUN, around, long_enough
+from stages.layout.projection.project import _rank
 from stages.layout.projection.space import Space, space_of
 from stages.layout.sense import essentials
 
+NOTHING = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)), []
 KITCHEN = ["fridge", "kitchen_sink", "kitchen_base", "hob", "hood", "wall_unit"]
 
 
@@ -102,24 +104,43 @@ def test_the_television_stands_where_the_sofa_looks() -> None:
     assert len(aside) >= 6 and np.median(aside) < 0.1
 
 
-def test_there_is_floor_before_a_toilet() -> None:
-    blocked = 0
-    for seed in range(8):
-        found, _ = settled(["toilet", "vanity", "shower", "stool"], seed)
-        toilet = found["toilet"]
-        for other in found.values():
-            far, aside = in_frame(other, toilet)
-            near = far - toilet.size[0] / 2 - other.size[:2].min() / 2 < 0.4
-            blocked += other is not toilet and far > 0 and near and abs(aside) < toilet.size[1] / 2
-    assert blocked <= 1
+def one(name: str, x: float, y: float, yaw: float) -> Boxes:
+    size = np.array(TABLE[name].size)
+    return Boxes(np.array([[x, y, size[2] / 2]]), size[None], np.array([yaw]))
+
+
+def test_floor_before_a_toilet_is_kept_free() -> None:
+    space = space_of(some_rooms(8, 0), 0)
+    toilet, before, aside = one("toilet", 0, 0, 0), one("bin", 0.6, 0, 0), one("bin", 0, 0.7, 0)
+    for place, least, most in ((before, 1, 9), (aside, 0, 0)):
+        alone = comfort.price("bin", place, space, *NOTHING)[0]
+        assert least <= comfort.price("bin", place, space, toilet, ["toilet"])[0] - alone <= most
+    assert comfort.price("toilet", toilet, space, before, ["bin"])[0] > 1
+    assert comfort.price("toilet", toilet, space, aside, ["bin"])[0] == 0
+
+
+def test_a_chair_stands_where_it_can_be_drawn_back() -> None:
+    space = space_of(some_rooms(8, 0), 0)
+    east = space.corners[:, 0].max()
+    tight, wide = (one("chair", east - gap, 0, np.pi) for gap in (0.35, 0.9))
+    assert comfort.price("chair", tight, space, *NOTHING)[0] > 1 > comfort.price("chair", wide, space, *NOTHING)[0]
 
 
 def test_a_table_is_long_enough_for_its_chairs() -> None:
     assert long_enough(np.array([0.9, 1.0, 0.75]), 4)[1] == 1.0
     for chairs in (5, 6, 8):
         grown = long_enough(np.array([0.9, 1.0, 0.75]), chairs)
-        one = Boxes(np.zeros((1, 3)), grown[None], np.zeros(1))
-        assert len(around(np.array([0.5, 0.5, 0.9]), one)) >= chairs
+        table = Boxes(np.zeros((1, 3)), grown[None], np.zeros(1))
+        assert len(around(np.array([0.5, 0.5, 0.9]), table)) >= chairs
+
+
+def test_chairs_choose_right_after_their_table() -> None:
+    names = ["armchair", "chair", "coffee_table", "dining_table", "chair", "sideboard"]
+    items = strewn(names, np.random.default_rng(0))
+    for essential in ((), (3,), (0, 3, 5)):
+        order = sorted(range(len(items)), key=lambda i: _rank(i, items, essential))
+        at = order.index(3)
+        assert set(order[at + 1 : at + 3]) == {1, 4}
 
 
 def test_a_shower_stays_where_a_cabinet_could_go() -> None:

@@ -12,7 +12,7 @@ from stages.categories import TABLE
 from stages.layout.projection import Item, moves, passage, project
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.paths import SLIVER, Paths
-from stages.layout.projection.space import Space
+from stages.layout.projection.space import Space, outside
 from stages.layout.projection.standing import Standing
 
 RADIUS = 0.16
@@ -141,3 +141,25 @@ def test_of_two_that_shut_the_way_together_one_goes() -> None:
     assert Paths(there, room).cut_off() > passage.SHUT
     assert passage.in_its_way(Paths(there, room), there, ()) in range(4)
     assert passage.in_its_way(Paths(there, room), there, range(4)) is None
+
+
+def test_distances_from_the_walls_of_a_convex_room_are_those_of_any_room() -> None:
+    room = space(4.0, 5.0)
+    points = np.random.default_rng(3).uniform(-1, 6, (400, 2))
+    square = shapely.Polygon(room.corners)
+    expected = np.array([square.exterior.distance(shapely.Point(p)) for p in points])
+    inside = np.array([square.contains(shapely.Point(p)) for p in points])
+    away = np.where(inside, expected, 0.0)
+    assert not room.reentrant.n and np.allclose(room.away(points), away)
+    bodies = Boxes(np.column_stack([points, np.full(400, 0.5)]), np.full((400, 3), 1e-9), np.zeros(400))
+    assert np.allclose(outside(bodies, room), np.where(inside, 0.0, expected), atol=1e-6)
+
+
+def test_what_more_objects_cut_off_is_what_they_cut_off_once_they_stand_there() -> None:
+    items = [Item("wardrobe", np.array([0.31, 3.0, 1.0]), np.array([0.6, 1.2, 2.0]), 0.0)]
+    paths = Paths(standing(items), space(2.0, 5.0))
+    wall = Boxes(np.array([[1.0, 2.0, 1.0]]), np.array([[0.3, 1.9, 2.0]]), np.array([np.pi / 2]))
+    free, tried = paths.cut_off(), paths.cut_off(more={7: wall})
+    assert tried > free and paths.cut_off() == free
+    paths.add(7, wall)
+    assert paths.cut_off() == tried
