@@ -17,7 +17,7 @@ from stages.layout.projection.project import _rank
 from stages.layout.projection.space import Space, space_of
 from stages.layout.sense import essentials
 
-NOTHING = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)), []
+NOTHING: tuple[Boxes, list[str]] = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)), []
 KITCHEN = ["fridge", "kitchen_sink", "kitchen_base", "hob", "hood", "wall_unit"]
 
 
