@@ -82,8 +82,8 @@ def _wrapped(
     filled = count if exact else torch.full_like(count, N_MAX)
     if exact:
         denoise = guided.without_empty(denoise, count)
-    denoise = guided.sensible(denoise, rooms, filled, model.class_scale)
     denoise = guided.fixed_categories(denoise, torch.from_numpy(rooms.wanted), filled, model)
+    denoise = guided.sensible(denoise, rooms, filled, model.class_scale)
     if config.count == "guided":
         gamma = config.guidance.get("quantity", QUANTITY)
         denoise = guided.quantity_guided(

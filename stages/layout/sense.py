@@ -14,6 +14,8 @@ from stages.categories import CATEGORIES, TABLE
 
 RULES = Path(__file__).parent / "sense.toml"
 BARRED = -30.0
+ASKED = 1e3
+"""What it costs, in units of logits, to take the slot of something that was asked for."""
 Logits = NDArray[np.float32]
 
 
@@ -94,7 +96,7 @@ def settle(logits: Logits, kind: int, wanted: NDArray[np.int64]) -> None:
     taken: list[int] = []
     for group in sense().least[kind]:
         if len(taken) < len(logits) and not any(wanted[c] == 0 for c in group):
-            taken.append(_one_of(logits, group, taken))
+            taken.append(_one_of(logits, group, taken, free))
     _companions(logits, free, taken)
     _company(logits, free, taken)
 
@@ -197,13 +199,14 @@ def _table(groups: list[tuple[int, ...]]) -> NDArray[np.bool_]:
     return table
 
 
-def _one_of(logits: Logits, group: tuple[int, ...], taken: list[int]) -> int:
-    """A slot that takes a class of the group, made to if none does."""
+def _one_of(logits: Logits, group: tuple[int, ...], taken: list[int], free: NDArray[np.bool_]) -> int:
+    """A slot that takes a class of the group, made to if none does; what was asked for, not `free`, yields last."""
     classes = logits.argmax(-1)
     holders = [i for i in np.flatnonzero(np.isin(classes, group)) if i not in taken]
     if holders:
         return int(holders[0])
     margin = logits[:, group] - logits.max(-1, keepdims=True)
+    margin[~free[classes]] -= ASKED
     margin[taken] = -np.inf
     slot, which = divmod(int(margin.argmax()), len(group))
     logits[slot, group[which]] = logits[slot].max() + 3.0

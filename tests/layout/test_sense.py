@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+import torch
 
 from schemas.base import ROOM_TYPES
 from stages.categories import CATEGORIES
 from stages.layout.features import EMPTY, N_CLASSES
+from stages.layout.guided import assign
 from stages.layout.sense import at_home, sense, settle
 
 
@@ -84,3 +86,16 @@ def test_a_table_has_chairs_for_two() -> None:
     logits[5, CATEGORIES.index("chair")] = 0
     settle(logits, ROOM_TYPES.index("living_room"), np.full(len(CATEGORIES), -1))
     assert [CATEGORIES[c] for c in logits.argmax(-1)] == ["dining_table", "chair", "sofa", "tv_stand", "tv", "chair"]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_is_asked_for_and_what_a_room_is_for_stand_together(seed: int) -> None:
+    logits = np.random.default_rng(seed).normal(0, 3, (8, N_CLASSES)).astype(np.float32)
+    logits[:, EMPTY] = -30
+    asked = np.full(len(CATEGORIES), -1)
+    desk = asked[CATEGORIES.index("desk")] = 2
+    assign(torch.from_numpy(logits), torch.from_numpy(asked))
+    settle(logits, ROOM_TYPES.index("bedroom"), asked)
+    found = [CATEGORIES[c] for c in logits.argmax(-1)]
+    assert found.count("desk") == desk
+    assert {"double_bed", "single_bed", "bunk_bed"} & set(found)
