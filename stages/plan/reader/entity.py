@@ -41,3 +41,4 @@ class Entity:
     counted: bool = False
     picked: bool = False
     vague: bool = False
+    name: str = ""

@@ -3,12 +3,11 @@
 import math
 
 from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
+from stages.plan.reader.halls import best_named, other_hall
 from stages.plan.reader.mention import RoomPhrase
 from stages.plan.reader.owned import own
 from stages.plan.reader.traits import lay
 
-CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
-"""Words for a hallway that no one uses of the entrance hall."""
 ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 """Rooms a home has: no additional one is still one."""
 
@@ -58,6 +57,7 @@ class Household:
         found = [e for e in self._find(phrase) if e not in excluded]
         for entity in self.rooms[before:]:
             named = phrase.quantifier == "" and id(phrase) in self.mentions
+            entity.name = phrase.text
             entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
         lay(phrase, found)
         self.refs[id(phrase)] = found
@@ -257,10 +257,9 @@ class Household:
         refers = refers or (single and not phrase.text.isascii())  # languages without articles
         if phrase.type == "bedroom" and not mentioned and known and all(e.labels & {"guest", "kids"} for e in known):
             return self.add(phrase.type)  # "a guest room besides our bedroom"
-        entered = known and all("entrance" in e.labels for e in known) and "entrance" not in phrase.labels
-        named = phrase.quantifier == "" and phrase.text in CORRIDORS
-        if mentioned and entered and (phrase.quantifier == "a" or named):
+        if other_hall(phrase, known, mentioned):
             return self.add(phrase.type)
+        known = best_named(phrase, known)
         if (
             phrase.type == "bathroom"
             and mentioned

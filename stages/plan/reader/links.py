@@ -68,13 +68,20 @@ def complete_links(
     mark_private(rooms, out)
     start = hub(rooms).id
     order = sense()["order"]["types"]
-    for room in sorted(rooms, key=lambda r: (r.id in only, order.index(r.type))):
+    inner = {r.id for r in rooms if r.type == "hallway" and r.id != start and _off_living(r, rooms, out)}
+    after = order.index("dining_room")  # "a second hallway off the living room": first the way to the living room
+    for room in sorted(rooms, key=lambda r: (r.id in only, after if r.id in inner else order.index(r.type))):
         seen = reached(rooms, _without_short_cuts(room, rooms, out, start), start)
         if room.id not in seen:
             partner = _partner(room, rooms, out, seen, forbidden)
             if partner is not None:
                 out.append(edge(room.id, partner))
     return sorted(set(out) | set(_also(rooms, [p for p in links if p not in near], forbidden)), key=_natural)
+
+
+def _off_living(hallway: AskedRoom, rooms: list[AskedRoom], links: list[Link]) -> bool:
+    living = {r.id for r in rooms if r.type in ("living_room", "dining_room")}
+    return any(hallway.id in pair and living & set(pair) for pair in links)
 
 
 def _without_short_cuts(room: AskedRoom, rooms: list[AskedRoom], links: list[Link], start: str) -> list[Link]:

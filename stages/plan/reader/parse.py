@@ -114,7 +114,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     items, found = comparisons(items)
     said.statements += found
     said.rooms += [r for r in rooms_of(items) if r not in said.rooms]
-    doors = relations(items, before, trail, said.graph)
+    doors = relations(items, before, trail, said.graph, said.statements)
     _two_halls(doors)
     said.statements += doors
     return (

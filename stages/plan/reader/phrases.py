@@ -1,5 +1,7 @@
 """Lexemes grouped into phrases: rooms with their numbers and traits, furniture, relations, marks."""
 
+from dataclasses import replace
+
 from stages.plan.reader.lexeme import Lexeme
 from stages.plan.reader.lexicon import Lexicon
 from stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase
@@ -53,6 +55,10 @@ class Phraser:
         following = words[i + 1] if i + 1 < len(words) else None
         if word.text == "den" and following is not None and following.kind == "room":
             return i + 1  # German article
+        if word.text == "that" and following is not None and following.kind == "room" and self._clause_begins():
+            self._determiner(replace(word, kind="determiner", value="the"))
+            self.pending.texts.append(word.text)
+            return i + 1
         if (
             word.kind == "link"
             and word.text in ADJECTIVES
@@ -69,7 +75,7 @@ class Phraser:
         if word.kind == "room":
             self._object(word, self.lexicon.also_object[word.text])
             return i + 1
-        self._other(word)
+        self._other(word, following)
         return i + 1
 
     def _modifier(self, word: Lexeme, words: list[Lexeme], i: int) -> bool:
@@ -175,7 +181,7 @@ class Phraser:
         count = p.number if p.number is not None else 2 if several else 1
         self.items.append(Item("object", category, word.text, number=0 if p.negated else count))
 
-    def _other(self, word: Lexeme) -> None:
+    def _other(self, word: Lexeme, following: Lexeme | None) -> None:
         """What is no modifier and no room."""
         p = self.pending
         counted = p.number is not None
@@ -191,7 +197,7 @@ class Phraser:
             self.pending = Pending()
         else:
             self._flush(word)
-            self._plain(word)
+            self._plain(word, following)
 
     def _main_rooms(self, word: Lexeme) -> None:
         """`3-room flat` counts living and sleeping rooms; `every room` means all others."""
@@ -214,10 +220,12 @@ class Phraser:
         self.items.append(Item("dwelling", word.value, word.text, joined=word.joined, number=p.number or 1))
         self.pending = Pending()
 
-    def _plain(self, word: Lexeme) -> None:
+    def _plain(self, word: Lexeme, following: Lexeme | None) -> None:
         """A lexeme that stays as it is."""
         if word.kind == "unknown":
             self.unread.append(word.text)
+        elif word.kind == "graph" and word.text == "links" and self._verb_follows(following):
+            self.items.append(Item("link", "door", word.text, form="s"))
         elif word.kind == "shorthand":
             phrases = [
                 RoomPhrase(kind, count=n or None, headline=n > 0, negated=n == 0, text=word.text)
@@ -233,6 +241,15 @@ class Phraser:
             value, _, form = (word.value, "", "") if word.kind in ("compare", "mark") else word.value.partition(".")
             number = word.values[0] if word.values else 1.0
             self.items.append(Item(word.kind, value, word.text, None, number, word.values, word.joined, form))
+
+    def _clause_begins(self) -> bool:
+        """Whether `that hallway` names a hallway: no `that` of a relative clause."""
+        last = self.items[-1] if self.items else Item("mark", ".")
+        return self.pending.empty() and (last.kind in ("conjunction", "boundary", "front", "link") or last.value == ".")
+
+    def _verb_follows(self, following: Lexeme | None) -> bool:
+        """Whether `links` has a subject and an object: `the hall links the lounge with …`."""
+        return bool(self.items) and self.items[-1].kind == "room" and following is not None and following.kind != "mark"
 
     def _flush(self, following: Lexeme | None = None) -> None:
         """Modifiers without a noun: an elliptical room ("one of them", "the largest"), or a loose adjective."""

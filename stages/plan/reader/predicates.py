@@ -30,6 +30,8 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
             out.append(Predicate(k + 1, "door", "front", False, (k + 1, k + 2)))
         elif _is_front(items, k, first):
             out.append(Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
+        elif item.kind == "front" and _but_to(items, k, out):
+            out.append(Predicate(k, "to", "part", False))  # "not from the hall but from the bedroom"
         elif item.kind == "front" and _way_in(items, k):
             out.append(Predicate(k, "door", "part", negated))
         elif item.kind == "front" and _between_rooms(items, k) and _verb(items, k + 2):
@@ -43,9 +45,7 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
         elif item.kind == "link":
             if out and out[-1].form == "front" and k <= out[-1].at:
                 continue
-            if item.value == "to" and not (
-                k and items[k - 1].room is not None and k + 1 < len(items) and items[k + 1].room is not None
-            ):
+            if item.value == "to" and not (_between_rooms(items, k) or _but_to(items, k, out)):
                 continue
             kind, form = _opens_to(items, k) or (item.value, item.form or aux or "part")
             out.append(Predicate(k, kind, form, negated))
@@ -94,6 +94,12 @@ def _way_in(items: list[Item], k: int) -> bool:
     """`you enter the kitchen through the living room`."""
     onward = k > 1 and items[k - 2].value == "to" and items[k].text in ("through", "via")
     return _between_rooms(items, k) and (onward or any(i.kind == "reach" for i in items[:k]))
+
+
+def _but_to(items: list[Item], k: int, before: list[Predicate]) -> bool:
+    """`not connected to the hall but to the living room`."""
+    contrast = k > 0 and items[k - 1].kind == "boundary" and items[k - 1].text == "but"
+    return contrast and bool(before) and (before[-1].negated or before[-1].kind == "apart")
 
 
 def _between_rooms(items: list[Item], k: int) -> bool:

@@ -8,6 +8,7 @@ from stages.plan.reader.areas import fill, typical
 from stages.plan.reader.contradict import consistent
 from stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
 from stages.plan.reader.entity import MOST, Entity
+from stages.plan.reader.halls import hall_rank
 from stages.plan.reader.household import Household
 from stages.plan.reader.links import complete_links, edge
 from stages.plan.reader.mention import RoomPhrase
@@ -119,9 +120,13 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
 
 
 def _ordered(home: Household) -> list[Entity]:
-    """By type, the main bedroom first."""
+    """By type, the main bedroom and the hall one enters first."""
     types = [str(t) for t in ROOM_TYPES]
-    return sorted(home.rooms, key=lambda e: (types.index(e.type), e.type == "bedroom" and "master" not in e.labels))
+    return sorted(home.rooms, key=lambda e: (types.index(e.type), _rank(e)))
+
+
+def _rank(room: Entity) -> int:
+    return hall_rank(room) if room.type == "hallway" else int(room.type == "bedroom" and "master" not in room.labels)
 
 
 def _ids(home: Household) -> dict[int, str]:

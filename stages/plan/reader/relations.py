@@ -2,6 +2,7 @@
 
 from stages.plan.reader.anaphora import JOINING
 from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from stages.plan.reader.objects import objects
 from stages.plan.reader.openplan import chain
 from stages.plan.reader.predicates import Predicate, new_clause, predicates
 from stages.plan.reader.statements import Statement
@@ -10,8 +11,13 @@ ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
 
 
-def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhrase], graph: bool) -> list[Statement]:
-    """Statements of one sentence; `before` is what "it" at its start refers to, `trail` what "there" does."""
+def relations(
+    items: list[Item], before: list[RoomPhrase], trail: list[RoomPhrase], graph: bool, told: list[Statement]
+) -> list[Statement]:
+    """Statements of one sentence; `before` is what "it" at its start refers to, `trail` what "there" does.
+
+    `told` are the statements of the sentences before.
+    """
     found = predicates(items, graph)
     floor = 0
     for k, p in enumerate(found):
@@ -23,7 +29,7 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
         if p.kind == "between" and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):
             left = []  # "also a door between the kitchen and the lounge"
         stop = found[k + 1] if k + 1 < len(found) else None
-        right = _objects(items, p, stop, left)
+        right = objects(items, p, stop, left)
         left = _annexes(left, right) if p.form == "part" else left
         if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
@@ -44,7 +50,8 @@ def relations(items: list[Item], before: list[RoomPhrase], trail: list[RoomPhras
         if not right and len(left) > 1:
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
         if p.kind == "same":  # "the bedrooms are off the hall, as is the bathroom"
-            out += [Statement(s.kind, right, s.right) for s in out[-1:] if right]
+            alike = out[-1:] or [s for s in told if s.left == told[-1].left]
+            out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
         out += _statement(p, left, right)
     return out
@@ -125,8 +132,14 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     if last and items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
         p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
         return
+    if last and p.kind == "to" and items[p.at - 1].text == "but":
+        p.subject, p.kind, p.negated = last.subject, "door", False
+        return
     if last and p.kind == "to" and items[last.at].text.split()[0] in JOINING and last.subject != (0, 0):
         p.subject, p.kind = last.subject, "door"  # "a hallway joins the lounge to two bedrooms"
+        return
+    if last and last.kind == "near" and last.form == "part" and items[p.at].text.startswith("with "):
+        p.subject = last.subject  # "the bathroom next to bedroom 1 with doors to both"
         return
     if last and _back_to_head(items, p, last, rooms, between):
         p.subject, p.shared = last.subject, True
@@ -143,7 +156,8 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     if relative or p.form == "part":
         near = rooms[-1] == p.at - 1 or relative or is_mark(items[p.at - 1], ",)")
         p.subject = (_and_group(items, rooms[-1], start, whole=p.kind == "share"), rooms[-1] + 1)
-        crowded = last is not None and p.kind != "share" and p.subject[0] == rooms[0] and len(rooms) > 1
+        both = relative and p.form == "p" and not _plural(items[rooms[-1]])
+        crowded = last is not None and not both and p.kind != "share" and p.subject[0] == rooms[0] and len(rooms) > 1
         if last is not None and is_mark(items[p.subject[0] - 1], ",") and len(rooms) > 1 and not relative:
             return
         if p.kind == "to" or crowded or p.form == "which" or not near or (relative and p.form == "s"):
@@ -151,6 +165,10 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         p.shared = True
         return
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _plural(item: Item) -> bool:
+    return item.room is not None and (item.room.plural or (item.room.count or 1) > 1)
 
 
 def _back_to_head(items: list[Item], p: Predicate, last: Predicate, rooms: list[int], between: list[Item]) -> bool:
@@ -210,62 +228,6 @@ def _clause_start(items: list[Item], rooms: list[int], p: Predicate, last: Predi
 
 def _comma_and(items: list[Item], j: int) -> bool:
     return j + 1 < len(items) and items[j + 1].kind == "conjunction"
-
-
-def _objects(items: list[Item], p: Predicate, following: Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
-    """Rooms after the relation, up to the next clause."""
-    end = len(items)
-    if following is not None:
-        end = following.subject[1] if following.shared else following.subject[0]
-        end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
-    out: list[RoomPhrase] = []
-    for j in range(p.at + 1, min(end, len(items))):
-        item = items[j]
-        phrase = item.room
-        if phrase is not None:
-            if out and not _continues(items, p, j, out, left):
-                break
-            if not phrase.negated and phrase not in left:
-                out.append(phrase)
-        elif item.kind in ("boundary", "dwelling", "with") or item.value == "except":
-            break
-        elif item.kind == "reach" and out and item.text.startswith("there"):
-            break
-        elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1 and p.form != "front":
-            break
-    return out
-
-
-def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], left: list[RoomPhrase]) -> bool:
-    """Whether the room at `j` is one more object of the relation."""
-    phrase, first = items[j].room, out[0]
-    assert phrase is not None
-    if is_mark(items[j - 1], "/"):
-        return True
-    if items[j - 1].value == "plus" and p.form == "part":
-        return False
-    if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
-        return False
-    if p.kind == "between":
-        return len(out) < 2 or items[j - 1].kind == "conjunction"
-    if p.kind == "open" and phrase.type not in OPEN_TYPES:
-        return False
-    if p.form != "part":
-        return True
-    same = first.definite == phrase.definite
-    if left and all(r.type == "hallway" for r in left) and p.kind == "door":
-        return True
-    alone = p.subject[0] == 0 and not any(i.room for i in items[p.subject[1] : p.at])  # a sentence of its own
-    if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left) and not alone:
-        return False
-    if first.definite or first.quantifier == "" and p.kind in ("near", "open"):
-        return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same
-    return same or not phrase.definite
-
-
-def _no_hallway(left: list[RoomPhrase]) -> bool:
-    """Only a hallway is expected to lead to a whole list of new rooms."""
-    return bool(left) and all(r.type not in ("hallway", "any", "") for r in left)
 
 
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:

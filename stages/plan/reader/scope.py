@@ -6,7 +6,7 @@ from stages.plan.reader.statements import Said
 
 def negate_links(items: list[Item]) -> list[Item]:
     """`neither the kitchen nor the bathroom opens onto the hall`: of known rooms the link is denied, not the rooms."""
-    out = items = _without_contrast(items)
+    out = items = _neither_is(_without_contrast(items))
     for k, item in enumerate(items):
         if item.text != "neither":
             continue
@@ -24,6 +24,17 @@ def negate_links(items: list[Item]) -> list[Item]:
                 room.negated = False
             out = [*items[:k], *items[k + 1 : end], Item("negation", "not", item.text), *items[end:]]
     return out
+
+
+def _neither_is(items: list[Item]) -> list[Item]:
+    """`neither is the study`, behind what another room is not: the same is said of the study."""
+    for k, item in enumerate(items[:-2]):
+        room, end = items[k + 2].room, items[k + 3] if k + 3 < len(items) else Item("mark", ".")
+        copula = items[k + 1].kind == "copula" and item.kind == "negation"
+        if item.text in ("neither", "nor") and copula and room is not None and end.kind in ("mark", "conjunction"):
+            room.negated = False
+            return [*items[:k], Item("link", "same", item.text), *items[k + 2 :]]
+    return items
 
 
 def _without_contrast(items: list[Item]) -> list[Item]:

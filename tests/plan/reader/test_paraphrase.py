@@ -44,6 +44,26 @@ SAME = [
      "Two bedrooms without ensuite; there is one bathroom."),
     ("one door each", "The kitchen has two doors, one to the hall and one to the dining room. Two bedrooms.",
      "The kitchen opens to the hall. The kitchen opens to the dining room. Two bedrooms."),
+    ("foyer and corridor", "The lobby leads to the lounge, the lounge to the kitchen, the lounge to the corridor and "
+     "the corridor to two bedrooms and a bathroom.",
+     "A first hall leads to the lounge. The lounge opens to the kitchen. The lounge opens to a second hall. The second "
+     "hall leads to two bedrooms and a bathroom."),
+    ("landing", "Lounge and kitchen off the hall. Two bedrooms and a bathroom off the landing.",
+     "Lounge and kitchen off the first hall. Two bedrooms and a bathroom off a second hall."),
+    ("doors from it", "Corridor in the centre. Doors from there to: lounge, bedroom, kitchen, bathroom.",
+     "The corridor leads to the lounge, the bedroom, the kitchen and the bathroom."),
+    ("links as a verb", "The hall links the lounge with the kitchen. Two bedrooms, a bathroom.",
+     "The hall leads to the lounge and the kitchen. Two bedrooms, a bathroom."),
+    ("not this but that", "The bathroom isn't reached from the hall but from the bedroom; nor is the closet.",
+     "The bathroom is reached from the bedroom, the closet is reached from the bedroom."),
+    ("which are joined", "The hall leads to the lounge and the kitchen, which are joined. Two bedrooms and a bathroom.",
+     "The hall leads to the lounge and the kitchen. The lounge is joined to the kitchen. Two bedrooms and a bathroom."),
+    ("next to, with doors", "Two bedrooms, the bathroom beside bedroom 2 with doors to both the bedroom and the hall.",
+     "Two bedrooms. Bedroom 2 opens to the bathroom. The hall leads to the bathroom."),
+    ("that hallway", "The lounge leads to a hallway, and that hallway leads to two bedrooms. Kitchen, bathroom.",
+     "The lounge leads to a hallway. The hallway leads to two bedrooms. Kitchen, bathroom."),
+    ("which both enter", "Two bedrooms are separated by a bathroom which both may enter.",
+     "Two bedrooms are separated by a bathroom."),
 ]  # fmt: skip
 
 

@@ -1,0 +1,38 @@
+"""Hallways under different names: a foyer is no corridor, a landing no hall."""
+
+from stages.plan.reader.entity import Entity
+from stages.plan.reader.mention import RoomPhrase
+
+CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
+"""Words for a hallway that no one uses of the entrance hall."""
+FOYERS = ("foyer", "vestibule", "lobby", "entry", "entryway", "mudroom", "mud room", "anteroom")
+"""Words for where one comes in that no one uses of a passage between rooms."""
+PASSAGES = ("hallway", "passageway", *CORRIDORS)
+
+
+def other_hall(phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> bool:
+    """Whether the phrase speaks of a hallway besides the `known` ones."""
+    if phrase.type != "hallway" or not known or not mentioned:
+        return False
+    if not any(_same(phrase.text, e.name) for e in known):
+        return True
+    entered = all("entrance" in e.labels for e in known) and "entrance" not in phrase.labels
+    return entered and (phrase.quantifier == "a" or (phrase.quantifier == "" and phrase.text in CORRIDORS))
+
+
+def best_named(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:
+    """Of the `known` hallways those that may bear this name; all where none does."""
+    return [e for e in known if phrase.type != "hallway" or _same(phrase.text, e.name)] or known
+
+
+def hall_rank(room: Entity) -> int:
+    """Where one comes in first, a landing last."""
+    return 0 if "entrance" in room.labels or room.name in FOYERS else 2 if room.name == "landing" else 1
+
+
+def _same(word: str, name: str) -> bool:
+    """Whether two words may be said of one hallway."""
+    pair = {word, name}
+    if "landing" in pair:
+        return len(pair) == 1 or "" in pair
+    return not (pair & set(FOYERS) and pair & set(PASSAGES))

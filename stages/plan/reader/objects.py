@@ -1,0 +1,67 @@
+"""The rooms a relation leads to, as they stand behind it."""
+
+from stages.plan.reader.anaphora import PAIRED
+from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from stages.plan.reader.predicates import Predicate
+
+
+def objects(items: list[Item], p: Predicate, following: Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
+    """Rooms after the relation, up to the next clause."""
+    end = len(items)
+    if following is not None:
+        end = following.subject[1] if following.shared else following.subject[0]
+        end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
+    out: list[RoomPhrase] = []
+    for j in range(p.at + 1, min(end, len(items))):
+        item = items[j]
+        phrase = item.room
+        if phrase is not None:
+            if out and not _continues(items, p, j, out, left):
+                break
+            if not phrase.negated and phrase not in left:
+                out.append(phrase)
+        elif item.kind in ("boundary", "dwelling", "with") or item.value == "except":
+            break
+        elif item.kind == "relative" and out and _all_of_them(items[j + 1 : j + 2]):
+            break  # "separated by a bathroom which both can enter"
+        elif item.kind == "reach" and out and item.text.startswith("there"):
+            break
+        elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1 and p.form != "front":
+            break
+    return out
+
+
+def _all_of_them(after: list[Item]) -> bool:
+    return any(i.room is not None and i.room.type == "" and i.room.quantifier in PAIRED for i in after)
+
+
+def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], left: list[RoomPhrase]) -> bool:
+    """Whether the room at `j` is one more object of the relation."""
+    phrase, first = items[j].room, out[0]
+    assert phrase is not None
+    if is_mark(items[j - 1], "/"):
+        return True
+    if items[j - 1].value == "plus" and p.form == "part":
+        return False
+    if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
+        return False
+    if p.kind == "between":
+        return len(out) < 2 or items[j - 1].kind == "conjunction"
+    if p.kind == "open" and phrase.type not in OPEN_TYPES:
+        return False
+    if p.form != "part":
+        return True
+    same = first.definite == phrase.definite
+    if left and all(r.type == "hallway" for r in left) and p.kind == "door":
+        return True
+    alone = p.subject[0] == 0 and not any(i.room for i in items[p.subject[1] : p.at])  # a sentence of its own
+    if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left) and not alone:
+        return False
+    if first.definite or first.quantifier == "" and p.kind in ("near", "open"):
+        return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same
+    return same or not phrase.definite
+
+
+def _no_hallway(left: list[RoomPhrase]) -> bool:
+    """Only a hallway is expected to lead to a whole list of new rooms."""
+    return bool(left) and all(r.type not in ("hallway", "any", "") for r in left)
