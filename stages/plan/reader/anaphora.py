@@ -7,8 +7,11 @@ JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "
 PAIRED = ("all", "each", "both")
 
 
-def bind(items: list[Item], before: list[Item]) -> None:
-    """`a study and a lounge. Both …`, `the latter`: elliptical phrases learn which coordination they speak of."""
+def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
+    """`a study and a lounge. Both …`, `the latter`: elliptical phrases learn which coordination they speak of.
+
+    `listed` are the sentences just before that say what there is, of which `all` speaks.
+    """
     for k, item in enumerate(items):
         phrase = item.room
         if phrase is None or phrase.type != "":
@@ -33,8 +36,15 @@ def bind(items: list[Item], before: list[Item]) -> None:
             fits = len(group) == 2 if phrase.quantifier != "all" and not _at_end(items, k) else len(group) > 1
             if single and fits:
                 phrase.among = group
+            elif phrase.quantifier == "all" and not _rooms(items[:k]):
+                phrase.among = [r for r in _rooms(listed) if r.type not in ("", "any", "hallway")]
             elif named:
                 phrase.quantifier = "none"
+
+
+def says_what_is_there(items: list[Item]) -> bool:
+    """`there is a kitchen`, `on the left there are two bedrooms`."""
+    return any(i.kind == "reach" and i.text.startswith("there") for i in items[:2])
 
 
 def _rooms(items: list[Item]) -> list[RoomPhrase]:

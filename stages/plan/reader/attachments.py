@@ -239,7 +239,7 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
             and not phrase.labels & {"family", "half"}
             and not _listed(after)
         )
-        return own or lone or (first and _each_follows(after))
+        return own or lone or (not bare and _dressed(owner)) or (first and _each_follows(after))
     if phrase.type in ("kitchen", "dining_room"):
         after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
         fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
@@ -250,6 +250,11 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         return False  # "…, and a second balcony off the living room"
     alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)
     return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
+
+
+def _dressed(owner: RoomPhrase) -> bool:
+    """`each with dressing room and bathroom`."""
+    return owner.quantifier == "each" and [o.type for o in owner.owned] == ["closet"]
 
 
 def _listed(after: list[Item]) -> bool:

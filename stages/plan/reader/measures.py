@@ -71,7 +71,9 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if item.kind not in ("area", "share"):
             out.append(item)
             continue
-        owners = [] if item.value == "total" or _total_near(items, k) else _owners(out, items, k)
+        owners = _corrected(items, k)
+        if not owners:
+            owners = [] if item.value == "total" or _total_near(items, k) else _owners(out, items, k)
         if not owners and item.kind == "area":
             said.total_area = item.values[0] if said.total_area is None else said.total_area
         elif not owners:
@@ -95,6 +97,18 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
             else:
                 owner.share = item.values[0]
     return [i for i in out if i.kind not in ("area_word", "sum")]
+
+
+def _corrected(items: list[Item], k: int) -> list[RoomPhrase]:
+    """The room whose area is given anew: `kitchen 12 m², no, 14 m²`."""
+    j = k - 1
+    while j >= 0 and (items[j].kind in ("negation", "area") or is_mark(items[j], ",")):
+        j -= 1
+    last = items[j].room if j >= 0 else None
+    if last is None or not any(i.text == "no" for i in items[j:k]) or items[k].value == "total":
+        return []
+    last.areas = ()
+    return [last]
 
 
 def _coordinated(before: list[Item], last: RoomPhrase) -> list[RoomPhrase]:

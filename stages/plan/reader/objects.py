@@ -9,7 +9,9 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
     """Rooms after the relation, up to the next clause."""
     end = len(items)
     if following is not None:
-        end = following.subject[1] if following.shared else following.subject[0]
+        led = p.form == "which" and following.subject[0] == p.at + 1 and items[p.at + 1].value == "hallway"
+        # "from which a passage leads to …"
+        end = following.subject[1] if following.shared or led else following.subject[0]
         end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
     out: list[RoomPhrase] = []
     for j in range(p.at + 1, min(end, len(items))):
@@ -43,6 +45,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
         return True
     if items[j - 1].value == "plus" and p.form == "part":
         return False
+    if p.form == "which" and items[p.at].text in ("into which", "onto which"):
+        return True  # "a hall into which the lounge, the kitchen and the study open"
     if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
         return False
     if p.kind == "between":

@@ -14,6 +14,8 @@ def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them:
     """Rooms that open off their owners."""
     if not owners or owned.negated:
         return
+    if owned.type == "bathroom" and owned.quantifier != "another":  # a suite has its bathroom already
+        owners = [o for o in owners if "suite" not in o.labels or not _has_bath(home, o)]
     every = all_of_them or owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
     made: list[Entity] = []
     if owned.type == "bathroom" and owned.count and len(owners) > 1:
@@ -29,6 +31,10 @@ def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them:
     home.refs[id(owned)] = made
     for inner in owned.owned:
         own(home, inner, made)
+
+
+def _has_bath(home: "Household", owner: Entity) -> bool:
+    return any(e.owner is owner for e in home.of("bathroom"))
 
 
 def _claim(home: "Household", owned: RoomPhrase, count: int) -> list[Entity]:

@@ -1,7 +1,8 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
-from stages.plan.reader.anaphora import bind, counted, exceptions, shared_verb, unfolded
+from stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from stages.plan.reader.attachments import attach_owned, merge_ensuites
+from stages.plan.reader.intended import beyond_usual, intended
 from stages.plan.reader.lexemes import lexemes
 from stages.plan.reader.lexicon import load
 from stages.plan.reader.measures import attach_areas, comparisons, mark_headlines
@@ -26,11 +27,13 @@ def parse(prompt: str) -> Said:
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []
+    listed: list[Item] = []
     said.graph = said.graph or lists_doors(phraser.items)
-    items = between_pairs(phraser.items)
+    items = between_pairs(beyond_usual(phraser.items, rooms_of(phraser.items)))
     for sentence in sentences(door_pairs(items) if said.graph else items):
         sentence = unfolded(sentence)
-        bind(sentence, last)
+        bind(sentence, last, listed)
+        listed = [*listed, *sentence] if says_what_is_there(sentence) else []
         last = [*last, *sentence]
         trail = place(said.statements[known:])
         known = len(said.statements)
@@ -102,7 +105,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     for item in items:
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
-    items = merge_ensuites(items)
+    items = merge_ensuites(intended(items))
     items = attach_areas(items, said)
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
@@ -131,7 +134,7 @@ def _two_halls(doors: list[Statement]) -> None:
     for s in doors:
         pairs = [(a, b) for a in s.left for b in s.right if a.type == b.type == "hallway"]
         for phrase in [p for pair in pairs for p in pair if p.quantifier == "a"][-1:]:
-            phrase.quantifier = "another" if any(p.quantifier == "the" for p in pairs[0]) else "a"
+            phrase.quantifier = "another"
 
 
 def _of_link(items: list[Item], k: int) -> bool:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from stages.plan.reader.lexeme import Lexeme
 from stages.plan.reader.lexicon import Lexicon
-from stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase
+from stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
 from stages.plan.reader.pending import Pending, noun_ahead, trailing_number
 
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
@@ -68,6 +68,8 @@ class Phraser:
         ):
             self.pending.labels.add("adjoining")
             return i + 1
+        if word.text == "shower" and following is not None and following.kind == "area":
+            word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
         if self._modifier(word, words, i):
             return i + 1
         if word.kind == "room" and not self._is_object(word, following):
@@ -168,6 +170,9 @@ class Phraser:
     def _room(self, words: list[Lexeme], i: int) -> int:
         word, p = words[i], self.pending
         phrase = p.room(word)
+        key = [w.text if w.kind == "mark" else w.kind for w in words[max(i - 2, 0) : i]]
+        if key in (["unknown", ":"], ["label", ":"]) and any(r.type == phrase.type for r in rooms_of(self.items)):
+            phrase.quantifier = "the"  # "1 living; hub: living"
         listed = [i.value for i in self.items[-2:]]  # "kitchen, dining and living areas" are three rooms
         if phrase.type in OPEN_TYPES and phrase.count is None and listed[:1] and listed[0] in OPEN_TYPES:
             phrase.plural = phrase.plural and self.items[-1].kind != "conjunction"

@@ -25,6 +25,10 @@ def relations(
         floor = p.objects
     out = []
     for k, p in enumerate(found):
+        if p.kind == "chain":
+            line = _line(items, p)
+            out += [Statement("door", [a], [b]) for a, b in zip(line, line[1:], strict=False)]
+            continue
         left = _rooms(items, *p.subject) or (trail if trail and _onward(items[p.at]) else before)
         if p.kind == "between" and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):
             left = []  # "also a door between the kitchen and the lounge"
@@ -55,6 +59,12 @@ def relations(
             continue
         out += _statement(p, left, right)
     return out
+
+
+def _line(items: list[Item], p: Predicate) -> list[RoomPhrase]:
+    """The list of rooms that `form a chain`."""
+    end = next((j for j in range(p.at - 1, -1, -1) if items[j].room is not None), 0)
+    return _rooms(items, _and_group(items, end, 0, whole=True), end + 1)
 
 
 def _closes_list(items: list[Item], p: Predicate) -> bool:
@@ -129,17 +139,7 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         head = next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
         p.subject = last.subject if last else (0, 0) if head is None else (head, head + 1)
         return  # "the kitchen has two doors, one to the hall and one to the lounge"
-    if last and items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
-        p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
-        return
-    if last and p.kind == "to" and items[p.at - 1].text == "but":
-        p.subject, p.kind, p.negated = last.subject, "door", False
-        return
-    if last and p.kind == "to" and items[last.at].text.split()[0] in JOINING and last.subject != (0, 0):
-        p.subject, p.kind = last.subject, "door"  # "a hallway joins the lounge to two bedrooms"
-        return
-    if last and last.kind == "near" and last.form == "part" and items[p.at].text.startswith("with "):
-        p.subject = last.subject  # "the bathroom next to bedroom 1 with doors to both"
+    if last and _goes_on(items, p, last):
         return
     if last and _back_to_head(items, p, last, rooms, between):
         p.subject, p.shared = last.subject, True
@@ -151,6 +151,10 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         if last and not rooms and p.form not in ("s", "p", ""):
             p.subject = last.subject
         p.shared = True
+        return
+    again = last and last.form == p.form == "which" and items[p.at - 1].kind == "conjunction"
+    if last and again and items[p.at].text.endswith("which"):
+        p.subject = last.subject  # "a hall into which … open and from which …"
         return
     relative = any(i.kind == "relative" for i in between) or p.form == "which"
     if relative or p.form == "part":
@@ -171,6 +175,23 @@ def _plural(item: Item) -> bool:
     return item.room is not None and (item.room.plural or (item.room.count or 1) > 1)
 
 
+def _goes_on(items: list[Item], p: Predicate, last: Predicate) -> bool:
+    """Whether the relation continues the one before, whose subject it then takes."""
+    if items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
+        p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
+        return True
+    if p.kind == "to" and items[p.at - 1].text == "but":
+        p.subject, p.kind, p.negated = last.subject, "door", False
+        return True
+    if p.kind == "to" and items[last.at].text.split()[0] in JOINING and last.subject != (0, 0):
+        p.subject, p.kind = last.subject, "door"  # "a hallway joins the lounge to two bedrooms"
+        return True
+    if last.kind == "near" and last.form == "part" and items[p.at].text.startswith("with "):
+        p.subject = last.subject  # "the bathroom next to bedroom 1 with doors to both"
+        return True
+    return False
+
+
 def _back_to_head(items: list[Item], p: Predicate, last: Predicate, rooms: list[int], between: list[Item]) -> bool:
     """`a corridor off the hall serves …`, `the kitchen, which opens to the hall, is reached …`."""
     inserted = any(i.kind == "relative" for i in items[max(last.at - 2, 0) : last.at])
@@ -183,6 +204,7 @@ def _back_to_head(items: list[Item], p: Predicate, last: Predicate, rooms: list[
         and not between[:1]
         and last.subject != (0, 0)
     )
+    inserted = inserted or (p.kind == "has" and last.form == "part")  # "a wing, reached through a hall, has …"
     return (inserted and closed and len(rooms) == 1) or modifier
 
 

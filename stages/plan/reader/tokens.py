@@ -58,6 +58,7 @@ def fold(text: str) -> str:
         text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
         text = text.replace(sign, "0" + plain)
     text = unicodedata.normalize("NFKC", text.translate(_QUOTES)).lower().replace("ß", "ss")
+    text = re.sub(r"\.\.+", ", ", text)  # a pause ends no sentence
     parts = unicodedata.normalize("NFD", text)
     return unicodedata.normalize("NFC", "".join(c for c in parts if not unicodedata.combining(c)))
 

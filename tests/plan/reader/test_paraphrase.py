@@ -64,6 +64,22 @@ SAME = [
      "The lounge leads to a hallway. The hallway leads to two bedrooms. Kitchen, bathroom."),
     ("which both enter", "Two bedrooms are separated by a bathroom which both may enter.",
      "Two bedrooms are separated by a bathroom."),
+    ("what one bathroom is for", "One bathroom for the main bedroom, one for the other three bedrooms; lounge.",
+     "Four bedrooms, the main bedroom with an en suite, a family bathroom; lounge."),
+    ("more than usual", "One more study than usual: two studies, two bedrooms.", "Two studies, two bedrooms."),
+    ("suites", "Two suites, each with a walk-in closet and a bathroom, and a lounge and a kitchen.",
+     "Two bedrooms, each with its own bathroom and each with a walk-in closet, and a lounge and a kitchen."),
+    ("into which and from which", "A hall into which the lounge, the kitchen and a WC open, and from which a corridor "
+     "leads to two bedrooms and a bathroom.",
+     "The hall leads to the lounge, the kitchen, a WC and a second hall. The second hall leads to two bedrooms and a "
+     "bathroom."),
+    ("enfilade", "Hall, lounge, study and kitchen form an enfilade. Two bedrooms, a bathroom.",
+     "The hall leads to the lounge, the lounge to the study, the study to the kitchen. Two bedrooms, a bathroom."),
+    ("all that there is", "There is a kitchen. There are two bedrooms and a bath. All of them open onto the lounge.",
+     "The kitchen, two bedrooms and a bathroom open onto the lounge."),
+    ("a room set to a part", "2 bedrooms, 1 living; hub: living; hall: none", "two bedrooms, a living room, no hall"),
+    ("way in, then what it has", "The lounge, reached through a passage off the kitchen, has a balcony. Two bedrooms.",
+     "The lounge has a balcony. The lounge is reached from a passage. The passage is off the kitchen. Two bedrooms."),
 ]  # fmt: skip
 
 
