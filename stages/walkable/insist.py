@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from schemas.retrieve import Furnishing
+from stages import reach
 from stages.walkable import importance, placing
 from stages.walkable.blocking import View
 from stages.walkable.changes import Change, Repair, dropped, nudged, replaced
@@ -35,17 +36,21 @@ class Question(NamedTuple):
 
 def making_room(site: Site, now: Ways, here: View, able: list[Furnishing]) -> Iterator[Repair]:
     """Repairs that keep each object of `able` that must stay; the fewer and lesser things go for it the earlier."""
-    question, ranks = Question(site, now, here), importance.Ranks(site, now.scene)
-    firm = sorted((o for o in able if ranks.of(o) >= 2), key=ranks.of)
+    question, ranks, alone = Question(site, now, here), importance.Ranks(site, now.scene), {o.id for o in able}
+    firm = sorted((o for o in here.scene.values() if (o.id in alone or reach.in_the_way(o)) and ranks.of(o) >= 2),
+                  key=ranks.of)
     near = [o for o in importance.droppable(site, now.scene, 2) if o.room in here.rooms] if site.config.drop else []
-    tried: list[list[str]] = []
+    tried = set[tuple[str, ...]]()
     for most in (-1, 0, 1, 2):
         for o in firm:
             loose = [p for p in near if ranks.of(p) <= min(most, ranks.of(o) - 1) and p.id != o.id]
-            names = [o.id, *(p.id for p in loose)]
-            if most < 0 or len(names) > 1 and names not in tried:
+            names = (o.id, *(p.id for p in loose))
+            if names in tried:
+                continue
+            tried.add(names)
+            # What is in the way only together with what goes first may be what has to move.
+            if o.id in alone or loose and here.reaches(question.away(loose) | {o.id: None}):
                 yield from _first(question, o, loose)
-            tried.append(names)
 
 
 def _first(question: Question, o: Furnishing, loose: list[Furnishing]) -> Iterator[Repair]:

@@ -4,7 +4,7 @@ import boxes_library as fake
 import handmade as h
 import numpy as np
 import pytest
-from crowded import FIRST, crowded
+from crowded import FIRST, crowded, of_kind
 
 from schemas.errors import Unmet
 from schemas.plan import AskedObjects
@@ -71,3 +71,20 @@ def test_a_bed_that_bars_the_way_becomes_a_smaller_one():
     result = walk(small(bed, chest), target=0.2)
     (bed,) = [o for o in result.objects if o.id == "bed"]
     assert bed.category == "single_bed" and result.walkable.unreached == [] and result.walkable.dropped == []
+
+
+def test_what_is_in_the_way_only_together_with_lesser_things_moves_once_they_are_gone() -> None:
+    size = (0.44, 0.94, 0.86)
+    home = of_kind(h.home(
+        h.thing("bath", 5.58, 0.98, np.pi, h.BEDROOM, size=(0.81, 1.4, 0.59), id="bath"),
+        h.thing("vanity", 5.76, -0.2, np.pi, h.BEDROOM, size=size, id="vanity",
+                joints=tuple(fake.joints("vanity", size))),
+        h.thing("toilet", 4.44, 0.79, 0, h.BEDROOM, size=(0.67, 0.4, 0.79), id="toilet"),
+        h.thing("stool", 4.56, 0.26, 0, h.BEDROOM, size=(0.5, 0.5, 0.8), id="stool"),
+    ), "bathroom")
+    rooms = [room.model_copy(update={"polygon": h.rectangle(4.1, -0.69, 1.89, 2.64)}) if room.id == h.BEDROOM else room
+             for room in home.rooms]
+    openings = [o.model_copy(update={"hinge": int(o.id == "door_1")}) for o in home.openings if o.kind != "window"]
+    home = home.model_copy(update={"rooms": rooms, "openings": openings})
+    result = walk(home, fake.Empty(), target=0.2)
+    assert result.walkable.unreached == [] and lacking(home, result) == []
