@@ -201,6 +201,7 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
                 if _each_after(items, k):
                     item.room.quantifier = "each"
                     k += 1
+                k += _beyond(item.room, items[k + 1 : k + 5])
         elif item.kind == "negation" or item.kind == "conjunction" or is_mark(item, ","):
             k += 1
             continue
@@ -210,6 +211,17 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
         k += 1
         taken = k
     return taken
+
+
+def _beyond(closet: RoomPhrase, after: list[Item]) -> int:
+    """`a dressing room, which leads to the en suite`: the bathroom opens off it; returns how many items that takes."""
+    start = int(bool(after) and is_mark(after[0], ","))
+    kinds = [i.kind for i in after[start : start + 3]]
+    bath = after[start + 2].room if kinds == ["relative", "link", "room"] else None
+    if closet.type != "closet" or bath is None or bath.type != "bathroom" or bath.plural:
+        return 0
+    closet.owned.append(bath)
+    return start + 3
 
 
 def _each_after(items: list[Item], k: int) -> bool:

@@ -22,7 +22,12 @@ def other_hall(phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> bool
 
 def best_named(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:
     """Of the `known` hallways those that may bear this name; all where none does."""
-    return [e for e in known if phrase.type != "hallway" or _same(phrase.text, e.name)] or known
+    return [e for e in known if may_be(phrase, e)] or known
+
+
+def may_be(phrase: RoomPhrase, room: Entity) -> bool:
+    """Whether the phrase's name may be said of the room: no foyer is a corridor."""
+    return phrase.type != "hallway" or _same(phrase.text, room.name)
 
 
 def hall_rank(room: Entity) -> int:

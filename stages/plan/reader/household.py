@@ -3,7 +3,7 @@
 import math
 
 from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
-from stages.plan.reader.halls import best_named, other_hall
+from stages.plan.reader.halls import best_named, may_be, other_hall
 from stages.plan.reader.mention import RoomPhrase
 from stages.plan.reader.owned import own
 from stages.plan.reader.traits import lay
@@ -194,6 +194,7 @@ class Household:
                 return free[:1]
         apart = set(DISTINCT) - ({"double"} if "master" in labels else set())
         free = [e for e in self.of(phrase.type) if not e.labels & apart and not e.picked and e.owner is None]
+        free = [e for e in free if may_be(phrase, e)]
         total = phrase.type in self.totals or phrase.subset
         take = free if self._among_known(phrase, labels, free, total) else []
         found = take[:count]

@@ -72,6 +72,8 @@ class Phraser:
             word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
         if self._modifier(word, words, i):
             return i + 1
+        if word.text in ("cupboard", "cupboards") and not self._in_hall():
+            word = words[i] = replace(word, kind="unknown")
         if word.kind == "room" and not self._is_object(word, following):
             return self._room(words, i)
         if word.kind == "room":
@@ -246,6 +248,10 @@ class Phraser:
             value, _, form = (word.value, "", "") if word.kind in ("compare", "mark") else word.value.partition(".")
             number = word.values[0] if word.values else 1.0
             self.items.append(Item(word.kind, value, word.text, None, number, word.values, word.joined, form))
+
+    def _in_hall(self) -> bool:
+        """`a hall with a cupboard`: large enough to be one of the rooms."""
+        return [i.value for i in self.items[-2:]] == ["hallway", "with"]
 
     def _clause_begins(self) -> bool:
         """Whether `that hallway` names a hallway: no `that` of a relative clause."""

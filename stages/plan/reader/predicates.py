@@ -26,7 +26,9 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
         first = not any(i.room for i in items[:k]) or (
             k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ","))
         )
-        if first and _bare_front(items, k):
+        if first and _headed(items, k):
+            out.append(Predicate(k + 2, "door", "front", False, (k + 1, k + 2)))
+        elif first and _bare_front(items, k):
             out.append(Predicate(k + 1, "door", "front", False, (k + 1, k + 2)))
         elif _is_front(items, k, first):
             out.append(Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
@@ -127,6 +129,12 @@ def _is_front(items: list[Item], k: int, first: bool) -> bool:
     )
     follows = k + 1 < len(items) and items[k + 1].room is not None
     return starts and first and follows and _reach(items, k) > k
+
+
+def _headed(items: list[Item], k: int) -> bool:
+    """`from the landing: two bedrooms, a bathroom`."""
+    hall = items[k + 1].value == "hallway" if k + 2 < len(items) else False
+    return hall and items[k].text in ("from", "off") and is_mark(items[k + 2], ":")
 
 
 def _bare_front(items: list[Item], k: int) -> bool:

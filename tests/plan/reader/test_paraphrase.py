@@ -80,6 +80,12 @@ SAME = [
     ("a room set to a part", "2 bedrooms, 1 living; hub: living; hall: none", "two bedrooms, a living room, no hall"),
     ("way in, then what it has", "The lounge, reached through a passage off the kitchen, has a balcony. Two bedrooms.",
      "The lounge has a balcony. The lounge is reached from a passage. The passage is off the kitchen. Two bedrooms."),
+    ("cupboard of a hall", "Hall with cupboard, two bedrooms, a bathroom.",
+     "Hall with storage room, two bedrooms, a bathroom."),
+    ("lists by hall", "From the corridor: two bedrooms, a bathroom; from the foyer: lounge, kitchen.",
+     "The foyer leads to the lounge and the kitchen. The corridor leads to two bedrooms and a bathroom."),
+    ("beyond the closet", "Two-bedroom flat, the main bedroom with a walk-in closet that opens to the ensuite.",
+     "Two-bedroom flat. The main bedroom has a walk-in closet. The ensuite is off the walk-in closet."),
 ]  # fmt: skip
 
 
