@@ -68,7 +68,8 @@ def _furnished(
     )
     lanes = [lane for plan, rng in zip(plans, rngs, strict=True) for lane in rng.spawn(len(plan.rooms))]
     whose = [(plan, room) for plan in plans for room in plan.rooms]
-    rooms.count = draw_counts(rooms, record["counts"], lanes)
+    at_home = np.array([len(plan.rooms) > 1 for plan, _ in whose])
+    rooms.count = draw_counts(rooms, record["counts"], lanes, at_home)
     # A batch pays for its fullest room, so rooms alike share one; the fullest first, as they take longest to settle.
     order, work = np.lexsort([rooms.tokens, rooms.count])[::-1], []
     for index in np.split(order, range(config.batch, len(order), config.batch)):

@@ -19,7 +19,7 @@ AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
 EARLY = 0.10
 """Quantity guidance acts below this share of the schedule (Fig. 4)."""
 SPARSE = 0.25
-"""Share of the emptiest rooms in the training record that is not drawn from: they look as if someone was moving out."""
+"""Share of the emptiest rooms in the training record that homes don't draw from: they look as if someone moved out."""
 QUANTITY = 100.0
 """Its weight γ; a mean over slots has small gradients, and settled classes hold on to their evidence."""
 
@@ -32,12 +32,18 @@ def count_table(rooms: Rooms, count: NDArray[np.int64]) -> list[list[list[int]]]
     return nested
 
 
-def draw_counts(rooms: Rooms, table: list[list[list[int]]], lanes: list[np.random.Generator]) -> NDArray[np.int64]:
-    """The number of objects of every room: as asked, else drawn from what rooms of its type and area hold."""
+def draw_counts(
+    rooms: Rooms, table: list[list[list[int]]], lanes: list[np.random.Generator], at_home: NDArray[np.bool_]
+) -> NDArray[np.int64]:
+    """The number of objects of every room: as asked, else drawn from what rooms of its type and area hold.
+
+    `at_home` (B,): rooms of a home, not by themselves; these are drawn from the fuller ones.
+    """
     asked = np.where(rooms.wanted > 0, rooms.wanted, 0).sum(1)
     out = np.zeros(len(rooms), np.int64)
     for i, (kind, area, rng) in enumerate(zip(rooms.type, rooms.area, lanes, strict=True)):
-        share = SPARSE + (1 - SPARSE) * rng.random()
+        sparse = SPARSE if at_home[i] else 0.0
+        share = sparse + (1 - sparse) * rng.random()
         if rooms.count[i] != UNKNOWN:
             out[i] = min(int(rooms.count[i]), N_MAX)
             continue
