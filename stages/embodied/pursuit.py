@@ -32,7 +32,7 @@ TIME_TO_COLLISION = 1.0
 """max_allowed_time_to_collision_up_to_carrot, s."""
 XY_TOLERANCE, YAW_TOLERANCE = 0.25, 0.25
 """Of Nav2's goal checker, m and rad."""
-WITHIN = 0.03
+WITHIN = 0.06
 """It drives on until it is so much nearer, so that it still is once it has stopped and turned, m."""
 NARROW, NARROW_AHEAD = 0.10, 0.5
 """Where the path leaves less than this beside the robot, within so far ahead, it is narrow, m."""
