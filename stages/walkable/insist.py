@@ -35,7 +35,10 @@ class Question(NamedTuple):
 
 
 def making_room(site: Site, now: Ways, here: View, able: list[Furnishing]) -> Iterator[Repair]:
-    """Repairs that keep each object of `able` that must stay; the fewer and lesser things go for it the earlier."""
+    """Repairs that keep what must stay, the fewer and lesser things go for them the earlier.
+
+    `able`: objects that may help by themselves; others are looked at once the lesser things are away.
+    """
     question, ranks, alone = Question(site, now, here), importance.Ranks(site, now.scene), {o.id for o in able}
     firm = sorted((o for o in here.scene.values() if (o.id in alone or reach.in_the_way(o)) and ranks.of(o) >= 2),
                   key=ranks.of)
