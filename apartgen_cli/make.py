@@ -35,7 +35,10 @@ LLM = Annotated[str | None, typer.Option("--llm", help="Language model that read
 
 
 def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record]) -> Iterator[Path]:
-    """Every stage in turn; yields each file, made now or found as an earlier run left it, the pictures last."""
+    """Every stage in turn; yields each file, made now or found as an earlier run left it, the pictures last.
+
+    Raises Unmet at the end where the walkable target was missed and the home asked for all the same.
+    """
     home = _planned(prompt, settings["plan"], seed, folder)
     yield folder / "plan.json"
     for stage in STAGES:
@@ -45,6 +48,8 @@ def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record]) -> I
     yield folder / "metrics.json"
     files = _exported(home, settings["export"], seed, folder / SCENE)
     yield from sorted(files, key=lambda file: file.suffix in PICTURES and 1 + PICTURES.index(file.suffix))
+    if short := walkable.STAGE.missed(home.body, settings["walkable"]):
+        raise short
 
 
 def _kept(file: Path, model: type[Any], wanted: Made) -> Artifact[Any] | None:

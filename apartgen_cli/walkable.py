@@ -29,12 +29,13 @@ def clear(home: Retrieve, config: WalkableSettings, rng: np.random.Generator) ->
 
 
 def missed(home: Walkable, config: WalkableSettings) -> Unmet | None:
-    """The target, when the best apartment was asked for although it misses it."""
-    found = home.walkable
-    ratio = found.after if config.scope == "apartment" else min(found.rooms.values())
-    if ratio >= config.target - 1e-6:
+    """What the best apartment falls short of, when it was asked for all the same."""
+    if not config.write_anyway:
         return None
-    return Unmet(f"the walkable ratio is {ratio:.3f}, below the target {config.target:g}; written as asked")
+    from stages import retrieve, walkable
+
+    short = walkable.unmet(home, config, retrieve.open_libraries(RetrieveConfig(libraries=config.libraries)))
+    return Unmet(f"{short} (written as asked)") if short else None
 
 
 STAGE = Stage("walkable", Retrieve, WalkableSettings, each(clear), {"libraries": "library"}, missed)

@@ -75,6 +75,15 @@ def test_what_is_there_is_kept(home, again):
     assert times(home) == before
 
 
+def test_a_target_missed_on_request_ends_in_1_with_everything_written(again, home):
+    config = home.parent / "settings.toml"
+    config.write_text("[walkable]\ntarget = 0.99\nwrite_anyway = true\n")
+    done = again(home, config=config)
+    assert done.code == 1 and "0.99 can't be met" in done.err and "written as asked" in done.err
+    assert json.loads((home / "walkable.json").read_text())["body"]["walkable"]["target"] == 0.99
+    assert str(home / "scene" / "plan.png") in done.err
+
+
 @pytest.mark.parametrize("lost", ["plan", "layout", "walkable"])
 def test_what_is_missing_is_made_again_and_the_same(made, home, again, lost):
     before = times(home)

@@ -33,8 +33,7 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
     """
     site = survey(previous, config, Kept(library), importance.needs(previous))
     start: Scene = tuple(previous.objects)
-    whole = [room.id for room in previous.rooms]
-    parts = [[room] for room in whole] if config.scope == "rooms" else [whole]
+    parts = _parts(site)
     scene, steps = start, list[Step]()
     for rooms in parts:
         scene, taken = _opened(site, scene, rooms)
@@ -52,8 +51,9 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
         scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(site.library)), now)
         steps += taken
     unreached = missed(site, scene) if now and now.missed else []
-    _check(site, scene, parts)
-    _check_ways(site, scene, unreached)
+    short = _shortfalls(site, scene, parts, unreached)
+    if short and not config.write_anyway:
+        raise Unmet(f"{'; '.join(short)} (--write-anyway writes the best scene)")
     for name in unreached:
         LOG.warning("a robot of %.2f m radius does not get to %s", config.robot_radius, name)
     for fault in faults:
@@ -80,34 +80,39 @@ def _opened(site: Site, scene: Scene, rooms: list[str]) -> tuple[Scene, list[Ste
     return scene, [*steps, *taken]
 
 
-def _check(site: Site, scene: Scene, parts: Iterable[list[str]]) -> None:
-    """Raise Unmet where the target is missed; only warn with `write_anyway`."""
+def unmet(home: Walkable, config: WalkableConfig, library: Candidates) -> str:
+    """What a home written by `write_anyway` falls short of, empty if nothing."""
+    site = survey(home, config, Kept(library), importance.needs(home))
+    scene = tuple(home.objects)
+    return "; ".join(_shortfalls(site, scene, _parts(site), home.walkable.unreached))
+
+
+def _parts(site: Site) -> list[list[str]]:
+    """Rooms whose free floor is looked at together."""
+    return [[room] for room in site.floors] if site.config.scope == "rooms" else [list(site.floors)]
+
+
+def _shortfalls(site: Site, scene: Scene, parts: Iterable[list[str]], unreached: list[str]) -> list[str]:
+    """The target, where it is missed, and what the robot does not get to for what is vital to a room."""
     target = site.config.target
     reached = {", ".join(rooms): area_ratio(site, scene, rooms) for rooms in parts}
-    short = {rooms: ratio for rooms, ratio in reached.items() if ratio < target - EPSILON}
-    if not short:
-        return
-    what = "; ".join(f"{rooms}: {ratio:.3f}" for rooms, ratio in short.items())
-    message = f"walkable ratio {target:g} can't be met, best reached: {what}; lower --target or ask for less furniture"
-    if not site.config.write_anyway:
-        raise Unmet(f"{message} (--write-anyway writes the best scene)")
-    LOG.warning("%s", message)
+    short = "; ".join(f"{rooms}: {ratio:.3f}" for rooms, ratio in reached.items() if ratio < target - EPSILON)
+    found = [f"walkable ratio {target:g} can't be met, best reached: {short}; lower --target or ask for less furniture"]
+    return found[: bool(short)] + _cut_off(site, scene, unreached)
 
 
-def _check_ways(site: Site, scene: Scene, unreached: list[str]) -> None:
-    """Raise Unmet where what is vital to a room keeps the robot from something, or is out of its reach."""
-    if not unreached or site.config.write_anyway:
-        return
+def _cut_off(site: Site, scene: Scene, unreached: list[str]) -> list[str]:
+    if not unreached:
+        return []
     ranks = importance.Ranks(site, scene)
     lost = set(unreached) - set(missed(site, tuple(o for o in scene if ranks.of(o) < 3)))
     if not lost:
-        return
+        return []
     where = {room for name in lost for room in rooms_of(site, scene, name)}
     vital = ", ".join(o.id for o in scene if o.room in where and ranks.of(o) == 3)
-    raise Unmet(
-        f"a robot of {site.config.robot_radius:g} m radius does not get to {', '.join(sorted(lost))}, as "
-        f"{', '.join(sorted(where))} can't do without {vital}; ask for larger rooms or less furniture, or give "
-        "--no-connect (--write-anyway writes the best scene)")
+    return [f"a robot of {site.config.robot_radius:g} m radius does not get to {', '.join(sorted(lost))}, as "
+            f"{', '.join(sorted(where))} can't do without {vital}; ask for larger rooms or less furniture, or give "
+            "--no-connect"]
 
 
 def _swap(name: str, old: Furnishing, new: Furnishing) -> Replaced:

@@ -9,7 +9,7 @@ from crowded import FIRST, crowded, of_kind
 from schemas.errors import Unmet
 from schemas.plan import AskedObjects
 from stages.metrics import collision, doorways, outside
-from stages.walkable import WalkableConfig, importance, run
+from stages.walkable import WalkableConfig, importance, run, unmet
 
 DOWN, UP = -np.pi / 2, np.pi / 2
 def walk(home, library=None, **config):
@@ -63,6 +63,11 @@ def test_what_was_asked_for_and_the_bed_can_not_both_be_had():
         walk(asked, fake.Empty(), target=0.2, reach=0.6)
     best = walk(asked, fake.Empty(), target=0.2, reach=0.6, write_anyway=True)
     assert best.walkable.dropped == [] and best.walkable.unreached == ["wardrobe"]
+    config = WalkableConfig(target=0.2, reach=0.6, write_anyway=True)
+    assert "does not get to wardrobe" in unmet(best, config, fake.Empty())
+    assert unmet(best, config.model_copy(update={"target": 0.99}), fake.Empty()).startswith("walkable ratio 0.99")
+    fine = walk(barred(), fake.Empty(), target=0.2, reach=0.6)
+    assert unmet(fine, config, fake.Empty()) == ""
 
 
 def test_a_bed_that_bars_the_way_becomes_a_smaller_one():
