@@ -257,15 +257,14 @@ def test_chains_are_the_cheapest_and_touch_nothing(flat):
     part = parts.part(probe.world, body, body.links[1])
     probe.reset(part.body)
     chains, hold, base = Chains(probe, part), part.holds[0], np.array([1.35, 1.8, np.pi])
+    known = chains.known(base, hold)
+    able = [[o for o in np.flatnonzero(known.able[k]).tolist() if chains.meets_nothing(known.postures[k, o], k, hold)]
+            for k in range(STEPS + 1)]
     chain, *_ = chains.found(base, hold, 0)
-    able = []
-    for k in range(STEPS + 1):
-        found, within = chains.held(base, hold, k)
-        able.append([o for o in np.flatnonzero(within).tolist() if chains.meets_nothing(found[o], k, hold)])
     assert len(chain) == STEPS + 1 and all(o in free for o, free in zip(chain, able))
     best = {o: OPTIONS[o].cost for o in able[0]}
     for k in range(STEPS):
-        ways = chains.next(hold, k)
+        ways = np.isfinite(chains.prices(hold)[k])
         best = {p: min(c + (o != p) for o, c in best.items() if ways[o, p])
                 for p in able[k + 1] if ways[list(best), p].any()}
     assert OPTIONS[chain[0]].cost + sum(a != b for a, b in zip(chain, chain[1:])) == pytest.approx(min(best.values()))

@@ -8,9 +8,9 @@ ajar. What the fingers hold is modelled by a ball joint that breaks at the force
 rooms are shut behind the robot: their leaves are left out, as are handles that are none (windows do not open).
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from itertools import islice
+from itertools import chain, islice, tee
 
 import numpy as np
 import shapely
@@ -24,7 +24,7 @@ from stages.embodied.interact.act import FRAMES, Actor, Result
 from stages.embodied.interact.chains import GOAL, OPEN
 from stages.embodied.interact.near import Surroundings
 from stages.embodied.interact.parts import Hold, Part
-from stages.embodied.interact.plan import Plan, Planner, spots
+from stages.embodied.interact.plan import Plan, Planner, spots, spread
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import NAMES, RADIUS, joint, mjcf, tucked
 from stages.embodied.outcome import Failure, Outcome, Trace
@@ -42,7 +42,8 @@ ASTRAY = (0.01, 0.03)
 
 @dataclass(frozen=True)
 class _Ground:
-    """Points (n, 2) that the base gets to, those where it could only stand, and the floor between the walls."""
+    """Points (n, 2) that the base gets to, those where it could only stand, both in the order of y; and the floor
+    between the walls."""
 
     cells: Array
     others: Array
@@ -173,33 +174,38 @@ def _tried(probe: Probe, part: Part, ground: _Ground, rng: np.random.Generator) 
             return _Tried(None, "blocked part", reason, share=share)
     probe.limit(probe.model)
     planner = Planner(probe, part)
-    stands = _stands(planner, spots(part, ground.cells, ground.inside)[:SPOTS], rng)
+    stands = _stands(planner, islice(spots(part, ground.cells, ground.inside), SPOTS), rng)
     places, first = 0, None
-    while some := list(islice(stands, TOGETHER)):
-        first = some[0] if first is None else first
-        for holds, push in ((part.holds, False), (part.others, False), (part.holds, True)):
-            for k, base in enumerate(some, 1):
+    for base in stands:
+        some = chain([base], islice(stands, TOGETHER - 1))
+        first, k = base if first is None else first, 0
+        ways = ((part.holds, False), (part.others, False), (part.holds, True))
+        # Places are looked for only once those before them have failed.
+        for (holds, push), bases in zip(ways, tee(some, len(ways)), strict=True):
+            for k, base in enumerate(bases, 1):
                 found = planner.plan(base, holds, push)
                 if found is not None:
                     return _Tried(found, numbers={"places": float(places + k), "pushed": float(push)})
-        places += len(some)
-    if planner.chains.met:
+        places += k
+    if planner.chains.reached:
         return _Tried(None, "planner", planner.chains.complaint(), {"places": float(places)}, first)
-    if any(True for _ in _stands(planner, spots(part, ground.others, ground.inside)[:SPOTS], rng)):
+    if any(True for _ in _stands(planner, islice(spots(part, ground.others, ground.inside), SPOTS), rng)):
         return _Tried(None, "planner", "no way from the entrance")
     return _Tried(None, "no standing room", "the robot fits nowhere from where it reaches it")
 
 
-def _stands(planner: Planner, places: Array, rng: np.random.Generator) -> Iterator[Array]:
+def _stands(planner: Planner, places: Iterable[Array], rng: np.random.Generator) -> Iterator[Array]:
     """Poses (x, y, heading) near the places where nothing touches the base and mast while the part moves."""
-    target = planner.part.at(planner.part.holds[0].point, 0.0)[:2]
+    probe, part = planner.probe, planner.part
+    target = part.at(part.holds[0].point, 0.0)[:2]
+    values = [float(planner.values[k]) for k in spread(len(planner.values))]
     for place in places:
         for scale in (1.0, 0.0):
             x, y = place + scale * rng.normal(0, ASTRAY[0], 2)
             heading = np.arctan2(target[1] - y, target[0] - x) + scale * rng.normal(0, ASTRAY[1])
-            base = np.array([x, y, heading])
-            if all(planner.probe.hit(tucked(base, 0.5, 0), planner.part, value) < 0 for value in planner.values):
-                yield base
+            stands = tucked([x, y, heading], 0.5, 0)
+            if all(probe.hit(stands, part, value) < 0 for value in values):
+                yield stands[:3]
                 break
 
 

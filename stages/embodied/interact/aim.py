@@ -37,42 +37,29 @@ NEAR = float(np.cos(np.radians(46)))
 """Directions no further apart follow one another."""
 
 
-def forward(part: Part, hold: Hold, value: float, option: Option) -> Array:
-    """Which way the hand points (unit), the part at a position."""
-    left = cross(part.up, part.front)
-    level = -np.cos(option.yaw) * part.front - np.sin(option.yaw) * left
-    if hold.kind == "push":
-        level = -level
-    found = np.cos(option.pitch) * level - np.sin(option.pitch) * part.up
-    return np.asarray(part.moved(value)[0] @ found if option.follows else found)
-
-
-def directions(part: Part, hold: Hold, value: float) -> Array:
-    """The same for every one of `OPTIONS`, (n, 3)."""
+def directions(part: Part, hold: Hold, turns: Array) -> Array:
+    """Which way the hand points (unit) with every one of `OPTIONS`, the part turned so (m, 3, 3); (m, n, 3)."""
     left = cross(part.up, part.front)
     level = -np.cos(_YAW)[:, None] * part.front - np.sin(_YAW)[:, None] * left
     if hold.kind == "push":
         level = -level
     found = np.cos(_PITCH)[:, None] * level - np.sin(_PITCH)[:, None] * part.up
-    return np.asarray(np.where(_FOLLOWS[:, None], found @ part.moved(value)[0].T, found))
+    return np.asarray(np.where(_FOLLOWS[:, None], found @ turns.transpose(0, 2, 1), found))
 
 
-def turned(part: Part, hold: Hold, value: float, ahead: Array) -> Array | None:
-    """The hand's axes (3, 3) when it points `ahead`; None where it would not grip, or push out of the face."""
-    turns, able = every_turn(part, hold, value, ahead[None])
-    return turns[0] if able[0] else None
+def grasps(part: Part, hold: Hold, turns: Array, ahead: Array) -> tuple[Array, Mask]:
+    """The hand's axes (n, 3, 3) when it points `ahead` (n, 3), the part turned so (n, 3, 3).
 
-
-def every_turn(part: Part, hold: Hold, value: float, ahead: Array) -> tuple[Array, Mask]:
-    """The same for many directions (n, 3): axes (n, 3, 3), and where they are any good."""
-    turn, _ = part.moved(value)
+    Also where they are any good: where the hand would grip, or not push out of the face.
+    """
     if hold.kind == "pinch":
         able = np.ones(len(ahead), bool)
-        across = turn @ hold.across
+        across = turns @ hold.across
     else:
-        able = ahead @ (turn @ hold.out) * (1 if hold.kind == "push" else -1) >= _LIMIT[hold.kind]
-        across = cross(part.up, part.front)
-    across = across - (ahead @ across)[:, None] * ahead
+        facing = (ahead * (turns @ hold.out)).sum(1) * (1 if hold.kind == "push" else -1)
+        able = facing >= _LIMIT[hold.kind]
+        across = np.broadcast_to(cross(part.up, part.front), ahead.shape)
+    across = across - (ahead * across).sum(1)[:, None] * ahead
     length = np.sqrt((across * across).sum(1))
     able &= length >= (_LIMIT["pinch"] if hold.kind == "pinch" else 0.1)
     across = across / np.maximum(length, 1e-9)[:, None]

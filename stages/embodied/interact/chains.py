@@ -1,12 +1,13 @@
 """How the hand may follow a part: at every position one of a few directions, neighbours at neighbouring positions."""
 
-import heapq
 from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from stages.boxes import Array, Mask
-from stages.embodied.interact.aim import NEAR, OPTIONS, directions, every_turn
+from stages.embodied.interact.aim import NEAR, OPTIONS, directions, grasps
 from stages.embodied.interact.parts import Hold, Part
 from stages.embodied.interact.probe import Probe
 from stages.embodied.interact.robot import CUP, THICK, TIP, postures
@@ -18,62 +19,86 @@ GOAL = 0.83
 STEPS = 10
 SPARE = 0.012
 """What the arm keeps of its travel for where the hand really takes hold, m."""
+_COST = np.array([option.cost for option in OPTIONS])
+_CHANGE = 1.0 - np.eye(len(OPTIONS))
+
+
+@dataclass
+class _Known:
+    """From one place with one hold: postures (STEPS + 1, n, 13) by position and option, which are any good, and which
+    of them have been found to touch nothing."""
+
+    postures: Array
+    able: Mask
+    free: Mask
 
 
 class Chains:
-    """Of one part, at `STEPS` + 1 positions (`values`) up to its goal; `met` counts what the arm met, by geom."""
+    """Of one part, at `STEPS` + 1 positions (`values`) up to its goal.
+
+    `reached` says whether the hand got to the part from anywhere, `met` counts what the arm met, by geom.
+    """
 
     def __init__(self, probe: Probe, part: Part) -> None:
         self.probe, self.part = probe, part
         self.values = part.travel * GOAL * np.linspace(0, 1, STEPS + 1)
+        self.turns, _ = part.moves(self.values)
         self.met: Counter[int] = Counter()
-        self._ahead: dict[tuple[bool, int], Array] = {}
-        self._grips: dict[tuple[int, int], tuple[Array, Array, Mask]] = {}
-        self._near: dict[tuple[bool, int], Mask] = {}
+        self.reached = False
+        self._aheads: dict[bool, Array] = {}
+        self._prices: dict[bool, Array] = {}
+        self._grips: dict[int, tuple[Array, Array, Mask]] = {}
+        self._known: dict[tuple[bytes, int], _Known] = {}
 
-    def found(self, base: Array, hold: Hold, start: int, most: int = 2) -> list[list[int]]:
-        """Ways on from position `start`, as far as it goes: indices of options at each position, straightest first.
+    def found(self, base: Array, hold: Hold, start: int, end: int = STEPS, most: int = 2) -> Iterator[list[int]]:
+        """Ways on from position `start` to `end`: indices of options at each position, straightest first.
 
-        Dijkstra over (position, option), each of which is tested for collisions only once it is the cheapest left.
+        Those after the first end with other options. The cheapest way is tested for collisions where there is least
+        choice, what touches something is struck out, and so on until a way is free.
         """
-        grip = {start: self.held(base, hold, start)}
-        heap: list[tuple[float, int, int, tuple[int, ...]]]
-        heap = [(option.cost, start, o, (o,)) for o, option in enumerate(OPTIONS) if grip[start][1][o]]
-        heapq.heapify(heap)
-        seen: set[tuple[int, int]] = set()
-        found: list[tuple[int, ...]] = [()]
-        while heap and (len(found) < most or len(found[0]) < STEPS + 1 - start):
-            cost, k, o, chain = heapq.heappop(heap)
-            if (k, o) in seen:
-                continue
-            seen.add((k, o))
-            if not self.meets_nothing(grip[k][0][o], k, hold):
-                continue
-            if len(chain) > len(found[0]):
-                found = [chain]
-            elif len(chain) == len(found[0]) and len(found) < most:
-                found.append(chain)
-            if k < STEPS:
-                if k + 1 not in grip:
-                    grip[k + 1] = self.held(base, hold, k + 1)
-                for p in np.flatnonzero(grip[k + 1][1] & self.next(hold, k)[o]).tolist():
-                    if (k + 1, p) not in seen:
-                        heapq.heappush(heap, (cost + (o != p), k + 1, p, (*chain, p)))
-        return [list(chain) for chain in found if chain]
+        known = self.known(base, hold)
+        able, prices = known.able[start : end + 1].copy(), self.prices(hold)[start:end]
+        for _ in range(most):
+            while (chain := _cheapest(able, prices)) is not None:
+                at = self._touches(known, able, chain, start, hold)
+                if at is None:
+                    break
+                able[at, chain[at]] = known.able[start + at, chain[at]] = False
+            if chain is None:
+                return
+            yield chain
+            able[-1, chain[-1]] = False
 
-    def held(self, base: Array, hold: Hold, k: int) -> tuple[Array, Mask]:
-        """Postures (n, 13) of every option at the k-th position, and which are any good."""
-        points, turns, able = self.grips(hold, k)
-        found, within = postures(base, points, turns, hold.opening, SPARE)
-        return found, able & within
+    def _touches(self, known: _Known, able: Mask, chain: list[int], start: int, hold: Hold) -> int | None:
+        """At which position of a chain the robot touches something, None for nowhere."""
+        for at in np.argsort(able.sum(1), kind="stable").tolist():
+            k, o = start + at, chain[at]
+            if known.free[k, o]:
+                continue
+            if not self.meets_nothing(known.postures[k, o], k, hold):
+                return int(at)
+            known.free[k, o] = True
+        return None
 
-    def next(self, hold: Hold, k: int) -> Mask:
-        """Which option at position k may be followed by which at k + 1."""
-        key = (hold.kind == "push", k)
-        if key not in self._near:
-            near = self.aheads(hold, k) @ self.aheads(hold, k + 1).T > NEAR
-            self._near[key] = near | np.eye(len(OPTIONS), dtype=bool)
-        return self._near[key]
+    def known(self, base: Array, hold: Hold) -> _Known:
+        """What is known of a place and a hold."""
+        key = (base.tobytes(), id(hold))
+        if key not in self._known:
+            points, turns, able = self.grips(hold)
+            found, within = postures(base, points, turns, hold.opening, SPARE)
+            able = able & within.reshape(able.shape)
+            self.reached |= bool(able[0].any())
+            self._known[key] = _Known(found.reshape(*able.shape, 13), able, np.zeros_like(able))
+        return self._known[key]
+
+    def prices(self, hold: Hold) -> Array:
+        """What it costs to go on from option to option at the next position, (STEPS, n, n); infinite if impossible."""
+        key = hold.kind == "push"
+        if key not in self._prices:
+            ahead = self.aheads(hold)
+            near = (ahead[:-1] @ ahead[1:].transpose(0, 2, 1) > NEAR) | (_CHANGE == 0)
+            self._prices[key] = np.where(near, _CHANGE, np.inf)
+        return self._prices[key]
 
     def meets_nothing(self, found: Array, k: int, hold: Hold) -> bool:
         """Whether the robot meets nothing in a posture with the part at the k-th position; else notes what."""
@@ -81,37 +106,32 @@ class Chains:
         self.met[met] += 1
         return met < 0
 
-    def ahead(self, hold: Hold, k: int, o: int) -> Array:
-        """Which way the hand points at the k-th position with the o-th option."""
-        return np.asarray(self.aheads(hold, k)[o])
+    def aheads(self, hold: Hold) -> Array:
+        """Which way the hand points at every position with every option, (STEPS + 1, n, 3)."""
+        key = hold.kind == "push"
+        if key not in self._aheads:
+            self._aheads[key] = directions(self.part, hold, self.turns)
+        return self._aheads[key]
 
-    def aheads(self, hold: Hold, k: int) -> Array:
-        """The same with every option, (n, 3)."""
-        key = (hold.kind == "push", k)
-        if key not in self._ahead:
-            self._ahead[key] = directions(self.part, hold, float(self.values[k]))
-        return self._ahead[key]
+    def grips(self, hold: Hold) -> tuple[Array, Array, Mask]:
+        """Which options hold (STEPS + 1, n), and the hand's points and axes with each, in rows."""
+        if id(hold) not in self._grips:
+            n = len(OPTIONS)
+            values, ahead = self.values.repeat(n), self.aheads(hold).reshape(-1, 3)
+            turns, able = grasps(self.part, hold, self.turns.repeat(n, 0), ahead)
+            self._grips[id(hold)] = self.points(hold, values, ahead), turns, able.reshape(-1, n)
+        return self._grips[id(hold)]
 
-    def grips(self, hold: Hold, k: int) -> tuple[Array, Array, Mask]:
-        """The hand's point (n, 3) and axes (n, 3, 3) with every option at the k-th position, and which of them hold."""
-        key = (id(hold), k)
-        if key not in self._grips:
-            value = float(self.values[k])
-            ahead = self.aheads(hold, k)
-            turns, able = every_turn(self.part, hold, value, ahead)
-            back = np.array([self._back(hold, value, way) for way in ahead])
-            self._grips[key] = self.part.at(hold.point, value) - back[:, None] * ahead, turns, able
-        return self._grips[key]
+    def points(self, hold: Hold, values: Array, ahead: Array, back: float = 0.0) -> Array:
+        """Where the hand is (n, 3) that acts on the part at positions (n,), pointing ahead (n, 3).
 
-    def point(self, hold: Hold, value: float, turn: Array, back: float) -> Array:
-        """Where the hand is that acts on the part, its axes given, or `back` metres before that."""
-        return self.part.at(hold.point, value) - (back + self._back(hold, value, turn[:, 0])) * turn[:, 0]
-
-    def _back(self, hold: Hold, value: float, ahead: Array) -> float:
-        """How far from what it acts on the hand is that points ahead, m."""
+        Or `back` metres before that.
+        """
+        turns, shifts = self.part.moves(values)
+        short = np.full(len(ahead), TIP + CUP if hold.kind == "cup" else 0.0)
         if hold.kind == "push":
-            return _short(ahead, self.part.moved(value)[0] @ hold.out)
-        return TIP + CUP if hold.kind == "cup" else 0.0
+            short = _short((ahead * (turns @ hold.out)).sum(1))
+        return np.asarray(turns @ hold.point + shifts - (back + short)[:, None] * ahead)
 
     def complaint(self) -> str:
         """What the arm met most often; or, if it never met anything, that no motion was found."""
@@ -121,7 +141,30 @@ class Chains:
         return f"the arm meets {self.probe.name(met.most_common(1)[0][0])}"
 
 
-def _short(forward: Array, out: Array) -> float:
-    """How far before a face closed fingers stop that come at a slant, so that their corners touch it first, m."""
-    cosine = max(abs(float(forward @ out)), 0.2)
-    return TIP + THICK * float(np.sqrt(1 - min(cosine, 1.0) ** 2)) / cosine
+def _cheapest(able: Mask, prices: Array) -> list[int] | None:
+    """The cheapest way through layers of options (k, n), prices (k - 1, n, n) from layer to layer; None without."""
+    if not able.any(1).all():
+        return None
+    shut = np.where(able, 0.0, np.inf)
+    cost = _COST + shut[0]
+    came = []
+    for price, closed in zip(prices, shut[1:], strict=True):
+        total = cost[:, None] + price
+        came.append(total.argmin(0))
+        cost = total.min(0) + closed
+    o = int(cost.argmin())
+    if cost[o] == np.inf:
+        return None
+    chain = [o]
+    for best in reversed(came):
+        chain.append(int(best[chain[-1]]))
+    return chain[::-1]
+
+
+def _short(cosine: Array) -> Array:
+    """How far before a face closed fingers stop that come at a slant, so that their corners touch it first, m.
+
+    `cosine` is that of the angle between hand and face's normal.
+    """
+    steep = np.abs(cosine).clip(0.2, 1.0)
+    return np.asarray(TIP + THICK * np.sqrt(1 - steep**2) / steep)

@@ -86,6 +86,16 @@ class Part:
         turn = rotation(self.axis, value)
         return turn, self.anchor - turn @ self.anchor
 
+    def moves(self, values: Array) -> tuple[Array, Array]:
+        """The same for many positions (n,): rotations (n, 3, 3) and shifts (n, 3)."""
+        if self.slides:
+            return np.broadcast_to(np.eye(3), (len(values), 3, 3)), values[:, None] * self.axis
+        x, y, z = self.axis
+        skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+        c, s = np.cos(values)[:, None, None], np.sin(values)[:, None, None]
+        turns = c * np.eye(3) + s * skew + (1 - c) * np.outer(self.axis, self.axis)
+        return turns, self.anchor - turns @ self.anchor
+
     def at(self, point: Array, value: float) -> Array:
         """Where a point of the shut part is at a joint position."""
         turn, shift = self.moved(value)

@@ -5,7 +5,7 @@ a few directions of the hand will do, if neighbouring positions have neighbourin
 held all the way, as where it opens against a wall, it is pulled as far as it goes and pushed on from behind.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
@@ -14,15 +14,17 @@ import shapely
 from shapely import Geometry
 
 from stages.boxes import Array
-from stages.embodied.interact.aim import OPTIONS, forward, turned
+from stages.embodied.interact.aim import directions, grasps
 from stages.embodied.interact.chains import GOAL, SPARE, STEPS, Chains
 from stages.embodied.interact.parts import PLAY, Hold, Part
 from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import REACH, posture, tucked
+from stages.embodied.interact.robot import REACH, posture, postures, tucked
 from stages.embodied.interact.ways import turning, unfolding, withdrawn
 
 BACK = 0.09
 """The hand comes from and goes this far back from what it takes hold of, m."""
+AJAR = 2
+"""The first of the part's positions at which it can be pushed on."""
 FINE, FREE = 0.05, 0.02
 """Held and free paths are checked at least every so much of a turn (rad) or way (m)."""
 
@@ -60,49 +62,44 @@ class Planner:
         self.chains = Chains(probe, part)
         self.values = self.chains.values
 
-    def at(self, base: Array, hold: Hold, value: float, ahead: Array, near: Array | None = None, wide: bool = False,
-           back: float = 0.0) -> Array | None:  # fmt: skip
-        """The posture that acts on the part; with `wide` the fingers are open, `back` metres before it."""
-        turn = turned(self.part, hold, value, ahead)
-        if turn is None:
+    def at(self, base: Array, hold: Hold, value: float, ahead: Array, near: Array, back: float = 0.0) -> Array | None:
+        """The posture `back` metres before acting on the part, fingers open; None out of reach."""
+        values, ahead = np.array([value]), ahead[None]
+        turns, able = grasps(self.part, hold, self.part.moves(values)[0], ahead)
+        if not able[0]:
             return None
-        opening = hold.opening + (PLAY if wide and hold.kind == "pinch" else 0.0)
-        return posture(base, self.chains.point(hold, value, turn, back), turn, opening, near, SPARE)
+        opening = hold.opening + (PLAY if hold.kind == "pinch" else 0.0)
+        return posture(base, self.chains.points(hold, values, ahead, back)[0], turns[0], opening, near, SPARE)
 
     def follow(self, base: Array, hold: Hold, start: int, chain: list[int], near: Array) -> Phase | None:
         """The held motion along a chain, on from a posture, checked closely; None where it meets something."""
-        stops: list[Stop] = []
-        for k, (a, b) in enumerate(zip(chain, chain[1:], strict=False), start):
-            lo, hi = self.values[k], self.values[k + 1]
-            for share in np.linspace(0, 1, int(np.ceil(abs(hi - lo) / FINE)) + 2)[:-1]:
-                value = float(lo + share * (hi - lo))
-                ways = [forward(self.part, hold, value, OPTIONS[o]) for o in (a, b)]
-                if not self._stop(base, hold, value, (1 - share) * ways[0] + share * ways[1], near, stops):
-                    return None
-                near = stops[-1].posture
-        last = start + len(chain) - 1
-        if not self._stop(base, hold, float(self.values[last]), self.chains.ahead(hold, last, chain[-1]), near, stops):
+        legs = self.values[start : start + len(chain)]
+        each = np.ceil(np.abs(np.diff(legs)) / FINE).astype(int) + 1
+        along = np.concatenate([*(k + np.arange(n) / n for k, n in enumerate(each)), [len(each)]])
+        k = np.minimum(along.astype(int), len(each) - 1)
+        share = (along - k)[:, None]
+        values = np.interp(along, np.arange(len(legs)), legs)
+        turns, _ = self.part.moves(values)
+        options, rows = np.array(chain), np.arange(len(along))
+        ways = directions(self.part, hold, turns)
+        ahead = (1 - share) * ways[rows, options[k]] + share * ways[rows, options[k + 1]]
+        ahead /= np.linalg.norm(ahead, axis=1)[:, None]
+        axes, able = grasps(self.part, hold, turns, ahead)
+        found, within = postures(base, self.chains.points(hold, values, ahead), axes, hold.opening, SPARE, near)
+        if not (able & within).all():
             return None
-        return Phase("hold", stops, hold)
-
-    def _stop(self, base: Array, hold: Hold, value: float, ahead: Array, near: Array, stops: list[Stop]) -> bool:
-        turn = turned(self.part, hold, value, ahead / np.linalg.norm(ahead))
-        if turn is None:
-            return False
-        found = posture(base, self.chains.point(hold, value, turn, 0.0), turn, hold.opening, near, SPARE)
-        if found is None or self.probe.hit(found, self.part, value, hold) >= 0:
-            return False
-        stops.append(Stop(found, value, turn))
-        return True
+        if any(self.probe.hit(found[i], self.part, float(values[i]), hold) >= 0 for i in spread(len(found))):
+            return None
+        return Phase("hold", [Stop(*stop) for stop in zip(found, values.tolist(), axes, strict=True)], hold)
 
     def reach(self, base: Array, hold: Hold, k: int, o: int, near: Array, on: bool = False) -> Phase | None:
         """The way from arm in to the hold (its last stop), the part standing at the k-th position; None without.
 
         With `on` it begins where the arm is, at `near`, else wherever suits.
         """
-        value, ahead = float(self.values[k]), self.chains.ahead(hold, k, o)
-        ready = self.at(base, hold, value, ahead, near, wide=True)
-        before = self.at(base, hold, value, ahead, near, wide=True, back=BACK)
+        value, ahead = float(self.values[k]), self.chains.aheads(hold)[k, o]
+        ready = self.at(base, hold, value, ahead, near)
+        before = self.at(base, hold, value, ahead, near, BACK)
         if ready is None or before is None:
             return None
         for middle in unfolding(base, before):
@@ -124,24 +121,31 @@ class Planner:
             held = hold if k == len(stops) - 2 else None
             points += [(here, held) for here in a.posture + shares * (b.posture - a.posture)]
         value = stops[0].value
-        return all(self.probe.hit(points[i][0], self.part, value, points[i][1]) < 0 for i in _spread(len(points)))
+        return all(self.probe.hit(points[i][0], self.part, value, points[i][1]) < 0 for i in spread(len(points)))
 
     def plan(self, base: Array, holds: Sequence[Hold], push: bool) -> Plan | None:
         """All that opens the part from one place, taking hold as one of `holds` says; None if nothing does.
 
         With `push` the part is pulled ajar and pushed on, else pulled all the way.
         """
+        if push and not self.part.pushes:
+            return None
         for hold in holds:
-            for chain in self.chains.found(base, hold, 0):
-                whole = len(chain) == STEPS + 1
-                if whole == push or (push and not self.part.pushes):
-                    continue
+            for chain in self._partial(base, hold) if push else self.chains.found(base, hold, 0):
                 phases = self._pulled(base, hold, chain)
                 if phases is not None and push:
                     phases = self._pushed(base, phases, len(chain) - 1)
                 if phases is not None:
                     return Plan(base, phases)
         return None
+
+    def _partial(self, base: Array, hold: Hold) -> list[list[int]]:
+        """The ways as far as the hand can follow, none if that is all the way."""
+        for end in range(STEPS, AJAR - 1, -1):
+            found = list(self.chains.found(base, hold, 0, end))
+            if found:
+                return found if end < STEPS else []
+        return []
 
     def _pulled(self, base: Array, hold: Hold, chain: list[int]) -> list[Phase] | None:
         came = self.reach(base, hold, 0, chain[0], tucked(base, 0, 0))
@@ -154,9 +158,8 @@ class Planner:
         """The pull cut short where the part can be pushed on from behind, and the push."""
         grip = pulled[1].hold
         assert grip is not None
-        for k in range(furthest, 1, -1):
-            ways = [(hold, chain) for hold in self.part.pushes for chain in self.chains.found(base, hold, k)
-                    if len(chain) == STEPS + 1 - k]
+        for k in range(furthest, AJAR - 1, -1):
+            ways = [(hold, chain) for hold in self.part.pushes for chain in self.chains.found(base, hold, k)]
             if not ways:
                 continue
             cut = [stop for stop in pulled[1].stops if stop.value <= self.values[k] + 1e-9]
@@ -183,7 +186,7 @@ class Planner:
         return None
 
 
-def _spread(n: int) -> list[int]:
+def spread(n: int) -> list[int]:
     """0 to n - 1 in an order that comes near everywhere soon."""
     step = 1 << max(n - 1, 1).bit_length()
     order = [0]
@@ -193,30 +196,39 @@ def _spread(n: int) -> list[int]:
     return order[:n] if n else []
 
 
-def spots(part: Part, cells: Array, floor: Geometry) -> Array:
-    """Those of the floor's points (n, 2) from which the arm might do, best first; (m, 2).
+def spots(part: Part, cells: Array, floor: Geometry) -> Iterator[Array]:
+    """Those of the floor's points (n, 2), given in the order of y, from which the arm might do, best first.
 
     No wall stands between them and the handle: what is between lies within the `floor`. Those for the usual hold come
     first.
     """
     middle = part.holds[0].point
     far = 2 * REACH + abs(part.travel)
-    cells = cells[(np.abs(cells[:, 0] - middle[0]) <= far) & (np.abs(cells[:, 1] - middle[1]) <= far)]
-    found = np.concatenate([_spots(part, hold, cells, floor) for hold in (part.holds[0], *part.others)])
-    _, first = np.unique(found, axis=0, return_index=True)
-    return np.asarray(found[np.sort(first)])
+    first, last = np.searchsorted(cells[:, 1], [middle[1] - far, middle[1] + far])
+    cells = cells[first:last]
+    cells = cells[np.abs(cells[:, 0] - middle[0]) <= far]
+    seen: set[tuple[float, float]] = set()
+    for hold in (part.holds[0], *part.others):
+        for place in _spots(part, hold, cells, floor):
+            if (key := (place[0], place[1])) not in seen:
+                seen.add(key)
+                yield place
 
 
 def _spots(part: Part, hold: Hold, cells: Array, floor: Geometry) -> Array:
     """Those for one hold, one in each 0.1 m square."""
-    path = np.array([part.at(hold.point, v)[:2] for v in part.travel * GOAL * np.linspace(0, 1, 5)])
-    cells = cells[(np.abs(cells[:, 0] - path[0, 0]) <= REACH) & (np.abs(cells[:, 1] - path[0, 1]) <= REACH)]
+    turns, shifts = part.moves(part.travel * GOAL * np.linspace(0, 1, 5))
+    path = (turns @ hold.point + shifts)[:, :2]
+    cells = cells[(np.abs(cells - path[0]) <= REACH).all(1)]
     apart = np.linalg.norm(cells[:, None] - path[None], axis=2)
     able = (apart[:, 0] <= REACH) & (apart[:, 0] >= 0.3) & (apart[:, 2] <= REACH + 0.1)
     cells, apart = cells[able], apart[able]
     cost = np.abs(apart - 0.55).mean(1) + 0.5 * (0.32 - apart).clip(0).max(1) + (apart - REACH).clip(0).max(1)
-    order = np.argsort(cost, kind="stable")
-    _, first = np.unique(np.floor(cells[order] / 0.1), axis=0, return_index=True)
-    best = cells[order[np.sort(first)]]
-    seen = shapely.linestrings(np.stack([best, np.broadcast_to(path[0], best.shape)], 1))
-    return np.asarray(best[shapely.covers(floor, seen)])
+    x, y = np.floor(cells / 0.1).astype(int).T
+    order = np.lexsort((cost, y, x))
+    new = np.ones(len(order), bool)
+    new[1:] = (np.diff(x[order]) != 0) | (np.diff(y[order]) != 0)
+    best = order[new]
+    found = cells[best[np.argsort(cost[best], kind="stable")]]
+    sight = shapely.linestrings(np.stack([found, np.broadcast_to(path[0], found.shape)], 1))
+    return np.asarray(found[shapely.covers(floor, sight)])

@@ -22,6 +22,10 @@ JAMMED = 0.005
 _PART, _ALL = 8, 15  # collision bits where only robot and part look for contacts
 
 Index = NDArray[np.int64]
+_APART = np.array([[-np.inf, -np.inf, CLEARANCE, CLEARANCE]] * 2 + [[CLEARANCE, CLEARANCE, 0.0, 0.0]] * 2)
+"""How far apart things must be, by what they are (`Probe._role`); where fingers take hold, _HOLDING, m."""
+_HOLDING = _APART.copy()
+_HOLDING[3, :2] = _HOLDING[:2, 3] = [CLOSE, -PRESSED]
 _NONE: tuple[Index, Array] = (np.empty((0, 2), np.int64), np.empty(0))
 
 
@@ -37,7 +41,7 @@ class Probe:
         self.model.geom_margin[self.robot] = CLEARANCE
         self.model.body_margin[self.model.geom_bodyid[self.robot]] = CLEARANCE
         self.data = mujoco.MjData(self.model)
-        self._masks: dict[tuple[int, ...], Mask] = {}
+        self._roles: dict[tuple[int, ...], NDArray[np.int8]] = {}
         self.reset(-1)
 
     @cached_property
@@ -82,7 +86,7 @@ class Probe:
         if not self.data.ncon:
             return _NONE
         contact = self.data.contact
-        return np.array(contact.geom, np.int64).reshape(-1, 2), np.array(contact.dist)
+        return contact.geom.reshape(-1, 2), contact.dist
 
     def hit(self, posture: Array, part: Part, value: float, held: Hold | None = None) -> int:
         """A geom that the robot would meet in a posture with the part at a position, -1 for none.
@@ -93,23 +97,21 @@ class Probe:
         pairs, apart = self._contacts(part, value)
         if not len(pairs):
             return -1
-        mine = self.robot[pairs]
-        least = CLEARANCE if held is None else CLOSE
-        room = np.where(mine.all(1), 0.0, np.where(self.fingers[pairs].any(1), least, CLEARANCE))
-        touching = mine.any(1) & (apart < room)
-        if held is not None and touching.any():
-            grasped = self.fingers[pairs].any(1) & self._among(held.geoms)[pairs].any(1)
-            touching &= ~(grasped & (apart > -PRESSED))
+        first, second = self._role(held.geoms if held else ())[pairs].T
+        least = _HOLDING if held else _APART
+        touching = apart < least[first, second]
         if not touching.any():
             return -1
-        first = pairs[touching][0]
-        return int(first[1] if self.robot[first[0]] else first[0])
+        a, b = pairs[touching.argmax()].tolist()
+        return int(b if self.robot[a] else a)
 
-    def _among(self, geoms: tuple[int, ...]) -> Mask:
-        """Which geoms are these, (ngeom,)."""
-        if geoms not in self._masks:
-            self._masks[geoms] = np.isin(np.arange(self.model.ngeom), geoms)
-        return self._masks[geoms]
+    def _role(self, grasped: tuple[int, ...]) -> NDArray[np.int8]:
+        """What the geoms are (ngeom,): 0 things, 1 what the fingers grasp, 2 the robot, 3 its fingers."""
+        if grasped not in self._roles:
+            role = self.robot * np.int8(2) + self.fingers
+            role[list(grasped)] = 1
+            self._roles[grasped] = role.astype(np.int8)
+        return self._roles[grasped]
 
     def blocked(self, part: Part, value: float) -> int:
         """A geom of something else that the part would run into at a position, -1 for none."""

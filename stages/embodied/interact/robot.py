@@ -172,8 +172,13 @@ def posture(
     return found if within else None
 
 
-def postures(base: ArrayLike, at: Array, turns: Array, opening: float, spare: float = 0.0) -> tuple[Array, Mask]:
-    """The postures (n, 13) that hold the hand at points (n, 3) with axes (n, 3, 3), and which are within reach."""
+def postures(
+    base: ArrayLike, at: Array, turns: Array, opening: float, spare: float = 0.0, near: Array | None = None
+) -> tuple[Array, Mask]:
+    """The postures (n, 13) that hold the hand at points (n, 3) with axes (n, 3, 3), and which are within reach.
+
+    With `near` they continue one another's turns, on from that posture.
+    """
     x, y, heading = (float(v) for v in np.asarray(base, float))
     wrist = at - HAND * turns[:, :, 0]
     aside, ahead = wrist[:, 1] - y, wrist[:, 0] - x
@@ -189,6 +194,8 @@ def postures(base: ArrayLike, at: Array, turns: Array, opening: float, spare: fl
     found[:, 9] = -np.arcsin(last[:, 0].clip(-1, 1))
     found[:, 10] = np.arctan2(last[:, 1], last[:, 2])
     found[:, 11:] = opening
+    if near is not None:
+        found[:, [4, 10]] = np.unwrap(np.vstack([near, found])[:, [4, 10]], axis=0)[1:]
     within = (ARM[0] + spare <= out) & (out <= ARM[1] - spare)
     within &= (LIFT[0] + spare <= wrist[:, 2]) & (wrist[:, 2] <= LIFT[1] - spare)
     within &= (np.abs(found[:, 8:11]) <= list(_WRIST.values())).all(1)
