@@ -70,18 +70,23 @@ def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Re
 
 def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
     """Records of all episodes of an apartment, of both halves; the export counts to navigation."""
-    from stages.embodied import world
-
     began = process_time()
     with _exported(home, bare=True) as (scene, mjcf):
         found = []
-        apartment = world.build(scene, mjcf, moving=(), name=name)
+        apartment = _world(scene, mjcf, name)
         for half in (_navigation, _interaction):
             outcomes = half(apartment, None)
             took = round((process_time() - began) / max(1, len(outcomes)), 3)
             found += [{"id": o.id, **o.model_dump(exclude={"trace"}), "cpu_seconds": took} for o in outcomes]
             began = process_time()
     return found
+
+
+def _world(scene: "Scene", mjcf: Path, name: str) -> "World":
+    """The apartment with the base in it, nothing else free to move."""
+    from stages.embodied import base, world
+
+    return world.build(scene, mjcf, base.mjcf(), moving=(), fused=True, name=name)
 
 
 def _navigation(apartment: "World", only: str | None) -> "list[Outcome]":
@@ -128,7 +133,7 @@ def replay(out: Path, id: str) -> list[Path]:
     """
     # Without a display, MuJoCo must be told before it is imported.
     os.environ.setdefault("MUJOCO_GL", "egl")
-    from stages.embodied import base, interact, world
+    from stages.embodied import base, interact
     from stages.embodied import replay as shown
 
     name, kind, thing, *joint = id.split(":") if id.count(":") in (2, 3) else ("", "", "")
@@ -138,7 +143,7 @@ def replay(out: Path, id: str) -> list[Path]:
     home = Retrieve.model_validate_json(path.read_text())
     half, robot = (_navigation, base.mjcf()) if kind == "navigation" else (_interaction, interact.robot.mjcf())
     with _exported(home) as (scene, mjcf):
-        found = [o for o in half(world.build(scene, mjcf, moving=(), name=name), thing) if o.id == id]
+        found = [o for o in half(_world(scene, mjcf, name), thing) if o.id == id]
         if not found:
             raise BadInput(f"{name} has no episode {id!r}; ids are in {out / 'trials.jsonl'}")
         target = out / "replays" / f"{id.replace(':', '-')}.gif"

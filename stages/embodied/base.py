@@ -35,7 +35,10 @@ DRIVES = (f"{ROBOT}_left", f"{ROBOT}_right")
 
 
 def mjcf() -> str:
-    """The base as MuJoCo XML, standing at the origin and looking along +x."""
+    """The base as MuJoCo XML, standing at the origin and looking along +x.
+
+    That things may sleep spares what never moves its share of every step; the base itself is kept awake.
+    """
     wheels = "".join(_wheel(name, side) for name, side in (("left", 1), ("right", -1)))
     casters = "".join(
         f'<geom name="{ROBOT}_caster_{k}" type="sphere" size="0.03" pos="{x} 0 0.03" condim="1" priority="1"/>'
@@ -47,9 +50,9 @@ def mjcf() -> str:
     half = (HEIGHT - 0.02) / 2
     column = f'<geom name="{ROBOT}_column" type="cylinder" size="{RADIUS} {half}" pos="0 0 {0.02 + half}"'
     return f"""<mujoco>
-  <option impratio="20"/>
+  <option impratio="20"><flag sleep="enable"/></option>
   <worldbody>
-    <body name="{ROBOT}_base"><freejoint name="{JOINTS[0]}"/>
+    <body name="{ROBOT}_base" sleep="never"><freejoint name="{JOINTS[0]}"/>
       <inertial pos="0 0 0.2" mass="{MASS - 2}" diaginertia="1.6 1.6 0.7"/>
       {column} condim="1" rgba="0.2 0.2 0.25 1" priority="1" solref="{SKIN} 1" solimp="0.5 0.5 0.001"/>
       {casters}{wheels}

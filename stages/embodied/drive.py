@@ -1,13 +1,14 @@
 """Drives the base along a path in physics, and feels what it touches."""
 
 from dataclasses import dataclass, field
+from math import atan2, hypot
 from typing import Any
 
 import mujoco
 import numpy as np
 
 from stages.boxes import Array
-from stages.embodied import base, planner
+from stages.embodied import base
 from stages.embodied.outcome import Trace
 from stages.embodied.pursuit import PERIOD, Pursuit
 from stages.embodied.world import ROBOT, World
@@ -41,35 +42,41 @@ class Drive:
     trace: Trace = field(default_factory=lambda: Trace(joints=list(base.JOINTS)))
 
 
-def drive(world: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
-    """From the path's start, facing `yaw`, until arrival, a push harder than a graze, or `limit` seconds."""
-    model, out = world.model, Drive()
-    data = _standing(model, pursuit.path[0], yaw)
-    column = model.geom(f"{ROBOT}_column").id
-    drives = [model.actuator(name).id for name in base.DRIVES]
+def drive(world: World, alone: World, pursuit: Pursuit, yaw: float, limit: float) -> Drive:
+    """From the path's start, facing `yaw`, until arrival, a push harder than a graze, or `limit` seconds.
+
+    `alone` is the world with nothing in it but robot and ground, simulated where nothing else is near.
+    """
+    out, near, column = Drive(), True, world.model.geom(f"{ROBOT}_column").id
+    data = _standing(world.model, pursuit.path[0], yaw)
+    away = mujoco.MjData(alone.model)
+    world.model.opt.timestep, alone.model.opt.timestep = STEP, STRIDE
     still, touching = 0.0, False
+    out.pose = _pose(data.qpos)
     while not out.reason and not out.done:
-        x, y, yaw = out.pose = _pose(data)
-        _record(out, data)
+        x, y, yaw = out.pose
+        _record(out, data.qpos)
         speed, turn, out.done = pursuit.command(x, y, yaw)
-        data.ctrl[drives] = (speed - turn * base.TRACK / 2) / base.WHEEL, (speed + turn * base.TRACK / 2) / base.WHEEL
-        if planner.clearance(pursuit.floor, x, y) > base.RADIUS + _NEAR:
-            model.opt.timestep = STRIDE
-            mujoco.mj_step(model, data, round(PERIOD / STRIDE))
-            push, what = 0.0, -1
+        if near != (pursuit.floor.near(x, y) <= base.RADIUS + _NEAR):
+            near = not near
+            _hand_over(data, away)
+            data, away = away, data
+        data.ctrl[:] = (speed - turn * base.TRACK / 2) / base.WHEEL, (speed + turn * base.TRACK / 2) / base.WHEEL
+        if near:
+            push, what = felt(world.model, data, round(PERIOD / STEP), column)
         else:
-            model.opt.timestep = STEP
-            push, what = felt(model, data, round(PERIOD / STEP), column)
+            mujoco.mj_step(alone.model, data, round(PERIOD / STRIDE))
+            push, what = 0.0, -1
         out.touches += push > 0 and not touching
         touching = push > 0
         if push > out.push:
             out.push, out.touched = push, world.owner.get(what, "the building")
-        moved = float(np.hypot(data.qpos[0] - x, data.qpos[1] - y))
+        out.pose = _pose(data.qpos)
+        moved = hypot(out.pose[0] - x, out.pose[1] - y)
         out.metres += moved
-        still = still + PERIOD if moved < 1e-3 and abs(_pose(data)[2] - yaw) < 1e-3 else 0.0
+        still = still + PERIOD if moved < 1e-3 and abs(out.pose[2] - yaw) < 1e-3 else 0.0
         out.seconds += PERIOD
         out.reason = _ended(out, still, limit)
-    out.pose = _pose(data)
     return out
 
 
@@ -89,9 +96,14 @@ def _standing(model: Any, at: Array, yaw: float) -> Any:
     return data
 
 
-def _pose(data: Any) -> tuple[float, float, float]:
-    x, y, _, w, _, _, z = data.qpos[:7]
-    return float(x), float(y), float(2 * np.arctan2(z, w))
+def _hand_over(here: Any, there: Any) -> None:
+    """Go on in another model of the same robot."""
+    there.qpos[:], there.qvel[:], there.qacc_warmstart[:] = here.qpos, here.qvel, here.qacc_warmstart
+
+
+def _pose(qpos: Array) -> tuple[float, float, float]:
+    x, y, _, w, _, _, z = qpos[:7].tolist()
+    return x, y, 2 * atan2(z, w)
 
 
 def felt(model: Any, data: Any, steps: int, column: int) -> tuple[float, int]:
@@ -107,7 +119,7 @@ def felt(model: Any, data: Any, steps: int, column: int) -> tuple[float, int]:
     return total / steps, what
 
 
-def _record(out: Drive, data: Any) -> None:
+def _record(out: Drive, qpos: Array) -> None:
     if len(out.trace.times) * FRAME <= out.seconds + 1e-9:
         out.trace.times.append(round(out.seconds, 3))
-        out.trace.qpos.append([round(float(v), 4) for v in data.qpos[:7]])
+        out.trace.qpos.append([round(float(v), 4) for v in qpos[:7]])

@@ -3,7 +3,7 @@
 Cells are those of `stages/grid.py`; distances are in metres.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
@@ -72,6 +72,18 @@ class Floor:
             found[self.open] = np.minimum(nearest, FAR)
         return found
 
+    @cached_property
+    def near(self) -> Callable[[float, float], float]:
+        """Clearance of the cell that holds a point x, y, m; the raster's edge where the point lies beyond it."""
+        (left, below), (rows, columns), size = self.grid.origin, self.grid.shape, self.grid.resolution
+        cells = memoryview(np.ascontiguousarray(self.clearance))
+
+        def found(x: float, y: float) -> float:
+            row, column = int((y - below) / size), int((x - left) / size)
+            return float(cells[min(max(row, 0), rows - 1), min(max(column, 0), columns - 1)])
+
+        return found
+
 
 def covered(parts: Sequence[Geometry], cells: Grid) -> Mask:
     """Cells whose centre lies in any of some convex polygons, (rows, columns); by scan lines, as `grid.raster`."""
@@ -110,37 +122,46 @@ def _finer(cells: Grid) -> Grid:
 
 def standing(world: World, height: float = HEIGHT) -> dict[str, Geometry]:
     """Outline from above of every collider in the robot's height but for the robot's own, by its name."""
-    model = world.model
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    names, points = [], list[Array]()
-    for k in range(model.ngeom):
-        if model.geom_contype[k] == 0 or model.geom_bodyid[k] in world.robot_bodies:
-            continue
-        corners = _corners(model, data, k)
-        if corners[:, 2].max() > LOW and corners[:, 2].min() < height:
-            names.append(model.geom(k).name)
-            points.append(corners[:, :2])
-    if not names:
+    found = {name: points[:, :2] for name, points in _corners(world).items()
+             if points[:, 2].max() > LOW and points[:, 2].min() < height}
+    if not found:
         return {}
-    whose = np.repeat(np.arange(len(points)), [len(p) for p in points])
-    hulls = shapely.convex_hull(shapely.multipoints(np.concatenate(points), indices=whose))
-    return dict(zip(names, hulls, strict=True))
+    whose = np.repeat(np.arange(len(found)), [len(points) for points in found.values()])
+    hulls = shapely.convex_hull(shapely.multipoints(np.concatenate(list(found.values())), indices=whose))
+    return dict(zip(found, hulls, strict=True))
+
+
+def above_ground(world: World) -> list[str]:
+    """Names of all colliders but the robot's and those that are driven over."""
+    return [name for name, points in _corners(world).items() if points[:, 2].max() > LOW]
 
 
 _SIGNS = np.array(list(product((-1.0, 1.0), repeat=3)))
 
 
-def _corners(model: Any, data: Any, k: int) -> Array:
-    """Points (n, 3) in the world whose hull is the geom."""
+def _corners(world: World) -> dict[str, Array]:
+    """Points (n, 3) whose hull is the collider, for every one but the robot's, by its name."""
+    model = world.model
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    robot = np.isin(model.geom_bodyid, list(world.robot_bodies))
+    geoms = np.flatnonzero((model.geom_contype != 0) & ~robot)
+    at, turned = data.geom_xpos[geoms], data.geom_xmat[geoms].reshape(-1, 3, 3)
+    boxes = np.einsum("sk,gk,gjk->gsj", _SIGNS, model.geom_size[geoms], turned) + at[:, None]
+    kinds = model.geom_type[geoms]
+    return {
+        model.geom(k).name: boxes[i] if kinds[i] == mujoco.mjtGeom.mjGEOM_BOX else _points(model, k, at[i], turned[i])
+        for i, k in enumerate(geoms.tolist())
+    }
+
+
+def _points(model: Any, k: int, at: Array, turned: Array) -> Array:
+    """The same for one that is no box."""
     kind, size = model.geom_type[k], model.geom_size[k]
-    at, turned = data.geom_xpos[k], data.geom_xmat[k].reshape(3, 3)
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         mesh = model.geom_dataid[k]
         first, count = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
         return np.asarray(model.mesh_vert[first : first + count] @ turned.T + at)
-    if kind == mujoco.mjtGeom.mjGEOM_BOX:
-        return np.asarray((_SIGNS * size) @ turned.T + at)
     if kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
         shape = Collider("cylinder", at, np.array([size[0], size[0], 2 * size[1]]), turned)
     elif kind == mujoco.mjtGeom.mjGEOM_SPHERE:

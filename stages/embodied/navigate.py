@@ -5,12 +5,10 @@ harder than a graze, within the time limit.
 """
 
 import numpy as np
-import shapely
 
-from stages.boxes import Array, Mask
+from stages.boxes import Array
 from stages.embodied import base, floor, goals, planner, world
 from stages.embodied.drive import Drive, drive
-from stages.embodied.floor import Floor
 from stages.embodied.goals import Goal
 from stages.embodied.outcome import Outcome
 from stages.embodied.planner import Roadmap
@@ -19,12 +17,10 @@ from stages.embodied.world import World
 
 PATIENCE, SLOWEST = 30.0, 0.1
 """Time limit: so many seconds, and the way at so many metres a second."""
-_TOUCHABLE = 0.15  # m about the places where the robot can be; colliders further off are left out
-_BLOCK = 4  # cells in a row that are looked at as one for this
 
 
 def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> list[Outcome]:
-    """An episode for every room of a world without a robot; `only` one object's, and then with its trace."""
+    """An episode for every room of a world with the base in it; `only` one object's, and then with its trace."""
     name, objects = apartment.name, apartment.home.objects
     ground = floor.survey(apartment, base.RADIUS, base.HEIGHT)
     began = goals.start(ground)
@@ -34,38 +30,20 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     cell, yaw = began
     ways = planner.roadmap(ground, cell)
     there = [g for g in goals.goals(ground, objects, ways.reached, rng) if only in (None, g.object)]
-    driven = world.build(apartment.scene, apartment.mjcf, base.mjcf(), moving=(), fused=True, name=name,
-                         without=_out_of_reach(apartment, ground, ways.reached), source=apartment.source)
-    return [_episode(driven, ways, goal, yaw, only is not None) for goal in there]
+    alone = world.build(apartment.scene, apartment.mjcf, base.mjcf(), moving=(), fused=True,
+                        without=floor.above_ground(apartment), source=apartment.source)
+    return [_episode(apartment, alone, ways, goal, yaw, only is not None) for goal in there]
 
 
-def _out_of_reach(apartment: World, ground: Floor, reached: Mask) -> list[str]:
-    """Colliders that the robot can't touch wherever it drives; the ground stays."""
-    blocks = np.unique(np.argwhere(reached) // _BLOCK, axis=0)
-    size = ground.grid.resolution
-    points = shapely.points(ground.grid.origin + (blocks[:, ::-1] + 0.5) * _BLOCK * size)
-    names = list(ground.parts)
-    far = base.RADIUS + _TOUCHABLE + _BLOCK * size * np.sqrt(0.5)
-    near = shapely.STRtree(list(ground.parts.values())).query(points, predicate="dwithin", distance=far)[1]
-    model = apartment.model
-    keep = {names[k] for k in set(near.tolist())}
-    keep |= {model.geom(k).name for k in range(model.ngeom) if _is_ground(apartment, k)}
-    return [name for k in range(model.ngeom) if (name := model.geom(k).name) not in keep]
-
-
-def _is_ground(still: World, geom: int) -> bool:
-    return bool(still.model.body(still.model.geom_bodyid[geom]).name == "ground")
-
-
-def _episode(driven: World, ways: Roadmap, goal: Goal, yaw: float, trace: bool) -> Outcome:
+def _episode(apartment: World, alone: World, ways: Roadmap, goal: Goal, yaw: float, trace: bool) -> Outcome:
     if goal.cell is None:
         blocked = goal.missing == "planner"
         reason = "no way from the entrance" if blocked else "the robot fits nowhere in front of it"
-        return _failed(driven.name, goal, "planner" if blocked else "no standing room", reason)
+        return _failed(apartment.name, goal, "planner" if blocked else "no standing room", reason)
     path, shortest = ways.path(goal.cell), ways.shortest(goal.cell)
     limit = PATIENCE + float(np.hypot(*np.diff(path, axis=0).T).sum()) / SLOWEST
-    went = drive(driven, Pursuit(ways.floor, path, goal.yaw), yaw, limit)
-    return _judged(driven.name, goal, went, path, shortest, trace)
+    went = drive(apartment, alone, Pursuit(ways.floor, path, goal.yaw), yaw, limit)
+    return _judged(apartment.name, goal, went, path, shortest, trace)
 
 
 def _judged(name: str, goal: Goal, went: Drive, path: Array, shortest: float, trace: bool) -> Outcome:

@@ -189,10 +189,3 @@ def is_free(floor: Floor, points: Array) -> Mask:
     at = cell(floor, points)
     found: Mask = floor.free[at[..., 0], at[..., 1]]
     return found
-
-
-def clearance(floor: Floor, x: float, y: float) -> float:
-    """Distance from a point to what is solid, to a cell, m."""
-    (left, below), (rows, columns), size = floor.grid.origin, floor.grid.shape, floor.grid.resolution
-    row, column = int((y - below) / size), int((x - left) / size)
-    return float(floor.clearance[min(max(row, 0), rows - 1), min(max(column, 0), columns - 1)])

@@ -8,13 +8,13 @@ the path closely and slowly.
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, sin
-
-import numpy as np
+from math import atan2, copysign, cos, hypot, pi, sin, sqrt
 
 from stages.boxes import Array
 from stages.embodied import base, planner
 from stages.embodied.floor import Floor
+
+Point = tuple[float, float]
 
 PERIOD = 0.05
 """controller_frequency 20 Hz, s."""
@@ -68,9 +68,9 @@ class Pursuit:
 
     def command(self, x: float, y: float, yaw: float) -> tuple[float, float, bool]:
         """Speed (m/s) and turn (rad/s) for the next period, and whether the goal is reached."""
-        here = np.array([x, y])
+        here = x, y
         self._advance(here)
-        left = float(np.hypot(*(self.path[-1] - here)))
+        left = _distance(here, self.points[-1])
         self.arrived = self.arrived or left < XY_TOLERANCE - WITHIN
         if self.arrived:
             off = _wrapped(self.heading - yaw)
@@ -80,33 +80,38 @@ class Pursuit:
         self._limited(*self._wanted(here, yaw, left))
         return self.speed, self.turn, False
 
-    def _advance(self, here: Array) -> None:
+    @cached_property
+    def points(self) -> list[Point]:
+        """The path's points; numbers by themselves are faster than arrays of two."""
+        return [(x, y) for x, y in self.path.tolist()]
+
+    def _advance(self, here: Point) -> None:
         """The nearest point of the path, not looking back, nor further ahead than a metre."""
-        ahead = self.path[self.at : self.at + int(1.0 / planner.SPACING)]
-        further = int(np.hypot(*(ahead - here).T).argmin())
+        away = [_distance(here, point) for point in self.points[self.at : self.at + int(1.0 / planner.SPACING)]]
+        further = away.index(min(away))
         self.at += further
         self.waited = 0 if further else self.waited + 1
         if self.waited > _PATIENCE:
             # Arcs to nearer and further points of the path may call for turns to either side, one after the other.
             self.inching, self.waited = _INCHING, 0
 
-    def _wanted(self, here: Array, yaw: float, left: float) -> tuple[float, float]:
-        tightest = self._tightest()
+    def _wanted(self, here: Point, yaw: float, left: float) -> tuple[float, float]:
+        tightest = self.tightest[self.at]
         narrow = tightest < base.RADIUS + NARROW
         room = max(min(base.RADIUS + MARGIN, tightest), base.RADIUS)
         if self.inching > 0 or tightest < base.RADIUS + TIGHT:
             return self._inched(here, yaw)
-        reach = NARROW_LOOKAHEAD if narrow else float(np.clip(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD))
+        reach = NARROW_LOOKAHEAD if narrow else _held(self.speed * LOOKAHEAD_TIME, *LOOKAHEAD)
         most = NARROW_ANGLE if narrow else ROTATE_ANGLE
         while True:
             carrot = self._carrot(here, reach)
-            off = _wrapped(float(np.arctan2(*(carrot - here)[::-1])) - yaw)
+            off = _off(here, yaw, carrot)
             if abs(off) > (most if not self.turning else most / 4):
                 self.turning = True
                 return 0.0, self._turn_to(off)
             self.turning = False
-            distance = max(float(np.hypot(*(carrot - here))), 1e-3)
-            curvature = 2 * np.sin(off) / distance
+            distance = max(_distance(here, carrot), 1e-3)
+            curvature = 2 * sin(off) / distance
             speed = min(self._regulated(here, curvature, left), NARROW_SPEED if narrow else base.SPEED)
             if self._clear(here, yaw, speed, curvature, distance, room):
                 return speed, speed * curvature
@@ -115,60 +120,73 @@ class Pursuit:
                 self.inching = _INCHING
                 return self._inched(here, yaw)
 
-    def _inched(self, here: Array, yaw: float) -> tuple[float, float]:
+    def _inched(self, here: Point, yaw: float) -> tuple[float, float]:
         """From point to point of the path, turning on the spot between them."""
         self.inching -= 1
         carrot = self._carrot(here, _SHORTEST)
-        off = _wrapped(float(np.arctan2(*(carrot - here)[::-1])) - yaw)
+        off = _off(here, yaw, carrot)
         self.turning = abs(off) > (_ALIGNED if self.turning else 3 * _ALIGNED)
         if self.turning:
             return 0.0, self._turn_to(off)
-        return _CREEP, _CREEP * 2 * float(np.sin(off)) / max(float(np.hypot(*(carrot - here))), 1e-3)
-
-    def _tightest(self) -> float:
-        """The least clearance of the path just ahead, m."""
-        return float(self.beside[self.at : self.at + int(NARROW_AHEAD / planner.SPACING)].min())
+        return _CREEP, _CREEP * 2 * sin(off) / max(_distance(here, carrot), 1e-3)
 
     @cached_property
-    def beside(self) -> Array:
-        """Clearance at every point of the path (n,), m."""
+    def tightest(self) -> list[float]:
+        """The least clearance of the path from each of its points to a little ahead, m."""
         row, column = planner.cell(self.floor, self.path).T
-        return np.asarray(self.floor.clearance[row, column])
+        beside = self.floor.clearance[row, column]
+        ahead = int(NARROW_AHEAD / planner.SPACING)
+        return [float(beside[k : k + ahead].min()) for k in range(len(beside))]
 
-    def _carrot(self, here: Array, reach: float) -> Array:
+    def _carrot(self, here: Point, reach: float) -> Point:
         """The first point of the path at least the lookahead away, or its end."""
-        far = np.flatnonzero(np.hypot(*(self.path[self.at :] - here).T) >= reach)
-        return np.asarray(self.path[self.at + int(far[0])] if len(far) else self.path[-1])
+        for k in range(self.at, len(self.points)):
+            if _distance(here, self.points[k]) >= reach:
+                return self.points[k]
+        return self.points[-1]
 
-    def _regulated(self, here: Array, curvature: float, left: float) -> float:
-        near = planner.clearance(self.floor, *here.tolist())
+    def _regulated(self, here: Point, curvature: float, left: float) -> float:
+        near = self.floor.near(*here)
         speed = base.SPEED * min(1.0, near / COST_DISTANCE, 1 / max(MIN_RADIUS * abs(curvature), 1e-9))
         speed = max(speed, MIN_SPEED)
         return speed if left > APPROACH else max(APPROACH_SPEED, speed * left / APPROACH)
 
     def _clear(
-        self, here: Array, yaw: float, speed: float, curvature: float, distance: float, room: float
+        self, here: Point, yaw: float, speed: float, curvature: float, distance: float, room: float
     ) -> bool:
         """Whether the next second on this arc, or as much of it as leads to the carrot, keeps clear of everything."""
         run = min(speed * TIME_TO_COLLISION, distance)
         bend = curvature if abs(curvature) > 1e-6 else 1e-6
-        (x, y), c, s = here.tolist(), cos(yaw), sin(yaw)
+        (x, y), c, s, near = here, cos(yaw) / bend, sin(yaw) / bend, self.floor.near
         for share in _AHEAD:
-            ahead, left = sin(bend * run * share) / bend, (1 - cos(bend * run * share)) / bend
-            if planner.clearance(self.floor, x + c * ahead - s * left, y + s * ahead + c * left) < room:
+            ahead, left = sin(bend * run * share), 1 - cos(bend * run * share)
+            if near(x + c * ahead - s * left, y + s * ahead + c * left) < room:
                 return False
         return True
 
     def _turn_to(self, off: float) -> float:
         """As fast as still can be stopped in time."""
-        return float(np.sign(off) * min(base.TURN, np.sqrt(2 * base.TURN_ACCELERATION * 0.6 * abs(off))))
+        return copysign(min(base.TURN, sqrt(2 * base.TURN_ACCELERATION * 0.6 * abs(off))), off)
 
     def _limited(self, speed: float, turn: float) -> None:
         """What the motors give of that within a period."""
         most, turn_most = base.ACCELERATION * PERIOD, base.TURN_ACCELERATION * PERIOD
-        self.speed += float(np.clip(speed - self.speed, -most, most))
-        self.turn += float(np.clip(turn - self.turn, -turn_most, turn_most))
+        self.speed += _held(speed - self.speed, -most, most)
+        self.turn += _held(turn - self.turn, -turn_most, turn_most)
 
 
 def _wrapped(angle: float) -> float:
-    return float((angle + np.pi) % (2 * np.pi) - np.pi)
+    return (angle + pi) % (2 * pi) - pi
+
+
+def _held(value: float, least: float, most: float) -> float:
+    return min(max(value, least), most)
+
+
+def _distance(a: Point, b: Point) -> float:
+    return hypot(b[0] - a[0], b[1] - a[1])
+
+
+def _off(here: Point, yaw: float, there: Point) -> float:
+    """How far to the left of a heading a point lies, rad."""
+    return _wrapped(atan2(there[1] - here[1], there[0] - here[0]) - yaw)

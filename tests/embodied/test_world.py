@@ -131,6 +131,15 @@ def test_cells_are_covered_that_lie_in_any_polygon():
     assert (floor.covered(turned, cells) == shapely.contains_xy(shapely.union_all(hulls), x, y)).all()
 
 
+def test_nothing_but_what_is_driven_over_is_ground(flat):
+    built = world.build(*flat, base.mjcf(), moving=(), fused=True)
+    alone = world.build(*flat, base.mjcf(), moving=(), fused=True, without=floor.above_ground(built))
+    assert [k for k in range(alone.model.ngeom) if alone.model.geom_bodyid[k] not in alone.robot_bodies] == [0]
+    data = mujoco.MjData(alone.model)
+    mujoco.mj_step(alone.model, data, 100)
+    assert data.qpos[2] == pytest.approx(0.0, abs=2e-3)
+
+
 def test_a_lamp_overhead_is_driven_under(tmp_path):
     low = blocks.block("a", 2.0, 1.0, 0.4, 0.6)
     high = low.model_copy(update={"center": (2.0, 1.0, 2.0)})
