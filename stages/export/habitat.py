@@ -1,7 +1,8 @@
 """Habitat scene dataset: a stage, objects, articulated objects as URDF, and the scene instance that places them.
 
 Habitat's world is y up: (x, y, z) here is (x, z, -y) there. Objects' files are y up; URDF files stay z up and their
-placing turns them.
+placing turns them. A rigid object's colliders are a GLB of their own, one node each, of which Habitat makes one convex
+shape each; of the visual's nodes it would make a single hull, with no room under a table.
 """
 
 import json
@@ -11,8 +12,10 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from stages.asset import Link, Material, Mesh
 from stages.body import Body, Light, inertia
 from stages.export._gltf import packed
+from stages.export._hull import hull
 from stages.export._obj import Files
 from stages.export._urdf import body_links
 from stages.export._xml import save
@@ -21,6 +24,8 @@ from stages.scene import Scene, identifier, untaken
 FOLDER = "habitat"
 NAME = "apartment"
 UPRIGHT = 0.5**0.5
+MARGIN = 0.001
+"""Shell that Bullet puts about a shape, m; by Habitat's own, things would hover 4 cm above the floor."""
 Config = dict[str, Any]
 
 
@@ -56,6 +61,7 @@ class _Writer:
         self._json(f"stages/{NAME}.stage_config.json", {
             "render_asset": f"{NAME}.glb", "collision_asset": f"{NAME}.glb", "up": [0, 1, 0], "front": [0, 0, -1],
             "units_to_meters": 1.0, "requires_lighting": True, "is_collidable": True, "friction_coefficient": 0.6,
+            "margin": MARGIN,
         })  # fmt: skip
 
     def place(self, body: Body) -> None:
@@ -74,12 +80,19 @@ class _Writer:
         into.append(entry | ({"fixed_base": not body.free} if moves else {}))
 
     def _object(self, body: Body, name: str) -> None:
+        link = body.links[0]
         alone = Body(body.name, "object", body.category, "", np.zeros(3), 0.0, body.links)
         self._bytes(f"objects/{name}.glb", packed([alone], [], self.credits))
+        felt = f"{name}.collider.glb" if link.colliders else f"{name}.glb"
+        if link.colliders:
+            self._bytes(f"objects/{felt}", packed(_solids(link), [], []))
+        mass, center, tensor = inertia(link)
+        x, y, z = (float(v) for v in np.diag(tensor))
         self._json(f"objects/{name}.object_config.json", {
-            "render_asset": f"{name}.glb", "collision_asset": f"{name}.glb", "requires_lighting": True,
-            "mass": inertia(body.links[0]).mass, "friction_coefficient": body.links[0].friction,
-            "is_collidable": bool(body.links[0].colliders), "semantic_category": body.category,
+            "render_asset": f"{name}.glb", "collision_asset": felt, "join_collision_meshes": False, "margin": MARGIN,
+            "requires_lighting": True, "is_collidable": bool(link.colliders), "friction_coefficient": link.friction,
+            "mass": mass, "COM": _y_up(center), "inertia": [x, z, y],
+            "user_defined": {"category": body.category, "asset": body.model},
         })  # fmt: skip
 
     def _urdf(self, body: Body, name: str) -> None:
@@ -121,6 +134,15 @@ class _Writer:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
         self.written.append(path)
+
+
+def _solids(link: Link) -> list[Body]:
+    """Each of the link's colliders as a body of its own."""
+    meshes = [Mesh(*hull(c), Material("collider")) for c in link.colliders]
+    return [
+        Body(f"collider_{k}", "object", "collider", "", np.zeros(3), 0.0, [Link("base", [mesh], [], 0.0)])
+        for k, mesh in enumerate(meshes)
+    ]
 
 
 def _facts(body: Body) -> Config:
