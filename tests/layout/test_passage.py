@@ -106,7 +106,7 @@ def test_free_floor_agrees_with_the_raster() -> None:
     room = space(3.0, 3.0)
     there = standing([Item("chest", np.array([1.5, 1.7, 0.5]), np.array([0.5, 1.0, 1.0]), 0.4)])
     paths = Paths(there, room)
-    free = paths.inner[RADIUS] & (paths.count[RADIUS] == 0)
+    free = paths.inner[0] & (paths.count[0] == 0)
     floor = shapely.Polygon(room.corners).buffer(-RADIUS, join_style="mitre")
     exact = floor.difference(boxes.footprints(there.boxes)[0].buffer(RADIUS)).area
     assert free.sum() * grid.RESOLUTION**2 == pytest.approx(exact, abs=0.025 * (4 * 2.68 + 3.0))

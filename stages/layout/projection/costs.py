@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from stages.boxes import Boxes, penetration
 from stages.categories import TABLE, reach
-from stages.layout.projection.space import Space, outside
+from stages.layout.projection import kernels
+from stages.layout.projection.space import Space, outside, writable
 
 Array = NDArray[np.float64]
 SOFT = frozenset(name for name, kind in TABLE.items() if kind.soft)
@@ -57,19 +58,16 @@ def grown(category: str, found: Boxes) -> Boxes:
 def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed, space: Space) -> Array:
     """Cost of each candidate (n,) for an object the model put at `center` and `yaw`."""
     moved = np.linalg.norm(found.center[:, :2] - center[:2], axis=1)
-    total = np.minimum(moved, FARTHEST) + TURN * (1 - np.cos(found.yaw - yaw))
-    beyond = outside(found, space)
-    total += np.where(beyond > SLACK, 40 + 100 * beyond, 0)
+    way = np.minimum(moved, FARTHEST) + TURN * (1 - np.cos(found.yaw - yaw))
     if category in SOFT:
-        return np.asarray(total + _in_swings(found, category, space))
-    # What is broken already is priced to the end only where no place breaks nothing.
-    staged = total.copy()
-    for price in (_bodies, _sweeps):
-        good = np.flatnonzero(staged < BROKEN)
-        staged[good] += price(found.take(good), category, placed, space)
-    if (staged < BROKEN).any():
-        return np.asarray(staged)
-    return np.asarray(total + _bodies(found, category, placed, space) + _sweeps(found, category, placed, space))
+        beyond = outside(found, space)
+        return np.asarray(way + np.where(beyond > SLACK, 40 + 100 * beyond, 0) + _in_swings(found, category, space))
+    return np.asarray(
+        kernels.prices(
+            *map(writable, found), reach(category, found.size), way, *placed.boxes[:2], *placed.grown,
+            placed.soft, placed.seated, placed.tuck, *space.zones, space.window, *space.bounds, SLACK, BROKEN,
+        )
+    )
 
 
 def _in_swings(found: Boxes, category: str, space: Space) -> Array:
@@ -108,44 +106,5 @@ def standing_costs(boxes: Boxes, wide: Boxes, categories: list[str], meets: "Mee
     return np.asarray(total)
 
 
-def _bodies(found: Boxes, category: str, placed: Placed, space: Space) -> Array:
-    """Price of standing before doors and windows and in others."""
-    total = np.zeros(found.n)
-    if space.zones.n:
-        blocked = penetration(found, space.zones)
-        total += _price(blocked[:, ~space.window].max(1, initial=-1), 30) + _price(
-            blocked[:, space.window].max(1, initial=-1), 12
-        )
-    hard = ~placed.soft
-    if hard.any():
-        total += _sum(penetration(found, placed.boxes.take(hard)) - placed.tuck[hard], 20)
-    return total
-
-
-def _sweeps(found: Boxes, category: str, placed: Placed, space: Space) -> Array:
-    """Price of sweeping walls, doors and others, of being swept, and of sweeps that meet."""
-    total = np.zeros(found.n)
-    wide = grown(category, found)
-    opens = found.n > 0 and wide.size[0, 0] > found.size[0, 0] + 1e-6
-    if opens:
-        total += _price(outside(wide, space), 12)
-        if not space.window.all():
-            total += _price(penetration(wide, space.zones.take(~space.window)).max(1), 6)
-    apart = ~placed.soft & ~placed.seated
-    solid, swept = placed.boxes.take(apart), placed.grown.take(apart)
-    moving = swept.size[:, 0] > solid.size[:, 0] + 1e-6
-    if moving.any():
-        total += _sum(penetration(found, swept.take(moving)), 14)
-    if opens and moving.any():
-        total += _sum(penetration(wide, swept.take(moving)), 10.5)
-    if opens and apart.any():
-        total += _sum(penetration(wide, solid), 14)
-    return total
-
-
 def _price(depth: Array, price: float) -> Array:
     return np.where(depth > SLACK, price + 5 * price * np.maximum(depth, 0), 0)
-
-
-def _sum(depth: Array, price: float) -> Array:
-    return np.asarray(_price(depth, price).sum(1))

@@ -8,12 +8,14 @@ from numpy.typing import NDArray
 
 from stages import boxes, grid
 from stages.boxes import Boxes
+from stages.layout.projection import kernels_floor
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Standing
 
 RADII = {0.16: 12.0, 0.27: 8.0}
 """Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open
 doors, each with room for the raster's error; and how many metres of shifting it is worth that no floor is cut off."""
+_RADII, _WORTH = np.array(list(RADII)), np.array(list(RADII.values()))
 BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
@@ -27,91 +29,94 @@ SLIVER = 0.02
 LOW, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 Bodies = Mapping[int, Boxes]
-Rim = tuple[grid.Window, NDArray[np.bool_]]
 NOTHING: Bodies = {}
 
 
 class Paths:
-    """How many obstacles keep each walker off each cell of a room, and what stands there."""
+    """How many obstacles keep each walker off each cell of a room, (radii, rows, columns), and what stands there."""
 
     def __init__(self, room: Standing, space: Space) -> None:
         floor = shapely.Polygon(space.corners)
         self.cells = grid.over(floor)
-        self.inner = {r: grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII}
-        self.count = {r: np.zeros(self.cells.shape, np.int16) for r in RADII}
+        self.inner = np.stack([grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII])
+        self.count = np.zeros(self.inner.shape, np.int16)
         self.bodies: dict[int, Boxes] = {}
-        self.rims: dict[int, Rim] = {}
-        self.shades: dict[int, list[tuple[grid.Window, grid.Count]]] = {}
+        self.rows: dict[int, NDArray[np.float64]] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
         column, row = np.clip((before / self.cells.resolution).astype(int), 0, np.array(self.cells.shape[::-1]) - 1).T
         # A door before which a walker has no room, whatever stands there, is nobody's fault.
-        self.doors = {}
-        for r, inner in self.inner.items():
+        self.doors = []
+        for r, inner in zip(RADII, self.inner, strict=True):
             if r > BESIDE:
                 inner &= grid.near(space.leaves, self.cells, r) == 0
             usable = inner[row, column]
-            self.doors[r] = row[usable], column[usable]
+            self.doors.append((row[usable], column[usable]))
+        at = [np.concatenate(part) for part in zip(*self.doors, strict=True)]
+        self.door_cells = *at, np.repeat(np.arange(len(RADII)), [len(rows) for rows, _ in self.doors])
+
+    @property
+    def raster(self) -> tuple[float, float, float]:
+        """Lower left corner and cell size, as `kernels_floor` takes them."""
+        return *self.cells.origin, self.cells.resolution
 
     def add(self, k: int, box: Boxes) -> None:
         """Object `k` stands there from now on."""
-        self.bodies[k] = box
-        self.rims[k] = self._rim(box)
-        self.shades[k] = [grid.shade(box, self.cells, r) for r in self.count]
-        for count, (window, hit) in zip(self.count.values(), self.shades[k]):
-            count[window] += hit
+        self.bodies[k], self.rows[k] = box, _row(box)
+        kernels_floor.shade(self.count, self.rows[k], _RADII, 1, *self.raster)
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
-        del self.bodies[k], self.rims[k]
-        for count, (window, hit) in zip(self.count.values(), self.shades.pop(k)):
-            count[window] -= hit
+        del self.bodies[k]
+        kernels_floor.shade(self.count, self.rows.pop(k), _RADII, -1, *self.raster)
 
-    def parts(self, r: float, more: Bodies = NOTHING) -> tuple[grid.Labels, NDArray[np.int64], int]:
-        """Parts of the floor for a walker with `more` objects there, their sizes, and the one with most doors' floor,
-        0 without any."""
-        free = self.inner[r] & (self.count[r] == 0)
-        for box in more.values():
-            window, hit = grid.shade(box, self.cells, r)
-            free[window] &= hit == 0
-        labels, sizes = grid.connected(free)
-        at_doors = labels[self.doors[r]]
+    def parts(self, which: int) -> tuple[grid.Labels, NDArray[np.int64], int]:
+        """Parts of the floor for the walker of a radius, their sizes, and the one with most doors' floor, 0 without
+        any."""
+        labels, sizes = grid.connected(self.inner[which] & (self.count[which] == 0))
+        at_doors = labels[self.doors[which]]
         return labels, sizes, int(at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax())
 
     def cut_off(self, limit: float = np.inf, more: Bodies = NOTHING) -> float:
         """What it is worth, in metres of shifting, to join all parts of the floor, all doors and objects, with `more`
-        objects there; above `limit` only so much of it."""
-        total = 0.0
-        for r, worth in RADII.items():
-            labels, sizes, home = self.parts(r, more)
-            lost = 1 - sizes[home] / sizes.sum() if sizes[home] else 1.0
-            total += worth * (float(lost) if lost > SLIVER else 0.0)
-            total += DOOR * worth * float((labels[self.doors[r]] != home).sum())
-            if total > limit:
-                break
-            if r == BESIDE:
-                rims = self.rims if not more else self.rims | {k: self._rim(box) for k, box in more.items()}
-                total += UNREACHED * len(_apart(rims, labels, home))
-        return total
+        objects there; above `limit` only so much of it.
+
+        A share of the floor beyond SLIVER and each door count for each walker, an object out of reach for the first.
+        """
+        extra = {k: _row(box) for k, box in more.items()}
+        bodies, added = (np.array([*some.values()]).reshape(-1, 5) for some in (self.rows | extra, extra))
+        return float(
+            kernels_floor.cut_off(
+                self.inner, self.count, _RADII, _WORTH, bodies, added, *self.door_cells, *self.raster,
+                np.array([SLIVER, DOOR, UNREACHED, self._beside]), limit,
+            )
+        )
+
+    @property
+    def _beside(self) -> float:
+        return BESIDE + 1.5 * self.cells.resolution
 
     def unreached(self) -> set[int]:
         """Objects that do not border the part of the floor with the doors."""
-        labels, _, home = self.parts(BESIDE)
-        return _apart(self.rims, labels, home)
+        labels, _, home = self.parts(0)
+        free = labels == home if home else np.zeros(labels.shape, bool)
+        return {k for k, box in self.bodies.items() if not free[self._about(box, self._beside)].any()}
 
-    def _rim(self, box: Boxes) -> Rim:
-        window, near = grid.shade(box, self.cells, BESIDE + 1.5 * self.cells.resolution)
-        return window, near > 0
+    def _about(self, box: Boxes, radius: float) -> boxes.Mask:
+        window, near = grid.shade(box, self.cells, radius)
+        found = np.zeros(self.cells.shape, bool)
+        found[window] = near > 0
+        return found
 
     def between(self) -> Callable[[int], bool]:
         """Tells whether an object lies between two parts of the floor, shuts a door in, or is out of reach or near
         what is."""
-        found = {}
-        for r in RADII:
+        found = []
+        for r in range(len(RADII)):
             labels, sizes, _ = self.parts(r)
-            found[r] = np.where((sizes > SLIVER * sizes.sum())[labels], labels, 0)
-        blocked = any((labels[self.doors[r]] == 0).any() for r, labels in found.items())
+            found.append(np.where((sizes > SLIVER * sizes.sum())[labels], labels, 0))
+        blocked = any((labels[at] == 0).any() for at, labels in zip(self.doors, found, strict=True))
         lost = self.unreached()
         keys = list(self.bodies)
         if lost:
@@ -122,7 +127,7 @@ class Paths:
         def borders(k: int) -> bool:
             if blocked or k in lost:
                 return True
-            for r, labels in found.items():
+            for r, labels in zip(RADII, found, strict=True):
                 window, beside = grid.shade(self.bodies[k], self.cells, r + 1.5 * self.cells.resolution)
                 touched = np.unique(labels[window][beside > 0])
                 if (touched > 0).sum() > 1:
@@ -132,10 +137,9 @@ class Paths:
         return borders
 
 
-def _apart(rims: Mapping[int, Rim], labels: grid.Labels, home: int) -> set[int]:
-    """Objects about which there is nothing of one part of the floor."""
-    free = labels == home if home else np.zeros(labels.shape, bool)
-    return {k for k, (window, rim) in rims.items() if not (free[window] & rim).any()}
+def _row(box: Boxes) -> NDArray[np.float64]:
+    """[x, y, depth, width, yaw] of one box."""
+    return np.array([*box.center[0, :2], *box.size[0, :2], box.yaw[0]])
 
 
 def in_the_way(room: Standing) -> NDArray[np.bool_]:

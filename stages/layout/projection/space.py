@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from stages import boxes
 from stages.boxes import Boxes
+from stages.layout.projection import kernels
 from stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
 
 Array = NDArray[np.float64]
@@ -45,6 +45,12 @@ class Space:
         before = np.roll(self.along, 1, 0)
         out = before[:, 0] * self.along[:, 1] - before[:, 1] * self.along[:, 0] < -1e-9
         return self.slabs.take(out | np.roll(out, -1))
+
+    @cached_property
+    def bounds(self) -> tuple[Array, Array, Array, Array, bool, Array, Array, Array]:
+        """The walls as `kernels` takes them: start, along, normal, length, whether convex, and `reentrant`."""
+        convex = not self.reentrant.n
+        return self.start, self.along, self.normal, self.length, convex, *self.reentrant
 
     @cached_property
     def middle(self) -> tuple[Array, Array]:
@@ -130,12 +136,12 @@ def _zones(rows: Array, height: float) -> tuple[Boxes, NDArray[np.bool_], Array]
 
 def outside(found: Boxes, space: Space) -> Array:
     """How far each box stands beyond the walls, m, 0 when inside, (n,)."""
-    within, away = _within(boxes.corners(found).reshape(-1, 2), space)
-    far = np.asarray(np.where(within, 0.0, away).reshape(-1, 4).max(1))
-    if not space.reentrant.n:
-        return far
-    # A box may straddle a re-entrant corner with all its own corners inside.
-    return np.asarray(np.maximum(far, np.maximum(boxes.penetration(found, space.reentrant).max(1), 0)))
+    return np.asarray(kernels.beyond(*map(writable, found), *space.bounds))
+
+
+def writable(values: Array) -> Array:
+    """Floats in memory of their own, as compiled code takes them; boxes of one size may share that."""
+    return np.ascontiguousarray(values, float)
 
 
 def _within(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:
