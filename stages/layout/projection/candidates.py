@@ -32,30 +32,27 @@ def snapped(category: str, yaw: float, space: Space) -> float:
 def along_walls(center: Array, size: Array, space: Space, others: Boxes) -> Boxes:
     """Back to every wall, slid along it; flush with its corners and with what already stands at that wall."""
     depth, width = size[0], size[1]
-    found_at, found_yaw = [], []
-    for start, along, normal, length in zip(space.start, space.along, space.normal, space.length, strict=True):
-        if length < width:
-            continue
-        base = float((center[:2] - start) @ along)
-        at = np.concatenate(
-            [base + SLIDES, [width / 2 + GAP, length - width / 2 - GAP], _beside(start, along, normal, width, others)]
-        )
-        at = np.unique(np.clip(at, width / 2 + GAP / 2, length - width / 2 - GAP / 2).round(4))
-        found_at.append(start + at[:, None] * along + normal * (depth / 2 + GAP))
-        found_yaw.append(np.full(len(at), np.arctan2(normal[1], normal[0])))
-    if not found_at:
-        return Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
-    return _boxes(np.concatenate(found_at), np.concatenate(found_yaw), center[2], size)
+    wide = np.flatnonzero(space.length >= width)
+    start, along, normal, length = (v[wide] for v in (space.start, space.along, space.normal, space.length))
+    base = ((center[:2] - start) * along).sum(1)
+    ends = np.stack([np.full(len(wide), width / 2 + GAP), length - width / 2 - GAP], 1)
+    at = np.concatenate([base[:, None] + SLIDES, ends, _beside(start, along, normal, width, others)], 1)
+    most = (length - width / 2 - GAP / 2)[:, None]
+    at = np.sort(np.minimum(np.maximum(at, width / 2 + GAP / 2), most).round(4), 1)
+    # NaN, of what is not at that wall, comes last.
+    wall, k = np.nonzero(np.diff(at, axis=1, prepend=-1.0) > 0)
+    places = start[wall] + at[wall, k, None] * along[wall] + normal[wall] * (depth / 2 + GAP)
+    return _boxes(places, np.arctan2(normal[:, 1], normal[:, 0])[wall], center[2], size)
 
 
 def _beside(start: Array, along: Array, normal: Array, width: float, others: Boxes) -> Array:
-    if not others.n:
-        return np.zeros(0)
-    offset = others.center[:, :2] - start
-    behind = np.abs(offset @ normal - others.size[:, 0] / 2) < 0.08
-    aligned = np.abs(np.cos(others.yaw) * normal[0] + np.sin(others.yaw) * normal[1] - 1) < 1e-3
-    at, half = (offset @ along)[behind & aligned], others.size[behind & aligned, 1] / 2
-    return np.concatenate([at - half - width / 2 - GAP / 2, at + half + width / 2 + GAP / 2])
+    """Places beside what stands with its back to each wall, (walls, 2 m), NaN where something does not."""
+    offset = others.center[None, :, :2] - start[:, None]
+    behind = np.abs((offset * normal[:, None]).sum(-1) - others.size[:, 0] / 2) < 0.08
+    turned = np.cos(others.yaw) * normal[:, :1] + np.sin(others.yaw) * normal[:, 1:]
+    at = np.where(behind & (np.abs(turned - 1) < 1e-3), (offset * along[:, None]).sum(-1), np.nan)
+    far = (others.size[:, 1] + width + GAP) / 2
+    return np.concatenate([at - far, at + far], 1)
 
 
 def about(center: Array, size: Array, yaw: float) -> Boxes:
