@@ -29,7 +29,7 @@ def wedged(bodies: Sequence[Body]) -> dict[str, list[str]]:
             continue
         for other, (low, high) in zip(solid, bounds, strict=True):
             near = body is not other and bool((lo < high).all() and (low < hi).all())
-            if near and _overlap(_of(body, shapes), _of(other, shapes)):
+            if near and overlap(_of(body, shapes), _of(other, shapes)):
                 found.setdefault(body.name, []).append(other.name)
     return found
 
@@ -45,15 +45,19 @@ def _bounds(body: Body) -> tuple[Array, Array]:
 
 
 def _of(body: Body, known: dict[str, Shapes]) -> Shapes:
-    """Shadows of a body's colliders, thinner by half the depth all about, and their least and greatest heights."""
     if body.name not in known:
-        points = _points(body)
-        hulls = [shapely.MultiPoint(p[:, :2]).convex_hull.buffer(-DEPTH / 2, join_style="mitre") for p in points]
-        heights = np.array([[p[:, 2].min() + DEPTH / 2, p[:, 2].max() - DEPTH / 2] for p in points])
-        known[body.name] = np.array(hulls, object), heights
+        known[body.name] = prisms(_points(body))
     return known[body.name]
 
 
-def _overlap(a: Shapes, b: Shapes) -> bool:
+def prisms(points: Sequence[Array]) -> Shapes:
+    """Shadows of solids given by their corners, thinner by half the depth all about, and least and greatest heights."""
+    hulls = shapely.convex_hull([shapely.multipoints(p[:, :2]) for p in points])
+    heights = np.array([[p[:, 2].min() + DEPTH / 2, p[:, 2].max() - DEPTH / 2] for p in points])
+    return shapely.buffer(hulls, -DEPTH / 2, join_style="mitre"), heights.reshape(-1, 2)
+
+
+def overlap(a: Shapes, b: Shapes) -> bool:
+    """Whether any prism of one stands in one of the other."""
     one, two = shapely.STRtree(a[0]).query(b[0], predicate="intersects")[::-1]
     return bool(((a[1][one, 0] < b[1][two, 1]) & (b[1][two, 0] < a[1][one, 1])).any())

@@ -14,16 +14,20 @@ from schemas.retrieve import Furnishing, Joint
 from stages import boxes, categories, convex, footprints, sweeps
 from stages.walkable.leaves import LEVERS, Building
 from stages.walkable.solids import Solids
+from stages.wedged import DEPTH, overlap
 
 CLEAR = 0.001
 """Least distance of a part from all that is not its own object, m."""
 IN_THE_WAY = 1e-4
 """Floor of a doorway that may be taken, m²."""
-WALL, CEILING, WAY, LEAF = "wall", "ceiling", "way", "leaf"
+WALL, CEILING, WAY, LEAF, PLACE = "wall", "ceiling", "way", "leaf", "place"
 
 
 class Fault(NamedTuple):
-    """A part of an object or room door that does not move freely, and the object, door or wall that it meets."""
+    """A part of an object or room door that does not move freely, and the object, door or wall that it meets.
+
+    The part is `place` where a seat stands in what it is drawn up to, so that nobody could draw it back.
+    """
 
     owner: str
     part: str
@@ -45,15 +49,17 @@ class Check:
         found = _among(self.solids, things, asked)
         found |= _of_doors(self.building, self.solids, some)
         found |= _at_building(self.building, self.solids, some)
+        found |= _in_place(self.solids, things, asked)
         return found
-
 
     def still(self, faults: Collection[Fault], some: Sequence[Furnishing]) -> bool:
         """Whether any of these faults is there among some objects, as far as these have to do with it."""
         known = {o.id: o for o in some}
         for fault in sorted(faults):
             o, other = known.get(fault.owner), known.get(fault.by)
-            if o is not None and other is not None:
+            if fault.part == PLACE:
+                hit = o is not None and other is not None and _stands_in(self.solids, o, other)
+            elif o is not None and other is not None:
                 hit = _meets(self.solids, o, fault.part, other)
             elif o is not None:
                 hit = fault in _at_building(self.building, self.solids, [o])
@@ -98,6 +104,23 @@ def _among(solids: Solids, things: list[Furnishing], asked: boxes.Mask) -> set[F
 def _meets(solids: Solids, o: Furnishing, part: str, other: Furnishing) -> bool:
     sweep = solids.of(o).parts.get(part)
     return sweep is not None and convex.meet(sweep.placed(o.center, o.yaw), solids.rest(other), CLEAR)
+
+
+def _in_place(solids: Solids, things: list[Furnishing], asked: boxes.Mask) -> set[Fault]:
+    """Seats that stand in what they belong to."""
+    seats = [i for i, o in enumerate(things) if o.category in categories.SEATS]
+    if not seats:
+        return set()
+    where = boxes.of(things)
+    near = boxes.penetration(where.take(np.array(seats)), where) > DEPTH
+    near &= asked[seats][:, None] | asked[None]
+    pairs = ((things[seats[i]], things[j]) for i, j in np.argwhere(near).tolist() if seats[i] != j)
+    return {Fault(o.id, PLACE, other.id) for o, other in pairs
+            if categories.tucks(o.category, other.category) and _stands_in(solids, o, other)}
+
+
+def _stands_in(solids: Solids, o: Furnishing, other: Furnishing) -> bool:
+    return overlap(solids.prisms(o), solids.prisms(other))
 
 
 def _of_doors(building: Building, solids: Solids, some: list[Furnishing]) -> set[Fault]:

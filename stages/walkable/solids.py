@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 
 from schemas.errors import BadInput
 from schemas.retrieve import Furnishing, Joint
@@ -11,6 +12,7 @@ from stages.asset import Asset, Collider, Link
 from stages.convex import Hulls
 from stages.solids import slab
 from stages.walkable.site import Candidates
+from stages.wedged import Shapes, prisms
 
 
 class Solid(NamedTuple):
@@ -26,6 +28,7 @@ class Solids:
     def __init__(self, library: Candidates) -> None:
         self._library = library
         self._known: dict[tuple[str, ...], Solid] = {}
+        self._prisms: dict[tuple[str, ...], Shapes] = {}
 
     def of(self, o: Furnishing) -> Solid:
         """The solid of an object's asset."""
@@ -37,6 +40,16 @@ class Solids:
     def rest(self, o: Furnishing) -> Hulls:
         """An object's colliders where it stands, parts shut."""
         return self.of(o).rest.placed(o.center, o.yaw)
+
+    def prisms(self, o: Furnishing) -> Shapes:
+        """An object's colliders where it stands, as upright prisms."""
+        key = (o.asset.library, o.asset.id)
+        if key not in self._prisms:
+            self._prisms[key] = prisms(list(self.of(o).rest.points))
+        shadows, heights = self._prisms[key]
+        c, s = np.cos(o.yaw), np.sin(o.yaw)
+        turn = np.array([[c, s], [-s, c]])
+        return shapely.transform(shadows, lambda xy: xy @ turn + o.center[:2]), heights + o.center[2]
 
     def _made(self, o: Furnishing) -> Solid:
         try:

@@ -2,7 +2,7 @@
 
 For each thing that does not, in this order: what it meets, or it itself, is nudged; it gets another design that opens
 otherwise, or what it meets a smaller one; one of the two gets another place in its room; the less important one is
-left out. A repair counts only if nothing else is lost by it.
+left out. A repair counts only if nothing else is lost by it. A seat that stands in its table is drawn back, or stays.
 """
 
 from collections.abc import Iterable, Iterator
@@ -19,7 +19,7 @@ from stages.walkable.changes import Change, applied, dropped, nudged, replaced
 from stages.walkable.designs import redesigned
 from stages.walkable.nudge import nudges
 from stages.walkable.optimize import EPSILON, area_ratio
-from stages.walkable.parts import Check, Fault, stuck_doors
+from stages.walkable.parts import PLACE, Check, Fault, stuck_doors
 from stages.walkable.places import places
 from stages.walkable.site import Changes, Scene, Site, fits, swapped
 from stages.walkable.smaller import candidate, limits
@@ -31,6 +31,8 @@ UP = (0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Shifts in height of what hangs on a wall, m."""
 BACK = (0.35, 0.4, 0.45, 0.5, 0.55)
 """How far a seat is drawn back where less does not do, m."""
+OUT = (0.01, 0.02, 0.04, 0.06, 0.09, 0.12, 0.16, 0.2, 0.25, 0.3, 0.35)
+"""How far a seat is drawn out of what it stands in, m."""
 TRIMMED = (0.004, 0.008, 0.016)
 """By how much sides get shorter of what stands wedged in, m."""
 SHARES = (0.95, 0.9, 0.8, 0.7)
@@ -73,7 +75,7 @@ def unblock(
         given_up = set()
     if steps and state.ways and not exact and not set(missed(site, state.scene)) <= state.out:
         return unblock(site, scene, check, now, exact=True)
-    return state.scene, steps, sorted(state.faults | fixed)
+    return state.scene, steps, sorted(f for f in state.faults | fixed if f.part != PLACE)
 
 
 def _repaired(site: Site, check: Check, state: _State, fault: Fault, exact: bool) -> Change | None:
@@ -128,6 +130,10 @@ def _changes(
         # Companions that move along stay where they were to one another.
         return (nudged(o, to, fault.owner) for to in shifts if len(names) < 2 or names - set(to))
 
+    if fault.part == PLACE:
+        yield from shifted(both[-1], _drawn_back(scene, both[-1], both, OUT))
+        yield from shifted(both[-1], nudges(site, scene, both[-1]))
+        return
     for o in both:
         yield from shifted(o, _slight(scene, o))
     for o in both:
@@ -140,7 +146,7 @@ def _changes(
     for o in both:
         yield from (replaced(o, to, fault.owner) for to in _smaller(site, scene, o))
     for o in both:
-        yield from shifted(o, _drawn_back(scene, o, both))
+        yield from shifted(o, _drawn_back(scene, o, both, BACK))
         yield from shifted(o, places(site, scene, o))
     if site.config.drop:
         loose = importance.sparable(both, scene, site)
@@ -165,15 +171,15 @@ def _raised(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
             yield _shifted(scene, o, [0.0, 0.0, up])
 
 
-def _drawn_back(scene: Scene, o: Furnishing, both: list[Furnishing]) -> Iterator[Changes]:
-    """A seat further from its table than it would be nudged, and beside its middle."""
+def _drawn_back(scene: Scene, o: Furnishing, both: list[Furnishing], by: Iterable[float]) -> Iterator[Changes]:
+    """A seat further from its table."""
     table = next((p for p in both if p is not o and categories.tucks(o.category, p.category)), None)
     if table is None or o.category not in categories.SEATS:
         return
     at = boxes.local([o.center[:2]], boxes.of([table]))[0, 0]
     side = int(np.argmax(np.abs(at) - np.asarray(table.size[:2]) / 2))
     way = boxes.axes(boxes.of([table]))[0, side] * np.sign(at[side])
-    for back in BACK:
+    for back in by:
         yield _shifted(scene, o, [*(back * way), 0.0])
 
 

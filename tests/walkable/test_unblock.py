@@ -10,7 +10,7 @@ from stages import retrieve
 from stages.categories import TABLE
 from stages.walkable import WalkableConfig, designs, run
 from stages.walkable.leaves import building
-from stages.walkable.parts import Check, Fault, stuck_doors
+from stages.walkable.parts import PLACE, Check, Fault, stuck_doors
 from stages.walkable.site import survey
 from stages.walkable.solids import Solids
 
@@ -105,6 +105,20 @@ def test_a_part_that_turns_into_a_wall_or_above_the_ceiling():
     up = leaf(axis=(0, -1, 0), origin=(-0.25, 0, 0.4), extent=((-0.25, -0.5, 0.38), (0.25, 0.5, 0.4)))
     high = case.model_copy(update={"center": (2.0, 2.5, h.plan().height - 0.41), "joints": [up]})
     assert {f.by for f in blocked(h.home(high))} == {"ceiling"}
+
+
+@pytest.mark.parametrize("behind, back", [(0.4, 0.2), (0.1, 0.0)])
+def test_a_chair_that_stands_in_its_table_is_drawn_back_where_there_is_room(behind, back):
+    table = h.thing("dining_table", 2, 0.4, UP, size=(0.8, 1.2, 0.75), id="table")
+    chair = h.thing("chair", 2, 0.8 - 0.2 + 0.25, DOWN, size=(0.5, 0.5, 0.8), id="chair")
+    chest = h.thing("sideboard", 2, 1.1 + behind + 0.2, UP, size=(0.4, 1.2, 0.8), id="sideboard")
+    home = h.home(table, chair, chest)
+    assert blocked(home) == {Fault("chair", PLACE, "table")}
+    result = opened(home)
+    moved = np.subtract(result.objects[1].center, chair.center)
+    assert moved == pytest.approx([0, back, 0], abs=1e-6)
+    # It neither goes nor counts as blocked where it has to stay.
+    assert len(result.objects) == 3 and result.walkable.blocked == []
 
 
 def test_what_cannot_be_freed_is_named():
