@@ -115,7 +115,8 @@ def _episode(
         if tried.plan is None:
             shown = _shown(part, tried) if trace else None
             return _outcome(probe, part, tried.failure, tried.reason, tried.numbers, shown)
-        result = Actor(probe, part, np.append(probe.joints, part.address)).run(tried.plan)
+        recorded = np.append(probe.joints, part.address) if trace else None
+        result = Actor(probe, part, recorded).run(tried.plan)
         hold = tried.plan.phases[1].hold
         left = min(RETRIES, len(part.holds + part.others) - 1) - len(missed)
         if not result.missed or hold is None or not left:

@@ -10,8 +10,8 @@ from stages.boxes import Array
 from stages.embodied.interact.chains import OPEN
 from stages.embodied.interact.parts import Hold, Part
 from stages.embodied.interact.plan import Phase, Plan
-from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import CUP, FINGERS, GRIP, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
+from stages.embodied.interact.probe import ALL, Probe
+from stages.embodied.interact.robot import CUP, FINGERS, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
 
 SLIP = {"pinch": 60.0, "cup": 48.0}
 """Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4.5 cm bears (-60 kPa)."""
@@ -21,8 +21,8 @@ SHUT = 0.02
 """Share of its range to which a part still counts as shut."""
 SLIPPING = 0.02
 """Forces are averaged over about this time: a shorter peak does not move the pads, s."""
-LIGHT = 5.0
-"""Force of the fingers once the hold is modelled by a joint, N, so that friction does not hold twice."""
+_PASSED = 11
+"""Collision bits of what the fingers hold: all but the hand's, so that friction does not hold beside the joint."""
 GRAZE = 5.0
 """A harder contact with anything but the part held is a collision, N."""
 PACE = {"hinge": 0.7, "slide": 0.25}
@@ -38,6 +38,8 @@ STRIDE = 2
 _SMOOTH = 0.12  # s over which the targets of a held motion are averaged
 _CLOSE = 1.2  # s at most for the fingers to close
 _REST = 0.2  # s at most at the end of each phase, for the arm to catch up
+_HARM = np.array([[0, 0, 1, 1], [0, 0, 0, 1], [1, 0, 0, 0], [1, 1, 0, 1]], bool)
+"""Whether a contact does harm, by `Actor.role` of what meets: other things, the part's object, the part, the robot."""
 _CAUGHT_UP, _STILL = 5e-4, 5e-3  # m or rad off the target, m/s or rad/s of every joint, when it has
 
 
@@ -59,18 +61,19 @@ class Result:
 class Actor:
     """One episode under way."""
 
-    def __init__(self, probe: Probe, part: Part, recorded: Array) -> None:
+    def __init__(self, probe: Probe, part: Part, recorded: Array | None) -> None:
         self.probe, self.part, self.recorded = probe, part, recorded
         self.model = probe.world.model
         # Only what stands loose on something needs that; other parts rest at their joints' limits.
         base = int(self.model.body_parentid[part.body])
         probe.limit(self.model, part.body, *([base] if self.model.body_weldid[base] else []))
         self.data = mujoco.MjData(self.model)
+        self.contact = self.data.contact
         self.servos = np.array([self.model.actuator(joint(name)).id for name in NAMES])
         self.mine = probe.robot
         self.grasping = probe.fingers
         self.moving = probe.part(part)
-        self.own = probe.own(part)
+        self.role = np.where(self.mine, 3, np.where(self.moving, 2, probe.own(part).astype(int)))
         self.eq = self.model.equality("robot__hold").id
         self.result = Result()
         self.period = STRIDE * TIMESTEP
@@ -97,8 +100,11 @@ class Actor:
 
     def _travel(self, phase: Phase) -> bool:
         """From stop to stop, halting at each, so that no corner is cut."""
-        *far, last = phase.stops
+        first, *far, last = phase.stops
         self.model.opt.timestep = self.period
+        if not self._along([first.posture]):
+            return False
+        self._grasp(())
         if not all(self._along([stop.posture]) for stop in far):
             return False
         self.model.opt.timestep = TIMESTEP
@@ -165,8 +171,8 @@ class Actor:
 
     def _touching(self) -> int:
         """How many fingers touch the part."""
-        pairs = np.array(self.data.contact.geom).reshape(-1, 2)
-        on = self.grasping[pairs].any(1) & self.moving[pairs].any(1) & (np.array(self.data.contact.dist) < 5e-4)
+        pairs = self.contact.geom.reshape(-1, 2)
+        on = self.grasping[pairs].any(1) & self.moving[pairs].any(1) & (self.contact.dist < 5e-4)
         return len({int(pair[0] if self.grasping[pair[0]] else pair[1]) for pair in pairs[on]})
 
     def _fasten(self, hold: Hold) -> bool:
@@ -182,9 +188,15 @@ class Actor:
         self.model.eq_data[self.eq, :6] = [ahead, 0, 0, *(turn.T @ (point - self.data.xpos[body]))]
         self.data.eq_active[self.eq] = 1
         self.ahead, self.limit, self.pull = ahead, SLIP[hold.kind], 0.0
-        for k in self.servos[FINGERS]:
-            self.model.actuator_forcerange[k] = [-LIGHT, LIGHT]
+        if hold.kind == "pinch":
+            self._grasp(hold.geoms)
+            self.data.ctrl[self.servos[FINGERS]] = self.data.qpos[self.probe.joints[FINGERS]]
         return True
+
+    def _grasp(self, geoms: tuple[int, ...]) -> None:
+        """Have the hand pass through these geoms of the part while the joint holds them, and through no others."""
+        self.model.geom_conaffinity[self.moving] = ALL
+        self.model.geom_conaffinity[list(geoms)] = _PASSED
 
     def _point(self, ahead: float) -> Array:
         """A point so far before the wrist, along the hand."""
@@ -208,8 +220,6 @@ class Actor:
 
     def _release(self) -> None:
         self.data.eq_active[self.eq] = 0
-        for k in self.servos[FINGERS]:
-            self.model.actuator_forcerange[k] = [-GRIP, GRIP]
 
     def _step(self) -> bool:
         """One period of the simulation; False when the episode is over."""
@@ -224,7 +234,7 @@ class Actor:
         return self._unharmed()
 
     def _record(self) -> None:
-        if self.data.time * FRAMES >= len(self.result.times) + 1:
+        if self.recorded is not None and self.data.time * FRAMES >= len(self.result.times) + 1:
             self.result.times.append(round(float(self.data.time), 4))
             self.result.qpos.append([round(float(v), 5) for v in self.data.qpos[self.recorded]])
 
@@ -242,12 +252,11 @@ class Actor:
         """Whether neither robot nor part presses against anything that they should not."""
         if not self.data.ncon:
             return True
-        pairs = np.array(self.data.contact.geom).reshape(-1, 2)
-        mine, part = self.mine[pairs].any(1), self.moving[pairs].any(1)
-        bad = (mine ^ part) & ~(part & self.own[pairs].all(1))
+        pairs = self.contact.geom.reshape(-1, 2)
+        bad = _HARM[self.role[pairs[:, 0]], self.role[pairs[:, 1]]]
         if not bad.any():
             return True
-        rows = np.array(self.data.contact.efc_address)[bad]
+        rows = self.contact.efc_address[bad]
         force = np.where(rows >= 0, self.data.efc_force[rows], 0.0)
         if force.max() <= GRAZE:
             return True

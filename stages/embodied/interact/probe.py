@@ -19,7 +19,7 @@ PRESSED = 0.003
 """How far fingers may be planned into what they hold, m: handles are rounder than their collision pieces."""
 JAMMED = 0.005
 """A part that would go deeper than this into something is blocked by it, m."""
-_PART, _ALL = 8, 15  # collision bits where only robot and part look for contacts
+_PART, ALL = 8, 15  # collision bits where only robot and part look for contacts
 
 Index = NDArray[np.int64]
 _APART = np.array([[-np.inf, -np.inf, CLEARANCE, CLEARANCE]] * 2 + [[CLEARANCE, CLEARANCE, 0.0, 0.0]] * 2)
@@ -73,7 +73,7 @@ class Probe:
     def limit(self, model: Any, *bodies: int) -> None:
         """Have only the robot and some bodies meet things, in the world's model or its copy."""
         model.geom_contype[self.solid] = np.where(np.isin(model.geom_bodyid[self.solid], bodies), _PART, 0)
-        model.geom_conaffinity[self.solid] = _ALL
+        model.geom_conaffinity[self.solid] = ALL
         model.body_contype[:] = model.body_conaffinity[:] = 0
         np.bitwise_or.at(model.body_contype, model.geom_bodyid, model.geom_contype)
         np.bitwise_or.at(model.body_conaffinity, model.geom_bodyid, model.geom_conaffinity)
