@@ -16,9 +16,20 @@ _OURS = {CONTENTS, "export.json"}
 
 @contextmanager
 def replaced(out: Path) -> Iterator[Path]:
-    """A new folder to fill; it takes the place of `out` when the block ends well, and leaves no trace otherwise."""
-    _check(out)
-    out = out.absolute()
+    """A new folder to fill; it takes the place of `out` when the block ends well, and leaves no trace otherwise.
+
+    BadInput where `out` holds what is no export's, and where the disk refuses.
+    """
+    try:
+        _check(out)
+        with _beside(out.absolute()) as fresh:
+            yield fresh
+    except OSError as error:
+        raise BadInput(f"{out}: cannot be written ({error.strerror or error}); give another folder with -o") from error
+
+
+@contextmanager
+def _beside(out: Path) -> Iterator[Path]:
     out.parent.mkdir(parents=True, exist_ok=True)
     work = Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))
     try:

@@ -1,7 +1,10 @@
 """Every format by itself: replaced whole or not at all, credits inside, nothing that leads out of its folder."""
 
+import errno
 import json
+import os
 import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -50,6 +53,21 @@ def test_an_asset_that_is_missing_leaves_nothing(tmp_path):
         with pytest.raises(BadInput, match="no such asset"):
             export.run(sample.home(), [name], tmp_path / name, _broken)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_place_that_cannot_be_written_is_an_error_that_names_it(tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("")
+    for place in ("/proc/scene", tmp_path / "file" / "below" / "scene"):
+        with pytest.raises(BadInput, match=rf"{place}: cannot be written \(.+\); give another folder"):
+            export.run(sample.home(), ["svg"], Path(place), sample.load)
+
+    def full(*_, **__):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(BadInput, match="No space left"):
+        export.run(sample.home(), ["svg"], tmp_path / "scene", sample.load)
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
 
 
 def test_credits_go_along(kept):
