@@ -91,9 +91,10 @@ def inertia(link: Link) -> Inertia:
     return Inertia(mass, center, tensor + mass * 1e-5 * np.eye(3))
 
 
-def counterbalanced(link: Link) -> bool:
+def counterbalanced(link: Link, found: Inertia | None = None) -> bool:
     """Whether a spring must carry the part's weight, as in an oven door, because gravity alone would open it.
 
+    `found` is its inertia where that is known already.
     A flap whose weight lies behind its hinge falls open only once it stands ajar, so half way is looked at, too.
     """
     joint = link.joint
@@ -102,7 +103,7 @@ def counterbalanced(link: Link) -> bool:
     axis = np.asarray(joint.axis, float) / np.linalg.norm(joint.axis)
     if joint.type == "slide":
         return bool(axis[2] < -0.01)
-    arm = inertia(link).center - np.asarray(joint.origin, float)
+    arm = (found or inertia(link)).center - np.asarray(joint.origin, float)
     half = max(joint.range, key=abs) / 2
     ajar = arm * np.cos(half) + np.cross(axis, arm) * np.sin(half)
     return any(bool(np.cross(lever, [0.0, 0.0, -1.0]) @ axis > 1e-6) for lever in (arm, ajar))

@@ -1,7 +1,7 @@
 """Doors, windows and lined passages as links in the opening's frame.
 
 Origin on the floor in the middle of the opening, +x through the wall towards the room it serves, +y to the left seen
-from there. `span` is where the wall's faces lie on x: (far face, near face).
+from there. `span` is where the wall's faces lie on x: (far face, near face). Not `shown`, what only shows is left out.
 """
 
 import numpy as np
@@ -30,15 +30,16 @@ _PANE_MOST = 1.1  # m, wider windows are divided
 _LEAF_DENSITY = 320.0  # kg/m³, a hollow-core leaf
 
 
-def door(width: float, span: Span, opening: Opening, hinge: int) -> list[Link]:
+def door(width: float, span: Span, opening: Opening, hinge: int, shown: bool = True) -> list[Link]:
     """Frame and hinged leaf; `hinge` is +1 when it hangs on the left (+y), -1 right, 0 without a leaf."""
-    frame = Link("frame", [*_surround(width, span, opening.head), *_stops(width, span, opening.head)], [], 12.0)
-    return [frame] if hinge == 0 else [frame, _leaf(width, span[1], opening, hinge)]
+    visuals = [*_surround(width, span, opening.head), *_stops(width, span, opening.head)] if shown else []
+    frame = Link("frame", visuals, [], 12.0)
+    return [frame] if hinge == 0 else [frame, _leaf(width, span[1], opening, hinge, shown)]
 
 
-def lining_of_passage(width: float, span: Span, opening: Opening) -> list[Link]:
+def lining_of_passage(width: float, span: Span, opening: Opening, shown: bool = True) -> list[Link]:
     """A passage without a leaf shows its surround only."""
-    return [Link("frame", _surround(width, span, opening.head), [], 8.0)]
+    return [Link("frame", _surround(width, span, opening.head) if shown else [], [], 8.0)]
 
 
 def _surround(width: float, span: Span, head: float) -> list[Mesh]:
@@ -62,14 +63,16 @@ def _stops(width: float, span: Span, head: float) -> list[Mesh]:
     ]
 
 
-def _leaf(width: float, face: float, opening: Opening, hinge: int) -> Link:
+def _leaf(width: float, face: float, opening: Opening, hinge: int, shown: bool) -> Link:
     lo, hi = _slab(width, face, opening)
     material = finishes.ENTRANCE if opening.kind == "entrance" else finishes.LEAF
-    visuals = [solids.box(lo, hi, material), *_panels(lo, hi, material)]
     colliders, joint = leaf(width, face, opening, hinge)
     grip = _grip(width, face, hinge)
-    for at, out in _levers(grip):
-        visuals += _lever(at, out, hinge)
+    visuals = []
+    if shown:
+        visuals += [solids.box(lo, hi, material), *_panels(lo, hi, material)]
+        for at, out in _levers(grip):
+            visuals += _lever(at, out, hinge)
     mass = _LEAF_DENSITY * float(np.prod(hi - lo))
     return Link("leaf", visuals, colliders, mass, joint, grip + [0.045, hinge * 0.05, 0.0])
 
@@ -131,7 +134,7 @@ def _lever(at: Array, out: int, hinge: int) -> list[Mesh]:
     return [rose, *(solids.cylinder(a, b, ROD, finishes.METAL, 10) for a, b in _rods(at, out, hinge))]
 
 
-def window(width: float, span: Span, opening: Opening) -> list[Link]:
+def window(width: float, span: Span, opening: Opening, shown: bool = True) -> list[Link]:
     """A fixed glazed window near the outer third of the wall, with a board inside."""
     at = span[0] + 0.4 * (span[1] - span[0])
     x0, x1, half = at - 0.035, at + 0.035, width / 2
@@ -144,8 +147,9 @@ def window(width: float, span: Span, opening: Opening) -> list[Link]:
         bars.append((y + shift - FRAME / 2, y + shift + FRAME / 2, z0 + FRAME, z1 - FRAME))
     corners = [((x0, a, b), (x1, c, d)) for a, c, b, d in bars] + _board(half, x1, span[1], z0)
     pane = (at - 0.008, -half + FRAME, z0 + FRAME), (at + 0.008, half - FRAME, z1 - FRAME)
-    visuals = [solids.box(lo, hi, finishes.FRAME) for lo, hi in corners]
-    visuals.append(solids.box(*pane, finishes.GLASS))
+    visuals = []
+    if shown:
+        visuals += [*(solids.box(lo, hi, finishes.FRAME) for lo, hi in corners), solids.box(*pane, finishes.GLASS)]
     return [Link("frame", visuals, [solids.slab(lo, hi) for lo, hi in [*corners, pane]], 20.0)]
 
 

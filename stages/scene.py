@@ -37,16 +37,20 @@ _LUMENS = {"ceiling_lamp": 1100.0, "floor_lamp": 700.0, "table_lamp": 350.0, "wa
 
 @dataclass(frozen=True)
 class Scene:
-    """An apartment to export; `home` is the artifact itself. Bodies are built when first asked for."""
+    """An apartment to export; `home` is the artifact itself. Bodies are built when first asked for.
+
+    Not `shown`, what only shows is left out, but for parts of which nothing else is known.
+    """
 
     home: Plan
     load: Load
+    shown: bool = True
 
     @cached_property
     def bodies(self) -> list[Body]:
         """The shell's bodies, then one for each object, in the artifact's order; BadInput without assets."""
         taken: set[str] = set()
-        built = [*shell.bodies(self.home), *(self._body(o) for o in _furnishings(self.home))]
+        built = [*shell.bodies(self.home, self.shown), *(self._body(o) for o in _furnishings(self.home))]
         named = [_renamed(body, taken) for body in built]
         stuck = wedged(named)
         for name, others in stuck.items():
@@ -82,8 +86,9 @@ class Scene:
 
     def _body(self, o: Furnishing) -> Body:
         asset = self.load(o.asset.library, o.asset.id)
+        links = _links(asset, o.category) if self.shown else _bare(_links(asset, o.category))
         return Body(
-            o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, _links(asset, o.category),
+            o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, links,
             o.category in LOOSE and self._stands(o), o.id, f"{o.asset.library}/{o.asset.id}",
         )
 
@@ -100,6 +105,10 @@ def _links(asset: Asset, category: str) -> list[Link]:
     if category in TABLE and TABLE[category].place == "flat":
         return [replace(link, colliders=[]) for link in asset.links]
     return asset.links
+
+
+def _bare(links: list[Link]) -> list[Link]:
+    return [replace(link, visuals=[]) if link.colliders or link.joint is None else link for link in links]
 
 
 def _furnishings(home: Plan) -> list[Furnishing]:

@@ -36,14 +36,17 @@ Storey = tuple[Geometry, float, float]
 _ORIGIN = np.zeros(3)
 
 
-def bodies(plan: Plan) -> list[Body]:
-    """Every body of the shell, floors first; names are unique among them."""
+def bodies(plan: Plan, shown: bool = True) -> list[Body]:
+    """Every body of the shell, floors first; names are unique among them. Not `shown`, what only shows is left out."""
     storeys = _storeys(plan)
+    leaves = [_opening(plan, opening, shown) for opening in plan.openings if not in_parapet(opening, plan)]
+    ceilings = [_ceiling(plan, room, shown) for room in plan.rooms if room.type != "balcony"]
+    solid = [_ground(plan, shown), _walls(plan, storeys, shown)]
+    if not shown:
+        return [*solid, *ceilings, *leaves]
     floors = [_floor(plan, room) for room in plan.rooms]
-    ceilings = [_ceiling(plan, room) for room in plan.rooms if room.type != "balcony"]
     linings = [lined for room in plan.rooms for lined in _linings(plan, room, storeys)]
-    leaves = [_opening(plan, opening) for opening in plan.openings if not in_parapet(opening, plan)]
-    return [_ground(plan), *floors, _walls(plan, storeys), *linings, *ceilings, *leaves]
+    return [solid[0], *floors, solid[1], *linings, *ceilings, *leaves]
 
 
 def _still(name: str, kind: Kind, room: str, visuals: list[Mesh], colliders: list[Collider] | None = None) -> Body:
@@ -52,15 +55,18 @@ def _still(name: str, kind: Kind, room: str, visuals: list[Mesh], colliders: lis
     return Body(name, kind, kind, room, _ORIGIN, 0.0, [link], id=room)
 
 
-def _ground(plan: Plan) -> Body:
+def _ground(plan: Plan, shown: bool) -> Body:
     """One slab under everything, so that nothing rolls over seams; it shows in thresholds and under walls."""
     shell = polygons.shell(plan)
     x0, y0, x1, y1 = shell.bounds
+    solid = [solids.slab((x0, y0, -SLAB), (x1, y1, 0.0))]
+    if not shown:
+        return _still("ground", "floor", "", [], solid)
     below = solids.extruded(shell, -SLAB, -0.004, finishes.CONCRETE)
     sills = [polygons.threshold(o, plan) for o in plan.openings if o.kind in polygons.PASSAGES]
     flush = unary_union(sills).difference(unary_union(list(polygons.floors(plan).values())))
-    shown = [below] if flush.is_empty else [below, solids.extruded(flush, -0.004, 0.0, finishes.THRESHOLD)]
-    return _still("ground", "floor", "", shown, [solids.slab((x0, y0, -SLAB), (x1, y1, 0.0))])
+    faces = [below] if flush.is_empty else [below, solids.extruded(flush, -0.004, 0.0, finishes.THRESHOLD)]
+    return _still("ground", "floor", "", faces, solid)
 
 
 def _floor(plan: Plan, room: Room) -> Body:
@@ -68,11 +74,11 @@ def _floor(plan: Plan, room: Room) -> Body:
     return _still(f"floor_{room.id}", "floor", room.id, [covering])
 
 
-def _ceiling(plan: Plan, room: Room) -> Body:
+def _ceiling(plan: Plan, room: Room, shown: bool) -> Body:
     area = polygons.floor(room)
     top = plan.height + CEILING
-    visual = solids.extruded(area, plan.height, top, finishes.CEILING)
-    return _still(f"ceiling_{room.id}", "ceiling", room.id, [visual], solids.convex(area, plan.height, top))
+    visuals = [solids.extruded(area, plan.height, top, finishes.CEILING)] if shown else []
+    return _still(f"ceiling_{room.id}", "ceiling", room.id, visuals, solids.convex(area, plan.height, top))
 
 
 def _cut(opening: Opening, plan: Plan) -> Polygon:
@@ -113,11 +119,14 @@ def _clean(area: Geometry) -> Geometry:
     return shapely.set_precision(area, GRAIN)
 
 
-def _walls(plan: Plan, storeys: list[Storey]) -> Body:
+def _walls(plan: Plan, storeys: list[Storey], shown: bool) -> Body:
+    solid = [c for area, z0, z1 in storeys for c in solids.convex(area, z0, z1)]
+    if not shown:
+        return _still("walls", "wall", "", [], solid)
     lined = unary_union([_skin(polygons.floor(room)) for room in plan.rooms])
     cores = [(_clean(area.difference(lined)), z0, z1) for area, z0, z1 in storeys]
     visuals = [solids.extruded(area, z0, z1, finishes.WALL) for area, z0, z1 in cores if area.area > 1e-6]
-    return _still("walls", "wall", "", visuals, [c for area, z0, z1 in storeys for c in solids.convex(area, z0, z1)])
+    return _still("walls", "wall", "", visuals, solid)
 
 
 def _skin(floor: Polygon) -> Geometry:
@@ -147,12 +156,12 @@ def _skirting(plan: Plan, room: Room, floor: Polygon) -> Geometry:
     return floor.difference(floor.buffer(-SKIRTING[0], join_style="mitre")).difference(unary_union(open_))
 
 
-def _opening(plan: Plan, opening: Opening) -> Body:
+def _opening(plan: Plan, opening: Opening, shown: bool) -> Body:
     """Door, window or lined passage in its own frame: origin on the floor in the middle of the wall's opening."""
     span, position, yaw = frame(plan, opening)
     hung = partial(door, hinge=hinge(opening, plan))
     make = {"window": window, "opening": lining_of_passage}.get(opening.kind, hung)
-    links = make(polygons.width(opening), span, opening)
+    links = make(polygons.width(opening), span, opening, shown=shown)
     kind: Kind = {"window": "window", "opening": "trim"}.get(opening.kind, "door")  # type: ignore[assignment]
     name = opening.id if opening.id.startswith(kind) else f"{kind}_{opening.id}"
     towards = opening.into or opening.rooms[0]

@@ -4,7 +4,6 @@ import os
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -18,7 +17,6 @@ from schemas.errors import BadInput
 from schemas.retrieve import Retrieve
 
 if TYPE_CHECKING:
-    from stages.asset import Link
     from stages.embodied.outcome import Outcome
     from stages.embodied.world import World
     from stages.scene import Scene
@@ -109,21 +107,15 @@ def _rng(name: str, lane: int) -> np.random.Generator:
 @contextmanager
 def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path]]":
     """The scene, and its MJCF for as long as it is needed; `bare` leaves out what only shows."""
-    from stages import registry, retrieve
+    from stages import retrieve
+    from stages.export import mjcf as exporter
     from stages.retrieve.matching.config import RetrieveConfig
     from stages.scene import Scene
 
-    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load)
-    if bare:
-        vars(scene)["bodies"] = [replace(body, links=_bare(body.links)) for body in scene.bodies]
+    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load, shown=not bare)
     with TemporaryDirectory() as folder:
-        registry.load("stages.export", "mjcf").write(scene, Path(folder))
+        exporter.write(scene, Path(folder))
         yield scene, Path(folder) / "mjcf" / "apartment.xml"
-
-
-def _bare(links: "list[Link]") -> "list[Link]":
-    """Without what only shows, but for parts of which nothing else is known."""
-    return [replace(link, visuals=[]) if link.colliders or link.joint is None else link for link in links]
 
 
 def replay(out: Path, id: str) -> list[Path]:

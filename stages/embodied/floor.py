@@ -76,7 +76,7 @@ class Floor:
     def near(self) -> Callable[[float, float], float]:
         """Clearance of the cell that holds a point x, y, m; the raster's edge where the point lies beyond it."""
         (left, below), (rows, columns), size = self.grid.origin, self.grid.shape, self.grid.resolution
-        cells = memoryview(np.ascontiguousarray(self.clearance))
+        cells = np.ascontiguousarray(self.clearance).data
 
         def found(x: float, y: float) -> float:
             row, column = int((y - below) / size), int((x - left) / size)

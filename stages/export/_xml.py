@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
+
 Element = ElementTree.Element
 SCALE = 1e-9
 """Smaller numbers are rounding of zero."""
@@ -16,7 +18,8 @@ def number(value: float) -> str:
 
 def numbers(values: Iterable[float]) -> str:
     """Numbers with blanks between them."""
-    return " ".join(number(v) for v in values)
+    plain = [0.0 if -SCALE < v < SCALE else v for v in (values.tolist() if isinstance(values, np.ndarray) else values)]
+    return " ".join(["%.9g"] * len(plain)) % tuple(plain)
 
 
 def add(parent: Element, tag: str, text: str | None = None, **attributes: str | float | Iterable[float]) -> Element:

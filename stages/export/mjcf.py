@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from stages.asset import Collider, Link, Material
-from stages.body import DAMPING, Body, counterbalanced, inertia
+from stages.body import DAMPING, Body, Inertia, counterbalanced, inertia
 from stages.export._obj import Files
 from stages.export._pieces import image_name, names, pieces
 from stages.export._rotation import about_z, quaternion
@@ -97,13 +97,14 @@ class _Writer:
         if body.free:
             add(element, "freejoint", name=f"{body.name}__free")
         base, *moving = body.links
-        self._link(element, body, base)
+        self._link(element, body, base, inertia(base) if body.free else None)
         for link in moving:
             part = add(element, "body", name=body.link_name(link))
-            if counterbalanced(link):
+            weight = inertia(link)
+            if counterbalanced(link, weight):
                 part.set("gravcomp", "1")
             self._joint(part, body, link)
-            self._link(part, body, link)
+            self._link(part, body, link, weight)
             add(self.contact, "exclude", body1=body.name, body2=body.link_name(link))
 
     def _apart(self, bodies: list[Body]) -> None:
@@ -119,9 +120,9 @@ class _Writer:
         add(part, "joint", name=body.joint_name(link.joint), type=link.joint.type, axis=link.joint.axis,
             pos=link.joint.origin, range=link.joint.range, damping=DAMPING[link.joint.type], armature=ARMATURE)
 
-    def _link(self, element: Element, body: Body, link: Link) -> None:
-        if body.free or link.joint is not None:
-            mass, center, tensor = inertia(link)
+    def _link(self, element: Element, body: Body, link: Link, weight: Inertia | None) -> None:
+        if weight is not None:
+            mass, center, tensor = weight
             full = [tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]]
             add(element, "inertial", pos=center, mass=mass, fullinertia=full)
         for k, piece in enumerate(pieces(link)):

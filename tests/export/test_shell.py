@@ -44,6 +44,19 @@ def test_every_visual_of_the_shell_is_closed(bodies):
                     assert _volume(mesh) > 0
 
 
+def test_what_only_shows_is_left_out_and_nothing_else(bodies):
+    bare = {body.name: body for body in Scene(sample.home(), sample.load, shown=False).bodies}
+    full = {body.name: body for body in Scene(sample.home(), sample.load).bodies}
+    assert set(bare) >= {n for n, body in full.items() if body.kind in ("door", "object") or body.links[0].colliders}
+    for name, body in bare.items():
+        for link, whole in zip(body.links, full[name].links, strict=True):
+            assert (link.joint, link.mass, link.friction) == (whole.joint, whole.mass, whole.friction)
+            assert not link.visuals or not link.colliders
+            for mine, other in zip(link.colliders, whole.colliders, strict=True):
+                assert mine.kind == other.kind
+                assert (mine.center == other.center).all() and (mine.size == other.size).all()
+
+
 def _wall_depth(walls, x, y, z):
     """Whether a point is in any collider of the walls."""
     return any(np.all(np.abs(np.array([x, y, z]) - c.center) <= c.size / 2 + 1e-9) for c in walls)
