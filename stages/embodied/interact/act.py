@@ -188,6 +188,7 @@ class Actor:
         self.model.eq_data[self.eq, :6] = [ahead, 0, 0, *(turn.T @ (point - self.data.xpos[body]))]
         self.data.eq_active[self.eq] = 1
         self.ahead, self.limit, self.pull = ahead, SLIP[hold.kind], 0.0
+        self.model.opt.timestep = self.period
         if hold.kind == "pinch":
             self._grasp(hold.geoms)
             self.data.ctrl[self.servos[FINGERS]] = self.data.qpos[self.probe.joints[FINGERS]]
@@ -223,15 +224,9 @@ class Actor:
 
     def _step(self) -> bool:
         """One period of the simulation; False when the episode is over."""
-        if self.data.eq_active[self.eq]:
-            for _ in range(STRIDE):
-                mujoco.mj_step(self.model, self.data)
-                if not self._holding():
-                    return False
-        else:
-            mujoco.mj_step(self.model, self.data, round(self.period / self.model.opt.timestep))
+        mujoco.mj_step(self.model, self.data, round(self.period / self.model.opt.timestep))
         self._record()
-        return self._unharmed()
+        return self._holding() and self._unharmed()
 
     def _record(self) -> None:
         if self.recorded is not None and self.data.time * FRAMES >= len(self.result.times) + 1:
@@ -240,8 +235,10 @@ class Actor:
 
     def _holding(self) -> bool:
         """Whether the hold bears what it has to; it is the model's only equality, and equalities come first."""
-        x, y, z = self.data.efc_force[:3].tolist() if self.data.ne else (0.0, 0.0, 0.0)
-        self.pull += (sqrt(x * x + y * y + z * z) - self.pull) * TIMESTEP / SLIPPING
+        if not self.data.ne:
+            return True
+        x, y, z = self.data.efc_force[:3].tolist()
+        self.pull += (sqrt(x * x + y * y + z * z) - self.pull) * self.period / SLIPPING
         self.result.force = max(self.result.force, self.pull)
         if self.pull <= self.limit:
             return True

@@ -88,7 +88,7 @@ def mjcf() -> str:
     </body>
   </worldbody>
   <equality>
-    <connect name="robot__hold" body1="robot__palm" body2="robot_base" anchor="0 0 0" active="false" solref="0.012 1"/>
+    <connect name="robot__hold" body1="robot__palm" body2="robot_base" anchor="0 0 0" active="false" solref="0.016 1"/>
   </equality>
   <actuator>
     {"".join(_servo(name) for name in NAMES)}
