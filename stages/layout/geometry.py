@@ -164,6 +164,14 @@ def overlap_area(p: Tensor, q: Tensor) -> Tensor:
     return torch.where(real.any(1), area.clamp_min(0), torch.zeros_like(area))
 
 
+@torch.no_grad()
+def meeting(p: Tensor, q: Tensor) -> Tensor:
+    """Which of the rectangles p, q (M, 4, 2) are parted by none of their own axes, (M,)."""
+    axes = torch.cat([p[:, 1:3] - p[:, :2], q[:, 1:3] - q[:, :2]], 1)
+    one, two = (axes @ corners.transpose(1, 2) for corners in (p, q))
+    return ((one.amax(-1) > two.amin(-1)) & (two.amax(-1) > one.amin(-1))).all(-1)
+
+
 def iou(a: Boxes, b: Boxes, pairs: Tensor) -> Tensor:
     """IoU₃D of oriented boxes a_i, b_j for `pairs` (M, 3) of [room, i, j]; (M,)."""
     r, i, j = pairs.unbind(-1)
@@ -175,7 +183,7 @@ def iou(a: Boxes, b: Boxes, pairs: Tensor) -> Tensor:
 
 
 def close_pairs(a: Boxes, b: Boxes) -> Tensor:
-    """Pairs (M, 3) of [room, i, j], i ≠ j, both filled, whose bounding circles and heights meet."""
+    """Pairs (M, 3) of [room, i, j], i ≠ j, both filled, whose footprints and heights meet."""
 
     def circle(boxes: Boxes) -> Tensor:
         half: Tensor = boxes.size[..., :2].norm(dim=-1) / 2
@@ -187,7 +195,9 @@ def close_pairs(a: Boxes, b: Boxes) -> Tensor:
         lift = (a.center[:, :, None, 2] - b.center[:, None, :, 2]).abs()
         meet &= lift < (a.size[:, :, None, 2] + b.size[:, None, :, 2]) / 2
         meet &= (a.filled[:, :, None] * b.filled[:, None] > 0) & ~torch.eye(meet.shape[1], dtype=torch.bool)
-        return meet.nonzero()
+        pairs = meet.nonzero()
+        r, i, j = pairs.unbind(-1)
+        return pairs[meeting(corners(a)[r, i], corners(b)[r, j])]
 
 
 def floor_of(rooms: Rooms) -> Floor:

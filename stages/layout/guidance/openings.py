@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from stages.layout.geometry import Boxes, Floor, corners, obstructs, overlap_area
+from stages.layout.geometry import Boxes, Floor, corners, meeting, obstructs, overlap_area
 
 
 def energy(boxes: Boxes, room: Floor) -> Tensor:
@@ -13,5 +13,7 @@ def energy(boxes: Boxes, room: Floor) -> Tensor:
     counts = obstructs()[boxes.category][:, :, None] & (top[:, :, None] > room.zone_floor[:, None])
     counts &= (bottom < 2.0)[:, :, None] & (boxes.filled > 0)[:, :, None] & (room.zones[:, None, :, 0, 0] < 900)
     r, i, z = counts.nonzero().unbind(-1)
-    area = overlap_area(corners(boxes)[r, i], room.zones[r, z])
-    return torch.zeros(len(boxes.center)).index_add(0, r, area)
+    footprints = corners(boxes)
+    near = meeting(footprints[r, i], room.zones[r, z])
+    r, i, z = r[near], i[near], z[near]
+    return torch.zeros(len(boxes.center)).index_add(0, r, overlap_area(footprints[r, i], room.zones[r, z]))
