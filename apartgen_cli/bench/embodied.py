@@ -4,6 +4,7 @@ import os
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -19,6 +20,7 @@ from schemas.retrieve import Retrieve
 if TYPE_CHECKING:
     from stages.embodied.outcome import Outcome
     from stages.embodied.world import World
+    from stages.retrieve.matching.libraries import LibrarySet
     from stages.scene import Scene
 
 PAPER = [
@@ -52,17 +54,16 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
 
 def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Retrieve]:
-    from stages import retrieve, walkable
-    from stages.retrieve.matching.config import RetrieveConfig
+    from stages import walkable
     from stages.walkable.config import WalkableConfig
 
     homes = _scenes.plans(seed, scenes, work)
     (work / HOMES).mkdir(parents=True, exist_ok=True)
-    library = retrieve.open_libraries(RetrieveConfig())
     for i, home in enumerate(_scenes.furnished(homes, _scenes.config(METHOD[setting]), seed)):
         placed = _scenes.retrieved(home, seed)
         if setting == "guided":
-            placed = walkable.run(placed, WalkableConfig(write_anyway=True), np.random.default_rng([seed, i]), library)
+            rng = np.random.default_rng([seed, i])
+            placed = walkable.run(placed, WalkableConfig(write_anyway=True), rng, _library())
         yield placed
 
 
@@ -104,15 +105,22 @@ def _rng(name: str, lane: int) -> np.random.Generator:
     return np.random.default_rng([int(name.rpartition("-")[2]), lane])
 
 
+@cache
+def _library() -> "LibrarySet":
+    """The asset library; what the walkable stage has taken from it is still at hand for the export."""
+    from stages import retrieve
+    from stages.retrieve.matching.config import RetrieveConfig
+
+    return retrieve.open_libraries(RetrieveConfig())
+
+
 @contextmanager
 def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path]]":
     """The scene, and its MJCF for as long as it is needed; `bare` leaves out what only shows."""
-    from stages import retrieve
     from stages.export import mjcf as exporter
-    from stages.retrieve.matching.config import RetrieveConfig
     from stages.scene import Scene
 
-    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load, shown=not bare)
+    scene = Scene(home, _library().load, shown=not bare)
     with TemporaryDirectory() as folder:
         exporter.write(scene, Path(folder))
         yield scene, Path(folder) / "mjcf" / "apartment.xml"

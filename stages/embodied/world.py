@@ -107,7 +107,9 @@ def build(
         _attach(root, ElementTree.fromstring(robot))
     if timestep:
         _section(root, "option").set("timestep", str(timestep))
-    model = mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode"), source.meshes)
+    used = {mesh.get("file") for mesh in root.iter("mesh")}
+    meshes = {name: content for name, content in source.meshes.items() if name in used}
+    model = mujoco.MjModel.from_xml_string(ElementTree.tostring(root, "unicode"), meshes)
     return World(scene, mjcf, bodies, model, doors, name, None if visuals else source)
 
 
@@ -115,6 +117,8 @@ def _read(mjcf: Path, visuals: bool) -> Source:
     root = ElementTree.parse(mjcf).getroot()
     compiler = _section(root, "compiler")
     folders = {key: str((mjcf.parent / compiler.attrib.pop(key, "")).resolve()) for key in ("meshdir", "texturedir")}
+    # MuJoCo's threads cost more than they spare for meshes this small.
+    compiler.set("usethread", "false")
     if visuals:
         compiler.attrib.update(folders)
         return Source(root, {})
