@@ -3,7 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
-from export import sample
+from export import physics, sample
 
 from stages import export
 from stages.scene import Scene
@@ -98,3 +98,13 @@ def test_a_chair_that_stands_in_a_table_is_not_thrown(tmp_path):
     for _ in range(int(2 / model.opt.timestep)):
         mujoco.mj_step(model, data)
     assert np.linalg.norm(data.geom_xpos - start, axis=1).max() < 0.005
+
+
+@pytest.mark.parametrize("depth", [0.0005, 0.0023, 0.0039])
+def test_a_chair_that_stands_a_little_in_the_wall_gains_no_energy(depth, tmp_path):
+    home = sample.home()
+    chair = next(o for o in home.objects if o.id == "chair_7")
+    chair.center = (chair.size[0] / 2 - depth, 0.5, chair.center[2])
+    export.run(home, ["mjcf"], tmp_path / "x", sample.load)
+    found = physics.rest(mujoco.MjModel.from_xml_path(str(tmp_path / "x" / "mjcf" / "apartment.xml")), 0.3)
+    assert found.energy < 0.1 and found.drift < 0.005, found
