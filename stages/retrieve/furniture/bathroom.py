@@ -102,7 +102,7 @@ def mirror(kit: Kit) -> None:
         unit = np.stack([np.sin(angle), np.cos(angle)], 1)
         if kit.style == "arch":
             r = min(kit.w / 2, kit.h / 2)
-            arch = unit * r + [0, kit.h - r]
+            arch = unit * [kit.w / 2, r] + [0, kit.h - r]
             outline = np.array(
                 [
                     [-kit.w / 2, 0],

@@ -65,3 +65,10 @@ def test_what_is_seen_is_felt_and_the_other_way_round(category):
         share = 0.12 if category in ("plant", "planter") else 0.01
         assert category == "curtain" or np.mean(seen > CLOSE) <= share, (asset.id, seen.max())
         assert np.mean(felt > CLOSE) <= share, (asset.id, felt.max())
+
+
+@pytest.mark.parametrize("style", furniture.styles("mirror"))
+@pytest.mark.parametrize("size", [(0.08, 0.886, 0.558), (0.04, 1.4, 0.45), (0.02, 0.35, 1.8)])
+def test_mirrors_of_every_proportion_are_felt_where_they_are_seen(style, size):
+    seen, felt = deviations(furniture.build("mirror", style, size, 0).links[0])
+    assert max(seen.max(), felt.max()) <= CLOSE
