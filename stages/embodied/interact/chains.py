@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
+from numpy.typing import NDArray
 
 from stages.boxes import Array, Mask
 from stages.embodied.interact.aim import NEAR, OPTIONS, directions, grasps
@@ -145,20 +147,31 @@ def _cheapest(able: Mask, prices: Array) -> list[int] | None:
     """The cheapest way through layers of options (k, n), prices (k - 1, n, n) from layer to layer; None without."""
     if not able.any(1).all():
         return None
-    shut = np.where(able, 0.0, np.inf)
-    cost = _COST + shut[0]
-    came = []
-    for price, closed in zip(prices, shut[1:], strict=True):
-        total = cost[:, None] + price
-        came.append(total.argmin(0))
-        cost = total.min(0) + closed
+    cost, came = _costs(able, prices, np.where(able[0], _COST, np.inf))
     o = int(cost.argmin())
     if cost[o] == np.inf:
         return None
     chain = [o]
-    for best in reversed(came):
-        chain.append(int(best[chain[-1]]))
+    for best in came[::-1].tolist():
+        chain.append(best[chain[-1]])
     return chain[::-1]
+
+
+@njit(cache=True)
+def _costs(able: Mask, prices: Array, cost: Array) -> tuple[Array, NDArray[np.int64]]:
+    """What it costs to get to every option of the last layer, and from which option every one is come to."""
+    layers, n = able.shape
+    came = np.zeros((layers - 1, n), np.int64)
+    for k in range(1, layers):
+        here = np.full(n, np.inf)
+        for p in range(n):
+            if able[k, p]:
+                for o in range(n):
+                    total = cost[o] + prices[k - 1, o, p]
+                    if total < here[p]:
+                        here[p], came[k - 1, p] = total, o
+        cost = here
+    return cost, came
 
 
 def _short(cosine: Array) -> Array:

@@ -41,6 +41,7 @@ class Probe:
         self.model.geom_margin[self.robot] = CLEARANCE
         self.model.body_margin[self.model.geom_bodyid[self.robot]] = CLEARANCE
         self.data = mujoco.MjData(self.model)
+        self._owned: dict[str, Mask] = {}
         self._roles: dict[tuple[int, ...], NDArray[np.int8]] = {}
         self.reset(-1)
 
@@ -61,8 +62,11 @@ class Probe:
 
     def own(self, part: Part) -> Mask:
         """Which geoms are the object's whose part it is, (ngeom,)."""
-        ids = [k for k, id in self.world.owner.items() if id == part.object]
-        return np.isin(np.arange(self.model.ngeom), ids)
+        if part.object not in self._owned:
+            found = np.zeros(self.model.ngeom, bool)
+            found[[k for k, id in self.world.owner.items() if id == part.object]] = True
+            self._owned[part.object] = found
+        return self._owned[part.object]
 
     def reset(self, body: int) -> None:
         """Everything shut again; the part that `blocked` is asked about is this body."""
@@ -116,6 +120,8 @@ class Probe:
     def blocked(self, part: Part, value: float) -> int:
         """A geom of something else that the part would run into at a position, -1 for none."""
         pairs, apart = self._contacts(part, value)
+        if not len(pairs):
+            return -1
         moving = self.part(part)
         foreign = ~self.own(part) & ~self.robot
         deep = moving[pairs].any(1) & foreign[pairs].any(1) & (apart < -JAMMED)
