@@ -57,7 +57,9 @@ class LayoutConfig(Record):
         description="weight γ of every guidance energy; 0 switches it off",
     )
     guidance_scale: float = Field(0.1, ge=0, description="λ of Eq. 2")
-    guidance_repeats: int = Field(8, ge=1, description="gradient steps a denoising step, without Σ")
+    guidance_repeats: int = Field(
+        0, ge=0, description="gradient steps a denoising step, without Σ; 0 is 8, or 4 where the projection follows"
+    )
     scaling: Literal["sigma", "plain"] = Field("plain", description="with Σ as in Eq. 2, or without it as in PhyScene")
     guide_below: float = Field(0.20, ge=0, le=1, description="share of the schedule where guidance acts")
     count: Literal["exact", "guided", "free"] = Field(
@@ -67,3 +69,8 @@ class LayoutConfig(Record):
     weights: str | None = Field(None, description="a weights file other than the shipped one")
     batch: int = Field(48, ge=1, description="rooms denoised at once")
     threads: int = Field(0, ge=0, description="cores; 0 is one for few rooms, all for many")
+
+    @property
+    def gradient_steps(self) -> int:
+        """How many at most in a denoising step without Σ: what they leave, the projection puts right as well."""
+        return self.guidance_repeats or (4 if self.projection else 8)

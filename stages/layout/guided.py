@@ -52,7 +52,7 @@ def descended(
 ) -> Tensor:
     """x_0 after gradient steps without Σ; a room where every energy has reached 0 is done with."""
     x0, left = x0.clone(), torch.arange(len(x0))
-    for _ in range(config.guidance_repeats):
+    for _ in range(config.gradient_steps):
         phi, grad = energy_and_gradient(terms, x0[left], logits[left], room.take(left), model)
         x0[left] -= trusted(config.guidance_scale * grad)
         left = left[phi > 0]

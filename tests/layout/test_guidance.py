@@ -201,6 +201,11 @@ def test_late_quantity_guidance_makes_counts_exact(wanted: int) -> None:
     assert (free != wanted).any()
 
 
+def test_guidance_goes_farther_where_nothing_comes_after_it() -> None:
+    bare, projected = (LayoutConfig(projection=after).gradient_steps for after in (False, True))
+    assert bare > projected and LayoutConfig(guidance_repeats=20).gradient_steps == 20
+
+
 def test_rooms_that_need_no_guidance_are_left_alone_and_the_others_descend_as_ever() -> None:
     room, config = floor_of(some_rooms(2)), LayoutConfig(guidance_repeats=5)
     terms = guided.energies({name: 1.0 for name in SPATIAL if name != "walkway"})
