@@ -1,11 +1,15 @@
 """ProcTHOR house JSON: rooms, walls, doors, windows and objects as AI2-THOR's procedural houses have them.
 
 THOR's world is left-handed and y up: (x, y, z) here is (x, z, y) there, and headings turn clockwise from +z, in
-degrees. Its walls are sheets: rooms grow by half an inner wall, so that neighbours share theirs. Objects are named by
-their apartgen asset; a THOR build needs those assets, or a table from them to its own.
+degrees. Its walls are sheets: rooms grow by half an inner wall, so that neighbours share theirs.
+
+THOR loads none but its own assets. Where the Python package `procthor` is installed, which lists them, each object is
+the one of its type that is nearest in size, and what has no like is left out; elsewhere objects are named by their
+apartgen asset, with its box.
 """
 
 import json
+import logging
 from pathlib import Path
 from typing import Any
 
@@ -17,15 +21,19 @@ from schemas.layout import Box, Layout
 from schemas.plan import Opening, Plan, Room
 from schemas.retrieve import Furnishing
 from stages import polygons
+from stages.export import _thor
 from stages.scene import LOOSE, Scene
 
 ROOMS = {"living_room": "LivingRoom", "kitchen": "Kitchen", "bedroom": "Bedroom", "bathroom": "Bathroom"}
 """THOR has four types of room; any other counts as a living room."""
+log = logging.getLogger("apartgen")
 OUTSIDE = "exterior"
+TILES, PAINT = "bathroomTilesGrey", "PureWhite"
 NEAR = 2e-3  # m, rounding of corners
 Part = dict[str, Any]
 Corner = tuple[float, float]
 Stretch = tuple[Corner, Corner]
+Triple = tuple[float, float, float]
 
 
 def write(scene: Scene, out: Path) -> list[Path]:
@@ -41,18 +49,22 @@ def _house(scene: Scene) -> Part:
     objects = home.objects if isinstance(home, Layout) else []
     stretches = _stretches(home)
     openings = [_opening(o, stretches) for o in home.openings]
+    known = _thor.furniture()
     return {
         "rooms": [_room(room, home) for room in home.rooms],
         "walls": _walls(home, stretches),
         "doors": [part for part, o in zip(openings, home.openings) if o.kind != "window"],
         "windows": [part for part, o in zip(openings, home.openings) if o.kind == "window"],
-        "objects": [_object(o) for o in objects],
+        "objects": _theirs(objects, known) if known else [_ours(o) for o in objects],
         "proceduralParameters": {
-            "ceilingMaterial": {"name": "PureWhite"}, "floorColliderThickness": 1.0, "receptacleHeight": 0.7,
+            "ceilingMaterial": {"name": PAINT}, "floorColliderThickness": 1.0, "receptacleHeight": 0.7,
             "skyboxId": "Sky1", "reflections": [],
             "lights": [_light(light.name, light.position, light.lumens) for light in scene.lights],
         },
-        "metadata": {"schema": "1.0.0", "agent": _agent(home), "credits": scene.credits},
+        "metadata": {
+            "schema": "1.0.0", "agent": _agent(home), "assets": "AI2-THOR" if known else "apartgen",
+            "credits": scene.credits,
+        },
     }  # fmt: skip
 
 
@@ -120,7 +132,7 @@ def _wall(owner: str, stretch: Stretch, height: float, tiled: bool) -> Part:
     return {
         "id": _name(owner, stretch), "roomId": OUTSIDE if owner == OUTSIDE else f"room|{owner}",
         "polygon": [_xyz(ax, ay), _xyz(bx, by), _xyz(ax, ay, height), _xyz(bx, by, height)],
-        "material": {"name": "BathroomTileWhite" if tiled else "PureWhite"}, "layer": "Procedural0",
+        "material": {"name": TILES if tiled else PAINT}, "layer": "Procedural0",
     }  # fmt: skip
 
 
@@ -143,15 +155,33 @@ def _opening(opening: Opening, stretches: dict[str, list[Stretch]]) -> Part:
 
 def _asset(opening: Opening) -> str:
     """THOR's own asset of the kind."""
-    return {"window": "Window_Fixed_48x36", "opening": "Doorframe_1"}.get(opening.kind, "Doorway_1")
+    width = polygons.width(opening)
+    if opening.kind == "window":
+        return _thor.window(width, opening.head - opening.sill)
+    return _thor.passage(width, opening.kind != "opening")
 
 
-def _object(o: Box) -> Part:
+def _ours(o: Box) -> Part:
     asset = f"{o.asset.library}/{o.asset.id}" if isinstance(o, Furnishing) else ""
+    return _object(o, asset, o.category.title().replace("_", ""), o.center, o.size)
+
+
+def _theirs(objects: list[Box], known: list[_thor.Model]) -> list[Part]:
+    """The objects as THOR's assets."""
+    found = _thor.dressed(objects, known)
+    bare = sorted({o.category for o in objects if o.id not in found})
+    if bare:
+        log.info("AI2-THOR has no like of some objects, which are left out: %s", ", ".join(bare))
+    put = [(o, *found[o.id]) for o in objects if o.id in found]
+    return [_object(o, model.id, model.kind, middle, model.size) for o, model, middle in put]
+
+
+def _object(o: Box, asset: str, kind: str, middle: Triple, size: Triple) -> Part:
+    depth, width, height = size
     return {
-        "id": o.id, "assetId": asset, "objectType": o.category.title().replace("_", ""), "room": f"room|{o.room}",
-        "position": _xyz(*o.center), "rotation": {"x": 0, "y": _heading(o.yaw), "z": 0},
-        "kinematic": o.category not in LOOSE, "layer": "Procedural0",
+        "id": o.id, "assetId": asset, "objectType": kind, "room": f"room|{o.room}", "position": _xyz(*middle),
+        "rotation": {"x": 0, "y": _heading(o.yaw), "z": 0}, "boundingBox": _xyz(width, depth, height),
+        "kinematic": o.category not in LOOSE, "children": [], "layer": "Procedural0",
     }  # fmt: skip
 
 

@@ -7,7 +7,8 @@ import pytest
 from export import sample
 from shapely.geometry import LineString, Point, Polygon
 
-from stages import polygons
+from schemas.errors import BadInput
+from stages import export, polygons
 
 KEYS = {
     "rooms": "id roomType floorPolygon floorMaterial children ceilings", "walls": "id roomId polygon material",
@@ -79,3 +80,66 @@ def test_every_part_has_the_fields_that_published_houses_have(house):
     assert {"ceilingMaterial", "floorColliderThickness", "lights", "reflections", "skyboxId"} <= set(
         house["proceduralParameters"])
     assert set(house["metadata"]["agent"]) == {"position", "rotation", "standing", "horizon"}
+
+
+BOXES = {
+    "Bed": [("Bed_1", 1.5, 0.9, 2.0), ("Bed_2", 1.0, 0.9, 1.9), ("Bed_9", 3.0, 0.9, 3.0)],
+    "Chair": [("Chair_1", 0.4, 0.9, 0.42)], "Sofa": [("Sofa_1", 9.0, 1.0, 1.0)],
+    "TVStand": [("TV_Stand_1", 1.5, 0.4, 0.3)], "Television": [("Television_1", 1.0, 0.6, 0.05)],
+}  # fmt: skip
+"""Of assets by type: id, width, height, depth."""
+
+
+def _database(folder, text):
+    place = folder / "procthor" / "databases"
+    place.mkdir(parents=True)
+    (place.parent / "__init__.py").write_text("")
+    (place / "asset-database.json").write_text(text)
+
+
+def _written(folder):
+    export.run(sample.home(), ["procthor"], folder / "house", sample.load)
+    house = json.loads((folder / "house" / "house.json").read_text())
+    return house, {o["id"].rsplit("_", 1)[0]: o for o in house["objects"]}
+
+
+def test_objects_are_thors_own_assets_where_they_are_known(tmp_path, monkeypatch):
+    groups = {
+        kind: [{"assetId": id, "boundingBox": {"x": x, "y": y, "z": z}} for id, x, y, z in rows]
+        for kind, rows in BOXES.items()
+    }
+    _database(tmp_path, json.dumps(groups))
+    monkeypatch.syspath_prepend(tmp_path)
+    house, things = _written(tmp_path)
+    assert house["metadata"]["assets"] == "AI2-THOR"
+    # The bed nearest in size; a sofa of nine metres is too large, and there is no bath.
+    assert {k: o["assetId"] for k, o in things.items()} == {
+        "double_bed": "Bed_1", "chair": "Chair_1", "tv_stand": "TV_Stand_1", "tv": "Television_1"}
+    ours = {o.id.rsplit("_", 1)[0]: o for o in sample.home().objects}
+    for name, theirs in things.items():
+        o, size = ours[name], theirs["boundingBox"]
+        front = np.array([np.cos(o.yaw), np.sin(o.yaw)])
+        back = np.array([theirs["position"]["x"], theirs["position"]["z"]]) - front * size["z"] / 2
+        assert back == pytest.approx(np.array(o.center[:2]) - front * o.size[0] / 2, abs=1e-4), name
+    stand, tv = (things[name] for name in ("tv_stand", "tv"))
+    assert stand["position"]["y"] == pytest.approx(0.2) and tv["position"]["y"] == pytest.approx(0.4 + 0.3)
+
+
+def test_a_database_that_is_none_is_named(tmp_path, monkeypatch):
+    _database(tmp_path, "[1]")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(BadInput, match="asset-database.json: not ProcTHOR's asset database"):
+        _written(tmp_path)
+
+
+def test_without_the_database_objects_are_ours_with_their_boxes(house):
+    assert house["metadata"]["assets"] == "apartgen"
+    for o, got in zip(sample.home().objects, house["objects"]):
+        assert got["assetId"] == f"plain/{o.category}"
+        assert [got["boundingBox"][k] for k in "zxy"] == pytest.approx(o.size, abs=1e-4)
+
+
+def test_windows_and_doors_are_thors(house):
+    assert [part["assetId"] for part in house["windows"]] == [
+        "Window_Fixed_96x48", "Window_Fixed_60x48", "Window_Fixed_36x48"]
+    assert {part["assetId"] for part in house["doors"]} == {"Doorway_1"}
