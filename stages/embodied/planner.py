@@ -20,9 +20,12 @@ SPACING = 0.05
 """Distance between points of a path, m."""
 W_DATA, W_SMOOTH = 0.2, 0.3
 """Weights of Nav2's simple smoother."""
-_PASSES = 3
+AWAY = 0.03
+"""Straightening and smoothing take ways no closer than this to touching, m, but where they are closer already."""
+_PASSES, _HOLDS = 3, 6
 _STEPS = [(0, 1), (1, 0), (1, 1), (1, -1), (1, 2), (2, 1), (1, -2), (2, -1)]
 _SAMPLES = 96
+_SAGITTA = 0.0005  # m that a straight between two cells comes closer to a corner than either
 
 
 @dataclass(frozen=True)
@@ -50,13 +53,14 @@ class Roadmap:
     def path(self, goal: tuple[int, int]) -> Array:
         """Points (n, 2) from the start to the goal, `SPACING` apart, smooth, every one of them free."""
         cells = self._back(self.before, goal)
-        return _smoothed(self.floor, _resampled(self._points(_straightened(cells, self.weight, self._along(cells)))))
+        straight = _straightened(self.floor, cells, self.weight, self._along(cells), AWAY)
+        return _smoothed(self.floor, _resampled(self._points(straight)))
 
     def shortest(self, goal: tuple[int, int]) -> float:
         """Length of the shortest way for the robot's disc, m."""
         cells = self._back(self.before_shortest, goal)
         free = np.where(self.floor.free, 1.0, np.inf)
-        points = self._points(_straightened(cells, free, self._along(cells, shortest=True)))
+        points = self._points(_straightened(self.floor, cells, free, self._along(cells, shortest=True)))
         return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
     def _back(self, before: NDArray[np.int32], goal: tuple[int, int]) -> NDArray[np.int64]:
@@ -138,18 +142,32 @@ def _between(free: Mask, down: int, right: int) -> Mask:
     return found
 
 
-def _straightened(cells: NDArray[np.int64], weight: Array, cost: Array) -> NDArray[np.int64]:
-    """The corners left when a way along cells is replaced by straight lines wherever these cost no more."""
+def _straightened(
+    floor: Floor, cells: NDArray[np.int64], weight: Array, cost: Array, away: float = 0.0
+) -> NDArray[np.int64]:
+    """The corners left when a way along cells is replaced by straight lines wherever these cost no more.
+
+    A line stays so far `away` from touching, or as far as the cells that it replaces.
+    """
     corners, at = [0], 0
     t = np.linspace(0, 1, _SAMPLES)[:, None, None]
+    room = floor.clearance[cells[:, 0], cells[:, 1]]
     while at < len(cells) - 1:
         ahead = cells[at + 1 :]
         line = np.rint(cells[at] + t * (ahead - cells[at])).astype(int)
         straight = weight[line[..., 0], line[..., 1]].mean(0) * np.hypot(*(ahead - cells[at]).T)
         good = np.flatnonzero(straight <= (cost[at + 1 :] - cost[at]) + 1e-6)
-        at += 1 + (int(good[-1]) if len(good) else 0)
+        least = np.minimum(floor.radius + away, np.minimum.accumulate(room[at:])[1:])
+        at = next((at + 1 + k for k in good[::-1].tolist() if _room(floor, cells[at], ahead[k]) >= least[k]), at + 1)
         corners.append(at)
     return cells[corners]
+
+
+def _room(floor: Floor, a: NDArray[np.int64], b: NDArray[np.int64]) -> float:
+    """The least clearance on a straight line between two cells, m."""
+    ends = np.array(floor.grid.origin) + (np.stack([a, b])[:, ::-1] + 0.5) * floor.grid.resolution
+    line = ends[0] + np.linspace(0, 1, _SAMPLES)[:, None] * (ends[1] - ends[0])
+    return float(floor.beside(line).min()) + _SAGITTA
 
 
 def _resampled(points: Array) -> Array:
@@ -160,21 +178,25 @@ def _resampled(points: Array) -> Array:
 
 
 def _smoothed(floor: Floor, points: Array) -> Array:
-    """Where Nav2's simple smoother ends, some passes of it, as long as every point stays free."""
+    """Where Nav2's simple smoother ends, some passes of it; points hold on to places that it would take too close."""
     from scipy.linalg import solveh_banded
 
     n = len(points) - 2
     if n < 2:
         return points
-    bands = np.stack([np.full(n, -W_SMOOTH), np.full(n, W_DATA + 2 * W_SMOOTH)])
+    hold = np.full(n, W_DATA)
     for _ in range(_PASSES):
-        right = W_DATA * points[1:-1]
-        right[0] += W_SMOOTH * points[0]
-        right[-1] += W_SMOOTH * points[-1]
-        smoother = np.vstack([points[:1], solveh_banded(bands, right), points[-1:]])
-        if not is_free(floor, smoother).all():
-            break
-        points = smoother
+        least = np.minimum(floor.beside(points), floor.radius + AWAY)[1:-1] - _SAGITTA
+        for _ in range(_HOLDS):
+            right = hold[:, None] * points[1:-1]
+            right[0] += W_SMOOTH * points[0]
+            right[-1] += W_SMOOTH * points[-1]
+            inner = solveh_banded(np.stack([np.full(n, -W_SMOOTH), hold + 2 * W_SMOOTH]), right)
+            close = floor.beside(inner) < least
+            if not close.any():
+                points = np.vstack([points[:1], inner, points[-1:]])
+                break
+            hold = np.where(close, 10 * hold, hold)
     return points
 
 
@@ -182,10 +204,3 @@ def cell(floor: Floor, points: Array) -> NDArray[np.int64]:
     """Rows and columns (n, 2) of the cells that hold points (n, 2), held to the raster."""
     found = ((points - floor.grid.origin) / floor.grid.resolution).astype(np.int64)[..., ::-1]
     return np.minimum(np.maximum(found, 0), (floor.grid.shape[0] - 1, floor.grid.shape[1] - 1))
-
-
-def is_free(floor: Floor, points: Array) -> Mask:
-    """Whether the robot touches nothing at points (n, 2)."""
-    at = cell(floor, points)
-    found: Mask = floor.free[at[..., 0], at[..., 1]]
-    return found

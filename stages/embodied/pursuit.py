@@ -133,8 +133,7 @@ class Pursuit:
     @cached_property
     def tightest(self) -> list[float]:
         """The least clearance of the path from each of its points to a little ahead, m."""
-        row, column = planner.cell(self.floor, self.path).T
-        beside = self.floor.clearance[row, column]
+        beside = self.floor.beside(self.path)
         ahead = int(NARROW_AHEAD / planner.SPACING)
         return [float(beside[k : k + ahead].min()) for k in range(len(beside))]
 

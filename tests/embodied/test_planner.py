@@ -21,7 +21,7 @@ def test_ways_are_free_and_evenly_spaced(ground):
     ways = planner.roadmap(ground, _cell(ground, 0.5, 0.5))
     for goal in ((7.5, 0.5), (7.0, 3.5), (2.0, 2.0)):
         path = ways.path(_cell(ground, *goal))
-        assert planner.is_free(ground, path).all()
+        assert ground.beside(path).min() > 0.249
         assert path[0] == pytest.approx([0.5, 0.5], abs=0.02) and path[-1] == pytest.approx(goal, abs=0.02)
         assert np.hypot(*np.diff(path, axis=0).T).max() < 1.2 * planner.SPACING
 
@@ -44,6 +44,19 @@ def test_ways_keep_further_off_than_the_shortest(ground):
     assert ways.shortest(goal) < length < 1.2 * ways.shortest(goal)
     at = planner.cell(ground, path)
     assert ground.clearance[at[:, 0], at[:, 1]].min() > 0.25 + 0.05
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.006, 0.012])
+def test_ways_through_narrow_gaps_touch_nothing_wherever_the_cells_are(tmp_path, shift):
+    # Two gaps of 52.5 cm one after the other, a step to the side between them.
+    gaps = ((3.0, 0.5 + shift), (3.7, 1.3 - shift))
+    sides = [(x, *span) for x, y in gaps for span in ((0.0, y - 0.2625), (y + 0.2625, 1.8))]
+    walls = [blocks.block(f"wall_{k}", x, (lo + hi) / 2, 0.2, hi - lo) for k, (x, lo, hi) in enumerate(sides)]
+    narrow = floor.survey(world.build(*blocks.exported(blocks.furnished(blocks.corridor(6, 1.8), *walls), tmp_path)))
+    path = planner.roadmap(narrow, _cell(narrow, 1.0, 0.9)).path(_cell(narrow, 5.5, 0.9))
+    x, y = np.concatenate([np.linspace(a, b, 10) for a, b in zip(path[:-1], path[1:], strict=True)]).T
+    away = [np.hypot((np.abs(x - at) - 0.1).clip(0), (lo - y).clip(0) + (y - hi).clip(0)) for at, lo, hi in sides]
+    assert np.min(away) > 0.249
 
 
 def test_what_is_shut_off_is_not_reached(tmp_path):
