@@ -16,7 +16,7 @@ from stages.asset import Array
 
 ON_TOP = 0.02
 """What is no further above a top stands on it, m."""
-MOST, LEAST = 0.3, 0.5
+MOST, LEAST = 0.4, 0.5
 """By how much an asset may be larger than the object on any side, m, and what share of its side it has at least."""
 TYPES = {
     "armchair": "ArmChair", "balcony_chair": "Chair", "balcony_table": "SideTable", "bin": "GarbageCan",

@@ -93,7 +93,11 @@ class _Writer:
         base = body.links[0]
         for link in body.links:
             own = f"{path}/{identifier(link.name)}"
-            _rigid(UsdGeom.Xform.Define(self.stage, own).GetPrim(), link)
+            prim = UsdGeom.Xform.Define(self.stage, own).GetPrim()
+            _rigid(prim, link)
+            if link.handle is not None:
+                grip = {"grip": link.grip} if link.grip else {}
+                prim.SetCustomDataByKey("apartgen", {"handle": Gf.Vec3d(*map(float, link.handle)), **grip})
             self._link(own, link)
         UsdGeom.Scope.Define(self.stage, f"{path}/Joints")
         if not body.free:

@@ -34,6 +34,15 @@ def _path(body, link=None):
     return path if link is None or len(body.links) == 1 else f"{path}/{link.name}"
 
 
+def test_parts_say_where_to_take_hold_of_them(made):
+    stage, scene = made
+    held = [(body, link) for body in scene.bodies for link in body.links if link.handle is not None]
+    assert {body.kind for body, _ in held} >= {"door"}
+    for body, link in held:
+        about = stage.GetPrimAtPath(_path(body, link)).GetCustomDataByKey("apartgen")
+        assert list(about["handle"]) == pytest.approx(link.handle) and about.get("grip", "") == link.grip
+
+
 def test_all_validators_are_clean(made):
     assert _faults(made[0]) == []
 
