@@ -32,9 +32,9 @@ RAMP = 0.3
 FRAMES = 20
 """Recorded a second."""
 TIMESTEP = 0.004
-"""Of the simulation while the hand takes hold, holds or pushes, s."""
+"""Of the simulation while the hand takes hold or pushes, and while anything touches, s."""
 STRIDE = 2
-"""Steps of the simulation between commands to the servos near what is opened; elsewhere one step is as long."""
+"""Steps of the simulation between commands to the servos; elsewhere one step is as long."""
 _SMOOTH = 0.12  # s over which the targets of a held motion are averaged
 _CLOSE = 1.2  # s at most for the fingers to close
 _REST = 0.2  # s at most at the end of each phase, for the arm to catch up
@@ -76,6 +76,7 @@ class Actor:
         self.role = np.where(self.mine, 3, np.where(self.moving, 2, probe.own(part).astype(int)))
         self.eq = self.model.equality("robot__hold").id
         self.result = Result()
+        self.model.opt.timestep = TIMESTEP
         self.period = STRIDE * TIMESTEP
 
     def run(self, plan: Plan) -> Result:
@@ -101,13 +102,13 @@ class Actor:
     def _travel(self, phase: Phase) -> bool:
         """From stop to stop, halting at each, so that no corner is cut."""
         first, *far, last = phase.stops
-        self.model.opt.timestep = self.period
+        self.careful = False
         if not self._along([first.posture]):
             return False
         self._grasp(())
         if not all(self._along([stop.posture]) for stop in far):
             return False
-        self.model.opt.timestep = TIMESTEP
+        self.careful = True
         return self._along([last.posture]) and self._wait(_REST)
 
     def _along(self, postures: list[Array], values: Array | None = None) -> bool:
@@ -187,8 +188,7 @@ class Actor:
         self.model.eq_obj2id[self.eq] = body
         self.model.eq_data[self.eq, :6] = [ahead, 0, 0, *(turn.T @ (point - self.data.xpos[body]))]
         self.data.eq_active[self.eq] = 1
-        self.ahead, self.limit, self.pull = ahead, SLIP[hold.kind], 0.0
-        self.model.opt.timestep = self.period
+        self.ahead, self.limit, self.pull, self.careful = ahead, SLIP[hold.kind], 0.0, False
         if hold.kind == "pinch":
             self._grasp(hold.geoms)
             self.data.ctrl[self.servos[FINGERS]] = self.data.qpos[self.probe.joints[FINGERS]]
@@ -224,7 +224,12 @@ class Actor:
 
     def _step(self) -> bool:
         """One period of the simulation; False when the episode is over."""
-        mujoco.mj_step(self.model, self.data, round(self.period / self.model.opt.timestep))
+        if self.careful or self.data.ncon:
+            mujoco.mj_step(self.model, self.data, STRIDE)
+        else:
+            self.model.opt.timestep = self.period
+            mujoco.mj_step(self.model, self.data)
+            self.model.opt.timestep = TIMESTEP
         self._record()
         return self._holding() and self._unharmed()
 
