@@ -37,7 +37,7 @@ $(READY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e ".[dev]"
-	$(BIN)/python -c "from stages import plan; plan.warm()"
+	$(BIN)/python -c "import stages.layout.projection; from stages import plan; plan.warm()"
 	@touch $@
 
 # Pins what is installed now, after trying newer versions.
