@@ -1,5 +1,6 @@
 """Table 6: a robot in physics drives to an object of every room and opens everything that opens."""
 
+import gc
 import os
 from collections import Counter
 from collections.abc import Iterator
