@@ -31,8 +31,7 @@ def targets(word: str, names: Sequence[str], out: str | None) -> list[Target]:
         if len(names) > 1:
             raise BadInput(f"-o {out}: {len(names)} results need a folder; give -o {out}/")
         return [Path(out)]
-    folder = made_folder(out)
-    places = [folder / name for name in _distinct([_renamed(word, name) for name in names], names)]
+    places = [Path(out) / name for name in _distinct([_renamed(word, name) for name in names], names)]
     taken = {Path(name).resolve() for name in names if name != STREAM}
     for place in places:
         if place.resolve() in taken:
@@ -92,6 +91,7 @@ def _distinct(results: list[str], names: Sequence[str]) -> list[str]:
     parents = [Path(name).resolve().parent for name in names]
     common = Path(os.path.commonpath(parents))
     apart = [str(parent.relative_to(common) / result) for parent, result in zip(parents, results)]
-    if len(set(apart)) < len(apart):
-        raise BadInput("the same input is given twice; give each once")
+    if double := [name for name, result in zip(names, apart) if apart.count(result) > 1]:
+        raise BadInput(f"{double[0]} and {double[1]} would get the same name, {apart[names.index(double[0])]}; "
+                       "give one of them")
     return apart

@@ -9,9 +9,7 @@ from numpy.typing import NDArray
 from stages.body import Array, Body
 from stages.solids import corners
 
-DEPTH = 0.004
-"""Overlap that is a matter of rounding, m."""
-LOOSE_DEPTH = 0.001
+DEPTH = 0.001
 """Overlap out of which an engine pushes a loose thing without a jolt, m."""
 
 Shapes = tuple[NDArray[np.object_], Array]
@@ -43,20 +41,20 @@ def _points(body: Body) -> list[Array]:
 
 def _bounds(body: Body) -> tuple[Array, Array]:
     points = np.concatenate(_points(body))
-    return points.min(0) + LOOSE_DEPTH / 2, points.max(0) - LOOSE_DEPTH / 2
+    return points.min(0) + DEPTH / 2, points.max(0) - DEPTH / 2
 
 
 def _of(body: Body, known: dict[str, Shapes]) -> Shapes:
     if body.name not in known:
-        known[body.name] = prisms(_points(body), LOOSE_DEPTH)
+        known[body.name] = prisms(_points(body))
     return known[body.name]
 
 
-def prisms(points: Sequence[Array], depth: float = DEPTH) -> Shapes:
+def prisms(points: Sequence[Array]) -> Shapes:
     """Shadows of solids given by their corners, thinner by half the depth all about, and least and greatest heights."""
     hulls = shapely.convex_hull([shapely.multipoints(p[:, :2]) for p in points])
-    heights = np.array([[p[:, 2].min() + depth / 2, p[:, 2].max() - depth / 2] for p in points])
-    return shapely.buffer(hulls, -depth / 2, join_style="mitre"), heights.reshape(-1, 2)
+    heights = np.array([[p[:, 2].min() + DEPTH / 2, p[:, 2].max() - DEPTH / 2] for p in points])
+    return shapely.buffer(hulls, -DEPTH / 2, join_style="mitre"), heights.reshape(-1, 2)
 
 
 def overlap(a: Shapes, b: Shapes) -> bool:

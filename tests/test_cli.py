@@ -99,6 +99,14 @@ def test_one_bad_input_of_several_does_not_stop_the_others(cli, plan, tmp_path):
     assert "bad.json" in done.err and "1 of 2" in done.err
 
 
+def test_two_inputs_whose_results_would_get_one_name(cli, plan, text, tmp_path):
+    copy = plan.with_name("layout.json")
+    copy.write_text(text)
+    message = refused(cli("metrics", plan, copy, "-o", f"{tmp_path}/many/"))
+    assert str(plan) in message and str(copy) in message and "metrics.json" in message
+    assert not (tmp_path / "many").exists()
+
+
 def test_the_seed_is_the_inputs_unless_given(cli, plan):
     assert json.loads(cli("metrics", plan).out)["made"]["seed"] == 5
 
