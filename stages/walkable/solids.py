@@ -28,7 +28,7 @@ class Solids:
     def __init__(self, library: Candidates) -> None:
         self._library = library
         self._known: dict[tuple[str, ...], Solid] = {}
-        self._prisms: dict[tuple[str, ...], Shapes] = {}
+        self._prisms: dict[tuple[str, ...], dict[tuple[float, ...], Shapes]] = {}
 
     def of(self, o: Furnishing) -> Solid:
         """The solid of an object's asset."""
@@ -44,12 +44,14 @@ class Solids:
     def prisms(self, o: Furnishing) -> Shapes:
         """An object's colliders where it stands, as upright prisms."""
         key = (o.asset.library, o.asset.id)
-        if key not in self._prisms:
-            self._prisms[key] = prisms(list(self.of(o).rest.points))
-        shadows, heights = self._prisms[key]
-        c, s = np.cos(o.yaw), np.sin(o.yaw)
-        turn = np.array([[c, s], [-s, c]])
-        return shapely.transform(shadows, lambda xy: xy @ turn + o.center[:2]), heights + o.center[2]
+        place = (*o.center, o.yaw)
+        own = self._prisms.setdefault(key, {})
+        if place not in own:
+            shadows, heights = own.setdefault((), prisms(list(self.of(o).rest.points)))
+            c, s = np.cos(o.yaw), np.sin(o.yaw)
+            turn = np.array([[c, s], [-s, c]])
+            own[place] = shapely.transform(shadows, lambda xy: xy @ turn + o.center[:2]), heights + o.center[2]
+        return own[place]
 
     def _made(self, o: Furnishing) -> Solid:
         try:

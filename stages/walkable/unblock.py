@@ -7,6 +7,7 @@ left out. A repair counts only if nothing else is lost by it. A seat that stands
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -33,6 +34,8 @@ BACK = (0.35, 0.4, 0.45, 0.5, 0.55)
 """How far a seat is drawn back where less does not do, m."""
 OUT = (0.01, 0.02, 0.04, 0.06, 0.09, 0.12, 0.16, 0.2, 0.25, 0.3, 0.35)
 """How far a seat is drawn out of what it stands in, m."""
+ASIDE = 24
+"""How many of the shortest shifts it is tried with otherwise."""
 TRIMMED = (0.004, 0.008, 0.016)
 """By how much sides get shorter of what stands wedged in, m."""
 SHARES = (0.95, 0.9, 0.8, 0.7)
@@ -132,7 +135,7 @@ def _changes(
 
     if fault.part == PLACE:
         yield from shifted(both[-1], _drawn_back(scene, both[-1], both, OUT))
-        yield from shifted(both[-1], nudges(site, scene, both[-1]))
+        yield from shifted(both[-1], islice(nudges(site, scene, both[-1]), ASIDE))
         return
     for o in both:
         yield from shifted(o, _slight(scene, o))
