@@ -55,7 +55,7 @@ class Grid:
         """The cells whose centres may lie between two corners."""
         first = np.floor((lo - self.origin) / self.resolution).astype(int)
         last = np.ceil((hi - self.origin) / self.resolution).astype(int) + 1
-        (left, below), (right, above) = first.clip(0), last.clip(0)
+        (left, below), (right, above) = np.maximum(first, 0), np.maximum(last, 0)
         return slice(below, above), slice(left, right)
 
     def part(self, window: Window) -> "Grid":
@@ -121,8 +121,8 @@ def _shade(x: float, y: float, d: float, w: float, yaw: float, grid: Grid, radiu
     reach = np.array([abs(c) * d + abs(s) * w, abs(s) * d + abs(c) * w]) / 2 + radius
     window = grid.around(np.array([x, y]) - reach, np.array([x, y]) + reach)
     across, up = grid.x[window[1]][None, :] - x, grid.y[window[0]][:, None] - y
-    ahead = (np.abs(across * c + up * s) - d / 2).clip(0)
-    aside = (np.abs(up * c - across * s) - w / 2).clip(0)
+    ahead = np.maximum(np.abs(across * c + up * s) - d / 2, 0)
+    aside = np.maximum(np.abs(up * c - across * s) - w / 2, 0)
     hit: Count = (ahead**2 + aside**2 < (radius - 1e-9) ** 2 if radius > 0 else ahead + aside <= 0).astype(np.int16)
     return window, hit
 

@@ -54,23 +54,33 @@ def _places(
     extent: tuple[Vector, Vector] | None, cells: Grid, radius: float,
 ) -> tuple[Window, Mask]:
     """A window of the raster and the cells in it; kept, because repairs ask for the same again and again."""
-    joint = Joint(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
     c, s = np.cos(pose[2]), np.sin(pose[2])
-    travel = OPEN * max(range, key=abs)
     turn = np.array([[c, s], [-s, c]])
-    shut, ajar = (sweeps.at(joint, handle(joint), value)[:2] @ turn + pose[:2] for value in (0.0, travel))
+    held, passed = _way(type, axis, origin, range, extent)
+    shut, ajar = (point @ turn + pose[:2] for point in held)
     window = cells.around(np.maximum(shut, ajar) - ARM, np.minimum(shut, ajar) + ARM)
     x, y = cells.x[window[1]][None, :], cells.y[window[0]][:, None]
     far = [(x - at[0]) ** 2 + (y - at[1]) ** 2 for at in (shut, ajar)]
     able: Mask = (np.maximum(*far) <= ARM**2) & (far[0] >= NEAREST**2)
-    for middle, size, yaw in _passed(joint, travel):
+    for middle, size, yaw in passed:
         along, aside = x - pose[0], y - pose[1]
         across, up = along * c + aside * s - middle[0], aside * c - along * s - middle[1]
         c_part, s_part = np.cos(yaw), np.sin(yaw)
-        ahead = (np.abs(across * c_part + up * s_part) - size[0] / 2).clip(0)
-        beside = (np.abs(up * c_part - across * s_part) - size[1] / 2).clip(0)
+        ahead = np.maximum(np.abs(across * c_part + up * s_part) - size[0] / 2, 0)
+        beside = np.maximum(np.abs(up * c_part - across * s_part) - size[1] / 2, 0)
         able &= ahead**2 + beside**2 >= radius**2
     return window, able
+
+
+@lru_cache(maxsize=4096)
+def _way(
+    type: Literal["hinge", "slide"], axis: Vector, origin: Vector, range: tuple[float, float],
+    extent: tuple[Vector, Vector] | None,
+) -> tuple[list[Array], list[tuple[Array, Array, float]]]:
+    """In the object's frame: where the handle is, shut and open, (2,) each, and where the part stands on its way."""
+    joint = Joint(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
+    travel = OPEN * max(range, key=abs)
+    return [sweeps.at(joint, handle(joint), value)[:2] for value in (0.0, travel)], list(_passed(joint, travel))
 
 
 def _passed(joint: Joint, travel: float) -> Iterator[tuple[Array, Array, float]]:

@@ -6,6 +6,7 @@ Bounds are least and greatest corners (lo, hi), each (3,), in the object's frame
 
 from collections.abc import Sequence
 from functools import lru_cache
+from math import sqrt
 from typing import Literal
 
 import numpy as np
@@ -44,10 +45,12 @@ def _turned(points: Array, joint: Joint, angle: NDArray[np.float64] | float) -> 
 
 def _orbit(points: Array, joint: Joint) -> tuple[Array, Array, Array]:
     """Centre and the two radii of each point's circle: p(t) = c + u cos t + v sin t (Rodrigues)."""
-    axis = np.asarray(joint.axis, float) / np.linalg.norm(joint.axis)
-    arm = points - np.asarray(joint.origin, float)
+    origin, axis = np.asarray(joint.origin, float), np.asarray(joint.axis, float)
+    axis = axis / sqrt(axis @ axis)
+    x, y, z = axis.tolist()
+    arm = points - origin
     along = (arm @ axis)[..., None] * axis
-    return np.asarray(joint.origin, float) + along, arm - along, np.cross(axis, arm)
+    return origin + along, arm - along, arm @ np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
 
 
 def _corners(bounds: Bounds) -> Array:

@@ -75,7 +75,7 @@ def unblock(
             continue
         state.scene, step = applied(state.scene, change)
         steps.append(step)
-        given_up = set()
+        given_up = {other for other in given_up if other.part == PLACE}
     if steps and state.ways and not exact and not set(missed(site, state.scene)) <= state.out:
         return unblock(site, scene, check, now, exact=True)
     return state.scene, steps, sorted(f for f in state.faults | fixed if f.part != PLACE)
