@@ -7,6 +7,7 @@ each part from where its arm gets to the handle.
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -237,17 +238,26 @@ def standing(
     To the sides the zone is wider than the object by the robot's radius, beside open parts by its width. Returns a
     window of the raster and the cells in it.
     """
-    c, s = np.cos(o.yaw), np.sin(o.yaw)
-    heading, center = np.array([c, s]), np.array(o.center[:2])
     face, half = o.size[0] / 2, o.size[1] / 2 + radius
     ahead = face
     if parts is not None and parts.n:
-        ahead = max(ahead, float(((boxes.corners(parts).reshape(-1, 2) - center) @ heading).max()))
+        heading = np.array([np.cos(o.yaw), np.sin(o.yaw)])
+        corners = boxes.corners(parts).reshape(-1, 2) - o.center[:2]
+        ahead = max(ahead, float((corners @ heading).max()))
         half += radius
-    far = ahead + reach
+    return _before(o.center[0], o.center[1], o.yaw, face, ahead + reach, half, cells)
+
+
+@lru_cache(maxsize=8192)
+def _before(
+    x: float, y: float, yaw: float, face: float, far: float, half: float, cells: Grid
+) -> tuple[grid.Window, Mask]:
+    """Cells between `face` and `far` before a place; kept, because repairs ask for the same again and again."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    heading, center = np.array([c, s]), np.array([x, y])
     middle = center + heading * (face + far) / 2
     spread = np.abs(heading) * (far - face) / 2 + np.abs(heading[::-1]) * half
     window = cells.around(middle - spread, middle + spread)
-    across, up = cells.x[window[1]][None, :] - o.center[0], cells.y[window[0]][:, None] - o.center[1]
+    across, up = cells.x[window[1]][None, :] - x, cells.y[window[0]][:, None] - y
     front, side = across * c + up * s, up * c - across * s
     return window, (front > face) & (front <= far) & (np.abs(side) <= half)

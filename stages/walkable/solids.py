@@ -45,9 +45,11 @@ class Solids:
         """An object's colliders where it stands, as upright prisms."""
         key = (o.asset.library, o.asset.id)
         place = (*o.center, o.yaw)
-        own = self._prisms.setdefault(key, {})
+        if key not in self._prisms:
+            self._prisms[key] = {(): prisms(list(self.of(o).rest.points))}
+        own = self._prisms[key]
         if place not in own:
-            shadows, heights = own.setdefault((), prisms(list(self.of(o).rest.points)))
+            shadows, heights = own[()]
             c, s = np.cos(o.yaw), np.sin(o.yaw)
             turn = np.array([[c, s], [-s, c]])
             own[place] = shapely.transform(shadows, lambda xy: xy @ turn + o.center[:2]), heights + o.center[2]

@@ -32,9 +32,9 @@ UP = (0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Shifts in height of what hangs on a wall, m."""
 BACK = (0.35, 0.4, 0.45, 0.5, 0.55)
 """How far a seat is drawn back where less does not do, m."""
-OUT = (0.01, 0.02, 0.04, 0.06, 0.09, 0.12, 0.16, 0.2, 0.25, 0.3, 0.35)
+OUT = (0.01, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3)
 """How far a seat is drawn out of what it stands in, m."""
-ASIDE = 24
+ASIDE = 8
 """How many of the shortest shifts it is tried with otherwise."""
 TRIMMED = (0.004, 0.008, 0.016)
 """By how much sides get shorter of what stands wedged in, m."""
