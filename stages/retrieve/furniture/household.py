@@ -11,7 +11,10 @@ from stages.retrieve.furniture.tables import ellipse
 
 
 def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: float, wall: float) -> None:
-    """An open vessel whose lid turns about its rear edge."""
+    """An open vessel whose lid turns about its rear edge, within the vessel's wall.
+
+    Upright, such a lid keeps off the wall that a light vessel is pushed against while it is opened.
+    """
     b, rim, n = kit.base, kit.h - thick - 0.002, 32
     half, start = (kit.d / 2, kit.w / 2), 0.015
     outer = [ring((0, 0), (half[0] * s, half[1] * s), z, exponent, n) for s, z in ((foot, 0), (1.0, rim))]
@@ -24,8 +27,9 @@ def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: 
     z = (rim + 0.002, kit.h)
     # Turning up, a thick lid's lower front edge first moves forward a little.
     short = thick**2 / (2 * kit.d) + 0.001
-    cover.prism(lid, ring((-short / 2, 0), (half[0] - short / 2, half[1]), 0, exponent, n)[:, :2], *z, smooth=True)
-    kit.hinge("lid", cover, (kit.x[0], 0, z[1]), (0, -1, 0), "hinge_lid", handle=(kit.x[1] - short, 0, z[0]))
+    middle, deep = (wall - short) / 2, half[0] - (wall + short) / 2
+    cover.prism(lid, ring((middle, 0), (deep, half[1]), 0, exponent, n)[:, :2], *z, smooth=True)
+    kit.hinge("lid", cover, (kit.x[0] + wall, 0, z[1]), (0, -1, 0), "hinge_lid", handle=(kit.x[1] - short, 0, z[0]))
 
 
 @design("bin", "pedal", "square", "swing")

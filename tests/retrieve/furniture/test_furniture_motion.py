@@ -6,6 +6,7 @@ import pytest
 
 from stages import categories
 from stages.retrieve import furniture
+from stages.solids import corners
 
 TOUCH = 2e-4
 """Pieces may press this deep into each other, m: rounding and what lies on what."""
@@ -95,3 +96,14 @@ def test_the_probe_sees_a_drawer_pushed_through_the_back_and_doors_turned_inward
     assert deepest(chest, [np.full(len(chest.joints), -0.05)])[0] < -0.005
     wardrobe = furniture.build("wardrobe", "modern", categories.TABLE["wardrobe"].size, 0)
     assert deepest(wardrobe, [np.full(len(wardrobe.joints), -0.2)])[0] < -0.005
+
+
+@pytest.mark.parametrize("category", ["bin", "laundry_basket"])
+def test_an_upright_lid_keeps_off_a_wall_that_its_vessel_is_pushed_against(category):
+    for style in furniture.styles(category):
+        asset = furniture.build(category, style, (0.4, 0.45, 0.6))
+        (lid,) = [link for link in asset.links if link.joint is not None]
+        shut = np.concatenate([corners(c) for c in lid.colliders]) - lid.joint.origin
+        # Turned by a right angle about -y, what is above the hinge comes to lie behind it.
+        back = lid.joint.origin[0] - shut[:, 2].max()
+        assert back >= -0.2 + 0.007, style
