@@ -145,9 +145,8 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
     apart = np.array([[not categories.tucks(a.category, b.category) for b in after] for a in new], bool)
     kin = np.array([[categories.belong_together(a.category, b.category) for b in after] for a in new], bool)
     kin[np.arange(len(rows)), rows] = False
-    close = np.where(apart, COMPANY, DRAWN_BACK)[kin]
-    if len(close) and ((_gaps(after, rows)[kin] > close) & (_gaps(before, old[rows])[:, old][kin] <= close)).any():
-        return False
+    company = np.flatnonzero(kin.any(0))
+    kin, close = kin[:, company], np.where(apart, COMPANY, DRAWN_BACK)[:, company]
     apart[np.arange(len(rows)), rows] = False
     for shapes in (boxes.of, sweeps.extended):
         ours, theirs = shapes(after), shapes(before)
@@ -155,9 +154,12 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
         now = boxes.penetration(ours.take(rows), ours)
         if ((now > np.maximum(was, SLACK) + 1e-6) & apart).any():
             return False
-    return True
+    if not len(company):
+        return True
+    left = (_gaps(after, rows, company) > close) & (_gaps(before, old[rows], old[company]) <= close)
+    return not (left & kin).any()
 
 
-def _gaps(objects: Sequence[Furnishing], rows: NDArray[np.int64]) -> boxes.Array:
+def _gaps(objects: Sequence[Furnishing], some: NDArray[np.int64], others: NDArray[np.int64]) -> boxes.Array:
     every = boxes.of(objects)
-    return boxes.gap(every.take(rows), every)
+    return boxes.gap(every.take(some), every.take(others))
