@@ -51,8 +51,7 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
         scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(site.library)), now)
         steps += taken
     unreached = missed(site, scene) if now and now.missed else []
-    short = _shortfalls(site, scene, parts, unreached)
-    if short and not config.write_anyway:
+    if not config.write_anyway and (short := _shortfalls(site, scene, parts, unreached)):
         raise Unmet(f"{'; '.join(short)} (--write-anyway writes the best scene)")
     for name in unreached:
         LOG.warning("a robot of %.2f m radius does not get to %s", config.robot_radius, name)
