@@ -33,6 +33,15 @@ class Question(NamedTuple):
         """The objects and what stands on them taken away."""
         return {name: None for o in gone for name in dropped(o, placing.carried(o, self.now.scene), "").to}
 
+    def least(self, gone: list[Furnishing], to: Changes) -> Iterator[Change]:
+        """What has to go for `to`: those of `gone` without whose leaving it would not do."""
+        least = gone
+        for less in reversed(gone):
+            fewer = [p for p in least if p is not less]
+            if self.answered(fewer, to):
+                least = fewer
+        return (dropped(p, placing.carried(p, self.now.scene), self.here.target) for p in least)
+
 
 def making_room(site: Site, now: Ways, here: View, able: list[Furnishing]) -> Iterator[Repair]:
     """Repairs that keep what must stay, the fewer and lesser things go for them the earlier.
@@ -61,17 +70,9 @@ def _first(question: Question, o: Furnishing, loose: list[Furnishing]) -> Iterat
     rest = swapped(question.now.scene, question.away(loose))
     for moves in _options(question.site, rest, o, bool(loose)):
         to = {name: thing for move in moves for name, thing in move.items()}
-        if not question.answered(loose, to):
-            continue
-        least = loose
-        for less in reversed(loose):
-            fewer = [p for p in least if p is not less]
-            if question.answered(fewer, to):
-                least = fewer
-        target = question.here.target
-        away = [dropped(p, placing.carried(p, question.now.scene), target) for p in least]
-        yield (*away, *_changes(o, moves, target))
-        return
+        if question.answered(loose, to):
+            yield (*question.least(loose, to), *recorded(o, moves, question.here.target))
+            return
 
 
 def _options(site: Site, scene: Scene, o: Furnishing, moved: bool) -> Iterator[list[Changes]]:
@@ -85,7 +86,8 @@ def _options(site: Site, scene: Scene, o: Furnishing, moved: bool) -> Iterator[l
         yield from ([other, move] for move in places(site, swapped(scene, other), new))
 
 
-def _changes(o: Furnishing, moves: list[Changes], target: str) -> Iterator[Change]:
+def recorded(o: Furnishing, moves: list[Changes], target: str) -> Iterator[Change]:
+    """The changes of an object that take it through some moves, in order."""
     for to in moves:
         new = to[o.id]
         assert new is not None

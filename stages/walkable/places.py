@@ -18,18 +18,21 @@ MOST = 40
 """Places tried of one object, the nearest ones."""
 TURN = 0.5
 """A turn by 90° counts as this many metres."""
+ALIGNED = 0.99
+"""What hangs over an object faces as it does, by this cosine."""
 _APART = 0.002  # from a wall, so that rounding puts nothing into it, m
 
 
 def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """Places near first: with its back to any wall for what stands at walls, else anywhere with the same heading.
 
-    What stands on the object and what belongs to it comes along. Whether a door's reach is kept is not looked at.
+    What stands on the object, hangs over it or belongs to it comes along. Whether a door stays within reach is not
+    looked at.
     """
     if o.category not in categories.TABLE or categories.TABLE[o.category].place != "floor":
         return
     floor = site.floors[o.room]
-    group = [o, *kin(o, scene)]
+    group = [o, *kin(o, scene), *hung(o, scene)]
     company = [p for member in group for p in (member, *placing.carried(member, scene))]
     spots = _along_walls(floor, o, group) if categories.TABLE[o.category].back else _all_over(floor, o)
     rest = [p for p in in_room(scene, o.room) if p not in company and not footprints.gives_way(p)]
@@ -46,6 +49,15 @@ def kin(o: Furnishing, scene: Scene) -> list[Furnishing]:
            and o.category in categories.TABLE[p.category].belongs and categories.TABLE[p.category].place == "floor"]
     near = boxes.gap(boxes.of([o]), boxes.of(kin))[0] <= COMPANY if kin else []
     return [p for p, close in zip(kin, near, strict=True) if close]
+
+
+def hung(o: Furnishing, scene: Scene) -> list[Furnishing]:
+    """What hangs over an object for its use, as the mirror over a basin."""
+    own = [p for p in in_room(scene, o.room) if p.category in categories.TABLE
+           and o.category in categories.TABLE[p.category].belongs and categories.TABLE[p.category].place == "wall"
+           and np.cos(p.yaw - o.yaw) > ALIGNED]
+    near = boxes.gap(boxes.of([o]), boxes.of(own))[0] <= COMPANY if own else []
+    return [p for p, close in zip(own, near, strict=True) if close]
 
 
 def _along_walls(floor: Polygon, o: Furnishing, group: list[Furnishing]) -> Array:

@@ -18,6 +18,7 @@ from stages.walkable.changes import Change, Repair, applied, dropped, merged, nu
 from stages.walkable.insist import making_room
 from stages.walkable.nudge import nudges
 from stages.walkable.places import places
+from stages.walkable.rearrange import rearranged
 from stages.walkable.site import Scene, Site, fits
 from stages.walkable.smaller import candidate, limits
 from stages.walkable.ways import Ways, after, ways
@@ -104,7 +105,8 @@ def _repaired(
     whole = chain(((change,) for change in kept), making_room(site, now, here, able) if essential else ())
     steps = (repair for repair in gone if repair[0].object in joint and not single)
     final = (repair for repair in gone if repair[0].object in able)
-    for repairs, reaches in ((whole, True), (steps, False), (final, True)):
+    anew = rearranged(site, now, here) if essential else ()
+    for repairs, reaches in ((whole, True), (steps, False), (final, True), (anew, True)):
         for repair in repairs:
             left = after(site, now, merged(repair))
             if left.missed < now.missed or (not reaches and left.missed == now.missed):

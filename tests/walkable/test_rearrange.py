@@ -1,0 +1,65 @@
+"""A bathroom in which no single piece can move for the way is planned anew, with all that it had."""
+
+import boxes_library as fake
+import handmade as h
+import numpy as np
+import pytest
+from crowded import of_kind
+
+from schemas.retrieve import Joint
+from stages.metrics import collision, doorways, outside
+from stages.walkable import WalkableConfig, repair, run
+
+
+def tight(depth, narrower):
+    """A bathroom of about 4 m² whose basin stands behind the open door, with the bath opposite."""
+    far, left = 4.1 + depth, 2.85 - narrower
+    basin = (0.35, 0.45, 0.78)
+    lid = Joint(name="lid", type="hinge", axis=(0, -1, 0), origin=(-0.1, 0, 0.05), range=(0, np.pi / 2),
+                part="hinge_lid", extent=((-0.1, -0.18, 0.04), (0.26, 0.18, 0.06)))
+    home = of_kind(h.home(
+        h.thing("toilet", far - 0.272, left - 0.2, np.pi, h.BEDROOM, size=(0.54, 0.38, 0.74), id="toilet",
+                joints=(lid,)),
+        h.thing("bath", far - 0.39, 1.52, np.pi, h.BEDROOM, size=(0.76, 1.5, 0.67), id="bath"),
+        h.thing("vanity", 4.33, left - 0.18, -np.pi / 2, h.BEDROOM, size=basin, id="vanity",
+                joints=tuple(fake.joints("vanity", basin))),
+        h.thing("mirror", 4.33, left - 0.02, -np.pi / 2, h.BEDROOM, size=(0.03, 0.4, 0.8), id="mirror"),
+    ), "bathroom")
+    room = h.rectangle(4.1, 0.76, depth, left - 0.76)
+    rooms = [one.model_copy(update={"polygon": room}) if one.id == h.BEDROOM else one for one in home.rooms]
+    openings = [o.model_copy(update={"hinge": int(o.id == "door_1")}) for o in home.openings if o.kind != "window"]
+    return home.model_copy(update={"rooms": rooms, "openings": openings})
+
+
+def walk(home):
+    config = WalkableConfig(target=0.2, write_anyway=True)
+    return run(home, config, np.random.default_rng(0), fake.Empty())
+
+
+@pytest.mark.parametrize("depth, narrower", [(1.97, 0.0), (1.97, 0.02), (2.02, 0.0), (2.07, 0.04)])
+def test_a_tight_bathroom_is_planned_anew(depth, narrower, monkeypatch):
+    home = tight(depth, narrower)
+    result = walk(home)
+    assert result.walkable.unreached == [] and result.walkable.blocked == [] and result.walkable.dropped == []
+    assert [(o.id, o.size) for o in result.objects] == [(o.id, o.size) for o in home.objects]
+    assert collision.measure(result)[0].value == 0 and outside.measure(result)[0].value == 0
+    assert doorways.measure(result)[0].value <= doorways.measure(home)[0].value
+    now = {o.id: o for o in result.objects}
+    last = {step.object: step.after for step in result.walkable.steps}
+    assert {name: (o.center, o.yaw) for name, o in now.items() if name in last} == {
+        name: (after.center, after.yaw) for name, after in last.items()}
+    monkeypatch.setattr(repair, "rearranged", lambda *_: ())
+    assert walk(home).walkable.unreached == ["vanity"]
+
+
+def test_the_mirror_comes_along_with_its_basin():
+    home = tight(1.97, 0.0)
+    old, new = ({o.id: o for o in some} for some in (home.objects, walk(home).objects))
+
+    def between(some):
+        return np.subtract(some["mirror"].center, some["vanity"].center)
+
+    assert new["vanity"].center != old["vanity"].center
+    turn = new["vanity"].yaw - old["vanity"].yaw
+    c, s = np.cos(turn), np.sin(turn)
+    assert between(new) == pytest.approx(np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ between(old))
