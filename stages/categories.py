@@ -100,6 +100,12 @@ def belong_together(a: str, b: str) -> bool:
     return (a, b) in groups() or (b, a) in groups()
 
 
+INSTEAD = {
+    "double_bed": ("single_bed",), "bunk_bed": ("single_bed",), "wardrobe": ("sliding_wardrobe",),
+    "sliding_wardrobe": ("wardrobe",), "corner_sofa": ("sofa", "armchair"), "sofa": ("armchair",),
+    "bath": ("shower",), "dining_table": ("round_table",),
+}
+"""Kinds that do for another."""
 SEATS = frozenset({"chair", "office_chair", "stool", "bench", "balcony_chair"})
 
 

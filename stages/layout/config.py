@@ -41,6 +41,9 @@ class TrainConfig(Record):
     drop_count: float = 0.1
     drop_wanted: float = 0.5
     anticipate: float = Field(0.0, ge=0, description="λ of Eq. 1; 0 is plain denoising")
+    calibrate: int = Field(
+        1000, ge=0, description="rooms of each round that fits a bias, so that classes come as often as in the corpus"
+    )
     threads: int = 1
     bf16: bool = True
     save_every: int = 500

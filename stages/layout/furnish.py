@@ -5,6 +5,7 @@ from collections import Counter
 import numpy as np
 from numpy.typing import NDArray
 
+from schemas.base import ROOM_TYPES
 from schemas.layout import Box
 from schemas.plan import Plan, Room
 from stages.categories import CATEGORIES
@@ -17,8 +18,19 @@ from stages.layout.rooms import Rooms
 Latents = NDArray[np.float32]
 
 
-def task(plan: Plan, room: Room, rooms: Rooms, objects: Objects, row: int) -> tuple[Task, Latents]:
-    """What is to be placed in a room, row `row` of the batch, and the shape latents (n, 32) of its objects."""
+def of_plan(plan: Plan, room: Room, rooms: Rooms, objects: Objects, row: int) -> tuple[Task, Latents]:
+    """What is to be placed in a room of a plan, row `row` of the batch, and the shape latents of its objects."""
+    wishes = Counter({w.category: w.count for w in plan.program.objects if w.room == room.id})
+    return task(rooms, objects, row, wishes, room.id in plan.program.counts)
+
+
+def task(
+    rooms: Rooms, objects: Objects, row: int, wishes: Counter[str] | None = None, asked: bool = True
+) -> tuple[Task, Latents]:
+    """What is to be placed in the room of row `row`, and the shape latents (n, 32) of its objects.
+
+    `asked`: the number of objects is to be kept.
+    """
     filled = np.flatnonzero(objects.category[row].numpy() >= 0)
     items = [
         Item(
@@ -29,8 +41,7 @@ def task(plan: Plan, room: Room, rooms: Rooms, objects: Objects, row: int) -> tu
         )
         for j in map(int, filled)
     ]
-    wishes = Counter({w.category: w.count for w in plan.program.objects if w.room == room.id})
-    work = Task(items, space_of(rooms, row), room.type, room.id in plan.program.counts, wishes)
+    work = Task(items, space_of(rooms, row), ROOM_TYPES[rooms.type[row]], asked, wishes or Counter())
     return work, objects.latent[row].numpy()[filled]
 
 

@@ -176,6 +176,16 @@ def anticipation(rooms: Rooms, config: TrainConfig) -> Callable[[Prediction, Ten
     return shift
 
 
+def biased(denoise: Denoise, bias: Tensor) -> Denoise:
+    """The denoiser with a bias (B, 1, C+1) on its class logits; wrappers around it make x_0 of them."""
+
+    def wrapped(x: Tensor, t: Tensor) -> Prediction:
+        made = denoise(x, t)
+        return Prediction(made.x0, made.logits + bias)
+
+    return wrapped
+
+
 def without_empty(denoise: Denoise, filled: Tensor) -> Denoise:
     """Exact by construction: the first `filled` (B,) slots never take the empty class, the rest always do."""
 

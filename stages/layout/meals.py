@@ -9,12 +9,14 @@ PLACES = (("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_r
 """Where a table is looked for, in this order: room types with at least so much floor, m²."""
 SMALL = 10.0
 """In a room below this floor area, m², the table is a round one."""
+ROUND = 1 / 3
+"""Share of round ones among tables elsewhere."""
 FEWEST = 6
 """A room that is to hold fewer objects than this is not asked for a table: seats at it would be all it has."""
 
 
-def table_of(plan: Plan) -> tuple[str, str] | None:
-    """The room, and the category of table, in which the home is to have its meals.
+def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
+    """The room, and the category of table, in which the home is to have its meals; `chance`, in [0, 1), picks which.
 
     None where a dining room sees to that, where the prompt speaks of tables itself, where no room has the floor, and
     for a room by itself, which is no home.
@@ -26,7 +28,7 @@ def table_of(plan: Plan) -> tuple[str, str] | None:
         fitting = [room for room in plan.rooms if room.type == kind and _area(room) >= least and _holds(plan, room)]
         if fitting:
             room = max(fitting, key=_area)
-            return room.id, "round_table" if _area(room) < SMALL else "dining_table"
+            return room.id, "round_table" if _area(room) < SMALL or chance < ROUND else "dining_table"
     return None
 
 

@@ -175,6 +175,9 @@ class Denoiser(nn.Module):
         self.norm = nn.LayerNorm(w)
         self.by_walls, self.by_objects = FrameHead(WALL_PAIR, w), FrameHead(OBJECT_PAIR, w)
         self.output = nn.Linear(w, DIM)
+        self.bias: Tensor
+        """Added to the class logits of each room type when sampling, (types, C+1); set by calibration."""
+        self.register_buffer("bias", torch.zeros(len(ROOM_TYPES), len(CATEGORIES) + 1))
         nn.init.zeros_(self.output.weight)
         nn.init.zeros_(self.output.bias)
 

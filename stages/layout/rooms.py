@@ -87,8 +87,9 @@ def oriented(rooms: Rooms) -> Rooms:
     return replace(rooms, openings=np.where(backward[..., None], turned, rooms.openings))
 
 
-def of_plan(plan: Plan) -> Rooms:
-    """All rooms of a plan in its order, with the counts and objects the programme asks for, and the home's table."""
+def of_plan(plan: Plan, chance: float = 1.0) -> Rooms:
+    """All rooms of a plan in its order, with the counts and objects the programme asks for, and the home's table,
+    which `chance` in [0, 1) picks."""
     n = len(plan.rooms)
     out = Rooms(
         polygon=np.full((n, MAX_CORNERS, 2), np.nan, np.float32),
@@ -111,7 +112,7 @@ def of_plan(plan: Plan) -> Rooms:
         for asked in plan.program.objects:
             if asked.room == room.id and asked.category in CATEGORIES:
                 out.wanted[i, CATEGORIES.index(asked.category)] = asked.count
-    if (table := table_of(plan)) is not None:
+    if (table := table_of(plan, chance)) is not None:
         row = out.wanted[[room.id for room in plan.rooms].index(table[0])]
         for category in TABLES:
             row[CATEGORIES.index(category)] = int(category == table[1])

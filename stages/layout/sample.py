@@ -70,6 +70,7 @@ def sample(
     if exact:
         context.present = torch.arange(slots)[None] < count[:, None]
     denoise: Denoise = lambda x, t: predict(network, x, t, context)  # noqa: E731
+    denoise = guided.biased(denoise, network.bias[torch.from_numpy(rooms.type), None])
     denoise = _wrapped(denoise, network, rooms, count, config, exact)
     noise = _noise(lanes, slots)
     with torch.no_grad():

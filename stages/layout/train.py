@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from stages.layout import diffusion, weights
+from stages.layout.calibration import calibrate
 from stages.layout.config import N_MAX, T, TrainConfig
 from stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
 from stages.layout.features import encode
@@ -64,6 +65,7 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
     network = Denoiser(config.model)
     if config.start:
         network.load_state_dict(weights.tensors(Path(config.start))[0], strict=False)
+        network.bias.zero_()
     average = copy.deepcopy(network).requires_grad_(False)
     optimizer = torch.optim.AdamW(network.parameters(), config.lr, betas=(0.9, 0.99), weight_decay=0.01)
     saved = out.with_suffix(".checkpoint")
@@ -96,6 +98,9 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
             saved.with_suffix(".part").replace(saved)
             weights.save(average, out, config, record | facts)
             log.info("step %d of %d: loss %.4f", step + 1, config.steps, mean)
+    if config.calibrate:
+        calibrate(average.eval(), corpus, config.calibrate, config.seed)
+        weights.save(average, out, config, record | facts)
     return record
 
 

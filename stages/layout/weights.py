@@ -53,7 +53,7 @@ def _load(path: str) -> tuple[Denoiser, dict[str, Any]]:
     found, header = tensors(Path(path))
     network = Denoiser(TrainConfig.model_validate_json(header["config"]).model)
     try:
-        network.load_state_dict(found)
+        network.load_state_dict({"bias": network.bias} | found)  # weights may never have been calibrated
     except RuntimeError as error:
         raise BadInput(f"{path}: weights of another network; train again with `apartgen train layout`") from error
     return network.eval().requires_grad_(False), json.loads(header["record"])

@@ -15,12 +15,6 @@ from stages.walkable.places import kin
 from stages.walkable.site import Changes, Scene, Site
 from stages.walkable.smaller import BUILT_IN, LATENT
 
-INSTEAD = {
-    "double_bed": ("single_bed",), "bunk_bed": ("single_bed",), "wardrobe": ("sliding_wardrobe",),
-    "sliding_wardrobe": ("wardrobe",), "corner_sofa": ("sofa", "armchair"), "sofa": ("armchair",),
-    "bath": ("shower",), "dining_table": ("round_table",),
-}
-"""Kinds that do for another."""
 DESIGNS = 24
 """Designs of another kind looked at for one of the same style."""
 BELOW_SILL = 0.01
@@ -34,7 +28,7 @@ def stand_ins(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """
     if o.category in BUILT_IN or o.category not in categories.TABLE:
         return
-    kinds = () if importance.asked(o, scene, site) else INSTEAD.get(o.category, ())
+    kinds = () if importance.asked(o, scene, site) else categories.INSTEAD.get(o.category, ())
     sills = [window.sill for window in site.world.plan.openings if window.kind == "window" and o.room in window.rooms]
     sill = min(sills, default=np.inf) - BELOW_SILL
     for category in (o.category, *kinds):

@@ -5,14 +5,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from stages.categories import TABLE
+from stages.categories import INSTEAD, TABLE
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.project import project
 from stages.layout.projection.space import Space
 from stages.layout.projection.standing import Item
 from stages.layout.sense import essentials
 
-STAND_INS = ("wall_shelf", "wall_lamp", "plant", "bin", "ceiling_lamp")
+STAND_INS = ("wall_shelf", "wall_lamp", "mirror", "curtain", "radiator", "ceiling_lamp", "plant", "bin")
 """Small things that take the place of an object that fits nowhere when the count was asked for."""
 
 
@@ -85,8 +85,10 @@ def _apart(a: Item, b: Item) -> float:
 
 
 def _stand_in(items: list[Item], worst: int, task: Task, notes: list[str]) -> list[Item]:
-    best = items
-    for category in STAND_INS:
+    """The items, another kind for the same use in place of the worst, or something small that there is least of."""
+    best, there = items, Counter(item.category for item in items)
+    small = sorted(STAND_INS, key=there.__getitem__)
+    for category in (*INSTEAD.get(items[worst].category, ()), *small):
         if task.kind not in TABLE[category].rooms:
             continue
         swap = Item(category, items[worst].center, np.array(TABLE[category].size), items[worst].yaw)
