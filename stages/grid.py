@@ -3,6 +3,7 @@
 Cells are squares of `resolution` metres addressed [row, column] = [y, x]; a cell stands for its centre.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -74,15 +75,21 @@ def over(area: Geometry, resolution: float = RESOLUTION) -> Grid:
 
 def raster(area: Geometry, grid: Grid) -> Mask:
     """Cells whose centre lies within a polygonal geometry, (rows, columns); by scan lines, even-odd."""
-    turns = np.zeros((grid.shape[0], grid.shape[1] + 1), np.int32)
+    inside = np.zeros(grid.shape, bool)
+    if area.is_empty:
+        return inside
+    x0, y0, x1, y1 = area.bounds
+    window = grid.around(np.array([x0, y0]), np.array([x1, y1]))
+    rows, columns = (range(*w.indices(n)) for w, n in zip(window, grid.shape))
+    y, turns = grid.y[window[0]], np.zeros((len(rows), len(columns) + 1), np.int32)
     for ring in _rings(area):
         (x0, y0), (x1, y1) = ring[:-1].T[:, :, None], ring[1:].T[:, :, None]
-        edge, row = np.nonzero((y0 <= grid.y) != (y1 <= grid.y))
+        edge, row = np.nonzero((y0 <= y) != (y1 <= y))
         slope = (x1 - x0)[edge, 0] / (y1 - y0)[edge, 0]
-        crossing = x0[edge, 0] + (grid.y[row] - y0[edge, 0]) * slope
-        column = np.ceil((crossing - grid.origin[0]) / grid.resolution - 0.5).astype(int)
-        np.add.at(turns, (row, column.clip(0, grid.shape[1])), 1)
-    inside: Mask = np.cumsum(turns[:, :-1], axis=1) % 2 == 1
+        crossing = x0[edge, 0] + (y[row] - y0[edge, 0]) * slope
+        column = np.ceil((crossing - grid.origin[0]) / grid.resolution - 0.5).astype(int) - columns.start
+        np.add.at(turns, (row, column.clip(0, len(columns))), 1)
+    inside[window] = np.cumsum(turns[:, :-1], axis=1) % 2 == 1
     return inside
 
 
@@ -96,22 +103,28 @@ def _rings(area: Geometry) -> list[Array]:
 def near(boxes: Boxes, grid: Grid, radius: float) -> Count:
     """How many of the footprints come closer than `radius` to each cell's centre, (rows, columns)."""
     count = np.zeros(grid.shape, np.int16)
-    for i in range(boxes.n):
-        change(count, boxes.take([i]), grid, radius, 1)
+    change(count, boxes, grid, radius, 1)
     return count
 
 
-def change(count: Count, box: Boxes, grid: Grid, radius: float, by: int) -> None:
-    """Add (`by` = 1) or take away (-1) one box (n = 1) in the result of `near`, in place."""
-    window, hit = shade(box, grid, radius)
-    count[window] += hit if by == 1 else np.int16(by) * hit
+def change(count: Count, boxes: Boxes, grid: Grid, radius: float, by: int) -> None:
+    """Add (`by` = 1) or take away (-1) some boxes in the result of `near`, in place."""
+    for window, hit in shades(boxes, grid, radius):
+        if by == 1:
+            count[window] += hit
+        else:
+            count[window] -= hit
 
 
 def shade(box: Boxes, grid: Grid, radius: float) -> tuple[Window, Count]:
     """A window of the raster, and which of its cells (1) are closer than `radius` to one footprint (n = 1)."""
-    x, y = (float(v) for v in box.center[0, :2])
-    d, w = (float(v) for v in box.size[0, :2])
-    return _shade(x, y, d, w, float(box.yaw[0]), grid, radius)
+    return next(shades(box, grid, radius))
+
+
+def shades(boxes: Boxes, grid: Grid, radius: float) -> Iterator[tuple[Window, Count]]:
+    """The `shade` of each box."""
+    for (x, y, _), (d, w, _), yaw in zip(boxes.center.tolist(), boxes.size.tolist(), boxes.yaw.tolist()):
+        yield _shade(x, y, d, w, yaw, grid, radius)
 
 
 @lru_cache(maxsize=4096)
@@ -149,9 +162,12 @@ def from_seeds(free: Mask, seeds: Mask) -> Mask:
     """All free cells connected to any free cell among the seeds."""
     from scipy import ndimage
 
-    labels, count = ndimage.label(free)
+    labels = np.empty(free.shape, np.int32)
+    count = ndimage.label(free, _BY_EDGES, output=labels)
     reached = np.zeros(count + 1, bool)
     reached[labels[seeds]] = True
     reached[0] = False
+    if reached.sum() == 1:
+        return np.asarray(labels == reached.argmax())
     found: Mask = reached[labels]
     return found

@@ -4,7 +4,6 @@ Where exactly a handle is the artifact does not say; it is taken to be in the mi
 edge of a leaf or lid that is furthest from its hinge.
 """
 
-from collections.abc import Iterator
 from functools import lru_cache
 from typing import Literal
 
@@ -14,7 +13,7 @@ from schemas.base import Vector
 from schemas.layout import Box
 from schemas.retrieve import Furnishing, Joint
 from stages import sweeps
-from stages.boxes import Array, Mask
+from stages.boxes import Array, Boxes, Mask
 from stages.grid import Grid, Window
 
 ARM = 0.9
@@ -62,13 +61,15 @@ def _places(
     x, y = cells.x[window[1]][None, :], cells.y[window[0]][:, None]
     far = [(x - at[0]) ** 2 + (y - at[1]) ** 2 for at in (shut, ajar)]
     able: Mask = (np.maximum(*far) <= ARM**2) & (far[0] >= NEAREST**2)
-    for middle, size, yaw in passed:
-        along, aside = x - pose[0], y - pose[1]
-        across, up = along * c + aside * s - middle[0], aside * c - along * s - middle[1]
-        c_part, s_part = np.cos(yaw), np.sin(yaw)
-        ahead = np.maximum(np.abs(across * c_part + up * s_part) - size[0] / 2, 0)
-        beside = np.maximum(np.abs(up * c_part - across * s_part) - size[1] / 2, 0)
-        able &= ahead**2 + beside**2 >= radius**2
+    # All that the part passes at once, (k, rows, columns).
+    middle, size, yaw = passed
+    along, aside = (x - pose[0])[None], (y - pose[1])[None]
+    across = along * c + aside * s - middle[:, 0, None, None]
+    up = aside * c - along * s - middle[:, 1, None, None]
+    c, s = np.cos(yaw)[:, None, None], np.sin(yaw)[:, None, None]
+    ahead = np.maximum(np.abs(across * c + up * s) - size[:, 0, None, None] / 2, 0)
+    beside = np.maximum(np.abs(up * c - across * s) - size[:, 1, None, None] / 2, 0)
+    able &= (ahead**2 + beside**2 >= radius**2).all(0)
     return window, able
 
 
@@ -76,20 +77,19 @@ def _places(
 def _way(
     type: Literal["hinge", "slide"], axis: Vector, origin: Vector, range: tuple[float, float],
     extent: tuple[Vector, Vector] | None,
-) -> tuple[list[Array], list[tuple[Array, Array, float]]]:
+) -> tuple[list[Array], Boxes]:
     """In the object's frame: where the handle is, shut and open, (2,) each, and where the part stands on its way."""
-    joint = Joint(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
+    joint = Joint.model_construct(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
     travel = OPEN * max(range, key=abs)
-    return [sweeps.at(joint, handle(joint), value)[:2] for value in (0.0, travel)], list(_passed(joint, travel))
+    return [sweeps.at(joint, handle(joint), value)[:2] for value in (0.0, travel)], _passed(joint, travel)
 
 
-def _passed(joint: Joint, travel: float) -> Iterator[tuple[Array, Array, float]]:
-    """Where the part stands on its way: middle (3,), size (3,) and yaw in the object's frame."""
+def _passed(joint: Joint, travel: float) -> Boxes:
+    """Where the part stands on its way, in the object's frame."""
     lo, hi = np.array(joint.extent, float)
-    upright = joint.type == "hinge" and abs(joint.axis[2]) > 0.99
-    for value in np.array(_SHARES) * travel:
-        if upright:
-            yield sweeps.at(joint, (lo + hi) / 2, value), hi - lo, float(value * np.sign(joint.axis[2]))
-        else:
-            low, high = sweeps.moved(joint, float(value))
-            yield (low + high) / 2, high - low, 0.0
+    values = np.array(_SHARES) * travel
+    if joint.type == "hinge" and abs(joint.axis[2]) > 0.99:
+        middle = sweeps.at(joint, (lo + hi) / 2, values[:, None])
+        return Boxes(middle, np.tile(hi - lo, (len(values), 1)), values * np.sign(joint.axis[2]))
+    bounds = np.array([sweeps.moved(joint, value) for value in values.tolist()])
+    return Boxes(bounds.mean(1), bounds[:, 1] - bounds[:, 0], np.zeros(len(values)))

@@ -5,7 +5,7 @@ it, its centre within `reach` of the face that opens, first with the parts close
 each part from where its arm gets to the handle.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
@@ -135,6 +135,16 @@ def count(world: Space, objects: Sequence[Box]) -> NDArray[np.int16]:
     return grid.near(boxes.of([o for o in objects if in_the_way(o)]), world.grid, world.radius)
 
 
+def recounted(
+    world: Space, before: NDArray[np.int16], old: Iterable[Box], new: Iterable[Box]
+) -> NDArray[np.int16]:
+    """The result of `count` when some objects go and others come."""
+    now = before.copy()
+    for objects, by in ((old, -1), (new, 1)):
+        grid.change(now, boxes.of([o for o in objects if in_the_way(o)]), world.grid, world.radius, by)
+    return now
+
+
 def in_the_way(o: Box) -> bool:
     """Whether the robot has to go around an object."""
     return footprints.is_obstacle(o) and o.center[2] - o.size[2] / 2 < HEIGHT
@@ -180,13 +190,14 @@ def _objects(
     moving = [o for o, moves in zip(objects, sweeps.articulated(objects)) if moves and footprints.is_obstacle(o)]
     parts, owner = sweeps.opened(moving)
     index = {room.id: i for i, room in enumerate(world.plan.rooms)}
+    inside = {room: got & (world.rooms == index[room]) for room in {o.room for o in moving}}
     closed, opened = [], []
     for i, o in enumerate(moving):
         window, zone = standing(o, world.grid, reach, world.radius)
-        if not (got[window] & zone & (world.rooms[window] == index[o.room])).any():
+        if not (inside[o.room][window] & zone).any():
             closed.append(o.id)
         elif not (_still(world, o, parts.take(owner == i), reach, open_cells, got, index[o.room])
-                  and _handled(world, o, got & (world.rooms == index[o.room]))):
+                  and _handled(world, o, inside[o.room])):
             opened.append(o.id)
     return closed, opened
 
@@ -199,30 +210,49 @@ def _handled(world: Space, o: Box, got: Mask) -> bool:
 def _still(world: Space, o: Box, parts: Boxes, reach: float, open_cells: Mask, got: Mask, room: int) -> bool:
     """Whether the robot can come and stand in front of an object whose parts are open."""
     window, zone = standing(o, world.grid, reach, world.radius, parts)
-    shut_out = grid.near(parts, world.grid, world.radius) > 0
-    place = zone & (world.rooms[window] == room) & ~shut_out[window]
-    if not (got[window] & place).any():
+    shades = list(grid.shades(parts, world.grid, world.radius))
+    around = _about([window, *(shade for shade, _ in shades)], got.shape)
+    shut_out, place = np.zeros((2, *got[around].shape), bool)
+    for shade, hit in shades:
+        shut_out[_within(shade, around)] |= hit > 0
+    place[_within(window, around)] = zone & (world.rooms[window] == room)
+    place &= ~shut_out
+    if not (got[around] & place).any():
         return False
-    if not (got & shut_out).any():
+    if not (got[around] & shut_out).any():
         return True
-    whole = np.zeros_like(got)
-    whole[window] = place
-    nearby = _locally(world, got, shut_out, whole)
+    nearby = _locally(got[around], world.entry[around], shut_out, place)
     if nearby is not None:
         return nearby
-    still = grid.from_seeds(open_cells & ~shut_out, world.entry)
-    return bool((still[window] & place).any())
+    left = open_cells.copy()
+    left[around] &= ~shut_out
+    return bool((grid.from_seeds(left, world.entry)[around] & place).any())
 
 
-def _locally(world: Space, got: Mask, shut_out: Mask, place: Mask) -> bool | None:
+def _about(windows: Sequence[grid.Window], shape: tuple[int, ...]) -> grid.Window:
+    """The window about some windows, `_AROUND` cells larger."""
+    rows, columns = ([w[k].indices(shape[k]) for w in windows] for k in (0, 1))
+    (low, high), (left, right) = ((min(w[0] for w in some), max(w[1] for w in some)) for some in (rows, columns))
+    return (slice(max(low - _AROUND, 0), min(high + _AROUND, shape[0])),
+            slice(max(left - _AROUND, 0), min(right + _AROUND, shape[1])))
+
+
+def _within(window: grid.Window, around: grid.Window) -> grid.Window:
+    """A window as seen from another about it."""
+    rows, columns = (slice(w.start - a.start, w.stop - a.start) for w, a in zip(window, around))
+    return rows, columns
+
+
+def _locally(got: Mask, entry: Mask, shut_out: Mask, place: Mask) -> bool | None:
     """Whether a place is still got to with some cells shut, where a look at the surroundings decides it.
 
     Where all ways out of the surroundings stay joined within them, nothing beyond is cut off either.
     """
-    rows, columns = (np.flatnonzero((shut_out | place).any(axis)) for axis in (1, 0))
+    every = shut_out | place
+    rows, columns = (np.flatnonzero(every.any(axis)) for axis in (1, 0))
     here = (slice(max(rows[0] - _AROUND, 0), rows[-1] + _AROUND + 1),
             slice(max(columns[0] - _AROUND, 0), columns[-1] + _AROUND + 1))
-    if world.entry[here].any():
+    if entry[here].any():
         return None
     labels = grid.connected((got & ~shut_out)[here])[0]
     rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])

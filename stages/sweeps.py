@@ -24,6 +24,7 @@ PUBLISHED_SHARE = 1 / 3
 """PhyScene opens whatever is articulated by this share of its depth, at the front."""
 
 Bounds = tuple[Array, Array]
+_LOW = np.indices((2, 2, 2)).reshape(3, -1).T == 0
 
 
 def articulated(objects: Sequence[Box]) -> Mask:
@@ -55,12 +56,11 @@ def _orbit(points: Array, joint: Joint) -> tuple[Array, Array, Array]:
 
 def _corners(bounds: Bounds) -> Array:
     """The eight corners of a box, (8, 3)."""
-    grid = np.array(np.meshgrid([0, 1], [0, 1], [0, 1], indexing="ij")).reshape(3, -1).T
-    return np.where(grid == 0, bounds[0], bounds[1])
+    return np.where(_LOW, bounds[0], bounds[1])
 
 
-def at(joint: Joint, point: Array, value: float) -> Array:
-    """Where a point (3,) of the shut part is at a joint position, object's frame."""
+def at(joint: Joint, point: Array, value: NDArray[np.float64] | float) -> Array:
+    """Where a point (3,) of the shut part is at a joint position (or some, (k, 1)), object's frame."""
     if joint.type == "slide":
         return np.asarray(point + value * np.asarray(joint.axis, float) / np.linalg.norm(joint.axis))
     return _turned(point, joint, value)
@@ -82,7 +82,8 @@ def _moved(
     if type == "slide":
         points = points + value * np.asarray(axis, float) / np.linalg.norm(axis)
     else:
-        joint = Joint(name="", type=type, axis=axis, origin=origin, range=(value, value), part="", extent=extent)
+        joint = Joint.model_construct(
+            name="", type=type, axis=axis, origin=origin, range=(value, value), part="", extent=extent)
         points = _turned(points, joint, value)
     (x0, y0, z0), (x1, y1, z1) = points.min(0).tolist(), points.max(0).tolist()
     return (x0, y0, z0), (x1, y1, z1)
@@ -100,7 +101,7 @@ def _swept(
     extent: tuple[Vector, Vector] | None,
 ) -> tuple[Vector, Vector]:
     """The same by value, because the same assets are asked for again and again."""
-    joint = Joint(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
+    joint = Joint.model_construct(name="", type=type, axis=axis, origin=origin, range=range, part="", extent=extent)
     ends = [moved(joint, value) for value in joint.range]
     lo, hi = np.minimum(ends[0][0], ends[1][0]), np.maximum(ends[0][1], ends[1][1])
     if joint.type == "hinge":

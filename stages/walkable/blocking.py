@@ -30,14 +30,10 @@ class View:
         """Whether the robot gets to the target when some objects of the scene are changed or, with None, away."""
         old = [self.scene[name] for name in changes if name in self.scene]
         new = [o for o in changes.values() if o is not None and o.room in self.rooms]
-        count = self.count.copy()
-        for objects, by in ((old, -1), (new, 1)):
-            for o in filter(reach.in_the_way, objects):
-                grid.change(count, boxes.of([o]), self.space.grid, self.space.radius, by)
+        count = reach.recounted(self.space, self.count, old, new)
         it = changes.get(self.target, self.scene.get(self.target))
         cells = np.asarray(self.space.open & (count == 0))
         return not reach.survey(self.space, [it] if it else [], self.reach, cells, only=(self.target,)).missed
-
 
     @property
     def key(self) -> Hashable:

@@ -71,8 +71,14 @@ def moved(o: Furnishing, by: Sequence[float]) -> Furnishing:
 
 def carried(o: Furnishing, scene: Scene) -> list[Furnishing]:
     """What stands on top of an object."""
-    tops = [p for p in scene if p.room == o.room and p.id != o.id and _is_top(p)]
+    tops = [p for p in scene if p.room == o.room and p.id != o.id and _is_top(p) and _may_be_on(p, o)]
     return [p for p in tops if _below(p, scene) == o.id]
+
+
+def _may_be_on(p: Furnishing, o: Furnishing) -> bool:
+    """Whether a thing's centre is over the circle about an object, which rules most others out."""
+    x, y = p.center[0] - o.center[0], p.center[1] - o.center[1]
+    return x * x + y * y <= (o.size[0] ** 2 + o.size[1] ** 2) / 4 + LEVEL
 
 
 def _is_top(o: Furnishing) -> bool:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stages import boxes, grid, reach
+from stages import grid, reach
 from stages.boxes import Mask
 from stages.walkable.site import Changes, Scene, Site, swapped
 
@@ -33,12 +33,10 @@ def after(site: Site, before: Ways, changes: Changes) -> Ways:
     that another way round to a distant one is lost would go unseen.
     """
     world = site.world
-    scene, count = swapped(before.scene, changes), before.count.copy()
+    scene = swapped(before.scene, changes)
     old = [o for o in before.scene if o.id in changes]
     new = [o for o in changes.values() if o is not None]
-    for objects, by in ((old, -1), (new, 1)):
-        for o in filter(reach.in_the_way, objects):
-            grid.change(count, boxes.of([o]), world.grid, world.radius, by)
+    count = reach.recounted(world, before.count, old, new)
     cells = np.asarray(world.open & (count == 0))
     ways = reach.survey(world, [], site.config.reach, cells)
     names = [room.id for room in world.plan.rooms]
