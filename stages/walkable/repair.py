@@ -33,7 +33,10 @@ def connect(site: Site, scene: Scene) -> tuple[Ways, list[Step]]:
     What a room does not do without is left out only when nothing else is left to try.
     """
     steps: list[Step] = []
-    now, shut, failed = ways(site, scene), set(missed(site, ())), set[Hashable]()
+    now, failed = ways(site, scene), set[Hashable]()
+    if not now.missed:
+        return now, steps
+    shut = set(missed(site, ()))
     while True:
         for essential in (False, True):
             now, taken = _tried(site, now, shut, essential, failed)
