@@ -51,10 +51,11 @@ def _homes(source: str, seed: int, rooms: int | None, times: int | None) -> "Ite
 def _layout(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
     """Train the layout model on a corpus; an interrupted run goes on from its checkpoint."""
     from stages.layout import weights
+    from stages.layout.calibration import GAINS
     from stages.layout.train import train
 
     settings, place = configured(TrainConfig, given, tables(config).get("train-layout")), out or weights.SHIPPED
-    with watched("layout", settings.steps) as report:
+    with watched("layout", settings.steps + (len(GAINS) if settings.calibrate else 0)) as report:
         train(settings, place, resume=not fresh, report=report)
     say(f"wrote {place}")
 

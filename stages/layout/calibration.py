@@ -7,6 +7,7 @@ default, their classes counted, and the log ratio of wanted to found is added, r
 
 import logging
 import os
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -31,17 +32,21 @@ MOST = 1.2
 Counts = NDArray[np.float64]
 
 
-def calibrate(network: Denoiser, corpus: Corpus, rooms: int, seed: int) -> list[float]:
+def calibrate(
+    network: Denoiser, corpus: Corpus, rooms: int, seed: int, report: Callable[[int], None] | None = None
+) -> list[float]:
     """Set `network.bias` from so many rooms of the corpus a round; returns the rounds' KL divergences of classes."""
     rng, found = np.random.default_rng([seed, len(GAINS)]), []
     network.bias.zero_()
-    for gain in GAINS:
+    for done, gain in enumerate(GAINS, 1):
         index = rng.choice(np.flatnonzero(corpus.count > 0), size=rooms, replace=rooms > (corpus.count > 0).sum())
         chosen = replace(corpus.rooms[index], count=corpus.count[index])
         wanted = counts(chosen.type, corpus.category[index])
         made = furnished(network, chosen, rng.spawn(rooms))
         network.bias[:, :-1] += network.bias.new_tensor(gain * step(wanted, made))
         found.append(divergence(wanted.sum(0), made.sum(0)))
+        if report:
+            report(done)
         log.info("calibration: KL divergence of classes %.4f", found[-1])
     return found
 

@@ -58,7 +58,10 @@ def indices(
 
 
 def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | None = None) -> dict[str, Any]:
-    """Train and write `out`; a checkpoint beside it lets an interrupted run go on. Returns the training record."""
+    """Train and write `out`; a checkpoint beside it lets an interrupted run go on. Returns the training record.
+
+    `report` is told of every step, then of every round of the calibration as further steps, with the mean loss.
+    """
     torch.set_num_threads(config.threads)
     torch.manual_seed(config.seed)
     corpus, shapes = read_corpus(Path(config.corpus)), shape_latents()
@@ -99,7 +102,8 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
             weights.save(average, out, config, record | facts)
             log.info("step %d of %d: loss %.4f", step + 1, config.steps, mean)
     if config.calibrate:
-        calibrate(average.eval(), corpus, config.calibrate, config.seed)
+        told = (lambda done: report(config.steps + done, mean or 0.0)) if report else None
+        calibrate(average.eval(), corpus, config.calibrate, config.seed, told)
         weights.save(average, out, config, record | facts)
     return record
 
