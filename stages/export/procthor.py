@@ -5,7 +5,8 @@ degrees. Its walls are sheets: rooms grow by half an inner wall, so that neighbo
 
 THOR loads none but its own assets. Where the Python package `procthor` is installed, which lists them, each object is
 the one of its type that is nearest in size, and what has no like is left out; elsewhere objects are named by their
-apartgen asset, with its box.
+apartgen asset, with its box. What THOR has no field for, each part says under `apartgen`: ids, types of room,
+categories, hinges, the thickness of walls; `stages/layout/datasets/procthor.py` reads it again.
 """
 
 import json
@@ -63,7 +64,7 @@ def _house(scene: Scene) -> Part:
         },
         "metadata": {
             "schema": "1.0.0", "agent": _agent(home), "assets": "AI2-THOR" if known else "apartgen",
-            "credits": scene.credits,
+            "credits": scene.credits, "apartgen": {"walls": home.walls.model_dump()},
         },
     }  # fmt: skip
 
@@ -108,7 +109,8 @@ def _name(owner: str, stretch: Stretch) -> str:
 
 def _room(room: Room, home: Plan) -> Part:
     return {
-        "id": f"room|{room.id}", "roomType": ROOMS.get(room.type, "LivingRoom"), "apartgenType": room.type,
+        "id": f"room|{room.id}", "roomType": ROOMS.get(room.type, "LivingRoom"),
+        "apartgen": {"id": room.id, "type": room.type},
         "floorPolygon": [_xyz(x, y) for x, y in _outline(room, home)], "floorMaterial": {"name": "WoodFloorsCross"},
         "children": [], "ceilings": [], "layer": "Procedural0",
     }  # fmt: skip
@@ -142,6 +144,7 @@ def _opening(opening: Opening, stretches: dict[str, list[Stretch]]) -> Part:
     middle, owner = Point(*(a + b) / 2), opening.rooms[0]
     stretch = min(stretches[owner], key=lambda s: LineString(s).distance(middle))
     at, half = LineString(stretch).project(middle), float(np.hypot(*(b - a))) / 2
+    runs_alike = float((b - a) @ np.subtract(stretch[1], stretch[0])) > 0
     beyond = opening.rooms[1] if len(opening.rooms) > 1 else OUTSIDE
     kind = "window" if opening.kind == "window" else "door"
     part: Part = {
@@ -149,6 +152,10 @@ def _opening(opening: Opening, stretches: dict[str, list[Stretch]]) -> Part:
         "wall0": _name(owner, stretch), "wall1": _name(beyond, stretch), "assetId": _asset(opening),
         "holePolygon": [_xyz(at - half, 0, opening.sill), _xyz(at + half, 0, opening.head)],
         "assetPosition": _xyz(at, 0, (opening.sill + opening.head) / 2),
+        "apartgen": {  # the hinge is at the hole's first or second corner
+            "id": opening.id, "kind": opening.kind, "into": opening.into,
+            "hinge": opening.hinge if runs_alike else 1 - opening.hinge,
+        },
     }  # fmt: skip
     return part | ({} if kind == "window" else {"openable": opening.into is not None, "openness": 0})
 
@@ -182,6 +189,7 @@ def _object(o: Box, asset: str, kind: str, middle: Triple, size: Triple) -> Part
         "id": o.id, "assetId": asset, "objectType": kind, "room": f"room|{o.room}", "position": _xyz(*middle),
         "rotation": {"x": 0, "y": _heading(o.yaw), "z": 0}, "boundingBox": _xyz(width, depth, height),
         "kinematic": o.category not in LOOSE, "children": [], "layer": "Procedural0",
+        "apartgen": {"id": o.id, "category": o.category},
     }  # fmt: skip
 
 
