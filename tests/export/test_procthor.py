@@ -6,9 +6,12 @@ import logging
 import numpy as np
 import pytest
 from export import sample
+from export.conftest import EXAMPLE
 from shapely.geometry import LineString, Point, Polygon
 
+from schemas import artifact
 from schemas.errors import BadInput
+from schemas.walkable import Walkable
 from stages import categories, export, polygons
 from stages.export import _thor
 from stages.layout.datasets import procthor
@@ -185,13 +188,24 @@ def _alike_rooms(home, again):
         assert (two.into and (two.into, two.segment[two.hinge])) == _pivot(one)
 
 
-def test_a_house_of_our_own_assets_is_read_again_whole(exported):
-    home, again = sample.home(), _read(exported("procthor"))
-    _alike_rooms(home, again)
+def _alike_furniture(home, again):
     for one, two in zip(home.objects, again.objects, strict=True):
         assert (two.id, two.room, two.category) == (one.id, one.room, one.category)
         assert two.center == pytest.approx(one.center, abs=CLOSE) and two.size == pytest.approx(one.size, abs=CLOSE)
         assert _turned(one.yaw, two.yaw) < 1
+
+
+def test_a_house_of_our_own_assets_is_read_again_whole(exported):
+    home, again = sample.home(), _read(exported("procthor"))
+    _alike_rooms(home, again)
+    _alike_furniture(home, again)
+
+
+def test_a_planned_flat_is_read_again_whole(make, library):
+    made = make(artifact.read(EXAMPLE, Walkable).body, library, ["procthor"])
+    home, again = made.scene.home, _read(made.folder)
+    _alike_rooms(home, again)
+    _alike_furniture(home, again)
 
 
 def test_a_house_of_thors_assets_is_read_again_as_it_stands_and_the_rest_is_named(known, caplog):
