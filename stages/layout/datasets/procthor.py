@@ -60,6 +60,8 @@ def homes(root: Path | None, sizes: Path | None = None) -> Iterator[Layout]:
         if path.name == DATABASE:
             continue
         for number, row in enumerate(_json.rows(path), 1):
+            if isinstance(row, dict) and row.get("apartgen") == "export":
+                continue  # the record that an export leaves beside its house
             try:
                 known = {} if all("apartgen" in o for o in _flat(row["objects"])) else _sizes(sizes, found)
                 yield layout(row, known, left_out)

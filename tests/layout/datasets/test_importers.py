@@ -144,6 +144,11 @@ def test_a_house_without_sizes_says_what_is_missing(tmp_path: Path) -> None:
         list(procthor.homes(tmp_path))
 
 
+def test_an_exports_record_beside_a_house_is_no_house(tmp_path: Path) -> None:
+    (procthor_files(tmp_path) / "export.json").write_text('{"apartgen": "export", "version": 1, "body": {"files": []}}')
+    assert len(list(procthor.homes(tmp_path))) == 1
+
+
 def mesh(uid: str, kind: str, points: list[list[float]], faces: list[int]) -> dict[str, Any]:
     xyz = [v for p in points for v in p]
     return {"uid": uid, "type": kind, "xyz": xyz, "faces": faces, "normal": [], "instanceid": uid}
