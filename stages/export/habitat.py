@@ -3,6 +3,8 @@
 Habitat's world is y up: (x, y, z) here is (x, z, -y) there. Objects' files are y up; URDF files stay z up and their
 placing turns them. A rigid object's colliders are a GLB of their own, one node each, of which Habitat makes one convex
 shape each; of the visual's nodes it would make a single hull, with no room under a table.
+
+Every template has its category's `semantic_id`, which a semantic sensor shows; the lexicon names them.
 """
 
 import json
@@ -14,6 +16,7 @@ import numpy as np
 
 from stages.asset import Link, Material, Mesh
 from stages.body import Body, Light, inertia
+from stages.categories import CATEGORIES
 from stages.export._gltf import packed
 from stages.export._hull import hull
 from stages.export._obj import Files
@@ -23,9 +26,12 @@ from stages.scene import Scene, identifier, untaken
 
 FOLDER = "habitat"
 NAME = "apartment"
+LEXICON = f"semantics/{NAME}.semantic_lexicon.json"
 UPRIGHT = 0.5**0.5
 MARGIN = 0.001
 """Shell that Bullet puts about a shape, m; by Habitat's own, things would hover 4 cm above the floor."""
+SEMANTIC_IDS = {name: k for k, name in enumerate(("unknown", *CATEGORIES, "door", "entrance"))}
+"""By category; 0 is the stage and whatever has no name here."""
 Config = dict[str, Any]
 
 
@@ -39,6 +45,7 @@ def write(scene: Scene, out: Path) -> list[Path]:
         if body.kind in ("object", "door"):
             writer.place(body)
     writer.lights(scene.lights)
+    writer.lexicon()
     writer.instance()
     writer.dataset()
     return [*writer.written, *writer.files.written]
@@ -51,7 +58,7 @@ class _Writer:
         self.folder, self.credits = folder, credits
         self.written: list[Path] = []
         self.files = Files(folder / "urdf" / "meshes")
-        self.models: dict[str, str] = {}
+        self.models: dict[tuple[str, str], str] = {}
         self.objects: list[Config] = []
         self.articulated: list[Config] = []
 
@@ -67,9 +74,9 @@ class _Writer:
     def place(self, body: Body) -> None:
         """An object; its model's files are written once."""
         moves = len(body.links) > 1
-        key = body.model or body.name
+        key = body.model or body.name, body.category
         if key not in self.models:
-            self.models[key] = untaken(identifier(key), self.models.values())
+            self.models[key] = untaken(identifier(key[0]), self.models.values())
             (self._urdf if moves else self._object)(body, self.models[key])
         into = self.articulated if moves else self.objects
         entry = {
@@ -91,7 +98,7 @@ class _Writer:
         self._json(f"objects/{name}.object_config.json", {
             "render_asset": f"{name}.glb", "collision_asset": felt, "join_collision_meshes": False, "margin": MARGIN,
             "requires_lighting": True, "is_collidable": bool(link.colliders), "friction_coefficient": link.friction,
-            "mass": mass, "COM": _y_up(center), "inertia": [x, z, y],
+            "mass": mass, "COM": _y_up(center), "inertia": [x, z, y], "semantic_id": _semantic_id(body),
             "user_defined": {"category": body.category, "asset": body.model},
         })  # fmt: skip
 
@@ -99,6 +106,9 @@ class _Writer:
         robot = ElementTree.Element("robot", name=name)
         body_links(robot, body, self.files, "meshes")
         self.written.append(save(robot, self.folder / "urdf" / f"{name}.urdf"))
+        # Found by the URDF's name, which Habitat 0.3 asks to be named here, too.
+        config = {"urdf_filepath": f"{name}.urdf", "semantic_id": _semantic_id(body)}
+        self._json(f"urdf/{name}.ao_config.json", config)
 
     def lights(self, lights: list[Light]) -> None:
         """Lamps, as Habitat's lighting layout."""
@@ -111,10 +121,15 @@ class _Writer:
         }  # fmt: skip
         self._json(f"lighting/{NAME}.lighting_config.json", {"lights": found})
 
+    def lexicon(self) -> None:
+        """What each semantic id means."""
+        classes = [{"id": k, "name": name} for name, k in SEMANTIC_IDS.items()]
+        self._json(LEXICON, {"classes": classes})
+
     def instance(self) -> None:
         """What stands where."""
         self._json(f"scenes/{NAME}.scene_instance.json", {
-            "stage_instance": {"template_name": NAME}, "default_lighting": NAME,
+            "stage_instance": {"template_name": NAME}, "default_lighting": NAME, "semantic_scene_instance": NAME,
             "object_instances": self.objects, "articulated_object_instances": self.articulated,
         })  # fmt: skip
 
@@ -124,6 +139,7 @@ class _Writer:
             "stages": {"paths": {".json": ["stages"]}}, "objects": {"paths": {".json": ["objects"]}},
             "articulated_objects": {"paths": {".urdf": ["urdf"]}}, "scene_instances": {"paths": {".json": ["scenes"]}},
             "light_setups": {"paths": {".json": ["lighting"]}},
+            "semantic_scene_descriptor_instances": {NAME: LEXICON},
         })  # fmt: skip
 
     def _json(self, name: str, content: Config) -> None:
@@ -147,6 +163,10 @@ def _solids(link: Link) -> list[Body]:
 
 def _facts(body: Body) -> Config:
     return {"name": body.name, "id": body.id, "category": body.category, "room": body.room, "asset": body.model}
+
+
+def _semantic_id(body: Body) -> int:
+    return SEMANTIC_IDS.get(body.category, 0)
 
 
 def _y_up(point: Any) -> list[float]:

@@ -8,6 +8,7 @@ import trimesh
 from export import sample
 from scipy.spatial.transform import Rotation
 
+from stages import categories, export
 from stages.export._hull import hull
 from stages.scene import Scene
 
@@ -27,15 +28,48 @@ def _read(folder, name):
 def test_the_dataset_names_folders_and_templates_that_are_there(made):
     folder, _ = made
     dataset = _read(folder, "apartment.scene_dataset_config.json")
+    lexicons = dataset.pop("semantic_scene_descriptor_instances")
     for entry in dataset.values():
         for suffix, paths in entry["paths"].items():
             assert all(any(p.name.endswith(suffix) for p in (folder / path).iterdir()) for path in paths)
     scene = _read(folder, "scenes/apartment.scene_instance.json")
+    assert (folder / lexicons[scene["semantic_scene_instance"]]).exists()
     assert (folder / f"stages/{scene['stage_instance']['template_name']}.stage_config.json").exists()
     for o in scene["object_instances"]:
         config = _read(folder, f"objects/{o['template_name']}.object_config.json")
         assert (folder / "objects" / config["render_asset"]).exists()
     assert all((folder / f"urdf/{o['template_name']}.urdf").exists() for o in scene["articulated_object_instances"])
+
+
+@pytest.mark.parametrize("name", ["sample", "flat"])
+def test_every_template_has_the_semantic_id_of_its_category(request, name):
+    folder = request.getfixturevalue(name).folder / "habitat"
+    classes = _read(folder, "semantics/apartment.semantic_lexicon.json")["classes"]
+    assert [row["id"] for row in classes] == list(range(len(classes))) and classes[0]["name"] == "unknown"
+    assert [row["name"] for row in classes[1:]] == [*categories.TABLE, "door", "entrance"]
+    instance = _read(folder, "scenes/apartment.scene_instance.json")
+    seen = set()
+    for kind, placed in (("objects", "object"), ("urdf", "articulated_object")):
+        for entry in instance[f"{placed}_instances"]:
+            suffix = "object_config" if kind == "objects" else "ao_config"
+            config = _read(folder, f"{kind}/{entry['template_name']}.{suffix}.json")
+            assert classes[config["semantic_id"]]["name"] == entry["user_defined"]["category"] != "unknown"
+            assert kind == "objects" or (folder / kind / config["urdf_filepath"]).exists()
+            seen.add(config["semantic_id"])
+    assert len(seen) > 10
+
+
+def test_an_asset_that_serves_two_categories_is_two_templates(tmp_path):
+    home = sample.home()
+    box = next(o for o in home.objects if o.category == "coffee_table")
+    twin = box.model_copy(update={"id": "side_table_99", "category": "side_table", "center": (1.0, 3.5, 0.2)})
+    home.objects.append(twin)
+    export.run(home, ["habitat"], tmp_path / "scene", sample.load)
+    instance = _read(tmp_path / "scene" / "habitat", "scenes/apartment.scene_instance.json")
+    names = {o["user_defined"]["category"]: o["template_name"] for o in instance["object_instances"]}
+    assert names["coffee_table"] != names["side_table"]
+    config = _read(tmp_path / "scene" / "habitat", f"objects/{names['side_table']}.object_config.json")
+    assert config["user_defined"]["category"] == "side_table"
 
 
 def _matrix(entry):
