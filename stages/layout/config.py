@@ -17,9 +17,9 @@ T = 1000
 class ModelConfig(Record):
     """Shape of the denoising network."""
 
-    width: int = 192
+    width: int = 160
     layers: int = 6
-    heads: int = 6
+    heads: int = 5
     mlp_ratio: int = 3
     encoder_layers: int = 2
     class_scale: float = Field(1.5, description="one-hot height; larger means classes settle earlier than places")
@@ -31,7 +31,7 @@ class TrainConfig(Record):
 
     corpus: str = "corpus.npz"
     start: str | None = Field(None, description="weights to start from; parts they lack start afresh")
-    steps: int = Field(20_000, ge=1)
+    steps: int = Field(8_000, ge=1)
     batch: int = Field(128, ge=1)
     lr: float = Field(6e-4, gt=0)
     warmup: int = 500
