@@ -6,7 +6,6 @@ default, their classes counted, and the log ratio of wanted to found is added, r
 """
 
 import logging
-import os
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -33,7 +32,12 @@ Counts = NDArray[np.float64]
 
 
 def calibrate(
-    network: Denoiser, corpus: Corpus, rooms: int, seed: int, report: Callable[[int], None] | None = None
+    network: Denoiser,
+    corpus: Corpus,
+    rooms: int,
+    seed: int,
+    report: Callable[[int], None] | None = None,
+    threads: int = 1,
 ) -> list[float]:
     """Set `network.bias` from so many rooms of the corpus a round; returns the rounds' KL divergences of classes."""
     rng, found = np.random.default_rng([seed, len(GAINS)]), []
@@ -42,7 +46,7 @@ def calibrate(
         index = rng.choice(np.flatnonzero(corpus.count > 0), size=rooms, replace=rooms > (corpus.count > 0).sum())
         chosen = replace(corpus.rooms[index], count=corpus.count[index])
         wanted = counts(chosen.type, corpus.category[index])
-        made = furnished(network, chosen, rng.spawn(rooms))
+        made = furnished(network, chosen, rng.spawn(rooms), threads)
         network.bias[:, :-1] += network.bias.new_tensor(gain * step(wanted, made))
         found.append(divergence(wanted.sum(0), made.sum(0)))
         if report:
@@ -51,10 +55,10 @@ def calibrate(
     return found
 
 
-def furnished(network: Denoiser, rooms: Rooms, lanes: list[np.random.Generator]) -> Counts:
-    """Counts (types, C) of the classes in rooms furnished as by default."""
+def furnished(network: Denoiser, rooms: Rooms, lanes: list[np.random.Generator], threads: int = 1) -> Counts:
+    """Counts (types, C) of the classes in rooms furnished as by default; the same on any number of cores."""
     out = np.zeros((len(ROOM_TYPES), len(CATEGORIES)))
-    with spreading(os.cpu_count() or 1) as spread:
+    with spreading(threads) as spread:
         made = placed(network, rooms, LayoutConfig(), lanes, lambda _, *row: furnish.task(*row), spread)
         for i, settled, _ in made:
             np.add.at(out[rooms.type[i]], [CATEGORIES.index(item.category) for item in settled.items], 1)

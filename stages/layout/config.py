@@ -32,21 +32,22 @@ class TrainConfig(Record):
     corpus: str = "corpus.npz"
     start: str | None = Field(None, description="weights to start from; parts they lack start afresh")
     steps: int = Field(8_000, ge=1)
-    batch: int = Field(128, ge=1)
-    lr: float = Field(6e-4, gt=0)
-    warmup: int = 500
-    ema: float = 0.999
-    seed: int = 0
+    batch: int = Field(128, ge=1, description="rooms of a step, about: fewer where they are full")
+    lr: float = Field(6e-4, gt=0, description="highest learning rate")
+    warmup: int = Field(500, ge=0, description="steps until it is reached")
+    ema: float = Field(0.999, ge=0, lt=1, description="decay of the average of weights, which is what is kept")
+    seed: int = Field(0, ge=0, description="fixes everything drawn")
     slots_share: float = Field(0.2, ge=0, le=1, description="share of batches with all slots, empty ones included")
-    drop_count: float = 0.1
-    drop_wanted: float = 0.5
+    drop_count: float = Field(0.1, ge=0, le=1, description="share of rooms that do not tell their number of objects")
+    drop_wanted: float = Field(0.5, ge=0, le=1, description="share of rooms that do not tell what is wanted in them")
     anticipate: float = Field(0.0, ge=0, description="λ of Eq. 1; 0 is plain denoising")
     calibrate: int = Field(
         1000, ge=0, description="rooms of each round that fits a bias, so that classes come as often as in the corpus"
     )
-    threads: int = 1
-    bf16: bool = True
-    save_every: int = 500
+    device: Literal["auto", "cpu", "cuda"] = Field("auto", description="auto is a GPU where torch finds one")
+    threads: int = Field(0, ge=0, description="cores; 0 is one for the network, all for the class bias")
+    bf16: bool = Field(True, description="network in bfloat16, sums and weights in float32")
+    save_every: int = Field(500, ge=1, description="steps between checkpoints")
     model: ModelConfig = Field(default_factory=ModelConfig)
 
 

@@ -42,7 +42,7 @@ def read_corpus(path: Path) -> Corpus:
         with np.load(path, allow_pickle=False) as file:
             data = {name: file[name] for name in FIELDS}
     except (OSError, ValueError, KeyError) as error:
-        raise BadInput(f"{path}: not a layout corpus ({error}); make one with `apartgen corpus`") from error
+        raise BadInput(f"{path}: not a layout corpus ({error}); make one with `apartgen train corpus`") from error
     n = len(data["category"])
     floats = {
         name: data[name].astype(np.float32) for name in ("polygon", "openings", "height", "center", "size", "yaw")

@@ -13,7 +13,7 @@ from torch import Tensor
 from stages.layout.config import ModelConfig, T
 from stages.layout.features import CLASS, HEADING, PLACE, SHAPE, SIZE
 from stages.layout.network import Context, Denoiser
-from stages.layout.schedule import ALPHA_BAR
+from stages.layout.schedule import alpha_bar
 
 GROUPS = ((PLACE, 2.0), (SIZE, 0.5), (HEADING, 1.0), (SHAPE, 0.2))
 """Weight of each group of continuous channels in the loss; classes have cross-entropy beside."""
@@ -34,7 +34,7 @@ Denoise = Callable[[Tensor, Tensor], Prediction]
 
 def coefficients(t: Tensor) -> tuple[Tensor, Tensor]:
     """√ᾱ_t and √(1-ᾱ_t), shaped (B, 1, 1)."""
-    bar = ALPHA_BAR[t][:, None, None]
+    bar = alpha_bar(t)[:, None, None]
     return bar.sqrt(), (1 - bar).sqrt()
 
 

@@ -92,4 +92,4 @@ def place(x: Tensor) -> Tensor:
 
 def size(x: Tensor) -> Tensor:
     """Box sizes in metres (..., 3), kept between 1 mm and 5 m."""
-    return (x[..., SIZE] * SIZE_SPREAD + SIZE_MEAN).clamp(-6.9, 1.6).exp()
+    return (x[..., SIZE] * SIZE_SPREAD.to(x.device) + SIZE_MEAN.to(x.device)).clamp(-6.9, 1.6).exp()

@@ -168,10 +168,11 @@ def anticipation(rooms: Rooms, config: TrainConfig) -> Callable[[Prediction, Ten
     terms, room = energies({"articulation": 1.0, "inside": 1.0, "openings": 1.0}), floor_of(rooms)
 
     def shift(made: Prediction, t: Tensor) -> Tensor:
-        g = -gradient(terms, made.x0, made.logits.detach(), room, config.model)
+        device, t = t.device, t.cpu()  # where the floor is, and the compiled kernels of energies run
+        g = -gradient(terms, made.x0.cpu(), made.logits.detach().cpu(), room, config.model)
         beta = 1 - ALPHA_BAR[t] / ALPHA_BAR[t - 1]
         variance = (1 - ALPHA_BAR[t - 1]) / (1 - ALPHA_BAR[t]) * beta
-        return config.anticipate * variance[:, None, None] * g
+        return (config.anticipate * variance[:, None, None] * g).to(device)
 
     return shift
 

@@ -14,7 +14,7 @@ from stages.layout.config import N_MAX, ModelConfig, T
 from stages.layout.features import DIM, HEADING, METRE
 from stages.layout.frames import OBJECT_PAIR, WALL_PAIR, FrameHead, object_pairs, wall_pairs, with_extent
 from stages.layout.rooms import UNKNOWN, Rooms, edges
-from stages.layout.schedule import ALPHA_BAR
+from stages.layout.schedule import alpha_bar
 
 FRAME = 6
 
@@ -95,10 +95,11 @@ class RoomEncoder(nn.Module):
     def forward(self, rooms: Rooms, all_slots: bool) -> Context:
         """Encode; `all_slots` tells that empty slots are among the objects."""
         frames, mask = wall_frames(rooms)
+        holes = int((frames[0, :, 5] == 0).sum())
+        frames, mask = frames.to(self.device), mask.to(self.device)
         kind = torch.nn.functional.one_hot(frames[..., 6].long().clamp(0, 3), 4) * (1 - frames[..., 5:6])
         tokens = self.edge(torch.cat([frames[..., :6], frames[..., 4:5].log1p(), kind], -1))
-        holes = tokens.shape[1] - int(frames[0, :, 5].sum())
-        swings = torch.from_numpy(rooms.openings[:, :holes, 5:7]).float().nan_to_num(0.0)
+        swings = torch.from_numpy(rooms.openings[:, :holes, 5:7]).to(self.device).float().nan_to_num(0.0)
         tokens = torch.cat([tokens[:, :-holes], tokens[:, -holes:] + self.swing(swings)], 1)
         vector = self.vector(rooms, all_slots)
         tokens = self.layers(tokens + vector[:, None], src_key_padding_mask=~mask)
@@ -114,9 +115,16 @@ class RoomEncoder(nn.Module):
         extent = torch.from_numpy(np.nanmax(rooms.polygon, 1)).float()
         scalars = torch.stack([area.clamp_min(0.1).log() - 2.5, *(extent.log() - 0.6).unbind(-1)], -1)
         slots = self.slots.weight[int(all_slots)]
-        types = self.kind(torch.from_numpy(rooms.type))
-        total: Tensor = types + self.count(count) + self.wanted(asked) + self.scalars(scalars) + slots
+        kind, count, asked, scalars = (
+            value.to(self.device) for value in (torch.from_numpy(rooms.type), count, asked, scalars)
+        )
+        total: Tensor = self.kind(kind) + self.count(count) + self.wanted(asked) + self.scalars(scalars) + slots
         return total
+
+    @property
+    def device(self) -> torch.device:
+        """Where the parameters are."""
+        return self.scalars.weight.device
 
 
 class Block(nn.Module):
@@ -205,11 +213,11 @@ class Denoiser(nn.Module):
             h = block(h, seen[i], time, (to_objects[i], to_walls[i]))
         h = self.norm(h)
         out: Tensor = self.output(h).float()
-        present = torch.ones(b, n, dtype=torch.bool) if room.present is None else room.present
+        present = torch.ones(b, n, dtype=torch.bool, device=x.device) if room.present is None else room.present
         moved = self.by_walls(with_extent(walls, x), h, room.tokens, room.frames[..., 2:4], room.mask)
         moved = moved + self.by_objects(with_extent(objects, x), h, h, x[..., HEADING], present)
         # Where x_0 lies SHARP about a frame's target, the best guess goes σ²/(σ²+s²) of the way, which is σ v.
-        variance = (1 - ALPHA_BAR[(t * T).round().long()])[:, None, None]
+        variance = (1 - alpha_bar((t * T).round().long()))[:, None, None]
         moved = moved * variance.sqrt() / (variance + SHARP**2)
         plane, heading = moved.split(2, -1)
         return out + torch.cat([plane, zeros(out, 4), heading, zeros(out, DIM - 8)], -1)

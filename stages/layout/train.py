@@ -4,6 +4,8 @@ import copy
 import hashlib
 import logging
 import math
+import os
+import pickle
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -13,16 +15,20 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from schemas.errors import BadInput
 from stages.layout import diffusion, weights
 from stages.layout.calibration import calibrate
 from stages.layout.config import N_MAX, T, TrainConfig
 from stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
-from stages.layout.features import encode
+from stages.layout.features import Objects, encode
 from stages.layout.network import Denoiser
+from stages.layout.rooms import Rooms
 from stages.layout.sample import count_table
 
 log = logging.getLogger("apartgen")
 Report = Callable[[int, float], None]
+FREE = {"steps", "calibrate", "device", "threads", "save_every"}
+"""Settings that may differ when an interrupted run goes on."""
 TOKEN_BINS = (9, 11, 14, 18)
 """Lower edges of the classes of rooms by sides and openings, which share batches."""
 
@@ -61,25 +67,28 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
     """Train and write `out`; a checkpoint beside it lets an interrupted run go on. Returns the training record.
 
     `report` is told of every step, then of every round of the calibration as further steps, with the mean loss.
+    BadInput where there is no such device, or where the checkpoint is of other settings.
     """
-    torch.set_num_threads(config.threads)
+    torch.set_num_threads(config.threads or 1)
     torch.manual_seed(config.seed)
+    device = device_of(config)
     corpus, shapes = read_corpus(Path(config.corpus)), shape_latents()
-    network = Denoiser(config.model)
+    network = Denoiser(config.model).to(device)
     if config.start:
         network.load_state_dict(weights.tensors(Path(config.start))[0], strict=False)
         network.bias.zero_()
     average = copy.deepcopy(network).requires_grad_(False)
     optimizer = torch.optim.AdamW(network.parameters(), config.lr, betas=(0.9, 0.99), weight_decay=0.01)
     saved = out.with_suffix(".checkpoint")
+    facts = {"corpus": digest(config.corpus), "rooms": len(corpus), "counts": count_table(corpus.rooms, corpus.count)}
+    settings = config.model_dump(exclude=FREE) | {"corpus": facts["corpus"]}
     record: dict[str, Any] = {"losses": [], "step": 0}
     if resume and saved.exists():
-        state = torch.load(saved, weights_only=True)
+        state = _checkpoint(saved, settings, device)
         network.load_state_dict(state["network"])
         average.load_state_dict(state["average"])
         optimizer.load_state_dict(state["optimizer"])
         record = state["record"]
-    facts = {"corpus": digest(config.corpus), "rooms": len(corpus), "counts": count_table(corpus.rooms, corpus.count)}
     mean = record["losses"][-1][1] if record["losses"] else None
     for step, (index, slots, rng) in enumerate(indices(corpus, config, record["step"]), record["step"]):
         value = train_step(network, optimizer, corpus, index, slots, rng, shapes, config, learning_rate(step, config))
@@ -96,6 +105,7 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
                 "average": average.state_dict(),
                 "optimizer": optimizer.state_dict(),
                 "record": record,
+                "settings": settings,
             }
             torch.save(state, saved.with_suffix(".part"))
             saved.with_suffix(".part").replace(saved)
@@ -103,9 +113,31 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
             log.info("step %d of %d: loss %.4f", step + 1, config.steps, mean)
     if config.calibrate:
         told = (lambda done: report(config.steps + done, mean or 0.0)) if report else None
-        calibrate(average.eval(), corpus, config.calibrate, config.seed, told)
+        cores = config.threads or os.cpu_count() or 1
+        calibrate(average.cpu().eval(), corpus, config.calibrate, config.seed, told, cores)
         weights.save(average, out, config, record | facts)
     return record
+
+
+def device_of(config: TrainConfig) -> torch.device:
+    """The device to train on; BadInput where torch has none of that kind."""
+    if config.device != "cpu" and torch.cuda.is_available():
+        return torch.device("cuda")
+    if config.device == "cuda":
+        raise BadInput("--device cuda: torch finds no GPU here; install its CUDA build, or leave --device away")
+    return torch.device("cpu")
+
+
+def _checkpoint(saved: Path, settings: dict[str, Any], device: torch.device) -> dict[str, Any]:
+    """The state to go on from; BadInput where it was left by other settings."""
+    try:
+        state: dict[str, Any] = torch.load(saved, map_location=device, weights_only=True)
+        other = [name for name, value in settings.items() if state["settings"][name] != value]
+    except (OSError, RuntimeError, KeyError, EOFError, pickle.UnpicklingError) as error:
+        raise BadInput(f"{saved}: no checkpoint to go on from ({error}); begin anew with --fresh") from error
+    if other:
+        raise BadInput(f"{saved}: left by a run with another {', '.join(other)}; begin anew with --fresh, or set --out")
+    return state
 
 
 def train_step(
@@ -121,24 +153,33 @@ def train_step(
 ) -> float:
     """One gradient step of Eq. 1; returns its loss."""
     objects, rooms = batch(corpus, index, slots, rng, shapes, config)
+    with torch.autocast(network.encoder.device.type, torch.bfloat16, enabled=config.bf16):
+        loss = step_loss(network, objects, rooms, rng, config)
+    for group in optimizer.param_groups:
+        group["lr"] = lr
+    optimizer.zero_grad(set_to_none=True)
+    loss.backward()  # type: ignore[no-untyped-call]
+    torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+    optimizer.step()
+    return loss.item()
+
+
+def step_loss(
+    network: Denoiser, objects: Objects, rooms: Rooms, rng: np.random.Generator, config: TrainConfig
+) -> Tensor:
+    """Eq. 1 of a batch at drawn t and noise, on the network's device; the same draws on any."""
     x0 = encode(objects, config.model)
     t = torch.from_numpy(rng.integers(1, T + 1, len(x0)))
     noise = torch.from_numpy(rng.standard_normal(x0.shape, np.float32))
-    for group in optimizer.param_groups:
-        group["lr"] = lr
     shift = None
     if config.anticipate > 0:
         from stages.layout.guided import anticipation
 
         shift = anticipation(rooms, config)
-    with torch.autocast("cpu", torch.bfloat16, enabled=config.bf16):
-        room = network.encoder(rooms, slots == N_MAX)
-        value: Tensor = diffusion.loss(network, x0, t, noise, room, shift)[0]
-    optimizer.zero_grad(set_to_none=True)
-    value.backward()  # type: ignore[no-untyped-call]
-    torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-    optimizer.step()
-    return value.item()
+    device = network.encoder.device
+    room = network.encoder(rooms, x0.shape[1] == N_MAX)
+    loss, _ = diffusion.loss(network, x0.to(device), t.to(device), noise.to(device), room, shift)
+    return loss
 
 
 def digest(path: str) -> str:
