@@ -16,6 +16,7 @@ from apartgen_cli.bench import (
     _runner,
     ablation,
 )
+from schemas.errors import BadInput
 from stages import registry
 
 EXPERIMENTS = list(registry.members("apartgen_cli.bench"))
@@ -125,6 +126,7 @@ import os, signal, sys
 from pathlib import Path
 from types import SimpleNamespace
 from apartgen_cli.bench import _runner
+from schemas.errors import BadInput
 from stages import registry
 left = [int(sys.argv[2])]
 def trial(setting, seed, scenes, work):
@@ -159,3 +161,30 @@ def test_wide_tables_are_cut_by_title(tmp_path: Path, monkeypatch: pytest.Monkey
     assert "| y | 1 [0, 2] |" in text
 
 
+
+
+@pytest.mark.parametrize("place", ["a-file", "a-file/below", "folder"])
+def test_results_that_cannot_be_written_are_refused(place, tmp_path, capsys, monkeypatch) -> None:  # type: ignore
+    (tmp_path / "a-file").write_text("mine")
+    (tmp_path / "folder" / "trials.jsonl").mkdir(parents=True)
+    done = commandline.run(capsys, monkeypatch, "bench", "embodied", "--n", 1, "-o", tmp_path / place)
+    assert done.code == 2 and str(tmp_path / place) in done.err and "another folder" in done.err
+    assert (tmp_path / "a-file").read_text() == "mine"
+
+
+def test_trials_that_are_none_of_an_experiment_are_left_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    log: list[Any] = []
+    monkeypatch.setattr(registry, "load", lambda package, name: fake(log))
+    foreign = '{"a": 1}\n[1]\n7\n{"job": 3, "records": [], "seconds": 1, "cpu": 1}\n{"job": ["a", 0, 4]}\n{"job": ["b'
+    (tmp_path / "trials.jsonl").write_text(foreign)
+    for trials in (6, 0):
+        log.clear()
+        list(_runner.run(fake(log), "fake", tmp_path, None, 0, 1))
+        assert len(log) == trials  # what was run after the line cut short is found again, too
+    assert (tmp_path / "trials.jsonl").read_text().startswith(foreign + "\n")
+
+
+def test_a_file_of_trials_that_is_no_text_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "trials.jsonl").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(BadInput, match="another folder"):
+        list(_runner.run(fake([]), "fake", tmp_path, None, 0, 1))

@@ -10,9 +10,11 @@ import pytest
 from apartgen_cli.bench import (
     _compared,
     _rooms,
+    _runner,
     _scenes,
     ablation,
     articulation,
+    embodied,
     quantity,
     synthesis,
     walkable,
@@ -161,3 +163,34 @@ def test_quantity_rows_have_intervals_and_a_figure() -> None:
     value, low, high = rows[0]["Q_ratio, exact"]
     assert value == 0.75 and low < 0.75 < high and "Q_ratio, guided" not in rows[0]
     quantity.draw(rows, Figure().subplots())
+
+
+def opened(setting: str, category: str, failures: list[str | None]) -> list[dict[str, Any]]:
+    return [{"setting": setting, "apartment": f"{setting}-{k % 2}", "episode": "interaction", "category": category,
+             "success": failure is None, "failure": failure, "cpu_seconds": 1.0, "numbers": {}}
+            for k, failure in enumerate(failures)]
+
+
+def test_interaction_is_shown_by_category_beside_the_settings() -> None:
+    from matplotlib.figure import Figure
+
+    drive = {"episode": "navigation", "category": "sofa", "success": True, "failure": None, "cpu_seconds": 1.0}
+    records = [{"setting": setting, "apartment": setting, **drive, "numbers": {"spl": 1.0}}
+               for setting in embodied.SETTINGS]
+    records += opened("no guidance", "oven", ["planner", "blocked part", "planner", None])
+    records += opened("guided", "oven", [None, None]) + opened("no guidance", "bin", ["controller", "planner"])
+    plain, guided, *kinds = rows = embodied.rows(records, np.random.default_rng(0))
+    assert plain["SR_interact"][0] == pytest.approx(1 / 6, abs=1e-5) and guided["SR_interact"] == [1, 1, 1]
+    assert [row["category"] for row in kinds] == ["bin", "oven"] and rows == embodied.rows(
+        records, np.random.default_rng(0))
+    bins, ovens = kinds
+    assert ovens["no guidance, episodes"] == 4 and ovens["no guidance, SR_interact"] == [0.25, 0, 0.5]
+    assert ovens["no guidance, most failures"] == "planner (2)" and "guided, most failures" not in ovens
+    assert bins["no guidance, most failures"] == "planner (1)" and "guided, episodes" not in bins
+    text = _runner._markdown(embodied, {"experiment": "embodied"}, rows)  # type: ignore[arg-type]
+    totals, by_kind = (text.partition(f"## {title}\n\n")[2].partition("\n\n")[0] for title in embodied.TABLES)
+    assert len(totals.splitlines()) == len(by_kind.splitlines()) == 4 and "oven" not in totals
+    assert "| bin | 2 | 0 [0, 0] | planner (1) |  |  |" in by_kind
+    axes = Figure().subplots()
+    embodied.draw(rows, axes)
+    assert len(axes.patches) == 4

@@ -11,7 +11,7 @@ from multiprocessing import get_context
 from pathlib import Path
 from time import perf_counter, process_time
 from types import ModuleType
-from typing import Any
+from typing import Any, TextIO
 
 import numpy as np
 
@@ -65,12 +65,11 @@ def run(
     files: Files | None = None,
 ) -> Iterator[Path]:
     """All trials not yet in `out`, then its results.json, table.md and figure.png, yielded as written."""
-    out.mkdir(parents=True, exist_ok=True)
     n, commit = scenes or experiment.SCENES, _commit()
     wanted = jobs(experiment, n, seed, files)
-    done = _finished(out / "trials.jsonl")
-    todo = [job for job in wanted if _key(job) not in done]
-    with (out / "trials.jsonl").open("a") as log, watched(name, len(wanted)) as report:
+    with _log(out) as log, watched(name, len(wanted)) as report:
+        done = _finished(out / "trials.jsonl")
+        todo = [job for job in wanted if _key(job) not in done]
         report(len(wanted) - len(todo))
         for count, (job, found) in enumerate(_worked(name, todo, out, processes, files), 1):
             row = {"job": job, **found, "commit": commit}
@@ -86,16 +85,37 @@ def _key(job: Job | list[Any]) -> str:
     return json.dumps(list(job))
 
 
+def _log(out: Path) -> TextIO:
+    """`out`/trials.jsonl to go on in, its last line ended where a kill cut it short; BadInput if it can't be had."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        log = (out / "trials.jsonl").open("a+")
+        log.seek(0)
+        if not ("\n" + log.read()).endswith("\n"):
+            log.write("\n")
+    except OSError as error:
+        raise BadInput(f"-o {out}: nothing can be written there ({error.strerror}); give another folder") from None
+    except UnicodeError:
+        raise BadInput(f"{out / 'trials.jsonl'}: no trials of an earlier run; give another folder with -o") from None
+    return log
+
+
 def _finished(path: Path) -> dict[str, Record]:
-    """Trials of an earlier run; a line cut short by a kill is done again."""
+    """Trials of an earlier run; what is no whole one, as a line cut short by a kill, is done again."""
     out: dict[str, Record] = {}
-    for line in path.read_text().splitlines() if path.exists() else []:
+    for line in path.read_text().splitlines():
         try:
             row = json.loads(line)
         except json.JSONDecodeError:
             continue
-        out[_key(row["job"])] = row
+        if _whole(row):
+            out[_key(row["job"])] = row
     return out
+
+
+def _whole(row: Any) -> bool:
+    return isinstance(row, dict) and {"seconds", "cpu"} <= row.keys() and all(
+        isinstance(row.get(key), list) for key in ("job", "records"))
 
 
 def _worked(

@@ -1,7 +1,9 @@
 """Table 6: a robot in physics drives to an object of every room and opens everything that opens."""
 
 import gc
+import json
 import os
+import sys
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,13 +11,19 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pydantic import ValidationError
 
+from apartgen_cli import __version__
 from apartgen_cli.bench import _scenes
+from apartgen_cli.streams import made_folder
 from schemas import artifact
+from schemas.artifact import Made
 from schemas.errors import BadInput
+from schemas.migrations import VERSION
 from schemas.retrieve import Retrieve
 
 if TYPE_CHECKING:
@@ -41,6 +49,18 @@ SETTINGS = list(METHOD)
 SCENES, CHUNK = 1000, 10
 FAILURES = ("blocked part", "no standing room", "planner", "controller")
 HOMES = "homes"
+BY_CATEGORY = "by category"
+TABLES = {
+    "Measured": [
+        "setting", "apartments", "SR_nav", "SPL", "touches", "nav CPU s an apartment",
+        *(f"nav, {kind}" for kind in FAILURES), "nav episodes", "SR_interact", "interact CPU s an apartment",
+        *(f"interact, {kind}" for kind in FAILURES), "interact episodes",
+    ],
+    "Interaction by category": [
+        "category",
+        *(f"{setting}, {what}" for setting in METHOD for what in ("episodes", "SR_interact", "most failures")),
+    ],
+}
 
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
@@ -48,10 +68,28 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
     found = []
     for i, home in enumerate(_apartments(setting, seed, scenes, work)):
         name = f"{setting.replace(' ', '-')}-{seed + i}"
-        artifact.write(home.model_dump_json(by_alias=True, exclude={"objects": {"__all__": {"latent"}}}),
-                       work / HOMES / f"{name}.json")
+        artifact.write(_kept(home, setting, seed + i), work / HOMES / f"{name}.json")
         found += _episodes(home, name)
     return found
+
+
+def _kept(home: Retrieve, setting: str, seed: int) -> str:
+    """The apartment as an artifact; numbers in full, so that a replay meets the very same apartment."""
+    made = Made(by=f"apartgen {__version__}", seed=seed, config={"experiment": "embodied", "setting": setting})
+    body = home.model_dump(mode="json", by_alias=True, exclude={"objects": {"__all__": {"latent"}}})
+    record = {"apartgen": artifact.kind_of(home), "version": VERSION, "made": made.model_dump(mode="json")}
+    return json.dumps(record | {"body": body}) + "\n"
+
+
+def _read(path: Path) -> Retrieve:
+    """An apartment of an earlier run; older runs kept the body alone."""
+    raw = artifact.json_value(artifact.contents(path), str(path))
+    if isinstance(raw, dict) and "apartgen" not in raw:
+        try:
+            return Retrieve.model_validate(raw)
+        except ValidationError as error:
+            raise BadInput(f"{path}: {artifact.first_fault(error)}; run the experiment again") from None
+    return artifact.read(path, Retrieve).body
 
 
 def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Retrieve]:
@@ -131,33 +169,66 @@ def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path
 def replay(out: Path, id: str) -> list[Path]:
     """Run one episode of an earlier run again and show it as a GIF and its end as a PNG, in `out`/replays.
 
-    BadInput for an episode that is not there, and for one in which nothing moves.
+    BadInput for an episode that is not there, and where MuJoCo can't draw.
     """
-    # Without a display, MuJoCo must be told before it is imported.
-    os.environ.setdefault("MUJOCO_GL", "egl")
-    from stages.embodied import base, interact
-    from stages.embodied import replay as shown
-
     name, kind, thing, *joint = id.split(":") if id.count(":") in (2, 3) else ("", "", "")
     path = out / HOMES / f"{name}.json"
-    if not path.exists():
-        raise BadInput(f"no apartment {name!r} in {out / HOMES}; --replay takes an id of {out / 'trials.jsonl'}")
-    home = Retrieve.model_validate_json(path.read_text())
+    if kind not in ("navigation", "interaction") or not path.exists() or not name.rpartition("-")[2].isdecimal():
+        raise BadInput(f"--replay {id}: no such episode in {out / HOMES}; give an id of {out / 'trials.jsonl'}")
+    home, shown = _read(path), _replays()
+    target = made_folder(str(out / "replays")) / f"{id.replace(':', '-')}.gif"
+    from stages.embodied import base, interact
+
     half, robot = (_navigation, base.mjcf()) if kind == "navigation" else (_interaction, interact.robot.mjcf())
     with _exported(home) as (scene, mjcf):
-        found = [o for o in half(_world(scene, mjcf, name), thing) if o.id == id]
+        apartment = _world(scene, mjcf, name)
+        found = [o for o in half(apartment, thing) if o.id == id]
         if not found:
-            raise BadInput(f"{name} has no episode {id!r}; ids are in {out / 'trials.jsonl'}")
-        target = out / "replays" / f"{id.replace(':', '-')}.gif"
-        pictures = shown.images(scene, mjcf, robot, found[0])
-        assert found[0].trace is not None
-        shown.save(pictures, target, found[0].trace)
-    return [target, target.with_suffix(".png")]
+            raise BadInput(f"--replay {id}: {name} has no such episode; ids are in {out / 'trials.jsonl'}")
+        files: list[Path] = shown.save(shown.images(apartment, robot, found[0]), target, found[0])
+        return files
+
+
+def _replays() -> ModuleType:
+    """The module that draws; BadInput where MuJoCo can't."""
+    if sys.platform == "linux":
+        # Without a display, MuJoCo must be told before it is imported.
+        os.environ.setdefault("MUJOCO_GL", "egl")
+    try:
+        from stages.embodied import replay as shown
+
+        shown.ready()
+    except (ImportError, AttributeError, OSError, RuntimeError) as error:  # each in its way
+        used = os.environ.get("MUJOCO_GL", "")
+        raise BadInput(f"MuJoCo can't draw with MUJOCO_GL={used} ({error}); set MUJOCO_GL=egl, which needs no display "
+                       "but a driver with EGL (Debian: libegl1)") from None
+    return shown
 
 
 def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[str, Any]]:
-    """A row a setting: success and SPL with 95 % intervals over apartments, and why the rest failed."""
-    return [_row(setting, [r for r in records if r["setting"] == setting], rng) for setting in SETTINGS]
+    """A row a setting: success and SPL with 95 % intervals over apartments, and why the rest failed.
+
+    Then a row a category that opens, with both settings' share of parts opened.
+    """
+    found = [_row(setting, [r for r in records if r["setting"] == setting], rng) for setting in SETTINGS]
+    opened = [r for r in records if r["episode"] == "interaction"]
+    kinds = sorted({r["category"] for r in opened})
+    return found + [_kind(kind, [r for r in opened if r["category"] == kind], rng) for kind in kinds]
+
+
+def _kind(category: str, mine: list[dict[str, Any]], rng: np.random.Generator) -> dict[str, Any]:
+    """Success of all episodes with a category, and what they failed by most often, by setting."""
+    row: dict[str, Any] = {"setting": BY_CATEGORY, "category": category}
+    for setting in SETTINGS:
+        those = [r for r in mine if r["setting"] == setting]
+        if not those:
+            continue
+        row[f"{setting}, episodes"] = len(those)
+        row[f"{setting}, SR_interact"] = _share(those, lambda r: float(r["success"]), rng)
+        if failed := Counter(r["failure"] for r in those if not r["success"]):
+            worst = max(FAILURES, key=lambda kind: failed[kind])
+            row[f"{setting}, most failures"] = f"{worst} ({failed[worst]})"
+    return row
 
 
 def _row(setting: str, mine: list[dict[str, Any]], rng: np.random.Generator) -> dict[str, Any]:
@@ -190,6 +261,7 @@ def _share(records: list[dict[str, Any]], value: Any, rng: np.random.Generator) 
 
 def draw(rows: list[dict[str, Any]], axes: Any) -> None:
     """Success of both settings beside the paper's."""
+    rows = [row for row in rows if row["setting"] in SETTINGS]
     names = [name for name in ("SR_nav", "SR_interact") if any(name in row for row in rows)]
     at = np.arange(len(names))
     for k, (row, paper) in enumerate(zip(rows, PAPER, strict=True)):

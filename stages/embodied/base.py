@@ -28,8 +28,6 @@ It slides without friction: in MuJoCo's friction cones sliding itself would push
 """
 SKIN = (2 * MASS / STIFFNESS) ** 0.5
 """The time constant that does so at an impedance of one half, s."""
-LIDAR = 0.2
-"""Height at which a lidar would see, m."""
 JOINTS = (f"{ROBOT}_free",)
 DRIVES = (f"{ROBOT}_left", f"{ROBOT}_right")
 
