@@ -17,32 +17,44 @@ from stages.embodied.world import World
 
 PATIENCE, SLOWEST = 30.0, 0.1
 """Time limit: so many seconds, and the way at so many metres a second."""
+WHY = {"planner": "no way from the entrance", "no standing room": "the robot fits nowhere in front of it"}
+"""Of a goal without a place."""
 
 
 def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> list[Outcome]:
     """An episode for every room of a world with the base in it; `only` one object's, and then with its trace."""
-    name, objects = apartment.name, apartment.home.objects
-    ground = floor.survey(apartment, base.RADIUS, base.HEIGHT)
-    began = goals.start(ground)
-    if began is None:
-        there = goals.goals(ground, objects, np.zeros(ground.grid.shape, bool), rng)
+    name = apartment.name
+    ways, yaw, there = asked(apartment, rng)
+    if ways is None:
         return [_failed(name, goal, "planner", "the entrance is blocked") for goal in there]
-    cell, yaw = began
-    ways = planner.roadmap(ground, cell)
-    there = [g for g in goals.goals(ground, objects, ways.reached, rng) if only in (None, g.object)]
+    there = [g for g in there if only in (None, g.object)]
     alone = world.build(apartment.scene, apartment.mjcf, base.mjcf(), moving=(), fused=True,
                         without=floor.above_ground(apartment), source=apartment.source)
     return [_episode(apartment, alone, ways, goal, yaw, only is not None) for goal in there]
 
 
+def asked(apartment: World, rng: np.random.Generator) -> tuple[Roadmap | None, float, list[Goal]]:
+    """The ways from the start (None where the entrance is blocked), the heading there, and the goal of every room."""
+    objects = apartment.home.objects
+    ground = floor.survey(apartment, base.RADIUS, base.HEIGHT)
+    began = goals.start(ground)
+    if began is None:
+        return None, 0.0, goals.goals(ground, objects, np.zeros(ground.grid.shape, bool), rng)
+    cell, yaw = began
+    ways = planner.roadmap(ground, cell)
+    return ways, yaw, goals.goals(ground, objects, ways.reached, rng)
+
+
+def limit(path: Array) -> float:
+    """The time that a path (n, 2) may take, s."""
+    return PATIENCE + float(np.hypot(*np.diff(path, axis=0).T).sum()) / SLOWEST
+
+
 def _episode(apartment: World, alone: World, ways: Roadmap, goal: Goal, yaw: float, trace: bool) -> Outcome:
     if goal.cell is None:
-        blocked = goal.missing == "planner"
-        reason = "no way from the entrance" if blocked else "the robot fits nowhere in front of it"
-        return _failed(apartment.name, goal, "planner" if blocked else "no standing room", reason)
+        return _failed(apartment.name, goal, goal.missing, WHY[goal.missing])
     path, shortest = ways.path(goal.cell), ways.shortest(goal.cell)
-    limit = PATIENCE + float(np.hypot(*np.diff(path, axis=0).T).sum()) / SLOWEST
-    went = drive(apartment, alone, Pursuit(ways.floor, path, goal.yaw), yaw, limit)
+    went = drive(apartment, alone, Pursuit(ways.floor, path, goal.yaw), yaw, limit(path))
     return _judged(apartment.name, goal, went, path, shortest, trace)
 
 

@@ -76,7 +76,9 @@ def flat(tmp_path):
     """Builds the world of a flat with some furniture; `made` are the links of its chests."""
 
     def build(made, *objects):
-        scene = Scene(h.home(*objects), functools.partial(load, made))
+        joints = [link.joint for link in made if link.joint]
+        told = [o.model_copy(update={"joints": joints}) if o.asset.id == "chest" else o for o in objects]
+        scene = Scene(h.home(*told), functools.partial(load, made))
         mjcf.write(scene, tmp_path)
         return world.build(scene, tmp_path / "mjcf" / "apartment.xml")
 

@@ -71,6 +71,21 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     The apartment may hold any robot or none: it is built again with the manipulator, for every object with what is
     near it.
     """
+    return [_episode(*episode, only is not None) for episode in _asked(apartment, rng, only)]
+
+
+def planned(apartment: World, rng: np.random.Generator) -> Iterator[tuple[Part, Array | None, str, str]]:
+    """Of every part: where the base first stands (x, y, heading), or without a plan None, the failure, and why."""
+    for episode in _asked(apartment, rng, None):
+        tried = _tried(*episode)
+        base = None if tried.plan is None else tried.plan.base
+        yield episode[1], base, tried.failure or "", tried.reason
+
+
+def _asked(
+    apartment: World, rng: np.random.Generator, only: str | None
+) -> Iterator[tuple[Probe, Part, _Ground, np.random.Generator]]:
+    """The episodes: a probe of the object's surroundings, the part, the floor, and the chance of each."""
     leaves = _leaves(apartment)
     ground = floor.survey(apartment, RADIUS, without=leaves)
     reached = grid.from_seeds(ground.free, ground.space.entry)
@@ -80,7 +95,6 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
     every = parts.listed(apartment)
     surroundings = Surroundings(apartment, leaves)
     own: dict[str, Probe] = {}
-    found = []
     for (body, link), lane in zip(every, rng.spawn(len(every)), strict=True):
         if only not in (None, body.id):
             continue
@@ -88,8 +102,7 @@ def run(apartment: World, rng: np.random.Generator, only: str | None = None) -> 
             mine = [moving for other, moving in every if other is body]
             own = {body.id: Probe(equipped(apartment, body.id, surroundings.far(body, mine)))}
         probe = own[body.id]
-        found.append(_episode(probe, parts.part(probe.world, body, link), places, lane, only is not None))
-    return found
+        yield probe, parts.part(probe.world, body, link), places, lane
 
 
 def equipped(apartment: World, object: str, without: Collection[str]) -> World:
@@ -210,4 +223,4 @@ def _stands(planner: Planner, places: Iterable[Array], rng: np.random.Generator)
                 break
 
 
-__all__ = ["FRAMES", "GOAL", "OPEN", "equipped", "mjcf", "run"]
+__all__ = ["FRAMES", "GOAL", "OPEN", "equipped", "mjcf", "planned", "run"]

@@ -1,0 +1,54 @@
+"""Write the episodes that `apartgen bench embodied` runs in an apartment as JSON, for Isaac Sim, Nav2 and a policy.
+
+    python write_episodes.py bench/embodied/homes/guided-12.json -o guided-12.episodes.json
+
+Runs where apartgen is installed, on any retrieve or walkable artifact. What is drawn is drawn from the artifact's own
+seed, as the benchmark does; `stages/embodied/episodes.py` says what each field is, in metres, radians and seconds.
+"""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from apartgen_cli.bench.embodied import _rng, _world
+from schemas import artifact
+from schemas.errors import ApartgenError
+from schemas.retrieve import Retrieve
+
+
+def written(path: Path, out: Path, seed: int | None, libraries: list[str]) -> Path:
+    """One artifact's episodes as a file; BadInput for what is no furnished apartment."""
+    from stages import retrieve
+    from stages.embodied import episodes
+    from stages.export import mjcf
+    from stages.retrieve.matching.config import RetrieveConfig
+    from stages.scene import Scene
+
+    read = artifact.read(path, Retrieve)
+    drawn = f"{path.stem}-{read.made.seed if seed is None else seed}"
+    scene = Scene(read.body, retrieve.open_libraries(RetrieveConfig(libraries=libraries)).load, shown=False)
+    with TemporaryDirectory() as folder:
+        mjcf.write(scene, Path(folder))
+        apartment = _world(scene, Path(folder) / "mjcf" / "apartment.xml", path.stem)
+        found = episodes.listed(apartment, _rng(drawn, 8), _rng(drawn, 9))
+    artifact.write(json.dumps(found.model_dump(), indent=1) + "\n", out)
+    return out
+
+
+def main() -> None:
+    asked = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    asked.add_argument("artifact", type=Path, help="a retrieve or walkable artifact")
+    asked.add_argument("-o", "--out", type=Path, required=True, help="the file to write")
+    asked.add_argument("--seed", type=int, help="in place of the artifact's own")
+    asked.add_argument("--library", action="append", default=[], help="folder of an asset library in use")
+    given = asked.parse_args()
+    try:
+        written(given.artifact, given.out, given.seed, given.library)
+    except ApartgenError as error:
+        sys.exit(f"error: {error}")
+
+
+if __name__ == "__main__":
+    main()
