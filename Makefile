@@ -7,8 +7,9 @@ WORKERS ?= auto
 
 BIN := .venv/bin
 READY := .venv/.ready
+CONSUMERS := build/consumers
 
-.PHONY: demo test acceptance lint types check docs lock clean
+.PHONY: demo test acceptance consumers lint types check docs lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -19,6 +20,12 @@ test: $(READY)
 # Minutes: twenty prompts through every stage and into the simulator, and what one run costs.
 acceptance: $(READY)
 	$(BIN)/python -m pytest -q -s -m slow tests/test_acceptance.py
+
+# What exports are for reads them: simulators and validators that pip has, some GB, in an environment of their own.
+consumers: $(CONSUMERS)/.ready
+	$(CONSUMERS)/bin/python -m pytest -q -rs -n $(WORKERS) --dist loadfile tests/export > $(CONSUMERS)/report.txt; \
+	status=$$?; cat $(CONSUMERS)/report.txt; exit $$status
+	@! grep "could not import" $(CONSUMERS)/report.txt
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -38,6 +45,11 @@ $(READY): pyproject.toml constraints.txt
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e ".[dev]"
 	$(BIN)/python -c "import stages.layout.projection; from stages import plan; plan.warm()"
+	@touch $@
+
+$(CONSUMERS)/.ready: pyproject.toml constraints.txt
+	test -x $(CONSUMERS)/bin/python || $(PYTHON) -m venv $(CONSUMERS)
+	$(CONSUMERS)/bin/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e ".[dev,consumers]"
 	@touch $@
 
 # Pins what is installed now, after trying newer versions.

@@ -1,6 +1,7 @@
 """Write an apartment for simulators, viewers and people."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 from time import perf_counter
@@ -12,7 +13,7 @@ from pydantic import Field
 from apartgen_cli.console import say
 from apartgen_cli.options import INPUTS
 from apartgen_cli.stage import made, opened, settled
-from apartgen_cli.streams import made_folder, sources, targets
+from apartgen_cli.streams import sources, targets
 from schemas import artifact
 from schemas.artifact import STREAM, Artifact
 from schemas.base import Record
@@ -77,7 +78,26 @@ def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = 
     if out == STREAM:
         raise BadInput("-o -: an export is a folder of files; give -o FOLDER/")
     settings = ExportSettings(format=format, libraries=library or [])
-    work, errors = opened(list(zip(names, _folders(names, out))), Plan, whole=True)
+    if settings.libraries:
+        _libraries(*settings.libraries)  # one that is none is said, though the formats may need no asset
+    with _unless_empty(Path(out)):
+        return _exported(names, settings, _folders(names, out))
+
+
+@contextmanager
+def _unless_empty(out: Path) -> Iterator[None]:
+    """Takes away the folders that have been made for `out` meanwhile and stayed empty."""
+    new = [folder for folder in (out, *out.parents) if not folder.exists()]
+    try:
+        yield
+    finally:
+        for folder in (*sorted(out.rglob("*/"), reverse=True), *new) if new else ():
+            with suppress(OSError):
+                folder.rmdir()
+
+
+def _exported(names: list[str], settings: ExportSettings, folders: list[Path]) -> int:
+    work, errors = opened(list(zip(names, folders)), Plan, whole=True)
     for folder, read in work:
         try:
             files = finished(read, settings, Path(folder))
@@ -94,8 +114,7 @@ def _folders(names: list[str], out: str) -> list[Path]:
     """The folder itself for one apartment, one below it for each of several."""
     if len(names) == 1:
         return [Path(out)]
-    made_folder(out)
-    return [Path(place).with_suffix("") for place in targets("export", names, out)]
+    return [Path(place).with_suffix("") for place in targets("export", names, out.rstrip("/") + "/")]
 
 
 def commands() -> dict[str, Callable[..., Any]]:

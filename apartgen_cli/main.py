@@ -6,6 +6,7 @@ so that help and the light commands start without the heavy packages.
 
 import importlib
 import os
+import signal
 import sys
 from typing import Annotated, Any, Literal
 
@@ -79,6 +80,7 @@ def _placeholder() -> None:
 
 def main() -> None:
     """Run the command line; never returns."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # what is half done is cleared away, as after Ctrl-C
     sys.exit(status(sys.argv[1:]))
 
 

@@ -13,6 +13,7 @@ from schemas.retrieve import Joint
 from stages.asset import Collider, Link
 
 Array = NDArray[np.float64]
+Ranges = tuple[tuple[float, float], ...]
 Kind = Literal["object", "wall", "lining", "floor", "ceiling", "trim", "door", "window"]
 
 DAMPING = {"hinge": 0.4, "slide": 8.0}
@@ -49,6 +50,11 @@ class Body:
     def joint_name(self, joint: Joint) -> str:
         """Unique name of one of its joints."""
         return f"{self.name}__{joint.name}__joint"
+
+    @property
+    def ranges(self) -> Ranges:
+        """How far each part opens; things of one model may differ in it."""
+        return tuple(link.joint.range for link in self.links if link.joint is not None)
 
     def pose(self) -> Array:
         """Body frame to world, (4, 4)."""

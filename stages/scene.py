@@ -16,7 +16,7 @@ from schemas.errors import BadInput
 from schemas.layout import Layout
 from schemas.plan import Plan
 from schemas.retrieve import Furnishing, Retrieve
-from stages import boxes, polygons, shell
+from stages import boxes, placed, polygons, shell
 from stages.asset import Asset, Link
 from stages.body import Body, Light
 from stages.categories import TABLE
@@ -86,7 +86,8 @@ class Scene:
 
     def _body(self, o: Furnishing) -> Body:
         asset = self.load(o.asset.library, o.asset.id)
-        links = _links(asset, o.category) if self.shown else _bare(_links(asset, o.category))
+        links = _links(placed.links(o, asset), o.category)
+        links = links if self.shown else _bare(links)
         return Body(
             o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, links,
             o.category in LOOSE and self._stands(o), o.id, f"{o.asset.library}/{o.asset.id}",
@@ -100,11 +101,11 @@ def _on(o: Furnishing, below: Furnishing) -> bool:
     return abs(top - bottom) <= REST and bool((beside <= np.array(below.size[:2]) / 2).all())
 
 
-def _links(asset: Asset, category: str) -> list[Link]:
-    """The asset's links; what lies flat (a rug) only shows, as things stand through it on the floor."""
+def _links(links: list[Link], category: str) -> list[Link]:
+    """The links; what lies flat (a rug) only shows, as things stand through it on the floor."""
     if category in TABLE and TABLE[category].place == "flat":
-        return [replace(link, colliders=[]) for link in asset.links]
-    return asset.links
+        return [replace(link, colliders=[]) for link in links]
+    return links
 
 
 def _bare(links: list[Link]) -> list[Link]:

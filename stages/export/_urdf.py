@@ -52,6 +52,8 @@ def _link(robot: Element, body: Body, link: Link, origin: Array, files: Files, m
     moments = add(inertial, "inertia")
     for key, at in keys.items():
         moments.set(key, number(tensor[at]))
+    # URDF itself has no word for friction; Bullet reads it here, and others pass over it.
+    add(add(element, "contact"), "lateral_friction", value=link.friction)
     for k, piece in enumerate(pieces(link)):
         file = files.mesh(f"{name}_{k}", piece, origin, files.surface(piece.material))
         geometry = add(add(element, "visual"), "geometry")

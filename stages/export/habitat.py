@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from stages.asset import Link, Material, Mesh
-from stages.body import Body, Light, inertia
+from stages.body import Body, Light, Ranges, inertia
 from stages.categories import CATEGORIES
 from stages.export._gltf import packed
 from stages.export._hull import hull
@@ -48,7 +48,8 @@ def write(scene: Scene, out: Path) -> list[Path]:
     writer.lexicon()
     writer.instance()
     writer.dataset()
-    return [*writer.written, *writer.files.written]
+    *others, dataset = writer.written
+    return [dataset, *others, *writer.files.written]
 
 
 class _Writer:
@@ -58,7 +59,7 @@ class _Writer:
         self.folder, self.credits = folder, credits
         self.written: list[Path] = []
         self.files = Files(folder / "urdf" / "meshes")
-        self.models: dict[tuple[str, str], str] = {}
+        self.models: dict[tuple[str, str, Ranges], str] = {}
         self.objects: list[Config] = []
         self.articulated: list[Config] = []
 
@@ -74,7 +75,7 @@ class _Writer:
     def place(self, body: Body) -> None:
         """An object; its model's files are written once."""
         moves = len(body.links) > 1
-        key = body.model or body.name, body.category
+        key = body.model or body.name, body.category, body.ranges
         if key not in self.models:
             self.models[key] = untaken(identifier(key[0]), self.models.values())
             (self._urdf if moves else self._object)(body, self.models[key])

@@ -1,17 +1,19 @@
 """Maps for Nav2: what a robot must go around, what its lidar sees, a keep-out mask, and waypoints.
 
-`map` is for planning: walls and the whole box of every obstacle. `lidar` is for localisation: what is solid at the
-lidar's height. `keepout` masks what the robot must avoid though the lidar does not see it, and the way out.
-Waypoints are poses that a robot of the given radius reaches from the entrance.
+`map` is for planning: walls and the whole box of everything in the robot's height. `lidar` is for localisation: what is
+solid at the lidar's height. `keepout` masks what the robot must avoid though the lidar does not see it, and the way
+out. Waypoints are poses that a robot of the given radius and height reaches from the entrance.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+from shapely import Geometry
 from shapely.ops import unary_union
 
-from schemas.layout import Layout
-from schemas.retrieve import Furnishing, Retrieve
+from schemas.layout import Box, Layout
+from schemas.plan import Plan
 from stages import footprints, grid, polygons, reach, sweeps
 from stages.boxes import Array, Mask
 from stages.export._section import section
@@ -20,11 +22,15 @@ from stages.grid import Grid
 from stages.scene import Scene
 
 FOLDER = "nav2"
-RESOLUTION = 0.05
+RESOLUTION = grid.RESOLUTION / 2
+"""Cell size, m: gaps little wider than the robot have cells in them then."""
+BAND = (footprints.FLAT, reach.HEIGHT)
+"""Heights between which things are in the robot's way, m: those for which the walkable stage clears ways."""
 LIDAR = (0.18, 0.22)
 """Heights between which the lidar sees, m."""
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 """Grey values that map_server's trinary mode reads so."""
+_HAIR = 1e-6  # m by which walls and boxes are thinner, so that a cell whose centre is on an edge is free
 
 
 def write(scene: Scene, out: Path) -> list[Path]:
@@ -32,63 +38,89 @@ def write(scene: Scene, out: Path) -> list[Path]:
     folder = out / FOLDER
     folder.mkdir()
     home = scene.home
-    shell, inside = polygons.shell(home), polygons.free_floor(home)
-    cells = grid.over(shell, RESOLUTION)
-    floor = grid.raster(inside, cells)
-    covered = footprints.covered(home.objects if isinstance(home, Layout) else [])
-    blocked = grid.raster(covered, cells) & floor
+    objects = home.objects if isinstance(home, Layout) else []
+    world = reach.space(home)
+    shell = polygons.shell(home)
+    cells = _over(shell, world.grid)
+    floor = grid.raster(polygons.free_floor(home).buffer(_HAIR), cells)
+    standing = footprints.covered(o for o in objects if reach.in_the_way(o))
+    blocked = grid.raster(standing.buffer(-_HAIR), cells) & floor
     solid = section((b for b in scene.bodies if b.kind in ("wall", "object", "window")), *LIDAR)
     seen = grid.raster(solid, cells) & floor
     ways_out = unary_union([polygons.threshold(o, home) for o in home.openings if o.kind == "entrance"])
     house = grid.raster(shell, cells)
-    files = [
-        *_map(folder, "map", cells, _trinary(house, floor, blocked)),
-        *_map(folder, "lidar", cells, _trinary(house, floor, seen)),
-        *_map(folder, "keepout", cells, np.where((blocked & ~seen) | grid.raster(ways_out, cells), OCCUPIED, FREE)),
+    keep_out = np.where((blocked & ~seen) | grid.raster(ways_out, cells), OCCUPIED, FREE)
+    return [
+        *_map(folder, "map", cells, _trinary(house, floor, blocked), f"what is {_between(BAND)}"),
+        *_map(folder, "lidar", cells, _trinary(house, floor, seen), f"what is solid {_between(LIDAR)}"),
+        *_map(folder, "keepout", cells, keep_out, "what of map is not in lidar, and the way out"),
+        _waypoints(world, objects, folder),
     ]
-    return [*files, _waypoints(scene, folder)]
+
+
+def _over(area: Geometry, among: Grid) -> Grid:
+    """A grid of finer cells that covers an area, the centres of a coarser one among its own.
+
+    So no way that is found on the coarser one is missed.
+    """
+    x0, y0, x1, y1 = area.bounds
+    left, below = (float(first) - (np.ceil((first - low) / RESOLUTION) + 1.5) * RESOLUTION
+                   for first, low in ((among.x[0], x0), (among.y[0], y0)))
+    columns, rows = (int(np.ceil(span / RESOLUTION)) + 1 for span in (x1 - left, y1 - below))
+    return Grid((left, below), (rows, columns), RESOLUTION)
+
+
+def _between(heights: tuple[float, float]) -> str:
+    return f"between {heights[0]} and {heights[1]} m above the floor"
 
 
 def _trinary(house: Mask, floor: Mask, blocked: Mask) -> Array:
     return np.where(floor & ~blocked, FREE, np.where(house, OCCUPIED, UNKNOWN))
 
 
-def _map(folder: Path, name: str, cells: Grid, grey: Array) -> list[Path]:
-    """A binary PGM, first row northernmost, and the YAML that map_server reads."""
+def _map(folder: Path, name: str, cells: Grid, grey: Array, shown: str) -> list[Path]:
+    """A binary PGM, first row northernmost, and the YAML that map_server reads; `shown` says what is occupied."""
     rows, columns = cells.shape
     image, about = folder / f"{name}.pgm", folder / f"{name}.yaml"
     image.write_bytes(f"P5\n{columns} {rows}\n255\n".encode() + grey[::-1].astype(np.uint8).tobytes())
     x, y = cells.origin
     about.write_text(
+        f"# Occupied: {shown}.\n"
         f"image: {image.name}\nmode: trinary\nresolution: {cells.resolution}\norigin: [{number(x)}, {number(y)}, 0.0]\n"
         "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.19\n"
     )
-    return [image, about]
+    return [about, image]
 
 
-def _waypoints(scene: Scene, folder: Path) -> Path:
-    """Where to stand in each room, before each object that opens, and inside the entrance."""
-    home = scene.home
-    objects = home.objects if isinstance(home, Layout) else []
-    world = reach.space(home)
-    reached = reach.survey(world, objects)
-    lines = [f"frame_id: map\nrobot_radius: {world.radius}\n", "entrance:\n"]
-    lines += _pose("  ", world.grid, reached.cells & world.entry, reached.cells, None)
+def _waypoints(world: reach.Space, objects: Sequence[Box], folder: Path) -> Path:
+    """Where to stand inside the entrance, in each room, and before each object that opens."""
+    reached = reach.survey(world, objects).cells
+    lines = [f"frame_id: map\nrobot_radius: {world.radius}\nrobot_height: {BAND[1]}\n", "entrance:\n"]
+    lines += _pose("  ", world.grid, reached & world.entry, reached, heading=_inward(world.plan))
     lines.append("rooms:\n")
-    for i, room in enumerate(home.rooms):
-        here = reached.cells & (world.rooms == i)
-        lines += [f"  {room.id}:\n", *_pose("    ", world.grid, here, reached.cells, None)] if here.any() else []
+    for i, room in enumerate(world.plan.rooms):
+        here = reached & (world.rooms == i)
+        lines += [f"  {room.id}:\n", *_pose("    ", world.grid, here, reached)] if here.any() else []
     lines.append("objects:\n")
-    for o in home.objects if isinstance(home, Retrieve) else []:
-        before = _before(world, o, reached.cells)
+    for o in objects:
+        before = _before(world, o, reached)
         if before.any():
-            lines += [f"  {o.id}:\n", *_pose("    ", world.grid, before, reached.cells, np.array(o.center[:2]))]
+            lines += [f"  {o.id}:\n", *_pose("    ", world.grid, before, reached, towards=np.array(o.center[:2]))]
     path = folder / "waypoints.yaml"
     path.write_text("".join(lines))
     return path
 
 
-def _before(world: reach.Space, o: Furnishing, cells: Mask) -> Mask:
+def _inward(plan: Plan) -> float | None:
+    """The yaw of coming in: square to the entrance, or without one to the first door."""
+    ways = [o for o in plan.openings if o.kind == "entrance"] or [o for o in plan.openings if o.kind == "door"]
+    if not ways:
+        return None
+    normal, _ = polygons.face(ways[0], plan, ways[0].rooms[0])
+    return float(np.arctan2(normal[1], normal[0]))
+
+
+def _before(world: reach.Space, o: Box, cells: Mask) -> Mask:
     """Cells reached from which an object that opens is used."""
     found = np.zeros_like(cells)
     if sweeps.articulated([o])[0] and footprints.is_obstacle(o):
@@ -97,8 +129,10 @@ def _before(world: reach.Space, o: Furnishing, cells: Mask) -> Mask:
     return found
 
 
-def _pose(indent: str, cells: Grid, among: Mask, free: Mask, towards: Array | None) -> list[str]:
-    """The cell with most room about it, facing a point, or else where the room about is longest."""
+def _pose(
+    indent: str, cells: Grid, among: Mask, free: Mask, towards: Array | None = None, heading: float | None = None
+) -> list[str]:
+    """The cell with most room about it, and a yaw: as given, facing a point, or else the middle of the cells."""
     from scipy import ndimage
 
     if not among.any():
@@ -109,4 +143,5 @@ def _pose(indent: str, cells: Grid, among: Mask, free: Mask, towards: Array | No
     middle = np.array([cells.x[np.nonzero(among)[1]].mean(), cells.y[np.nonzero(among)[0]].mean()])
     away = (middle if towards is None else towards) - [x, y]
     yaw = float(np.arctan2(away[1], away[0])) if np.hypot(*away) > 0.05 else 0.0
-    return [f"{indent}{name}: {number(round(value, 4))}\n" for name, value in (("x", x), ("y", y), ("yaw", yaw))]
+    pose = (("x", x), ("y", y), ("yaw", yaw if heading is None else heading))
+    return [f"{indent}{name}: {number(round(value, 4))}\n" for name, value in pose]

@@ -7,6 +7,7 @@ simulator that wants chairs to move loads them from urdf/objects, named after th
 from pathlib import Path
 from xml.etree import ElementTree
 
+from stages.body import Ranges
 from stages.export._obj import Files
 from stages.export._urdf import body_links, joint
 from stages.export._xml import add, save
@@ -21,12 +22,13 @@ def write(scene: Scene, out: Path) -> list[Path]:
     whole = ElementTree.Element("robot", name="apartment")
     add(whole, "link", name="world")
     written: list[Path] = []
-    models: dict[str, str] = {}
+    models: dict[tuple[str, Ranges], str] = {}
     for body in scene.bodies:
         body_links(whole, body, files, "meshes")
         joint(whole, f"{body.name}__world", "fixed", "world", body.name, body.position, body.yaw)
-        if body.kind == "object" and body.model not in models:
-            name = models[body.model] = untaken(identifier(body.model), models.values())
+        key = body.model, body.ranges
+        if body.kind == "object" and key not in models:
+            name = models[key] = untaken(identifier(body.model), models.values())
             alone = ElementTree.Element("robot", name=name)
             body_links(alone, body, files, "../meshes")
             written.append(save(alone, out / FOLDER / "objects" / f"{name}.urdf"))

@@ -76,23 +76,25 @@ class _Writer:
         prim = top.GetPrim()
         Usd.ModelAPI(prim).SetKind("component")
         UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([body.category])
-        facts = {"id": body.id, "room": body.room, "asset": body.model, "kind": body.kind}
+        facts = {"id": body.id, "category": body.category, "room": body.room, "asset": body.model, "kind": body.kind}
         prim.SetCustomDataByKey("apartgen", {k: v for k, v in facts.items() if v})
-        if body.within:
-            pairs = UsdPhysics.FilteredPairsAPI.Apply(prim).CreateFilteredPairsRel()
-            pairs.SetTargets([_path(other) for other in self.scene.bodies if other.name in body.within])
         if len(body.links) == 1:
             if body.free:
                 _rigid(prim, body.links[0])
             self._link(path, body.links[0])
         else:
             self._articulation(path, body)
+        if body.within:
+            others = [felt for other in self.scene.bodies if other.name in body.within for felt in _felt(other)]
+            for felt in _felt(body):
+                pairs = UsdPhysics.FilteredPairsAPI.Apply(self.stage.GetPrimAtPath(felt))
+                pairs.CreateFilteredPairsRel().SetTargets(others)
 
     def _articulation(self, path: str, body: Body) -> None:
         UsdPhysics.ArticulationRootAPI.Apply(self.stage.GetPrimAtPath(path))
         base = body.links[0]
         for link in body.links:
-            own = f"{path}/{identifier(link.name)}"
+            own = _link_path(body, link)
             prim = UsdGeom.Xform.Define(self.stage, own).GetPrim()
             _rigid(prim, link)
             if link.handle is not None:
@@ -102,19 +104,21 @@ class _Writer:
         UsdGeom.Scope.Define(self.stage, f"{path}/Joints")
         if not body.free:
             fixed = UsdPhysics.FixedJoint.Define(self.stage, f"{path}/Joints/to_world")
-            fixed.CreateBody1Rel().SetTargets([f"{path}/{identifier(base.name)}"])
-            _frames(fixed, (body.position, about_z(body.yaw)), (np.zeros(3), about_z(0.0)))
+            # Held by its own place, not by a point of the world, so that it follows a stage referenced elsewhere.
+            fixed.CreateBody0Rel().SetTargets([path])
+            fixed.CreateBody1Rel().SetTargets([_link_path(body, base)])
+            _frames(fixed, (np.zeros(3), about_z(0.0)), (np.zeros(3), about_z(0.0)))
         for link in body.links[1:]:
-            self._joint(path, base, link)
+            self._joint(path, body, link)
 
-    def _joint(self, path: str, base: Link, link: Link) -> None:
+    def _joint(self, path: str, body: Body, link: Link) -> None:
         joint = link.joint
         assert joint is not None
         hinge = joint.type == "hinge"
         kind = UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint
         made = kind.Define(self.stage, f"{path}/Joints/{identifier(joint.name)}")
-        made.CreateBody0Rel().SetTargets([f"{path}/{identifier(base.name)}"])
-        made.CreateBody1Rel().SetTargets([f"{path}/{identifier(link.name)}"])
+        made.CreateBody0Rel().SetTargets([_link_path(body, body.links[0])])
+        made.CreateBody1Rel().SetTargets([_link_path(body, link)])
         made.CreateAxisAttr("X")
         frame = np.array(joint.origin), from_x(np.array(joint.axis, float))
         _frames(made, frame, frame)
@@ -155,6 +159,18 @@ class _Writer:
 
 def _path(body: Body) -> str:
     return f"{ROOT}/{GROUPS.get(body.kind, 'Shell')}/{body.name}"
+
+
+def _link_path(body: Body, link: Link) -> str:
+    return _path(body) if len(body.links) == 1 else f"{_path(body)}/{identifier(link.name)}"
+
+
+def _felt(body: Body) -> list[str]:
+    """What collides of it, as the schema has it: its rigid bodies, or the colliders of what never moves."""
+    if body.free or len(body.links) > 1:
+        return [_link_path(body, link) for link in body.links]
+    path = _path(body)
+    return [f"{path}/Colliders/collider_{k}" for k in range(len(body.links[0].colliders))]
 
 
 def _rigid(prim: Any, link: Link) -> None:

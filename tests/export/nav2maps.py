@@ -6,7 +6,7 @@ from PIL import Image
 from shapely import contains_xy
 from shapely.ops import unary_union
 
-from stages import footprints, polygons
+from stages import footprints, polygons, reach
 
 KEYS = {"image", "mode", "resolution", "origin", "negate", "occupied_thresh", "free_thresh"}
 
@@ -26,9 +26,9 @@ def read(folder, name):
 
 
 def free_ratios(folder, home):
-    """Free share of the rooms' floors: by the map's cells, and exactly (R_walkable)."""
+    """Free share of the rooms' floors: by the map's cells, and exactly, R_walkable of what is in the map's band."""
     cells, x, y, about = read(folder, "map")
     floors = unary_union(list(polygons.floors(home).values()))
     inside = contains_xy(floors, *np.meshgrid(x, y))
     measured = (cells[inside] == 0).sum() * about["resolution"] ** 2 / floors.area
-    return measured, footprints.walkable_ratio(floors, home.objects)
+    return measured, footprints.walkable_ratio(floors, [o for o in home.objects if reach.in_the_way(o)])

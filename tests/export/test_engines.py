@@ -4,25 +4,29 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from export import sample as boxes
 
 from stages.body import inertia
-from stages.scene import Scene
+
+
+@pytest.fixture(params=["sample", "flat"])
+def made(request):
+    """Plain boxes, and the example flat."""
+    return request.getfixturevalue(request.param)
 
 
 def _doors(scene):
     return [body for body in scene.bodies if body.kind == "door" and len(body.links) > 1]
 
 
-def test_newton_reads_the_usd_and_opens_its_doors(sample):
+def test_newton_reads_the_usd_and_opens_its_doors(made):
     """A steady torque brings every door to its upper limit, from which Newton's soft limits throw it back."""
     warp = pytest.importorskip("warp")
     newton = pytest.importorskip("newton")
     pytest.importorskip("newton_usd_schemas")
     warp.config.quiet = True
     builder = newton.ModelBuilder()
-    builder.add_usd(str(sample.folder / "usd" / "apartment.usd"))
-    moving = [(b, link) for b in sample.scene.bodies for link in b.links if b.free or len(b.links) > 1]
+    builder.add_usd(str(made.folder / "usd" / "apartment.usd"))
+    moving = [(b, link) for b in made.scene.bodies for link in b.links if b.free or len(b.links) > 1]
     assert builder.body_count == len(moving)
     start = dict(zip(builder.joint_label, builder.joint_qd_start))
     place = dict(zip(builder.joint_label, builder.joint_q_start))
@@ -30,7 +34,7 @@ def test_newton_reads_the_usd_and_opens_its_doors(sample):
     model = builder.finalize(device="cpu")
     solver = newton.solvers.SolverFeatherstone(model)
     states, control = [model.state(), model.state()], model.control()
-    names = [f"/Apartment/Shell/{door.name}/Joints/leaf" for door in _doors(sample.scene)]
+    names = [f"/Apartment/Shell/{door.name}/Joints/leaf" for door in _doors(made.scene)]
     force = np.zeros(model.joint_dof_count, np.float32)
     force[[start[name] for name in names]] = 6.0
     control.joint_f.assign(force)
@@ -41,15 +45,15 @@ def test_newton_reads_the_usd_and_opens_its_doors(sample):
         solver.step(states[0], states[1], control, None, 1 / 500)
         states.reverse()
         widest = np.maximum(widest, states[0].joint_q.numpy()[[place[name] for name in names]])
-    for door, angle in zip(_doors(sample.scene), widest):
+    for door, angle in zip(_doors(made.scene), widest):
         leaf = door.links[1]
         assert angle == pytest.approx(leaf.joint.range[1], abs=0.1), door.name
         assert masses[f"/Apartment/Shell/{door.name}/leaf"] == pytest.approx(leaf.mass, rel=1e-4)
 
 
-def test_sapien_loads_the_urdf_and_opens_a_door(sample, tmp_path):
+def test_sapien_loads_the_urdf_and_opens_a_door(made, tmp_path):
     sapien = pytest.importorskip("sapien")
-    file = sample.folder / "urdf" / "apartment.urdf"
+    file = made.folder / "urdf" / "apartment.urdf"
     robot = ElementTree.parse(file)
     for link in robot.getroot().iter("link"):
         for visual in link.findall("visual"):  # drawing needs a graphics driver
@@ -60,34 +64,34 @@ def test_sapien_loads_the_urdf_and_opens_a_door(sample, tmp_path):
     world = sapien.Scene([sapien.physx.PhysxCpuSystem()])
     loader = world.create_urdf_loader()
     loader.fix_root_link = True
-    made = loader.load(str(tmp_path / "apartment.urdf"))
-    assert len(made.links) == 1 + sum(len(body.links) for body in sample.scene.bodies)
-    known = {joint.name: joint for joint in made.active_joints}
-    for body in sample.scene.bodies:
+    loaded = loader.load(str(tmp_path / "apartment.urdf"))
+    assert len(loaded.links) == 1 + sum(len(body.links) for body in made.scene.bodies)
+    known = {joint.name: joint for joint in loaded.active_joints}
+    for body in made.scene.bodies:
         for link in body.links[1:]:
             lower, upper = known[body.joint_name(link.joint)].limits[0]
             assert (lower, upper) == pytest.approx(link.joint.range, abs=1e-4)
-    for joint in made.active_joints:
+    for joint in loaded.active_joints:
         joint.set_friction(0.0)  # the loader gives every joint some, whatever the file says
-    index = {joint.name: k for k, joint in enumerate(made.active_joints)}
-    doors = [index[door.joint_name(door.links[1].joint)] for door in _doors(sample.scene)]
+    index = {joint.name: k for k, joint in enumerate(loaded.active_joints)}
+    doors = [index[door.joint_name(door.links[1].joint)] for door in _doors(made.scene)]
     world.set_timestep(1 / 240)
     force = np.zeros(len(index))
     force[doors] = 6.0
     for _ in range(720):  # 3 s
-        made.set_qf(force + made.compute_passive_force(True, True))
+        loaded.set_qf(force + loaded.compute_passive_force(True, True))
         world.step()
-    assert made.get_qpos()[doors] == pytest.approx(np.pi / 2, abs=0.05)
+    assert loaded.get_qpos()[doors] == pytest.approx(np.pi / 2, abs=0.05)
 
 
-def test_drake_reads_the_urdf(exported):
+def test_drake_reads_the_urdf(made):
     parsing = pytest.importorskip("pydrake.multibody.parsing")
     from pydrake.multibody.plant import MultibodyPlant
 
-    scene, plant = Scene(boxes.home(), boxes.load), MultibodyPlant(0.004)
-    model = parsing.Parser(plant).AddModels(str(exported("urdf") / "urdf" / "apartment.urdf"))[0]
+    plant = MultibodyPlant(0.004)
+    model = parsing.Parser(plant).AddModels(str(made.folder / "urdf" / "apartment.urdf"))[0]
     plant.Finalize()
-    links = [(body, link) for body in scene.bodies for link in body.links]
+    links = [(body, link) for body in made.scene.bodies for link in body.links]
     assert plant.num_bodies() == 1 + len(links)
     for body, link in links:
         if link.joint is None:

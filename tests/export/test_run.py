@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,10 +10,12 @@ from pathlib import Path
 import pytest
 from export import sample
 
+from apartgen_cli.export import principal
 from schemas.errors import BadInput
 from schemas.layout import Layout
 from stages import export, registry
 
+ROOT = Path(__file__).parents[2]
 FORMATS = list(export.formats())
 NEED_ASSETS = [name for name in FORMATS if name not in ("svg", "png")]
 
@@ -37,6 +40,14 @@ def test_files_are_those_listed_and_hash_as_listed(every):
         assert hashlib.sha256((out / file.path).read_bytes()).hexdigest() == file.sha256
     assert {file.format for file in made.files} >= set(FORMATS)
     assert "Plain boxes, public domain" in (out / "CREDITS.txt").read_text()
+
+
+def test_main_files_are_those_of_the_documents(every):
+    """The command prints the file that a format names first."""
+    rows = [line.split("|")[1:3] for line in (ROOT / "docs" / "export.md").read_text().splitlines() if "|" in line]
+    names = [[re.findall(r"`([^`]+)`", cell) for cell in row] for row in rows]
+    documented = {name: file for formats, files in names for name, file in zip(formats, files)}
+    assert set(principal(every[1])) - {"CREDITS.txt"} == {documented[name] for name in FORMATS}
 
 
 def test_sums_can_be_checked_with_coreutils(every):

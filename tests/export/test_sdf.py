@@ -7,16 +7,15 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from export import sample
 
 from stages.body import inertia
-from stages.scene import Scene
 
 
-@pytest.fixture(scope="module")
-def made(exported):
-    out = exported("sdf")
-    return out / "sdf" / "apartment.sdf", Scene(sample.home(), sample.load)
+@pytest.fixture(params=["sample", "flat"])
+def made(request):
+    """The file of plain boxes, and of the example flat."""
+    scene, folder = request.getfixturevalue(request.param)
+    return folder / "sdf" / "apartment.sdf", scene
 
 
 def _library():

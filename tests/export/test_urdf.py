@@ -11,8 +11,6 @@ from stages import export
 from stages.body import inertia
 from stages.scene import Scene
 
-pybullet = pytest.importorskip("pybullet")
-
 
 @pytest.fixture(scope="module")
 def made(exported):
@@ -21,22 +19,27 @@ def made(exported):
 
 
 @pytest.fixture
-def world():
+def pybullet():
+    return pytest.importorskip("pybullet")
+
+
+@pytest.fixture
+def world(pybullet):
     client = pybullet.connect(pybullet.DIRECT)
     yield client
     pybullet.disconnect(client)
 
 
-def _links(robot, world):
+def _links(pybullet, robot, world):
     infos = [pybullet.getJointInfo(robot, k, physicsClientId=world) for k in range(pybullet.getNumJoints(robot, world))]
     return {info[12].decode(): (k, info) for k, info in enumerate(infos)}
 
 
-def test_pybullet_reads_the_whole_apartment(made, world):
+def test_pybullet_reads_the_whole_apartment(made, pybullet, world):
     folder, scene = made
     robot = pybullet.loadURDF(str(folder / "apartment.urdf"), useFixedBase=True, physicsClientId=world,
                               flags=pybullet.URDF_USE_INERTIA_FROM_FILE)
-    links = _links(robot, world)
+    links = _links(pybullet, robot, world)
     assert len(links) == sum(len(body.links) for body in scene.bodies)
     for body in scene.bodies:
         for link in body.links:
@@ -47,8 +50,9 @@ def test_pybullet_reads_the_whole_apartment(made, world):
             assert np.array(state[4]) == pytest.approx(expected[:3, 3], abs=1e-4)
             turn = np.array(pybullet.getMatrixFromQuaternion(state[5])).reshape(3, 3)
             assert turn == pytest.approx(expected[:3, :3], abs=1e-4)
-            mass = pybullet.getDynamicsInfo(robot, k, physicsClientId=world)[0]
+            mass, friction, *_ = pybullet.getDynamicsInfo(robot, k, physicsClientId=world)
             assert mass == pytest.approx(inertia(link).mass, rel=1e-5)
+            assert friction == pytest.approx(link.friction)
             if link.joint is not None:
                 assert (info[8], info[9]) == pytest.approx(link.joint.range, abs=1e-6)
                 assert info[2] == (pybullet.JOINT_REVOLUTE if link.joint.type == "hinge" else pybullet.JOINT_PRISMATIC)
@@ -56,19 +60,19 @@ def test_pybullet_reads_the_whole_apartment(made, world):
                 assert info[13] == pytest.approx(link.joint.axis, abs=1e-4)
 
 
-def test_pybullet_turns_a_part_as_the_artifact_says(made, world):
+def test_pybullet_turns_a_part_as_the_artifact_says(made, pybullet, world):
     """The room door's outer edge moves from shut to open."""
     folder, scene = made
     robot = pybullet.loadURDF(str(folder / "apartment.urdf"), useFixedBase=True, physicsClientId=world)
     body = next(b for b in scene.bodies if b.id == "door_1")
-    k, _ = _links(robot, world)[body.link_name(body.links[1])]
+    k, _ = _links(pybullet, robot, world)[body.link_name(body.links[1])]
     before = pybullet.getLinkState(robot, k, physicsClientId=world)[0]
     pybullet.resetJointState(robot, k, np.pi / 2, physicsClientId=world)
     after = pybullet.getLinkState(robot, k, computeForwardKinematics=True, physicsClientId=world)[0]
     assert before[1] - after[1] == pytest.approx(0.45, abs=0.05)  # the leaf is 0.9 wide and opens to -y
 
 
-def test_every_asset_loads_by_itself_and_its_joints_reach_both_ends(made, world):
+def test_every_asset_loads_by_itself_and_its_joints_reach_both_ends(made, pybullet, world):
     folder, scene = made
     files = sorted((folder / "objects").glob("*.urdf"))
     assert len(files) == len({body.model for body in scene.bodies if body.model})

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from export import sample
 
+from stages import export
 from stages.body import inertia
 from stages.scene import Scene
 
@@ -65,8 +66,10 @@ def test_bodies_stand_where_the_artifact_says(made):
     for body in scene.bodies:
         for link in body.links:
             assert _at(stage, _path(body, link)) == pytest.approx(body.pose(), abs=1e-6)
-        labels = UsdSemantics.LabelsAPI(stage.GetPrimAtPath(_path(body)), "class").GetLabelsAttr().Get()
-        assert list(labels) == [body.category]
+        prim = stage.GetPrimAtPath(_path(body))
+        assert list(UsdSemantics.LabelsAPI(prim, "class").GetLabelsAttr().Get()) == [body.category]
+        facts = {"id": body.id, "category": body.category, "room": body.room, "asset": body.model, "kind": body.kind}
+        assert prim.GetCustomDataByKey("apartgen") == {key: text for key, text in facts.items() if text}
 
 
 def test_joints_have_limits_axes_and_drives(made):
@@ -113,8 +116,97 @@ def test_articulations_are_fixed_unless_loose(made):
         assert prim.HasAPI(UsdPhysics.ArticulationRootAPI) == (len(body.links) > 1)
         fixed = stage.GetPrimAtPath(f"{_path(body)}/Joints/to_world")
         assert fixed.IsValid() == (len(body.links) > 1 and not body.free)
-        if fixed.IsValid():
-            assert np.array(UsdPhysics.Joint(fixed).GetLocalPos0Attr().Get()) == pytest.approx(body.position, abs=1e-5)
+
+
+@pytest.mark.filterwarnings("ignore:LoadUsdPhysicsFromRange:DeprecationWarning")  # the name in all versions so far
+def test_usd_s_own_reader_of_physics_takes_fixed_bases_as_held_by_the_world(made):
+    """A joint to what is no rigid body is one to the world; its articulation has the base as root."""
+    stage, scene = made
+    read = UsdPhysics.LoadUsdPhysicsFromRange(stage, ["/"])
+    held = {str(path): joint for path, joint in zip(*read[UsdPhysics.ObjectType.FixedJoint])}
+    bodies = [body for body in scene.bodies if len(body.links) > 1 and not body.free]
+    assert set(held) == {f"{_path(body)}/Joints/to_world" for body in bodies}
+    for body in bodies:
+        joint = held[f"{_path(body)}/Joints/to_world"]
+        assert not joint.body0 and joint.body1 == _path(body, body.links[0]) and joint.isValid
+    rooted = {str(path) for path, found in zip(*read[UsdPhysics.ObjectType.Articulation]) if found.isValid}
+    assert rooted == {_path(body) for body in scene.bodies if len(body.links) > 1}
+
+
+OFFSETS = {"env_0": 0.0, "env_1": 20.0}
+
+
+def _twice(folder):
+    """A stage that refers to the apartment where it is, and again elsewhere and turned."""
+    stage = Usd.Stage.CreateInMemory()
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    for name, offset in OFFSETS.items():
+        env = UsdGeom.Xform.Define(stage, f"/World/{name}")
+        env.AddTranslateOp().Set(Gf.Vec3d(offset, 0, 0))
+        env.AddRotateZOp().Set(3 * offset)
+        env.GetPrim().GetReferences().AddReference(str(folder / "usd" / "apartment.usd"))
+    return stage
+
+
+def _frame(cache, joint, side):
+    """A joint's frame in the world, (4, 4), seen from one of its bodies; from the world where it names none."""
+    turn, at, rel = (getattr(joint, f"Get{what}{side}{kind}")() for what, kind in
+                     (("LocalRot", "Attr"), ("LocalPos", "Attr"), ("Body", "Rel")))
+    local = Gf.Matrix4d(Gf.Rotation(Gf.Quatd(turn.Get())), Gf.Vec3d(at.Get()))
+    stage, targets = joint.GetPrim().GetStage(), rel.GetTargets()
+    return np.array(local * cache.GetLocalToWorldTransform(stage.GetPrimAtPath(targets[0])) if targets else local)
+
+
+def test_a_stage_referenced_elsewhere_keeps_together(exported):
+    stage = _twice(exported("usd"))
+    cache = UsdGeom.XformCache()
+    joints = [UsdPhysics.Joint(prim) for prim in stage.Traverse() if prim.IsA(UsdPhysics.Joint)]
+    assert sum(str(joint.GetPath()).startswith("/World/env_1/") for joint in joints) == len(joints) / 2 > 10
+    for joint in joints:
+        assert _frame(cache, joint, 0) == pytest.approx(_frame(cache, joint, 1), abs=1e-5), joint.GetPath()
+
+
+def test_newton_puts_a_stage_referenced_elsewhere_there(exported):
+    warp = pytest.importorskip("warp")
+    newton = pytest.importorskip("newton")
+    pytest.importorskip("newton_usd_schemas")
+    warp.config.quiet = True
+    builder, stage = newton.ModelBuilder(), _twice(exported("usd"))
+    builder.add_usd(stage)
+    model = builder.finalize(device="cpu")
+    state = model.state()
+    newton.eval_fk(model, model.joint_q, model.joint_qd, state)
+    placed = dict(zip(builder.body_label, state.body_q.numpy()[:, :3]))
+    assert sum(name.startswith("/World/env_1/") for name in placed) == len(placed) / 2 > 10
+    for name, found in placed.items():
+        assert found == pytest.approx(_at(stage, name)[:3, 3], abs=1e-4), name
+
+
+def test_what_stands_in_something_is_filtered_where_engines_look(tmp_path):
+    """Pairs are on rigid bodies and colliders, the only places that the schema has for them besides articulations."""
+    home = sample.home()
+    placed = {o.id: o for o in home.objects}
+    for chair, at in (("chair_7", "coffee_table_3"), ("bin_12", "display_cabinet_11")):
+        x, y, _ = placed[at].center
+        placed[chair].center = (x + placed[at].size[0] / 2, y, placed[chair].center[2])
+    export.run(home, ["usd"], tmp_path / "x", sample.load)
+    stage = Usd.Stage.Open(str(tmp_path / "x" / "usd" / "apartment.usd"))
+    assert _faults(stage) == []
+    filtered = {}
+    for prim in stage.Traverse():
+        if prim.HasAPI(UsdPhysics.FilteredPairsAPI):
+            targets = UsdPhysics.FilteredPairsAPI(prim).GetFilteredPairsRel().GetTargets()
+            for felt in (prim, *map(stage.GetPrimAtPath, targets)):
+                assert felt.HasAPI(UsdPhysics.RigidBodyAPI) or felt.HasAPI(UsdPhysics.CollisionAPI), felt
+            filtered[str(prim.GetPath())] = {str(target) for target in targets}
+    wedged = [body for body in Scene(home, sample.load).bodies if body.within]
+    assert {body.id for body in wedged} == {"chair_7", "bin_12"}  # one that never moves, and one with a lid
+    chair, table = (f"/Apartment/Furniture/{name}/Colliders/collider_0" for name in ("chair_7", "coffee_table_3"))
+    assert filtered[chair] == {table}
+    cabinet = {"/Apartment/Furniture/display_cabinet_11/base", "/Apartment/Furniture/display_cabinet_11/door"}
+    for link in ("base", "lid"):
+        assert cabinet <= filtered[f"/Apartment/Furniture/bin_12/{link}"]
 
 
 def test_colliders_are_where_they_belong(made):
