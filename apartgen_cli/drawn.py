@@ -26,7 +26,11 @@ class Wanted:
 
 def wanted(source: str) -> Wanted:
     """What a file asks for: a programme, {"rooms": [{id, type, polygon}]} drawn by hand, or an artifact's programme."""
-    data = artifact.contents(source)
+    return asked(artifact.contents(source), source)
+
+
+def asked(data: bytes, source: str) -> Wanted:
+    """What the bytes of such a file ask for; `source` says in errors where they came from."""
     raw = artifact.json_value(data, source)
     if not isinstance(raw, dict):
         raise BadInput(f"{source}: a programme is a JSON object with rooms; see program in `apartgen schema plan`")

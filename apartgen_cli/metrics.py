@@ -1,26 +1,27 @@
 """Measure apartments."""
 
-import inspect
+import hashlib
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import typer
 from pydantic import Field
 
 from apartgen_cli.console import progress
-from apartgen_cli.options import INPUTS, OUT
-from apartgen_cli.stage import made, opened, settled, written
+from apartgen_cli.drawn import asked
+from apartgen_cli.options import INPUTS, OUT, SPLIT, SPLITS
+from apartgen_cli.stage import about, made, opened, settled, written
 from apartgen_cli.streams import is_folder, sources, targets, whole_set
-from schemas import artifact
-from schemas.artifact import STREAM, Artifact
+from schemas import artifact, consistency
+from schemas.artifact import STREAM
 from schemas.base import Record
 from schemas.errors import ApartgenError, BadInput
 from schemas.layout import Layout
 from schemas.metrics import Metrics
-from schemas.plan import Plan
+from schemas.plan import Plan, Program
 
 
 class MetricsSettings(Record):
@@ -28,13 +29,15 @@ class MetricsSettings(Record):
 
     metric: list[str] = Field(default_factory=list, description="names of metrics; all that apply when empty")
     real_as: str | None = Field(None, description="data source that reads the real apartments; artifacts when None")
+    split: str | None = Field(None, description="part of the real data set; all of it when None")
     inception_weights: str | None = Field(None, description="Inception-v3 of the image metrics; None is the packaged")
 
 
 METRIC = Annotated[list[str] | None, typer.Option(
     "--metric", help="A metric by name, any number of times; all by default.")]
 AGAINST = Annotated[str | None, typer.Option(
-    "--against", help="An artifact whose programme is the reference; the apartment's own by default.")]
+    "--against", metavar="FILE",
+    help="The reference: a programme, or an artifact for its programme; the apartment's own by default.")]
 
 TABLE = Annotated[bool, typer.Option(
     "--table", help="Write one Markdown table of all inputs, with 95 % intervals over them, in place of JSON.")]
@@ -48,7 +51,14 @@ SEED = 0
 """Of the bootstrap behind a table's intervals."""
 
 
-def measure(home: Plan, settings: MetricsSettings, against: Plan | None = None) -> Metrics:
+class Reference(NamedTuple):
+    """What apartments are measured against, and the digest of its file."""
+
+    body: Plan | Program
+    digest: str
+
+
+def measure(home: Plan, settings: MetricsSettings, against: Plan | Program | None = None) -> Metrics:
     """The figures of one apartment."""
     from stages import metrics
 
@@ -56,63 +66,68 @@ def measure(home: Plan, settings: MetricsSettings, against: Plan | None = None) 
 
 
 def _run(inputs: INPUTS = None, out: OUT = None, metric: METRIC = None, against: AGAINST = None,
-         table: TABLE = False, real: REAL = None, real_as: AS = None, inception_weights: INCEPTION = None) -> int:
+         table: TABLE = False, real: REAL = None, real_as: AS = None, split: SPLIT = None, splits: SPLITS = None,
+         inception_weights: INCEPTION = None) -> int:
     names = sources(inputs)
-    settings = MetricsSettings(metric=metric or [], real_as=real_as, inception_weights=inception_weights)
+    settings = MetricsSettings(metric=metric or [], real_as=real_as, split=split, inception_weights=inception_weights)
     if real:
         if against:
             raise BadInput("--real and --against: sets are compared as wholes; give one of the two")
-        return _compared(names, real, settings, table, out)
-    for option, given in (("--as", real_as), ("--inception-weights", inception_weights)):
+        return _compared(names, real, splits, settings, table, out)
+    for option, given in (("--as", real_as), ("--split", split), ("--splits", splits),
+                          ("--inception-weights", inception_weights)):
         if given:
             raise BadInput(f"{option} {given}: only with --real, which says what the inputs are compared with")
     reference = _reference(against)
     return (_tabled if table else _each)(names, settings, reference, out)
 
 
-def _each(names: list[str], settings: MetricsSettings, reference: Artifact[Plan] | None, out: str | None) -> int:
+def _each(names: list[str], settings: MetricsSettings, reference: Reference | None, out: str | None) -> int:
     """An artifact for every input."""
-    work, errors = opened(list(zip(names, targets("metrics", names, out))), Plan, whole=True)
-    for place, read in work:
+    places = dict(zip(names, targets("metrics", names, out)))
+    work, errors = opened([(name, name) for name in names], Plan, whole=True)
+    for name, read in work:
         began = perf_counter()
         try:
             values = measure(read.body, settings, reference.body if reference else None)
         except ApartgenError as error:
-            errors.append(error)
+            errors.append(about(name, error, len(names)))
             continue
         record = made(read.made.seed, settings, read, perf_counter() - began)
         if reference:
             record.inputs["against"] = reference.digest
-        written(values, record, place)
+        written(values, record, places[name])
     return settled(errors, len(names))
 
 
-def _tabled(names: list[str], settings: MetricsSettings, reference: Artifact[Plan] | None, out: str | None) -> int:
+def _tabled(names: list[str], settings: MetricsSettings, reference: Reference | None, out: str | None) -> int:
     """One table of all inputs that can be read and measured."""
     from stages import metrics
 
     place = _sheet(out)
-    work, errors = opened([(name, place) for name in names], Plan, whole=True)
+    work, errors = opened([(name, name) for name in names], Plan, whole=True)
     measured: list[Metrics] = []
-    for _, read in progress(work, "metrics", len(work)):
+    for name, read in progress(work, "metrics", len(work)):
         try:
             measured.append(measure(read.body, settings, reference.body if reference else None))
         except ApartgenError as error:
-            errors.append(error)
+            errors.append(about(name, error, len(names)))
     if measured:
         rows = metrics.table(measured, np.random.default_rng(SEED))
         artifact.write(metrics.markdown(rows, SEED), place)
     return settled(errors, len(names))
 
 
-def _compared(names: list[str], real: list[str], settings: MetricsSettings, table: bool, out: str | None) -> int:
+def _compared(
+    names: list[str], real: list[str], splits: Path | None, settings: MetricsSettings, table: bool, out: str | None
+) -> int:
     """One artifact, or table, of all inputs against all real apartments; any that cannot be read ends it."""
     from stages import metrics
 
     place = _sheet(out) if table else targets("metrics", [STREAM], out)[0]
     began = perf_counter()
     ours = [artifact.read(name, Layout) for name in names]
-    theirs, digests, files = _real(real, settings.real_as)
+    theirs, digests, files = _real(real, settings, splits)
     inception = Path(settings.inception_weights) if settings.inception_weights else None
     values = metrics.compare([a.body for a in ours], theirs, settings.metric or None, inception)
     if table:
@@ -125,19 +140,26 @@ def _compared(names: list[str], real: list[str], settings: MetricsSettings, tabl
     return 0
 
 
-def _real(paths: list[str], source: str | None) -> tuple[list[Layout], dict[str, str], dict[str, Path]]:
+def _real(
+    paths: list[str], settings: MetricsSettings, splits: Path | None
+) -> tuple[list[Layout], dict[str, str], dict[str, Path]]:
     """The real apartments, the digests of those that are artifacts, the files of those that are not."""
+    from stages.layout import datasets
+
+    source, heeded = settings.real_as, datasets.options(settings.real_as) if settings.real_as else frozenset()
+    part = {name: value for name, value in (("split", settings.split), ("splits", splits)) if value is not None}
+    if part and "split" not in heeded:
+        raise BadInput(f"--{next(iter(part))}: --as {source or 'artifacts'} knows no split; it goes with --as boxes")
     if source is None:
         read = [artifact.read(name, Layout) for name in whole_set("--real", paths)]
         return [a.body for a in read], {f"real {i}": a.digest for i, a in enumerate(read, 1)}, {}
-    from stages.layout import datasets
-
-    homes = datasets.source(source).homes
-    if "seed" in inspect.signature(homes).parameters:
+    if "seed" in heeded:
         raise BadInput(f"--as {source}: makes its rooms up; name a source of real ones, or give artifacts")
-    found = [home for path in paths for home in homes(Path(path))]
+    homes = datasets.source(source).homes
+    found = [home for path in paths for home in homes(Path(path), **part)]
     files = sorted(file for path in paths for file in ([Path(path)] if Path(path).is_file() else Path(path).rglob("*")))
-    return found, {}, {f"real {i}": file for i, file in enumerate(files, 1) if file.is_file()}
+    read_from = {f"real {i}": file for i, file in enumerate(files, 1) if file.is_file()}
+    return found, {}, read_from | ({"splits": splits} if splits else {})
 
 
 def _sheet(out: str | None) -> str:
@@ -146,8 +168,21 @@ def _sheet(out: str | None) -> str:
     return out or STREAM
 
 
-def _reference(source: str | None) -> Artifact[Plan] | None:
-    return artifact.read(source, Plan) if source else None
+def _reference(source: str | None) -> Reference | None:
+    """The plan of an artifact, or the programme of a file that people write."""
+    if source is None:
+        return None
+    data = artifact.contents(source)
+    raw = artifact.json_value(data, source)
+    if isinstance(raw, dict) and "apartgen" in raw:
+        read = artifact.parse(data, source, Plan)
+        return Reference(read.body, read.digest)
+    program = asked(data, source).program
+    if program is None:
+        raise BadInput(f"{source}: rooms drawn by hand; give the plan that `apartgen plan --from` makes of them")
+    if fault := next(consistency.faults(program), None):
+        raise BadInput(f"{source}: {fault.where.removeprefix('program.')}: {fault.what}")
+    return Reference(program, "sha256:" + hashlib.sha256(data).hexdigest())
 
 
 def commands() -> dict[str, Callable[..., Any]]:

@@ -1,17 +1,22 @@
 """Make room to walk: swap, nudge or drop furniture until a robot gets everywhere."""
 
 from collections.abc import Callable
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import Field
 
+from apartgen_cli import retrieve as retrieving
 from apartgen_cli.stage import Stage, each
 from schemas.errors import Unmet
 from schemas.retrieve import Retrieve
 from schemas.walkable import Walkable
 from stages.retrieve.matching.config import RetrieveConfig
 from stages.walkable.config import WalkableConfig
+
+if TYPE_CHECKING:
+    from stages.retrieve import LibrarySet
 
 
 class WalkableSettings(WalkableConfig):
@@ -21,10 +26,12 @@ class WalkableSettings(WalkableConfig):
 
 
 def clear(home: Retrieve, config: WalkableSettings, rng: np.random.Generator) -> Walkable:
-    """One apartment."""
-    from stages import retrieve, walkable
+    """One apartment; BadInput where a library of its assets is not open."""
+    from stages import walkable
 
-    libraries = retrieve.open_libraries(RetrieveConfig(libraries=config.libraries))
+    libraries = _opened(config)
+    for library, id in {o.asset.library: o.asset.id for o in home.objects}.items():
+        libraries.load(library, id)
     return walkable.run(home, config, rng, libraries)
 
 
@@ -32,13 +39,28 @@ def missed(home: Walkable, config: WalkableSettings) -> Unmet | None:
     """What the best apartment falls short of, when it was asked for all the same."""
     if not config.write_anyway:
         return None
-    from stages import retrieve, walkable
+    from stages import walkable
 
-    short = walkable.unmet(home, config, retrieve.open_libraries(RetrieveConfig(libraries=config.libraries)))
+    short = walkable.unmet(home, config, _opened(config))
     return Unmet(f"{short} (written as asked)") if short else None
 
 
-STAGE = Stage("walkable", Retrieve, WalkableSettings, each(clear), {"libraries": "library"}, missed)
+def indices(config: WalkableSettings) -> dict[str, Path]:
+    """The index of every library that smaller assets come from, as the retrieve stage names them."""
+    return retrieving.libraries(_as_retrieved(config))
+
+
+def _opened(config: WalkableSettings) -> "LibrarySet":
+    from stages import retrieve
+
+    return retrieve.open_libraries(_as_retrieved(config))
+
+
+def _as_retrieved(config: WalkableSettings) -> RetrieveConfig:
+    return RetrieveConfig(libraries=config.libraries)
+
+
+STAGE = Stage("walkable", Retrieve, WalkableSettings, each(clear), {"libraries": "library"}, missed, indices)
 
 
 def commands() -> dict[str, Callable[..., Any]]:

@@ -5,7 +5,7 @@ from typing import Literal
 from pydantic import Field
 
 from schemas.base import Number, Record, Vector
-from schemas.retrieve import Retrieve
+from schemas.retrieve import AssetKey, Retrieve
 
 
 class Replaced(Record):
@@ -19,17 +19,26 @@ class Replaced(Record):
 
 
 class Placement(Record):
-    """Where an object stands and how large it is."""
+    """Where an object stands, how large it is, and what it is; earlier files have no asset here."""
 
     center: Vector
     size: Vector
     yaw: Number
+    asset: AssetKey | None = None
+
+
+class Shift(Record):
+    """What becomes of an object by a change of another; `after` is None where it was dropped."""
+
+    object: str
+    before: Placement
+    after: Placement | None
 
 
 class Step(Record):
     """One change and its reason: the target ratio ("ratio"), or the id of what could not be reached or opened.
 
-    `after` is None where the object was dropped. What stands on a changed object goes with it.
+    `after` is None where the object was dropped. `along` has what changes with it: what stands on it, or belongs to it.
     """
 
     action: Literal["replace", "nudge", "drop"]
@@ -37,6 +46,7 @@ class Step(Record):
     reason: str
     before: Placement
     after: Placement | None
+    along: list[Shift] = Field(default_factory=list)
 
 
 class Blocked(Record):

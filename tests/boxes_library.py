@@ -1,4 +1,7 @@
-"""A library of plain boxes in any size a category allows, with fronts that open as the category says."""
+"""A library of plain boxes in any size a category allows, with fronts that open as the category says.
+
+What a home holds already is boxes, too: `of(home)` makes these known.
+"""
 
 import numpy as np
 
@@ -45,6 +48,13 @@ class Boxes:
 
     def __init__(self) -> None:
         self.asked = 0
+        self.known = {}
+
+    def of(self, home):
+        """The library with what a home's objects are made of; of several with one key, the first."""
+        for o in home.objects:
+            self.known.setdefault((o.asset.library, o.asset.id), _boxes(o))
+        return self
 
     def nearest(self, category, size, latent, limit=None, like=""):
         self.asked += 1
@@ -66,7 +76,16 @@ class Boxes:
         return []
 
     def load(self, library, id):
-        raise BadInput("nothing is known of it but its boxes")
+        if (library, id) not in self.known:
+            raise BadInput(f"asset library {library!r} is not open")
+        return self.known[library, id]
+
+
+def _boxes(o):
+    half = np.asarray(o.size) / 2
+    parts = [Link(j.name, [], [slab(*j.extent)], 0.0, j) for j in o.joints if j.extent is not None]
+    base = Link("base", [], [slab(-half, half)], 0.0)
+    return Asset(o.asset.library, o.asset.id, o.category, "", o.size, [base, *parts])
 
 
 class Empty(Boxes):

@@ -151,7 +151,7 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
 def labels(settings: list[str]) -> list[str]:
     """Names in lines short enough to stand side by side."""
-    return [fill(setting, max(9, 110 // len(settings))) for setting in settings]
+    return [fill(setting, max(9, 110 // len(settings)), break_long_words=False) for setting in settings]
 
 
 def tidy(axes: Any) -> None:

@@ -5,8 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from apartgen_cli.bench import _scenes
+from apartgen_cli.bench import _compared, _scenes
+from apartgen_cli.bench._compared import REAL
 from schemas.layout import Layout
+from schemas.plan import Plan
 
 ASSETS = ", assets"
 PAPER = [
@@ -21,8 +23,10 @@ NOTE = (
     "A scene is one room. `ours` leaves out contacts that belong to use (a chair at its desk), `published` counts all; "
     "contacts up to 1 cm deep are none. `standing` is of what stands on the floor. The layout stage's boxes, so that "
     "nothing but the sampler differs; with `assets` the objects retrieved, their own joints and sizes. `+ walkable` is "
-    "Algorithm 2 alone in every room, τ = .70, but for the last row, which is the whole walkable stage. Guidance "
-    "as Eq. 2 has it, with Σ over 1000 steps, is in the experiment `samplers`."
+    "Algorithm 2 alone in every room, τ = .70, but for the row with projection, which is the whole walkable stage. "
+    "Guidance as Eq. 2 has it, with Σ over 1000 steps, is in the experiment `samplers`. `real against real` are the "
+    "same floors furnished by the furnisher, which made the training data, with seeds that training did not use: what "
+    "a figure is where nothing is left to learn."
 )
 ALGORITHM_2 = {"scope": "rooms", "connect": False, "drop": False, "unblock": False, "gentle": 0.0}
 WALKABLE = {
@@ -33,7 +37,7 @@ WALKABLE = {
     f"all guidance + projection + walkable{ASSETS}": ("all guidance + projection", {}),
 }
 """Settings with assets: how they are furnished, and what the walkable stage is told; None leaves it out."""
-SETTINGS = [*_scenes.METHODS, *WALKABLE]
+SETTINGS = [*_scenes.METHODS, *WALKABLE, REAL, f"{REAL}{ASSETS}"]
 SCENES, CHUNK = 100, 20
 FIGURES = [
     "R_acoll/ours",
@@ -50,11 +54,18 @@ FIGURES = [
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """Rooms of as many apartments as hold `scenes`, furnished under the setting and measured."""
-    homes = _scenes.of_rooms(seed, scenes, work)
-    made = (_with_assets(setting, seed, len(homes), work) if setting in WALKABLE
-            else _scenes.furnished(homes, _scenes.config(setting), seed))
+    made = _made(setting, seed, _scenes.of_rooms(seed, scenes, work), work)
     measures = ["articulation", "reachable", "collision", "outside"]
     return [record for home in made for record in _scenes.measured(home, measures)][:scenes]
+
+
+def _made(setting: str, seed: int, homes: list[Plan], work: Path) -> list[Layout]:
+    if setting in WALKABLE:
+        return _with_assets(setting, seed, len(homes), work)
+    if setting in _scenes.METHODS:
+        return _scenes.furnished(homes, _scenes.config(setting), seed)
+    real = _compared.furnished(homes, seed, REAL)
+    return [_scenes.retrieved(home, seed) for home in real] if setting.endswith(ASSETS) else real
 
 
 def _with_assets(setting: str, seed: int, homes: int, work: Path) -> list[Layout]:

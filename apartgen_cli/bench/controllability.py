@@ -9,13 +9,17 @@ from apartgen_cli.bench import _scenes
 
 PAPER = [{"S_node": 0.989, "S_constraint": 0.923, "S_edge": 0.954}]
 NOTE = (
-    "Prompts with ground truth written by hand. `held` was written before the reader was made and not looked at while "
-    "it was tuned; `tune` has grown with it. `stated` are the prompts that give areas themselves. The figures are of "
-    "the plan that was built, against the graph and areas an architect would write for the prompt."
+    "Prompts with rooms and links written by hand, and the areas that they state. `held` was written before the reader "
+    "was made and not looked at while it was tuned; `tune` has grown with it. The figures are of the plan that was "
+    "built. Areas that a prompt leaves open are in the ground truth the typical ones that the reader itself takes, so "
+    "that S_constraint over all prompts says little more than that the plan keeps the areas the reader asked for. What "
+    "counts is `stated`: of the 119 of 628 prompts (held: 20 of 120) that give any area, ratio of areas or total; "
+    "there, too, what is left open is typical: five of them give the area of every room."
 )
 SETTINGS = ["tune", "held"]
 SCENES, CHUNK = 600, 10
-FIGURES = ["S_node", "S_constraint", "S_constraint, stated", "S_edge", "built"]
+DRAWN = ["S_node", "S_constraint", "S_constraint, stated", "S_edge"]
+FIGURES = [*DRAWN, "built"]
 
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
@@ -61,3 +65,19 @@ def rows(records: list[dict[str, Any]], rng: np.random.Generator) -> list[dict[s
     """A row for each half and one for both."""
     both = [{**r, "setting": "both"} for r in records]
     return _scenes.intervals([*records, *both], [*SETTINGS, "both"], FIGURES, rng)
+
+
+def draw(rows: list[dict[str, Any]], axes: Any) -> None:
+    """Similarities of every row with their intervals, and the paper's; they are near 1, so no bars from 0."""
+    width, least = 0.16, 0.91
+    for k, (name, colour) in enumerate(zip(DRAWN, _scenes.COLOURS)):
+        shift = (k - (len(DRAWN) - 1) / 2) * width
+        there = [(i, row[name]) for i, row in enumerate(rows) if name in row]
+        value, low, high = np.array([found for _, found in there]).T
+        at, least = np.array([i for i, _ in there]) + shift, min(least, *low)
+        axes.errorbar(at, value, [value - low, high - value], fmt="o", capsize=3, color=colour, label=name)
+        if name in PAPER[0]:
+            axes.plot(len(rows) + shift, PAPER[0][name], "D", color=colour)
+    axes.set_xticks(range(len(rows) + 1), [*(row["setting"] for row in rows), "the paper"])
+    axes.set(ylabel="similarity", ylim=(max(least - 0.01, 0), 1.005))
+    _scenes.tidy(axes)

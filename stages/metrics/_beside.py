@@ -2,12 +2,10 @@
 
 from collections.abc import Callable, Sequence
 
-import numpy as np
-
 from schemas.layout import Layout
 from schemas.metrics import Value
-from stages.metrics._sets import ALL, SEED, types
-from stages.metrics._table import POOLED, interval
+from stages.metrics._sets import ALL, types
+from stages.metrics._table import POOLED, averaged
 
 Key = tuple[str, str, str]
 
@@ -39,8 +37,5 @@ def _by_figure(
 
 def _value(key: Key, version: str, pairs: list[tuple[float, float]]) -> Value:
     name, variant, unit = key
-    out = Value(name=f"{name}/{variant}", value=None, unit=unit, version=version, of=ALL, n=len(pairs))
-    if not pairs:
-        return out
-    value, low, high = interval(np.array(pairs), np.random.default_rng(SEED))
-    return out.model_copy(update={"value": value, "low": low, "high": high})
+    figure = Value(name=f"{name}/{variant}", value=None, unit=unit, version=version, of=ALL, n=len(pairs))
+    return averaged(figure, pairs)

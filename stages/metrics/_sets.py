@@ -13,7 +13,7 @@ SEED = 0
 """Of splits and resamples."""
 NOTE = (
     "Rooms of the types that the real set has; n of what a figure is a mean of in brackets: rooms, or cases of a "
-    f"relation; intervals are of 95 % by bootstrap over rooms, seed {SEED}"
+    f"relation; intervals are of 95 % by bootstrap over rooms, seed {SEED}, and there is none of a single room"
 )
 Scene = tuple[Room, list[Box]]
 
@@ -23,16 +23,16 @@ def types(real: Iterable[Layout]) -> list[str]:
     return sorted({room.type for home in real for room in home.rooms})
 
 
-def rooms(homes: Iterable[Layout], real: Iterable[Layout], kind: str = ALL) -> list[Scene]:
-    """Every furnished room of a type, or of any type that the real set has, with its objects."""
+def every(homes: Iterable[Layout], real: Iterable[Layout], kind: str = ALL) -> list[Scene]:
+    """Every room of a type, or of any type that the real set has, with its objects."""
     wanted = set(types(real)) if kind == ALL else {kind}
-    found = []
-    for home in homes:
-        for room in home.rooms:
-            inside = [o for o in home.objects if o.room == room.id]
-            if inside and room.type in wanted:
-                found.append((room, inside))
-    return found
+    return [(room, [o for o in home.objects if o.room == room.id])
+            for home in homes for room in home.rooms if room.type in wanted]
+
+
+def rooms(homes: Iterable[Layout], real: Iterable[Layout], kind: str = ALL) -> list[Scene]:
+    """As `every`, without rooms that hold nothing."""
+    return [(room, inside) for room, inside in every(homes, real, kind) if inside]
 
 
 def halves(generated: Sequence[Scene], real: Sequence[Scene]) -> tuple[list[Scene], list[Scene], list[Scene]]:

@@ -7,11 +7,14 @@ import numpy as np
 
 from schemas.metrics import Metrics, Value
 from stages.boxes import Array
+from stages.metrics._sets import SEED
 
 POOLED = ("Col_obj", "R_out", "R_blocked")
 """Shares of all objects of all apartments; every other figure is a mean over apartments."""
 SIDES = ("generated", "real")
 """Versions that a comparison's table begins with."""
+FREQUENCY, MOST = "frequency/", 10
+"""Begins the names of how often categories come; a table shows so many of a room type, the most frequent ones."""
 RESAMPLES = 1000
 LEVEL = 0.95
 
@@ -32,23 +35,40 @@ class Row(NamedTuple):
 def markdown(rows: Sequence[Row], seed: int) -> str:
     """A table for people; how the intervals were made stands below it."""
     head = "| figure | version | of | value | 95 % interval | n |\n|---|---|---|---|---|---|\n"
-    lines = [f"| {r.name} | {r.version} | {r.of} | {r.value:.3f} | {r.low:.3f} - {r.high:.3f} | {r.n} |" for r in rows]
+    lines = [f"| {r.name} | {r.version} | {r.of} | {r.value:.3f} | {_ends(r)} | {r.n} |" for r in rows]
     return f"{head}" + "\n".join(lines) + f"\n\nn apartments; bootstrap of {RESAMPLES} resamples, seed {seed}\n"
+
+
+def _ends(row: Row) -> str:
+    """An interval; one apartment has none."""
+    return f"{row.low:.3f} - {row.high:.3f}" if row.n > 1 else "-"
 
 
 def side_by_side(metrics: Metrics) -> str:
     """A table for people of what `compare` found: a row a figure, its versions in columns, n in brackets.
 
-    How the figures came about stands below it.
+    Of frequencies only the greatest are shown. How the figures came about stands below it.
     """
     versions = sorted({v.version for v in metrics.values}, key=lambda version: (version not in SIDES, version))
     rows: dict[tuple[str, str], dict[str, str]] = {}
+    rare = _rare(metrics)
     for v in metrics.values:
-        rows.setdefault((v.name, v.of), {})[v.version] = _cell(v)
+        if (v.name, v.of) not in rare:
+            rows.setdefault((v.name, v.of), {})[v.version] = _cell(v)
     head = f"| figure | of | {' | '.join(versions)} |\n|---|---|{'---|' * len(versions)}\n"
     return head + "".join(
         f"| {name} | {of} | {' | '.join(found.get(version, '') for version in versions)} |\n"
         for (name, of), found in rows.items()) + "".join(f"\n{text}\n" for text in metrics.notes)
+
+
+def _rare(metrics: Metrics) -> set[tuple[str, str]]:
+    """(name, of) of the frequencies beyond the `MOST` greatest of each room type, in whichever set is greater."""
+    greatest: dict[str, dict[str, float]] = {}
+    for v in metrics.values:
+        if v.name.startswith(FREQUENCY):
+            of = greatest.setdefault(v.of, {})
+            of[v.name] = max(of.get(v.name, 0.0), v.value or 0.0)
+    return {(name, of) for of, found in greatest.items() for name in sorted(found, key=lambda n: -found[n])[MOST:]}
 
 
 def _cell(v: Value) -> str:
@@ -76,6 +96,15 @@ def table(measured: Sequence[Metrics], rng: np.random.Generator, of: Iterable[st
                 weight = float(v.n) if v.name in POOLED and v.n else 1.0
                 cells.setdefault((v.name, v.version, v.of, v.unit), []).append((v.value, weight))
     return [Row(*key, *interval(np.array(found), rng), len(found)) for key, found in cells.items()]
+
+
+def averaged(figure: Value, found: Sequence[tuple[float, float]]) -> Value:
+    """The figure as weighted mean of (value, weight) pairs, one a room; its interval where there are several."""
+    if not found:
+        return figure
+    value, low, high = interval(np.array(found), np.random.default_rng(SEED))
+    ends = {"low": low, "high": high} if len(found) > 1 else {}
+    return figure.model_copy(update={"value": value, **ends})
 
 
 def interval(found: Array, rng: np.random.Generator) -> tuple[float, float, float]:

@@ -1,6 +1,6 @@
 """Realism: how furniture stands to walls and to its companions, against real rooms."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -10,8 +10,9 @@ from schemas.metrics import Value
 from schemas.plan import Plan, Program
 from stages import boxes, categories, footprints, polygons
 from stages.boxes import Array
-from stages.metrics._sets import ALL, SEED, types
-from stages.metrics._table import interval
+from stages.metrics._sets import ALL, every, types
+from stages.metrics._shares import objects
+from stages.metrics._table import averaged
 
 NEEDS = Layout
 BEDS = ("double_bed", "single_bed")
@@ -31,42 +32,28 @@ Sample = dict[str, list[float]]
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     """Mean of each relation over the apartment's objects or rooms; None where it has none of the kind."""
-    return [_value(name, found, "apartment", "ours") for name, found in _pooled([home], None).items()]
+    things = objects(home)
+    rooms = [of_room(polygons.floor(room), [o for o in things if o.room == room.id]) for room in home.rooms]
+    means = [_mean(name, rooms, "apartment", "ours") for name in RELATIONS]
+    return [value.model_copy(update={"low": None, "high": None}) for value in means]
 
 
 def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
     """Each relation in the generated and in the real rooms, in all of the real rooms' types and by type."""
-    every = types(real)
     values = []
     for version, group in (("generated", homes), ("real", real)):
-        for kind in (ALL, *every):
-            found = _pooled(group, every if kind == ALL else [kind])
-            values += [_with_interval(_value(name, sample, kind, version), sample) for name, sample in found.items()]
+        for kind in (ALL, *types(real)):
+            rooms = [of_room(polygons.floor(room), inside) for room, inside in every(group, real, kind)]
+            values += [_mean(name, rooms, kind, version) for name in RELATIONS]
     return values
 
 
-def _value(name: str, found: list[float], of: str, version: str) -> Value:
+def _mean(name: str, rooms: Sequence[Sample], of: str, version: str) -> Value:
+    """Over all cases; the interval is over rooms, because what stands in one room depends on one another."""
+    cases = [found[name] for found in rooms if found[name]]
     unit = "objects" if name == "objects_a_room" else "share"
-    return Value(name=name, value=float(np.mean(found)) if found else None, unit=unit, version=version, of=of,
-                 n=len(found))
-
-
-def _with_interval(value: Value, found: list[float]) -> Value:
-    if not found:
-        return value
-    _, low, high = interval(np.array([(v, 1.0) for v in found]), np.random.default_rng(SEED))
-    return value.model_copy(update={"low": low, "high": high})
-
-
-def _pooled(homes: Iterable[Plan], kinds: Sequence[str] | None) -> Sample:
-    total: Sample = {name: [] for name in RELATIONS}
-    for home in homes:
-        every = home.objects if isinstance(home, Layout) else []
-        for room in home.rooms:
-            if kinds is None or room.type in kinds:
-                for name, found in of_room(polygons.floor(room), [o for o in every if o.room == room.id]).items():
-                    total[name] += found
-    return total
+    value = Value(name=name, value=None, unit=unit, version=version, of=of, n=sum(map(len, cases)))
+    return averaged(value, [(float(np.mean(found)), float(len(found))) for found in cases])
 
 
 def of_room(floor: Polygon, things: Sequence[Box]) -> Sample:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from schemas.retrieve import Furnishing
-from schemas.walkable import Placement, Step
+from schemas.walkable import Placement, Shift, Step
 from stages.walkable.site import Changes, Scene, swapped
 
 Action = Literal["replace", "nudge", "drop"]
@@ -44,13 +44,18 @@ def dropped(o: Furnishing, carried: Sequence[Furnishing], reason: str) -> Change
 
 
 def placement(o: Furnishing) -> Placement:
-    """Where an object stands, for the record."""
-    return Placement(center=o.center, size=o.size, yaw=o.yaw)
+    """Where an object stands and what it is, for the record."""
+    return Placement(center=o.center, size=o.size, yaw=o.yaw, asset=o.asset)
 
 
 def applied(scene: Scene, change: Change) -> tuple[Scene, Step]:
     """The scene after a change, and the record of it."""
-    new = change.to[change.object.id]
-    step = Step(action=change.action, object=change.object.id, reason=change.reason, before=placement(change.object),
-                after=placement(new) if new else None)
+    along = [_shift(o, change.to[o.id]) for o in scene if o.id in change.to and o.id != change.object.id]
+    own = _shift(change.object, change.to[change.object.id])
+    step = Step(action=change.action, object=own.object, reason=change.reason, before=own.before, after=own.after,
+                along=along)
     return swapped(scene, change.to), step
+
+
+def _shift(old: Furnishing, new: Furnishing | None) -> Shift:
+    return Shift(object=old.id, before=placement(old), after=placement(new) if new else None)

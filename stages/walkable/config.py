@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from schemas.base import Positive, Record
 
@@ -15,14 +15,21 @@ class WalkableConfig(Record):
     target: float = Field(0.70, ge=0, le=1, description="least share of floor that stays free (τ)")
     scope: Literal["apartment", "rooms"] = Field("apartment", description="meets it: all floors together, or each")
     top_k: int = Field(3, ge=1, le=1000, description="largest objects replaced in an iteration (k)")
-    max_iterations: int = Field(20, ge=0, le=10_000, description="iterations at most (M)")
+    max_iterations: int = Field(20, ge=0, le=10_000, description="iterations at most (M), each time the loop runs")
     share: float = Field(0.9, gt=0, lt=1, description="sides of a smaller candidate, at most this share of the old")
     gentle: Share = Field(0.8, description="least share of its sides an object keeps while there is decoration to "
-                          "spare; 0 is Algorithm 2 as printed")
+                          "spare; 0 runs the loop of Algorithm 2 once")
     drop: bool = Field(True, description="leave out the least important objects where smaller ones do not suffice")
     connect: bool = Field(True, description="make the free space connected for a robot, up to all that opens")
     unblock: bool = Field(True, description="let all parts of furniture and all doors move through their whole range")
     robot_radius: Positive = 0.25
     reach: Positive = Field(0.8, description="from the robot's centre to the front of what it uses, m")
-    resolution: Positive = Field(0.05, le=0.1, description="cells of the occupancy raster, m")
+    resolution: Positive = Field(0.05, ge=0.01, le=0.1, description="cells of the occupancy raster, m")
     write_anyway: bool = Field(False, description="give the best apartment found although it misses the target")
+
+    @model_validator(mode="after")
+    def _reaching(self) -> "WalkableConfig":
+        if self.reach <= self.robot_radius:
+            raise ValueError(f"--reach {self.reach:g}: ends within the robot, whose radius is {self.robot_radius:g} m; "
+                             "give more, or a smaller --robot-radius")
+        return self

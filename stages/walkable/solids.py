@@ -5,12 +5,10 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from schemas.errors import BadInput
 from schemas.retrieve import Furnishing, Joint
 from stages import categories, convex
 from stages.asset import Asset, Collider, Link
 from stages.convex import Hulls
-from stages.solids import slab
 from stages.walkable.site import Candidates
 from stages.wedged import Shapes, prisms
 
@@ -23,7 +21,7 @@ class Solid(NamedTuple):
 
 
 class Solids:
-    """Solids of objects, made when first asked for; an asset that can't be had is taken for its boxes."""
+    """Solids of objects, made when first asked for; BadInput for an object whose asset can't be had."""
 
     def __init__(self, library: Candidates) -> None:
         self._library = library
@@ -34,7 +32,7 @@ class Solids:
         """The solid of an object's asset."""
         key = (o.asset.library, o.asset.id)
         if key not in self._known:
-            self._known[key] = self._made(o)
+            self._known[key] = solid(self._library.load(*key))
         return self._known[key]
 
     def rest(self, o: Furnishing) -> Hulls:
@@ -55,22 +53,11 @@ class Solids:
             own[place] = shapely.transform(shadows, lambda xy: xy @ turn + o.center[:2]), heights + o.center[2]
         return own[place]
 
-    def _made(self, o: Furnishing) -> Solid:
-        try:
-            return solid(self._library.load(o.asset.library, o.asset.id))
-        except BadInput:
-            half = np.asarray(o.size) / 2
-            parts = [Link(j.name, [], [slab(*j.extent)], 0.0, j) for j in o.joints if j.extent is not None]
-            return _solid([Link("base", [], [slab(-half, half)], 0.0), *parts])
-
 
 def solid(asset: Asset) -> Solid:
     """The solid of an asset; what lies flat on the floor hinders nothing."""
     flat = asset.category in categories.TABLE and categories.TABLE[asset.category].place == "flat"
-    return _solid([] if flat else asset.links)
-
-
-def _solid(links: list[Link]) -> Solid:
+    links: list[Link] = [] if flat else asset.links
     rest: list[Collider] = [c for link in links for c in link.colliders]
     moving: list[tuple[Joint, list[Collider]]] = [(k.joint, k.colliders) for k in links if k.joint and k.colliders]
     return Solid(convex.of(rest), {joint.name: convex.swept(convex.of(own), joint) for joint, own in moving})

@@ -143,7 +143,8 @@ def test_too_few_scenes_say_nothing():
 def test_a_comparison_names_its_network(monkeypatch):
     monkeypatch.setattr(_networks, "network", lambda inception: mean_colour("mean of pixels"))
     found = metrics.compare(homes(0, 8), homes(1, 16), ["fid", "frequencies"])
-    assert [v.name for v in found.values if v.of == "bedroom"] == ["FID_mean"] * 2 + ["CKL"] * 3
+    of_bedrooms = [v.name for v in found.values if v.of == "bedroom"]
+    assert of_bedrooms == ["FID_mean"] * 2 + ["CKL"] * 3 + ["frequency/double_bed"] * 2
     assert "mean of pixels" in metrics.side_by_side(found) and "seed" in metrics.side_by_side(found)
 
 

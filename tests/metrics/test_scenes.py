@@ -6,7 +6,7 @@ import pytest
 
 from schemas.errors import BadInput
 from stages import metrics
-from stages.metrics import articulation, collision, doorways, outside, reachable, walkable
+from stages.metrics import articulation, collision, counts, doorways, outside, reachable, relations, walkable
 
 
 def figure(values, name, version="ours", of="apartment"):
@@ -199,3 +199,36 @@ def test_every_metric_takes_an_empty_flat_and_is_repeatable(name):
             assert first == second and all(v.name and v.version for v in first.values)
             keys = [(v.name, v.version, v.of) for v in first.values]
             assert len(keys) == len(set(keys))
+
+
+def test_how_much_stands_in_each_room_by_hand():
+    things = [h.chest(2, 0.25, UP), h.thing("stool", 1, 2), h.thing("stool", 3, 2),
+              h.thing("double_bed", 5.5, 1.5, room=h.BEDROOM)]
+    found = counts.measure(h.home(*things))
+    table = {of: [figure(found, name, of=of) for name in ("N_objects", "N_articulated", "N_categories")]
+             for of in ("apartment", h.LIVING, h.BEDROOM)}
+    assert table == {"apartment": [4, 1, 3], h.LIVING: [3, 1, 2], h.BEDROOM: [1, 0, 1]}
+    assert {v.value for v in counts.measure(h.home())} == {0}
+
+
+def test_density_by_hand():
+    # Of 12 m²: a 1 × 2 m table and a 1 × 1 m one that stands half on its floor; what lies or hangs takes none.
+    table = h.thing("coffee_table", 2, 1.5, size=(1.0, 2.0, 0.4))
+    half = h.thing("side_table", 2.5, 1.5, size=(1.0, 1.0, 0.5))
+    rug = h.thing("rug", 1, 1, size=(2.0, 2.0, 0.02))
+    lamp = h.thing("ceiling_lamp", 1, 1)
+    def density(*things):
+        return figure(relations.measure(h.home(*things)), "density")
+    # Rooms count alike: the bedroom is empty.
+    assert density(table, half, rug, lamp) == pytest.approx((2 + 0.5) / 12 / 2)
+    assert density(rug, lamp) == density() == 0
+    bed = h.thing("double_bed", 5.5, 1.5, room=h.BEDROOM, size=(2.0, 1.5, 0.5))
+    assert density(table, bed) == pytest.approx((2 / 12 + 3 / 9) / 2)
+
+
+def test_rugs_and_curtains_collide_in_no_version():
+    curtain = h.thing("curtain", 2, 2.9, DOWN)
+    chest = h.chest(2, 2.75, DOWN)
+    flat = h.home(chest, curtain, h.thing("rug", 2, 2.4, size=(2.0, 2.0, 0.02)))
+    for name, measure in (("Col_obj", collision.measure), ("R_acoll", articulation.measure)):
+        assert {v.value for v in measure(flat) if v.name == name and v.version != "with_walls"} == {0}

@@ -7,7 +7,7 @@ import pytest
 from schemas.errors import BadInput
 from schemas.metrics import Metrics, Value
 from schemas.plan import AskedObjects
-from stages import metrics
+from stages import categories, metrics
 from stages.metrics import frequencies, quantity, relations
 
 DOWN, UP = -np.pi / 2, np.pi / 2
@@ -54,6 +54,46 @@ def test_the_interval_of_ckl_covers_it_and_narrows_with_more_scenes():
         assert figure.low <= figure.value <= figure.high
         return figure.high - figure.low
     assert wide(400) < 0.6 * wide(40)
+
+
+def spread_over(rooms):
+    """Homes whose living rooms hold these categories."""
+    return [h.home(*(h.thing(name, 0.5 + 0.1 * i, 1) for i, name in enumerate(names))) for names in rooms]
+
+
+def test_frequencies_by_hand():
+    homes, real = spread_over([["sofa", "plant", "plant"], []]), spread_over([["sofa"], ["sofa"], ["tv_stand"]])
+    found = [v for v in frequencies.compare(homes, real) if (v.of, v.name[:3]) == ("living_room", "fre")]
+    assert [(v.name, v.version, round(v.value, 3), v.n) for v in found] == [
+        ("frequency/plant", "generated", 1.0, 2), ("frequency/plant", "real", 0.0, 3),
+        ("frequency/sofa", "generated", 0.5, 2), ("frequency/sofa", "real", 0.667, 3),
+        ("frequency/tv_stand", "generated", 0.0, 2), ("frequency/tv_stand", "real", 0.333, 3)]
+    assert (found[0].low, found[0].high) == (0.0, 2.0) and (found[1].low, found[1].high) == (0.0, 0.0)
+    # All categories of a type together are the objects of its rooms.
+    (whole,) = [v.value for v in relations.compare(homes, real)
+                if (v.name, v.of, v.version) == ("objects_a_room", "living_room", "generated")]
+    assert whole == sum(v.value for v in found if v.version == "generated")
+
+
+def test_a_table_shows_the_ten_most_frequent_of_either_set():
+    names = sorted(categories.TABLE)[:13]
+    common, rare = names[:9], names[9:]
+    homes, real = spread_over([common, common]), spread_over([common, [*common, rare[3]], rare])
+    found = metrics.compare(homes, real, ["frequencies"])
+    shown = [line.split(" | ")[0][2:] for line in metrics.side_by_side(found).splitlines() if "/" in line]
+    assert {name.partition("/")[2] for name in shown} == {*common, rare[3]}
+    assert len({v.name for v in found.values if v.name.startswith("frequency/")}) == 13
+
+
+def test_relations_are_resampled_by_rooms():
+    # In one room all four chairs are at the table, in the other none: by rooms anything from 0 to 1 may come.
+    table = h.thing("dining_table", 2, 1.5, 0, size=(0.8, 2.4, 0.75))
+    at = [h.thing("chair", 1.3, 1.2 + 0.2 * i, 0, size=(0.5, 0.5, 0.9)) for i in range(4)]
+    away = [h.thing("chair", 1.3, 1.2 + 0.2 * i, np.pi, size=(0.5, 0.5, 0.9)) for i in range(4)]
+    both = [h.home(table, *at), h.home(table, *away)]
+    (found,) = [v for v in relations.compare(both, both) if (v.name, v.of, v.version) == (
+        "seat_at_table", "living_room", "generated")]
+    assert (found.value, found.n, found.low, found.high) == (0.5, 8, 0.0, 1.0)
 
 
 def test_relations_by_hand():
@@ -111,6 +151,11 @@ def test_a_table_for_people_says_how_it_was_made():
     assert "| R_acoll | ours | apartment | 0.250 | 0.250 - 0.250 | 5 |" in text and text.endswith("seed 3\n")
 
 
+def test_a_single_apartment_has_no_interval():
+    text = metrics.markdown(metrics.table([one("R_acoll", 0.25)], np.random.default_rng(3)), seed=3)
+    assert "| R_acoll | ours | apartment | 0.250 | - | 1 |" in text
+
+
 def test_intervals_cover_the_mean_as_often_as_they_say():
     rng = np.random.default_rng(1)
     hits = 0
@@ -125,7 +170,8 @@ def test_a_comparison_for_people_has_both_sets_in_a_row():
     homes, real = [h.home(h.thing("sofa", 1, 1))], [h.home(h.thing("sofa", 1, 1), h.thing("tv_stand", 3, 2))]
     lines = metrics.side_by_side(metrics.compare(homes, real, ["frequencies", "relations"])).splitlines()
     assert lines[0] == "| figure | of | generated | real | published |"
-    assert "| objects_a_room | living_room | 1.000 [1.000, 1.000] (1) | 2.000 [2.000, 2.000] (1) |  |" in lines
+    assert "| objects_a_room | living_room | 1.000 (1) | 2.000 (1) |  |" in lines
+    assert "| frequency/tv_stand | living_room | 0.000 (1) | 1.000 (1) |  |" in lines
     assert "| CKL | bedroom | - | - | - |" in lines
     assert {line.count("|") for line in lines if line.startswith("|")} == {6} and "n of what" in lines[-1]
 
@@ -149,4 +195,4 @@ def test_the_real_rooms_stand_beside_the_generated_ones():
     found = frequencies.compare([h.home(h.thing("plant", 1, 1))] * 30, real)
     generated, floor = (values(found, "CKL", version) for version in ("generated", "real"))
     assert generated > 5 > 0.5 > floor >= 0
-    assert [v.n for v in found if v.of == "apartment"] == [30, 10, 10]
+    assert [v.n for v in found if (v.name, v.of) == ("CKL", "apartment")] == [30, 10, 10]

@@ -33,7 +33,7 @@ def tight(depth, narrower):
 
 def walk(home):
     config = WalkableConfig(target=0.2, write_anyway=True)
-    return run(home, config, np.random.default_rng(0), fake.Empty())
+    return run(home, config, np.random.default_rng(0), fake.Empty().of(home))
 
 
 @pytest.mark.parametrize("depth, narrower", [(1.97, 0.0), (1.97, 0.02), (2.02, 0.0), (2.07, 0.04)])

@@ -4,6 +4,7 @@ import boxes_library as fake
 import handmade as h
 import numpy as np
 import pytest
+from crowded import crowded
 
 from schemas.errors import Unmet
 from schemas.plan import AskedObjects
@@ -12,6 +13,7 @@ from stages import boxes, categories, polygons, reach, sweeps
 from stages.categories import TABLE
 from stages.metrics import collision, doorways, outside
 from stages.walkable import WalkableConfig, importance, run
+from stages.walkable.changes import placement
 from stages.walkable.site import survey
 
 DOWN, UP = -np.pi / 2, np.pi / 2
@@ -19,7 +21,7 @@ PAPER = {"connect": False, "unblock": False, "drop": False}
 
 
 def walk(home, library=None, **config):
-    return run(home, WalkableConfig(**config), np.random.default_rng(0), library or fake.Boxes())
+    return run(home, WalkableConfig(**config), np.random.default_rng(0), (library or fake.Boxes()).of(home))
 
 
 def bed(**more):
@@ -145,6 +147,22 @@ def test_a_bed_takes_its_nightstand_along():
     bed, table = object_of(result, "bed"), object_of(result, "table")
     assert boxes.gap(boxes.of([bed]), boxes.of([table]))[0, 0] == pytest.approx(0.025, abs=1e-6)
     assert bed.yaw == pytest.approx(table.yaw)
+
+
+@pytest.mark.parametrize("kind", ["bedroom", "living_room", "kitchen"])
+def test_the_steps_taken_again_lead_from_what_was_to_what_is(kind):
+    home = crowded(2, kind)
+    lamp = h.thing("table_lamp", *home.objects[0].center[:2], room=h.BEDROOM, size=(0.1, 0.1, 0.3), id="lamp",
+                   bottom=home.objects[0].center[2] + home.objects[0].size[2] / 2)
+    home = h.home(*home.objects, lamp).model_copy(update={"rooms": home.rooms})
+    result = walk(home, target=0.8, write_anyway=True)
+    now = {o.id: placement(o) for o in home.objects}
+    assert result.walkable.steps
+    for step in result.walkable.steps:
+        for shift in (step, *step.along):
+            assert now.pop(shift.object) == shift.before
+            now |= {shift.object: shift.after} if shift.after else {}
+    assert now == {o.id: placement(o) for o in result.objects}
 
 
 def test_what_a_room_does_not_do_without_goes_last():

@@ -18,12 +18,12 @@ UP, DOWN = np.pi / 2, -np.pi / 2
 
 
 def blocked(home, library=None):
-    return Check(building(home), Solids(library or fake.Empty())).blocked(home.objects)
+    return Check(building(home), Solids(library or fake.Empty().of(home))).blocked(home.objects)
 
 
 def opened(home, library=None, **config):
     config = {"target": 0.0, "connect": False} | config
-    return run(home, WalkableConfig(**config), np.random.default_rng(0), library or fake.Empty())
+    return run(home, WalkableConfig(**config), np.random.default_rng(0), library or fake.Empty().of(home))
 
 
 def lidded(x, y, **more):

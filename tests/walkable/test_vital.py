@@ -13,7 +13,7 @@ from stages.walkable import WalkableConfig, importance, run, unmet
 
 DOWN, UP = -np.pi / 2, np.pi / 2
 def walk(home, library=None, **config):
-    return run(home, WalkableConfig(**config), np.random.default_rng(0), library or fake.Boxes())
+    return run(home, WalkableConfig(**config), np.random.default_rng(0), (library or fake.Boxes()).of(home))
 
 
 def lacking(home, after):
