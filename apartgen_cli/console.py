@@ -47,8 +47,8 @@ def progress(items: Iterable[Item], what: str, total: int) -> Iterator[Item]:
 
 
 @contextmanager
-def watched(what: str, total: int) -> Iterator[Callable[..., None]]:
-    """A bar on standard error where a person watches; `report(done, loss)` moves it."""
+def watched(what: str, total: int | None) -> Iterator[Callable[..., None]]:
+    """A bar on standard error where a person watches; `report(done, loss)` moves it. `total` None: nobody knows."""
     if not sys.stderr.isatty() or log.level > logging.INFO:
         yield lambda done, loss=None: None
         return

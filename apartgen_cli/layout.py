@@ -6,16 +6,27 @@ from typing import Any
 
 import numpy as np
 
-from apartgen_cli.stage import Stage
-from schemas.layout import Layout
+from apartgen_cli.stage import Outcome, Stage
+from schemas.errors import ApartgenError
 from schemas.plan import Plan
 from stages import layout
 from stages.layout.config import LayoutConfig
 
 
-def furnish(plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator]) -> Iterable[Layout]:
-    """All apartments in one batch."""
-    return layout.run_many(plans, config, rngs) if plans else []
+def furnish(plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator]) -> Iterable[Outcome]:
+    """All apartments in one batch, but those that ask for what no layout can have."""
+    wrong = [_fault(plan) for plan in plans]
+    good = [i for i, fault in enumerate(wrong) if fault is None]
+    made = iter(layout.run_many([plans[i] for i in good], config, [rngs[i] for i in good]) if good else [])
+    return [fault or next(made) for fault in wrong]
+
+
+def _fault(plan: Plan) -> ApartgenError | None:
+    try:
+        layout.check(plan)
+    except ApartgenError as error:
+        return error
+    return None
 
 
 def weights(config: LayoutConfig) -> dict[str, Path]:

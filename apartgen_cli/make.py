@@ -117,8 +117,6 @@ def settings(file: Path | None, formats: list[str], llm: str | None) -> dict[str
     kinds: dict[str, type[Record]] = {"plan": plan.PlanSettings, **{stage.word: stage.config for stage in STAGES},
                                       "metrics": metrics.MetricsSettings, "export": export.ExportSettings}
     table = tables(file)
-    if strange := sorted(set(table) - set(kinds)):
-        raise BadInput(f"{file}: table [{strange[0]}] is unknown; there are: {', '.join(kinds)}")
     # What one stage took from a library, the later ones look up there.
     libraries = {"libraries": table.get("retrieve", {}).get("libraries", [])}
     given: dict[str, dict[str, Any]] = {"plan": {"llm": llm} if llm else {}, "walkable": libraries,

@@ -15,10 +15,15 @@ from schemas.errors import BadInput
 
 Config = TypeVar("Config", bound=BaseModel)
 Names = Mapping[str, str]
+TABLES = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "train-layout", "train-shape")
+"""What a settings file may hold: one for every command that has settings."""
 
 OUT = Annotated[str | None, typer.Option("--out", "-o", help="A file, or with a slash at its end a folder.")]
 SEED = Annotated[int | None, typer.Option("--seed", min=0, help="Fixes everything drawn; the input's seed by default.")]
 CONFIG = Annotated[Path | None, typer.Option("--config", help="A TOML file with a table of settings for every stage.")]
+SPLIT = Annotated[str | None, typer.Option("--split", help="Only rooms of this part of a split data set (boxes).")]
+SPLITS = Annotated[Path | None, typer.Option(
+    "--splits", metavar="FILE", help="The CSV of ROOM,PART that says which rooms --split means.")]
 INPUTS = Annotated[list[str] | None, typer.Argument(metavar="FILE", help="Artifacts; - or a pipe is standard input.")]
 
 
@@ -83,26 +88,55 @@ def _plain(annotation: Any) -> Any:
 
 def configured(config: type[Config], given: Mapping[str, Any], table: Mapping[str, Any] | None = None,
                names: Names | None = None) -> Config:
-    """The configuration from its defaults, a file's table and the options given; the later wins."""
+    """The configuration from its defaults, a file's table and the options given; the later wins.
+
+    Of a field that maps names to values, what is given changes those names and leaves the others.
+    """
     values: dict[str, Any] = dict(table or {})
-    for field in values:
-        if field not in config.model_fields:
-            raise BadInput(f"setting {field!r} is unknown; there are: {', '.join(config.model_fields)}")
+    _known(config, values)
+    for field, value in values.items():
+        if _maps(config, field) and isinstance(value, dict):
+            values[field] = _default(config, field) | value
     for field, value in given.items():
-        whole = get_origin(_plain(config.model_fields[field].annotation)) is dict
-        values[field] = _pairs(config, field, value, values.get(field)) if whole else value
+        start = values.get(field)
+        start = start if isinstance(start, dict) else _default(config, field)
+        values[field] = _pairs(field, value, start) if _maps(config, field) else value
     try:
         return config.model_validate(values)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        field = str(first["loc"][0]) if first["loc"] else ""
-        option = (names or {}).get(field, field).replace("_", "-")
-        raise BadInput(f"--{option} {values.get(field)}: {first['msg'][0].lower()}{first['msg'][1:]}") from None
+        raise BadInput(_first_fault(error, values, names or {})) from None
 
 
-def _pairs(config: type[BaseModel], field: str, rows: list[str], table: Mapping[str, Any] | None) -> dict[str, Any]:
-    default = config.model_fields[field].get_default(call_default_factory=True, validated_data={})
-    values = dict(table if table is not None else default)
+def _known(config: type[BaseModel], values: Mapping[str, Any]) -> None:
+    for field, value in values.items():
+        if field not in config.model_fields:
+            raise BadInput(f"setting {field!r} is unknown; there are: {', '.join(config.model_fields)}")
+        inner = config.model_fields[field].annotation
+        if isinstance(value, dict) and isinstance(inner, type) and issubclass(inner, BaseModel):
+            _known(inner, value)
+
+
+def _first_fault(error: ValidationError, values: Mapping[str, Any], names: Names) -> str:
+    """The option, its value and what is wrong with it; of settings that don't go together, what they say."""
+    first = error.errors(include_url=False)[0]
+    if not first["loc"]:
+        return str(first["ctx"]["error"])
+    field, *keys = map(str, first["loc"])
+    option, value = names.get(field, field).replace("_", "-"), values.get(field)
+    shown = f"{keys[0]}={value[keys[0]]}" if keys and isinstance(value, dict) and keys[0] in value else value
+    return f"--{option} {shown}: {first['msg'][0].lower()}{first['msg'][1:]}"
+
+
+def _maps(config: type[BaseModel], field: str) -> bool:
+    return get_origin(_plain(config.model_fields[field].annotation)) is dict
+
+
+def _default(config: type[BaseModel], field: str) -> Any:
+    return config.model_fields[field].get_default(call_default_factory=True, validated_data={})
+
+
+def _pairs(field: str, rows: list[str], start: Mapping[str, Any]) -> dict[str, Any]:
+    values = dict(start)
     for row in rows:
         name, sign, value = row.partition("=")
         try:
@@ -113,12 +147,18 @@ def _pairs(config: type[BaseModel], field: str, rows: list[str], table: Mapping[
 
 
 def tables(file: Path | None) -> dict[str, Any]:
-    """The tables of a settings file, by stage; empty without one."""
+    """The tables of a settings file, by stage; empty without one. BadInput for a table that no command reads."""
     if file is None:
         return {}
     try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
+        found = tomllib.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
         raise BadInput(f"{file}: cannot be read ({error.strerror}); check the path") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise BadInput(f"{file}: not TOML: {error}") from None
+    for name, table in found.items():
+        if name not in TABLES:
+            raise BadInput(f"{file}: table [{name}] is unknown; there are: {', '.join(TABLES)}")
+        if not isinstance(table, dict):
+            raise BadInput(f"{file}: {name} is no table; settings of {name} stand below [{name}]")
+    return found

@@ -4,16 +4,17 @@ A command module describes its stage by a `Stage`; `make` chains the same descri
 """
 
 import hashlib
+import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from apartgen_cli import __version__
-from apartgen_cli.console import fail, progress, say
+from apartgen_cli.console import fail, log, progress, say
 from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, configured, tables, with_options
 from apartgen_cli.streams import Target, sources, targets
 from schemas import artifact
@@ -22,6 +23,7 @@ from schemas.base import Record
 from schemas.errors import ApartgenError, Unmet
 
 BY = f"apartgen {__version__}"
+Kept = TypeVar("Kept")
 Outcome = Record | ApartgenError
 Advance = Callable[[list[Any], Any, list[np.random.Generator]], Iterable[Outcome]]
 
@@ -86,26 +88,57 @@ def _digest(file: Path) -> str:
 def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record) -> int:
     """Run a stage over all inputs; every result is written as soon as it is there. Returns the exit status."""
     names = sources(inputs)
-    pairs = list(zip(names, targets(stage.word, names, out)))
-    work, errors = opened(pairs, stage.takes)
+    places = dict(zip(names, targets(stage.word, names, out)))
+    work, errors = opened([(name, name) for name in names], stage.takes)
     seeds = [read.made.seed if seed is None else seed for _, read in work]
     began = perf_counter()
-    bodies = stage.advance([read.body for _, read in work], config, [lane(s, stage.word) for s in seeds])
-    for (place, read), used, outcome in zip(work, seeds, progress(bodies, stage.word, len(work))):
+    outcomes = _told(stage, [(name, read.body) for name, read in work], config, [lane(s, stage.word) for s in seeds])
+    for (name, read), used, outcome in zip(work, seeds, progress(outcomes, stage.word, len(work))):
         if isinstance(outcome, ApartgenError):
-            errors.append(outcome)
+            errors.append(about(name, outcome, len(names)))
             continue
-        written(outcome, made(used, config, read, perf_counter() - began, stage.data(config)), place)
+        written(outcome, made(used, config, read, perf_counter() - began, stage.data(config)), places[name])
         if short := stage.missed(outcome, config):
-            errors.append(short)
+            errors.append(about(name, short, len(names)))
         began = perf_counter()
     return settled(errors, len(names))
 
 
-def opened(pairs: Iterable[tuple[str, Target]], model: type[Record], whole: bool = False,
-           ) -> tuple[list[tuple[Target, Artifact[Any]]], list[ApartgenError]]:
-    """The inputs that can be read, each with the place of its result, and what is wrong with the others."""
-    work: list[tuple[Target, Artifact[Any]]] = []
+def _told(stage: Stage, inputs: list[tuple[str, Any]], config: Record, rngs: list[np.random.Generator],
+          ) -> Iterator[Outcome]:
+    """What comes of every input; where there are several, what is said about one begins with its name.
+
+    A message is about the body that its record bears, as of stages that do all at once, else about the next in turn.
+    """
+    names, now = {id(body): name for name, body in inputs}, ""
+
+    def named(record: logging.LogRecord) -> bool:
+        if name := names.get(id(getattr(record, "body", None)), now):
+            record.msg, record.args = f"{name}: {record.getMessage()}", ()
+        return True
+
+    if len(inputs) > 1:
+        log.addFilter(named)
+    try:
+        outcomes = iter(stage.advance([body for _, body in inputs], config, rngs))
+        for name, _ in inputs:
+            now = name
+            outcome = next(outcomes)
+            now = ""
+            yield outcome
+    finally:
+        log.removeFilter(named)
+
+
+def about(name: str, error: ApartgenError, total: int) -> ApartgenError:
+    """The error with the name of its input, where there are several."""
+    return type(error)(f"{name}: {error}") if total > 1 else error
+
+
+def opened(pairs: Iterable[tuple[str, Kept]], model: type[Record], whole: bool = False,
+           ) -> tuple[list[tuple[Kept, Artifact[Any]]], list[ApartgenError]]:
+    """The inputs that can be read, each with what was paired with its name, and what is wrong with the others."""
+    work: list[tuple[Kept, Artifact[Any]]] = []
     errors: list[ApartgenError] = []
     for name, place in pairs:
         try:

@@ -1,20 +1,23 @@
 """Train the models whose weights are shipped."""
 
-import inspect
-from collections.abc import Callable, Iterator
+import os
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
 from apartgen_cli.console import say, watched
-from apartgen_cli.options import CONFIG, configured, tables, with_options
+from apartgen_cli.options import CONFIG, SPLIT, SPLITS, configured, tables, with_options
+from apartgen_cli.streams import is_folder
 from schemas.errors import BadInput
 from stages.layout.config import TrainConfig
 from stages.retrieve.shape.config import ShapeTraining
 
 if TYPE_CHECKING:
     from schemas.layout import Layout
+
+Item = TypeVar("Item")
 
 WEIGHTS = Annotated[Path | None, typer.Option("--out", "-o", help="The weights file; the shipped one by default.")]
 FRESH = Annotated[bool, typer.Option("--fresh", help="Begin anew instead of going on from a checkpoint.")]
@@ -27,37 +30,64 @@ def _corpus(
     seed: Annotated[int, typer.Option("--seed", min=0, help="Fixes everything drawn.")] = 0,
     rooms: Annotated[int | None, typer.Option("--rooms", min=1, help="How many, of a source that never ends.")] = None,
     times: Annotated[int | None, typer.Option("--times", min=1, help="How often each home is furnished anew.")] = None,
+    split: SPLIT = None, splits: SPLITS = None,
 ) -> None:
     """Collect furnished rooms to train the layout model on."""
+    from stages.layout import datasets
     from stages.layout.datasets._arrays import write_corpus
 
-    homes = ((home, i) for i, source in enumerate(sources) for home in _homes(source, seed, rooms, times))
-    say(f"wrote {out}: {write_corpus(out, homes, seed)} rooms")
+    place = _place(out, "corpus.npz")
+    wanted = {"rooms": rooms, "times": times, "split": split, "splits": splits}
+    given = {name: value for name, value in wanted.items() if value is not None}
+    found = [_homes(source, given | {"seed": seed}) for source in sources]
+    for name in given:
+        if not any(name in datasets.options(source.partition("=")[0]) for source in sources):
+            raise BadInput(f"--{name} {given[name]}: none of {', '.join(sources)} heeds it; leave it out")
+    with watched("homes", None) as report:
+        homes = ((home, i) for i, source in enumerate(found) for home in source)
+        rows = write_corpus(place, _counted(homes, report), seed)
+    say(f"wrote {place}: {rows} rooms")
 
 
-def _homes(source: str, seed: int, rooms: int | None, times: int | None) -> "Iterator[Layout]":
+def _homes(source: str, given: dict[str, Any]) -> "Iterator[Layout]":
+    """The homes of NAME=FOLDER, told those of the given options that the source heeds."""
     from stages.layout import datasets
 
     name, _, folder = source.partition("=")
-    homes: Callable[..., Iterator[Layout]] = datasets.source(name).homes
-    taken = inspect.signature(homes).parameters
-    if "rooms" in taken and rooms is None:
+    heeded = datasets.options(name)
+    if "rooms" in heeded and "rooms" not in given:
         raise BadInput(f"{name} never ends; say how many with --rooms")
-    given = {"seed": seed, "rooms": rooms, "times": times}
-    told = {key: value for key, value in given.items() if key in taken and value is not None}
-    return homes(Path(folder) if folder else None, **told)
+    homes: Iterator[Layout] = datasets.source(name).homes(
+        Path(folder) if folder else None, **{key: value for key, value in given.items() if key in heeded})
+    return homes
+
+
+def _counted(homes: Iterable[Item], report: Callable[[int], None]) -> Iterator[Item]:
+    for done, home in enumerate(homes, 1):
+        yield home
+        report(done)
+
+
+def _place(out: Path, name: str) -> Path:
+    """`out`, where it is a file that can be written; BadInput before the work for it begins."""
+    if is_folder(str(out)):
+        raise BadInput(f"-o {out}: is a folder; name a file, such as -o {out / name}")
+    if not os.access(out.parent, os.W_OK):
+        raise BadInput(f"-o {out}: cannot be written, there is no folder {out.parent} to write to; give another path")
+    return out
 
 
 def _layout(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
     """Train the layout model on a corpus; an interrupted run goes on from its checkpoint."""
-    from stages.layout import weights
+    from stages.layout import curve, weights
     from stages.layout.calibration import GAINS
     from stages.layout.train import train
 
-    settings, place = configured(TrainConfig, given, tables(config).get("train-layout")), out or weights.SHIPPED
+    settings = configured(TrainConfig, given, tables(config).get("train-layout"))
+    place = _place(out or weights.SHIPPED, "weights.safetensors")
     with watched("layout", settings.steps + (len(GAINS) if settings.calibrate else 0)) as report:
         train(settings, place, resume=not fresh, report=report)
-    say(f"wrote {place}")
+    say(f"wrote {place} and its curve {curve.place(place)}")
 
 
 def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
@@ -65,7 +95,8 @@ def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, 
     from stages.retrieve.shape import encoder
     from stages.retrieve.shape.train import train
 
-    settings, place = configured(ShapeTraining, given, tables(config).get("train-shape")), out or encoder.WEIGHTS
+    settings = configured(ShapeTraining, given, tables(config).get("train-shape"))
+    place = _place(out or encoder.WEIGHTS, "shape.safetensors")
     train(settings, place, resume=not fresh)
     say(f"wrote {place} and the index beside it")
 

@@ -18,6 +18,6 @@ Polygon = Annotated[list[Point], Field(min_length=3)]
 
 
 class Record(BaseModel):
-    """Fields of later stages and of newer minor additions are read over, never an error."""
+    """Fields of later stages and of newer minor additions are read over, never an error; numbers are finite."""
 
-    model_config = ConfigDict(extra="ignore", validate_assignment=True, ser_json_inf_nan="null")
+    model_config = ConfigDict(extra="ignore", validate_assignment=True, allow_inf_nan=False)

@@ -27,7 +27,9 @@ class Fault(NamedTuple):
 
 
 def faults(body: Record) -> Iterator[Fault]:
-    """Everything inconsistent in a body, in the order of its fields."""
+    """Everything inconsistent in a body, or in a programme by itself, in the order of its fields."""
+    if isinstance(body, Program):
+        yield from _program(body)
     if isinstance(body, Plan):
         yield from _program(body.program)
         yield from _rooms(body)

@@ -1,6 +1,6 @@
 """The floor plan: what was asked for, and the rooms, doors and windows built."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -44,7 +44,9 @@ class Program(Record):
     open_links: list[Link] = Field(default_factory=list, description="links without a wall between (open plan)")
     weights: dict[str, float] = Field(default_factory=dict, description="reward weights by name")
     objects: list[AskedObjects] = Field(default_factory=list)
-    counts: dict[str, int] = Field(default_factory=dict, description="objects wanted in a room")
+    counts: dict[str, Annotated[int, Field(ge=0)]] = Field(
+        default_factory=dict, description="objects wanted in a room"
+    )
     total_area: Positive | None = None
     regularity: float = Field(0.7, ge=0, le=1)
     envelope: Envelope = Field(default_factory=Envelope)

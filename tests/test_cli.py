@@ -1,6 +1,7 @@
 """Command lines: where results go, what is said, and the exit status."""
 
 import json
+import logging
 import os
 import pty
 import signal
@@ -14,10 +15,16 @@ import handmade
 import pytest
 
 from apartgen_cli import make
+from apartgen_cli.console import listen
 from apartgen_cli.main import WORDS
+from apartgen_cli.options import configured
+from apartgen_cli.stage import Stage, each, over
 from schemas import artifact
 from schemas.artifact import Made
+from schemas.errors import Unmet
 from schemas.plan import Plan
+from stages.layout.config import LayoutConfig
+from stages.plan.config import PlanConfig
 
 
 @pytest.fixture
@@ -123,6 +130,19 @@ REFUSALS = {
     "negative seed": (["plan", "studio", "--seed", "-1"], "--seed"),
     "seed no number": (["plan", "studio", "--seed", "x"], "--seed"),
     "setting out of range": (["plan", "studio", "--wave", "0"], "--wave 0"),
+    "setting no number": (["layout", "PLAN", "--guidance", "articulation=nan"], "articulation=nan: input should"),
+    "setting infinite": (["layout", "PLAN", "--guidance-scale", "inf"], "--guidance-scale inf"),
+    "negative weight": (["layout", "PLAN", "--guidance", "inside=-5"], "--guidance inside=-5"),
+    "weight that nothing heeds": (["layout", "PLAN", "--guidance", "quantity=50"], "--count guided"),
+    "repeats that nothing heeds": (["layout", "PLAN", "--scaling", "sigma", "--guidance-repeats", "9"], "one gradient"),
+    "endless learning rate": (["train", "layout", "--lr", "inf"], "--lr inf"),
+    "raster too fine": (["walkable", "PLAN", "--resolution", "0.00001"], "--resolution 1e-05"),
+    "reach within the robot": (["walkable", "PLAN", "--reach", "0.1"], "radius is 0.25"),
+    "corpus into a folder": (["train", "corpus", "single_rooms", "--rooms", "1", "-o", "."], "name a file"),
+    "corpus into nowhere": (["train", "corpus", "single_rooms", "--rooms", "1", "-o", "none/c.npz"], "no folder none"),
+    "weights into nowhere": (["train", "layout", "-o", "none/w.safetensors"], "no folder none"),
+    "split of an unsplit source": (
+        ["train", "corpus", "single_rooms", "--rooms", "1", "--split", "val", "-o", "c.npz"], "none of single_rooms"),
     "empty prompt": (["plan", "  "], "prompt is empty"),
     "prompt not text": (["plan", "a\udcff"], "not UTF-8"),
     "endless prompt": (["plan", "room " * 9000], "characters"),
@@ -163,8 +183,49 @@ def test_settings_come_from_a_file_and_options_win(cli, tmp_path):
     assert config["wave"] == 8 and config["enough"] == 2
     file.write_text("[plan]\nrooms = 8\n")
     assert "'rooms' is unknown" in refused(cli("plan", "studio", "--config", file))
+    file.write_text("[layuot]\nsteps = 1\n")
+    for command in (["plan", "studio"], ["layout", file], ["train", "layout"], ["make", "studio", "-o", tmp_path]):
+        assert "[layuot] is unknown" in refused(cli(*command, "--config", file))
+    file.write_text("layout = 5\n")
+    assert "is no table" in refused(cli("layout", file, "--config", file))
+    file.write_text("[train-layout.model]\nwidht = 9\n")
+    assert "'widht' is unknown" in refused(cli("train", "layout", "--config", file))
     file.write_text("[plan\n")
     assert "not TOML" in refused(cli("plan", "studio", "--config", file))
+
+
+def test_weights_by_name_change_those_named_wherever_they_are_given(tmp_path):
+    file = tmp_path / "settings.toml"
+    file.write_text("[layout]\nguidance = {walkway = 1.0, inside = 0}\n")
+    from_file = make.settings(file, ["svg"], None)["layout"].guidance
+    given = configured(LayoutConfig, {"guidance": ["walkway=1", "inside=0"]}).guidance
+    assert from_file == given == {"articulation": 1.0, "inside": 0.0, "openings": 1.0, "walkway": 1.0}
+
+
+def test_what_is_said_of_one_input_of_several_begins_with_its_name(capsys, text, tmp_path):
+    def step(body, config, rng):
+        logging.getLogger("apartgen").warning("tight")
+        raise Unmet("no room")
+
+    def at_once(bodies, config, rngs):
+        for body in reversed(bodies):
+            logging.getLogger("apartgen").info("tight", extra={"body": body})
+        return [Unmet("no room")] * len(bodies)
+
+    files = [tmp_path / name for name in ("a.json", "b.json")]
+    for file in files:
+        file.write_text(text)
+    listen(quiet=False)
+    for advance in (each(step), at_once):
+        many = Stage("layout", Plan, PlanConfig, advance)
+        assert over(many, [str(file) for file in files], f"{tmp_path}/out/", 0, PlanConfig()) == 1
+        said = capsys.readouterr().err.splitlines()
+        for file in files:
+            assert f"apartgen: {file}: no room" in said
+            assert sum(line.endswith(f"{file}: tight") for line in said) == 1
+    with pytest.raises(Unmet, match="^no room$"):
+        over(Stage("layout", Plan, PlanConfig, each(step)), [str(files[0])], f"{tmp_path}/out/", 0, PlanConfig())
+    assert capsys.readouterr().err == "warning: tight\n"
 
 
 DRAWN = {"rooms": [

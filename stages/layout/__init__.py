@@ -12,12 +12,24 @@ if TYPE_CHECKING:
 
 
 def run(previous: "Plan", config: LayoutConfig, rng: "Generator") -> "Layout":
-    """Furnish one apartment, all its rooms in one batch."""
+    """Furnish one apartment, all its rooms in one batch. BadInput for a wish that no layout can meet."""
     return run_many([previous], config, [rng])[0]
 
 
+def check(previous: "Plan") -> None:
+    """BadInput for wishes of the programme that no layout can meet."""
+    from stages.layout import wishes
+
+    wishes.check(previous)
+
+
 def run_many(previous: "list[Plan]", config: LayoutConfig, rngs: "list[Generator]") -> "list[Layout]":
-    """Furnish several apartments, their rooms batched together; every room draws from a lane of its own."""
+    """Furnish several apartments, their rooms batched together; every room draws from a lane of its own.
+
+    BadInput for a wish that no layout can meet, Unmet where sampling diverged.
+    """
     from stages.layout.batch import furnished
 
+    for plan in previous:
+        check(plan)
     return furnished(previous, config, rngs)

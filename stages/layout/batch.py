@@ -96,7 +96,7 @@ def _furnished(
 ) -> list[Layout]:
     import torch
 
-    from stages.layout import furnish, weights
+    from stages.layout import furnish, weights, wishes
     from stages.layout import rooms as room_arrays
     from stages.layout.sample import draw_counts
 
@@ -116,8 +116,11 @@ def _furnished(
         network, rooms, config, lanes, lambda i, *row: furnish.of_plan(*whose[i], *row), spread
     ):
         boxes[i] = furnish.boxes(whose[i][1], settled, shapes, rooms.origin[i])
+        plan, room = whose[i]
         for note in settled.notes:
-            log.info("%s: %s", whose[i][1].id, note)
+            log.info("%s: %s", room.id, note, extra={"body": plan})
+        if lacks := wishes.unmet(plan.program, room.id, boxes[i]):
+            log.info("%s: has %s", room.id, "; ".join(lacks), extra={"body": plan})
     rows = iter(range(len(whose)))
     return [
         Layout(

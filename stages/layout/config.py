@@ -1,8 +1,8 @@
 """What can be set in the layout stage and its training."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from schemas.base import Record
 
@@ -56,15 +56,19 @@ class LayoutConfig(Record):
 
     sampler: Literal["ddpm", "ddim", "dpm++"] = "dpm++"
     steps: int = Field(20, ge=1, le=T)
-    guidance: dict[str, float] = Field(
+    guidance: dict[str, Annotated[float, Field(ge=0)]] = Field(
         default_factory=lambda: {"articulation": 1.0, "inside": 1.0, "openings": 1.0},
-        description="weight γ of every guidance energy; 0 switches it off",
+        description="weight γ of articulation, inside, openings, walkway, or quantity with --count guided; 0 is off",
     )
-    guidance_scale: float = Field(0.1, ge=0, description="λ of Eq. 2")
+    guidance_scale: float = Field(0.1, ge=0, description="λ of Eq. 2; thousands with Σ, which is so small")
     guidance_repeats: int = Field(
         0, ge=0, description="gradient steps a denoising step, without Σ; 0 is 8, or 4 where the projection follows"
     )
-    scaling: Literal["sigma", "plain"] = Field("plain", description="with Σ as in Eq. 2, or without it as in PhyScene")
+    scaling: Literal["sigma", "plain"] = Field(
+        "plain",
+        description="with Σ as in Eq. 2, which takes --sampler ddpm --steps 1000 --guide-below 0.01 "
+        "--guidance-scale 2000 to show; or without it, as in PhyScene",
+    )
     guide_below: float = Field(0.20, ge=0, le=1, description="share of the schedule where guidance acts")
     count: Literal["exact", "guided", "free"] = Field(
         "exact", description="exact by construction, the paper's late BCE (Eq. 3), or left to the model"
@@ -78,3 +82,13 @@ class LayoutConfig(Record):
     def gradient_steps(self) -> int:
         """How many at most in a denoising step without Σ: what they leave, the projection puts right as well."""
         return self.guidance_repeats or (4 if self.projection else 8)
+
+    @model_validator(mode="after")
+    def _heeded(self) -> "LayoutConfig":
+        """A setting that another one switches off is refused."""
+        if self.count != "guided" and (gamma := self.guidance.get("quantity")):
+            raise ValueError(f"--guidance quantity={gamma:g}: acts with --count guided only; give that, or go without")
+        if self.scaling == "sigma" and self.guidance_repeats:
+            raise ValueError(f"--guidance-repeats {self.guidance_repeats}: Eq. 2 with Σ takes one gradient step; "
+                             "leave it out, or give --scaling plain")
+        return self

@@ -1,19 +1,27 @@
 """A training corpus in memory: batches of one object count each, mirrored and turned at random."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 
+from schemas.base import ROOM_TYPES
 from schemas.errors import BadInput
 from stages.categories import CATEGORIES
 from stages.layout.config import LATENT, N_MAX, TrainConfig
 from stages.layout.features import Objects
-from stages.layout.rooms import UNKNOWN, Rooms, oriented
+from stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, UNKNOWN, Rooms, oriented
 
-FIELDS = ("category", "center", "size", "yaw", "polygon", "room_type", "height", "openings", "style")
+SHAPES = {
+    "category": (N_MAX,), "center": (N_MAX, 3), "size": (N_MAX, 3), "yaw": (N_MAX,), "polygon": (MAX_CORNERS, 2),
+    "room_type": (), "height": (), "openings": (MAX_OPENINGS, 7), "style": (),
+}  # fmt: skip
+"""What a corpus holds of every room."""
 
 
 @dataclass
@@ -37,12 +45,17 @@ class Corpus:
 
 
 def read_corpus(path: Path) -> Corpus:
-    """Read an `.npz` corpus; BadInput names what is missing."""
+    """Read an `.npz` corpus; BadInput names what is missing or unfit."""
     try:
         with np.load(path, allow_pickle=False) as file:
-            data = {name: file[name] for name in FIELDS}
-    except (OSError, ValueError, KeyError) as error:
+            data = {name: file[name] for name in SHAPES}
+            made_for = file["categories"].tolist() if "categories" in file else list(CATEGORIES)
+    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile) as error:
         raise BadInput(f"{path}: not a layout corpus ({error}); make one with `apartgen train corpus`") from error
+    if made_for != list(CATEGORIES):
+        raise BadInput(f"{path}: made for another furniture vocabulary; make it anew with `apartgen train corpus`")
+    if wrong := next(_wrong(data), None):
+        raise BadInput(f"{path}: {wrong}; make it anew with `apartgen train corpus`")
     n = len(data["category"])
     floats = {
         name: data[name].astype(np.float32) for name in ("polygon", "openings", "height", "center", "size", "yaw")
@@ -60,6 +73,27 @@ def read_corpus(path: Path) -> Corpus:
     return Corpus(
         oriented(rooms), category, floats["center"], floats["size"], floats["yaw"], data["style"].astype(np.int64)
     )
+
+
+def _wrong(data: dict[str, NDArray[Any]]) -> Iterator[str]:
+    """What training cannot work with."""
+    n = data["category"].shape[:1]
+    for name, shape in SHAPES.items():
+        if data[name].shape != (*n, *shape):
+            yield f"{name} has the shape {data[name].shape}, not {(*n, *shape)}"
+        elif data[name].dtype.kind not in "iuf":
+            yield f"{name} holds no numbers"
+    there = data["category"] >= 0
+    if not there.any():
+        yield "holds no furnished room"
+    for name, least, most in (("category", UNKNOWN, len(CATEGORIES)), ("room_type", 0, len(ROOM_TYPES))):
+        if (data[name] < least).any() or (data[name] >= most).any():
+            yield f"{name} has an index outside {least} to {most - 1}"
+    for name in ("center", "size", "yaw"):
+        if not np.isfinite(data[name][there]).all():
+            yield f"{name} of an object is not finite"
+    if not (np.isfinite(data["height"]).all() and np.isfinite(data["polygon"][:, :3]).all()):
+        yield "a room has no height, or fewer than three corners"
 
 
 def mirrored(rooms: Rooms) -> Rooms:

@@ -14,14 +14,14 @@ from stages.layout.projection.settle import Settled, Task
 from stages.layout.projection.space import space_of
 from stages.layout.projection.standing import Item
 from stages.layout.rooms import Rooms
+from stages.layout.wishes import of_room
 
 Latents = NDArray[np.float32]
 
 
 def of_plan(plan: Plan, room: Room, rooms: Rooms, objects: Objects, row: int) -> tuple[Task, Latents]:
     """What is to be placed in a room of a plan, row `row` of the batch, and the shape latents of its objects."""
-    wishes = Counter({w.category: w.count for w in plan.program.objects if w.room == room.id})
-    return task(rooms, objects, row, wishes, room.id in plan.program.counts)
+    return task(rooms, objects, row, of_room(plan.program, room.id), room.id in plan.program.counts)
 
 
 def task(

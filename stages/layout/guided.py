@@ -25,8 +25,9 @@ Energy = Callable[[Boxes, Floor], Tensor]
 
 
 def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
-    """The guidance functions φ of weight γ > 0, found by name under `guidance/`."""
-    return [(gamma, registry.load("stages.layout.guidance", name).energy) for name, gamma in weights.items() if gamma]
+    """The guidance functions φ of weight γ > 0, found by name under `guidance/`; BadInput for one that is not there."""
+    found = [(gamma, registry.load("stages.layout.guidance", name)) for name, gamma in weights.items()]
+    return [(gamma, module.energy) for gamma, module in found if gamma]
 
 
 def gradient(terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room: Floor, model: ModelConfig) -> Tensor:
@@ -103,20 +104,26 @@ def trusted(shift: Tensor) -> Tensor:
 def quantity_guided(
     denoise: Denoise,
     count: Tensor,
+    wanted: Tensor,
     terms: list[tuple[float, Energy]],
     room: Floor,
     model: ModelConfig,
     config: LayoutConfig,
     below: float,
 ) -> Denoise:
-    """Eq. 3: from the first step under `below`·T on, the `count` (B,) slots of lowest empty logit are to be filled."""
+    """Eq. 3: from the first step under `below`·T on, the `count` (B,) slots of lowest empty logit are to be filled.
+
+    Slots that hold what is `wanted` (B, C) by category come before others.
+    """
     state: dict[str, Tensor] = {}
 
     def wrapped(x: Tensor, t: Tensor) -> Prediction:
         if int(t[0]) > below * T:
             return denoise(x, t)
         if not state:
-            empty = denoise(x, t).logits[..., EMPTY]
+            logits = denoise(x, t).logits
+            given = (wanted > 0).gather(1, logits.argmax(-1).clamp_max(EMPTY - 1)) & (logits.argmax(-1) < EMPTY)
+            empty = logits[..., EMPTY].masked_fill(given, -torch.inf)
             state["T"] = (empty.argsort(-1).argsort(-1) >= count[:, None]).float()
         there = replace(room, empty=state["T"])
         return guided(denoise, terms, there, model, config, below)(x, t)

@@ -13,6 +13,7 @@ from schemas.errors import BadInput
 from schemas.plan import Plan, Room
 from stages.categories import CATEGORIES
 from stages.layout.meals import TABLES, table_of
+from stages.layout.wishes import of_room
 
 MAX_CORNERS = 32
 MAX_OPENINGS = 20
@@ -109,9 +110,9 @@ def of_plan(plan: Plan, chance: float = 1.0) -> Rooms:
         out.polygon[i, : len(corners)] = corners - origin
         rows = opening_rows(plan, room, origin)
         out.openings[i, : len(rows)] = rows
-        for asked in plan.program.objects:
-            if asked.room == room.id and asked.category in CATEGORIES:
-                out.wanted[i, CATEGORIES.index(asked.category)] = asked.count
+        for category, count in of_room(plan.program, room.id).items():
+            if category in CATEGORIES:
+                out.wanted[i, CATEGORIES.index(category)] = count
     if (table := table_of(plan, chance)) is not None:
         row = out.wanted[[room.id for room in plan.rooms].index(table[0])]
         for category in TABLES:

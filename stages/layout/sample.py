@@ -6,6 +6,8 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from schemas.base import ROOM_TYPES
+from schemas.consistency import FARTHEST
+from schemas.errors import Unmet
 from stages.layout import guided, samplers
 from stages.layout.config import N_MAX, LayoutConfig
 from stages.layout.diffusion import Denoise, predict
@@ -78,23 +80,33 @@ def sample(
     objects = decode(x0, network.config)
     if exact:
         objects.category[~context.present] = -1
+    _check(objects)
     return objects
+
+
+def _check(objects: Objects) -> None:
+    """Unmet where an object is nowhere near its room: guidance too strong for the sampler's steps."""
+    there = objects.category >= 0
+    reach = torch.cat([objects.center, objects.size], -1)[there].abs()
+    if not (reach < FARTHEST).all():
+        raise Unmet("sampling diverged: objects lie over a kilometre away; lower --guidance-scale, or let guidance act "
+                    "later (--guide-below 0.01) in smaller steps (--sampler ddpm --steps 1000)")
 
 
 def _wrapped(
     denoise: Denoise, network: Denoiser, rooms: Rooms, count: Tensor, config: LayoutConfig, exact: bool
 ) -> Denoise:
     """The denoiser with everything that steers it, innermost first."""
-    model, room = network.config, floor_of(rooms)
+    model, room, wanted = network.config, floor_of(rooms), torch.from_numpy(rooms.wanted)
     filled = count if exact else torch.full_like(count, N_MAX)
     if exact:
         denoise = guided.without_empty(denoise, count)
-    denoise = guided.fixed_categories(denoise, torch.from_numpy(rooms.wanted), filled, model)
+    denoise = guided.fixed_categories(denoise, wanted, filled, model)
     denoise = guided.sensible(denoise, rooms, filled, model.class_scale)
     if config.count == "guided":
         gamma = config.guidance.get("quantity", QUANTITY)
         denoise = guided.quantity_guided(
-            denoise, count, guided.energies({"quantity": gamma}), room, model, config, EARLY
+            denoise, count, wanted, guided.energies({"quantity": gamma}), room, model, config, EARLY
         )
     weights = {name: gamma for name, gamma in config.guidance.items() if name != "quantity"}
     return guided.guided(denoise, guided.energies(weights), room, model, config, config.guide_below)

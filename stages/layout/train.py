@@ -15,8 +15,8 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from schemas.errors import BadInput
-from stages.layout import diffusion, weights
+from schemas.errors import BadInput, Unmet
+from stages.layout import curve, diffusion, weights
 from stages.layout.calibration import calibrate
 from stages.layout.config import N_MAX, T, TrainConfig
 from stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
@@ -67,7 +67,8 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
     """Train and write `out`; a checkpoint beside it lets an interrupted run go on. Returns the training record.
 
     `report` is told of every step, then of every round of the calibration as further steps, with the mean loss.
-    BadInput where there is no such device, or where the checkpoint is of other settings.
+    BadInput where there is no such device, or where the checkpoint is of other settings; Unmet where the loss is no
+    longer finite, which leaves the last checkpoint as it was.
     """
     torch.set_num_threads(config.threads or 1)
     torch.manual_seed(config.seed)
@@ -92,6 +93,9 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
     mean = record["losses"][-1][1] if record["losses"] else None
     for step, (index, slots, rng) in enumerate(indices(corpus, config, record["step"]), record["step"]):
         value = train_step(network, optimizer, corpus, index, slots, rng, shapes, config, learning_rate(step, config))
+        if not math.isfinite(value):
+            raise Unmet(f"training diverged: loss or gradient of step {step + 1} is not finite; what the last "
+                        "checkpoint left is kept; begin anew with a lower --lr and --fresh")
         decay = min(config.ema, (1 + step) / (10 + step))
         torch._foreach_lerp_(list(average.parameters()), list(network.parameters()), 1 - decay)
         mean = value if mean is None else 0.99 * mean + 0.01 * value
@@ -110,6 +114,7 @@ def train(config: TrainConfig, out: Path, resume: bool = True, report: Report | 
             torch.save(state, saved.with_suffix(".part"))
             saved.with_suffix(".part").replace(saved)
             weights.save(average, out, config, record | facts)
+            curve.draw(record["losses"], out)
             log.info("step %d of %d: loss %.4f", step + 1, config.steps, mean)
     if config.calibrate:
         told = (lambda done: report(config.steps + done, mean or 0.0)) if report else None
@@ -151,7 +156,7 @@ def train_step(
     config: TrainConfig,
     lr: float,
 ) -> float:
-    """One gradient step of Eq. 1; returns its loss."""
+    """One gradient step of Eq. 1; returns its loss, NaN where its gradient is not finite."""
     objects, rooms = batch(corpus, index, slots, rng, shapes, config)
     with torch.autocast(network.encoder.device.type, torch.bfloat16, enabled=config.bf16):
         loss = step_loss(network, objects, rooms, rng, config)
@@ -159,9 +164,9 @@ def train_step(
         group["lr"] = lr
     optimizer.zero_grad(set_to_none=True)
     loss.backward()  # type: ignore[no-untyped-call]
-    torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+    norm = torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
     optimizer.step()
-    return loss.item()
+    return loss.item() if math.isfinite(norm.item()) else math.nan
 
 
 def step_loss(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import torch
 
-from schemas.errors import BadInput
+from schemas.errors import BadInput, Unmet
 from stages.layout import train, weights
 from stages.layout.config import ModelConfig, TrainConfig
 from stages.layout.corpus import batch, read_corpus, shape_latents
@@ -63,6 +63,32 @@ def test_a_checkpoint_of_other_settings_is_named_and_left_alone(corpus: Path, tm
     with pytest.raises(BadInput, match=r"w\.checkpoint.*--fresh"):
         train.train(settings(corpus), out)
     assert train.train(settings(corpus, lr=1e-3), out, resume=False)["step"] == 6
+
+
+def test_a_run_that_diverges_ends_and_leaves_the_last_checkpoint(
+    corpus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, losses = tmp_path / "w.safetensors", iter([3.0, 2.0, 1.0, float("nan")])
+    monkeypatch.setattr(train, "train_step", lambda *_: next(losses))
+    with pytest.raises(Unmet, match=r"step 4 is not finite.*--lr"):
+        train.train(settings(corpus), out)
+    state = torch.load(out.with_suffix(".checkpoint"), weights_only=True)
+    assert state["record"]["step"] == 2 and all(v.isfinite().all() for v in weights.tensors(out)[0].values())
+
+
+def test_a_step_whose_gradient_is_not_finite_says_so(corpus: Path) -> None:
+    found, network = read_corpus(corpus), Denoiser(TINY)
+    next(network.parameters()).register_hook(lambda grad: grad * torch.inf)
+    optimizer = torch.optim.AdamW(network.parameters())
+    rng = np.random.default_rng(0)
+    loss = train.train_step(network, optimizer, found, np.arange(4), 5, rng, shape_latents(), settings(corpus), 1e-4)
+    assert np.isnan(loss)
+
+
+def test_the_curve_lies_beside_the_weights(corpus: Path, tmp_path: Path) -> None:
+    train.train(settings(corpus), tmp_path / "w.safetensors")
+    assert (tmp_path / "w.png").read_bytes().startswith(b"\x89PNG")
+    assert {file.suffix for file in tmp_path.iterdir()} == {".safetensors", ".checkpoint", ".png"}
 
 
 @pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU")

@@ -3,6 +3,7 @@
 `names()` lists them, `source(name)` finds one, `_arrays.write_corpus` turns homes into what training reads.
 """
 
+import inspect
 from types import ModuleType
 
 from stages import registry
@@ -16,3 +17,8 @@ def names() -> list[str]:
 def source(name: str) -> ModuleType:
     """The data source of that name; BadInput when there is none."""
     return registry.load(__name__, name)
+
+
+def options(name: str) -> frozenset[str]:
+    """What `homes` of a data source takes beside its root."""
+    return frozenset(inspect.signature(source(name).homes).parameters) - {"root"}

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from schemas.errors import BadInput
 from schemas.layout import Box, Layout
 from schemas.plan import Room
 from stages.categories import CATEGORIES, TABLE
@@ -58,13 +59,21 @@ def _kept(objects: list[Box], rng: np.random.Generator) -> list[Box]:
 
 
 def write_corpus(path: Path, homes: Iterable[tuple[Layout, int]], seed: int = 0) -> int:
-    """Write homes, each with the number of its source, as one compressed `.npz`; how many rooms it holds."""
+    """Write homes, each with the number of its source, as one compressed `.npz`; how many rooms it holds.
+
+    BadInput where no room is worth it, or where the file cannot be written.
+    """
     rng = np.random.default_rng(seed)
     parts = [rows(home, rng, source) for home, source in homes]
-    if not parts:
-        parts = [{name: np.zeros(0, kind) for name, kind in FORMAT.items()}]
+    if not any(len(part["category"]) for part in parts):
+        raise BadInput(f"none of the {len(parts)} homes read has a room to train on, one that holds what a room of its "
+                       "type cannot do without, such as a bedroom's bed; give other sources")
     whole = {name: np.concatenate([part[name] for part in parts]) for name in FORMAT}
     temporary = path.with_suffix(".part.npz")
-    np.savez_compressed(temporary, **whole)  # type: ignore[arg-type]
-    temporary.replace(path)
+    try:
+        np.savez_compressed(temporary, categories=np.array(CATEGORIES), **whole)  # type: ignore[arg-type]
+        temporary.replace(path)
+    except OSError as error:
+        temporary.unlink(missing_ok=True)
+        raise BadInput(f"{path}: cannot be written ({error.strerror or error}); give another path with -o") from None
     return len(whole["category"])

@@ -1,4 +1,4 @@
-"""Reading JSON, JSON lines and their gzipped forms."""
+"""Reading JSON, JSON lines and their gzipped forms, and saying in a line what is wrong with a row."""
 
 import gzip
 import json
@@ -6,6 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from pydantic import ValidationError
+
+from schemas.artifact import first_fault
 from schemas.errors import BadInput
 
 
@@ -29,3 +32,8 @@ def rows(path: Path) -> Iterator[Any]:
                 yield json.loads(file.read())
     except (OSError, ValueError) as error:
         raise BadInput(f"{path}: cannot be read as JSON ({error})") from error
+
+
+def fault(error: Exception) -> str:
+    """What is wrong with a row, in one line."""
+    return first_fault(error) if isinstance(error, ValidationError) else repr(error)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from schemas.base import RoomType
 from schemas.errors import BadInput
@@ -26,11 +27,16 @@ def homes(root: Path | None, split: str | None = None, splits: Path | None = Non
     """Every room below `root`, or those that the CSV `splits` puts into `split`."""
     if root is None or not root.is_dir():
         raise BadInput("boxes: name a folder that holds dataset_stats.txt and a folder with boxes.npz for every room")
-    names = _names(root / "dataset_stats.txt")
-    wanted = None if split is None else _members(splits, split)
-    for path in sorted(root.rglob("boxes.npz")):
-        if wanted is None or path.parent.name.split("_")[-1] in wanted or path.parent.name in wanted:
-            yield layout(path, names)
+    names, paths = _names(root / "dataset_stats.txt"), sorted(root.rglob("boxes.npz"))
+    if not paths:
+        raise BadInput(f"{root}: no folder in it has a boxes.npz")
+    if split is not None or splits is not None:
+        wanted = _members(splits, split)
+        paths = [p for p in paths if p.parent.name.split("_")[-1] in wanted or p.parent.name in wanted]
+        if not paths:
+            raise BadInput(f"{splits}: puts no room of {root} into {split!r}")
+    for path in paths:
+        yield layout(path, names)
 
 
 def _names(path: Path) -> list[str]:
@@ -40,14 +46,14 @@ def _names(path: Path) -> list[str]:
         raise BadInput(f"{path}: no class_labels to be read ({error!r})") from error
 
 
-def _members(path: Path | None, split: str) -> set[str]:
-    if path is None:
-        raise BadInput("boxes: a split needs the CSV that says which rooms are in it")
+def _members(path: Path | None, split: str | None) -> set[str]:
+    if path is None or split is None:
+        raise BadInput("boxes: a split takes its name, --split, and the CSV that says which rooms are in it, --splits")
     try:
         with path.open(newline="") as file:
             return {row[0].strip() for row in csv.reader(file) if len(row) > 1 and row[1].strip() == split}
-    except OSError as error:
-        raise BadInput(f"{path}: cannot be read ({error})") from error
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise BadInput(f"{path}: no split file to be read ({error})") from error
 
 
 def layout(path: Path, names: list[str]) -> Layout:
@@ -57,14 +63,15 @@ def layout(path: Path, names: list[str]) -> Layout:
             data = {name: np.asarray(file[name], float) for name in FIELDS}
     except (OSError, ValueError, KeyError) as error:
         raise BadInput(f"{path}: not a preprocessed room ({error})") from error
-    labels = [names[k] for k in data["class_labels"].argmax(1)]
+    if wrong := next(_wrong(data, len(names)), None):
+        raise BadInput(f"{path}: not a preprocessed room ({wrong})")
+    labels = [names[k] for k in data["class_labels"].argmax(1)] if len(data["class_labels"]) else []
     floor = _frames.outline(data["floor_plan_vertices"], data["floor_plan_faces"].astype(int))
     if floor is None:
         raise BadInput(f"{path}: its floor has no area")
     room = _frames.room(_type(path, labels), 1, list(floor.exterior.coords))
-    centroid, objects = data["floor_plan_centroid"], []
-    angles = data["angles"].reshape(len(labels), -1)[:, 0]
-    rows = zip(labels, data["translations"], data["sizes"], angles, strict=True)
+    centroid, angles, objects = data["floor_plan_centroid"].ravel(), data["angles"].ravel(), []
+    rows = zip(labels, data["translations"].reshape(-1, 3), data["sizes"].reshape(-1, 3), angles, strict=True)
     for k, (label, at, half, angle) in enumerate(rows):
         name = _words.category(label)
         if name is None:
@@ -75,6 +82,23 @@ def layout(path: Path, names: list[str]) -> Layout:
         yaw = float(angle - np.pi / 2)
         objects.append(_frames.box(f"{room.id}.{name}_{k + 1}", room.id, name, (x, -z, y), (d, w, h), yaw))
     return _frames.home([room], [], objects, HEIGHT)
+
+
+def _wrong(data: dict[str, NDArray[np.float64]], names: int) -> Iterator[str]:
+    """What is unfit in a room's arrays, one row an object, and in its floor."""
+    n, corners, faces = len(data["class_labels"]), data["floor_plan_vertices"], data["floor_plan_faces"]
+    numbers = {"translations": 3 * n, "sizes": 3 * n, "angles": n, "floor_plan_centroid": 3}
+    for name, value in data.items():
+        if value.size != numbers.get(name, value.size):
+            yield f"{name} has {value.size} numbers, {numbers[name]} belong to {n} labelled objects"
+        if not np.isfinite(value).all():
+            yield f"{name} is not finite"
+    if n and (data["class_labels"].ndim != 2 or data["class_labels"].argmax(1).max() >= names):
+        yield f"a label is none of the {names} in dataset_stats.txt"
+    if corners.ndim != 2 or corners.shape[1] != 3 or faces.size % 3:
+        yield "its floor is no mesh of triangles"
+    if faces.size and not (faces.min() >= 0 and faces.max() < len(corners)):
+        yield "a face of its floor names a corner that is not there"
 
 
 def _type(path: Path, labels: list[str]) -> RoomType:

@@ -39,8 +39,8 @@ def homes(root: Path | None) -> Iterator[Layout]:
         for row in _json.rows(path):
             try:
                 home = layout(row, models, path.parent)
-            except (KeyError, TypeError, ValueError, IndexError) as error:
-                raise BadInput(f"{path}: not a 3D-FRONT house ({error!r})") from error
+            except (AttributeError, KeyError, TypeError, ValueError, IndexError) as error:
+                raise BadInput(f"{path}: not a 3D-FRONT house ({_json.fault(error)})") from error
             if home is not None:
                 yield home
 
@@ -62,7 +62,7 @@ def layout(house: dict[str, Any], models: Models, folder: Path) -> Layout | None
     objects: list[Box] = []
     holes: dict[str, dict[str, Any]] = {}
     for row in house["scene"]["room"]:
-        type = _words.room_type(row["type"])
+        type = _words.room_type(row["type"] or "")
         parts = [meshes[c["ref"]] for c in row["children"] if c["ref"] in meshes]
         outline = _floor([m for m in parts if m["type"] == "Floor"])
         if type is None or outline is None:

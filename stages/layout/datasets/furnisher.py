@@ -15,6 +15,7 @@ from schemas.layout import Box, Layout
 from schemas.plan import Opening, Plan, Room
 from stages import polygons
 from stages.boxes import Array
+from stages.layout.datasets import _json
 from stages.layout.datasets._furnish import build, shape
 from stages.layout.datasets._furnish.shape import Hole, Shape
 from stages.layout.meals import TABLES, table_of
@@ -36,7 +37,7 @@ def _read(path: Path) -> Plan:
         whole = json.loads(path.read_text())
         return Plan.model_validate(whole.get("body", whole))
     except (OSError, ValueError, AttributeError) as error:
-        raise BadInput(f"{path}: not a plan ({error})") from error
+        raise BadInput(f"{path}: not a plan ({_json.fault(error)})") from error
 
 
 def furnish(plan: Plan, rng: Generator) -> list[Box]:

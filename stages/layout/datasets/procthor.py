@@ -66,7 +66,7 @@ def homes(root: Path | None, sizes: Path | None = None) -> Iterator[Layout]:
                 known = {} if all("apartgen" in o for o in _flat(row["objects"])) else _sizes(sizes, found)
                 yield layout(row, known, left_out)
             except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
-                raise BadInput(f"{path}, row {number}: not a ProcTHOR house ({error!r})") from error
+                raise BadInput(f"{path}, row {number}: not a ProcTHOR house ({_json.fault(error)})") from error
     if left_out:
         kinds = ", ".join(f"{kind} ({count})" for kind, count in sorted(left_out.items()))
         log.info("procthor: left out what is no furniture here: %s", kinds)

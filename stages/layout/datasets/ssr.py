@@ -21,8 +21,8 @@ def homes(root: Path | None) -> Iterator[Layout]:
         for number, row in enumerate(_json.rows(path), 1):
             try:
                 found = layout(row.get("scene", row))
-            except (KeyError, TypeError, ValueError, AttributeError) as error:
-                raise BadInput(f"{path}, row {number}: not an SSR room ({error!r})") from error
+            except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
+                raise BadInput(f"{path}, row {number}: not an SSR room ({_json.fault(error)})") from error
             if found is not None:
                 yield found
 

@@ -77,6 +77,8 @@ class Embedded:
         design: tuple[str, int] | None = None,
     ) -> Asset | None:  # fmt: skip
         """A piece at `size`, brought into the category's range and under `limit`, of a given or the nearest design."""
+        if category not in TABLE:
+            raise BadInput(f"{category!r} is an unknown category; one of: {', '.join(TABLE)}")
         kind = TABLE[category]
         wanted = np.clip(np.asarray(size, float), kind.min, kind.max)
         if limit is not None:

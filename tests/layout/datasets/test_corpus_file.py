@@ -1,13 +1,16 @@
 """The corpus file: what is written is what training reads."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from schemas.base import ROOM_TYPES
+from schemas.errors import BadInput
 from schemas.layout import Layout
 from stages.categories import CATEGORIES
+from stages.layout.corpus import read_corpus
 from stages.layout.datasets import _arrays, single_rooms
 
 
@@ -17,8 +20,6 @@ def homes() -> list[Layout]:
 
 
 def test_training_reads_every_object_where_it_stands(homes: list[Layout], tmp_path: Path) -> None:
-    from stages.layout.corpus import read_corpus
-
     n = _arrays.write_corpus(tmp_path / "c.npz", [(home, 1) for home in homes])
     corpus = read_corpus(tmp_path / "c.npz")
     assert len(corpus) == n >= 6
@@ -50,16 +51,47 @@ def test_arrays_have_the_agreed_shapes(homes: list[Layout], tmp_path: Path) -> N
         assert shapes == {
             "category": (n, 24), "center": (n, 24, 3), "size": (n, 24, 3), "yaw": (n, 24), "polygon": (n, 32, 2),
             "room_type": (n,), "height": (n,), "openings": (n, 20, 7), "style": (n,), "source": (n,),
+            "categories": (len(CATEGORIES),),
         }
         assert (data["source"] == 2).all() and (data["style"] >= 0).all() and (data["style"] < 8).all()
         assert (np.abs(data["yaw"]) <= np.pi + 1e-6).all()
+
+
+@pytest.mark.parametrize("change, said", [
+    ({"category": np.zeros((3, 5), int)}, "category has the shape"),
+    ({"yaw": None}, "yaw"),
+    ({"category": np.full((1, 24), len(CATEGORIES))}, "category has an index outside"),
+    ({"category": np.full((1, 24), -1)}, "no furnished room"),
+    ({"room_type": np.full(1, len(ROOM_TYPES))}, "room_type has an index outside"),
+    ({"center": np.full((1, 24, 3), np.nan)}, "center of an object is not finite"),
+    ({"height": np.array(["high"])}, "height holds no numbers"),
+    ({"categories": np.array(["throne"])}, "another furniture vocabulary"),
+])
+def test_what_training_cannot_work_with_is_named(homes: list[Layout], tmp_path: Path, change: Any, said: str) -> None:
+    _arrays.write_corpus(tmp_path / "c.npz", [(home, 1) for home in homes])
+    with np.load(tmp_path / "c.npz") as file:
+        first = {name: file[name] if name == "categories" else file[name][:1] for name in file}
+    np.savez(tmp_path / "c.npz", **{name: value for name, value in (first | change).items() if value is not None})
+    with pytest.raises(BadInput, match=rf"c\.npz.*{said}"):
+        read_corpus(tmp_path / "c.npz")
+    np.savez(tmp_path / "c.npz", **{name: value for name, value in first.items() if name != "categories"})
+    assert len(read_corpus(tmp_path / "c.npz")) == 1, "a file that does not name its categories is read"
+
+
+def test_nothing_is_no_corpus(homes: list[Layout], tmp_path: Path) -> None:
+    bare = homes[0].model_copy(update={"objects": []})
+    with pytest.raises(BadInput, match="none of the 1 homes"):
+        _arrays.write_corpus(tmp_path / "c.npz", [(bare, 1)])
+    with pytest.raises(BadInput, match="cannot be written"):
+        _arrays.write_corpus(tmp_path / "none" / "c.npz", [(home, 1) for home in homes])
+    assert not list(tmp_path.iterdir())
 
 
 def test_writing_twice_gives_the_same_arrays(homes: list[Layout], tmp_path: Path) -> None:
     for name in ("a", "b"):
         _arrays.write_corpus(tmp_path / f"{name}.npz", [(home, 0) for home in homes], seed=4)
     with np.load(tmp_path / "a.npz") as a, np.load(tmp_path / "b.npz") as b:
-        assert all(np.array_equal(a[name], b[name], equal_nan=True) for name in a)
+        np.testing.assert_equal(dict(a), dict(b))
 
 
 def test_more_objects_than_slots_keep_what_matters(homes: list[Layout]) -> None:

@@ -6,10 +6,14 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+import commandline
+import handmade
 import numpy as np
 import pytest
 from shapely.geometry import LineString, Point
 
+from schemas import artifact
+from schemas.artifact import Made
 from schemas.errors import BadInput
 from schemas.layout import Box, Layout
 from stages import boxes, polygons
@@ -201,11 +205,11 @@ def test_raw_front3d_is_joined_with_its_models(tmp_path: Path) -> None:
     assert np.hypot(*np.diff(door.segment, axis=0)[0]) == pytest.approx(0.9)
 
 
-def npz(folder: Path, name: str) -> None:
+def npz(folder: Path, name: str, **changed: Any) -> None:
     """A room of 4 × 3 m whose floor's centroid is not the origin, with a bed and a lamp."""
     (folder / name).mkdir(parents=True)
-    np.savez(
-        folder / name / "boxes.npz", uids=np.array(["u1", "u2"]), jids=np.array(["j1", "j2"]),
+    arrays = dict(
+        uids=np.array(["u1", "u2"]), jids=np.array(["j1", "j2"]),
         floor_plan_vertices=np.array([[1, 0, 1], [5, 0, 1], [5, 0, 4], [1, 0, 4]], np.float32),
         floor_plan_faces=np.array([[0, 1, 2], [0, 2, 3]]), floor_plan_centroid=np.array([3, 0, 2.5], np.float32),
         class_labels=np.array([[1, 0, 0, 0], [0, 1, 0, 0]], np.float32),
@@ -213,6 +217,7 @@ def npz(folder: Path, name: str) -> None:
         sizes=np.array([[0.9, 0.5, 1.05], [0.2, 0.2, 0.2]], np.float32),
         angles=np.array([[np.pi / 2], [0]], np.float32),
     )
+    np.savez(folder / name / "boxes.npz", **(arrays | changed))
 
 
 def test_preprocessed_boxes_are_read_and_split(tmp_path: Path) -> None:
@@ -227,6 +232,67 @@ def test_preprocessed_boxes_are_read_and_split(tmp_path: Path) -> None:
     assert home.rooms[0].type == "bedroom"
     assert bed.center == pytest.approx((2.1, -2.5, 0.5)) and bed.size == pytest.approx((2.1, 1.8, 1.0))
     assert front(bed) == [1, 0] and only(home, "ceiling_lamp").center[2] == pytest.approx(2.3)
+
+
+def test_a_split_is_reached_from_the_command_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The real room is the validation one, not that of the training half."""
+    npz(tmp_path / "all", "house_MasterBedroom-1")
+    npz(tmp_path / "all", "house_MasterBedroom-2")
+    names = ["double_bed", "pendant_lamp", "start", "end"]
+    (tmp_path / "all" / "dataset_stats.txt").write_text(json.dumps({"class_labels": names}))
+    (tmp_path / "splits.csv").write_text("MasterBedroom-1,train\nMasterBedroom-2,val\n")
+    (tmp_path / "ours.json").write_text(artifact.finish(handmade.home(), Made(by="test", seed=0))[0])
+
+    def run(*args: object) -> commandline.Done:
+        return commandline.run(capsys, monkeypatch, *args)
+
+    part = ("--split", "val", "--splits", tmp_path / "splits.csv")
+    done = run("train", "corpus", f"boxes={tmp_path}/all", *part, "-o", tmp_path / "c.npz")
+    assert done.code == 0 and "c.npz: 1 rooms" in done.err
+    against = ("metrics", tmp_path / "ours.json", "--metric", "relations", "--real", tmp_path / "all", "--as")
+    for given, n in (((), 2), (part, 1)):
+        values = json.loads(run(*against, "boxes", *given).out)["body"]["values"]
+        seen = {(v["name"], v["version"], v["of"]): v["n"] for v in values}
+        assert seen["objects_a_room", "real", "bedroom"] == n
+    assert run(*against, "ssr", *part).code == run(*against, "boxes", "--split", "val").code == 2
+
+
+@pytest.mark.parametrize("change, said", [
+    ({"class_labels": np.eye(9)[[7, 8]]}, "a label is none of the 4"),
+    ({"sizes": np.ones((1, 3))}, "sizes has 3 numbers, 6 belong to 2"),
+    ({"translations": np.full((2, 3), np.nan)}, "translations is not finite"),
+    ({"floor_plan_faces": np.array([[0, 1, 9]])}, "a corner that is not there"),
+    ({"floor_plan_vertices": np.zeros((4, 3))}, "no area"),
+])
+def test_a_broken_preprocessed_room_is_named(change: dict[str, Any], said: str, tmp_path: Path) -> None:
+    npz(tmp_path, "house_MasterBedroom-1", **change)
+    with pytest.raises(BadInput, match=said):
+        atiss.layout(tmp_path / "house_MasterBedroom-1" / "boxes.npz", ["double_bed", "pendant_lamp", "start", "end"])
+
+
+def test_a_preprocessed_room_may_be_bare(tmp_path: Path) -> None:
+    columns = {"class_labels": 4, "translations": 3, "sizes": 3, "angles": 1}
+    none = {name: np.zeros((0, n)) for name, n in columns.items()}
+    npz(tmp_path, "house_MasterBedroom-1", **none)
+    home = atiss.layout(tmp_path / "house_MasterBedroom-1" / "boxes.npz", ["double_bed"])
+    assert home.objects == [] and home.rooms[0].type == "bedroom"
+
+
+def test_what_is_wrong_with_a_row_fits_a_line(tmp_path: Path) -> None:
+    low = SSR | {"bounds_top": SSR["bounds_bottom"]}
+    (tmp_path / "room.json").write_text(json.dumps(low))
+    with pytest.raises(BadInput) as error:
+        list(ssr.homes(tmp_path))
+    assert "row 1" in str(error.value) and "height: input should be greater than 0" in str(error.value)
+    assert "\n" not in str(error.value) and "http" not in str(error.value)
+
+
+def test_a_front3d_room_without_type_is_left_out(tmp_path: Path) -> None:
+    house = front3d_house()
+    house["scene"]["room"][1]["type"] = None
+    assert front3d.layout(house, {"bed": "King-size Bed", "lamp": "Pendant Lamp", "stand": ""}, tmp_path) is not None
 
 
 SHARED = Path(__file__).parents[4] / "shared" / "data"

@@ -1,0 +1,53 @@
+"""What a programme asks of its rooms: which wishes no layout can meet, and which this one did not."""
+
+import difflib
+from collections import Counter
+from collections.abc import Sequence
+
+from schemas.errors import BadInput
+from schemas.layout import Box
+from schemas.plan import Plan, Program
+from stages.categories import CATEGORIES, by_word
+from stages.layout.config import N_MAX
+
+
+def of_room(program: Program, room: str) -> Counter[str]:
+    """Objects asked for in a room by category; 0 where there should be none."""
+    wished = Counter[str]()
+    for asked in program.objects:
+        if asked.room == room:
+            wished[asked.category] += asked.count
+    return wished
+
+
+def check(plan: Plan) -> None:
+    """BadInput for a wish that no layout can meet: an unknown category, or too many objects."""
+    for room in plan.rooms:
+        wished, count = of_room(plan.program, room.id), plan.program.counts.get(room.id)
+        for category in wished.keys() - set(CATEGORIES):
+            raise BadInput(f"program.objects: no category {category!r}, wanted in {room.id}; {_near(category)}")
+        most = max(wished.total(), count or 0)
+        if most > N_MAX:
+            raise BadInput(f"program: {most} objects wanted in {room.id}; a room holds at most {N_MAX}, ask for fewer")
+        if count is not None and wished.total() > count:
+            raise BadInput(f"program: {wished.total()} objects wanted by category in {room.id}, but {count} in all "
+                           "(counts); make them agree")
+
+
+def _near(category: str) -> str:
+    words = category.replace("_", " ").lower()
+    if words in by_word():
+        return f"did you mean {by_word()[words]!r}?"
+    near = difflib.get_close_matches(words, by_word(), n=3)
+    found = dict.fromkeys(by_word()[word] for word in near)
+    return f"did you mean {' or '.join(map(repr, found))}?" if found else f"there are: {', '.join(CATEGORIES)}"
+
+
+def unmet(program: Program, room: str, objects: Sequence[Box]) -> list[str]:
+    """What a furnished room lacks of what was asked for it, or has beyond it, in words."""
+    found, count = Counter(o.category for o in objects), program.counts.get(room)
+    lacks = [] if count in (None, len(objects)) else [f"{len(objects)} objects, {count} were asked for"]
+    for category, wanted in of_room(program, room).items():
+        if found[category] < wanted or (wanted == 0 and found[category]):
+            lacks.append(f"{found[category]} {category}, {wanted} asked for")
+    return lacks

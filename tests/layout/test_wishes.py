@@ -1,0 +1,79 @@
+"""Wishes that no layout can meet are refused by name; those that this one did not meet are said."""
+
+import logging
+from collections.abc import Sequence
+
+import handmade as h
+import numpy as np
+import pytest
+
+from schemas.errors import BadInput, Unmet
+from schemas.plan import Plan
+from stages import layout
+from stages.layout import wishes
+from stages.layout.config import LayoutConfig
+
+
+def asking(objects: Sequence[tuple[str, int]] = (), counts: dict[str, int] | None = None) -> Plan:
+    plan = h.plan()
+    rows = [{"room": h.BEDROOM, "category": category, "count": count} for category, count in objects]
+    return plan.model_copy(update={"program": type(plan.program).model_validate(
+        plan.program.model_dump() | {"objects": rows, "counts": counts or {}})})
+
+
+@pytest.mark.parametrize("objects, counts, said", [
+    ([("plant", 30)], {}, "30 objects wanted in bedroom_1; a room holds at most 24"),
+    ([("plant", 20), ("chair", 5)], {}, "25 objects wanted in bedroom_1"),
+    ([], {h.BEDROOM: 30}, "30 objects wanted in bedroom_1; a room holds at most 24"),
+    ([("desk", 4)], {h.BEDROOM: 3}, "4 objects wanted by category in bedroom_1, but 3 in all"),
+    ([("desks", 1)], {}, "'desks', wanted in bedroom_1; did you mean 'desk'"),
+    ([("couch", 1)], {}, "did you mean 'sofa'"),
+    ([("qqqq", 2)], {}, "there are: armchair, "),
+])
+def test_what_no_layout_can_have_is_refused(objects: list[tuple[str, int]], counts: dict[str, int], said: str) -> None:
+    with pytest.raises(BadInput, match=said):
+        layout.run(asking(objects, counts), LayoutConfig(), np.random.default_rng(0))
+
+
+def test_a_programme_cannot_ask_for_fewer_than_none() -> None:
+    with pytest.raises(ValueError, match="greater than or equal to 0"):
+        asking(counts={h.BEDROOM: -3})
+
+
+def test_what_can_be_had_is_not_refused() -> None:
+    wishes.check(asking([("desk", 2), ("desk", 1), ("rug", 0)], {h.BEDROOM: 3}))
+    assert wishes.of_room(asking([("desk", 2), ("desk", 1), ("rug", 0)]).program, h.BEDROOM) == {"desk": 3, "rug": 0}
+
+
+def test_unmet_wishes_are_counted() -> None:
+    program = asking([("desk", 2), ("rug", 0), ("chair", 1)], {h.BEDROOM: 4}).program
+    things = [h.thing(name, 5, 1, room=h.BEDROOM) for name in ("desk", "rug", "chair", "chair")]
+    assert wishes.unmet(program, h.BEDROOM, things) == ["1 desk, 2 asked for", "1 rug, 0 asked for"]
+    assert wishes.unmet(program, h.BEDROOM, things[:3])[0] == "3 objects, 4 were asked for"
+    assert wishes.unmet(program, h.LIVING, things) == []
+
+
+def test_a_room_too_small_for_what_it_was_asked_says_so(caplog: pytest.LogCaptureFixture) -> None:
+    plan = asking([("double_bed", 3), ("wardrobe", 3)])
+    with caplog.at_level(logging.INFO, "apartgen"):
+        made = layout.run(plan, LayoutConfig(), np.random.default_rng(1))
+    beds, wardrobes = (sum(o.category == name for o in made.objects) for name in ("double_bed", "wardrobe"))
+    assert beds < 3 or wardrobes < 3
+    said = [record.getMessage() for record in caplog.records if "asked for" in record.getMessage()]
+    assert len(said) == 1 and said[0].startswith("bedroom_1: has ")
+    assert (f"{beds} double_bed, 3" in said[0]) == (beds < 3)
+
+
+def test_wishes_hold_where_guidance_sets_the_number() -> None:
+    """Eq. 3 fills the slots that were given to what is wanted."""
+    plan = asking([("desk", 2)], {h.BEDROOM: 5})
+    config = LayoutConfig(count="guided", projection=False)
+    homes = layout.run_many([plan] * 12, config, [np.random.default_rng([i, 1]) for i in range(12)])
+    bedrooms = [[o.category for o in home.objects if o.room == h.BEDROOM] for home in homes]
+    assert [names.count("desk") for names in bedrooms] == [2] * 12 and {len(names) for names in bedrooms} == {5}
+
+
+def test_a_sample_that_ran_away_is_no_layout() -> None:
+    config = LayoutConfig(projection=False, scaling="sigma", guidance_scale=2e5)
+    with pytest.raises(Unmet, match="--guidance-scale"):
+        layout.run(asking(), config, np.random.default_rng(0))
