@@ -112,7 +112,7 @@ def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
     began = process_time()
     with _exported(home, bare=True) as (scene, mjcf):
         found = []
-        apartment = _world(scene, mjcf, name)
+        apartment = simulated(scene, mjcf, name)
         for half in (_navigation, _interaction):
             outcomes = half(apartment, None)
             took = round((process_time() - began) / max(1, len(outcomes)), 3)
@@ -121,7 +121,7 @@ def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
     return found
 
 
-def _world(scene: "Scene", mjcf: Path, name: str) -> "World":
+def simulated(scene: "Scene", mjcf: Path, name: str) -> "World":
     """The apartment with the base in it, nothing else free to move."""
     from stages.embodied import base, world
 
@@ -131,18 +131,18 @@ def _world(scene: "Scene", mjcf: Path, name: str) -> "World":
 def _navigation(apartment: "World", only: str | None) -> "list[Outcome]":
     from stages.embodied import navigate
 
-    return navigate.run(apartment, _rng(apartment.name, 8), only)
+    return navigate.run(apartment, lane(apartment.name, 8), only)
 
 
 def _interaction(apartment: "World", only: str | None) -> "list[Outcome]":
     from stages.embodied import interact
 
-    return interact.run(apartment, _rng(apartment.name, 9), only)
+    return interact.run(apartment, lane(apartment.name, 9), only)
 
 
-def _rng(name: str, lane: int) -> np.random.Generator:
+def lane(name: str, which: int) -> np.random.Generator:
     """Chance of an apartment's episodes: the same in every setting."""
-    return np.random.default_rng([int(name.rpartition("-")[2]), lane])
+    return np.random.default_rng([int(name.rpartition("-")[2]), which])
 
 
 @cache
@@ -181,7 +181,7 @@ def replay(out: Path, id: str) -> list[Path]:
 
     half, robot = (_navigation, base.mjcf()) if kind == "navigation" else (_interaction, interact.robot.mjcf())
     with _exported(home) as (scene, mjcf):
-        apartment = _world(scene, mjcf, name)
+        apartment = simulated(scene, mjcf, name)
         found = [o for o in half(apartment, thing) if o.id == id]
         if not found:
             raise BadInput(f"--replay {id}: {name} has no such episode; ids are in {out / 'trials.jsonl'}")

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from apartgen_cli.bench.embodied import _rng, _world
+from apartgen_cli.bench.embodied import lane, simulated
 from schemas import artifact
 from schemas.errors import ApartgenError
 from schemas.retrieve import Retrieve
@@ -31,8 +31,8 @@ def written(path: Path, out: Path, seed: int | None, libraries: list[str]) -> Pa
     scene = Scene(read.body, retrieve.open_libraries(RetrieveConfig(libraries=libraries)).load, shown=False)
     with TemporaryDirectory() as folder:
         mjcf.write(scene, Path(folder))
-        apartment = _world(scene, Path(folder) / "mjcf" / "apartment.xml", path.stem)
-        found = episodes.listed(apartment, _rng(drawn, 8), _rng(drawn, 9))
+        apartment = simulated(scene, Path(folder) / "mjcf" / "apartment.xml", path.stem)
+        found = episodes.listed(apartment, lane(drawn, 8), lane(drawn, 9))
     artifact.write(json.dumps(found.model_dump(), indent=1) + "\n", out)
     return out
 

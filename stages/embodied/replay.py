@@ -96,7 +96,7 @@ def _start(apartment: World, outcome: Outcome) -> tuple[Trace, list[marks.Mark]]
     if outcome.episode == "navigation":
         ground = floor.survey(apartment, base.RADIUS, base.HEIGHT)
     else:
-        ground = floor.survey(apartment, interact.robot.RADIUS, without=interact._leaves(apartment))
+        ground = floor.survey(apartment, interact.robot.RADIUS, without=interact.room_doors(apartment))
     began, reached = goals.start(ground), np.zeros(ground.grid.shape, bool)
     if began is not None:
         reached = planner.roadmap(ground, began[0]).reached

@@ -6,7 +6,6 @@ from itertools import islice
 
 import numpy as np
 
-from schemas.errors import BadInput
 from schemas.retrieve import Furnishing
 from stages.asset import Asset
 from stages.walkable import placing
@@ -33,11 +32,8 @@ def redesigned(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
 
 
 def look(library: Candidates, o: Furnishing) -> tuple[str, str]:
-    """Style and main material of an object's asset; empty where the asset can't be had."""
-    try:
-        asset = library.load(o.asset.library, o.asset.id)
-    except BadInput:
-        return "", ""
+    """Style and main material of an object's asset."""
+    asset = library.load(o.asset.library, o.asset.id)
     return asset.style, main_material(asset)
 
 

@@ -78,7 +78,7 @@ def scene(home, tmp_path_factory):
 def records(home):
     """What the benchmark makes of the same apartment and seed, with traces."""
     with bench._exported(home, bare=True) as (made, mjcf):
-        apartment = bench._world(made, mjcf, f"flat-{SEED}")
+        apartment = bench.simulated(made, mjcf, f"flat-{SEED}")
         driven = bench._navigation(apartment, None)
         things = dict.fromkeys(o.id for o in home.objects)
         return driven, [o for thing in things for o in bench._interaction(apartment, thing)]
@@ -120,9 +120,9 @@ def test_what_can_not_be_driven_to_is_told_as_the_benchmark_tells_it(tmp_path, g
     # What stands before the entrance leaves no cell to start from.
     things += [blocks.block("mat", 0.5, 0.8, 1.0, 1.6)] if blocked else []
     flat = blocks.furnished(blocks.corridor(6, 1.6), *things)
-    apartment = bench._world(*blocks.exported(flat, tmp_path), "a-1")
-    found = episodes.listed(apartment, bench._rng("a-1", 8), bench._rng("a-1", 9))
-    for e, o in zip(found.navigation, navigate.run(apartment, bench._rng("a-1", 8)), strict=True):
+    apartment = bench.simulated(*blocks.exported(flat, tmp_path), "a-1")
+    found = episodes.listed(apartment, bench.lane("a-1", 8), bench.lane("a-1", 9))
+    for e, o in zip(found.navigation, navigate.run(apartment, bench.lane("a-1", 8)), strict=True):
         assert e.id == o.id and (e.failure, e.reason) == (o.failure, o.reason)
         assert (e.goal is None) == (not o.success) == bool(e.failure)
     assert not found.interaction and any(e.goal is None for e in found.navigation) == blocked

@@ -86,7 +86,7 @@ def _asked(
     apartment: World, rng: np.random.Generator, only: str | None
 ) -> Iterator[tuple[Probe, Part, _Ground, np.random.Generator]]:
     """The episodes: a probe of the object's surroundings, the part, the floor, and the chance of each."""
-    leaves = _leaves(apartment)
+    leaves = room_doors(apartment)
     ground = floor.survey(apartment, RADIUS, without=leaves)
     reached = grid.from_seeds(ground.free, ground.space.entry)
     points = ground.grid.centers()
@@ -111,7 +111,7 @@ def equipped(apartment: World, object: str, without: Collection[str]) -> World:
                        name=apartment.name, source=apartment.source)
 
 
-def _leaves(apartment: World) -> frozenset[str]:
+def room_doors(apartment: World) -> frozenset[str]:
     """Names of the colliders of room doors' leaves."""
     return frozenset(
         f"{body.link_name(link)}__c{k}" for body in apartment.bodies.values() if body.category == "door"
@@ -223,4 +223,4 @@ def _stands(planner: Planner, places: Iterable[Array], rng: np.random.Generator)
                 break
 
 
-__all__ = ["FRAMES", "GOAL", "OPEN", "equipped", "mjcf", "planned", "run"]
+__all__ = ["FRAMES", "GOAL", "OPEN", "equipped", "mjcf", "planned", "room_doors", "run"]
