@@ -1,8 +1,8 @@
 """A folder that appears whole or not at all, and replaces only what an export made."""
 
 import os
-import secrets
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -32,7 +32,7 @@ def replaced(out: Path) -> Iterator[Path]:
 def _beside(out: Path) -> Iterator[Path]:
     out.parent.mkdir(parents=True, exist_ok=True)
     # Its name is known before it is there, so that an interrupt at any moment leaves nothing.
-    work = out.parent / f".{out.name}.{secrets.token_hex(8)}"
+    work = Path(tempfile.mktemp(prefix=f".{out.name}.", dir=out.parent))
     try:
         work.mkdir(mode=0o700)
         fresh, old = work / "new", work / "old"
