@@ -131,18 +131,18 @@ def simulated(scene: "Scene", mjcf: Path, name: str) -> "World":
 def _navigation(apartment: "World", only: str | None) -> "list[Outcome]":
     from stages.embodied import navigate
 
-    return navigate.run(apartment, lane(apartment.name, 8), only)
+    return navigate.run(apartment, lane(apartment.name), only)
 
 
 def _interaction(apartment: "World", only: str | None) -> "list[Outcome]":
     from stages.embodied import interact
 
-    return interact.run(apartment, lane(apartment.name, 9), only)
+    return interact.run(apartment, only)
 
 
-def lane(name: str, which: int) -> np.random.Generator:
-    """Chance of an apartment's episodes: the same in every setting."""
-    return np.random.default_rng([int(name.rpartition("-")[2]), which])
+def lane(name: str) -> np.random.Generator:
+    """Chance of what an apartment's robot is sent to: the same in every setting."""
+    return np.random.default_rng([int(name.rpartition("-")[2]), 8])
 
 
 @cache

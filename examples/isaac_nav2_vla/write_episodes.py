@@ -32,7 +32,7 @@ def written(path: Path, out: Path, seed: int | None, libraries: list[str]) -> Pa
     with TemporaryDirectory() as folder:
         mjcf.write(scene, Path(folder))
         apartment = simulated(scene, Path(folder) / "mjcf" / "apartment.xml", path.stem)
-        found = episodes.listed(apartment, lane(drawn, 8), lane(drawn, 9))
+        found = episodes.listed(apartment, lane(drawn))
     artifact.write(json.dumps(found.model_dump(), indent=1) + "\n", out)
     return out
 

@@ -26,14 +26,12 @@ STIFFNESS = 10_000.0
 
 It slides without friction: in MuJoCo's friction cones sliding itself would push the two apart.
 """
-SKIN = (2 * MASS / STIFFNESS) ** 0.5
-"""The time constant that does so at an impedance of one half, s."""
 JOINTS = (f"{ROBOT}_free",)
 DRIVES = (f"{ROBOT}_left", f"{ROBOT}_right")
 
 
-def mjcf() -> str:
-    """The base as MuJoCo XML, standing at the origin and looking along +x.
+def mjcf(mass: float = MASS) -> str:
+    """The base as MuJoCo XML, standing at the origin and looking along +x; `mass` is all of it, kg.
 
     That things may sleep spares what never moves its share of every step; the base itself is kept awake.
     """
@@ -45,14 +43,16 @@ def mjcf() -> str:
     motors = "".join(
         f'<velocity name="{name}" joint="{name}_axle" kv="20" forcerange="-{TORQUE} {TORQUE}"/>' for name in DRIVES
     )
+    skin = (2 * mass / STIFFNESS) ** 0.5  # s, the time constant that gives so much at an impedance of one half
+    inertia = " ".join(f"{share * mass / MASS:.9g}" for share in (1.6, 1.6, 0.7))
     half = (HEIGHT - 0.02) / 2
     column = f'<geom name="{ROBOT}_column" type="cylinder" size="{RADIUS} {half}" pos="0 0 {0.02 + half}"'
     return f"""<mujoco>
   <option impratio="20"><flag sleep="enable"/></option>
   <worldbody>
     <body name="{ROBOT}_base" sleep="never"><freejoint name="{JOINTS[0]}"/>
-      <inertial pos="0 0 0.2" mass="{MASS - 2}" diaginertia="1.6 1.6 0.7"/>
-      {column} condim="1" rgba="0.2 0.2 0.25 1" priority="1" solref="{SKIN} 1" solimp="0.5 0.5 0.001"/>
+      <inertial pos="0 0 0.2" mass="{mass - 2}" diaginertia="{inertia}"/>
+      {column} condim="1" rgba="0.2 0.2 0.25 1" priority="1" solref="{skin} 1" solimp="0.5 0.5 0.001"/>
       {casters}{wheels}
     </body>
   </worldbody>

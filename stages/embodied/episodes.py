@@ -109,13 +109,13 @@ class Episodes(Record):
     interaction: list[Interaction]
 
 
-def listed(apartment: World, navigation: np.random.Generator, interaction: np.random.Generator) -> Episodes:
+def listed(apartment: World, rng: np.random.Generator) -> Episodes:
     """Every episode of a world with the base in it; places to stand are looked for, which takes most of the time."""
-    ways, yaw, goals = navigate.asked(apartment, navigation)
+    ways, yaw, goals = navigate.asked(apartment, rng)
     return Episodes(
         apartment=apartment.name,
         navigation=[_navigation(apartment.name, ways, yaw, goal) for goal in goals],
-        interaction=[_interaction(apartment, *found) for found in interact.planned(apartment, interaction)],
+        interaction=[_interaction(apartment, *found) for found in interact.planned(apartment)],
     )
 
 

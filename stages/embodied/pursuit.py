@@ -32,8 +32,8 @@ TIME_TO_COLLISION = 1.0
 """max_allowed_time_to_collision_up_to_carrot, s."""
 XY_TOLERANCE, YAW_TOLERANCE = 0.25, 0.25
 """Of Nav2's goal checker, m and rad."""
-WITHIN = 0.06
-"""It drives on until it is so much nearer, so that it still is once it has stopped and turned, m."""
+WITHIN = XY_TOLERANCE - 0.06
+"""It drives on until it is so near, so that it still is within tolerance once it has stopped and turned, m."""
 NARROW, NARROW_AHEAD = 0.10, 0.5
 """Where the path leaves less than this beside the robot, within so far ahead, it is narrow, m."""
 NARROW_LOOKAHEAD, NARROW_SPEED, NARROW_ANGLE = 0.2, 0.2, 0.25
@@ -50,11 +50,16 @@ _AHEAD = tuple(k / 11 for k in range(1, 12))  # shares of the next second's way 
 
 @dataclass
 class Pursuit:
-    """The controller on its way along a path (n, 2) to a final heading; `speed`, `turn` are the last commands."""
+    """The controller on its way along a path (n, 2) to a final heading; `speed`, `turn` are the last commands.
+
+    It has arrived `within` so many metres of the goal, `facing` within so many radians.
+    """
 
     floor: Floor
     path: Array
     heading: float
+    within: float = WITHIN
+    facing: float = YAW_TOLERANCE
     at: int = 0
     speed: float = 0.0
     turn: float = 0.0
@@ -71,10 +76,10 @@ class Pursuit:
         here = x, y
         self._advance(here)
         left = _distance(here, self.points[-1])
-        self.arrived = self.arrived or left < XY_TOLERANCE - WITHIN
+        self.arrived = self.arrived or left < self.within
         if self.arrived:
             off = _wrapped(self.heading - yaw)
-            done = abs(off) < YAW_TOLERANCE and abs(self.speed) < 0.01
+            done = abs(off) < self.facing and abs(self.speed) < 0.01
             self._limited(0.0, 0.0 if done else self._turn_to(off))
             return self.speed, self.turn, done and abs(self.turn) < 0.1
         self._limited(*self._wanted(here, yaw, left))

@@ -85,8 +85,8 @@ def flat(tmp_path):
     return build
 
 
-def opened(apartment, seed=0):
-    outcomes = interact.run(apartment, np.random.default_rng(seed))
+def opened(apartment):
+    outcomes = interact.run(apartment)
     assert len(outcomes) == 1
     return outcomes[0]
 
@@ -126,9 +126,9 @@ def test_a_part_too_heavy_for_the_grip_is_the_controllers_failure(flat):
 
 
 def test_the_cup_holds_less_than_the_fingers(flat):
-    # Moved off as fast as ever, 50 kg take more than the cup's 48 N and less than the fingers' 60 N.
-    assert opened(flat(drawer(mass=50.0), chest(0.3, 2.0))).success
-    assert "slipped" in opened(flat(drawer(mass=50.0, bar=False), chest(0.3, 2.0))).reason
+    # Moved off as fast as ever, 42 kg take more than the cup's 48 N and less than the fingers' 60 N.
+    assert opened(flat(drawer(mass=42.0), chest(0.3, 2.0))).success
+    assert "slipped" in opened(flat(drawer(mass=42.0, bar=False), chest(0.3, 2.0))).reason
 
 
 def test_a_hand_that_closes_on_nothing_takes_another_hold(flat, monkeypatch):
@@ -191,9 +191,9 @@ def test_an_oven_door_stays_where_it_is_left(flat):
 
 def test_the_same_seed_opens_alike_and_only_one_object_leaves_a_trace(flat):
     apartment = flat(drawer(), chest(0.3, 2.0, id="one"), chest(2.0, 0.3, np.pi / 2, id="two"))
-    first, again = (interact.run(apartment, np.random.default_rng(3)) for _ in range(2))
+    first, again = (interact.run(apartment) for _ in range(2))
     assert first == again and [o.object for o in first] == ["one", "two"]
-    (alone,) = interact.run(apartment, np.random.default_rng(3), only="two")
+    (alone,) = interact.run(apartment, only="two")
     assert alone.numbers == first[1].numbers and first[1].trace is None
     moved = np.array(alone.trace.qpos)
     assert alone.trace.joints[-1].endswith("drawer__joint") and moved[-1, -1] == pytest.approx(0.3 * GOAL, abs=0.02)
@@ -202,7 +202,7 @@ def test_the_same_seed_opens_alike_and_only_one_object_leaves_a_trace(flat):
 
 def test_what_is_blocked_shows_how_far_it_comes(flat):
     apartment = flat(drawer(), chest(0.3, 2.0, id="one"), block("chair", 0.9, 2.0))
-    (outcome,) = interact.run(apartment, np.random.default_rng(0), only="one")
+    (outcome,) = interact.run(apartment, only="one")
     drawn = [values[-1] for values in outcome.trace.qpos]
     assert drawn[0] == 0 and 0.1 < drawn[-1] < 0.15 and len(drawn) == len(outcome.trace.times)
 

@@ -131,7 +131,7 @@ def kitchen(folder, *objects):
 
 def test_a_part_that_is_blocked_from_the_start_goes_on_through_what_blocks_it(tmp_path, drawing, monkeypatch):
     apartment = kitchen(tmp_path, chest(0.3, 2.0, id="one", joints=JOINTS), block("chair", 0.805, 2.0, id="near"))
-    (outcome,) = interact.run(apartment, np.random.default_rng(0), only="one")
+    (outcome,) = interact.run(apartment, only="one")
     assert outcome.failure == "blocked part" and outcome.reason.startswith("meets near at 5%")
     shown = frames(apartment, outcome, interact.mjcf())
     assert len({frame.tobytes() for frame in shown}) > 10

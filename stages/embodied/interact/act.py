@@ -17,6 +17,11 @@ SLIP = {"pinch": 60.0, "cup": 48.0}
 """Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4.5 cm bears (-60 kPa)."""
 SEATED = 0.01
 """The cup takes hold of what its mouth is no further from, m."""
+FRICTION, LEAST_FRICTION = 0.05, 1.0
+"""Dry friction of a part in its joint, as felt at the handle: a share of its weight, and so many N besides.
+
+Exported joints only damp, as simulators differ in what friction means.
+"""
 SHUT = 0.02
 """Share of its range to which a part still counts as shut."""
 SLIPPING = 0.02
@@ -27,8 +32,8 @@ GRAZE = 5.0
 """A harder contact with anything but the part held is a collision, N."""
 PACE = {"hinge": 0.7, "slide": 0.25}
 """Speed of a part in hand, rad/s and m/s."""
-RAMP = 0.3
-"""Seconds to gather speed and to lose it."""
+RAMP, HELD_RAMP = 0.3, 0.6
+"""Seconds to gather speed and to lose it, the hand free or holding: a sliding door of 25 kg is heavy at first."""
 FRAMES = 20
 """Recorded a second."""
 TIMESTEP = 0.004
@@ -67,6 +72,9 @@ class Actor:
         # Only what stands loose on something needs that; other parts rest at their joints' limits.
         base = int(self.model.body_parentid[part.body])
         probe.limit(self.model, part.body, *([base] if self.model.body_weldid[base] else []))
+        friction = LEAST_FRICTION - FRICTION * self.model.body_subtreemass[part.body] * self.model.opt.gravity[2]
+        self.model.dof_frictionloss[:] = 0.0
+        self.model.dof_frictionloss[self.model.body_dofadr[part.body]] = friction * part.lever
         self.data = mujoco.MjData(self.model)
         self.contact = self.data.contact
         self.servos = np.array([self.model.actuator(joint(name)).id for name in NAMES])
@@ -119,7 +127,7 @@ class Actor:
             pace = PACE["slide" if self.part.slides else "hinge"]
             spans = np.maximum(2 * spans, np.abs(np.diff(values, prepend=values[0])) / pace)
         step = self.period
-        targets = _timed(path, spans, step)
+        targets = _timed(path, spans, step, RAMP if values is None else HELD_RAMP)
         if values is not None:
             targets = _smoothed(targets, int(_SMOOTH / step))
         for target in targets + np.gradient(targets, step, axis=0) * LEAD:
@@ -271,11 +279,11 @@ class Actor:
         return False
 
 
-def _timed(path: Array, spans: Array, timestep: float) -> Array:
+def _timed(path: Array, spans: Array, timestep: float, ramp: float) -> Array:
     """Points of a path (k, 13) whose legs take `spans` seconds, one a step, gathering and losing speed evenly."""
     ends = np.concatenate([[0.0], np.cumsum(np.maximum(spans, 1e-6))])
     total = float(ends[-1])
-    ramp = min(RAMP, total)
+    ramp = min(ramp, total)
     t = np.linspace(0, total + ramp, max(3, int(np.ceil((total + ramp) / timestep)) + 1))[1:]
     left = total + ramp - t
     # Constant speed between two parabolas.

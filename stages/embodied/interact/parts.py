@@ -79,6 +79,12 @@ class Part:
     others: list[Hold]
     pushes: list[Hold]
 
+    @property
+    def lever(self) -> float:
+        """Of a force at the handle about a hinge, m; 1 where the part slides."""
+        apart = self.holds[0].point - self.anchor
+        return 1.0 if self.slides else float(np.linalg.norm(np.cross(self.axis, apart)))
+
     def moved(self, value: float) -> tuple[Array, Array]:
         """Rotation (3, 3) and shift (3,) of the part from shut to a joint position: p → R p + t."""
         if self.slides:

@@ -38,6 +38,9 @@ FORCE = 80.0
 """What the arm can push or pull with at the hand, N; at the turret, at full reach."""
 GRIP = 60.0
 """Of each finger, N."""
+BASE_MASS, CARRIAGE_MASS, PIECE_MASS, PALM_MASS, FINGER_MASS = 40.0, 3.0, 0.7, 0.7, 0.05
+MASS = BASE_MASS + CARRIAGE_MASS + 3 * PIECE_MASS + PALM_MASS + 2 * FINGER_MASS
+"""Of all of it, kg; the base drives with so much."""
 TRACTION = 235.0
 """What the wheels hold: 40 kg on rubber (μ 0.6), N."""
 
@@ -75,13 +78,13 @@ def mjcf() -> str:
   <worldbody>
     <body name="robot_base" gravcomp="1">
       {_joint("x", "slide", "1 0 0")}{_joint("y", "slide", "0 1 0")}{_joint("heading", "hinge", "0 0 1")}
-      <inertial pos="0 0 0.1" mass="40" diaginertia="1 1 1.5"/>
+      <inertial pos="0 0 0.1" mass="{BASE_MASS}" diaginertia="1 1 1.5"/>
       <geom name="robot__drum" class="robot" conaffinity="5" type="cylinder"
         size="{RADIUS} {(BASE_HEIGHT - 0.02) / 2}" pos="0 0 {(BASE_HEIGHT + 0.02) / 2}"/>
       <geom name="robot__mast" class="robot" type="capsule" fromto="0 0 {BASE_HEIGHT} 0 0 {MAST}" size="0.04"/>
       <body name="robot__carriage" gravcomp="1">
         {_joint("lift", "slide", "0 0 1", LIFT)}{_joint("turret", "hinge", "0 0 1")}
-        <inertial pos="0 0 0" mass="3" diaginertia="0.02 0.02 0.02"/>
+        <inertial pos="0 0 0" mass="{CARRIAGE_MASS}" diaginertia="0.02 0.02 0.02"/>
         <geom class="robot" type="capsule" fromto="0 0 0 {_SEGMENT} 0 0" size="0.03"/>
         {_telescope(1)}
       </body>
@@ -113,7 +116,7 @@ def _telescope(k: int) -> str:
     start = "0 0 0" if k == 1 else f"{0} 0 0"
     return f"""<body name="robot__arm_{k}" pos="{start}" gravcomp="1">
       {_joint(f"arm_{k}", "slide", "1 0 0", (0.0, _STROKE))}
-      <inertial pos="0.1 0 0" mass="0.7" diaginertia="0.003 0.003 0.003"/>
+      <inertial pos="0.1 0 0" mass="{PIECE_MASS}" diaginertia="0.003 0.003 0.003"/>
       <geom class="robot" type="capsule" fromto="0.02 0 0 {_SEGMENT} 0 0" size="{0.03 - 0.003 * k}"/>
       {carried}
     </body>"""
@@ -125,7 +128,7 @@ def _hand() -> str:
       {_joint("yaw", "hinge", "0 0 1", (-_WRIST["yaw"], _WRIST["yaw"]), 0.02)}
       {_joint("pitch", "hinge", "0 1 0", (-_WRIST["pitch"], _WRIST["pitch"]), 0.02)}
       {_joint("roll", "hinge", "1 0 0", (-_WRIST["roll"], _WRIST["roll"]), 0.02)}
-      <inertial pos="0.04 0 0" mass="0.7" diaginertia="0.001 0.001 0.001"/>
+      <inertial pos="0.04 0 0" mass="{PALM_MASS}" diaginertia="0.001 0.001 0.001"/>
       <geom name="robot__palm" class="robot_hand" type="box" size="{PALM / 2} 0.035 0.02" pos="{PALM / 2} 0 0"/>
       {fingers}
     </body>"""
@@ -134,7 +137,7 @@ def _hand() -> str:
 def _finger(name: str, side: int) -> str:
     return f"""<body name="robot__{name}" pos="{PALM} 0 0" gravcomp="1">
       {_joint(name, "slide", f"0 {side} 0", (0.0, OPENING), 0.01)}
-      <inertial pos="{FINGER / 2} 0 0" mass="0.05" diaginertia="0.0001 0.0001 0.0001"/>
+      <inertial pos="{FINGER / 2} 0 0" mass="{FINGER_MASS}" diaginertia="0.0001 0.0001 0.0001"/>
       <geom name="robot__{name}" class="robot_hand" type="box" size="{FINGER / 2} {THICK / 2} 0.009"
         pos="{FINGER / 2} {side * THICK / 2} 0" friction="1" priority="1" condim="4"/>
     </body>"""
