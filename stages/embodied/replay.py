@@ -55,7 +55,7 @@ def images(apartment: World, robot: str, outcome: Outcome, size: tuple[int, int]
     drawn += marks.goal(outcome) + _painted(shown, outcome, trace, lost)
     data, trail = mujoco.MjData(shown.model), list[Array]()
     with mujoco.Renderer(shown.model, height, width) as renderer:
-        option, camera = _option(), _camera(shown, outcome, lost)
+        option, camera = _option(), _camera(shown, outcome, lost or _on_its_way(shown, outcome))
         for moment in range(len(trace.times)):
             _pose(shown, data, trace, moment)
             renderer.update_scene(data, camera, option)
@@ -73,7 +73,7 @@ def save(pictures: Iterable[Array], path: Path, outcome: Outcome) -> list[Path]:
     for frame in frames if said else []:
         ImageDraw.Draw(frame).text((8, 6), said, fill="white", font_size=15, stroke_width=1, stroke_fill="black")
     times = outcome.trace.times if outcome.trace else []
-    period = times[-1] / (len(times) - 1) if len(times) > 1 else 1.0
+    period = (times[-1] - times[0]) / (len(times) - 1) if len(times) > 1 else 1.0
     path.parent.mkdir(parents=True, exist_ok=True)
     frames[-1].save(path.with_suffix(".png"))
     small = [frame.quantize(64, method=Image.Quantize.FASTOCTREE) for frame in frames]
@@ -89,6 +89,14 @@ def _away(outcome: Outcome) -> bool:
 def _lost(outcome: Outcome) -> bool:
     """Whether there was no place to go to, rather than a part that opens for nobody."""
     return outcome.trace is None or _away(outcome) and outcome.failure != "blocked part"
+
+
+def _on_its_way(shown: World, outcome: Outcome) -> bool:
+    """Whether the robot ended before it got to what it should open."""
+    found = {o.id: o for o in shown.home.objects}.get(outcome.object)
+    if outcome.trace is None or found is None or _away(outcome):
+        return False
+    return float(np.hypot(*np.subtract(outcome.trace.qpos[-1][:2], found.center[:2]))) > NEAR[0]
 
 
 def _start(apartment: World, outcome: Outcome) -> tuple[Trace, list[marks.Mark]]:

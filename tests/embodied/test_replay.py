@@ -157,6 +157,22 @@ def test_a_part_that_no_robot_gets_to_is_seen_from_above(tmp_path, drawing):
     assert len(shown) == 1 and coloured(shown[0], 1) > 200 and coloured(shown[0], 2) > 20
 
 
+def test_an_opened_part_is_seen_from_nearby_once_the_robot_comes_and_a_drive_that_failed_from_above(tmp_path, drawing):
+    apartment = kitchen(tmp_path, chest(3.7, 1.45, np.pi, id="one", joints=JOINTS))
+    (opened,) = interact.run(apartment, only="one")
+    arrives = opened.trace.times.index(min(t for t in opened.trace.times if t >= 0))
+    assert opened.success and opened.trace.times[0] < -2
+    gone = opened.trace.model_copy(update={"qpos": [[0.4, *values[1:]] for values in opened.trace.qpos]})
+    lost = opened.model_copy(update={"trace": gone, "success": False, "failure": "controller", "reason": "stuck"})
+    shown = world.build(apartment.scene, apartment.mjcf, interact.mjcf(), visuals=True)
+    near, far = (replay._camera(shown, o, replay._on_its_way(shown, o)).distance for o in (opened, lost))
+    assert near <= max(replay.NEAR) < far
+    pictures = list(replay.images(apartment, interact.mjcf(), opened, SMALL))
+    gif, _ = replay.save(pictures, tmp_path / "it.gif", opened)
+    assert Image.open(gif).info["duration"] == pytest.approx(1000 / interact.FRAMES, abs=10)
+    assert differ(np.array(pictures[:1], int), np.array([pictures[arrives]], int)) > 100
+
+
 def test_where_nothing_can_be_drawn_it_is_said(monkeypatch):
     def broken(*_):
         raise mujoco.FatalError("no context")
