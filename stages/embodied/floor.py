@@ -5,13 +5,14 @@ Cells are those of `stages/grid.py`; distances are in metres.
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import product
 from typing import Any
 
 import mujoco
 import numpy as np
 import shapely
+from numba import njit
 from shapely import Geometry
 
 from stages import grid, polygons, reach, solids
@@ -75,18 +76,13 @@ class Floor:
     @cached_property
     def near(self) -> Callable[[float, float], float]:
         """Clearance of a point x, y as in `beside`, m; numbers by themselves are faster than arrays of one."""
-        (left, below), (rows, columns), size = self.grid.origin, self.grid.shape, self.grid.resolution
-        cells = np.ascontiguousarray(self.clearance).data
+        return partial(clearance_at, *self.raster)
 
-        def found(x: float, y: float) -> float:
-            u = min(max((x - left) / size - 0.5, 0.0), columns - 1.001)
-            v = min(max((y - below) / size - 0.5, 0.0), rows - 1.001)
-            i, j = int(v), int(u)
-            u, v = u - j, v - i
-            low = cells[i, j] * (1 - u) + cells[i, j + 1] * u
-            return float(low * (1 - v) + (cells[i + 1, j] * (1 - u) + cells[i + 1, j + 1] * u) * v)
-
-        return found
+    @cached_property
+    def raster(self) -> tuple[Array, float, float, float]:
+        """The clearance of cells, the corner that they begin at (x, y) and their size, for `clearance_at`."""
+        left, below = self.grid.origin
+        return np.ascontiguousarray(self.clearance), float(left), float(below), float(self.grid.resolution)
 
     def beside(self, points: Array) -> Array:
         """Clearance of points (..., 2), m, between that of the cells' centres; beyond the raster that of its edge."""
@@ -97,6 +93,18 @@ class Floor:
         low = self.clearance[row, column] * (1 - u) + self.clearance[row, column + 1] * u
         high = self.clearance[row + 1, column] * (1 - u) + self.clearance[row + 1, column + 1] * u
         return np.asarray(low * (1 - v) + high * v)
+
+
+@njit(cache=True)
+def clearance_at(cells: Array, left: float, below: float, size: float, x: float, y: float) -> float:
+    """Clearance of a point between that of cells' centres, as `Floor.beside` has it, m."""
+    rows, columns = cells.shape
+    u = min(max((x - left) / size - 0.5, 0.0), columns - 1.001)
+    v = min(max((y - below) / size - 0.5, 0.0), rows - 1.001)
+    i, j = int(v), int(u)
+    u, v = u - j, v - i
+    low = cells[i, j] * (1 - u) + cells[i, j + 1] * u
+    return float(low * (1 - v) + (cells[i + 1, j] * (1 - u) + cells[i + 1, j + 1] * u) * v)
 
 
 def covered(parts: Sequence[Geometry], cells: Grid) -> Mask:

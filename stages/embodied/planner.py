@@ -7,10 +7,11 @@ Costs are those of Nav2's inflation layer (cost_scaling_factor 3.0, inflation_ra
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from stages.boxes import Array, Mask
-from stages.embodied.floor import Floor
+from stages.embodied.floor import Floor, clearance_at
 
 INFLATION, SCALING = 0.55, 3.0
 NEUTRAL, FACTOR, INSCRIBED = 50.0, 0.8, 252.0
@@ -24,7 +25,7 @@ AWAY = 0.03
 """Straightening and smoothing take ways no closer than this to touching, m, but where they are closer already."""
 _PASSES, _HOLDS = 3, 6
 _STEPS = [(0, 1), (1, 0), (1, 1), (1, -1), (1, 2), (2, 1), (1, -2), (2, -1)]
-_SAMPLES = 96
+_SHARES = np.linspace(0, 1, 96)  # of a straight line, where it is looked at
 _SAGITTA = 0.0005  # m that a straight between two cells comes closer to a corner than either
 
 
@@ -150,24 +151,35 @@ def _straightened(
     A line stays so far `away` from touching, or as far as the cells that it replaces.
     """
     corners, at = [0], 0
-    t = np.linspace(0, 1, _SAMPLES)[:, None, None]
     room = floor.clearance[cells[:, 0], cells[:, 1]]
     while at < len(cells) - 1:
-        ahead = cells[at + 1 :]
-        line = np.rint(cells[at] + t * (ahead - cells[at])).astype(int)
-        straight = weight[line[..., 0], line[..., 1]].mean(0) * np.hypot(*(ahead - cells[at]).T)
-        good = np.flatnonzero(straight <= (cost[at + 1 :] - cost[at]) + 1e-6)
-        least = np.minimum(floor.radius + away, np.minimum.accumulate(room[at:])[1:])
-        at = next((at + 1 + k for k in good[::-1].tolist() if _room(floor, cells[at], ahead[k]) >= least[k]), at + 1)
+        least = np.minimum(floor.radius + away, np.minimum.accumulate(room[at:]))
+        at += _furthest(cells[at:], cost[at:], least - _SAGITTA, weight, _SHARES, *floor.raster)
         corners.append(at)
     return cells[corners]
 
 
-def _room(floor: Floor, a: NDArray[np.int64], b: NDArray[np.int64]) -> float:
-    """The least clearance on a straight line between two cells, m."""
-    ends = np.array(floor.grid.origin) + (np.stack([a, b])[:, ::-1] + 0.5) * floor.grid.resolution
-    line = ends[0] + np.linspace(0, 1, _SAMPLES)[:, None] * (ends[1] - ends[0])
-    return float(floor.beside(line).min()) + _SAGITTA
+@njit(cache=True)
+def _furthest(
+    cells: NDArray[np.int64], cost: Array, least: Array, weight: Array, shares: Array, clearance: Array, left: float,
+    below: float, size: float,
+) -> int:
+    """The last cell of a way to which a straight line from its first costs no more and has the `least` clearance."""
+    for k in range(len(cells) - 1, 1, -1):
+        down, right = cells[k] - cells[0]
+        total = 0.0
+        for share in shares:
+            row, column = np.rint(cells[0, 0] + share * down), np.rint(cells[0, 1] + share * right)
+            total += weight[int(row), int(column)]
+        if total / len(shares) * np.hypot(down, right) <= cost[k] - cost[0] + 1e-6:
+            x, y = left + (cells[0, 1] + 0.5) * size, below + (cells[0, 0] + 0.5) * size
+            away = np.inf
+            for share in shares:
+                here = clearance_at(clearance, left, below, size, x + share * right * size, y + share * down * size)
+                away = min(away, here)
+            if away >= least[k]:
+                return k
+    return 1
 
 
 def _resampled(points: Array) -> Array:

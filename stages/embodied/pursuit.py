@@ -10,9 +10,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import atan2, copysign, cos, hypot, pi, sin, sqrt
 
+import numpy as np
+from numba import njit
+
 from stages.boxes import Array
 from stages.embodied import base, planner
-from stages.embodied.floor import Floor
+from stages.embodied.floor import Floor, clearance_at
 
 Point = tuple[float, float]
 
@@ -45,7 +48,8 @@ _SHORTEST = 0.05  # m, lookahead where everything longer would touch
 _CREEP, _ALIGNED = 0.1, 0.06  # speed then, m/s, once it heads for the next point so closely, rad
 _INCHING = 20  # periods
 _PATIENCE = 60  # periods without getting any further along the path, after which it goes from point to point
-_AHEAD = tuple(k / 11 for k in range(1, 12))  # shares of the next second's way that are looked at
+LOOKS = 11
+"""Points of the next second's way that are looked at."""
 
 
 @dataclass
@@ -92,8 +96,7 @@ class Pursuit:
 
     def _advance(self, here: Point) -> None:
         """The nearest point of the path, not looking back, nor further ahead than a metre."""
-        away = [_distance(here, point) for point in self.points[self.at : self.at + int(1.0 / planner.SPACING)]]
-        further = away.index(min(away))
+        further = _nearest(self.path[self.at : self.at + int(1.0 / planner.SPACING)], *here)
         self.at += further
         self.waited = 0 if further else self.waited + 1
         if self.waited > _PATIENCE:
@@ -144,10 +147,7 @@ class Pursuit:
 
     def _carrot(self, here: Point, reach: float) -> Point:
         """The first point of the path at least the lookahead away, or its end."""
-        for k in range(self.at, len(self.points)):
-            if _distance(here, self.points[k]) >= reach:
-                return self.points[k]
-        return self.points[-1]
+        return self.points[_beyond(self.path, self.at, *here, reach)]
 
     def _regulated(self, here: Point, curvature: float, left: float) -> float:
         near = self.floor.near(*here)
@@ -161,12 +161,7 @@ class Pursuit:
         """Whether the next second on this arc, or as much of it as leads to the carrot, keeps clear of everything."""
         run = min(speed * TIME_TO_COLLISION, distance)
         bend = curvature if abs(curvature) > 1e-6 else 1e-6
-        (x, y), c, s, near = here, cos(yaw) / bend, sin(yaw) / bend, self.floor.near
-        for share in _AHEAD:
-            ahead, left = sin(bend * run * share), 1 - cos(bend * run * share)
-            if near(x + c * ahead - s * left, y + s * ahead + c * left) < room:
-                return False
-        return True
+        return _arc_clear(*self.floor.raster, *here, yaw, bend, run, room)
 
     def _turn_to(self, off: float) -> float:
         """As fast as still can be stopped in time."""
@@ -177,6 +172,41 @@ class Pursuit:
         most, turn_most = base.ACCELERATION * PERIOD, base.TURN_ACCELERATION * PERIOD
         self.speed += _held(speed - self.speed, -most, most)
         self.turn += _held(turn - self.turn, -turn_most, turn_most)
+
+
+@njit(cache=True)
+def _nearest(points: Array, x: float, y: float) -> int:
+    """Index of the first of the points (n, 2) that are nearest."""
+    best, least = 0, np.inf
+    for k in range(len(points)):
+        away = (points[k, 0] - x) ** 2 + (points[k, 1] - y) ** 2
+        if away < least:
+            best, least = k, away
+    return best
+
+
+@njit(cache=True)
+def _beyond(points: Array, first: int, x: float, y: float, reach: float) -> int:
+    """Index of the first point (n, 2) on from one that is so far away, or of the last."""
+    for k in range(first, len(points)):
+        if sqrt((points[k, 0] - x) ** 2 + (points[k, 1] - y) ** 2) >= reach:
+            return k
+    return len(points) - 1
+
+
+@njit(cache=True)
+def _arc_clear(
+    cells: Array, left: float, below: float, size: float, x: float, y: float, yaw: float, bend: float, run: float,
+    room: float,
+) -> bool:
+    """Whether an arc of a length and a curvature keeps so far from everything, at `LOOKS` points of it."""
+    c, s = cos(yaw) / bend, sin(yaw) / bend
+    for k in range(1, LOOKS + 1):
+        share = k / LOOKS
+        ahead, aside = sin(bend * run * share), 1 - cos(bend * run * share)
+        if clearance_at(cells, left, below, size, x + c * ahead - s * aside, y + s * ahead + c * aside) < room:
+            return False
+    return True
 
 
 def _wrapped(angle: float) -> float:
