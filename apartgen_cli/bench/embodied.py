@@ -40,8 +40,9 @@ NOTE = (
     "Without guidance: furnished by the diffusion model alone, no projection, no walkable stage. Guided: all guidance, "
     "projection and the walkable stage. The exported MJCF is simulated in MuJoCo; the paper uses Isaac Sim. "
     "Navigation: a base of 0.25 m radius drives from the entrance to an object drawn in every room, of those that open "
-    "or that it gets to; success is to stop within 0.25 m, in time, with no push above 15 N. Interaction: every joint "
-    "of every object is opened to 80 % of its range by an arm that meets nothing. SPL is 0 where an episode fails. CPU "
+    "or that it gets to; success is to stop within 0.25 m, in time, with no push above 15 N. Interaction: the base "
+    "drives from the entrance to every object and parks; an arm that meets nothing opens every joint to 80 % of its "
+    "range, against friction. SPL is 0 where an episode fails. CPU "
     "seconds of navigation include the export."
 )
 METHOD = {"no guidance": "no guidance", "guided": "all guidance + projection"}

@@ -15,6 +15,7 @@ from stages.walkable.blocking import rooms as rooms_of
 from stages.walkable.config import WalkableConfig
 from stages.walkable.kept import Kept
 from stages.walkable.leaves import building
+from stages.walkable.lesser import lesser_kinds
 from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
 from stages.walkable.parts import Check, Fault
 from stages.walkable.site import Candidates, Scene, Site, survey
@@ -46,6 +47,8 @@ def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, li
         scene, taken = thin_out(site, scene, rooms)
         steps += taken
         now = ways(site, scene) if now and taken else now
+        scene, taken, now = lesser_kinds(site, scene, rooms, now)
+        steps += taken
     faults: list[Fault] = []
     if config.unblock:
         scene, taken, faults = unblock(site, scene, Check(building(previous), Solids(site.library)), now)

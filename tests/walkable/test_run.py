@@ -263,7 +263,10 @@ def test_nothing_is_broken_on_the_way(seed):
     for o in result.objects:
         was = old[o.id]
         assert all(s <= t + 1e-9 for s, t in zip(o.size, was.size))
-        assert o.category == was.category and o.size[2] == pytest.approx(was.size[2])
+        if o.category == was.category:
+            assert o.size[2] == pytest.approx(was.size[2])
+        else:  # at such a target
+            assert o.category in categories.INSTEAD[was.category]
         if o.id not in nudged:
             assert o.yaw == was.yaw
             assert boxes.footprints(boxes.of([was]))[0].buffer(1e-6).covers(boxes.footprints(boxes.of([o]))[0])
