@@ -19,8 +19,8 @@ WHEEL, TRACK = 0.08, 0.36
 """Radius of the driven wheels and distance between them, m."""
 TYRE = 0.015
 """Half the width of a tyre, whose round tread meets the floor in one point, m."""
-TORQUE = 6.0
-"""Greatest of a wheel's motor, N·m; at the wheel's rim 75 N."""
+TORQUE, GAIN = 6.0, 20.0
+"""Greatest of a wheel's motor, N·m (at the wheel's rim 75 N), and what it gives for each rad/s that is missing."""
 STIFFNESS = 10_000.0
 """Of the bumper's skin that the column wears, N/m: it gives a millimetre at 10 N at each point of contact.
 
@@ -31,27 +31,30 @@ DRIVES = (f"{ROBOT}_left", f"{ROBOT}_right")
 
 
 def mjcf(mass: float = MASS) -> str:
-    """The base as MuJoCo XML, standing at the origin and looking along +x; `mass` is all of it, kg.
+    """The base as MuJoCo XML, standing at the origin and looking along +x.
+
+    `mass` is all of it, kg; motors are in proportion, so that a heavier one drives alike.
 
     That things may sleep spares what never moves its share of every step; the base itself is kept awake.
     """
-    wheels = "".join(_wheel(name, side) for name, side in (("left", 1), ("right", -1)))
+    heavy = mass / MASS
+    most = TORQUE * heavy
+    wheels = "".join(_wheel(name, side, heavy) for name, side in (("left", 1), ("right", -1)))
     casters = "".join(
         f'<geom name="{ROBOT}_caster_{k}" type="sphere" size="0.03" pos="{x} 0 0.03" condim="1" priority="1"/>'
         for k, x in enumerate((0.18, -0.18))
     )
-    motors = "".join(
-        f'<velocity name="{name}" joint="{name}_axle" kv="20" forcerange="-{TORQUE} {TORQUE}"/>' for name in DRIVES
-    )
+    servo = f'kv="{GAIN * heavy}" forcerange="-{most} {most}"'
+    motors = "".join(f'<velocity name="{name}" joint="{name}_axle" {servo}/>' for name in DRIVES)
     skin = (2 * mass / STIFFNESS) ** 0.5  # s, the time constant that gives so much at an impedance of one half
-    inertia = " ".join(f"{share * mass / MASS:.9g}" for share in (1.6, 1.6, 0.7))
+    inertia = " ".join(f"{share * heavy:.9g}" for share in (1.6, 1.6, 0.7))
     half = (HEIGHT - 0.02) / 2
     column = f'<geom name="{ROBOT}_column" type="cylinder" size="{RADIUS} {half}" pos="0 0 {0.02 + half}"'
     return f"""<mujoco>
   <option impratio="20"><flag sleep="enable"/></option>
   <worldbody>
     <body name="{ROBOT}_base" sleep="never"><freejoint name="{JOINTS[0]}"/>
-      <inertial pos="0 0 0.2" mass="{mass - 2}" diaginertia="{inertia}"/>
+      <inertial pos="0 0 0.2" mass="{mass - 2 * heavy}" diaginertia="{inertia}"/>
       {column} condim="1" rgba="0.2 0.2 0.25 1" priority="1" solref="{skin} 1" solimp="0.5 0.5 0.001"/>
       {casters}{wheels}
     </body>
@@ -62,10 +65,11 @@ def mjcf(mass: float = MASS) -> str:
 </mujoco>"""
 
 
-def _wheel(name: str, side: int) -> str:
+def _wheel(name: str, side: int, heavy: float) -> str:
+    resists = f'armature="{0.02 * heavy}" damping="{0.01 * heavy}"'
     return (
         f'<body name="{ROBOT}_{name}_wheel" pos="0 {side * TRACK / 2} {WHEEL}">'
-        f'<joint name="{ROBOT}_{name}_axle" type="hinge" axis="0 1 0" armature="0.02" damping="0.01"/>'
-        f'<geom name="{ROBOT}_{name}_tyre" type="ellipsoid" size="{WHEEL} {TYRE} {WHEEL}" mass="1" '
+        f'<joint name="{ROBOT}_{name}_axle" type="hinge" axis="0 1 0" {resists}/>'
+        f'<geom name="{ROBOT}_{name}_tyre" type="ellipsoid" size="{WHEEL} {TYRE} {WHEEL}" mass="{heavy}" '
         'friction="0.9 0.01 0.001" condim="3" priority="1"/></body>'
     )

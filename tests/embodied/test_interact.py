@@ -126,9 +126,9 @@ def test_a_part_too_heavy_for_the_grip_is_the_controllers_failure(flat):
 
 
 def test_the_cup_holds_less_than_the_fingers(flat):
-    # Moved off as fast as ever, 42 kg take more than the cup's 48 N and less than the fingers' 60 N.
-    assert opened(flat(drawer(mass=42.0), chest(0.3, 2.0))).success
-    assert "slipped" in opened(flat(drawer(mass=42.0, bar=False), chest(0.3, 2.0))).reason
+    # Moved off gently, 53 kg take more than the cup's 48 N and less than the fingers' 60 N.
+    assert opened(flat(drawer(mass=53.0), chest(0.3, 2.0))).success
+    assert "slipped" in opened(flat(drawer(mass=53.0, bar=False), chest(0.3, 2.0))).reason
 
 
 def test_a_hand_that_closes_on_nothing_takes_another_hold(flat, monkeypatch):

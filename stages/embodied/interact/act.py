@@ -12,12 +12,13 @@ from stages.embodied.interact.parts import Hold, Part
 from stages.embodied.interact.plan import Phase, Plan
 from stages.embodied.interact.probe import ALL, Probe
 from stages.embodied.interact.robot import CUP, FINGERS, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
+from stages.embodied.interact.timing import smoothed, timed
 
 SLIP = {"pinch": 60.0, "cup": 48.0}
 """Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4.5 cm bears (-60 kPa)."""
 SEATED = 0.01
 """The cup takes hold of what its mouth is no further from, m."""
-FRICTION, LEAST_FRICTION = 0.05, 1.0
+FRICTION, LEAST_FRICTION = 0.05, 0.5
 """Dry friction of a part in its joint, as felt at the handle: a share of its weight, and so many N besides.
 
 Exported joints only damp, as simulators differ in what friction means.
@@ -30,10 +31,10 @@ _PASSED = 11
 """Collision bits of what the fingers hold: all but the hand's, so that friction does not hold beside the joint."""
 GRAZE = 5.0
 """A harder contact with anything but the part held is a collision, N."""
-PACE = {"hinge": 0.7, "slide": 0.25}
-"""Speed of a part in hand, rad/s and m/s."""
-RAMP, HELD_RAMP = 0.3, 0.6
-"""Seconds to gather speed and to lose it, the hand free or holding: a sliding door of 25 kg is heavy at first."""
+PACE, LOOSE_PACE = {"hinge": 0.7, "slide": 0.25}, 0.3
+"""Speed of a part in hand, rad/s and m/s; at most so much of that where the object stands loose."""
+RAMP, HELD_RAMP, EFFORT = 0.3, 0.6, 10.0
+"""Seconds to gather speed, the hand free or holding (or about to); longer where sliding parts would take more N."""
 FRAMES = 20
 """Recorded a second."""
 TIMESTEP = 0.004
@@ -70,9 +71,12 @@ class Actor:
         self.probe, self.part, self.recorded = probe, part, recorded
         self.model = probe.world.model
         # Only what stands loose on something needs that; other parts rest at their joints' limits.
-        base = int(self.model.body_parentid[part.body])
-        probe.limit(self.model, part.body, *([base] if self.model.body_weldid[base] else []))
-        friction = LEAST_FRICTION - FRICTION * self.model.body_subtreemass[part.body] * self.model.opt.gravity[2]
+        base, loose = int(self.model.body_parentid[part.body]), probe.loose(part)
+        probe.limit(self.model, part.body, *([base] if loose else []))
+        mass = float(self.model.body_subtreemass[part.body])
+        self.pace = PACE["slide" if part.slides else "hinge"] * (LOOSE_PACE if loose else 1.0)
+        self.ramp = max(HELD_RAMP, part.slides * mass * self.pace / EFFORT)
+        friction = LEAST_FRICTION - FRICTION * mass * self.model.opt.gravity[2]
         self.model.dof_frictionloss[:] = 0.0
         self.model.dof_frictionloss[self.model.body_dofadr[part.body]] = friction * part.lever
         self.data = mujoco.MjData(self.model)
@@ -124,12 +128,11 @@ class Actor:
         path = np.array([self.data.ctrl[self.servos], *postures])
         spans = (np.abs(np.diff(path, axis=0)) / SPEED).max(1)
         if values is not None:
-            pace = PACE["slide" if self.part.slides else "hinge"]
-            spans = np.maximum(2 * spans, np.abs(np.diff(values, prepend=values[0])) / pace)
+            spans = np.maximum(2 * spans, np.abs(np.diff(values, prepend=values[0])) / self.pace)
         step = self.period
-        targets = _timed(path, spans, step, RAMP if values is None else HELD_RAMP)
+        targets = timed(path, spans, step, RAMP if values is None and not self.careful else self.ramp)
         if values is not None:
-            targets = _smoothed(targets, int(_SMOOTH / step))
+            targets = smoothed(targets, int(_SMOOTH / step))
         for target in targets + np.gradient(targets, step, axis=0) * LEAD:
             self.data.ctrl[self.servos] = target
             if not self._step():
@@ -277,22 +280,3 @@ class Actor:
         self.result.trouble = f"{'the robot' if hand else 'the part'} met {other} with {force.max():.0f} N"
         self.result.blocked = not hand
         return False
-
-
-def _timed(path: Array, spans: Array, timestep: float, ramp: float) -> Array:
-    """Points of a path (k, 13) whose legs take `spans` seconds, one a step, gathering and losing speed evenly."""
-    ends = np.concatenate([[0.0], np.cumsum(np.maximum(spans, 1e-6))])
-    total = float(ends[-1])
-    ramp = min(ramp, total)
-    t = np.linspace(0, total + ramp, max(3, int(np.ceil((total + ramp) / timestep)) + 1))[1:]
-    left = total + ramp - t
-    # Constant speed between two parabolas.
-    here = np.where(t < ramp, t * t / (2 * ramp), np.where(left < ramp, total - left * left / (2 * ramp), t - ramp / 2))
-    return np.stack([np.interp(here, ends, column) for column in path.T], 1)
-
-
-def _smoothed(targets: Array, width: int) -> Array:
-    """The mean over `width` rows on each side, the ends staying where they are."""
-    padded = np.concatenate([targets[:1].repeat(2 * width, 0), targets, targets[-1:].repeat(2 * width, 0)])
-    total = np.cumsum(padded, axis=0)
-    return np.asarray((total[2 * width :] - total[: -2 * width]) / (2 * width))

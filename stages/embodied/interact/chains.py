@@ -16,8 +16,8 @@ from stages.embodied.interact.robot import CUP, THICK, TIP, postures
 
 OPEN = 0.8
 """Share of its range at which a part counts as open."""
-GOAL = 0.83
-"""Share of its range to which a part is moved."""
+GOAL, LOOSE_GOAL = 0.83, 0.93
+"""Share of its range to which a part is moved; that of an object which stands loose, and may give way a little."""
 STEPS = 10
 SPARE = 0.012
 """What the arm keeps of its travel for where the hand really takes hold, m."""
@@ -43,7 +43,8 @@ class Chains:
 
     def __init__(self, probe: Probe, part: Part) -> None:
         self.probe, self.part = probe, part
-        self.values = part.travel * GOAL * np.linspace(0, 1, STEPS + 1)
+        goal = LOOSE_GOAL if probe.loose(part) else GOAL
+        self.values = part.travel * goal * np.linspace(0, 1, STEPS + 1)
         self.turns, _ = part.moves(self.values)
         self.met: Counter[int] = Counter()
         self.reached = False

@@ -13,7 +13,7 @@ from stages.embodied.interact.parts import Hold, Part
 from stages.embodied.interact.robot import NAMES, joint
 from stages.embodied.world import ROBOT, World
 
-CLEARANCE, CLOSE = 0.006, 0.001
+CLEARANCE, CLOSE = 0.006, 0.003
 """The robot is planned to keep this far from everything; its fingers only so far while they take hold, m."""
 PRESSED = 0.003
 """How far fingers may be planned into what they hold, m: handles are rounder than their collision pieces."""
@@ -67,6 +67,10 @@ class Probe:
             found[[k for k, id in self.world.owner.items() if id == part.object]] = True
             self._owned[part.object] = found
         return self._owned[part.object]
+
+    def loose(self, part: Part) -> bool:
+        """Whether the object stands on something and may move."""
+        return bool(self.model.body_weldid[self.model.body_parentid[part.body]])
 
     def reset(self, body: int) -> None:
         """Everything shut again; the part that `blocked` is asked about is this body."""
