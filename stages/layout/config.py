@@ -29,9 +29,9 @@ class ModelConfig(Record):
 class TrainConfig(Record):
     """One training run; everything that the weights depend on."""
 
-    corpus: str = "corpus.npz"
+    corpus: str = Field("corpus.npz", description="the rooms, a file of `apartgen train corpus`")
     start: str | None = Field(None, description="weights to start from; parts they lack start afresh")
-    steps: int = Field(8_000, ge=1)
+    steps: int = Field(8_000, ge=1, description="steps of the optimizer, each on a batch")
     batch: int = Field(128, ge=1, description="rooms of a step, about: fewer where they are full")
     lr: float = Field(6e-4, gt=0, description="highest learning rate")
     warmup: int = Field(500, ge=0, description="steps until it is reached")
@@ -54,8 +54,8 @@ class TrainConfig(Record):
 class LayoutConfig(Record):
     """One layout run."""
 
-    sampler: Literal["ddpm", "ddim", "dpm++"] = "dpm++"
-    steps: int = Field(20, ge=1, le=T)
+    sampler: Literal["ddpm", "ddim", "dpm++"] = Field("dpm++", description="how noise becomes rooms")
+    steps: int = Field(20, ge=1, le=T, description="steps of the sampler")
     guidance: dict[str, Annotated[float, Field(ge=0)]] = Field(
         default_factory=lambda: {"articulation": 1.0, "inside": 1.0, "openings": 1.0},
         description="weight γ of articulation, inside, openings, walkway, or quantity with --count guided; 0 is off",
