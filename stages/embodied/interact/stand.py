@@ -20,7 +20,7 @@ from stages.embodied.outcome import Failure
 SPOTS, TOGETHER = 60, 6
 """Places tried at most for a part, and how many with its usual holds before others are tried there."""
 DRIVES = 4
-"""Places driven to at most for a part: where the base rests a centimetre astray, the arm may find no way."""
+"""Places driven to at most for a part: where the base rests, some centimetres astray, the arm may find no way."""
 
 
 @dataclass(frozen=True)
