@@ -272,4 +272,4 @@ def draw(rows: list[dict[str, Any]], axes: Any) -> None:
         marks = [paper[name] for name in names]
         axes.plot(at + 0.3 * (k - 0.5), marks, "k_", ms=24, label="paper" if k == 0 else None)
     axes.set(xticks=at, xticklabels=names, ylim=(0, 1.05), ylabel="success rate")
-    axes.legend(loc="lower right")
+    axes.legend(loc="upper center")
