@@ -45,9 +45,10 @@ def imported(file: str, top: bool = False) -> Iterator[tuple[int, str]]:
             yield from ((node.lineno, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
             assert node.level == 0, f"{file}:{node.lineno}: import by the full name, not relatively"
+            yield node.lineno, node.module
             for alias in node.names:
-                full = f"{node.module}.{alias.name}"
-                yield node.lineno, full if full in MODULES else node.module
+                if (full := f"{node.module}.{alias.name}") in MODULES:
+                    yield node.lineno, full
 
 
 def faults(check, files=RELATIVE) -> str:

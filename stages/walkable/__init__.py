@@ -1,6 +1,32 @@
 """Walkable area: smaller furniture until enough floor is free (Algorithm 2), then free space a robot can use."""
 
+from typing import TYPE_CHECKING
+
 from stages.walkable.config import WalkableConfig
-from stages.walkable.run import run, unmet
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
+
+    from schemas.retrieve import Retrieve
+    from schemas.walkable import Walkable
+    from stages.walkable.site import Candidates
 
 __all__ = ["WalkableConfig", "run", "unmet"]
+
+
+def run(previous: "Retrieve", config: WalkableConfig, rng: "Generator", library: "Candidates") -> "Walkable":
+    """Algorithm 2, connectivity for a robot, then free ways for all that opens; pure, and nothing is drawn from `rng`.
+
+    Raises Unmet (unless `write_anyway`), naming the rooms, when the target can't be met, and when the robot does not
+    get somewhere for what a room can't do without.
+    """
+    from stages.walkable.stage import cleared
+
+    return cleared(previous, config, library)
+
+
+def unmet(home: "Walkable", config: WalkableConfig, library: "Candidates") -> str:
+    """What a home written by `write_anyway` falls short of, empty if nothing."""
+    from stages.walkable.stage import lacking
+
+    return lacking(home, config, library)

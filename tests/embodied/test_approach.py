@@ -29,7 +29,7 @@ def test_it_parks_where_it_was_sent(flat):  # noqa: F811
     for k, (x, y) in enumerate(some):
         came = here.drive(np.array([x, y, k - 6.0]))
         assert came.reason == "" and came.push == 0
-        # Turning on the spot takes it another centimetre or two off.
+        # Turning on the spot takes it some centimetres off.
         assert np.hypot(came.pose[0] - x, came.pose[1] - y) < 0.07
         assert np.cos(came.pose[2] - (k - 6.0)) > np.cos(ground.FACING + 0.02)
 

@@ -9,12 +9,13 @@ from rooms_for_tests import some_rooms
 from stages import boxes
 from stages.boxes import Boxes
 from stages.categories import CATEGORIES, TABLE
-from stages.layout.projection import Item, comfort, project
+from stages.layout.projection import comfort
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.habits import habits
 from stages.layout.projection.partners import LOW_RUN, around, long_enough
-from stages.layout.projection.project import _rank
+from stages.layout.projection.project import _rank, project
 from stages.layout.projection.space import Space, space_of
+from stages.layout.projection.standing import Item
 from stages.layout.sense import essentials
 
 NOTHING: tuple[Boxes, list[str]] = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)), []

@@ -9,11 +9,12 @@ from test_projection import random_items
 from stages import boxes, grid
 from stages.boxes import Boxes
 from stages.categories import TABLE
-from stages.layout.projection import Item, moves, passage, project
+from stages.layout.projection import moves, passage
 from stages.layout.projection.costs import BROKEN
 from stages.layout.projection.paths import SLIVER, Paths
+from stages.layout.projection.project import project
 from stages.layout.projection.space import Space, outside
-from stages.layout.projection.standing import Standing
+from stages.layout.projection.standing import Item, Standing
 
 RADIUS = 0.16
 

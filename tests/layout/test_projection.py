@@ -7,9 +7,10 @@ from rooms_for_tests import some_rooms
 from stages import boxes
 from stages.boxes import Boxes
 from stages.categories import TABLE, belong_together, reach
-from stages.layout.projection import Item, project
 from stages.layout.projection.costs import BROKEN, SOFT
+from stages.layout.projection.project import project
 from stages.layout.projection.space import outside, space_of
+from stages.layout.projection.standing import Item
 
 KINDS = [
     "double_bed",

@@ -5,8 +5,3 @@ places about where the model put it, those at what it belongs with by habit firs
 still breaks a requirement is placed again, then smaller, then anywhere. At last what cuts the floor in two or is out
 of reach is shifted, tucked in or narrowed.
 """
-
-from stages.layout.projection.project import project
-from stages.layout.projection.standing import Item
-
-__all__ = ["Item", "project"]

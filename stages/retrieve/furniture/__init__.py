@@ -6,12 +6,14 @@
 
 import importlib
 from functools import cache
+from typing import TYPE_CHECKING
 
 from schemas.errors import BadInput
 from stages import categories
 from stages.asset import Asset
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import DESIGNS
+
+if TYPE_CHECKING:
+    from stages.retrieve.furniture.registry import Builder
 
 FAMILIES = (
     "beds", "storage", "shelves", "media", "sofas", "chairs", "tables", "small_tables", "desks", "kitchen",
@@ -22,28 +24,33 @@ BUILDING = ("door", "window")
 
 
 @cache
-def _load_families() -> None:
+def _designs() -> "dict[str, dict[str, Builder]]":
+    from stages.retrieve.furniture.registry import DESIGNS
+
     for family in FAMILIES:
         importlib.import_module(f"stages.retrieve.furniture.{family}")
+    return DESIGNS
 
 
 def styles(category: str) -> tuple[str, ...]:
     """The styles a category comes in."""
-    _load_families()
-    if category not in DESIGNS:
-        raise BadInput(f"no parametric furniture of category {category!r}; one of {', '.join(sorted(DESIGNS))}")
-    return tuple(DESIGNS[category])
+    designs = _designs()
+    if category not in designs:
+        raise BadInput(f"no parametric furniture of category {category!r}; one of {', '.join(sorted(designs))}")
+    return tuple(designs[category])
 
 
 def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
     """The asset of that category and style whose box is `size`, [depth, width, height] in m, to the millimetre."""
+    from stages.retrieve.furniture.kit import Kit
+
     if style not in styles(category):
         raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")
     mm = tuple(round(float(s) * 1000) for s in size)
     _check(category, mm)
     d, w, h = mm
     kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed)
-    DESIGNS[category][style](kit)
+    _designs()[category][style](kit)
     return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}")
 
 

@@ -3,8 +3,6 @@
 import logging
 from collections.abc import Iterable
 
-import numpy as np
-
 from schemas.errors import Unmet
 from schemas.retrieve import Furnishing, Retrieve
 from schemas.walkable import Blocked, Replaced, Report, Step, Walkable
@@ -26,12 +24,8 @@ from stages.walkable.ways import ways
 LOG = logging.getLogger("apartgen")
 
 
-def run(previous: Retrieve, config: WalkableConfig, rng: np.random.Generator, library: Candidates) -> Walkable:
-    """Algorithm 2, connectivity for a robot, then free ways for all that opens; pure, and nothing is drawn from `rng`.
-
-    Raises Unmet (unless `write_anyway`), naming the rooms, when the target can't be met, and when the robot does not
-    get somewhere for what a room can't do without.
-    """
+def cleared(previous: Retrieve, config: WalkableConfig, library: Candidates) -> Walkable:
+    """The whole stage, one step after another."""
     site = survey(previous, config, Kept(library), importance.needs(previous))
     start: Scene = tuple(previous.objects)
     parts = _parts(site)
@@ -82,8 +76,8 @@ def _opened(site: Site, scene: Scene, rooms: list[str]) -> tuple[Scene, list[Ste
     return scene, [*steps, *taken]
 
 
-def unmet(home: Walkable, config: WalkableConfig, library: Candidates) -> str:
-    """What a home written by `write_anyway` falls short of, empty if nothing."""
+def lacking(home: Walkable, config: WalkableConfig, library: Candidates) -> str:
+    """What it falls short of, empty if nothing."""
     site = survey(home, config, Kept(library), importance.needs(home))
     scene = tuple(home.objects)
     return "; ".join(_shortfalls(site, scene, _parts(site), home.walkable.unreached))
