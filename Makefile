@@ -8,6 +8,7 @@ WORKERS ?= auto
 BIN := .venv/bin
 READY := .venv/.ready
 CONSUMERS := build/consumers
+TYPED := build/typed
 
 .PHONY: demo test acceptance consumers lint types check docs lock clean
 
@@ -30,8 +31,12 @@ consumers: $(CONSUMERS)/.ready
 lint: $(READY)
 	$(BIN)/ruff check .
 
+# Modules are checked by the names they are installed under.
 types: $(READY)
-	$(BIN)/mypy
+	rm -rf $(TYPED) && mkdir -p $(TYPED)/apartgen
+	ln -s $(CURDIR)/apartgen/* $(CURDIR)/schemas $(CURDIR)/stages $(TYPED)/apartgen/
+	ln -s $(CURDIR)/apartgen_cli $(TYPED)/
+	MYPYPATH=$(TYPED) $(BIN)/mypy -p apartgen -p apartgen_cli
 
 check: test lint types
 
@@ -40,11 +45,11 @@ docs: $(READY)
 	-APARTGEN_WRITE_DOCS=1 $(BIN)/python -m pytest -q tests/test_docs.py
 	$(BIN)/python -m pytest -q tests/test_docs.py
 
-$(READY): pyproject.toml constraints.txt
+$(READY): pyproject.toml setup.py constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e ".[dev]"
-	$(BIN)/python -c "import stages.layout.projection; from stages import plan; plan.warm()"
+	$(BIN)/python -c "import apartgen.stages.layout.projection; from apartgen.stages import plan; plan.warm()"
 	@touch $@
 
 $(CONSUMERS)/.ready: pyproject.toml constraints.txt

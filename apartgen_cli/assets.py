@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.matching.indexing import kinds
 from apartgen_cli.console import fail, say
-from schemas.errors import BadInput
-from stages.retrieve.matching.indexing import kinds
 
 if TYPE_CHECKING:
-    from stages.asset import Asset
-    from stages.retrieve.matching.indexing import Report
+    from apartgen.stages.retrieve.matching.indexing import Report
+    from apartgen.stages.things.asset import Asset
 
 EMBEDDED = "parametric"
 """Name of the library that comes with the program."""
@@ -34,7 +34,7 @@ def index(
     scale: SCALE = None, front: FRONT = None,
 ) -> None:
     """Make a library of the models in a folder; what is broken is named and left out."""
-    from stages.retrieve.matching import indexing
+    from apartgen.stages.retrieve.matching import indexing
 
     report = indexing.build(folder, kind, out, name, **_options(kind, scale, front))
     say(f"wrote {out}: {report.indexed} assets, {len(report.broken)} broken ones left out")
@@ -42,7 +42,7 @@ def index(
 
 def check(folder: FOLDER, kind: KIND, scale: SCALE = None, front: FRONT = None) -> int:
     """Read every model of a folder and name the broken ones; status 1 when there are any."""
-    from stages.retrieve.matching import indexing
+    from apartgen.stages.retrieve.matching import indexing
 
     report: Report = indexing.check(folder, kind, **_options(kind, scale, front))
     for broken in report.broken:
@@ -54,13 +54,13 @@ def check(folder: FOLDER, kind: KIND, scale: SCALE = None, front: FRONT = None) 
 def list_(library: LIBRARIES = None) -> None:
     """List the assets of libraries: one line each, category, size in metres, name."""
     if not library:
-        from stages.latents import index as embedded
+        from apartgen.stages.things.latents import index as embedded
 
         table = embedded()
         rows = [(c, s, EMBEDDED, f"{c}/{style}/{'x'.join(f'{1000 * side:.0f}' for side in s)}/{seed}")
                 for c, s, style, seed in zip(table.category, table.size.tolist(), table.style, table.seed.tolist())]
     else:
-        from stages.retrieve.matching.indexed import IndexedLibrary
+        from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
 
         opened = [IndexedLibrary(folder) for folder in library]
         rows = [(entry.category, entry.size, one.name, entry.id) for one in opened for entry in one.entries]
@@ -72,7 +72,7 @@ def show(library: Annotated[Path, typer.Argument(
              metavar="LIBRARY", help=f"Folder of an indexed library, or {EMBEDDED} for the embedded one.")],
          id: Annotated[str, typer.Argument(metavar="ID", help="An asset's id, see `apartgen assets list`.")]) -> None:
     """Show one asset's links, joints and credit as JSON."""
-    from stages import retrieve
+    from apartgen.stages import retrieve
 
     own = str(library) == EMBEDDED
     opened = retrieve.open_libraries(retrieve.RetrieveConfig(libraries=[] if own else [str(library)]))
@@ -91,7 +91,7 @@ def preview(
     columns: Annotated[int, typer.Option("--columns", min=1, max=100, help="Pictures in a row.")] = 14,
 ) -> None:
     """Draw assets closed and open as a PNG: one, a category, or a contact sheet of a whole library."""
-    from stages.retrieve.preview import choice, sheet
+    from apartgen.stages.retrieve.preview import choice, sheet
 
     image = sheet.drawn(choice.cells(library or [], ids or [], category, size), columns)
     part = out.with_name(f".{out.name}.partial")
@@ -117,11 +117,11 @@ def _told(asset: "Asset") -> dict[str, Any]:
 
 def _options(kind: str, scale: float | None, front: str | None) -> dict[str, Any]:
     """What the reader of that kind is told beyond the folder; BadInput for what it does not take."""
-    from stages import registry
+    from apartgen.stages import registry
 
     given = {name: value for name, value in (("scale", scale), ("front", front)) if value is not None}
     if given and kind in kinds():
-        taken = inspect.signature(registry.load("stages.retrieve", kind).assets).parameters
+        taken = inspect.signature(registry.load("apartgen.stages.retrieve", kind).assets).parameters
         if strange := sorted(set(given) - set(taken)):
             raise BadInput(f"--{strange[0]}: libraries of kind {kind!r} say that themselves; leave it out")
     return given

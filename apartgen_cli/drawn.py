@@ -7,10 +7,10 @@ from typing import Any, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
-from schemas import artifact
-from schemas.base import Polygon
-from schemas.errors import BadInput
-from schemas.plan import Plan, Program, Room
+from apartgen.schemas import artifact
+from apartgen.schemas.base import Polygon
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.plan import Plan, Program, Room
 
 Type = TypeVar("Type")
 

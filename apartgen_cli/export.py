@@ -10,24 +10,24 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from pydantic import Field
 
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import STREAM, Artifact
+from apartgen.schemas.base import Record
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.export import Export
+from apartgen.schemas.plan import Plan
+from apartgen.stages import registry
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen_cli.console import say
 from apartgen_cli.options import INPUTS
 from apartgen_cli.stage import made, opened, settled
 from apartgen_cli.streams import sources, targets
-from schemas import artifact
-from schemas.artifact import STREAM, Artifact
-from schemas.base import Record
-from schemas.errors import ApartgenError, BadInput
-from schemas.export import Export
-from schemas.plan import Plan
-from stages import registry
-from stages.retrieve.matching.config import RetrieveConfig
 
 if TYPE_CHECKING:
-    from stages.asset import Asset
-    from stages.retrieve import LibrarySet
+    from apartgen.stages.retrieve import LibrarySet
+    from apartgen.stages.things.asset import Asset
 
-FORMATS = registry.members("stages.export")
+FORMATS = registry.members("apartgen.stages.export")
 FORMAT = Annotated[list[str], typer.Option("--format", help=f"Any number of times; of {', '.join(FORMATS)}.")]
 LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of an indexed asset library in use.")]
 FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; it is replaced whole or not at all.")]
@@ -42,7 +42,7 @@ class ExportSettings(Record):
 
 def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
     """Write one apartment."""
-    from stages import export
+    from apartgen.stages import export
 
     def load(library: str, id: str) -> "Asset":
         return _libraries(*settings.libraries).load(library, id)
@@ -53,7 +53,7 @@ def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
 @cache
 def _libraries(*folders: str) -> "LibrarySet":
     """Opened when the first asset is needed; a picture of a bare plan needs none."""
-    from stages import retrieve
+    from apartgen.stages import retrieve
 
     return retrieve.open_libraries(RetrieveConfig(libraries=list(folders)))
 

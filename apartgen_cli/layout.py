@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.errors import ApartgenError
+from apartgen.schemas.plan import Plan
+from apartgen.stages import layout
+from apartgen.stages.layout.config import LayoutConfig
 from apartgen_cli.stage import Outcome, Stage
-from schemas.errors import ApartgenError
-from schemas.plan import Plan
-from stages import layout
-from stages.layout.config import LayoutConfig
 
 
 def furnish(plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator]) -> Iterable[Outcome]:

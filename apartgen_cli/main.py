@@ -13,10 +13,10 @@ from typing import Annotated, Any, Literal
 import typer
 from typer.core import TyperGroup
 
+from apartgen.schemas.errors import ApartgenError
+from apartgen.stages import registry
 from apartgen_cli import __version__
 from apartgen_cli.console import fail, listen
-from schemas.errors import ApartgenError
-from stages import registry
 
 WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "train", "assets", "bench", "schema")
 """The commands, in the order of use."""

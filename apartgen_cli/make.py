@@ -8,17 +8,17 @@ from typing import Annotated, Any
 
 import typer
 
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Artifact, Made
+from apartgen.schemas.base import Record
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.export import Export
+from apartgen.schemas.plan import Plan
 from apartgen_cli import export, layout, metrics, plan, retrieve, walkable
 from apartgen_cli.console import say
 from apartgen_cli.options import CONFIG, configured, tables
 from apartgen_cli.stage import Stage, lane, made
 from apartgen_cli.streams import made_folder
-from schemas import artifact
-from schemas.artifact import Artifact, Made
-from schemas.base import Record
-from schemas.errors import ApartgenError, BadInput
-from schemas.export import Export
-from schemas.plan import Plan
 
 STAGES: tuple[Stage, ...] = (layout.STAGE, retrieve.STAGE, walkable.STAGE)
 SCENE = "scene"

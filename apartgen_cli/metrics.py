@@ -10,18 +10,18 @@ import numpy as np
 import typer
 from pydantic import Field
 
+from apartgen.schemas import artifact, consistency
+from apartgen.schemas.artifact import STREAM
+from apartgen.schemas.base import Record
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Metrics
+from apartgen.schemas.plan import Plan, Program
 from apartgen_cli.console import progress
 from apartgen_cli.drawn import asked
 from apartgen_cli.options import INPUTS, OUT, SPLIT, SPLITS
 from apartgen_cli.stage import about, made, opened, settled, written
 from apartgen_cli.streams import is_folder, sources, targets, whole_set
-from schemas import artifact, consistency
-from schemas.artifact import STREAM
-from schemas.base import Record
-from schemas.errors import ApartgenError, BadInput
-from schemas.layout import Layout
-from schemas.metrics import Metrics
-from schemas.plan import Plan, Program
 
 
 class MetricsSettings(Record):
@@ -60,7 +60,7 @@ class Reference(NamedTuple):
 
 def measure(home: Plan, settings: MetricsSettings, against: Plan | Program | None = None) -> Metrics:
     """The figures of one apartment."""
-    from stages import metrics
+    from apartgen.stages import metrics
 
     return metrics.run(home, settings.metric or None, against)
 
@@ -102,7 +102,7 @@ def _each(names: list[str], settings: MetricsSettings, reference: Reference | No
 
 def _tabled(names: list[str], settings: MetricsSettings, reference: Reference | None, out: str | None) -> int:
     """One table of all inputs that can be read and measured."""
-    from stages import metrics
+    from apartgen.stages import metrics
 
     place = _sheet(out)
     work, errors = opened([(name, name) for name in names], Plan, whole=True)
@@ -122,7 +122,7 @@ def _compared(
     names: list[str], real: list[str], splits: Path | None, settings: MetricsSettings, table: bool, out: str | None
 ) -> int:
     """One artifact, or table, of all inputs against all real apartments; any that cannot be read ends it."""
-    from stages import metrics
+    from apartgen.stages import metrics
 
     place = _sheet(out) if table else targets("metrics", [STREAM], out)[0]
     began = perf_counter()
@@ -144,7 +144,7 @@ def _real(
     paths: list[str], settings: MetricsSettings, splits: Path | None
 ) -> tuple[list[Layout], dict[str, str], dict[str, Path]]:
     """The real apartments, the digests of those that are artifacts, the files of those that are not."""
-    from stages.layout import datasets
+    from apartgen.stages.layout import datasets
 
     source, heeded = settings.real_as, datasets.options(settings.real_as) if settings.real_as else frozenset()
     part = {name: value for name, value in (("split", settings.split), ("splits", splits)) if value is not None}

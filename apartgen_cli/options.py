@@ -11,7 +11,7 @@ import typer
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
-from schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput
 
 Config = TypeVar("Config", bound=BaseModel)
 Names = Mapping[str, str]

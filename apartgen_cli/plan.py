@@ -11,16 +11,16 @@ from typing import Annotated, Any
 import typer
 from pydantic import Field
 
+from apartgen.schemas.artifact import STREAM, Made
+from apartgen.schemas.base import Polygon
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.plan import Envelope, Plan, Program, Side
+from apartgen.stages.plan.config import PlanConfig
 from apartgen_cli.console import log, progress
 from apartgen_cli.drawn import Wanted, outline, wanted
 from apartgen_cli.options import CONFIG, OUT, SEED, configured, tables, with_options
 from apartgen_cli.stage import lane, made, settled, written
 from apartgen_cli.streams import Target, is_folder, targets
-from schemas.artifact import STREAM, Made
-from schemas.base import Polygon
-from schemas.errors import ApartgenError, BadInput
-from schemas.plan import Envelope, Plan, Program, Side
-from stages.plan.config import PlanConfig
 
 PROMPTS = Annotated[list[str] | None, typer.Argument(
     metavar="PROMPT", help='What is wanted, e.g. "two-bedroom flat"; - or a pipe is standard input.')]
@@ -49,11 +49,11 @@ NAMES = {"party_walls": "party_wall"}
 def read(prompt: str, config: PlanSettings) -> tuple[Program, dict[str, Any]]:
     """The programme of a prompt, and what a language model took to read it."""
     if config.llm is None:
-        from stages.plan import reader
+        from apartgen.stages.plan import reader
 
         program, used = reader.read(prompt), dict[str, Any]()
     else:
-        from stages.plan import llm
+        from apartgen.stages.plan import llm
 
         program, used = llm.read(prompt, config.llm, _cache())
     if program.unread:
@@ -70,7 +70,7 @@ def enclosed(program: Program, config: PlanSettings) -> Program:
 
 def draw(prompt: str, config: PlanSettings, seed: int) -> tuple[Plan, dict[str, Any]]:
     """The plan for one prompt, and what a language model took to read it."""
-    from stages import plan
+    from apartgen.stages import plan
 
     program, used = read(prompt, config)
     return plan.build(program, config, lane(seed, "plan"), prompt), used
@@ -131,7 +131,7 @@ def _outcomes(
 
 
 def _several(one: Wanted, config: PlanSettings, seed: int, k: int) -> tuple[list[Plan], dict[str, Any]]:
-    from stages import plan
+    from apartgen.stages import plan
 
     if one.rooms:
         return [plan.from_polygons(one.rooms, config, one.program)] * k, {}

@@ -6,23 +6,23 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen_cli.stage import Stage, each
-from schemas.layout import Layout
-from schemas.retrieve import Retrieve
-from stages.retrieve.matching.config import RetrieveConfig
 
 
 def match(layout: Layout, config: RetrieveConfig, rng: np.random.Generator) -> Retrieve:
     """One apartment."""
-    from stages import retrieve
+    from apartgen.stages import retrieve
 
     return retrieve.run(layout, config, rng)
 
 
 def libraries(config: RetrieveConfig) -> dict[str, Path]:
     """The index of the embedded library, and the table of every other."""
-    from stages.latents import INDEX
-    from stages.retrieve.matching.indexed import TABLE_FILE
+    from apartgen.stages.retrieve.matching.indexed import TABLE_FILE
+    from apartgen.stages.things.latents import INDEX
 
     return {"parametric": INDEX} | {str(folder): Path(folder) / TABLE_FILE for folder in config.libraries}
 

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from schemas.artifact import BODIES, json_schema, write
+from apartgen.schemas.artifact import BODIES, json_schema, write
 
 KIND = Annotated[str, typer.Argument(metavar="KIND", help=f"One of {', '.join(BODIES)}.")]
 

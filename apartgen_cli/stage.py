@@ -13,14 +13,14 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import STREAM, Artifact, Made
+from apartgen.schemas.base import Record
+from apartgen.schemas.errors import ApartgenError, Unmet
 from apartgen_cli import __version__
 from apartgen_cli.console import fail, log, progress, say
 from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, configured, tables, with_options
 from apartgen_cli.streams import Target, sources, targets
-from schemas import artifact
-from schemas.artifact import STREAM, Artifact, Made
-from schemas.base import Record
-from schemas.errors import ApartgenError, Unmet
 
 BY = f"apartgen {__version__}"
 Kept = TypeVar("Kept")

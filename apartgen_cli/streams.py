@@ -5,8 +5,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from schemas.artifact import BODIES, STREAM
-from schemas.errors import BadInput
+from apartgen.schemas.artifact import BODIES, STREAM
+from apartgen.schemas.errors import BadInput
 
 Target = str | Path
 

@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.layout.config import TrainConfig
+from apartgen.stages.retrieve.shape.config import ShapeTraining
 from apartgen_cli.console import say, watched
 from apartgen_cli.options import CONFIG, SPLIT, SPLITS, configured, tables, with_options
 from apartgen_cli.streams import is_folder
-from schemas.errors import BadInput
-from stages.layout.config import TrainConfig
-from stages.retrieve.shape.config import ShapeTraining
 
 if TYPE_CHECKING:
-    from schemas.layout import Layout
+    from apartgen.schemas.layout import Layout
 
 Item = TypeVar("Item")
 
@@ -33,8 +33,8 @@ def _corpus(
     split: SPLIT = None, splits: SPLITS = None,
 ) -> None:
     """Collect furnished rooms to train the layout model on."""
-    from stages.layout import datasets
-    from stages.layout.datasets._arrays import write_corpus
+    from apartgen.stages.layout import datasets
+    from apartgen.stages.layout.datasets._arrays import write_corpus
 
     place = _place(out, "corpus.npz")
     wanted = {"rooms": rooms, "times": times, "split": split, "splits": splits}
@@ -51,7 +51,7 @@ def _corpus(
 
 def _homes(source: str, given: dict[str, Any]) -> "Iterator[Layout]":
     """The homes of NAME=FOLDER, told those of the given options that the source heeds."""
-    from stages.layout import datasets
+    from apartgen.stages.layout import datasets
 
     name, _, folder = source.partition("=")
     heeded = datasets.options(name)
@@ -79,9 +79,9 @@ def _place(out: Path, name: str) -> Path:
 
 def _layout(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
     """Train the layout model on a corpus; an interrupted run goes on from its checkpoint."""
-    from stages.layout import curve, weights
-    from stages.layout.calibration import GAINS
-    from stages.layout.train import train
+    from apartgen.stages.layout import curve, weights
+    from apartgen.stages.layout.calibration import GAINS
+    from apartgen.stages.layout.train import train
 
     settings = configured(TrainConfig, given, tables(config).get("train-layout"))
     place = _place(out or weights.SHIPPED, "weights.safetensors")
@@ -92,8 +92,8 @@ def _layout(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *,
 
 def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
     """Train the shape model on the embedded library, and index the library by it."""
-    from stages.retrieve.shape import encoder
-    from stages.retrieve.shape.train import train
+    from apartgen.stages.retrieve.shape import encoder
+    from apartgen.stages.retrieve.shape.train import train
 
     settings = configured(ShapeTraining, given, tables(config).get("train-shape"))
     place = _place(out or encoder.WEIGHTS, "shape.safetensors")

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field
 
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.walkable.config import WalkableConfig
 from apartgen_cli import retrieve as retrieving
 from apartgen_cli.stage import Stage, each
-from schemas.errors import Unmet
-from schemas.retrieve import Retrieve
-from schemas.walkable import Walkable
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.walkable.config import WalkableConfig
 
 if TYPE_CHECKING:
-    from stages.retrieve import LibrarySet
+    from apartgen.stages.retrieve import LibrarySet
 
 
 class WalkableSettings(WalkableConfig):
@@ -27,7 +27,7 @@ class WalkableSettings(WalkableConfig):
 
 def clear(home: Retrieve, config: WalkableSettings, rng: np.random.Generator) -> Walkable:
     """One apartment; BadInput where a library of its assets is not open."""
-    from stages import walkable
+    from apartgen.stages import walkable
 
     libraries = _opened(config)
     for library, id in {o.asset.library: o.asset.id for o in home.objects}.items():
@@ -39,7 +39,7 @@ def missed(home: Walkable, config: WalkableSettings) -> Unmet | None:
     """What the best apartment falls short of, when it was asked for all the same."""
     if not config.write_anyway:
         return None
-    from stages import walkable
+    from apartgen.stages import walkable
 
     short = walkable.unmet(home, config, _opened(config))
     return Unmet(f"{short} (written as asked)") if short else None
@@ -51,7 +51,7 @@ def indices(config: WalkableSettings) -> dict[str, Path]:
 
 
 def _opened(config: WalkableSettings) -> "LibrarySet":
-    from stages import retrieve
+    from apartgen.stages import retrieve
 
     return retrieve.open_libraries(_as_retrieved(config))
 

@@ -19,16 +19,16 @@ from typing import Any, Generic, TypeVar
 
 from pydantic import Field, ValidationError
 
-from schemas import consistency
-from schemas.base import Number, Record
-from schemas.errors import BadInput
-from schemas.export import Export
-from schemas.layout import Layout
-from schemas.metrics import Metrics
-from schemas.migrations import VERSION, migrate
-from schemas.plan import Plan
-from schemas.retrieve import Retrieve
-from schemas.walkable import Walkable
+from apartgen.schemas import consistency
+from apartgen.schemas.base import Number, Record
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.export import Export
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Metrics
+from apartgen.schemas.migrations import VERSION, migrate
+from apartgen.schemas.plan import Plan
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.schemas.walkable import Walkable
 
 BODIES: dict[str, type[Record]] = {
     "plan": Plan, "layout": Layout, "retrieve": Retrieve, "walkable": Walkable, "export": Export, "metrics": Metrics,

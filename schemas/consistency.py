@@ -9,10 +9,10 @@ from itertools import pairwise
 from math import hypot
 from typing import NamedTuple
 
-from schemas.base import Polygon, Record
-from schemas.layout import Layout
-from schemas.plan import Opening, Plan, Program
-from schemas.retrieve import Retrieve
+from apartgen.schemas.base import Polygon, Record
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.schemas.retrieve import Retrieve
 
 FARTHEST = 1000.0
 """Coordinates beyond this are hardly metres."""

@@ -2,8 +2,8 @@
 
 from pydantic import Field
 
-from schemas.base import Number, Positive, Record, Vector
-from schemas.plan import Plan
+from apartgen.schemas.base import Number, Positive, Record, Vector
+from apartgen.schemas.plan import Plan
 
 
 class Box(Record):

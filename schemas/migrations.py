@@ -7,7 +7,7 @@ version are kept among the tests.
 from collections.abc import Callable
 from typing import Any
 
-from schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput
 
 Migration = Callable[[dict[str, Any]], dict[str, Any]]
 

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from schemas.base import Number, Point, Polygon, Positive, Record, RoomType
+from apartgen.schemas.base import Number, Point, Polygon, Positive, Record, RoomType
 
 Link = tuple[str, str]
 Side = Literal["south", "east", "north", "west"]

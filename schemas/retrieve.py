@@ -4,8 +4,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from schemas.base import Number, Record, Vector
-from schemas.layout import Box, Layout
+from apartgen.schemas.base import Number, Record, Vector
+from apartgen.schemas.layout import Box, Layout
 
 
 class AssetKey(Record):

@@ -4,8 +4,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from schemas.base import Number, Record, Vector
-from schemas.retrieve import AssetKey, Retrieve
+from apartgen.schemas.base import Number, Record, Vector
+from apartgen.schemas.retrieve import AssetKey, Retrieve
 
 
 class Replaced(Record):

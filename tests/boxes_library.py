@@ -5,11 +5,11 @@ What a home holds already is boxes, too: `of(home)` makes these known.
 
 import numpy as np
 
-from schemas.errors import BadInput
-from schemas.retrieve import Joint
-from stages.asset import Asset, Link, Material, Mesh
-from stages.categories import DRAWER_TRAVEL, TABLE, leaves
-from stages.solids import slab
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.things.asset import Asset, Link, Material, Mesh
+from apartgen.stages.things.categories import DRAWER_TRAVEL, TABLE, leaves
+from apartgen.stages.things.solids import slab
 
 FRONT = 0.02
 

@@ -5,7 +5,8 @@ import handmade as h
 import numpy as np
 import shapely
 
-from stages import boxes, categories, polygons
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.things import categories
 
 ROOM = shapely.Polygon(h.rectangle(4.1, 0, 3, 3))
 FIRST = {

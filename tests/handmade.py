@@ -7,9 +7,9 @@
 
 from typing import Any
 
-from schemas.plan import Opening, Plan, Program
-from schemas.retrieve import AssetKey, Furnishing, Joint, Retrieve
-from stages import categories
+from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint, Retrieve
+from apartgen.stages.things import categories
 
 LIVING, BEDROOM = "living_room_1", "bedroom_1"
 

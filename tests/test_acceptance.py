@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 import shapely
 
-from schemas import artifact
-from schemas.walkable import Walkable
-from stages import boxes, polygons
+from apartgen.schemas import artifact
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages.space import boxes, polygons
 
 pytestmark = pytest.mark.slow
 
@@ -79,7 +79,7 @@ def folder(homes, prompt):
 
 @pytest.mark.parametrize("prompt", PROMPTS)
 def test_the_plan_is_valid(folder):
-    from stages import plan
+    from apartgen.stages import plan
 
     assert plan.validate(home(folder)) == []
 

@@ -12,15 +12,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from schemas import artifact, migrations
-from schemas.artifact import BODIES, Made, finish, json_schema, parse, read, write
-from schemas.errors import BadInput
-from schemas.export import Export, File
-from schemas.layout import Layout
-from schemas.metrics import Metrics, Value
-from schemas.plan import Plan
-from schemas.retrieve import Joint, Retrieve
-from schemas.walkable import Replaced, Report, Walkable
+from apartgen.schemas import artifact, migrations
+from apartgen.schemas.artifact import BODIES, Made, finish, json_schema, parse, read, write
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.export import Export, File
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Metrics, Value
+from apartgen.schemas.plan import Plan
+from apartgen.schemas.retrieve import Joint, Retrieve
+from apartgen.schemas.walkable import Replaced, Report, Walkable
 
 MADE = Made(by="apartgen 0.1.0", seed=7, config={"steps": 20}, inputs={"plan": "sha256:00"}, seconds=0.41)
 

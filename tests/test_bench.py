@@ -12,12 +12,12 @@ import commandline
 import numpy as np
 import pytest
 
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import registry
 from apartgen_cli.bench import (
     _runner,
     ablation,
 )
-from schemas.errors import BadInput
-from stages import registry
 
 EXPERIMENTS = list(registry.members("apartgen_cli.bench"))
 
@@ -126,8 +126,8 @@ import os, signal, sys
 from pathlib import Path
 from types import SimpleNamespace
 from apartgen_cli.bench import _runner
-from schemas.errors import BadInput
-from stages import registry
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import registry
 left = [int(sys.argv[2])]
 def trial(setting, seed, scenes, work):
     left[0] -= 1

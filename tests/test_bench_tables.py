@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from apartgen.schemas.errors import BadInput
 from apartgen_cli.bench import (
     _compared,
     _rooms,
@@ -19,7 +20,6 @@ from apartgen_cli.bench import (
     synthesis,
     walkable,
 )
-from schemas.errors import BadInput
 
 
 def test_training_runs_are_pooled_and_shown_apart() -> None:

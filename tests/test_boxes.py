@@ -6,8 +6,8 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from stages import boxes
-from stages.boxes import Boxes
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
 
 
 def drawn(seed: int, n: int, *lead: int, snap: bool = False) -> Boxes:

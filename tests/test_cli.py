@@ -14,17 +14,17 @@ import commandline
 import handmade
 import pytest
 
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Made
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import Plan
+from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.plan.config import PlanConfig
 from apartgen_cli import make
 from apartgen_cli.console import listen
 from apartgen_cli.main import WORDS
 from apartgen_cli.options import configured
 from apartgen_cli.stage import Stage, each, over
-from schemas import artifact
-from schemas.artifact import Made
-from schemas.errors import Unmet
-from schemas.plan import Plan
-from stages.layout.config import LayoutConfig
-from stages.plan.config import PlanConfig
 
 
 @pytest.fixture

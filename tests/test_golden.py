@@ -9,9 +9,9 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from schemas import artifact
-from schemas.artifact import BODIES
-from schemas.migrations import VERSION
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import BODIES
+from apartgen.schemas.migrations import VERSION
 
 FILES = sorted((Path(__file__).parent / "golden").glob("v*/*.json"))
 

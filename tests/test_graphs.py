@@ -2,7 +2,7 @@
 
 import pytest
 
-from stages.graphs import RoomGraph, constraint_satisfaction, edge_similarity, graph, node_similarity
+from apartgen.stages.space.graphs import RoomGraph, constraint_satisfaction, edge_similarity, graph, node_similarity
 
 
 def flat(rooms: str, links: str = "", areas: dict[str, float] | None = None) -> RoomGraph:

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from shapely.geometry import Polygon, box
 from shapely.ops import unary_union
 
-from stages import boxes, grid
-from stages.boxes import Boxes
+from apartgen.stages.space import boxes, grid
+from apartgen.stages.space.boxes import Boxes
 
 
 def some_boxes(seed: int, n: int = 5) -> Boxes:

@@ -13,8 +13,8 @@ import commandline
 import pytest
 from commandline import timeless
 
-from schemas import artifact
-from schemas.artifact import BODIES
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import BODIES
 
 PROMPT = "one-bedroom flat"
 FORMATS = ("glb", "mjcf", "svg", "png")
@@ -104,8 +104,8 @@ def test_damaged_files_are_made_again(made, home, again):
 
 
 def test_other_weights_make_a_layout_anew(home, again, tmp_path):
+    from apartgen.stages.layout import weights as shipped
     from apartgen_cli import layout
-    from stages.layout import weights as shipped
 
     assert layout.weights(layout.LayoutConfig()) == {"weights": shipped.SHIPPED}
     other = tmp_path / "weights.safetensors"

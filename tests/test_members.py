@@ -4,19 +4,19 @@ import inspect
 
 import pytest
 
-from stages import registry
+from apartgen.stages import registry
 
 CONTRACTS = {
-    "stages.export": ("write", ["scene", "out"]),
-    "stages.layout.guidance": ("energy", ["boxes", "room"]),
-    "stages.layout.datasets": ("homes", ["root"]),
-    "stages.metrics": ("measure", ["home", "against"]),
-    "stages.retrieve": ("assets", ["root"]),
+    "apartgen.stages.export": ("write", ["scene", "out"]),
+    "apartgen.stages.layout.guidance": ("energy", ["boxes", "room"]),
+    "apartgen.stages.layout.datasets": ("homes", ["root"]),
+    "apartgen.stages.metrics": ("measure", ["home", "against"]),
+    "apartgen.stages.retrieve": ("assets", ["root"]),
 }
 """A registry's function and its first arguments."""
-NOT_MEMBERS = {"stages.retrieve": {"matching", "preview", "reading", "shape", "furniture"}}
+NOT_MEMBERS = {"apartgen.stages.retrieve": {"matching", "preview", "reading", "shape", "furniture"}}
 """Packages of a stage that are no libraries."""
-ALTERNATIVES = {"stages.metrics": "compare"}
+ALTERNATIVES = {"apartgen.stages.metrics": "compare"}
 
 
 def names(package: str) -> list[str]:

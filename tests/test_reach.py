@@ -5,9 +5,10 @@ import numpy as np
 import pytest
 from shapely.geometry import box as rectangle
 
-from schemas.retrieve import Joint
-from stages import footprints, handling, reach
-from stages.grid import Grid
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.robot import handling, reach
+from apartgen.stages.space import footprints
+from apartgen.stages.space.grid import Grid
 
 
 def survey(*objects, radius=0.25):

@@ -4,8 +4,8 @@ import sys
 
 import pytest
 
-from schemas.errors import BadInput
-from stages import registry
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import registry
 
 
 @pytest.fixture

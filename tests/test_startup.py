@@ -7,8 +7,8 @@ import sys
 import handmade
 import pytest
 
+from apartgen.schemas import artifact
 from apartgen_cli.main import WORDS
-from schemas import artifact
 
 HEAVY = {"torch", "litellm", "trimesh", "pxr", "mujoco", "matplotlib"}
 LIGHT = HEAVY | {"scipy", "numba", "shapely", "networkx", "numpy", "pydantic"}

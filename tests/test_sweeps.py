@@ -5,9 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from schemas.layout import Box
-from schemas.retrieve import AssetKey, Furnishing, Joint
-from stages import boxes, categories, sweeps
+from apartgen.schemas.layout import Box
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
+from apartgen.stages.space import boxes, sweeps
+from apartgen.stages.things import categories
 
 KEY = AssetKey(library="test", id="x")
 

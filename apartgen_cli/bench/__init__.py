@@ -17,9 +17,9 @@ from typing import Annotated, Any
 
 import typer
 
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import registry
 from apartgen_cli.console import say
-from schemas.errors import BadInput
-from stages import registry
 
 NAME = Annotated[str, typer.Argument(metavar="EXPERIMENT", help="Which; none given lists them.")]
 OUT = Annotated[Path | None, typer.Option("--out", "-o", help="Folder of results; an interrupted run goes on there.")]

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.metrics import _networks, _pictures
+from apartgen.stages.metrics._distances import Figure, frechet, kernel, separability
+from apartgen.stages.metrics.frequencies import divergence
 from apartgen_cli.bench._runner import SEEDS
-from schemas.layout import Box, Layout
-from schemas.plan import Plan, Room
-from stages.metrics import _networks, _pictures
-from stages.metrics._distances import Figure, frechet, kernel, separability
-from stages.metrics.frequencies import divergence
 
 Record = dict[str, Any]
 REFERENCE, REAL, FURNISHER = "reference", "real against real", "furnisher"
@@ -25,7 +25,7 @@ HELD_OUT = 77_000
 
 def furnished(plans: Sequence[Plan], seed: int, lane: str) -> list[Layout]:
     """The plans as the furnisher, which made the training data, furnishes them."""
-    from stages.layout.datasets.furnisher import furnish
+    from apartgen.stages.layout.datasets.furnisher import furnish
 
     lanes = [np.random.default_rng([HELD_OUT, seed, i, LANES.index(lane)]) for i in range(len(plans))]
     return [Layout(**dict(plan), objects=furnish(plan, rng)) for plan, rng in zip(plans, lanes, strict=True)]
@@ -41,7 +41,7 @@ def real_rooms(real: str, seed: int, scenes: int, other: bool = False) -> list[L
 
 @cache
 def _read(name: str, folder: str) -> list[Layout]:
-    from stages.layout import datasets
+    from apartgen.stages.layout import datasets
 
     return list(datasets.source(name).homes(Path(folder)))
 

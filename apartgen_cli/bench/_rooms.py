@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas import artifact
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.layout.config import N_MAX
+from apartgen.stages.metrics import relations
+from apartgen.stages.space import polygons
 from apartgen_cli.bench import _compared, _scenes
 from apartgen_cli.bench._compared import REAL, REFERENCE
-from schemas import artifact
-from schemas.layout import Box, Layout
-from schemas.plan import Plan, Room
-from stages import polygons
-from stages.layout.config import N_MAX
-from stages.metrics import relations
 
 MEASURES = ["articulation", "collision", "outside", "reachable"]
 FIGURES = [

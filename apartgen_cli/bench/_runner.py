@@ -15,10 +15,10 @@ from typing import Any, TextIO
 
 import numpy as np
 
+from apartgen.schemas import artifact
+from apartgen.schemas.errors import BadInput
 from apartgen_cli import __version__
 from apartgen_cli.console import watched
-from schemas import artifact
-from schemas.errors import BadInput
 
 SEEDS = 1_000_003
 """By which the seeds of runs lie apart; what is left over is the first scene of a trial."""
@@ -139,7 +139,7 @@ def _quiet() -> None:
 
 def _trial(name: str, job: Job, out: Path, files: Files | None) -> Record:
     """What a trial found, with the seconds that passed and those the processor worked on it."""
-    from stages import registry
+    from apartgen.stages import registry
 
     experiment = registry.load("apartgen_cli.bench", name)
     setting, seed, scenes = job[:3]

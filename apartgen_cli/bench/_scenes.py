@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from schemas import artifact
-from schemas.layout import Layout
-from schemas.plan import Plan
-from schemas.retrieve import Retrieve
-from stages.layout.config import LayoutConfig
+from apartgen.schemas import artifact
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import Plan
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.stages.layout.config import LayoutConfig
 
 SPATIAL = {"articulation": 1.0, "inside": 1.0, "openings": 1.0}
 BARE: dict[str, Any] = {"guidance": {}, "projection": False}
@@ -32,9 +32,9 @@ def plans(seed: int, n: int, work: Path) -> list[Plan]:
 
 
 def _plan(seed: int, folder: Path) -> Plan:
-    from stages import plan
-    from stages.plan.config import PlanConfig
-    from stages.plan.study import archetypes
+    from apartgen.stages import plan
+    from apartgen.stages.plan.config import PlanConfig
+    from apartgen.stages.plan.study import archetypes
 
     path = folder / f"{seed}.json"
     if path.exists():
@@ -72,22 +72,22 @@ def config_of(changes: dict[str, Any]) -> LayoutConfig:
 
 def furnished(homes: list[Plan], settings: LayoutConfig, seed: int) -> list[Layout]:
     """The plans furnished; the same seeds in every setting."""
-    from stages import layout
+    from apartgen.stages import layout
 
     return layout.run_many(homes, settings, [np.random.default_rng([seed, i, 5]) for i in range(len(homes))])
 
 
 def retrieved(home: Layout, seed: int) -> Retrieve:
     """With assets of the embedded library."""
-    from stages import retrieve
-    from stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages import retrieve
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
 
     return retrieve.run(home, RetrieveConfig(), np.random.default_rng([seed, 6]))
 
 
 def placed(method: str, seed: int, n: int, work: Path) -> list[Retrieve]:
     """`n` apartments furnished by a method and retrieved; kept in `work`, for settings that start from the same."""
-    from stages import layout
+    from apartgen.stages import layout
 
     weights = zlib.crc32(Path(layout.__file__).with_name("weights.safetensors").read_bytes())
     path = work / "placed" / f"{method.replace(' ', '-')}-{weights:08x}-{seed}-{n}.json"
@@ -110,8 +110,8 @@ def by_room(home: Layout, names: list[str]) -> dict[str, dict[str, Any]]:
 
     Shares of all objects come as (share, objects), so that `mean` is over objects; other figures are of scenes.
     """
-    from stages import metrics
-    from stages.metrics._table import POOLED
+    from apartgen.stages import metrics
+    from apartgen.stages.metrics._table import POOLED
 
     rooms: dict[str, dict[str, Any]] = {room.id: {} for room in home.rooms}
     for value in metrics.run(home, names).values:
@@ -139,7 +139,7 @@ def intervals(
 
 def mean(values: Iterable[float | list[float]], rng: np.random.Generator) -> list[float]:
     """Mean of values, or of [value, weight], with the ends of its 95 % bootstrap interval over them."""
-    from stages.metrics._table import interval
+    from apartgen.stages.metrics._table import interval
 
     pairs = [(float(v[0]), float(v[1])) if isinstance(v, list) else (float(v), 1.0) for v in values]
     return [round(v, 5) for v in interval(np.array(pairs), rng)]

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.errors import BadInput
 from apartgen_cli.bench import _compared, _rooms, _scenes
 from apartgen_cli.bench._compared import REAL, REFERENCE
-from schemas.errors import BadInput
 
 PAPER = [
     {"setting": "neither", "Col_obj": 0.279, "R_reach": 0.742},

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import Plan
 from apartgen_cli.bench import _compared, _scenes
 from apartgen_cli.bench._compared import REAL
-from schemas.layout import Layout
-from schemas.plan import Plan
 
 ASSETS = ", assets"
 PAPER = [
@@ -69,9 +69,9 @@ def _made(setting: str, seed: int, homes: list[Plan], work: Path) -> list[Layout
 
 
 def _with_assets(setting: str, seed: int, homes: int, work: Path) -> list[Layout]:
-    from stages import retrieve, walkable
-    from stages.retrieve.matching.config import RetrieveConfig
-    from stages.walkable.config import WalkableConfig
+    from apartgen.stages import retrieve, walkable
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages.walkable.config import WalkableConfig
 
     method, changes = WALKABLE[setting]
     placed = _scenes.placed(method, seed, homes, work)

@@ -24,8 +24,8 @@ FIGURES = [*DRAWN, "built"]
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """`scenes` prompts of a half from the first on, as far as it has them; a prompt without a plan scores 0."""
+    from apartgen.stages.plan.prompts import cases
     from apartgen_cli.bench._runner import SEEDS
-    from stages.plan.prompts import cases
 
     chosen = cases(setting)
     start = seed % SEEDS
@@ -33,10 +33,11 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
 
 def _scored(case: Any) -> dict[str, Any]:
-    from schemas.errors import ApartgenError
-    from stages import graphs, plan
-    from stages.plan.config import PlanConfig
-    from stages.plan.reader import read
+    from apartgen.schemas.errors import ApartgenError
+    from apartgen.stages import plan
+    from apartgen.stages.plan.config import PlanConfig
+    from apartgen.stages.plan.reader import read
+    from apartgen.stages.space import graphs
 
     try:
         made = plan.build(read(case.prompt), PlanConfig(processes=1), np.random.default_rng(case.id))

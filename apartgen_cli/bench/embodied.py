@@ -17,20 +17,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Made
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.migrations import VERSION
+from apartgen.schemas.retrieve import Retrieve
 from apartgen_cli import __version__
 from apartgen_cli.bench import _scenes
 from apartgen_cli.streams import made_folder
-from schemas import artifact
-from schemas.artifact import Made
-from schemas.errors import BadInput
-from schemas.migrations import VERSION
-from schemas.retrieve import Retrieve
 
 if TYPE_CHECKING:
-    from stages.embodied.outcome import Outcome
-    from stages.embodied.world import World
-    from stages.retrieve.matching.libraries import LibrarySet
-    from stages.scene import Scene
+    from apartgen.stages.embodied.outcome import Outcome
+    from apartgen.stages.embodied.world import World
+    from apartgen.stages.retrieve.matching.libraries import LibrarySet
+    from apartgen.stages.scene.scene import Scene
 
 PAPER = [
     {"setting": "no guidance", "SR_nav": 0.952, "SR_interact": 0.947},
@@ -94,8 +94,8 @@ def _read(path: Path) -> Retrieve:
 
 
 def _apartments(setting: str, seed: int, scenes: int, work: Path) -> Iterator[Retrieve]:
-    from stages import walkable
-    from stages.walkable.config import WalkableConfig
+    from apartgen.stages import walkable
+    from apartgen.stages.walkable.config import WalkableConfig
 
     homes = _scenes.plans(seed, scenes, work)
     (work / HOMES).mkdir(parents=True, exist_ok=True)
@@ -124,19 +124,19 @@ def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
 
 def simulated(scene: "Scene", mjcf: Path, name: str) -> "World":
     """The apartment with the base in it, nothing else free to move."""
-    from stages.embodied import base, world
+    from apartgen.stages.embodied import base, world
 
     return world.build(scene, mjcf, base.mjcf(), moving=(), fused=True, name=name)
 
 
 def _navigation(apartment: "World", only: str | None) -> "list[Outcome]":
-    from stages.embodied import navigate
+    from apartgen.stages.embodied import navigate
 
     return navigate.run(apartment, lane(apartment.name), only)
 
 
 def _interaction(apartment: "World", only: str | None) -> "list[Outcome]":
-    from stages.embodied import interact
+    from apartgen.stages.embodied import interact
 
     return interact.run(apartment, only)
 
@@ -149,8 +149,8 @@ def lane(name: str) -> np.random.Generator:
 @cache
 def _library() -> "LibrarySet":
     """The asset library; what the walkable stage has taken from it is still at hand for the export."""
-    from stages import retrieve
-    from stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages import retrieve
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
 
     return retrieve.open_libraries(RetrieveConfig())
 
@@ -158,8 +158,8 @@ def _library() -> "LibrarySet":
 @contextmanager
 def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path]]":
     """The scene, and its MJCF for as long as it is needed; `bare` leaves out what only shows."""
-    from stages.export import mjcf as exporter
-    from stages.scene import Scene
+    from apartgen.stages.export import mjcf as exporter
+    from apartgen.stages.scene.scene import Scene
 
     scene = Scene(home, _library().load, shown=not bare)
     with TemporaryDirectory() as folder:
@@ -178,7 +178,7 @@ def replay(out: Path, id: str) -> list[Path]:
         raise BadInput(f"--replay {id}: no such episode in {out / HOMES}; give an id of {out / 'trials.jsonl'}")
     home, shown = _read(path), _replays()
     target = made_folder(str(out / "replays")) / f"{id.replace(':', '-')}.gif"
-    from stages.embodied import base, interact
+    from apartgen.stages.embodied import base, interact
 
     half, robot = (_navigation, base.mjcf()) if kind == "navigation" else (_interaction, interact.robot.mjcf())
     with _exported(home) as (scene, mjcf):
@@ -196,7 +196,7 @@ def _replays() -> ModuleType:
         # Without a display, MuJoCo must be told before it is imported.
         os.environ.setdefault("MUJOCO_GL", "egl")
     try:
-        from stages.embodied import replay as shown
+        from apartgen.stages.embodied import replay as shown
 
         shown.ready()
     except (ImportError, AttributeError, OSError, RuntimeError) as error:  # each in its way
@@ -251,7 +251,7 @@ def _row(setting: str, mine: list[dict[str, Any]], rng: np.random.Generator) -> 
 
 def _share(records: list[dict[str, Any]], value: Any, rng: np.random.Generator) -> list[float]:
     """Mean over episodes with a 95 % bootstrap interval over apartments."""
-    from stages.metrics._table import interval
+    from apartgen.stages.metrics._table import interval
 
     by: dict[str, list[float]] = {}
     for r in records:

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.stages.metrics import _physics
 from apartgen_cli.bench import _scenes
-from schemas.retrieve import Retrieve
-from stages.metrics import _physics
 
 PAPER: list[dict[str, Any]] = []
 NOTE = (
@@ -24,9 +24,9 @@ FIGURES = ["stays", "drift, m", "travel", "opened"]
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """A record an apartment."""
-    from stages import retrieve, walkable
-    from stages.retrieve.matching.config import RetrieveConfig
-    from stages.walkable.config import WalkableConfig
+    from apartgen.stages import retrieve, walkable
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages.walkable.config import WalkableConfig
 
     homes = _scenes.plans(seed, scenes, work)
     method = setting if setting in _scenes.METHODS else "all guidance + projection"
@@ -42,13 +42,13 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
 def _measured(home: Retrieve) -> dict[str, Any]:
     """Shares over the things of an apartment; what it has none of is left out."""
-    from stages import registry, retrieve
-    from stages.retrieve.matching.config import RetrieveConfig
-    from stages.scene import Scene
+    from apartgen.stages import registry, retrieve
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages.scene.scene import Scene
 
     scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load)
     with TemporaryDirectory() as folder:
-        registry.load("stages.export", "mjcf").write(scene, Path(folder))
+        registry.load("apartgen.stages.export", "mjcf").write(scene, Path(folder))
         model = _physics.load(Path(folder) / "mjcf" / "apartment.xml")
     drift = np.array(list(_physics.drift(model).values()))
     share = np.array([travel.share for travel in _physics.travels(model)])

@@ -24,8 +24,8 @@ MEANS = ("S_edge", "S_constraint", "corridor")
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """`scenes` plans of one flat, seeds in a row."""
-    from stages.plan import warm
-    from stages.plan.study import archetypes
+    from apartgen.stages.plan import warm
+    from apartgen.stages.plan.study import archetypes
 
     warm()
     program = archetypes()[setting]
@@ -34,9 +34,9 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
 def record(program: Any, seed: int) -> dict[str, Any]:
     """Figures of the plan of one seed, with its CPU seconds and which rooms touch."""
-    from stages import plan
-    from stages.plan.study import measured
-    from stages.plan.variants import touching
+    from apartgen.stages import plan
+    from apartgen.stages.plan.study import measured
+    from apartgen.stages.plan.variants import touching
 
     began = process_time()
     made = plan.build(program, plan.PlanConfig(processes=1), np.random.default_rng(seed))

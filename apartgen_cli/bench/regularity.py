@@ -19,7 +19,7 @@ FLATS = ("two_bedroom", "three_bedroom")
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """`scenes` plans, of each flat in turn."""
-    from stages.plan.study import archetypes
+    from apartgen.stages.plan.study import archetypes
 
     flats = [archetypes()[name].model_copy(update={"regularity": float(setting)}) for name in FLATS]
     return [record(flats[i % len(flats)], seed + i) for i in range(scenes)]

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.base import RoomType
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import Plan
 from apartgen_cli.bench import _compared, _scenes
 from apartgen_cli.bench._compared import FURNISHER, HELD_OUT, REAL, REFERENCE
-from schemas.base import RoomType
-from schemas.layout import Layout
-from schemas.plan import Plan
 
 PAPER = [
     {"setting": "ATISS", "FID": 30.19, "KID": 0.0010, "SCA": 49.14, "CKL": 0.0028},
@@ -79,7 +79,7 @@ def used(
 
 def _drawn(seed: int, scenes: int) -> list[Plan]:
     """Plans of one room."""
-    from stages.layout.datasets import single_rooms
+    from apartgen.stages.layout.datasets import single_rooms
 
     lanes = [np.random.default_rng([HELD_OUT, seed, i]) for i in range(scenes)]
     return [single_rooms.draw(rng, TYPES[i % len(TYPES)]) for i, rng in enumerate(lanes)]

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.layout import Layout
 from apartgen_cli.bench import _scenes
-from schemas.layout import Layout
 
 THRESHOLDS = [0.60, 0.65, 0.70, 0.75, 0.80, 0.85, 0.90, 0.95]
 PAPER: list[dict[str, Any]] = []
@@ -26,9 +26,9 @@ SCENES, CHUNK = 100, 10
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """`scenes` apartments, furnished alike for every threshold."""
-    from stages import retrieve, walkable
-    from stages.retrieve.matching.config import RetrieveConfig
-    from stages.walkable.config import WalkableConfig
+    from apartgen.stages import retrieve, walkable
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages.walkable.config import WalkableConfig
 
     homes = _scenes.placed(BASES.get(setting, BASES["guided"]), seed, scenes, work)
     target = 0.0 if setting in BASES else float(setting.split()[1])
@@ -51,7 +51,7 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
 
 
 def _unreached(home: Layout) -> list[str]:
-    from stages import reach
+    from apartgen.stages.robot import reach
 
     return reach.survey(reach.space(home), home.objects).missed
 

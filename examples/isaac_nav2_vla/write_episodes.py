@@ -12,19 +12,19 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from apartgen.schemas import artifact
+from apartgen.schemas.errors import ApartgenError
+from apartgen.schemas.retrieve import Retrieve
 from apartgen_cli.bench.embodied import lane, simulated
-from schemas import artifact
-from schemas.errors import ApartgenError
-from schemas.retrieve import Retrieve
 
 
 def written(path: Path, out: Path, seed: int | None, libraries: list[str]) -> Path:
     """One artifact's episodes as a file; BadInput for what is no furnished apartment."""
-    from stages import retrieve
-    from stages.embodied import episodes
-    from stages.export import mjcf
-    from stages.retrieve.matching.config import RetrieveConfig
-    from stages.scene import Scene
+    from apartgen.stages import retrieve
+    from apartgen.stages.embodied import episodes
+    from apartgen.stages.export import mjcf
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages.scene.scene import Scene
 
     read = artifact.read(path, Retrieve)
     drawn = f"{path.stem}-{read.made.seed if seed is None else seed}"

@@ -4,8 +4,8 @@ The size and weight of a mobile manipulator for homes (Hello Robot's Stretch: 0.
 radius that of the walkable stage's robot. Speeds are the defaults of Nav2's regulated pure pursuit.
 """
 
-from stages import reach
-from stages.embodied.world import ROBOT
+from apartgen.stages.embodied.world import ROBOT
+from apartgen.stages.robot import reach
 
 RADIUS = reach.RADIUS
 HEIGHT = 1.4

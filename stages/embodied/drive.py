@@ -7,11 +7,11 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from stages.boxes import Array
-from stages.embodied import base
-from stages.embodied.outcome import Trace
-from stages.embodied.pursuit import PERIOD, Pursuit
-from stages.embodied.world import ROBOT, World
+from apartgen.stages.embodied import base
+from apartgen.stages.embodied.outcome import Trace
+from apartgen.stages.embodied.pursuit import PERIOD, Pursuit
+from apartgen.stages.embodied.world import ROBOT, World
+from apartgen.stages.space.boxes import Array
 
 GRAZE = 15.0
 """Greatest push that is only a graze, N, mean over a controller period, as a bumper would report it.

@@ -9,19 +9,19 @@ from collections.abc import Iterable
 import numpy as np
 from pydantic import Field
 
-from schemas.base import Record
-from stages.boxes import Array
-from stages.embodied import base, interact, navigate
-from stages.embodied.drive import GRAZE
-from stages.embodied.goals import Goal
-from stages.embodied.instructions import instruction
-from stages.embodied.interact.act import GRAZE as TOUCH
-from stages.embodied.interact.parts import Part
-from stages.embodied.outcome import Failure, Outcome
-from stages.embodied.planner import Roadmap
-from stages.embodied.pursuit import XY_TOLERANCE, YAW_TOLERANCE
-from stages.embodied.world import World
-from stages.scene import identifier
+from apartgen.schemas.base import Record
+from apartgen.stages.embodied import base, interact, navigate
+from apartgen.stages.embodied.drive import GRAZE
+from apartgen.stages.embodied.goals import Goal
+from apartgen.stages.embodied.instructions import instruction
+from apartgen.stages.embodied.interact.act import GRAZE as TOUCH
+from apartgen.stages.embodied.interact.parts import Part
+from apartgen.stages.embodied.outcome import Failure, Outcome
+from apartgen.stages.embodied.planner import Roadmap
+from apartgen.stages.embodied.pursuit import XY_TOLERANCE, YAW_TOLERANCE
+from apartgen.stages.embodied.world import World
+from apartgen.stages.scene.scene import identifier
+from apartgen.stages.space.boxes import Array
 
 FURNITURE = "/Apartment/Furniture"
 """Where the exported USD stage has the objects."""

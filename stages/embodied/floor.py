@@ -15,11 +15,13 @@ import shapely
 from numba import njit
 from shapely import Geometry
 
-from stages import grid, polygons, reach, solids
-from stages.asset import Collider
-from stages.boxes import Array, Mask
-from stages.embodied.world import World
-from stages.grid import Grid
+from apartgen.stages.embodied.world import World
+from apartgen.stages.robot import reach
+from apartgen.stages.space import grid, polygons
+from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.space.grid import Grid
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Collider
 
 HEIGHT = 1.4
 """Of the robot, m: what is higher is passed under."""

@@ -9,11 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from schemas.plan import Room
-from schemas.retrieve import Furnishing
-from stages import boxes, categories, footprints, grid, polygons, reach, sweeps
-from stages.boxes import Array, Mask
-from stages.embodied.floor import Floor
+from apartgen.schemas.plan import Room
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.embodied.floor import Floor
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, footprints, grid, polygons, sweeps
+from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.things import categories
 
 Cell = tuple[int, int]
 _ROOMY = 0.55  # m of clearance beyond which more is no better: the inflation radius

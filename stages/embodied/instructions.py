@@ -8,11 +8,11 @@ from math import sqrt
 
 import numpy as np
 
-from schemas.plan import Room
-from stages.asset import Link
-from stages.body import Body
-from stages.boxes import Array
-from stages.solids import corners
+from apartgen.schemas.plan import Room
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.asset import Link
+from apartgen.stages.things.body import Body
+from apartgen.stages.things.solids import corners
 
 NOUNS = {
     "slider_drawer": "drawer", "slider_door": "door", "hinge_door": "door", "slider_lid": "lid", "hinge_lid": "lid",

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 import mujoco
 import numpy as np
 
-from stages.boxes import Array, Mask
-from stages.embodied.outcome import Outcome
-from stages.embodied.world import World
-from stages.grid import Grid
+from apartgen.stages.embodied.outcome import Outcome
+from apartgen.stages.embodied.world import World
+from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.space.grid import Grid
 
 Colour = tuple[float, float, float, float]
 MEANT, MET = (0.1, 0.4, 0.95, 1.0), (0.9, 0.1, 0.1, 0.45)

@@ -6,14 +6,14 @@ harder than a graze, within the time limit.
 
 import numpy as np
 
-from stages.boxes import Array
-from stages.embodied import base, floor, goals, planner, world
-from stages.embodied.drive import Drive, drive
-from stages.embodied.goals import Goal
-from stages.embodied.outcome import Outcome
-from stages.embodied.planner import Roadmap
-from stages.embodied.pursuit import XY_TOLERANCE, Pursuit
-from stages.embodied.world import World
+from apartgen.stages.embodied import base, floor, goals, planner, world
+from apartgen.stages.embodied.drive import Drive, drive
+from apartgen.stages.embodied.goals import Goal
+from apartgen.stages.embodied.outcome import Outcome
+from apartgen.stages.embodied.planner import Roadmap
+from apartgen.stages.embodied.pursuit import XY_TOLERANCE, Pursuit
+from apartgen.stages.embodied.world import World
+from apartgen.stages.space.boxes import Array
 
 PATIENCE, SLOWEST = 30.0, 0.1
 """Time limit: so many seconds, and the way at so many metres a second."""

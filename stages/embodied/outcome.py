@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from schemas.base import Record
+from apartgen.schemas.base import Record
 
 Failure = Literal["blocked part", "no standing room", "planner", "controller"]
 """Why an episode failed.

@@ -10,8 +10,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from stages.boxes import Array, Mask
-from stages.embodied.floor import Floor, clearance_at
+from apartgen.stages.embodied.floor import Floor, clearance_at
+from apartgen.stages.space.boxes import Array, Mask
 
 INFLATION, SCALING = 0.55, 3.0
 NEUTRAL, FACTOR, INSCRIBED = 50.0, 0.8, 252.0

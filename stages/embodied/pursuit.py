@@ -13,9 +13,9 @@ from math import atan2, copysign, cos, hypot, pi, sin, sqrt
 import numpy as np
 from numba import njit
 
-from stages.boxes import Array
-from stages.embodied import base, planner
-from stages.embodied.floor import Floor, clearance_at
+from apartgen.stages.embodied import base, planner
+from apartgen.stages.embodied.floor import Floor, clearance_at
+from apartgen.stages.space.boxes import Array
 
 Point = tuple[float, float]
 

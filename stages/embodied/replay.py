@@ -10,11 +10,11 @@ import mujoco
 import numpy as np
 from shapely.geometry import LineString
 
-from stages import polygons
-from stages.boxes import Array
-from stages.embodied import base, floor, goals, interact, marks, planner, world
-from stages.embodied.outcome import Outcome, Trace
-from stages.embodied.world import ROBOT, World
+from apartgen.stages.embodied import base, floor, goals, interact, marks, planner, world
+from apartgen.stages.embodied.outcome import Outcome, Trace
+from apartgen.stages.embodied.world import ROBOT, World
+from apartgen.stages.space import polygons
+from apartgen.stages.space.boxes import Array
 
 SIZE = (640, 480)
 """Width and height of a frame, pixels."""

@@ -16,11 +16,11 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from schemas.errors import BadInput
-from schemas.retrieve import Joint, Retrieve
-from stages.body import Body
-from stages.boxes import Array
-from stages.scene import Scene
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.retrieve import Joint, Retrieve
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.body import Body
 
 Element = ElementTree.Element
 ROBOT = "robot"

@@ -7,14 +7,14 @@ them. What a scene holds is in `stages/scene.py`.
 import hashlib
 from pathlib import Path
 
-from schemas.errors import BadInput
-from schemas.export import Export, File
-from schemas.plan import Plan
-from stages import registry
-from stages.export._folder import CONTENTS, replaced
-from stages.scene import Load, Scene
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.export import Export, File
+from apartgen.schemas.plan import Plan
+from apartgen.stages import registry
+from apartgen.stages.export._folder import CONTENTS, replaced
+from apartgen.stages.scene.scene import Load, Scene
 
-PACKAGE = "stages.export"
+PACKAGE = "apartgen.stages.export"
 
 
 def formats() -> dict[str, str]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stages.export._soup import Array, Index, length
+from apartgen.stages.export._soup import Array, Index, length
 
 AZIMUTH, ELEVATION = np.radians(-74.0), np.radians(68.0)
 """Where it stands, seen from the middle of the house."""

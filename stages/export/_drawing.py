@@ -11,13 +11,14 @@ from matplotlib.path import Path
 from shapely import Geometry
 from shapely.ops import unary_union
 
-from schemas.layout import Box, Layout
-from schemas.plan import Opening, Plan, Room
-from schemas.retrieve import Furnishing, Joint
-from stages import boxes, polygons, shell
-from stages.categories import TABLE, fitted_ovens
-from stages.export import _symbols
-from stages.export._pen import FAINT, INK, PAPER, Pen
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.schemas.retrieve import Furnishing, Joint
+from apartgen.stages.export import _symbols
+from apartgen.stages.export._pen import FAINT, INK, PAPER, Pen
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.things import shell
+from apartgen.stages.things.categories import TABLE, fitted_ovens
 
 INCH = 0.72
 """Inches of paper to a metre, before the sheet is fitted."""

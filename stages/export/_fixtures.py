@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stages.export._pen import FAINT, PAPER, STEEL, WATER, WOOD, Pen
+from apartgen.stages.export._pen import FAINT, PAPER, STEEL, WATER, WOOD, Pen
 
 
 def cabinet(pen: Pen, d: float, w: float, fill: str = WOOD, doors: float = 0.0) -> None:

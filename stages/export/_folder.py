@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput
 
 CONTENTS = "SHA256SUMS"
 """Lists an export's files (`sha256sum -c` reads it), and marks the folder as one that may be replaced."""

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Array, Link, Material, Mesh
-from stages.body import Body, Light, inertia
-from stages.export._pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
+from apartgen.stages.export._pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
+from apartgen.stages.things.asset import Array, Link, Material, Mesh
+from apartgen.stages.things.body import Body, Light, inertia
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
 VERTICES, INDICES = 34962, 34963

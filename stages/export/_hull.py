@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from stages import solids
-from stages.asset import Array, Collider
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Array, Collider
 
 SIDES = 32
 """Of what is round: its mesh lies within 0.5 % of its radius."""

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from stages import solids
-from stages.asset import Link, Material, Mesh
-from stages.body import Body
-from stages.export._section import section
+from apartgen.stages.export._section import section
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Link, Material, Mesh
+from apartgen.stages.things.body import Body
 
 HEIGHT = 1.5
 """Where walls, doors and windows end, m."""

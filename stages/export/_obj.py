@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from stages.asset import Array, Material, Mesh
-from stages.export._pieces import image, image_name, mesh_digest, shaded
-from stages.export._xml import number, numbers
+from apartgen.stages.export._pieces import image, image_name, mesh_digest, shaded
+from apartgen.stages.export._xml import number, numbers
+from apartgen.stages.things.asset import Array, Material, Mesh
 
 
 class Files:

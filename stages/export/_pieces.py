@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.errors import BadInput
-from stages import materials
-from stages.asset import Array, Link, Material, Mesh
-from stages.shading import corner_normals
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.things import materials
+from apartgen.stages.things.asset import Array, Link, Material, Mesh
+from apartgen.stages.things.shading import corner_normals
 
 
 def pieces(link: Link) -> list[Mesh]:

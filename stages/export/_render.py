@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.export._camera import Camera
-from stages.export._lowered import lowered
-from stages.export._soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, soup, split
-from stages.scene import Scene
+from apartgen.stages.export._camera import Camera
+from apartgen.stages.export._lowered import lowered
+from apartgen.stages.export._soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, soup, split
+from apartgen.stages.scene.scene import Scene
 
 PIXELS = 1_300_000
 """Of the whole picture; its shape follows from what is shown."""

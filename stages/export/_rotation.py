@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stages.asset import Array
+from apartgen.stages.things.asset import Array
 
 
 def quaternion(rotation: Array) -> Array:

@@ -6,8 +6,8 @@ import shapely
 from shapely import Geometry
 from shapely.ops import unary_union
 
-from stages.body import Body
-from stages.solids import corners
+from apartgen.stages.things.body import Body
+from apartgen.stages.things.solids import corners
 
 
 def section(bodies: Iterable[Body], low: float, high: float) -> Geometry:

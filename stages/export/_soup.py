@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Material
-from stages.body import Body
-from stages.export._pieces import image, pieces, shaded
+from apartgen.stages.export._pieces import image, pieces, shaded
+from apartgen.stages.things.asset import Material
+from apartgen.stages.things.body import Body
 
 Array = NDArray[Any]
 """Floats of single precision, which is all that light needs."""

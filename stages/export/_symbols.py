@@ -8,8 +8,8 @@ from functools import partial
 
 import numpy as np
 
-from stages.export import _fixtures
-from stages.export._pen import CLOTH, DARK, FAINT, GREEN, LEAF, PAPER, STEEL, WOOD, Pen
+from apartgen.stages.export import _fixtures
+from apartgen.stages.export._pen import CLOTH, DARK, FAINT, GREEN, LEAF, PAPER, STEEL, WOOD, Pen
 
 Symbol = Callable[[Pen, float, float], None]
 

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from schemas.errors import BadInput
-from schemas.layout import Box
-from stages.asset import Array
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box
+from apartgen.stages.things.asset import Array
 
 ON_TOP = 0.02
 """What is no further above a top stands on it, m."""

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from stages.asset import Array, Collider, Link, Material, Mesh
-from stages.body import DAMPING, Body, inertia
-from stages.export._hull import hull
-from stages.export._obj import Files
-from stages.export._pieces import pieces
-from stages.export._rotation import roll_pitch_yaw
-from stages.export._xml import Element, add, number
+from apartgen.stages.export._hull import hull
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._pieces import pieces
+from apartgen.stages.export._rotation import roll_pitch_yaw
+from apartgen.stages.export._xml import Element, add, number
+from apartgen.stages.things.asset import Array, Collider, Link, Material, Mesh
+from apartgen.stages.things.body import DAMPING, Body, inertia
 
 EFFORT, SPEED = 100.0, 3.0
 """Limits that URDF demands, N or N·m and m/s or rad/s; no design is that stiff or fast."""

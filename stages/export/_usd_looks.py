@@ -4,9 +4,9 @@ from typing import Any
 
 from pxr import Gf, Sdf, UsdGeom, UsdPhysics, UsdShade
 
-from stages.asset import Material
-from stages.export._obj import Files
-from stages.export._pieces import cut_out
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._pieces import cut_out
+from apartgen.stages.things.asset import Material
 
 
 class Looks:

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf, UsdGeom, UsdPhysics, Vt
 
-from stages.asset import Array, Collider, Mesh
-from stages.export._hull import hull
-from stages.export._manifold import manifold
-from stages.export._pieces import shaded
-from stages.export._rotation import quaternion
+from apartgen.stages.export._hull import hull
+from apartgen.stages.export._manifold import manifold
+from apartgen.stages.export._pieces import shaded
+from apartgen.stages.export._rotation import quaternion
+from apartgen.stages.things.asset import Array, Collider, Mesh
 
 
 class Surface(NamedTuple):

@@ -6,8 +6,8 @@ value of the joint's range moves the part. Node extras name the artifact's objec
 
 from pathlib import Path
 
-from stages.export._gltf import packed
-from stages.scene import Scene
+from apartgen.stages.export._gltf import packed
+from apartgen.stages.scene.scene import Scene
 
 
 def write(scene: Scene, out: Path) -> list[Path]:

@@ -14,15 +14,15 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from stages.asset import Link, Material, Mesh
-from stages.body import Body, Light, Ranges, inertia
-from stages.categories import CATEGORIES
-from stages.export._gltf import packed
-from stages.export._hull import hull
-from stages.export._obj import Files
-from stages.export._urdf import body_links
-from stages.export._xml import save
-from stages.scene import Scene, identifier, untaken
+from apartgen.stages.export._gltf import packed
+from apartgen.stages.export._hull import hull
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._urdf import body_links
+from apartgen.stages.export._xml import save
+from apartgen.stages.scene.scene import Scene, identifier, untaken
+from apartgen.stages.things.asset import Link, Material, Mesh
+from apartgen.stages.things.body import Body, Light, Ranges, inertia
+from apartgen.stages.things.categories import CATEGORIES
 
 FOLDER = "habitat"
 NAME = "apartment"

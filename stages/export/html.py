@@ -9,8 +9,8 @@ import html
 from pathlib import Path
 from string import Template
 
-from stages.export._gltf import packed
-from stages.scene import Scene
+from apartgen.stages.export._gltf import packed
+from apartgen.stages.scene.scene import Scene
 
 VIEWER = Path(__file__).parent / "_viewer"
 

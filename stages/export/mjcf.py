@@ -9,13 +9,13 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from stages.asset import Collider, Link, Material
-from stages.body import DAMPING, Body, Inertia, counterbalanced, inertia
-from stages.export._obj import Files
-from stages.export._pieces import image_name, names, pieces
-from stages.export._rotation import about_z, quaternion
-from stages.export._xml import Element, add, number, numbers, save
-from stages.scene import Scene
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._pieces import image_name, names, pieces
+from apartgen.stages.export._rotation import about_z, quaternion
+from apartgen.stages.export._xml import Element, add, number, numbers, save
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things.asset import Collider, Link, Material
+from apartgen.stages.things.body import DAMPING, Body, Inertia, counterbalanced, inertia
 
 FOLDER = "mjcf"
 ARMATURE = 0.002

@@ -12,14 +12,15 @@ import numpy as np
 from shapely import Geometry
 from shapely.ops import unary_union
 
-from schemas.layout import Box, Layout
-from schemas.plan import Plan
-from stages import footprints, grid, polygons, reach, sweeps
-from stages.boxes import Array, Mask
-from stages.export._section import section
-from stages.export._xml import number
-from stages.grid import Grid
-from stages.scene import Scene
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Plan
+from apartgen.stages.export._section import section
+from apartgen.stages.export._xml import number
+from apartgen.stages.robot import reach
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space import footprints, grid, polygons, sweeps
+from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.space.grid import Grid
 
 FOLDER = "nav2"
 RESOLUTION = grid.RESOLUTION / 2

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from stages.export._drawing import figure
-from stages.scene import Scene
+from apartgen.stages.export._drawing import figure
+from apartgen.stages.scene.scene import Scene
 
 DPI = 160
 

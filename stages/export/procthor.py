@@ -18,12 +18,12 @@ import numpy as np
 from shapely.geometry import LineString, Point, Polygon
 from shapely.geometry.polygon import orient
 
-from schemas.layout import Box, Layout
-from schemas.plan import Opening, Plan, Room
-from schemas.retrieve import Furnishing
-from stages import polygons
-from stages.export import _thor
-from stages.scene import LOOSE, Scene
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.export import _thor
+from apartgen.stages.scene.scene import LOOSE, Scene
+from apartgen.stages.space import polygons
 
 ROOMS = {"living_room": "LivingRoom", "kitchen": "Kitchen", "bedroom": "Bedroom", "bathroom": "Bathroom"}
 """THOR has four types of room; any other counts as a living room."""

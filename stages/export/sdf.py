@@ -6,14 +6,14 @@ Links' frames are their body's; joints say where they are on the base.
 from pathlib import Path
 from xml.etree import ElementTree
 
-from stages.asset import Collider, Link, Material, Mesh
-from stages.body import DAMPING, Body, Light, counterbalanced, inertia
-from stages.export._hull import hull
-from stages.export._obj import Files
-from stages.export._pieces import pieces
-from stages.export._rotation import roll_pitch_yaw
-from stages.export._xml import Element, add, number, numbers, save
-from stages.scene import Scene
+from apartgen.stages.export._hull import hull
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._pieces import pieces
+from apartgen.stages.export._rotation import roll_pitch_yaw
+from apartgen.stages.export._xml import Element, add, number, numbers, save
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things.asset import Collider, Link, Material, Mesh
+from apartgen.stages.things.body import DAMPING, Body, Light, counterbalanced, inertia
 
 FOLDER = "sdf"
 

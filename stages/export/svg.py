@@ -4,8 +4,8 @@ from pathlib import Path
 
 import matplotlib
 
-from stages.export._drawing import figure
-from stages.scene import Scene
+from apartgen.stages.export._drawing import figure
+from apartgen.stages.scene.scene import Scene
 
 
 def write(scene: Scene, out: Path) -> list[Path]:

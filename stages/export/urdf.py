@@ -7,11 +7,11 @@ simulator that wants chairs to move loads them from urdf/objects, named after th
 from pathlib import Path
 from xml.etree import ElementTree
 
-from stages.body import Ranges
-from stages.export._obj import Files
-from stages.export._urdf import body_links, joint
-from stages.export._xml import add, save
-from stages.scene import Scene, identifier, untaken
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._urdf import body_links, joint
+from apartgen.stages.export._xml import add, save
+from apartgen.stages.scene.scene import Scene, identifier, untaken
+from apartgen.stages.things.body import Ranges
 
 FOLDER = "urdf"
 

@@ -9,19 +9,19 @@ from typing import Any
 
 import numpy as np
 
-from schemas.errors import BadInput
-from stages.asset import Array, Link
-from stages.body import DAMPING, Body, Light, counterbalanced, inertia
-from stages.export._obj import Files
-from stages.export._pieces import names, pieces
-from stages.export._rotation import about_z, from_x, quaternion
-from stages.scene import Scene, identifier
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.export._obj import Files
+from apartgen.stages.export._pieces import names, pieces
+from apartgen.stages.export._rotation import about_z, from_x, quaternion
+from apartgen.stages.scene.scene import Scene, identifier
+from apartgen.stages.things.asset import Array, Link
+from apartgen.stages.things.body import DAMPING, Body, Light, counterbalanced, inertia
 
 try:
     from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics
 
-    from stages.export._usd_looks import Looks
-    from stages.export._usd_shapes import collider, extent, place, show, visuals
+    from apartgen.stages.export._usd_looks import Looks
+    from apartgen.stages.export._usd_shapes import collider, extent, place, show, visuals
 except ImportError as error:
     raise BadInput("format usd needs the package usd-core; pip install 'apartgen[usd]'") from error
 

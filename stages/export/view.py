@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from stages.export._render import picture
-from stages.scene import Scene
+from apartgen.stages.export._render import picture
+from apartgen.stages.scene.scene import Scene
 
 
 def write(scene: Scene, out: Path) -> list[Path]:

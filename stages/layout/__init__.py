@@ -2,13 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from stages.layout.config import LayoutConfig
+from apartgen.stages.layout.config import LayoutConfig
 
 if TYPE_CHECKING:
     from numpy.random import Generator
 
-    from schemas.layout import Layout
-    from schemas.plan import Plan
+    from apartgen.schemas.layout import Layout
+    from apartgen.schemas.plan import Plan
 
 
 def run(previous: "Plan", config: LayoutConfig, rng: "Generator") -> "Layout":
@@ -18,7 +18,7 @@ def run(previous: "Plan", config: LayoutConfig, rng: "Generator") -> "Layout":
 
 def check(previous: "Plan") -> None:
     """BadInput for wishes of the programme that no layout can meet."""
-    from stages.layout import wishes
+    from apartgen.stages.layout import wishes
 
     wishes.check(previous)
 
@@ -28,7 +28,7 @@ def run_many(previous: "list[Plan]", config: LayoutConfig, rngs: "list[Generator
 
     BadInput for a wish that no layout can meet, Unmet where sampling diverged.
     """
-    from stages.layout.batch import furnished
+    from apartgen.stages.layout.batch import furnished
 
     for plan in previous:
         check(plan)

@@ -15,16 +15,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.plan import Plan
-from stages.layout.config import LayoutConfig
-from stages.layout.projection.settle import Settled, Task, settle
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import Plan
+from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.projection.settle import Settled, Task, settle
 
 if TYPE_CHECKING:
-    from stages.layout.features import Objects
-    from stages.layout.furnish import Latents
-    from stages.layout.network import Denoiser
-    from stages.layout.rooms import Rooms
+    from apartgen.stages.layout.features import Objects
+    from apartgen.stages.layout.furnish import Latents
+    from apartgen.stages.layout.network import Denoiser
+    from apartgen.stages.layout.rooms import Rooms
 
 log = logging.getLogger("apartgen")
 MANY_ROOMS = 48
@@ -66,8 +66,8 @@ def placed(
     spread: Spread,
 ) -> "Iterator[tuple[int, Settled, Latents]]":
     """Rooms of known count, sampled and settled, in any order: index, objects and shape latents."""
-    from stages.layout import furnish
-    from stages.layout.sample import sample
+    from apartgen.stages.layout import furnish
+    from apartgen.stages.layout.sample import sample
 
     # A batch pays for its fullest room, so rooms alike share one; the fullest first, as they take longest to settle.
     order, work = np.lexsort([rooms.tokens, rooms.count])[::-1], []
@@ -96,9 +96,9 @@ def _furnished(
 ) -> list[Layout]:
     import torch
 
-    from stages.layout import furnish, weights, wishes
-    from stages.layout import rooms as room_arrays
-    from stages.layout.sample import draw_counts
+    from apartgen.stages.layout import furnish, weights, wishes
+    from apartgen.stages.layout import rooms as room_arrays
+    from apartgen.stages.layout.sample import draw_counts
 
     torch.set_num_threads(threads)
     network, record = weights.load(Path(config.weights) if config.weights else None)

@@ -12,14 +12,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
-from stages.layout import furnish
-from stages.layout.batch import placed, spreading
-from stages.layout.config import LayoutConfig
-from stages.layout.corpus import Corpus
-from stages.layout.network import Denoiser
-from stages.layout.rooms import Rooms
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.layout import furnish
+from apartgen.stages.layout.batch import placed, spreading
+from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.corpus import Corpus
+from apartgen.stages.layout.network import Denoiser
+from apartgen.stages.layout.rooms import Rooms
+from apartgen.stages.things.categories import CATEGORIES
 
 log = logging.getLogger("apartgen")
 GAINS = (0.8, 0.8, 0.5, 0.4, 0.3)

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from schemas.base import Record
+from apartgen.schemas.base import Record
 
 N_MAX = 24
 """Object slots of a room."""

@@ -10,12 +10,12 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from schemas.base import ROOM_TYPES
-from schemas.errors import BadInput
-from stages.categories import CATEGORIES
-from stages.layout.config import LATENT, N_MAX, TrainConfig
-from stages.layout.features import Objects
-from stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, UNKNOWN, Rooms, oriented
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.layout.config import LATENT, N_MAX, TrainConfig
+from apartgen.stages.layout.features import Objects
+from apartgen.stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, UNKNOWN, Rooms, oriented
+from apartgen.stages.things.categories import CATEGORIES
 
 SHAPES = {
     "category": (N_MAX,), "center": (N_MAX, 3), "size": (N_MAX, 3), "yaw": (N_MAX,), "polygon": (MAX_CORNERS, 2),
@@ -156,7 +156,7 @@ def conditions(
 
 def shape_latents() -> NDArray[np.float32]:
     """Shape latents (C+1, S, 32) of each category's styles in the embedded library, repeated to S; the last is 0."""
-    from stages.latents import style_latents
+    from apartgen.stages.things.latents import style_latents
 
     rows = [np.asarray(style_latents(name)[1], np.float32) for name in CATEGORIES]
     most = max(len(row) for row in rows)

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
-from stages.layout.config import ModelConfig, T
-from stages.layout.features import CLASS, HEADING, PLACE, SHAPE, SIZE
-from stages.layout.network import Context, Denoiser
-from stages.layout.schedule import alpha_bar
+from apartgen.stages.layout.config import ModelConfig, T
+from apartgen.stages.layout.features import CLASS, HEADING, PLACE, SHAPE, SIZE
+from apartgen.stages.layout.network import Context, Denoiser
+from apartgen.stages.layout.schedule import alpha_bar
 
 GROUPS = ((PLACE, 2.0), (SIZE, 0.5), (HEADING, 1.0), (SHAPE, 0.2))
 """Weight of each group of continuous channels in the loss; classes have cross-entropy beside."""

@@ -11,8 +11,8 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from stages.categories import CATEGORIES
-from stages.layout.config import LATENT, ModelConfig
+from apartgen.stages.layout.config import LATENT, ModelConfig
+from apartgen.stages.things.categories import CATEGORIES
 
 N_CLASSES = len(CATEGORIES) + 1
 EMPTY = N_CLASSES - 1

@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor, nn
 
-from stages.layout.features import HEADING, METRE, PLACE, SIZE, size
+from apartgen.stages.layout.features import HEADING, METRE, PLACE, SIZE, size
 
 OBJECT_PAIR = 8
 WALL_PAIR = 9

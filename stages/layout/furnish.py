@@ -5,16 +5,16 @@ from collections import Counter
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.base import ROOM_TYPES
-from schemas.layout import Box
-from schemas.plan import Plan, Room
-from stages.categories import CATEGORIES
-from stages.layout.features import Objects
-from stages.layout.projection.settle import Settled, Task
-from stages.layout.projection.space import space_of
-from stages.layout.projection.standing import Item
-from stages.layout.rooms import Rooms
-from stages.layout.wishes import of_room
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.layout.features import Objects
+from apartgen.stages.layout.projection.settle import Settled, Task
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.projection.standing import Item
+from apartgen.stages.layout.rooms import Rooms
+from apartgen.stages.layout.wishes import of_room
+from apartgen.stages.things.categories import CATEGORIES
 
 Latents = NDArray[np.float32]
 

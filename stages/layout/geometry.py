@@ -7,10 +7,10 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from stages.categories import CATEGORIES, DRAWER_TRAVEL, TABLE, belong_together
-from stages.layout.diffusion import Prediction
-from stages.layout.features import CLASS, EMPTY, HEADING, place, size
-from stages.layout.rooms import DOOR_CLEARANCE, WINDOW_CLEARANCE, Rooms, edges
+from apartgen.stages.layout.diffusion import Prediction
+from apartgen.stages.layout.features import CLASS, EMPTY, HEADING, place, size
+from apartgen.stages.layout.rooms import DOOR_CLEARANCE, WINDOW_CLEARANCE, Rooms, edges
+from apartgen.stages.things.categories import CATEGORIES, DRAWER_TRAVEL, TABLE, belong_together
 
 
 @dataclass
@@ -89,7 +89,7 @@ def _reach_table() -> Tensor:
 
 
 def reach(category: Tensor, sizes: Tensor) -> Tensor:
-    """`stages.categories.reach` over tensors."""
+    """`apartgen.stages.things.categories.reach` over tensors."""
     leaf, widest, drawer, flap = _reach_table()[category].unbind(-1)
     depth, width, height = sizes.unbind(-1)
     return leaf * width / (width / widest - 1e-6).ceil().clamp_min(1) + drawer * depth + flap * height

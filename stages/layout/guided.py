@@ -7,15 +7,15 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from stages import registry
-from stages.layout.config import LayoutConfig, ModelConfig, T, TrainConfig
-from stages.layout.diffusion import Denoise, Prediction
-from stages.layout.features import CLASS, EMPTY
-from stages.layout.geometry import Boxes, Floor, boxes_of, floor_of
-from stages.layout.rooms import Rooms
-from stages.layout.samplers import posterior
-from stages.layout.schedule import ALPHA_BAR
-from stages.layout.sense import BARRED, at_home, settle
+from apartgen.stages import registry
+from apartgen.stages.layout.config import LayoutConfig, ModelConfig, T, TrainConfig
+from apartgen.stages.layout.diffusion import Denoise, Prediction
+from apartgen.stages.layout.features import CLASS, EMPTY
+from apartgen.stages.layout.geometry import Boxes, Floor, boxes_of, floor_of
+from apartgen.stages.layout.rooms import Rooms
+from apartgen.stages.layout.samplers import posterior
+from apartgen.stages.layout.schedule import ALPHA_BAR
+from apartgen.stages.layout.sense import BARRED, at_home, settle
 
 TRUST = 0.05
 """Longest shift of an object in one step without Σ, in units of the state; 10 cm where it is all of place."""
@@ -26,7 +26,7 @@ Energy = Callable[[Boxes, Floor], Tensor]
 
 def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
     """The guidance functions φ of weight γ > 0, found by name under `guidance/`; BadInput for one that is not there."""
-    found = [(gamma, registry.load("stages.layout.guidance", name)) for name, gamma in weights.items()]
+    found = [(gamma, registry.load("apartgen.stages.layout.guidance", name)) for name, gamma in weights.items()]
     return [(gamma, module.energy) for gamma, module in found if gamma]
 
 

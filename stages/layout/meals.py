@@ -2,7 +2,7 @@
 
 import shapely
 
-from schemas.plan import Plan, Room
+from apartgen.schemas.plan import Plan, Room
 
 TABLES = ("dining_table", "round_table")
 PLACES = (("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))

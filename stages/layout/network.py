@@ -8,13 +8,13 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import scaled_dot_product_attention
 
-from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
-from stages.layout.config import N_MAX, ModelConfig, T
-from stages.layout.features import DIM, HEADING, METRE
-from stages.layout.frames import OBJECT_PAIR, WALL_PAIR, FrameHead, object_pairs, wall_pairs, with_extent
-from stages.layout.rooms import UNKNOWN, Rooms, edges
-from stages.layout.schedule import alpha_bar
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.layout.config import N_MAX, ModelConfig, T
+from apartgen.stages.layout.features import DIM, HEADING, METRE
+from apartgen.stages.layout.frames import OBJECT_PAIR, WALL_PAIR, FrameHead, object_pairs, wall_pairs, with_extent
+from apartgen.stages.layout.rooms import UNKNOWN, Rooms, edges
+from apartgen.stages.layout.schedule import alpha_bar
+from apartgen.stages.things.categories import CATEGORIES
 
 FRAME = 6
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.base import ROOM_TYPES
-from schemas.errors import BadInput
-from schemas.plan import Plan, Room
-from stages.categories import CATEGORIES
-from stages.layout.meals import TABLES, table_of
-from stages.layout.wishes import of_room
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.layout.meals import TABLES, table_of
+from apartgen.stages.layout.wishes import of_room
+from apartgen.stages.things.categories import CATEGORIES
 
 MAX_CORNERS = 32
 MAX_OPENINGS = 20

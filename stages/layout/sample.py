@@ -5,16 +5,16 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from schemas.base import ROOM_TYPES
-from schemas.consistency import FARTHEST
-from schemas.errors import Unmet
-from stages.layout import guided, samplers
-from stages.layout.config import N_MAX, LayoutConfig
-from stages.layout.diffusion import Denoise, predict
-from stages.layout.features import DIM, Objects, decode
-from stages.layout.geometry import floor_of
-from stages.layout.network import Denoiser
-from stages.layout.rooms import UNKNOWN, Rooms
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.consistency import FARTHEST
+from apartgen.schemas.errors import Unmet
+from apartgen.stages.layout import guided, samplers
+from apartgen.stages.layout.config import N_MAX, LayoutConfig
+from apartgen.stages.layout.diffusion import Denoise, predict
+from apartgen.stages.layout.features import DIM, Objects, decode
+from apartgen.stages.layout.geometry import floor_of
+from apartgen.stages.layout.network import Denoiser
+from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 
 AREA_BINS = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 21, 25, 30, 36, 45)
 """Lower edges of the floor-area classes (m²) for which the training record counts objects."""

@@ -8,9 +8,9 @@ from collections.abc import Callable
 import torch
 from torch import Tensor
 
-from stages.layout.config import T
-from stages.layout.diffusion import Denoise
-from stages.layout.schedule import ALPHA_BAR
+from apartgen.stages.layout.config import T
+from apartgen.stages.layout.diffusion import Denoise
+from apartgen.stages.layout.schedule import ALPHA_BAR
 
 Noise = Callable[[], Tensor]
 

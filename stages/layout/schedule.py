@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from stages.layout.config import T
+from apartgen.stages.layout.config import T
 
 BETAS = np.linspace(1e-4, 0.02, T)
 ALPHA_BAR = torch.from_numpy(np.concatenate([[1.0], np.cumprod(1 - BETAS)])).float()

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES, TABLE
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 RULES = Path(__file__).parent / "sense.toml"
 BARRED = -30.0

@@ -15,15 +15,15 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from schemas.errors import BadInput, Unmet
-from stages.layout import curve, diffusion, weights
-from stages.layout.calibration import calibrate
-from stages.layout.config import N_MAX, T, TrainConfig
-from stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
-from stages.layout.features import Objects, encode
-from stages.layout.network import Denoiser
-from stages.layout.rooms import Rooms
-from stages.layout.sample import count_table
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.stages.layout import curve, diffusion, weights
+from apartgen.stages.layout.calibration import calibrate
+from apartgen.stages.layout.config import N_MAX, T, TrainConfig
+from apartgen.stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
+from apartgen.stages.layout.features import Objects, encode
+from apartgen.stages.layout.network import Denoiser
+from apartgen.stages.layout.rooms import Rooms
+from apartgen.stages.layout.sample import count_table
 
 log = logging.getLogger("apartgen")
 Report = Callable[[int, float], None]
@@ -178,7 +178,7 @@ def step_loss(
     noise = torch.from_numpy(rng.standard_normal(x0.shape, np.float32))
     shift = None
     if config.anticipate > 0:
-        from stages.layout.guided import anticipation
+        from apartgen.stages.layout.guided import anticipation
 
         shift = anticipation(rooms, config)
     device = network.encoder.device

@@ -9,10 +9,10 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save_file
 from torch import Tensor
 
-from schemas.errors import BadInput
-from stages.categories import CATEGORIES
-from stages.layout.config import TrainConfig
-from stages.layout.network import Denoiser
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.layout.config import TrainConfig
+from apartgen.stages.layout.network import Denoiser
+from apartgen.stages.things.categories import CATEGORIES
 
 SHIPPED = Path(__file__).parent / "weights.safetensors"
 

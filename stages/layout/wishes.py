@@ -4,11 +4,11 @@ import difflib
 from collections import Counter
 from collections.abc import Sequence
 
-from schemas.errors import BadInput
-from schemas.layout import Box
-from schemas.plan import Plan, Program
-from stages.categories import CATEGORIES, by_word
-from stages.layout.config import N_MAX
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.layout.config import N_MAX
+from apartgen.stages.things.categories import CATEGORIES, by_word
 
 
 def of_room(program: Program, room: str) -> Counter[str]:

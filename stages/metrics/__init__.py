@@ -12,14 +12,14 @@ from inspect import signature
 from pathlib import Path
 from types import ModuleType
 
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from schemas.metrics import Metrics, Value
-from schemas.plan import Plan, Program
-from stages import registry
-from stages.metrics import _networks, _seen, _sets
-from stages.metrics._beside import beside
-from stages.metrics._table import Row, markdown, side_by_side, table
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Metrics, Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages import registry
+from apartgen.stages.metrics import _networks, _seen, _sets
+from apartgen.stages.metrics._beside import beside
+from apartgen.stages.metrics._table import Row, markdown, side_by_side, table
 
 LOG = logging.getLogger("apartgen")
 __all__ = ["Row", "compare", "markdown", "names", "run", "side_by_side", "table"]

@@ -2,10 +2,10 @@
 
 from collections.abc import Callable, Sequence
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from stages.metrics._sets import ALL, types
-from stages.metrics._table import POOLED, averaged
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.stages.metrics._sets import ALL, types
+from apartgen.stages.metrics._table import POOLED, averaged
 
 Key = tuple[str, str, str]
 

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Array
-from stages.metrics._table import LEVEL, interval
+from apartgen.stages.metrics._table import LEVEL, interval
+from apartgen.stages.space.boxes import Array
 
 RESAMPLES = 100
 SUBSETS, SUBSET = 100, 1000

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 import numpy as np
 from shapely import Geometry
 
-from schemas.layout import Box
-from stages import boxes, grid
-from stages.boxes import Mask
-from stages.grid import Grid
+from apartgen.schemas.layout import Box
+from apartgen.stages.space import boxes, grid
+from apartgen.stages.space.boxes import Mask
+from apartgen.stages.space.grid import Grid
 
 ROBOT = 0.3
 """Width of PhyScene's robot, m."""

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from schemas.errors import BadInput
-from stages.metrics._pictures import Picture
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.metrics._pictures import Picture
 
 Features = NDArray[np.float32]
 BATCH = 16

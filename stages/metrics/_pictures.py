@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from schemas.base import Point, RoomType
-from schemas.layout import Box
-from stages import boxes
-from stages.boxes import Array
+from apartgen.schemas.base import Point, RoomType
+from apartgen.schemas.layout import Box
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array
 
 Picture = NDArray[np.uint8]
 Colour = tuple[int, int, int]

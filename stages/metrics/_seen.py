@@ -4,12 +4,12 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from stages.metrics._distances import LEAST, RESAMPLES, Figure, Sample
-from stages.metrics._networks import Network
-from stages.metrics._pictures import PIXELS, picture
-from stages.metrics._sets import ALL, SEED, halves, rooms, types
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.stages.metrics._distances import LEAST, RESAMPLES, Figure, Sample
+from apartgen.stages.metrics._networks import Network
+from apartgen.stages.metrics._pictures import PIXELS, picture
+from apartgen.stages.metrics._sets import ALL, SEED, halves, rooms, types
 
 Distance = Callable[[Sample, Sample, np.random.Generator], Figure]
 

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from schemas.layout import Box, Layout
-from schemas.plan import Room
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Room
 
 ALL = "apartment"
 """Stands for rooms of all types that the real set has."""

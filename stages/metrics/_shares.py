@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from schemas.layout import Box, Layout
-from schemas.metrics import Value
-from schemas.plan import Plan
-from stages import footprints
-from stages.boxes import Mask
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan
+from apartgen.stages.space import footprints
+from apartgen.stages.space.boxes import Mask
 
 
 def objects(home: Plan) -> list[Box]:

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from schemas.metrics import Metrics, Value
-from stages.boxes import Array
-from stages.metrics._sets import SEED
+from apartgen.schemas.metrics import Metrics, Value
+from apartgen.stages.metrics._sets import SEED
+from apartgen.stages.space.boxes import Array
 
 POOLED = ("Col_obj", "R_out", "R_blocked")
 """Shares of all objects of all apartments; every other figure is a mean over apartments."""

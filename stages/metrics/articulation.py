@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from schemas.layout import Box, Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import boxes, categories, polygons, sweeps
-from stages.boxes import TOLERANCE, Boxes, Mask
-from stages.metrics._shares import shares, solid
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._shares import shares, solid
+from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.space.boxes import TOLERANCE, Boxes, Mask
+from apartgen.stages.things import categories
 
 NEEDS = Layout
 STRICT = 1e-6

@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import boxes, categories
-from stages.boxes import TOLERANCE
-from stages.metrics._shares import shares, solid
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._shares import shares, solid
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import TOLERANCE
+from apartgen.stages.things import categories
 
 NEEDS = Layout
 STRICT = 1e-6

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import sweeps
-from stages.metrics._shares import objects
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._shares import objects
+from apartgen.stages.space import sweeps
 
 NEEDS = Layout
 

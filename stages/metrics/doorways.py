@@ -4,12 +4,12 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from schemas.layout import Box, Layout
-from schemas.metrics import Value
-from schemas.plan import Opening, Plan, Program
-from stages import boxes, footprints, polygons
-from stages.boxes import TOLERANCE
-from stages.metrics._shares import objects, share
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.stages.metrics._shares import objects, share
+from apartgen.stages.space import boxes, footprints, polygons
+from apartgen.stages.space.boxes import TOLERANCE
 
 NEEDS = Layout
 DEPTH = 0.5

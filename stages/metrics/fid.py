@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from stages.metrics._distances import frechet
-from stages.metrics._networks import Network
-from stages.metrics._seen import between
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.stages.metrics._distances import frechet
+from apartgen.stages.metrics._networks import Network
+from apartgen.stages.metrics._seen import between
 
 
 def compare(homes: Sequence[Layout], real: Sequence[Layout], network: Network) -> list[Value]:

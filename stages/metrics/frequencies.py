@@ -4,13 +4,13 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from stages.boxes import Array
-from stages.categories import CATEGORIES
-from stages.metrics._distances import Figure, spread
-from stages.metrics._sets import ALL, SEED, Scene, every, halves, rooms, types
-from stages.metrics._table import FREQUENCY, LEVEL, RESAMPLES
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.stages.metrics._distances import Figure, spread
+from apartgen.stages.metrics._sets import ALL, SEED, Scene, every, halves, rooms, types
+from apartgen.stages.metrics._table import FREQUENCY, LEVEL, RESAMPLES
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.categories import CATEGORIES
 
 EPSILON = 1e-6
 

@@ -1,9 +1,9 @@
 """S_node, S_constraint, S_edge: the built rooms against the programme's graph (Eq. 5-9)."""
 
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import graphs
-from stages.graphs import RoomGraph
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.space import graphs
+from apartgen.stages.space.graphs import RoomGraph
 
 NEEDS = Plan
 

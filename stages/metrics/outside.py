@@ -5,12 +5,12 @@ import shapely
 from shapely import Geometry
 from shapely.geometry import Polygon
 
-from schemas.layout import Box, Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import boxes, polygons
-from stages.boxes import TOLERANCE, Array, Boxes
-from stages.metrics._shares import objects, shares
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._shares import objects, shares
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.space.boxes import TOLERANCE, Array, Boxes
 
 NEEDS = Layout
 SHARE = 0.01

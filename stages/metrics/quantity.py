@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages.metrics._shares import objects, share
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._shares import objects, share
 
 NEEDS = Layout
 

@@ -5,12 +5,14 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from shapely import Geometry
 
-from schemas.layout import Box, Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import boxes, categories, footprints, grid, polygons, reach, sweeps
-from stages.metrics._free import low, reached_share
-from stages.metrics._shares import objects, shares
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._free import low, reached_share
+from apartgen.stages.metrics._shares import objects, shares
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, footprints, grid, polygons, sweeps
+from apartgen.stages.things import categories
 
 NEEDS = Layout
 Share = Callable[[Geometry, Sequence[Box]], float | None]

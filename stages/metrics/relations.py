@@ -5,14 +5,15 @@ from collections.abc import Sequence
 import numpy as np
 from shapely.geometry import Polygon
 
-from schemas.layout import Box, Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import boxes, categories, footprints, polygons
-from stages.boxes import Array
-from stages.metrics._sets import ALL, every, types
-from stages.metrics._shares import objects
-from stages.metrics._table import averaged
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._sets import ALL, every, types
+from apartgen.stages.metrics._shares import objects
+from apartgen.stages.metrics._table import averaged
+from apartgen.stages.space import boxes, footprints, polygons
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things import categories
 
 NEEDS = Layout
 BEDS = ("double_bed", "single_bed")

@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from schemas.layout import Layout
-from schemas.metrics import Value
-from schemas.plan import Plan, Program
-from stages import footprints, polygons, reach
-from stages.metrics._free import largest_share
-from stages.metrics._shares import objects
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.metrics import Value
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._free import largest_share
+from apartgen.stages.metrics._shares import objects
+from apartgen.stages.robot import reach
+from apartgen.stages.space import footprints, polygons
 
 NEEDS = Layout
 THRESHOLDS = tuple(round(0.60 + 0.05 * i, 2) for i in range(8))

@@ -6,12 +6,12 @@ a plan drawn by hand; `validate` checks any plan.
 
 from typing import TYPE_CHECKING
 
-from stages.plan.config import PlanConfig
+from apartgen.stages.plan.config import PlanConfig
 
 if TYPE_CHECKING:
     from numpy.random import Generator
 
-    from schemas.plan import Plan, Program, Room
+    from apartgen.schemas.plan import Plan, Program, Room
 
 __all__ = ["PlanConfig", "build", "build_variants", "from_polygons", "validate", "warm"]
 
@@ -21,7 +21,7 @@ def build(program: "Program", config: PlanConfig, rng: "Generator", prompt: str 
 
     Raises BadInput for a programme that names rooms wrongly, Unmet (naming the contradiction) where no plan exists.
     """
-    from stages.plan.solve import solve
+    from apartgen.stages.plan.solve import solve
 
     return solve(program, config, rng).model_copy(update={"prompt": prompt})
 
@@ -30,7 +30,7 @@ def build_variants(
     program: "Program", config: PlanConfig, rng: "Generator", k: int, prompt: str = ""
 ) -> "list[Plan]":
     """`k` clearly different floor plans for a programme; raises as `build` does."""
-    from stages.plan.variants import several
+    from apartgen.stages.plan.variants import several
 
     return [plan.model_copy(update={"prompt": prompt}) for plan in several(program, config, rng, k)]
 
@@ -41,14 +41,14 @@ def from_polygons(rooms: "list[Room]", config: PlanConfig, program: "Program | N
     Without a programme the links are what touches, corridors first. Raises BadInput for overlapping or broken
     polygons, Unmet naming the door that finds no place.
     """
-    from stages.plan.drawn import built
+    from apartgen.stages.plan.drawn import built
 
     return built(rooms, config, program)
 
 
 def validate(plan: "Plan") -> list[str]:
     """What is wrong with a plan, in words; empty when every hard requirement is met."""
-    from stages.plan.judge import faults
+    from apartgen.stages.plan.judge import faults
 
     return faults(plan)
 
@@ -57,6 +57,6 @@ def warm() -> None:
     """Compile the solver into its cache, so that the first plan does not wait for it; needs write access to it."""
     import numpy as np
 
-    from stages.plan.study import archetypes
+    from apartgen.stages.plan.study import archetypes
 
     build(archetypes()["studio"], PlanConfig(), np.random.default_rng(0))

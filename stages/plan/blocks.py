@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry import Polygon
 
-from schemas.plan import Envelope, Side
+from apartgen.schemas.plan import Envelope, Side
 
 Array = NDArray[np.float64]
 SIDES: tuple[Side, ...] = ("south", "east", "north", "west")

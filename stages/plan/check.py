@@ -5,10 +5,10 @@ from collections.abc import Mapping
 
 from shapely.geometry import Polygon
 
-from schemas.errors import BadInput, Unmet
-from schemas.plan import AskedRoom, Program
-from stages.plan.standards import STANDARDS
-from stages.plan.weights import WEIGHTS
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import AskedRoom, Program
+from apartgen.stages.plan.standards import STANDARDS
+from apartgen.stages.plan.weights import WEIGHTS
 
 THROUGH = ("hallway", "living_room", "dining_room", "kitchen")
 """Rooms that lead to other rooms; bedrooms and bathrooms lead to what belongs to them only."""

@@ -2,8 +2,8 @@
 
 from pydantic import Field
 
-from schemas.base import Positive, Record
-from schemas.plan import Walls
+from apartgen.schemas.base import Positive, Record
+from apartgen.schemas.plan import Walls
 
 
 class PlanConfig(Record):

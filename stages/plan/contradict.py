@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from schemas.plan import Program
-from stages.plan.slicing import (
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.slicing import (
     EPS,
     L_ENTRY,
     L_LINK,

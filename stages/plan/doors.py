@@ -10,14 +10,14 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from schemas.base import RoomType
-from schemas.errors import Unmet
-from schemas.plan import Opening, Program, Walls
-from stages.plan import faces
-from stages.plan.blocks import entrance_sides, facing
-from stages.plan.check import entrance_room, links
-from stages.plan.faces import Face
-from stages.plan.standards import LINK_WALL, STANDARDS
+from apartgen.schemas.base import RoomType
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import Opening, Program, Walls
+from apartgen.stages.plan import faces
+from apartgen.stages.plan.blocks import entrance_sides, facing
+from apartgen.stages.plan.check import entrance_room, links
+from apartgen.stages.plan.faces import Face
+from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 
 Floors = dict[str, Polygon]
 FRAME = 0.1

@@ -5,15 +5,15 @@ from itertools import combinations
 
 from shapely.geometry import Polygon
 
-from schemas.base import RoomType
-from schemas.errors import BadInput, Unmet
-from schemas.plan import AskedRoom, Link, Plan, Program, Room
-from stages.plan import doors, faces, windows
-from stages.plan.check import check
-from stages.plan.config import PlanConfig
-from stages.plan.outline import ring
-from stages.plan.standards import LINK_WALL
-from stages.plan.turn import askew, turned, turned_plan
+from apartgen.schemas.base import RoomType
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import AskedRoom, Link, Plan, Program, Room
+from apartgen.stages.plan import doors, faces, windows
+from apartgen.stages.plan.check import check
+from apartgen.stages.plan.config import PlanConfig
+from apartgen.stages.plan.outline import ring
+from apartgen.stages.plan.standards import LINK_WALL
+from apartgen.stages.plan.turn import askew, turned, turned_plan
 
 Floors = dict[str, Polygon]
 LEADS: dict[RoomType, int] = {"hallway": 0, "living_room": 1, "dining_room": 2, "kitchen": 3, "study": 6}
@@ -22,7 +22,7 @@ LAST = 9
 
 
 def built(rooms: list[Room], config: PlanConfig, program: Program | None) -> Plan:
-    """See `stages.plan.from_polygons`."""
+    """See `apartgen.stages.plan.from_polygons`."""
     angle = askew([Polygon(room.polygon) for room in rooms])
     rooms = [room.model_copy(update={"polygon": turned(room.polygon, -angle)}) for room in rooms]
     floors = inset(rooms, config.walls.inner)

@@ -1,6 +1,6 @@
 """An independent judge of plans: every hard requirement, from the finished geometry alone.
 
-Shares the housing standards and `stages.polygons` with the rest, and nothing with the solver.
+Shares the housing standards and `apartgen.stages.space.polygons` with the rest, and nothing with the solver.
 """
 
 from collections import Counter
@@ -13,10 +13,10 @@ import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.ops import unary_union
 
-from schemas.plan import Opening, Plan
-from stages import polygons
-from stages.plan.standards import STANDARDS
-from stages.reach import LEVER
+from apartgen.schemas.plan import Opening, Plan
+from apartgen.stages.plan.standards import STANDARDS
+from apartgen.stages.robot.reach import LEVER
+from apartgen.stages.space import polygons
 
 NEAR = 0.005
 """Tolerance of lengths, m."""

@@ -7,8 +7,20 @@ from zlib import crc32
 import numpy as np
 from numba import njit
 
-from stages.plan.slicing import COMPILED, EPS, L_LONG, L_SHORT, LACKING, LEFT, R_AREA, RIGHT, S_TARGET, UPRIGHT, inner
-from stages.plan.terms import evaluate
+from apartgen.stages.plan.slicing import (
+    COMPILED,
+    EPS,
+    L_LONG,
+    L_SHORT,
+    LACKING,
+    LEFT,
+    R_AREA,
+    RIGHT,
+    S_TARGET,
+    UPRIGHT,
+    inner,
+)
+from apartgen.stages.plan.terms import evaluate
 
 LOOK = 0.35
 """Share of the steps after which a run is given up"""

@@ -5,8 +5,8 @@ import shapely
 from numpy.random import Generator
 from shapely.geometry import Polygon, box
 
-from schemas.plan import Envelope
-from stages.plan.blocks import Outline, taken_apart
+from apartgen.schemas.plan import Envelope
+from apartgen.stages.plan.blocks import Outline, taken_apart
 
 GREATEST_ASPECT = 1.8
 """Longest side of a free outline's bounding box over the other."""

@@ -8,13 +8,13 @@ from math import sqrt
 import numpy as np
 from numpy.random import Generator
 
-from schemas.plan import AskedRoom, Program, Walls
-from stages.plan.blocks import Outline
-from stages.plan.check import entrance_room, links, neighbours
-from stages.plan.outline import wish
-from stages.plan.slicing import Ints, Problem, Scratch, Tree
-from stages.plan.standards import LINK_WALL, STANDARDS
-from stages.plan.weights import WEIGHTS
+from apartgen.schemas.plan import AskedRoom, Program, Walls
+from apartgen.stages.plan.blocks import Outline
+from apartgen.stages.plan.check import entrance_room, links, neighbours
+from apartgen.stages.plan.outline import wish
+from apartgen.stages.plan.slicing import Ints, Problem, Scratch, Tree
+from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
+from apartgen.stages.plan.weights import WEIGHTS
 
 WET, WHIM, MEALS = 1, 6, 24
 """What it counts that wet rooms, rooms of a draw, and kitchen and dining room are near one another."""

@@ -25,11 +25,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from schemas.plan import AskedRoom
-from stages.graphs import RoomGraph, graph
-from stages.plan.reader.areas import fill, typical
-from stages.plan.reader.links import mark_private
-from stages.plan.reader.sense import sense
+from apartgen.schemas.plan import AskedRoom
+from apartgen.stages.plan.reader.areas import fill, typical
+from apartgen.stages.plan.reader.links import mark_private
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.space.graphs import RoomGraph, graph
 
 FACTORS = {"large": 1.3, "small": 0.75, "long": 1.4}
 """What an adjective does to a typical area."""

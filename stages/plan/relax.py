@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from schemas.plan import AskedRoom, Program
-from stages.plan.check import check, entrance_room, links
-from stages.plan.problem import Slack
+from apartgen.schemas.plan import AskedRoom, Program
+from apartgen.stages.plan.check import check, entrance_room, links
+from apartgen.stages.plan.problem import Slack
 
 
 @dataclass(frozen=True)

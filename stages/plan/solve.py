@@ -10,19 +10,19 @@ import shapely
 from numpy.random import Generator
 from shapely.geometry import Polygon
 
-from schemas.errors import Unmet
-from schemas.plan import Envelope, Plan, Program, Room
-from stages.plan import doors, kernel, windows
-from stages.plan.blocks import Outline, given, gross
-from stages.plan.check import check
-from stages.plan.config import PlanConfig
-from stages.plan.contradict import lacks, told
-from stages.plan.judge import faults
-from stages.plan.outline import draw, ring
-from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
-from stages.plan.relax import Step, ladder
-from stages.plan.slicing import EPS, Floats, Ints
-from stages.plan.turn import askew, turned, turned_plan
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import Envelope, Plan, Program, Room
+from apartgen.stages.plan import doors, kernel, windows
+from apartgen.stages.plan.blocks import Outline, given, gross
+from apartgen.stages.plan.check import check
+from apartgen.stages.plan.config import PlanConfig
+from apartgen.stages.plan.contradict import lacks, told
+from apartgen.stages.plan.judge import faults
+from apartgen.stages.plan.outline import draw, ring
+from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
+from apartgen.stages.plan.relax import Step, ladder
+from apartgen.stages.plan.slicing import EPS, Floats, Ints
+from apartgen.stages.plan.turn import askew, turned, turned_plan
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""

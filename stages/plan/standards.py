@@ -4,7 +4,7 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from schemas.base import ROOM_TYPES, RoomType
+from apartgen.schemas.base import ROOM_TYPES, RoomType
 
 LINK_WALL = 1.1
 """Straight wall two linked rooms share: a 0.9 m door and its frames."""

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import shapely
 
-from schemas.plan import AskedRoom, Plan, Program
-from stages import polygons
-from stages.plan import validate
-from stages.plan.standards import STANDARDS
+from apartgen.schemas.plan import AskedRoom, Plan, Program
+from apartgen.stages.plan import validate
+from apartgen.stages.plan.standards import STANDARDS
+from apartgen.stages.space import polygons
 
 
 def archetypes() -> dict[str, Program]:

@@ -4,7 +4,7 @@
 A cost is the weighted sum of the reward terms plus `LACK` times what the requirements lack, in metres.
 """
 
-from stages.plan.slicing import (
+from apartgen.stages.plan.slicing import (
     AREA,
     ASPECT,
     CONCISE,

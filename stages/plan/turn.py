@@ -6,8 +6,8 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from schemas.base import Point
-from schemas.plan import Plan
+from apartgen.schemas.base import Point
+from apartgen.schemas.plan import Plan
 
 
 def askew(shapes: list[Polygon]) -> float:

@@ -5,10 +5,10 @@ from itertools import combinations
 import numpy as np
 from numpy.random import Generator
 
-from schemas.plan import Plan, Program
-from stages import polygons
-from stages.plan.config import PlanConfig
-from stages.plan.solve import solve
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.plan.config import PlanConfig
+from apartgen.stages.plan.solve import solve
+from apartgen.stages.space import polygons
 
 
 def several(program: Program, config: PlanConfig, rng: Generator, k: int) -> list[Plan]:

@@ -3,11 +3,11 @@
 import numpy as np
 from shapely.geometry import LineString, Polygon
 
-from schemas.plan import Opening, Program, Side, Walls
-from stages.plan import faces
-from stages.plan.blocks import facing
-from stages.plan.faces import Face
-from stages.plan.standards import STANDARDS, Standard
+from apartgen.schemas.plan import Opening, Program, Side, Walls
+from apartgen.stages.plan import faces
+from apartgen.stages.plan.blocks import facing
+from apartgen.stages.plan.faces import Face
+from apartgen.stages.plan.standards import STANDARDS, Standard
 
 JAMB, HALL_JAMB = 0.35, 0.2
 """Wall left on both sides of a window, m; less where a corridor ends."""

@@ -9,15 +9,15 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from stages.retrieve.matching.config import RetrieveConfig as RetrieveConfig
-    from stages.retrieve.matching.indexing import Failure as Failure
-    from stages.retrieve.matching.indexing import Report as Report
-    from stages.retrieve.matching.indexing import build as build
-    from stages.retrieve.matching.indexing import check as check
-    from stages.retrieve.matching.indexing import kinds as kinds
-    from stages.retrieve.matching.libraries import LibrarySet as LibrarySet
-    from stages.retrieve.matching.libraries import open_libraries as open_libraries
-    from stages.retrieve.matching.stage import run as run
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig as RetrieveConfig
+    from apartgen.stages.retrieve.matching.indexing import Failure as Failure
+    from apartgen.stages.retrieve.matching.indexing import Report as Report
+    from apartgen.stages.retrieve.matching.indexing import build as build
+    from apartgen.stages.retrieve.matching.indexing import check as check
+    from apartgen.stages.retrieve.matching.indexing import kinds as kinds
+    from apartgen.stages.retrieve.matching.libraries import LibrarySet as LibrarySet
+    from apartgen.stages.retrieve.matching.libraries import open_libraries as open_libraries
+    from apartgen.stages.retrieve.matching.stage import run as run
 
 _HOME = {
     "RetrieveConfig": "config", "Failure": "indexing", "Report": "indexing", "build": "indexing", "check": "indexing",
@@ -28,4 +28,4 @@ _HOME = {
 def __getattr__(name: str) -> Any:
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"stages.retrieve.matching.{_HOME[name]}"), name)
+    return getattr(importlib.import_module(f"apartgen.stages.retrieve.matching.{_HOME[name]}"), name)

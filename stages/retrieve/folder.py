@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from stages.asset import Asset
-from stages.retrieve.reading import gltf, limits, motion, obj
-from stages.retrieve.reading.model import Model, Part, asset
-from stages.retrieve.reading.source import Source, beside, credit, files, image
-from stages.retrieve.reading.words import category
+from apartgen.stages.retrieve.reading import gltf, limits, motion, obj
+from apartgen.stages.retrieve.reading.model import Model, Part, asset
+from apartgen.stages.retrieve.reading.source import Source, beside, credit, files, image
+from apartgen.stages.retrieve.reading.words import category
+from apartgen.stages.things.asset import Asset
 
 MOVABLE = "movable_nodes.json"
 """May name more nodes that move: {file: {node: {"pivot": [x, y, z]}}}."""

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from stages.asset import Asset
-from stages.categories import TABLE
-from stages.retrieve.reading import limits, obj
-from stages.retrieve.reading.fitting import fitted
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.model import Model, Part, asset
-from stages.retrieve.reading.pieces import Piece
-from stages.retrieve.reading.source import Source, beside, image
-from stages.retrieve.reading.words import OTHER, category
+from apartgen.stages.retrieve.reading import limits, obj
+from apartgen.stages.retrieve.reading.fitting import fitted
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.model import Model, Part, asset
+from apartgen.stages.retrieve.reading.pieces import Piece
+from apartgen.stages.retrieve.reading.source import Source, beside, image
+from apartgen.stages.retrieve.reading.words import OTHER, category
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.categories import TABLE
 
 MESHES = ("raw_model.obj", "normalized_model.obj")
 INFO = "model_info.json"

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from stages.asset import Asset
-from stages.retrieve.reading import limits, tree, urdf
-from stages.retrieve.reading.fitting import fitted
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.model import Model, Motion, Part, asset
-from stages.retrieve.reading.pieces import Array
-from stages.retrieve.reading.source import Source
-from stages.retrieve.reading.tree import Body
-from stages.retrieve.reading.words import OTHER
+from apartgen.stages.retrieve.reading import limits, tree, urdf
+from apartgen.stages.retrieve.reading.fitting import fitted
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.model import Model, Motion, Part, asset
+from apartgen.stages.retrieve.reading.pieces import Array
+from apartgen.stages.retrieve.reading.source import Source
+from apartgen.stages.retrieve.reading.tree import Body
+from apartgen.stages.retrieve.reading.words import OTHER
+from apartgen.stages.things.asset import Asset
 
 URDFS = ("mobility_annotation_gapartnet.urdf", "mobility_relabel_gapartnet.urdf", "mobility.urdf")
 ANNOTATION = "link_annotation_gapartnet.json"

@@ -1,15 +1,15 @@
 """Parametric furniture made by this program: every category in several styles, each at its usual size.
 
-The folder is not read. Furniture of any other size is made on demand, see `stages.retrieve.furniture`.
+The folder is not read. Furniture of any other size is made on demand, see `apartgen.stages.retrieve.furniture`.
 """
 
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
-from stages.categories import CATEGORIES, TABLE
-from stages.retrieve import furniture
-from stages.retrieve.reading.source import Source
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.retrieve.reading.source import Source
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 
 def assets(root: Path | None = None) -> Iterator[Source]:

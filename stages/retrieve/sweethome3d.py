@@ -9,13 +9,13 @@ from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from stages.asset import Asset
-from stages.retrieve.reading import gltf, images, limits, obj
-from stages.retrieve.reading.limits import Archive, Broken, floats
-from stages.retrieve.reading.model import Y_UP, Model, Part, asset
-from stages.retrieve.reading.pieces import Array, Piece
-from stages.retrieve.reading.source import Source, files
-from stages.retrieve.reading.words import category
+from apartgen.stages.retrieve.reading import gltf, images, limits, obj
+from apartgen.stages.retrieve.reading.limits import Archive, Broken, floats
+from apartgen.stages.retrieve.reading.model import Y_UP, Model, Part, asset
+from apartgen.stages.retrieve.reading.pieces import Array, Piece
+from apartgen.stages.retrieve.reading.source import Source, files
+from apartgen.stages.retrieve.reading.words import category
+from apartgen.stages.things.asset import Asset
 
 CATALOGUE = "PluginFurnitureCatalog.properties"
 ENTRY = re.compile(r"^(\w+)#(\d+)$")

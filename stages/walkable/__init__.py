@@ -2,14 +2,14 @@
 
 from typing import TYPE_CHECKING
 
-from stages.walkable.config import WalkableConfig
+from apartgen.stages.walkable.config import WalkableConfig
 
 if TYPE_CHECKING:
     from numpy.random import Generator
 
-    from schemas.retrieve import Retrieve
-    from schemas.walkable import Walkable
-    from stages.walkable.site import Candidates
+    from apartgen.schemas.retrieve import Retrieve
+    from apartgen.schemas.walkable import Walkable
+    from apartgen.stages.walkable.site import Candidates
 
 __all__ = ["WalkableConfig", "run", "unmet"]
 
@@ -20,13 +20,13 @@ def run(previous: "Retrieve", config: WalkableConfig, rng: "Generator", library:
     Raises Unmet (unless `write_anyway`), naming the rooms, when the target can't be met, and when the robot does not
     get somewhere for what a room can't do without.
     """
-    from stages.walkable.stage import cleared
+    from apartgen.stages.walkable.stage import cleared
 
     return cleared(previous, config, library)
 
 
 def unmet(home: "Walkable", config: WalkableConfig, library: "Candidates") -> str:
     """What a home written by `write_anyway` falls short of, empty if nothing."""
-    from stages.walkable.stage import lacking
+    from apartgen.stages.walkable.stage import lacking
 
     return lacking(home, config, library)

@@ -6,10 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from stages import boxes, footprints, grid, reach
-from stages.walkable import importance
-from stages.walkable.site import Changes, Scene, Site
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, footprints, grid
+from apartgen.stages.walkable import importance
+from apartgen.stages.walkable.site import Changes, Scene, Site
 
 
 @dataclass(frozen=True)

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
-from schemas.retrieve import Furnishing
-from schemas.walkable import Placement, Shift, Step
-from stages.walkable.site import Changes, Scene, swapped
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.schemas.walkable import Placement, Shift, Step
+from apartgen.stages.walkable.site import Changes, Scene, swapped
 
 Action = Literal["replace", "nudge", "drop"]
 

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from schemas.base import Positive, Record
+from apartgen.schemas.base import Positive, Record
 
 Share = Annotated[float, Field(ge=0, lt=1)]
 

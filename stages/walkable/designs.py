@@ -6,11 +6,11 @@ from itertools import islice
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from stages.asset import Asset
-from stages.walkable import placing
-from stages.walkable.site import Candidates, Changes, Scene, Site
-from stages.walkable.smaller import LATENT
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.walkable import placing
+from apartgen.stages.walkable.site import Candidates, Changes, Scene, Site
+from apartgen.stages.walkable.smaller import LATENT
 
 DESIGNS = 12
 """Other designs tried of an object whose parts are blocked."""

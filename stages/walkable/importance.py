@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from schemas.retrieve import Furnishing, Retrieve
-from stages import categories, footprints
-from stages.walkable.site import Need, Scene, Site
+from apartgen.schemas.retrieve import Furnishing, Retrieve
+from apartgen.stages.space import footprints
+from apartgen.stages.things import categories
+from apartgen.stages.walkable.site import Need, Scene, Site
 
 ESSENTIAL = frozenset({
     "double_bed", "single_bed", "bunk_bed", "cot", "wardrobe", "sliding_wardrobe", "desk", "sofa", "corner_sofa",

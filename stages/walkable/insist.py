@@ -3,15 +3,15 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from schemas.retrieve import Furnishing
-from stages import reach
-from stages.walkable import importance, placing
-from stages.walkable.blocking import View
-from stages.walkable.changes import Change, Repair, dropped, nudged, replaced
-from stages.walkable.kinds import stand_ins
-from stages.walkable.places import places
-from stages.walkable.site import Changes, Scene, Site, fits, swapped
-from stages.walkable.ways import Ways, after
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.robot import reach
+from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable.blocking import View
+from apartgen.stages.walkable.changes import Change, Repair, dropped, nudged, replaced
+from apartgen.stages.walkable.kinds import stand_ins
+from apartgen.stages.walkable.places import places
+from apartgen.stages.walkable.site import Changes, Scene, Site, fits, swapped
+from apartgen.stages.walkable.ways import Ways, after
 
 
 class Question(NamedTuple):

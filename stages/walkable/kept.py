@@ -5,8 +5,8 @@ from collections.abc import Hashable, Iterator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stages.asset import Asset
-from stages.walkable.site import Candidates
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.walkable.site import Candidates
 
 
 class Kept:

@@ -5,15 +5,16 @@ from itertools import islice
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from stages import boxes, categories
-from stages.asset import Asset
-from stages.boxes import Array
-from stages.walkable import importance, placing
-from stages.walkable.designs import look
-from stages.walkable.places import kin
-from stages.walkable.site import Changes, Scene, Site
-from stages.walkable.smaller import BUILT_IN, LATENT
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable.designs import look
+from apartgen.stages.walkable.places import kin
+from apartgen.stages.walkable.site import Changes, Scene, Site
+from apartgen.stages.walkable.smaller import BUILT_IN, LATENT
 
 DESIGNS = 24
 """Designs of another kind looked at for one of the same style."""

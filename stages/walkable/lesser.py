@@ -2,15 +2,15 @@
 
 from collections.abc import Collection
 
-from schemas.retrieve import Furnishing
-from schemas.walkable import Step
-from stages import footprints
-from stages.walkable.changes import applied, replaced
-from stages.walkable.kinds import stand_ins
-from stages.walkable.optimize import EPSILON, area_ratio
-from stages.walkable.site import Changes, Scene, Site, fits
-from stages.walkable.smaller import GAIN
-from stages.walkable.ways import Ways, after
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.schemas.walkable import Step
+from apartgen.stages.space import footprints
+from apartgen.stages.walkable.changes import applied, replaced
+from apartgen.stages.walkable.kinds import stand_ins
+from apartgen.stages.walkable.optimize import EPSILON, area_ratio
+from apartgen.stages.walkable.site import Changes, Scene, Site, fits
+from apartgen.stages.walkable.smaller import GAIN
+from apartgen.stages.walkable.ways import Ways, after
 
 
 def lesser_kinds(

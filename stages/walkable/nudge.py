@@ -5,10 +5,11 @@ from itertools import product
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from stages import boxes, categories
-from stages.walkable import placing
-from stages.walkable.site import Changes, Scene, Site
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.space import boxes
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import placing
+from apartgen.stages.walkable.site import Changes, Scene, Site
 
 SHIFTS = (0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Along each of the object's axes, m."""

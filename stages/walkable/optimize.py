@@ -4,14 +4,15 @@ from collections.abc import Collection
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from schemas.walkable import Step
-from stages import categories, footprints
-from stages.boxes import Array
-from stages.walkable import importance, placing
-from stages.walkable.changes import applied, dropped, replaced
-from stages.walkable.site import Scene, Site, in_room
-from stages.walkable.smaller import smaller
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.schemas.walkable import Step
+from apartgen.stages.space import footprints
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable.changes import applied, dropped, replaced
+from apartgen.stages.walkable.site import Scene, Site, in_room
+from apartgen.stages.walkable.smaller import smaller
 
 EPSILON = 1e-9
 

@@ -10,11 +10,12 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from schemas.retrieve import Furnishing, Joint
-from stages import boxes, categories, convex, footprints, sweeps
-from stages.walkable.leaves import LEVERS, Building
-from stages.walkable.solids import Solids
-from stages.wedged import DEPTH, overlap
+from apartgen.schemas.retrieve import Furnishing, Joint
+from apartgen.stages.robot.wedged import DEPTH, overlap
+from apartgen.stages.space import boxes, convex, footprints, sweeps
+from apartgen.stages.things import categories
+from apartgen.stages.walkable.leaves import LEVERS, Building
+from apartgen.stages.walkable.solids import Solids
 
 CLEAR = 0.001
 """Least distance of a part from all that is not its own object, m."""

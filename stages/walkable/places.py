@@ -6,11 +6,12 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from schemas.retrieve import Furnishing
-from stages import boxes, categories, footprints
-from stages.boxes import Array, Boxes
-from stages.walkable import placing
-from stages.walkable.site import COMPANY, SLACK, Changes, Scene, Site, in_room
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.space import boxes, footprints
+from apartgen.stages.space.boxes import Array, Boxes
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import placing
+from apartgen.stages.walkable.site import COMPANY, SLACK, Changes, Scene, Site, in_room
 
 STEP = 0.15
 """Between places tried, m."""

@@ -6,11 +6,12 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from schemas.retrieve import AssetKey, Furnishing, Joint
-from stages import boxes, categories
-from stages.asset import Asset
-from stages.boxes import Array, Boxes
-from stages.walkable.site import Changes, Scene, Site
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array, Boxes
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.walkable.site import Changes, Scene, Site
 
 NEAR = 0.12
 """A side this close to a wall stays at its distance from it, m."""

@@ -6,18 +6,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from stages import boxes, categories, grid, reach
-from stages.boxes import Mask
-from stages.walkable import importance
-from stages.walkable.blocking import View, rooms
-from stages.walkable.changes import Repair
-from stages.walkable.insist import Question, recorded
-from stages.walkable.kinds import stand_ins
-from stages.walkable.places import TURN, places
-from stages.walkable.site import SLACK, Changes, Scene, Site, swapped
-from stages.walkable.smaller import BUILT_IN
-from stages.walkable.ways import Ways
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, grid
+from apartgen.stages.space.boxes import Mask
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import importance
+from apartgen.stages.walkable.blocking import View, rooms
+from apartgen.stages.walkable.changes import Repair
+from apartgen.stages.walkable.insist import Question, recorded
+from apartgen.stages.walkable.kinds import stand_ins
+from apartgen.stages.walkable.places import TURN, places
+from apartgen.stages.walkable.site import SLACK, Changes, Scene, Site, swapped
+from apartgen.stages.walkable.smaller import BUILT_IN
+from apartgen.stages.walkable.ways import Ways
 
 SMALL = 8.0
 """Rooms up to this size are planned anew, m²."""

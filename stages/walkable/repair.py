@@ -10,18 +10,18 @@ from itertools import chain
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from schemas.walkable import Step
-from stages.walkable import importance, placing
-from stages.walkable.blocking import View, blockers, missed, rooms, view
-from stages.walkable.changes import Change, Repair, applied, dropped, merged, nudged, replaced
-from stages.walkable.insist import making_room
-from stages.walkable.nudge import nudges
-from stages.walkable.places import places
-from stages.walkable.rearrange import rearranged
-from stages.walkable.site import Scene, Site, fits
-from stages.walkable.smaller import candidate, limits
-from stages.walkable.ways import Ways, after, ways
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.schemas.walkable import Step
+from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable.blocking import View, blockers, missed, rooms, view
+from apartgen.stages.walkable.changes import Change, Repair, applied, dropped, merged, nudged, replaced
+from apartgen.stages.walkable.insist import making_room
+from apartgen.stages.walkable.nudge import nudges
+from apartgen.stages.walkable.places import places
+from apartgen.stages.walkable.rearrange import rearranged
+from apartgen.stages.walkable.site import Scene, Site, fits
+from apartgen.stages.walkable.smaller import candidate, limits
+from apartgen.stages.walkable.ways import Ways, after, ways
 
 SHARES = (0.9, 0.8, 0.7, 0.6)
 """Sizes tried for a blocking object."""

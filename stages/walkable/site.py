@@ -10,12 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 from shapely import Geometry
 from shapely.ops import unary_union
 
-from schemas.layout import Box
-from schemas.plan import Opening, Plan, Program
-from schemas.retrieve import Furnishing
-from stages import boxes, categories, footprints, polygons, reach, sweeps
-from stages.asset import Asset
-from stages.walkable.config import WalkableConfig
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, footprints, polygons, sweeps
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.walkable.config import WalkableConfig
 
 SLACK = 0.004
 """Contact that a change may make, m: less than half of what counts as collision."""

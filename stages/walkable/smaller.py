@@ -4,11 +4,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from stages import categories
-from stages.boxes import Array
-from stages.walkable import placing
-from stages.walkable.site import Changes, Scene, Site, fits
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import placing
+from apartgen.stages.walkable.site import Changes, Scene, Site, fits
 
 GAIN = 0.98
 """A smaller candidate's footprint is at most this share of the old one."""

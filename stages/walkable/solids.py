@@ -5,12 +5,13 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from schemas.retrieve import Furnishing, Joint
-from stages import categories, convex
-from stages.asset import Asset, Collider, Link
-from stages.convex import Hulls
-from stages.walkable.site import Candidates
-from stages.wedged import Shapes, prisms
+from apartgen.schemas.retrieve import Furnishing, Joint
+from apartgen.stages.robot.wedged import Shapes, prisms
+from apartgen.stages.space import convex
+from apartgen.stages.space.convex import Hulls
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset, Collider, Link
+from apartgen.stages.walkable.site import Candidates
 
 
 class Solid(NamedTuple):

@@ -3,23 +3,23 @@
 import logging
 from collections.abc import Iterable
 
-from schemas.errors import Unmet
-from schemas.retrieve import Furnishing, Retrieve
-from schemas.walkable import Blocked, Replaced, Report, Step, Walkable
-from stages import categories
-from stages.walkable import importance, repair
-from stages.walkable.blocking import missed
-from stages.walkable.blocking import rooms as rooms_of
-from stages.walkable.config import WalkableConfig
-from stages.walkable.kept import Kept
-from stages.walkable.leaves import building
-from stages.walkable.lesser import lesser_kinds
-from stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
-from stages.walkable.parts import Check, Fault
-from stages.walkable.site import Candidates, Scene, Site, survey
-from stages.walkable.solids import Solids
-from stages.walkable.unblock import unblock
-from stages.walkable.ways import ways
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.retrieve import Furnishing, Retrieve
+from apartgen.schemas.walkable import Blocked, Replaced, Report, Step, Walkable
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import importance, repair
+from apartgen.stages.walkable.blocking import missed
+from apartgen.stages.walkable.blocking import rooms as rooms_of
+from apartgen.stages.walkable.config import WalkableConfig
+from apartgen.stages.walkable.kept import Kept
+from apartgen.stages.walkable.leaves import building
+from apartgen.stages.walkable.lesser import lesser_kinds
+from apartgen.stages.walkable.optimize import EPSILON, area_ratio, optimize, thin_out
+from apartgen.stages.walkable.parts import Check, Fault
+from apartgen.stages.walkable.site import Candidates, Scene, Site, survey
+from apartgen.stages.walkable.solids import Solids
+from apartgen.stages.walkable.unblock import unblock
+from apartgen.stages.walkable.ways import ways
 
 LOG = logging.getLogger("apartgen")
 

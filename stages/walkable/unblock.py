@@ -11,20 +11,21 @@ from itertools import islice
 
 import numpy as np
 
-from schemas.retrieve import Furnishing
-from schemas.walkable import Step
-from stages import boxes, categories
-from stages.walkable import importance, placing
-from stages.walkable.blocking import missed
-from stages.walkable.changes import Change, applied, dropped, nudged, replaced
-from stages.walkable.designs import redesigned
-from stages.walkable.nudge import nudges
-from stages.walkable.optimize import EPSILON, area_ratio
-from stages.walkable.parts import PLACE, Check, Fault, stuck_doors
-from stages.walkable.places import places
-from stages.walkable.site import Changes, Scene, Site, fits, swapped
-from stages.walkable.smaller import candidate, limits
-from stages.walkable.ways import Ways, after, ways
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.schemas.walkable import Step
+from apartgen.stages.space import boxes
+from apartgen.stages.things import categories
+from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable.blocking import missed
+from apartgen.stages.walkable.changes import Change, applied, dropped, nudged, replaced
+from apartgen.stages.walkable.designs import redesigned
+from apartgen.stages.walkable.nudge import nudges
+from apartgen.stages.walkable.optimize import EPSILON, area_ratio
+from apartgen.stages.walkable.parts import PLACE, Check, Fault, stuck_doors
+from apartgen.stages.walkable.places import places
+from apartgen.stages.walkable.site import Changes, Scene, Site, fits, swapped
+from apartgen.stages.walkable.smaller import candidate, limits
+from apartgen.stages.walkable.ways import Ways, after, ways
 
 SLIGHT = (0.003, 0.006, 0.012, 0.025)
 """Shifts in any direction tried first, even away from a wall, m."""

@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stages import grid, reach
-from stages.boxes import Mask
-from stages.walkable.site import Changes, Scene, Site, swapped
+from apartgen.stages.robot import reach
+from apartgen.stages.space import grid
+from apartgen.stages.space.boxes import Mask
+from apartgen.stages.walkable.site import Changes, Scene, Site, swapped
 
 
 @dataclass(frozen=True)

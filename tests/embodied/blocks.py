@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from schemas.plan import Opening, Plan, Program
-from schemas.retrieve import AssetKey, Furnishing, Retrieve
-from stages import registry, solids
-from stages.asset import Asset, Link
-from stages.materials import PALETTE
-from stages.scene import Scene
+from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
+from apartgen.stages import registry
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.materials import PALETTE
 
 
 def block(id, x, y, depth, width, yaw=0.0, room="hallway_1", height=1.0, category="bookshelf"):
@@ -41,5 +42,5 @@ def exported(home, folder):
     """The scene and its apartment.xml."""
     scene = Scene(home, load)
     folder.mkdir(parents=True, exist_ok=True)
-    registry.load("stages.export", "mjcf").write(scene, folder)
+    registry.load("apartgen.stages.export", "mjcf").write(scene, folder)
     return scene, folder / "mjcf" / "apartment.xml"

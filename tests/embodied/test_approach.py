@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from embodied.test_interact import CARCASS, HIGH, block, chest, drawer, flat, link, opened  # noqa: F401 (a fixture)
 
-from schemas.retrieve import Joint
-from stages.embodied import base, drive, floor, interact, world
-from stages.embodied.interact import act, ground, stand
-from stages.embodied.interact.ground import Ground
-from stages.embodied.interact.plan import Planner
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.embodied import base, drive, floor, interact, world
+from apartgen.stages.embodied.interact import act, ground, stand
+from apartgen.stages.embodied.interact.ground import Ground
+from apartgen.stages.embodied.interact.plan import Planner
 
 
 def test_the_arm_begins_where_the_drive_has_ended(flat):  # noqa: F811

@@ -5,10 +5,10 @@ from pathlib import Path
 import commandline
 import pytest
 
+from apartgen.schemas import artifact
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.schemas.walkable import Walkable
 from apartgen_cli.bench import embodied
-from schemas import artifact
-from schemas.retrieve import Retrieve
-from schemas.walkable import Walkable
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "two-bedroom-flat" / "walkable.json"
 FIRST = "guided-7"

@@ -15,16 +15,17 @@ import numpy as np
 import pytest
 from embodied import blocks
 
+from apartgen.schemas import artifact
+from apartgen.schemas.plan import Room
+from apartgen.schemas.retrieve import Joint, Retrieve
+from apartgen.stages import export
+from apartgen.stages.embodied import base, episodes, navigate, planner, pursuit
+from apartgen.stages.embodied.instructions import instruction
+from apartgen.stages.export import nav2
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Link
+from apartgen.stages.things.body import Body
 from apartgen_cli.bench import embodied as bench
-from schemas import artifact
-from schemas.plan import Room
-from schemas.retrieve import Joint, Retrieve
-from stages import export, solids
-from stages.asset import Link
-from stages.body import Body
-from stages.embodied import base, episodes, navigate, planner, pursuit
-from stages.embodied.instructions import instruction
-from stages.export import nav2
 
 yaml = pytest.importorskip("yaml")
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -7,20 +7,20 @@ import mujoco
 import numpy as np
 import pytest
 
-from schemas.retrieve import Joint
-from stages import solids
-from stages.asset import Asset, Link
-from stages.embodied import interact, world
-from stages.embodied.interact import parts, robot
-from stages.embodied.interact.act import Actor
-from stages.embodied.interact.aim import OPTIONS
-from stages.embodied.interact.chains import GOAL, STEPS, Chains
-from stages.embodied.interact.near import Surroundings
-from stages.embodied.interact.plan import Planner
-from stages.embodied.interact.probe import CLEARANCE, Probe
-from stages.export import mjcf
-from stages.materials import PALETTE
-from stages.scene import Scene
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.embodied import interact, world
+from apartgen.stages.embodied.interact import parts, robot
+from apartgen.stages.embodied.interact.act import Actor
+from apartgen.stages.embodied.interact.aim import OPTIONS
+from apartgen.stages.embodied.interact.chains import GOAL, STEPS, Chains
+from apartgen.stages.embodied.interact.near import Surroundings
+from apartgen.stages.embodied.interact.plan import Planner
+from apartgen.stages.embodied.interact.probe import CLEARANCE, Probe
+from apartgen.stages.export import mjcf
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.materials import PALETTE
 
 SIZE = (0.5, 0.8, 0.8)
 LOW, HIGH = -np.array(SIZE) / 2, np.array(SIZE) / 2

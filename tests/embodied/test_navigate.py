@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from embodied import blocks
 
-from stages.embodied import base, floor, goals, navigate, planner, world
-from stages.embodied.drive import GRAZE, STEP, drive, felt
-from stages.embodied.pursuit import Pursuit
+from apartgen.stages.embodied import base, floor, goals, navigate, planner, world
+from apartgen.stages.embodied.drive import GRAZE, STEP, drive, felt
+from apartgen.stages.embodied.pursuit import Pursuit
 
 
 def _run(home, folder, seed=0, **more):
@@ -119,7 +119,7 @@ def test_a_robot_that_gets_no_further_goes_from_point_to_point(tmp_path):
 def test_where_contacts_are_not_looked_for_there_are_none_and_it_drives_alike(tmp_path, monkeypatch):
     home = _beyond(0.62)
     (some,) = _run(home, tmp_path, only="goal")
-    monkeypatch.setattr("stages.embodied.drive._NEAR", 10.0)
+    monkeypatch.setattr("apartgen.stages.embodied.drive._NEAR", 10.0)
     (fine,) = _run(home, tmp_path, only="goal")
     assert fine.success == some.success and fine.numbers["touches"] == some.numbers["touches"]
     for key, off in (("metres", 0.02), ("seconds", 0.6), ("missed", 0.02)):

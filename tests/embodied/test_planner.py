@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from embodied import blocks
 
-from stages.embodied import floor, planner, world
+from apartgen.stages.embodied import floor, planner, world
 
 
 @pytest.fixture(scope="module")

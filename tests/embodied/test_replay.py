@@ -13,11 +13,11 @@ from mujoco.rendering.classic import gl_context
 from PIL import Image
 from shapely.geometry import Point
 
-from stages import polygons
-from stages.embodied import base, interact, marks, navigate, replay, world
-from stages.embodied.outcome import Outcome, Trace
-from stages.export import mjcf
-from stages.scene import Scene
+from apartgen.stages.embodied import base, interact, marks, navigate, replay, world
+from apartgen.stages.embodied.outcome import Outcome, Trace
+from apartgen.stages.export import mjcf
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space import polygons
 
 SMALL = (160, 120)
 

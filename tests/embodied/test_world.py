@@ -7,11 +7,12 @@ import shapely
 from embodied import blocks
 from export import sample
 
-from schemas.errors import BadInput
-from stages import export, reach
-from stages.embodied import base, floor, planner, world
-from stages.grid import Grid
-from stages.scene import Scene
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import export
+from apartgen.stages.embodied import base, floor, planner, world
+from apartgen.stages.robot import reach
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space.grid import Grid
 
 
 @pytest.fixture(scope="module")

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import pytest
 from export import sample
 
-from schemas import artifact
-from schemas.walkable import Walkable
-from stages import export, retrieve
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.scene import Scene
+from apartgen.schemas import artifact
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages import export, retrieve
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.scene.scene import Scene
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "two-bedroom-flat" / "walkable.json"
 FILES = ("mjcf", "usd", "urdf", "sdf", "glb", "habitat", "procthor", "nav2")
@@ -26,7 +26,7 @@ class Made(NamedTuple):
 
 @pytest.fixture(autouse=True, scope="session")
 def _small_pictures():
-    from stages.export import _render
+    from apartgen.stages.export import _render
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(_render, "PIXELS", 30_000)

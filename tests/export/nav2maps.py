@@ -6,7 +6,8 @@ from PIL import Image
 from shapely import contains_xy
 from shapely.ops import unary_union
 
-from stages import footprints, polygons, reach
+from apartgen.stages.robot import reach
+from apartgen.stages.space import footprints, polygons
 
 KEYS = {"image", "mode", "resolution", "origin", "negate", "occupied_thresh", "free_thresh"}
 

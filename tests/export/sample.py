@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from schemas.plan import AskedRoom, Opening, Plan, Program, Room
-from schemas.retrieve import AssetKey, Furnishing, Joint
-from schemas.walkable import Report, Walkable
-from stages import categories, solids
-from stages.asset import Asset, Collider, Link
-from stages.materials import PALETTE
+from apartgen.schemas.plan import AskedRoom, Opening, Plan, Program, Room
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
+from apartgen.schemas.walkable import Report, Walkable
+from apartgen.stages.things import categories, solids
+from apartgen.stages.things.asset import Asset, Collider, Link
+from apartgen.stages.things.materials import PALETTE
 
 ROOMS = {
     "living_room_1": ("living_room", (0.0, 0.0, 5.2, 4.0)),

@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from stages.body import inertia
+from apartgen.stages.things.body import inertia
 
 
 @pytest.fixture(params=["sample", "flat"])

@@ -12,8 +12,8 @@ import pytest
 from export import nav2maps, physics, test_coincide
 from test_acceptance import PROMPTS
 
-from schemas import artifact
-from schemas.walkable import Walkable
+from apartgen.schemas import artifact
+from apartgen.schemas.walkable import Walkable
 
 SECONDS, DRIFT, GAIN, CALM = 5.0, 0.02, 0.1, 0.01
 """How long a flat is left alone; the most that anything may go, m, and gain, J; its greatest speed at the end."""

@@ -10,9 +10,9 @@ from xml.etree import ElementTree
 import pytest
 from export import readers, sample
 
-from schemas.errors import BadInput
-from stages import export
-from stages.scene import Scene
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import export
+from apartgen.stages.scene.scene import Scene
 
 DRAWINGS = ("svg", "png")
 FORMATS = [name for name in export.formats() if name not in (*DRAWINGS, "view")]

@@ -8,7 +8,7 @@ import pytest
 import trimesh
 from export import sample
 
-from stages.scene import Scene
+from apartgen.stages.scene.scene import Scene
 
 
 @pytest.fixture(scope="module")

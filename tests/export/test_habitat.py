@@ -8,9 +8,10 @@ import trimesh
 from export import sample
 from scipy.spatial.transform import Rotation
 
-from stages import categories, export
-from stages.export._hull import hull
-from stages.scene import Scene
+from apartgen.stages import export
+from apartgen.stages.export._hull import hull
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things import categories
 
 UP = trimesh.transformations.rotation_matrix(-np.pi / 2, [1, 0, 0])
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from export import sample
 
-from stages import export
-from stages.export.html import VIEWER
+from apartgen.stages import export
+from apartgen.stages.export.html import VIEWER
 
 BROWSERS = ("chromium", "google-chrome", "chrome")
 MOST = 1_500_000

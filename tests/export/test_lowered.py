@@ -3,9 +3,9 @@
 import numpy as np
 from export import sample
 
-from stages.export._lowered import HEIGHT, lowered
-from stages.export._section import section
-from stages.scene import Scene
+from apartgen.stages.export._lowered import HEIGHT, lowered
+from apartgen.stages.export._section import section
+from apartgen.stages.scene.scene import Scene
 
 
 def tops(bodies):

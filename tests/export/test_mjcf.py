@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from export import physics, sample
 
-from stages import export
-from stages.scene import Scene
+from apartgen.stages import export
+from apartgen.stages.scene.scene import Scene
 
 
 @pytest.fixture(scope="module")

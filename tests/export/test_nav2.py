@@ -9,14 +9,16 @@ from export.conftest import EXAMPLE
 from scipy import ndimage
 from shapely.geometry import Point
 
-from schemas import artifact
-from schemas.retrieve import AssetKey
-from schemas.walkable import Walkable
-from stages import footprints, polygons, reach, solids, sweeps
-from stages.asset import Asset, Link
-from stages.export import nav2
-from stages.materials import PALETTE
-from stages.scene import Scene
+from apartgen.schemas import artifact
+from apartgen.schemas.retrieve import AssetKey
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages.export import nav2
+from apartgen.stages.robot import reach
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space import footprints, polygons, sweeps
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.materials import PALETTE
 
 
 @pytest.fixture(scope="module")

@@ -3,9 +3,10 @@
 import pytest
 from export import readers, sample
 
-from schemas.errors import BadInput
-from stages import export, placed
-from stages.scene import Scene
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import export
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things import placed
 
 FORMATS = ("mjcf", "usd", "urdf", "sdf", "glb", "habitat")
 

@@ -9,12 +9,14 @@ from export import sample
 from export.conftest import EXAMPLE
 from shapely.geometry import LineString, Point, Polygon
 
-from schemas import artifact
-from schemas.errors import BadInput
-from schemas.walkable import Walkable
-from stages import categories, export, polygons
-from stages.export import _thor
-from stages.layout.datasets import procthor
+from apartgen.schemas import artifact
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages import export
+from apartgen.stages.export import _thor
+from apartgen.stages.layout.datasets import procthor
+from apartgen.stages.space import polygons
+from apartgen.stages.things import categories
 
 KEYS = {
     "rooms": "id roomType floorPolygon floorMaterial children ceilings", "walls": "id roomId polygon material",

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from export import sample
 
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.stages import export, registry
 from apartgen_cli.export import principal
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from stages import export, registry
 
 ROOT = Path(__file__).parents[2]
 FORMATS = list(export.formats())

@@ -6,10 +6,11 @@ import trimesh
 from export import sample
 from shapely.geometry import Point, box
 
-from stages import polygons, shell, solids
-from stages.body import inertia
-from stages.materials import PALETTE
-from stages.scene import Scene, identifier
+from apartgen.stages.scene.scene import Scene, identifier
+from apartgen.stages.space import polygons
+from apartgen.stages.things import shell, solids
+from apartgen.stages.things.body import inertia
+from apartgen.stages.things.materials import PALETTE
 
 
 @pytest.fixture(scope="module")
@@ -139,7 +140,7 @@ def test_names_are_unique_identifiers():
 
 def test_mass_properties_agree_with_an_independent_computation():
     """A hull in the shape of a box has the box's inertia; trimesh agrees on a skew hull."""
-    from stages.asset import Collider, Link
+    from apartgen.stages.things.asset import Collider, Link
 
     rng = np.random.default_rng(3)
     points = rng.normal(size=(14, 3)) * [0.3, 0.5, 0.2]

@@ -7,9 +7,9 @@ import pytest
 import trimesh
 from export import sample
 
-from stages import export
-from stages.body import inertia
-from stages.scene import Scene
+from apartgen.stages import export
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things.body import inertia
 
 
 @pytest.fixture(scope="module")

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from export import sample
 
-from stages import export
-from stages.body import inertia
-from stages.scene import Scene
+from apartgen.stages import export
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things.body import inertia
 
 pytest.importorskip("pxr")
 from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdValidation  # noqa: E402

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
-from stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, Rooms, oriented
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, Rooms, oriented
+from apartgen.stages.things.categories import CATEGORIES
 
 
 def some_rooms(n: int, seed: int = 0) -> Rooms:

@@ -5,9 +5,9 @@ from itertools import islice
 import numpy as np
 from rooms_for_tests import some_rooms
 
-from stages.layout.config import N_MAX, TrainConfig
-from stages.layout.corpus import Corpus
-from stages.layout.train import TOKEN_BINS, indices
+from apartgen.stages.layout.config import N_MAX, TrainConfig
+from apartgen.stages.layout.corpus import Corpus
+from apartgen.stages.layout.train import TOKEN_BINS, indices
 
 
 def corpus(n: int = 60) -> Corpus:

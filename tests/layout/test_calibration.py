@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 import torch
 
-from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
-from stages.layout import calibration, weights
-from stages.layout.corpus import Corpus, read_corpus
-from stages.layout.datasets import _arrays, single_rooms
-from stages.layout.features import CLASS
-from stages.layout.network import Denoiser
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.layout import calibration, weights
+from apartgen.stages.layout.corpus import Corpus, read_corpus
+from apartgen.stages.layout.datasets import _arrays, single_rooms
+from apartgen.stages.layout.features import CLASS
+from apartgen.stages.layout.network import Denoiser
+from apartgen.stages.things.categories import CATEGORIES
 
 SHAPE = (len(ROOM_TYPES), len(CATEGORIES))
 PLANT = CATEGORIES.index("plant")

@@ -5,12 +5,12 @@ import pytest
 import torch
 from rooms_for_tests import some_rooms
 
-from stages.layout import diffusion, samplers
-from stages.layout.config import ModelConfig, T
-from stages.layout.diffusion import Prediction
-from stages.layout.features import CLASS, DIM, EMPTY, N_CLASSES, Objects, decode, encode
-from stages.layout.network import Denoiser
-from stages.layout.schedule import ALPHA_BAR
+from apartgen.stages.layout import diffusion, samplers
+from apartgen.stages.layout.config import ModelConfig, T
+from apartgen.stages.layout.diffusion import Prediction
+from apartgen.stages.layout.features import CLASS, DIM, EMPTY, N_CLASSES, Objects, decode, encode
+from apartgen.stages.layout.network import Denoiser
+from apartgen.stages.layout.schedule import ALPHA_BAR
 
 TINY = ModelConfig(width=48, layers=2, heads=4, encoder_layers=1)
 

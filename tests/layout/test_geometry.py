@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import torch
 
-from stages import boxes as exact
-from stages.categories import CATEGORIES, TABLE
-from stages.categories import reach as exact_reach
-from stages.layout import geometry
-from stages.layout.geometry import Boxes
+from apartgen.stages.layout import geometry
+from apartgen.stages.layout.geometry import Boxes
+from apartgen.stages.space import boxes as exact
+from apartgen.stages.things.categories import CATEGORIES, TABLE
+from apartgen.stages.things.categories import reach as exact_reach
 
 
 def random_boxes(rng: np.random.Generator, n: int = 12, rooms: int = 2) -> Boxes:

@@ -5,17 +5,17 @@ import pytest
 import torch
 from rooms_for_tests import some_rooms
 
-from stages import registry
-from stages.categories import CATEGORIES
-from stages.layout import geometry, guided
-from stages.layout.config import LayoutConfig, ModelConfig
-from stages.layout.diffusion import Prediction
-from stages.layout.features import CLASS, EMPTY, N_CLASSES, PLACE, Objects, encode
-from stages.layout.geometry import Boxes, floor_of
-from stages.layout.schedule import ALPHA_BAR
+from apartgen.stages import registry
+from apartgen.stages.layout import geometry, guided
+from apartgen.stages.layout.config import LayoutConfig, ModelConfig
+from apartgen.stages.layout.diffusion import Prediction
+from apartgen.stages.layout.features import CLASS, EMPTY, N_CLASSES, PLACE, Objects, encode
+from apartgen.stages.layout.geometry import Boxes, floor_of
+from apartgen.stages.layout.schedule import ALPHA_BAR
+from apartgen.stages.things.categories import CATEGORIES
 
 MODEL = ModelConfig()
-SPATIAL = [name for name in registry.members("stages.layout.guidance") if name not in ("quantity",)]
+SPATIAL = [name for name in registry.members("apartgen.stages.layout.guidance") if name not in ("quantity",)]
 
 
 def boxes(*rows: tuple[str, float, float, float]) -> Boxes:
@@ -37,7 +37,7 @@ def boxes(*rows: tuple[str, float, float, float]) -> Boxes:
 
 
 def energy(name: str, found: Boxes) -> float:
-    return float(registry.load("stages.layout.guidance", name).energy(found, floor_of(some_rooms(1)))[0])
+    return float(registry.load("apartgen.stages.layout.guidance", name).energy(found, floor_of(some_rooms(1)))[0])
 
 
 def test_articulation_sees_the_blocked_drawer_only() -> None:
@@ -60,7 +60,7 @@ def test_walkway_wants_gaps_flush_or_wide() -> None:
     """Two 0.8 m boxes in the middle of a room, 1.1 m from any wall: only the gap between them counts."""
     room = some_rooms(1, 3)
     room.polygon[0, :4] = [[-2.5, -2.5], [2.5, -2.5], [2.5, 2.5], [-2.5, 2.5]]
-    module = registry.load("stages.layout.guidance", "walkway")
+    module = registry.load("apartgen.stages.layout.guidance", "walkway")
 
     def value(gap: float, other: str = "sofa") -> float:
         found = boxes(("chest", -0.4 - gap / 2, 0, 0), (other, 0.4 + gap / 2, 0.1, np.pi))
@@ -103,7 +103,7 @@ def test_gradient_descends(name: str) -> None:
     )
     x = encode(objects, MODEL)
     logits = x[..., CLASS] * 10
-    module = registry.load("stages.layout.guidance", name)
+    module = registry.load("apartgen.stages.layout.guidance", name)
 
     def value(state: torch.Tensor) -> float:
         return float(module.energy(geometry.boxes_of(Prediction(state, logits), MODEL.class_scale), floor_of(rooms))[0])
@@ -115,7 +115,7 @@ def test_gradient_descends(name: str) -> None:
 
 def test_paper_scaling_shifts_the_posterior_mean_by_lambda_sigma_gradient() -> None:
     """Eq. 2 for one DDPM step, whatever the sampler sees: μ′ = μ - λΣ∇φ(μ)."""
-    from stages.layout.samplers import posterior
+    from apartgen.stages.layout.samplers import posterior
 
     config = LayoutConfig(scaling="sigma", guidance_scale=3.0)
     rooms, t = some_rooms(1), 9
@@ -141,7 +141,7 @@ def test_quantity_energy_is_eq_3() -> None:
     found.empty = torch.tensor([[0.1, 0.9]])
     room = floor_of(some_rooms(1))
     room.empty = torch.tensor([[0.0, 1.0]])
-    module = registry.load("stages.layout.guidance", "quantity")
+    module = registry.load("apartgen.stages.layout.guidance", "quantity")
     logit = 0.4 * module.SHARPNESS
     assert float(module.energy(found, room)[0]) == pytest.approx(np.log1p(np.exp(-logit)), rel=1e-4)
     room.empty = torch.tensor([[1.0, 0.0]])
@@ -185,8 +185,8 @@ def test_schedule_is_respected() -> None:
 @pytest.mark.parametrize("wanted", [6, 13])
 def test_late_quantity_guidance_makes_counts_exact(wanted: int) -> None:
     """Eq. 3 on the shipped model: the slots of lowest empty logit are filled, the rest empty, in every room."""
-    from stages.layout import weights
-    from stages.layout.sample import sample
+    from apartgen.stages.layout import weights
+    from apartgen.stages.layout.sample import sample
 
     rooms = some_rooms(6)
     rooms.type[:] = 3

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from rooms_for_tests import some_rooms
 
-from stages import boxes
-from stages.boxes import Boxes
-from stages.categories import CATEGORIES, TABLE
-from stages.layout.projection import comfort
-from stages.layout.projection.costs import BROKEN
-from stages.layout.projection.habits import habits
-from stages.layout.projection.partners import LOW_RUN, around, long_enough
-from stages.layout.projection.project import _rank, project
-from stages.layout.projection.space import Space, space_of
-from stages.layout.projection.standing import Item
-from stages.layout.sense import essentials
+from apartgen.stages.layout.projection import comfort
+from apartgen.stages.layout.projection.costs import BROKEN
+from apartgen.stages.layout.projection.habits import habits
+from apartgen.stages.layout.projection.partners import LOW_RUN, around, long_enough
+from apartgen.stages.layout.projection.project import _rank, project
+from apartgen.stages.layout.projection.space import Space, space_of
+from apartgen.stages.layout.projection.standing import Item
+from apartgen.stages.layout.sense import essentials
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 NOTHING: tuple[Boxes, list[str]] = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)), []
 KITCHEN = ["fridge", "kitchen_sink", "kitchen_base", "hob", "hood", "wall_unit"]

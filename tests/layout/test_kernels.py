@@ -1,4 +1,4 @@
-"""Compiled loops agree with what they stand for, written with the arrays of `stages.boxes` and scipy."""
+"""Compiled loops agree with what they stand for, written with the arrays of `apartgen.stages.space.boxes` and scipy."""
 
 import numpy as np
 import pytest
@@ -6,13 +6,13 @@ from numpy.typing import NDArray
 from rooms_for_tests import some_rooms
 from test_projection import random_items
 
-from stages import boxes, grid
-from stages.boxes import Boxes, penetration
-from stages.layout.projection import candidates
-from stages.layout.projection.costs import BROKEN, FARTHEST, SLACK, TURN, cost, grown
-from stages.layout.projection.paths import BESIDE, DOOR, RADII, SLIVER, UNREACHED, Paths
-from stages.layout.projection.space import Space, outside, space_of
-from stages.layout.projection.standing import Standing
+from apartgen.stages.layout.projection import candidates
+from apartgen.stages.layout.projection.costs import BROKEN, FARTHEST, SLACK, TURN, cost, grown
+from apartgen.stages.layout.projection.paths import BESIDE, DOOR, RADII, SLIVER, UNREACHED, Paths
+from apartgen.stages.layout.projection.space import Space, outside, space_of
+from apartgen.stages.layout.projection.standing import Standing
+from apartgen.stages.space import boxes, grid
+from apartgen.stages.space.boxes import Boxes, penetration
 
 Array = NDArray[np.float64]
 

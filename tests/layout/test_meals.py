@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from schemas.layout import Box
-from schemas.plan import AskedObjects, Plan
-from stages.layout import LayoutConfig, run_many
-from stages.layout.datasets import furnisher
-from stages.layout.meals import TABLES, table_of
-from stages.plan import PlanConfig, build
-from stages.plan.study import archetypes
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import AskedObjects, Plan
+from apartgen.stages.layout import LayoutConfig, run_many
+from apartgen.stages.layout.datasets import furnisher
+from apartgen.stages.layout.meals import TABLES, table_of
+from apartgen.stages.plan import PlanConfig, build
+from apartgen.stages.plan.study import archetypes
 
 
 @pytest.fixture(scope="module")

@@ -6,15 +6,15 @@ import shapely
 from rooms_for_tests import some_rooms
 from test_projection import random_items
 
-from stages import boxes, grid
-from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.layout.projection import moves, passage
-from stages.layout.projection.costs import BROKEN
-from stages.layout.projection.paths import SLIVER, Paths
-from stages.layout.projection.project import project
-from stages.layout.projection.space import Space, outside
-from stages.layout.projection.standing import Item, Standing
+from apartgen.stages.layout.projection import moves, passage
+from apartgen.stages.layout.projection.costs import BROKEN
+from apartgen.stages.layout.projection.paths import SLIVER, Paths
+from apartgen.stages.layout.projection.project import project
+from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.projection.standing import Item, Standing
+from apartgen.stages.space import boxes, grid
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 
 RADIUS = 0.16
 
@@ -88,7 +88,7 @@ def test_a_room_in_one_piece_is_left_alone() -> None:
 
 @pytest.mark.parametrize("seed", range(10))
 def test_joining_breaks_nothing_and_cuts_off_no_more(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    from stages.layout.projection.space import space_of
+    from apartgen.stages.layout.projection.space import space_of
 
     room = space_of(some_rooms(1, seed), 0)
     items = random_items(np.random.default_rng(50 + seed), 8)

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from rooms_for_tests import some_rooms
 
-from stages import boxes
-from stages.boxes import Boxes
-from stages.categories import TABLE, belong_together, reach
-from stages.layout.projection.costs import BROKEN, SOFT
-from stages.layout.projection.project import project
-from stages.layout.projection.space import outside, space_of
-from stages.layout.projection.standing import Item
+from apartgen.stages.layout.projection.costs import BROKEN, SOFT
+from apartgen.stages.layout.projection.project import project
+from apartgen.stages.layout.projection.space import outside, space_of
+from apartgen.stages.layout.projection.standing import Item
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE, belong_together, reach
 
 KINDS = [
     "double_bed",

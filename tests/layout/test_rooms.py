@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput
-from schemas.plan import Opening, Plan, Program, Room
-from stages.layout.projection.space import space_of
-from stages.layout.rooms import of_plan
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.plan import Opening, Plan, Program, Room
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.rooms import of_plan
 
 
 def corridor(doors: int) -> Plan:

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import torch
 
-from schemas.base import ROOM_TYPES
-from stages.categories import CATEGORIES
-from stages.layout.features import EMPTY, N_CLASSES
-from stages.layout.guided import assign
-from stages.layout.sense import at_home, sense, settle
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.layout.features import EMPTY, N_CLASSES
+from apartgen.stages.layout.guided import assign
+from apartgen.stages.layout.sense import at_home, sense, settle
+from apartgen.stages.things.categories import CATEGORIES
 
 
 def classes(kind: str, seed: int, n: int = 9, wanted: dict[str, int] | None = None) -> list[str]:

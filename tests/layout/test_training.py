@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 import torch
 
-from schemas.errors import BadInput, Unmet
-from stages.layout import train, weights
-from stages.layout.config import ModelConfig, TrainConfig
-from stages.layout.corpus import batch, read_corpus, shape_latents
-from stages.layout.datasets import _arrays, single_rooms
-from stages.layout.network import Denoiser
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.stages.layout import train, weights
+from apartgen.stages.layout.config import ModelConfig, TrainConfig
+from apartgen.stages.layout.corpus import batch, read_corpus, shape_latents
+from apartgen.stages.layout.datasets import _arrays, single_rooms
+from apartgen.stages.layout.network import Denoiser
 
 TINY = ModelConfig(width=48, layers=2, heads=4, encoder_layers=1)
 

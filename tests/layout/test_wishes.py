@@ -7,11 +7,11 @@ import handmade as h
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput, Unmet
-from schemas.plan import Plan
-from stages import layout
-from stages.layout import wishes
-from stages.layout.config import LayoutConfig
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import Plan
+from apartgen.stages import layout
+from apartgen.stages.layout import wishes
+from apartgen.stages.layout.config import LayoutConfig
 
 
 def asking(objects: Sequence[tuple[str, int]] = (), counts: dict[str, int] | None = None) -> Plan:

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from handmade import plan
 
-from stages import layout
-from stages.layout import batch
-from stages.layout.config import LayoutConfig
+from apartgen.stages import layout
+from apartgen.stages.layout import batch
+from apartgen.stages.layout.config import LayoutConfig
 
 
 def test_the_number_of_workers_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,9 +5,9 @@ import re
 import pytest
 from matplotlib.figure import Figure
 
+from apartgen.stages.plan.prompts import cases
 from apartgen_cli.bench import articulation, controllability
 from apartgen_cli.bench._compared import REAL
-from stages.plan.prompts import cases
 
 
 def test_the_note_counts_the_prompts_that_give_areas():

@@ -7,10 +7,10 @@ import networkx as nx
 import numpy as np
 import pytest
 
-from schemas.plan import Program
-from stages import graphs
-from stages.graph_matching import matched
-from stages.metrics import graph
+from apartgen.schemas.plan import Program
+from apartgen.stages.metrics import graph
+from apartgen.stages.space import graphs
+from apartgen.stages.space.graph_matching import matched
 
 
 def program(rooms, links):

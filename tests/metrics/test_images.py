@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from schemas.errors import BadInput
-from stages import metrics
-from stages.metrics import _distances, _networks, _pictures, _seen, fid
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import metrics
+from apartgen.stages.metrics import _distances, _networks, _pictures, _seen, fid
 
 RNG = np.random.default_rng
 
@@ -104,7 +104,7 @@ def test_higher_things_cover_lower_ones_in_any_order():
 
 
 def test_colours_of_categories_differ():
-    from stages.categories import CATEGORIES
+    from apartgen.stages.things.categories import CATEGORIES
 
     assert len({_pictures.colour(name) for name in CATEGORIES}) > 0.9 * len(CATEGORIES)
 

@@ -7,9 +7,9 @@ import commandline
 import handmade as h
 import pytest
 
-from schemas import artifact
-from schemas.artifact import Made
-from schemas.metrics import Metrics
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Made
+from apartgen.schemas.metrics import Metrics
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 import pytest
 
-from stages.metrics import _physics
+from apartgen.stages.metrics import _physics
 
 pytest.importorskip("mujoco")
 

@@ -4,9 +4,9 @@ import handmade as h
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput
-from stages import metrics
-from stages.metrics import articulation, collision, counts, doorways, outside, reachable, relations, walkable
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import metrics
+from apartgen.stages.metrics import articulation, collision, counts, doorways, outside, reachable, relations, walkable
 
 
 def figure(values, name, version="ours", of="apartment"):
@@ -189,9 +189,9 @@ def test_run_measures_what_applies():
 
 @pytest.mark.parametrize("name", metrics.names())
 def test_every_metric_takes_an_empty_flat_and_is_repeatable(name):
-    from stages import registry
+    from apartgen.stages import registry
 
-    member = registry.load("stages.metrics", name)
+    member = registry.load("apartgen.stages.metrics", name)
     assert hasattr(member, "measure") or hasattr(member, "compare")
     if hasattr(member, "measure"):
         for home in (h.home(), h.home(h.thing("sofa", 1, 1), h.chest(2, 2.75, DOWN))):

@@ -4,11 +4,12 @@ import handmade as h
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput
-from schemas.metrics import Metrics, Value
-from schemas.plan import AskedObjects
-from stages import categories, metrics
-from stages.metrics import frequencies, quantity, relations
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.metrics import Metrics, Value
+from apartgen.schemas.plan import AskedObjects
+from apartgen.stages import metrics
+from apartgen.stages.metrics import frequencies, quantity, relations
+from apartgen.stages.things import categories
 
 DOWN, UP = -np.pi / 2, np.pi / 2
 

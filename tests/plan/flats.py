@@ -4,9 +4,9 @@ from functools import cache
 
 import numpy as np
 
-from schemas.plan import Plan, Program, Room
-from stages.plan import PlanConfig, build
-from stages.plan.study import archetypes
+from apartgen.schemas.plan import Plan, Program, Room
+from apartgen.stages.plan import PlanConfig, build
+from apartgen.stages.plan.study import archetypes
 
 
 @cache

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from plan.flats import flat, within
 
+from apartgen.schemas.plan import Plan
+from apartgen.stages.plan import PlanConfig, build, build_variants, validate
+from apartgen.stages.plan.study import archetypes, constraint_score, edge_score, measured
+from apartgen.stages.plan.variants import difference, touching
+from apartgen.stages.space import polygons
 from apartgen_cli.bench import plan as experiment
-from schemas.plan import Plan
-from stages import polygons
-from stages.plan import PlanConfig, build, build_variants, validate
-from stages.plan.study import archetypes, constraint_score, edge_score, measured
-from stages.plan.variants import difference, touching
 
 ARCHETYPES = sorted(archetypes())
 
@@ -38,7 +38,7 @@ def test_same_seed_same_plan_whatever_the_threads() -> None:
 
 def test_hash_seed_does_not_matter() -> None:
     code = (
-        "import numpy as np; from stages.plan import *; from stages.plan.study import archetypes;"
+        "import numpy as np; from apartgen.stages.plan import *; from apartgen.stages.plan.study import archetypes;"
         "print(build(archetypes()['one_bedroom'], PlanConfig(), np.random.default_rng(3)).model_dump_json())"
     )
     runs = [

@@ -3,11 +3,11 @@
 import pytest
 from plan.flats import cottage, drawn
 
-from schemas.errors import BadInput, Unmet
-from schemas.plan import Program
-from stages import polygons
-from stages.plan import PlanConfig, from_polygons, validate
-from stages.plan.turn import turned
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan import PlanConfig, from_polygons, validate
+from apartgen.stages.plan.turn import turned
+from apartgen.stages.space import polygons
 
 
 @pytest.mark.parametrize("gap", [0.0, 0.05, 0.1, 0.2])

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from schemas.plan import Program, Walls
-from stages.plan import PlanConfig, kernel
-from stages.plan.blocks import given
-from stages.plan.outline import draw
-from stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, weighed, whim
-from stages.plan.slicing import LACKING, NEAR, PATH, Floats, Problem, Tree
-from stages.plan.study import archetypes
+from apartgen.schemas.plan import Program, Walls
+from apartgen.stages.plan import PlanConfig, kernel
+from apartgen.stages.plan.blocks import given
+from apartgen.stages.plan.outline import draw
+from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, weighed, whim
+from apartgen.stages.plan.slicing import LACKING, NEAR, PATH, Floats, Problem, Tree
+from apartgen.stages.plan.study import archetypes
 
 BARE = Walls(inner=0.1, outer=0.3)
 

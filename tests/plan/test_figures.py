@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from apartgen.stages.plan.study import archetypes
 from apartgen_cli.bench import plan, regularity
-from stages.plan.study import archetypes
 
 GOOD = {"faults": 0.0, "relaxed": 0.0, "S_edge": 1.0, "S_constraint": 0.98, "corridor": 0.1, "aspect": 1.5}
 

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import pytest
 from plan.flats import drawn, flat
 
-from schemas.plan import Opening, Plan
-from stages import polygons
-from stages.plan import validate
+from apartgen.schemas.plan import Opening, Plan
+from apartgen.stages.plan import validate
+from apartgen.stages.space import polygons
 
 
 def changed(plan: Plan, pick: Callable[[Opening], bool], **update: object) -> Plan:

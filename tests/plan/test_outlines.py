@@ -7,13 +7,13 @@ from plan.flats import within
 from shapely.affinity import rotate
 from shapely.geometry import Polygon, box
 
-from schemas.plan import Envelope
-from stages import polygons
-from stages.plan import PlanConfig, build, validate
-from stages.plan.blocks import blocks, entrance_sides, taken_apart
-from stages.plan.outline import draw
-from stages.plan.study import archetypes
-from stages.plan.turn import askew
+from apartgen.schemas.plan import Envelope
+from apartgen.stages.plan import PlanConfig, build, validate
+from apartgen.stages.plan.blocks import blocks, entrance_sides, taken_apart
+from apartgen.stages.plan.outline import draw
+from apartgen.stages.plan.study import archetypes
+from apartgen.stages.plan.turn import askew
+from apartgen.stages.space import polygons
 
 L_SHAPE = [(0.0, 0.0), (11.0, 0.0), (11.0, 5.0), (6.0, 5.0), (6.0, 9.0), (0.0, 9.0)]
 SLANTED = [(0.0, 0.0), (9.5, 0.0), (8.0, 8.0), (0.0, 8.0)]

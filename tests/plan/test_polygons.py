@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from plan.flats import drawn, flat
 
-from schemas.plan import AskedRoom, Opening, Plan, Program
-from stages import polygons
+from apartgen.schemas.plan import AskedRoom, Opening, Plan, Program
+from apartgen.stages.space import polygons
 
 DOOR = Opening(
     id="door_1", kind="door", rooms=["hallway_1", "bedroom_1"], segment=((2.05, 1.0), (2.05, 1.9)),

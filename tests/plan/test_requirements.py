@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from plan.flats import within
 
-from schemas.errors import BadInput, Unmet
-from schemas.plan import Program
-from stages.plan import PlanConfig, build, validate
-from stages.plan.check import check
-from stages.plan.relax import ladder, spare_links, with_hallway
-from stages.plan.slicing import TERMS
-from stages.plan.study import archetypes
-from stages.plan.weights import WEIGHTS
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan import PlanConfig, build, validate
+from apartgen.stages.plan.check import check
+from apartgen.stages.plan.relax import ladder, spare_links, with_hallway
+from apartgen.stages.plan.slicing import TERMS
+from apartgen.stages.plan.study import archetypes
+from apartgen.stages.plan.weights import WEIGHTS
 
 
 def programme(rooms: dict[str, float], links: list[tuple[str, str]], **other: object) -> Program:

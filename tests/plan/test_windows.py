@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from plan.flats import drawn
 
-from schemas.plan import Plan, Room, Side
-from stages import polygons
-from stages.plan import PlanConfig, from_polygons, validate
+from apartgen.schemas.plan import Plan, Room, Side
+from apartgen.stages.plan import PlanConfig, from_polygons, validate
+from apartgen.stages.space import polygons
 
 
 def panes(plan: Plan, room: str) -> list[np.ndarray]:

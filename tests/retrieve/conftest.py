@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from stages.asset import Array, Asset, Collider, Link, Material, Mesh
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.stages.things.asset import Array, Asset, Collider, Link, Material, Mesh
 
 STYLES = ("block", "legs", "panel", "steps")
 COLORS = {
@@ -88,8 +88,8 @@ def maker():
 def trained(maker, tmp_path_factory):
     """Weights and index of a small shape model of a few categories of the stand-in library."""
     pytest.importorskip("torch")
-    from stages.retrieve.shape import catalogue, designs, train
-    from stages.retrieve.shape.config import ShapeTraining
+    from apartgen.stages.retrieve.shape import catalogue, designs, train
+    from apartgen.stages.retrieve.shape.config import ShapeTraining
 
     few = ("chair", "sofa", "tv", "wardrobe")
     weights = tmp_path_factory.mktemp("shape") / "weights.safetensors"
@@ -103,11 +103,11 @@ def trained(maker, tmp_path_factory):
 @pytest.fixture(scope="session")
 def libraries(maker):
     """The stand-in library, open; each of its styles has a latent of its own."""
-    from stages.latents import Index
-    from stages.retrieve.matching.config import RetrieveConfig
-    from stages.retrieve.matching.embedded import Embedded
-    from stages.retrieve.matching.libraries import LibrarySet
-    from stages.retrieve.shape.designs import indexed
+    from apartgen.stages.retrieve.matching.config import RetrieveConfig
+    from apartgen.stages.retrieve.matching.embedded import Embedded
+    from apartgen.stages.retrieve.matching.libraries import LibrarySet
+    from apartgen.stages.retrieve.shape.designs import indexed
+    from apartgen.stages.things.latents import Index
 
     rng = np.random.default_rng(0)
     middle = {style: rng.normal(size=32) for style in STYLES}

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from schemas.layout import Layout
-from stages import export
-from stages.categories import TABLE
-from stages.retrieve import RetrieveConfig, build, open_libraries, run
-from stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.schemas.layout import Layout
+from apartgen.stages import export
+from apartgen.stages.retrieve import RetrieveConfig, build, open_libraries, run
+from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.stages.things.categories import TABLE
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
 HERE = (SHARED / "kenney").exists() and (SHARED / "furniture_sim").exists()

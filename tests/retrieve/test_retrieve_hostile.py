@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from apartgen.stages.retrieve.reading import limits, pieces
 from apartgen_cli.main import status
-from stages.retrieve.reading import limits, pieces
 
 STL = b"by hand".ljust(80) + struct.pack("<I", 20) + struct.pack("<12fH", 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, 0) * 20
 NAN = b"by hand".ljust(80) + struct.pack("<I", 1) + struct.pack("<12fH", 0, 0, 0, np.nan, 0, 0, 1, 0, 0, 0, 1, 0.5, 0)

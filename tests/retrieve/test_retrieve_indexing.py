@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput
-from stages.retrieve import RetrieveConfig, build, check, kinds
-from stages.retrieve.matching import store
-from stages.retrieve.matching.indexed import IndexedLibrary
-from stages.retrieve.matching.table import Table
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve import RetrieveConfig, build, check, kinds
+from apartgen.stages.retrieve.matching import store
+from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.stages.retrieve.matching.table import Table
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
@@ -119,7 +119,7 @@ def shop(tmp_path) -> Path:
 def test_an_indexed_library_serves_its_assets_and_the_embedded_one_what_does_not_fit(
     shop, tmp_path, trained, libraries, monkeypatch
 ):
-    from stages.retrieve.shape import encoder
+    from apartgen.stages.retrieve.shape import encoder
 
     monkeypatch.setattr(encoder.latents, "__defaults__", (trained[0],))
     out = tmp_path / "lib"
@@ -208,8 +208,8 @@ def test_real_sets_index_without_loss(folder, kind, options, count):
 def test_an_owned_asset_may_outgrow_its_box_where_there_is_room_and_is_made_to_measure_where_not(
     shop, tmp_path, trained, libraries, flat, monkeypatch
 ):
-    from stages.retrieve import run
-    from stages.retrieve.shape import encoder
+    from apartgen.stages.retrieve import run
+    from apartgen.stages.retrieve.shape import encoder
 
     monkeypatch.setattr(encoder.latents, "__defaults__", (trained[0],))
     build(shop, "folder", tmp_path / "lib")
@@ -228,7 +228,7 @@ def test_an_owned_asset_may_outgrow_its_box_where_there_is_room_and_is_made_to_m
 def test_twenty_queries_over_a_hundred_thousand_assets_take_less_than_50_ms():
     import time
 
-    from stages.categories import CATEGORIES, TABLE
+    from apartgen.stages.things.categories import CATEGORIES, TABLE
 
     rng = np.random.default_rng(0)
     names = [CATEGORIES[i] for i in rng.integers(len(CATEGORIES), size=100_000)]

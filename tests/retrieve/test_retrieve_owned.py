@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stages.retrieve import future3d, gapartnet, simobjects, sweethome3d
-from stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve import future3d, gapartnet, simobjects, sweethome3d
+from apartgen.stages.retrieve.reading.limits import Broken
 
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
 QUADS = [[1, 2, 4, 3], [5, 7, 8, 6], [1, 5, 6, 2], [3, 4, 8, 7], [1, 3, 7, 5], [2, 6, 8, 4]]
@@ -224,7 +224,7 @@ def test_mjcf_agrees_with_mujoco(tmp_path):
         '<mujocoinclude><asset><mesh name="slab" file="parts/slab.stl"/></asset></mujocoinclude>'
     )
     (tmp_path / "cupboard.xml").write_text(MJCF)
-    from stages.retrieve.reading import mjcf
+    from apartgen.stages.retrieve.reading import mjcf
 
     document = mjcf.document(tmp_path / "cupboard.xml", tmp_path)
     bodies = mjcf.bodies(document, mjcf.top_bodies(document)[0])
@@ -323,7 +323,7 @@ def test_sweethome3d_dimensions_rotation_licence_and_author(sh3f):
 
 def ball(n: int, size=(1.0, 1.0, 1.0)):
     """A fine ellipsoid."""
-    from stages.retrieve.reading.pieces import Piece
+    from apartgen.stages.retrieve.reading.pieces import Piece
 
     u, v = np.meshgrid(np.linspace(0, np.pi, n), np.linspace(0, 2 * np.pi, 2 * n), indexing="ij")
     points = np.stack([np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)], -1).reshape(-1, 3) * np.array(size) / 2
@@ -336,7 +336,7 @@ def ball(n: int, size=(1.0, 1.0, 1.0)):
 def test_a_fine_mesh_gets_a_small_hull_that_stays_within_five_millimetres(size):
     from scipy.spatial import ConvexHull
 
-    from stages.retrieve.reading import convex
+    from apartgen.stages.retrieve.reading import convex
 
     piece = ball(60, size)
     (hull,) = convex.colliders([piece])
@@ -349,7 +349,7 @@ def test_a_fine_mesh_gets_a_small_hull_that_stays_within_five_millimetres(size):
 def test_colliders_of_a_very_fine_mesh_need_little_memory():
     import tracemalloc
 
-    from stages.retrieve.reading import convex
+    from apartgen.stages.retrieve.reading import convex
 
     piece = ball(70)
     tracemalloc.start()

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from schemas.retrieve import Retrieve
-from stages import boxes
-from stages.categories import CATEGORIES, TABLE
-from stages.retrieve import RetrieveConfig, run
-from stages.retrieve.matching import supports
-from stages.retrieve.matching.sets import RUN
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.stages.retrieve import RetrieveConfig, run
+from apartgen.stages.retrieve.matching import supports
+from apartgen.stages.retrieve.matching.sets import RUN
+from apartgen.stages.space import boxes
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 RNG = np.random.default_rng(0)
 

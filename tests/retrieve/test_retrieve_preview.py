@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.retrieve.matching import indexed, store
+from apartgen.stages.retrieve.matching.indexed import Entry, asset_file
+from apartgen.stages.retrieve.preview import render, sheet
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset, Link, Material, Mesh
 from apartgen_cli.main import status
-from stages import categories
-from stages.asset import Asset, Link, Material, Mesh
-from stages.retrieve import furniture
-from stages.retrieve.matching import indexed, store
-from stages.retrieve.matching.indexed import Entry, asset_file
-from stages.retrieve.preview import render, sheet
 
 CORNERS = np.array([[x, y, z] for x in (-0.25, 0.25) for y in (-0.25, 0.25) for z in (-0.25, 0.25)])
 FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],

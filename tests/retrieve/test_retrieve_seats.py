@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
-from schemas.retrieve import AssetKey, Furnishing, Joint
-from stages import boxes, polygons
-from stages.retrieve.matching import seats
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
+from apartgen.stages.retrieve.matching import seats
+from apartgen.stages.space import boxes, polygons
 
 DESK = (0.65, 1.40, 0.75)
 

@@ -2,10 +2,10 @@
 
 import pytest
 
-from schemas.layout import Box
-from stages.retrieve.matching import sets
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.retrieve.matching.embedded import Embedded
+from apartgen.schemas.layout import Box
+from apartgen.stages.retrieve.matching import sets
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.retrieve.matching.embedded import Embedded
 
 
 @pytest.fixture(scope="module")

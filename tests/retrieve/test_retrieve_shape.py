@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from stages import latents
-from stages.categories import CATEGORIES
-from stages.retrieve.shape import encoder, fields
-from stages.retrieve.shape.designs import drawn, indexed
+from apartgen.stages.retrieve.shape import encoder, fields
+from apartgen.stages.retrieve.shape.designs import drawn, indexed
+from apartgen.stages.things import latents
+from apartgen.stages.things.categories import CATEGORIES
 
 
 def test_field_of_a_stretched_piece_is_that_of_the_piece(maker):
@@ -37,7 +37,7 @@ def test_encoder_without_torch_is_the_trained_one(trained, maker):
     torch = pytest.importorskip("torch")
     from safetensors.torch import load_file
 
-    from stages.retrieve.shape.vae import ShapeVAE
+    from apartgen.stages.retrieve.shape.vae import ShapeVAE
 
     weights = load_file(trained[0])
     model = ShapeVAE(1)
@@ -52,8 +52,8 @@ def test_encoder_without_torch_is_the_trained_one(trained, maker):
 
 def test_training_is_reproducible_and_resumes_to_the_same_weights(maker, tmp_path, monkeypatch):
     torch = pytest.importorskip("torch")
-    from stages.retrieve.shape import designs, train
-    from stages.retrieve.shape.config import ShapeTraining
+    from apartgen.stages.retrieve.shape import designs, train
+    from apartgen.stages.retrieve.shape.config import ShapeTraining
 
     few = tuple(CATEGORIES[:4])
     monkeypatch.setattr(train, "drawn", lambda m, n, rng: designs.drawn(m, n, rng, few))
@@ -84,7 +84,7 @@ def test_training_is_reproducible_and_resumes_to_the_same_weights(maker, tmp_pat
 
 
 def test_shipped_index_is_of_the_shipped_library_and_weights():
-    from stages.retrieve import furniture
+    from apartgen.stages.retrieve import furniture
 
     table = latents.index()
     for category in CATEGORIES:
@@ -96,7 +96,7 @@ def test_shipped_index_is_of_the_shipped_library_and_weights():
 
 def test_shipped_latent_finds_the_style_that_size_alone_does_not():
     """Over pieces of sizes never trained on; a few of every category."""
-    from stages.retrieve import furniture
+    from apartgen.stages.retrieve import furniture
 
     table = latents.index()
     category, style = np.array(table.category), np.array(table.style)

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from schemas.retrieve import Retrieve
-from stages.retrieve import build, folder, simobjects
-from stages.retrieve.matching.indexed import IndexedLibrary
-from stages.retrieve.matching.textures import FOLDER
-from stages.retrieve.reading.images import encoded, linear
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.stages.retrieve import build, folder, simobjects
+from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.stages.retrieve.matching.textures import FOLDER
+from apartgen.stages.retrieve.reading.images import encoded, linear
 
 RED, GREEN, BLUE, WHITE = (200, 30, 30), (30, 160, 40), (40, 60, 190), (250, 250, 250)
 FACES = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4],
@@ -67,7 +67,7 @@ def surface(factor=(1, 1, 1, 1), texture=0, **more) -> dict:
 @pytest.fixture
 def indexed(tmp_path, monkeypatch):
     """Indexes a folder and opens it; latents are left out, as they need a trained model."""
-    from stages.retrieve.shape import encoder
+    from apartgen.stages.retrieve.shape import encoder
 
     monkeypatch.setattr(encoder, "latents", lambda assets: np.zeros((1, 32)))
 
@@ -257,7 +257,7 @@ def home(models, indexed, flat) -> tuple[Retrieve, IndexedLibrary]:
 
 
 def test_exports_carry_image_surface_and_credit(home, tmp_path):
-    from stages import export
+    from apartgen.stages import export
 
     written, library = home
     out = tmp_path / "scene"
@@ -279,7 +279,7 @@ def test_exports_carry_image_surface_and_credit(home, tmp_path):
 
 
 def test_a_foreign_file_round_trips_through_our_own_export(home, tmp_path):
-    from stages import export
+    from apartgen.stages import export
 
     written, library = home
     export.run(written, ["glb"], tmp_path / "scene", lambda _, id: library.load(id))

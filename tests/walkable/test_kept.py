@@ -6,14 +6,16 @@ import numpy as np
 import pytest
 from crowded import FIRST, crowded
 
-from stages import convex, reach, retrieve
-from stages.categories import TABLE
-from stages.walkable import WalkableConfig, importance
-from stages.walkable.blocking import blockers, view
-from stages.walkable.kept import Kept
-from stages.walkable.optimize import area_ratio
-from stages.walkable.site import survey, swapped
-from stages.walkable.ways import after, ways
+from apartgen.stages import retrieve
+from apartgen.stages.robot import reach
+from apartgen.stages.space import convex
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.walkable import WalkableConfig, importance
+from apartgen.stages.walkable.blocking import blockers, view
+from apartgen.stages.walkable.kept import Kept
+from apartgen.stages.walkable.optimize import area_ratio
+from apartgen.stages.walkable.site import survey, swapped
+from apartgen.stages.walkable.ways import after, ways
 
 
 @pytest.mark.parametrize("kind", ["bedroom", "kitchen", "bathroom", "living_room"])

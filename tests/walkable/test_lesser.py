@@ -5,10 +5,11 @@ import numpy as np
 import pytest
 from walkable.test_run import UP, object_of, walk
 
-from schemas.errors import Unmet
-from schemas.plan import AskedObjects
-from stages import footprints, reach
-from stages.categories import TABLE
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import AskedObjects
+from apartgen.stages.robot import reach
+from apartgen.stages.space import footprints
+from apartgen.stages.things.categories import TABLE
 
 FLOOR = 21
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from crowded import of_kind
 
-from schemas.retrieve import Joint
-from stages.metrics import collision, doorways, outside
-from stages.walkable import WalkableConfig, repair, run
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.metrics import collision, doorways, outside
+from apartgen.stages.walkable import WalkableConfig, repair, run
 
 
 def tight(depth, narrower):

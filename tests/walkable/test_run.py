@@ -6,15 +6,17 @@ import numpy as np
 import pytest
 from crowded import crowded
 
-from schemas.errors import Unmet
-from schemas.plan import AskedObjects
-from schemas.retrieve import Retrieve
-from stages import boxes, categories, polygons, reach, sweeps
-from stages.categories import TABLE
-from stages.metrics import collision, doorways, outside
-from stages.walkable import WalkableConfig, importance, run
-from stages.walkable.changes import placement
-from stages.walkable.site import survey
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import AskedObjects
+from apartgen.schemas.retrieve import Retrieve
+from apartgen.stages.metrics import collision, doorways, outside
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.things import categories
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.walkable import WalkableConfig, importance, run
+from apartgen.stages.walkable.changes import placement
+from apartgen.stages.walkable.site import survey
 
 DOWN, UP = -np.pi / 2, np.pi / 2
 PAPER = {"connect": False, "unblock": False, "drop": False}

@@ -5,14 +5,14 @@ import handmade as h
 import numpy as np
 import pytest
 
-from schemas.retrieve import AssetKey, Joint
-from stages import retrieve
-from stages.categories import TABLE
-from stages.walkable import WalkableConfig, designs, run
-from stages.walkable.leaves import building
-from stages.walkable.parts import PLACE, Check, Fault, stuck_doors
-from stages.walkable.site import survey
-from stages.walkable.solids import Solids
+from apartgen.schemas.retrieve import AssetKey, Joint
+from apartgen.stages import retrieve
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.walkable import WalkableConfig, designs, run
+from apartgen.stages.walkable.leaves import building
+from apartgen.stages.walkable.parts import PLACE, Check, Fault, stuck_doors
+from apartgen.stages.walkable.site import survey
+from apartgen.stages.walkable.solids import Solids
 
 UP, DOWN = np.pi / 2, -np.pi / 2
 
@@ -169,7 +169,7 @@ def test_the_simulator_agrees(seed, tmp_path):
     mujoco = pytest.importorskip("mujoco")
     from test_acceptance import driven
 
-    from stages import export
+    from apartgen.stages import export
 
     libraries = retrieve.open_libraries()
     result = opened(furnished(seed, libraries), libraries)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from crowded import FIRST, crowded, of_kind
 
-from schemas.errors import Unmet
-from schemas.plan import AskedObjects
-from stages.metrics import collision, doorways, outside
-from stages.walkable import WalkableConfig, importance, run, unmet
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import AskedObjects
+from apartgen.stages.metrics import collision, doorways, outside
+from apartgen.stages.walkable import WalkableConfig, importance, run, unmet
 
 DOWN, UP = -np.pi / 2, np.pi / 2
 def walk(home, library=None, **config):

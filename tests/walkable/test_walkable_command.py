@@ -6,9 +6,9 @@ import commandline
 import handmade as h
 import pytest
 
-from schemas import artifact
-from schemas.artifact import Made
-from stages import retrieve
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Made
+from apartgen.stages import retrieve
 
 
 @pytest.fixture

@@ -15,21 +15,21 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
-from stages import polygons
-from stages.boxes import Array
-from stages.embodied import world
-from stages.embodied.drive import Drive
-from stages.embodied.interact import parts
-from stages.embodied.interact.act import FRAMES, Actor, Result
-from stages.embodied.interact.chains import GOAL, OPEN
-from stages.embodied.interact.ground import Ground
-from stages.embodied.interact.near import Surroundings
-from stages.embodied.interact.parts import Hold, Part
-from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import NAMES, joint, mjcf, tucked
-from stages.embodied.interact.stand import Places, Tried, tried
-from stages.embodied.outcome import Failure, Outcome, Trace
-from stages.embodied.world import World
+from apartgen.stages.embodied import world
+from apartgen.stages.embodied.drive import Drive
+from apartgen.stages.embodied.interact import parts
+from apartgen.stages.embodied.interact.act import FRAMES, Actor, Result
+from apartgen.stages.embodied.interact.chains import GOAL, OPEN
+from apartgen.stages.embodied.interact.ground import Ground
+from apartgen.stages.embodied.interact.near import Surroundings
+from apartgen.stages.embodied.interact.parts import Hold, Part
+from apartgen.stages.embodied.interact.probe import Probe
+from apartgen.stages.embodied.interact.robot import NAMES, joint, mjcf, tucked
+from apartgen.stages.embodied.interact.stand import Places, Tried, tried
+from apartgen.stages.embodied.outcome import Failure, Outcome, Trace
+from apartgen.stages.embodied.world import World
+from apartgen.stages.space import polygons
+from apartgen.stages.space.boxes import Array
 
 RETRIES = 2
 """How often a robot that finds nothing in its grip goes back and takes another hold."""

@@ -6,13 +6,13 @@ from math import sqrt
 import mujoco
 import numpy as np
 
-from stages.boxes import Array
-from stages.embodied.interact.chains import OPEN
-from stages.embodied.interact.parts import Hold, Part
-from stages.embodied.interact.plan import Phase, Plan
-from stages.embodied.interact.probe import ALL, Probe
-from stages.embodied.interact.robot import CUP, FINGERS, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
-from stages.embodied.interact.timing import smoothed, timed
+from apartgen.stages.embodied.interact.chains import OPEN
+from apartgen.stages.embodied.interact.parts import Hold, Part
+from apartgen.stages.embodied.interact.plan import Phase, Plan
+from apartgen.stages.embodied.interact.probe import ALL, Probe
+from apartgen.stages.embodied.interact.robot import CUP, FINGERS, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
+from apartgen.stages.embodied.interact.timing import smoothed, timed
+from apartgen.stages.space.boxes import Array
 
 SLIP = {"pinch": 60.0, "cup": 48.0}
 """Force at which the hold is lost, N: two rubber pads (μ 0.5) at 60 N; half of what a cup of 4.5 cm bears (-60 kPa)."""

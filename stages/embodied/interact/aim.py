@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from stages.boxes import Array, Mask
-from stages.embodied.interact.parts import Hold, Part
+from apartgen.stages.embodied.interact.parts import Hold, Part
+from apartgen.stages.space.boxes import Array, Mask
 
 YAWS = np.radians([0, 35, -35, 70, -70])
 PITCHES = np.radians([0, 40, 75, -40])

@@ -8,11 +8,11 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from stages.boxes import Array, Mask
-from stages.embodied.interact.aim import NEAR, OPTIONS, directions, grasps
-from stages.embodied.interact.parts import Hold, Part
-from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import CUP, THICK, TIP, postures
+from apartgen.stages.embodied.interact.aim import NEAR, OPTIONS, directions, grasps
+from apartgen.stages.embodied.interact.parts import Hold, Part
+from apartgen.stages.embodied.interact.probe import Probe
+from apartgen.stages.embodied.interact.robot import CUP, THICK, TIP, postures
+from apartgen.stages.space.boxes import Array, Mask
 
 OPEN = 0.8
 """Share of its range at which a part counts as open."""

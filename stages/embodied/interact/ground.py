@@ -9,15 +9,15 @@ from functools import cached_property
 
 import numpy as np
 
-from stages.boxes import Array, Mask
-from stages.embodied import base, floor, goals, navigate, planner, world
-from stages.embodied.drive import Drive, drive
-from stages.embodied.floor import Floor
-from stages.embodied.goals import Cell
-from stages.embodied.interact.robot import MASS, RADIUS
-from stages.embodied.planner import Roadmap
-from stages.embodied.pursuit import Pursuit
-from stages.embodied.world import World
+from apartgen.stages.embodied import base, floor, goals, navigate, planner, world
+from apartgen.stages.embodied.drive import Drive, drive
+from apartgen.stages.embodied.floor import Floor
+from apartgen.stages.embodied.goals import Cell
+from apartgen.stages.embodied.interact.robot import MASS, RADIUS
+from apartgen.stages.embodied.planner import Roadmap
+from apartgen.stages.embodied.pursuit import Pursuit
+from apartgen.stages.embodied.world import World
+from apartgen.stages.space.boxes import Array, Mask
 
 WITHIN, FACING = 0.015, 0.02
 """How near to a place and a heading the robot parks, m and rad; the arm's motion is planned from where it then is."""

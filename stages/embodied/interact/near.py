@@ -5,14 +5,14 @@ from collections.abc import Collection, Sequence
 import mujoco
 import numpy as np
 
-from stages import polygons
-from stages.asset import Link
-from stages.body import Body
-from stages.boxes import Array, Mask
-from stages.embodied.interact.parts import rotation
-from stages.embodied.interact.robot import REACH
-from stages.embodied.world import World
-from stages.solids import corners
+from apartgen.stages.embodied.interact.parts import rotation
+from apartgen.stages.embodied.interact.robot import REACH
+from apartgen.stages.embodied.world import World
+from apartgen.stages.space import polygons
+from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.things.asset import Link
+from apartgen.stages.things.body import Body
+from apartgen.stages.things.solids import corners
 
 ROBOT = REACH + 0.45
 """Nothing of the robot gets further than this from where a handle is while shut: it stands within reach, and what is

@@ -7,12 +7,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Collider, Link
-from stages.body import Body
-from stages.boxes import Array
-from stages.embodied.interact.robot import OPENING
-from stages.embodied.world import World
-from stages.solids import corners
+from apartgen.stages.embodied.interact.robot import OPENING
+from apartgen.stages.embodied.world import World
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.asset import Collider, Link
+from apartgen.stages.things.body import Body
+from apartgen.stages.things.solids import corners
 
 Kind = Literal["pinch", "cup", "push"]
 NEAR = 0.02

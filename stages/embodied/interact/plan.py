@@ -13,13 +13,13 @@ import numpy as np
 import shapely
 from shapely import Geometry
 
-from stages.boxes import Array
-from stages.embodied.interact.aim import directions, grasps
-from stages.embodied.interact.chains import GOAL, SPARE, STEPS, Chains
-from stages.embodied.interact.parts import PLAY, Hold, Part
-from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import REACH, posture, postures, tucked
-from stages.embodied.interact.ways import turning, unfolding, withdrawn
+from apartgen.stages.embodied.interact.aim import directions, grasps
+from apartgen.stages.embodied.interact.chains import GOAL, SPARE, STEPS, Chains
+from apartgen.stages.embodied.interact.parts import PLAY, Hold, Part
+from apartgen.stages.embodied.interact.probe import Probe
+from apartgen.stages.embodied.interact.robot import REACH, posture, postures, tucked
+from apartgen.stages.embodied.interact.ways import turning, unfolding, withdrawn
+from apartgen.stages.space.boxes import Array
 
 BACK = 0.09
 """The hand comes from and goes this far back from what it takes hold of, m."""

@@ -8,10 +8,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Array, Mask
-from stages.embodied.interact.parts import Hold, Part
-from stages.embodied.interact.robot import NAMES, joint
-from stages.embodied.world import ROBOT, World
+from apartgen.stages.embodied.interact.parts import Hold, Part
+from apartgen.stages.embodied.interact.robot import NAMES, joint
+from apartgen.stages.embodied.world import ROBOT, World
+from apartgen.stages.space.boxes import Array, Mask
 
 CLEARANCE, CLOSE = 0.006, 0.003
 """The robot is planned to keep this far from everything; its fingers only so far while they take hold, m."""

@@ -11,7 +11,7 @@ Hand frame: x forward between the fingers, y from finger to finger, z up; its or
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stages.boxes import Array, Mask
+from apartgen.stages.space.boxes import Array, Mask
 
 RADIUS = 0.25
 """Of the base, m."""

@@ -7,15 +7,15 @@ from itertools import chain, islice, tee
 import numpy as np
 from shapely import Geometry
 
-from stages.boxes import Array
-from stages.embodied.drive import Drive
-from stages.embodied.interact.chains import OPEN
-from stages.embodied.interact.ground import Ground
-from stages.embodied.interact.parts import Part
-from stages.embodied.interact.plan import Plan, Planner, spots, spread
-from stages.embodied.interact.probe import Probe
-from stages.embodied.interact.robot import tucked
-from stages.embodied.outcome import Failure
+from apartgen.stages.embodied.drive import Drive
+from apartgen.stages.embodied.interact.chains import OPEN
+from apartgen.stages.embodied.interact.ground import Ground
+from apartgen.stages.embodied.interact.parts import Part
+from apartgen.stages.embodied.interact.plan import Plan, Planner, spots, spread
+from apartgen.stages.embodied.interact.probe import Probe
+from apartgen.stages.embodied.interact.robot import tucked
+from apartgen.stages.embodied.outcome import Failure
+from apartgen.stages.space.boxes import Array
 
 SPOTS, TOGETHER = 60, 6
 """Places tried at most for a part, and how many with its usual holds before others are tried there."""

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stages.boxes import Array
+from apartgen.stages.space.boxes import Array
 
 
 def timed(path: Array, spans: Array, timestep: float, ramp: float) -> Array:

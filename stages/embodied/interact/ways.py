@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from stages.boxes import Array
-from stages.embodied.interact.aim import cross
-from stages.embodied.interact.robot import ARM, HAND, posture, tucked
+from apartgen.stages.embodied.interact.aim import cross
+from apartgen.stages.embodied.interact.robot import ARM, HAND, posture, tucked
+from apartgen.stages.space.boxes import Array
 
 
 def withdrawn(at: Array, by: float) -> Array | None:

@@ -6,7 +6,7 @@
 import inspect
 from types import ModuleType
 
-from stages import registry
+from apartgen.stages import registry
 
 
 def names() -> list[str]:

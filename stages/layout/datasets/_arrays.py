@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.errors import BadInput
-from schemas.layout import Box, Layout
-from schemas.plan import Room
-from stages.categories import CATEGORIES, TABLE
-from stages.layout.datasets._furnish.step import essentials
-from stages.layout.rooms import MAX_CORNERS, of_plan
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Room
+from apartgen.stages.layout.datasets._furnish.step import essentials
+from apartgen.stages.layout.rooms import MAX_CORNERS, of_plan
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 SLOTS = 24
 STYLES = 8

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 from shapely import unary_union
 from shapely.geometry import MultiPolygon, Polygon
 
-from schemas.base import Point, RoomType
-from schemas.layout import Box, Layout
-from schemas.plan import AskedRoom, Opening, Program, Room
+from apartgen.schemas.base import Point, RoomType
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import AskedRoom, Opening, Program, Room
 
 Vector = tuple[float, float, float]
 SEAM = 1e-4

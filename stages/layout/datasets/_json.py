@@ -8,8 +8,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from schemas.artifact import first_fault
-from schemas.errors import BadInput
+from apartgen.schemas.artifact import first_fault
+from apartgen.schemas.errors import BadInput
 
 
 def files(root: Path | None, source: str, what: str) -> list[Path]:

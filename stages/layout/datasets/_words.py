@@ -3,8 +3,8 @@
 import re
 from functools import cache
 
-from schemas.base import RoomType
-from stages.categories import by_word
+from apartgen.schemas.base import RoomType
+from apartgen.stages.things.categories import by_word
 
 PATTERNS: tuple[tuple[str, str | None], ...] = (
     (r"slipper|shoes\b|sneaker|heels\b|vase\b|pillows? (and|with)|air condition|purifier|sculpture|ornament", None),

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.base import RoomType
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from stages.layout.datasets import _frames, _words
+from apartgen.schemas.base import RoomType
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.stages.layout.datasets import _frames, _words
 
 FIELDS = (
     "floor_plan_vertices", "floor_plan_faces", "floor_plan_centroid", "class_labels", "translations", "sizes", "angles",

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from shapely.geometry import Point, Polygon
 
-from schemas.errors import BadInput
-from schemas.layout import Box, Layout
-from schemas.plan import Opening, Room
-from stages.boxes import Array
-from stages.layout.datasets import _frames, _json, _words
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Opening, Room
+from apartgen.stages.layout.datasets import _frames, _json, _words
+from apartgen.stages.space.boxes import Array
 
 NEAR = 0.4
 """An opening belongs to the rooms whose floor comes so close to its middle, m."""

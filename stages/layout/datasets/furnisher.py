@@ -10,15 +10,15 @@ from pathlib import Path
 import numpy as np
 from numpy.random import Generator
 
-from schemas.errors import BadInput
-from schemas.layout import Box, Layout
-from schemas.plan import Opening, Plan, Room
-from stages import polygons
-from stages.boxes import Array
-from stages.layout.datasets import _json
-from stages.layout.datasets._furnish import build, shape
-from stages.layout.datasets._furnish.shape import Hole, Shape
-from stages.layout.meals import TABLES, table_of
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.stages.layout.datasets import _json
+from apartgen.stages.layout.datasets._furnish import build, shape
+from apartgen.stages.layout.datasets._furnish.shape import Hole, Shape
+from apartgen.stages.layout.meals import TABLES, table_of
+from apartgen.stages.space import polygons
+from apartgen.stages.space.boxes import Array
 
 
 def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:

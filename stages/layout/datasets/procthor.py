@@ -20,12 +20,12 @@ from typing import Any
 import numpy as np
 from shapely.geometry import Polygon
 
-from schemas.base import Point, RoomType
-from schemas.errors import BadInput
-from schemas.layout import Box, Layout
-from schemas.plan import Opening, Room, Walls
-from stages.categories import TABLE
-from stages.layout.datasets import _frames, _json, _words
+from apartgen.schemas.base import Point, RoomType
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Opening, Room, Walls
+from apartgen.stages.layout.datasets import _frames, _json, _words
+from apartgen.stages.things.categories import TABLE
 
 WALLS = Walls(inner=1e-3, outer=1e-3)
 ROOMS: dict[str, RoomType] = {

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 from numpy.random import Generator
 
-from schemas.base import ROOM_TYPES, RoomType
-from schemas.layout import Layout
-from schemas.plan import AskedRoom, Opening, Plan, Program, Room
-from stages.boxes import Array
-from stages.layout.datasets.furnisher import furnish
+from apartgen.schemas.base import ROOM_TYPES, RoomType
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import AskedRoom, Opening, Plan, Program, Room
+from apartgen.stages.layout.datasets.furnisher import furnish
+from apartgen.stages.space.boxes import Array
 
 AREA: dict[str, tuple[float, float]] = {
     "living_room": (21.0, 0.35), "kitchen": (9.5, 0.32), "dining_room": (12.0, 0.3), "bedroom": (12.5, 0.3),

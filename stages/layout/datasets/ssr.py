@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from stages.layout.datasets import _frames, _json, _words
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.stages.layout.datasets import _frames, _json, _words
 
 
 def homes(root: Path | None) -> Iterator[Layout]:

@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from stages.layout.geometry import Boxes, Floor, close_pairs, iou, obstructs, partners
+from apartgen.stages.layout.geometry import Boxes, Floor, close_pairs, iou, obstructs, partners
 
 
 def energy(boxes: Boxes, room: Floor) -> Tensor:

@@ -2,7 +2,7 @@
 
 from torch import Tensor
 
-from stages.layout.geometry import Boxes, Floor, corners, outside
+from apartgen.stages.layout.geometry import Boxes, Floor, corners, outside
 
 
 def energy(boxes: Boxes, room: Floor) -> Tensor:

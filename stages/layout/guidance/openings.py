@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from stages.layout.geometry import Boxes, Floor, corners, meeting, obstructs, overlap_area
+from apartgen.stages.layout.geometry import Boxes, Floor, corners, meeting, obstructs, overlap_area
 
 
 def energy(boxes: Boxes, room: Floor) -> Tensor:

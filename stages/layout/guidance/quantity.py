@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from stages.layout.geometry import Boxes, Floor
+from apartgen.stages.layout.geometry import Boxes, Floor
 
 SHARPNESS = 8.0
 """Logits a unit of the empty channel, which runs from 0 (filled) to 1 (empty)."""

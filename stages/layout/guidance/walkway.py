@@ -3,7 +3,7 @@
 import torch
 from torch import Tensor
 
-from stages.layout.geometry import Boxes, Floor, corners, obstructs, on_floor, partners
+from apartgen.stages.layout.geometry import Boxes, Floor, corners, obstructs, on_floor, partners
 
 FLUSH, PASS = 0.03, 0.55
 """Gaps between these are of no use, m."""

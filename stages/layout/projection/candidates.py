@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.space.boxes import Boxes
 
 Array = NDArray[np.float64]
 GAP = 0.006

@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes, penetration
-from stages.categories import SEATS, TABLE
-from stages.layout.projection.partners import SOFAS
-from stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.projection.partners import SOFAS
+from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import SEATS, TABLE
 
 Array = NDArray[np.float64]
 VIEW = {"sofa": 1.2, "corner_sofa": 0.9, "armchair": 0.8}

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes, penetration
-from stages.categories import TABLE, reach
-from stages.layout.projection import kernels
-from stages.layout.projection.space import Space, outside, writable
+from apartgen.stages.layout.projection import kernels
+from apartgen.stages.layout.projection.space import Space, outside, writable
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import TABLE, reach
 
 Array = NDArray[np.float64]
 SOFT = frozenset(name for name, kind in TABLE.items() if kind.soft)

@@ -22,7 +22,7 @@ def compiled(signature: str) -> Any:
 
 
 @inner
-def _depth(at, size, c, s, other, extent, oc, os):  # `stages.boxes.penetration` of two boxes, or 0 where apart
+def _depth(at, size, c, s, other, extent, oc, os):  # `boxes.penetration` of two boxes, or 0 where apart
     depth = (size[2] + extent[2]) / 2 - abs(other[2] - at[2])
     if depth <= 0:
         return 0.0

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stages import boxes
-from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.layout.projection import candidates, partners
-from stages.layout.projection.costs import BROKEN, cost
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Standing, rests_on
+from apartgen.stages.layout.projection import candidates, partners
+from apartgen.stages.layout.projection.costs import BROKEN, cost
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Standing, rests_on
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 
 Array = NDArray[np.float64]
 SHIFTS = (0.05, 0.1, 0.16, 0.24, 0.34, 0.5, 0.7)

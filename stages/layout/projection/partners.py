@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.layout.projection.habits import Habit, habits
+from apartgen.stages.layout.projection.habits import Habit, habits
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 
 Array = NDArray[np.float64]
 Spots = list[tuple[float, float, float, Array]]

@@ -6,13 +6,13 @@ from itertools import combinations
 
 import numpy as np
 
-from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.layout.projection.costs import SOFT
-from stages.layout.projection.moves import Move, group, moves
-from stages.layout.projection.paths import Paths
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Standing
+from apartgen.stages.layout.projection.costs import SOFT
+from apartgen.stages.layout.projection.moves import Move, group, moves
+from apartgen.stages.layout.projection.paths import Paths
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Standing
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 
 SHUT = 1.5
 """Where so much stays cut off for one thing's sake, that has no place in the room."""

@@ -6,11 +6,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from stages import boxes, grid
-from stages.boxes import Boxes
-from stages.layout.projection import kernels_floor
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Standing
+from apartgen.stages.layout.projection import kernels_floor
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Standing
+from apartgen.stages.space import boxes, grid
+from apartgen.stages.space.boxes import Boxes
 
 RADII = {0.16: 12.0, 0.27: 8.0}
 """Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open

@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.layout.projection import candidates, comfort, partners
-from stages.layout.projection.costs import BROKEN, cost
-from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import FLUSH, SOFAS, bedsides, beside, in_run, watched
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Item, Standing
-from stages.layout.projection.supports import on_support
+from apartgen.stages.layout.projection import candidates, comfort, partners
+from apartgen.stages.layout.projection.costs import BROKEN, cost
+from apartgen.stages.layout.projection.habits import belongs_to
+from apartgen.stages.layout.projection.partners import FLUSH, SOFAS, bedsides, beside, in_run, watched
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Item, Standing
+from apartgen.stages.layout.projection.supports import on_support
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 
 Array = NDArray[np.float64]
 LEAN = {"bench": 3.0, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,

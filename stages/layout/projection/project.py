@@ -6,15 +6,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import gap
-from stages.categories import SEATS, TABLE
-from stages.layout.projection import passage, runs
-from stages.layout.projection.costs import BROKEN
-from stages.layout.projection.habits import belongs_to
-from stages.layout.projection.partners import SOFAS, WATCH, long_enough, watched
-from stages.layout.projection.placing import place
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Item, Standing
+from apartgen.stages.layout.projection import passage, runs
+from apartgen.stages.layout.projection.costs import BROKEN
+from apartgen.stages.layout.projection.habits import belongs_to
+from apartgen.stages.layout.projection.partners import SOFAS, WATCH, long_enough, watched
+from apartgen.stages.layout.projection.placing import place
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Item, Standing
+from apartgen.stages.space.boxes import gap
+from apartgen.stages.things.categories import SEATS, TABLE
 
 Array = NDArray[np.float64]
 SHRINKS = (0.9, 0.8, 0.7, 0.6)

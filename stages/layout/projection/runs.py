@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes, penetration
-from stages.categories import TABLE
-from stages.layout.projection.candidates import GAP
-from stages.layout.projection.costs import BROKEN, cost
-from stages.layout.projection.partners import HUNG, LOW_RUN
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Item, Standing
+from apartgen.stages.layout.projection.candidates import GAP
+from apartgen.stages.layout.projection.costs import BROKEN, cost
+from apartgen.stages.layout.projection.partners import HUNG, LOW_RUN
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Item, Standing
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import TABLE
 
 Array = NDArray[np.float64]
 LINE = (

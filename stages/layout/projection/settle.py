@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from stages.categories import INSTEAD, TABLE
-from stages.layout.projection.costs import BROKEN
-from stages.layout.projection.project import project
-from stages.layout.projection.space import Space
-from stages.layout.projection.standing import Item
-from stages.layout.sense import essentials
+from apartgen.stages.layout.projection.costs import BROKEN
+from apartgen.stages.layout.projection.project import project
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.standing import Item
+from apartgen.stages.layout.sense import essentials
+from apartgen.stages.things.categories import INSTEAD, TABLE
 
 STAND_INS = ("wall_shelf", "wall_lamp", "mirror", "curtain", "radiator", "ceiling_lamp", "plant", "bin")
 """Small things that take the place of an object that fits nowhere when the count was asked for."""

@@ -6,9 +6,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.layout.projection import kernels
-from stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
+from apartgen.stages.layout.projection import kernels
+from apartgen.stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
+from apartgen.stages.space.boxes import Boxes
 
 Array = NDArray[np.float64]
 SLAB = 0.30

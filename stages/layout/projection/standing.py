@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.boxes import Boxes
-from stages.categories import TABLE, tucks
-from stages.layout.projection.costs import BROKEN, SOFT, Meets, Placed, grown, standing_costs
-from stages.layout.projection.space import Space
+from apartgen.stages.layout.projection.costs import BROKEN, SOFT, Meets, Placed, grown, standing_costs
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE, tucks
 
 Array = NDArray[np.float64]
 TUCK_MOST = 0.28

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from stages.boxes import Boxes, penetration
-from stages.categories import TABLE
-from stages.layout.projection.costs import SOFT
-from stages.layout.projection.standing import Item
+from apartgen.stages.layout.projection.costs import SOFT
+from apartgen.stages.layout.projection.standing import Item
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import TABLE
 
 EDGE = 0.01
 """From the front edge of what carries it, m: where a hand gets to what is used or switched."""

@@ -3,12 +3,12 @@
 from pathlib import Path
 from typing import Any
 
-from schemas.errors import Unmet
-from schemas.plan import Program
-from stages.plan.llm.answers import Broken, Declined, instructions, programme, reply_schema
-from stages.plan.llm.cache import Cache
-from stages.plan.llm.model import Answer, Model
-from stages.plan.reader import bounded, complete_program
+from apartgen.schemas.errors import Unmet
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.llm.answers import Broken, Declined, instructions, programme, reply_schema
+from apartgen.stages.plan.llm.cache import Cache
+from apartgen.stages.plan.llm.model import Answer, Model
+from apartgen.stages.plan.reader import bounded, complete_program
 
 REPAIRS = 1
 """How often a model may correct an invalid reply."""

@@ -7,10 +7,10 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from schemas.base import Record
-from schemas.plan import Program
-from stages.categories import CATEGORIES
-from stages.plan.llm.model import Answer
+from apartgen.schemas.base import Record
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.llm.model import Answer
+from apartgen.stages.things.categories import CATEGORIES
 
 TERMS = (
     "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",

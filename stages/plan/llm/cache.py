@@ -10,8 +10,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from schemas.plan import Program
-from stages.plan.llm.answers import instructions, reply_schema
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.llm.answers import instructions, reply_schema
 
 log = logging.getLogger("apartgen")
 

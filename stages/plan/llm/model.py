@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from typing import Any
 
-from schemas.errors import ApartgenError, BadInput, Unmet
+from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 
 log = logging.getLogger("apartgen")
 

@@ -1,6 +1,6 @@
 """What `both`, `each`, `the former` stand for, and what `all but` leaves out."""
 
-from stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
 
 JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "connecting", "linking")
 """Verbs of which subject and object are joined to a third: `a hall joins the lounge to the kitchen`."""

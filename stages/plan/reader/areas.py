@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from schemas.plan import AskedRoom, Link
-from stages.plan.reader.sense import sense
+from apartgen.schemas.plan import AskedRoom, Link
+from apartgen.stages.plan.reader.sense import sense
 
 
 def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, set[str]]) -> dict[str, float]:

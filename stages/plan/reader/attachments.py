@@ -1,8 +1,8 @@
 """What belongs to one room phrase: the rooms that open off it, its furniture."""
 
-from stages.plan.reader.links import ANNEXES
-from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
-from stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.links import ANNEXES
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.statements import Said
 
 OWNED_BY = {
     "closet": ("bedroom", "hallway"),

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping
 
-from schemas.errors import Unmet
-from stages.plan.reader.household import Household
-from stages.plan.reader.mention import RoomPhrase
-from stages.plan.reader.parse import mentions
-from stages.plan.reader.statements import Said
+from apartgen.schemas.errors import Unmet
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.parse import mentions
+from apartgen.stages.plan.reader.statements import Said
 
 
 def consistent(said: Said, home: Household) -> None:

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass, field
 
-from stages.plan.reader.entity import Entity
-from stages.plan.reader.household import Household
-from stages.plan.reader.links import ANNEXES
-from stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
-from stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.links import ANNEXES
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
+from apartgen.stages.plan.reader.statements import Statement
 
 Pair = tuple[Entity, Entity]
 

@@ -1,7 +1,7 @@
 """Hallways under different names: a foyer is no corridor, a landing no hall."""
 
-from stages.plan.reader.entity import Entity
-from stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.mention import RoomPhrase
 
 CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
 """Words for a hallway that no one uses of the entrance hall."""

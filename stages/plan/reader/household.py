@@ -2,11 +2,11 @@
 
 import math
 
-from stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
-from stages.plan.reader.halls import best_named, may_be, other_hall
-from stages.plan.reader.mention import RoomPhrase
-from stages.plan.reader.owned import own
-from stages.plan.reader.traits import lay
+from apartgen.stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
+from apartgen.stages.plan.reader.halls import best_named, may_be, other_hall
+from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.owned import own
+from apartgen.stages.plan.reader.traits import lay
 
 ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 """Rooms a home has: no additional one is still one."""

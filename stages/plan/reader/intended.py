@@ -1,6 +1,6 @@
 """Whom a room is for, and counts beyond the usual."""
 
-from stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 
 
 def intended(items: list[Item]) -> list[Item]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from stages.plan.reader.lexicon import Entry
+from apartgen.stages.plan.reader.lexicon import Entry
 
 
 @dataclass(frozen=True)

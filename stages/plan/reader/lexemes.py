@@ -5,11 +5,11 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from stages.plan.reader.lexeme import Lexeme
-from stages.plan.reader.lexicon import Lexicon
-from stages.plan.reader.quantities import quantities
-from stages.plan.reader.spelling import correct, split
-from stages.plan.reader.tokens import Token
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.lexicon import Lexicon
+from apartgen.stages.plan.reader.quantities import quantities
+from apartgen.stages.plan.reader.spelling import correct, split
+from apartgen.stages.plan.reader.tokens import Token
 
 ABBREVIATED = ("sq", "approx", "ca", "incl", "no", "apt", "ft", "env")
 """A full stop after these ends no sentence."""

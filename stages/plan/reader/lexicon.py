@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 
-from stages.categories import by_word
-from stages.plan.reader.tokens import fold, tokenize
+from apartgen.stages.plan.reader.tokens import fold, tokenize
+from apartgen.stages.things.categories import by_word
 
 Phrase = tuple[str, ...]
 

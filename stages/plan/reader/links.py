@@ -1,7 +1,7 @@
 """Completes the door graph of a programme: every room is reached, none through a bedroom or a bathroom."""
 
-from schemas.plan import AskedRoom, Link
-from stages.plan.reader.sense import may_cross, opens_onto, sense
+from apartgen.schemas.plan import AskedRoom, Link
+from apartgen.stages.plan.reader.sense import may_cross, opens_onto, sense
 
 OWNED = ("bathroom", "closet", "study", "storage", "utility", "balcony")
 """Types that may be a private annex of a bedroom."""

@@ -1,8 +1,8 @@
 """Areas, shares and comparisons, given to the rooms they speak of."""
 
-from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
-from stages.plan.reader.sense import sense
-from stages.plan.reader.statements import Said, Statement
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.statements import Said, Statement
 
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""

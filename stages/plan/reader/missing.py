@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from stages.plan.reader.doors import Doors
-from stages.plan.reader.entity import Entity
-from stages.plan.reader.household import Household
-from stages.plan.reader.mention import OPEN_TYPES
-from stages.plan.reader.sense import sense
-from stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.doors import Doors
+from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.mention import OPEN_TYPES
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.statements import Said
 
 
 def full_graph(said: Said, home: Household, doors: Doors) -> bool:

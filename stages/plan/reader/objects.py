@@ -1,8 +1,8 @@
 """The rooms a relation leads to, as they stand behind it."""
 
-from stages.plan.reader.anaphora import PAIRED
-from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
-from stages.plan.reader.predicates import Predicate
+from apartgen.stages.plan.reader.anaphora import PAIRED
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.predicates import Predicate
 
 
 def objects(items: list[Item], p: Predicate, following: Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:

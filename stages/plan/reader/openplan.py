@@ -1,9 +1,9 @@
 """Rooms that share one space: `kitchen/living room`, `open-plan kitchen, dining and living`."""
 
-from stages.plan.reader.measures import split_area
-from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark, rooms_of
-from stages.plan.reader.sense import sense
-from stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.measures import split_area
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.statements import Statement
 
 
 def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:

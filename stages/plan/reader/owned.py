@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from stages.plan.reader.entity import Entity
-from stages.plan.reader.mention import RoomPhrase
-from stages.plan.reader.traits import lay
+from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.traits import lay
 
 if TYPE_CHECKING:
-    from stages.plan.reader.household import Household
+    from apartgen.stages.plan.reader.household import Household
 
 
 def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them: bool = False) -> None:

@@ -1,18 +1,18 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
-from stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
-from stages.plan.reader.attachments import attach_owned, merge_ensuites
-from stages.plan.reader.intended import beyond_usual, intended
-from stages.plan.reader.lexemes import lexemes
-from stages.plan.reader.lexicon import load
-from stages.plan.reader.measures import attach_areas, comparisons, mark_headlines
-from stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
-from stages.plan.reader.openplan import open_groups
-from stages.plan.reader.phrases import Phraser
-from stages.plan.reader.relations import place, relations
-from stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
-from stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
-from stages.plan.reader.tokens import fold, tokenize
+from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
+from apartgen.stages.plan.reader.attachments import attach_owned, merge_ensuites
+from apartgen.stages.plan.reader.intended import beyond_usual, intended
+from apartgen.stages.plan.reader.lexemes import lexemes
+from apartgen.stages.plan.reader.lexicon import load
+from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.openplan import open_groups
+from apartgen.stages.plan.reader.phrases import Phraser
+from apartgen.stages.plan.reader.relations import place, relations
+from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
+from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
+from apartgen.stages.plan.reader.tokens import fold, tokenize
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass, field
 
-from stages.plan.reader.lexeme import Lexeme
-from stages.plan.reader.mention import PARTITIVE, RoomPhrase
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.mention import PARTITIVE, RoomPhrase
 
 MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
 LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房")

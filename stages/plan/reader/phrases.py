@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from stages.plan.reader.lexeme import Lexeme
-from stages.plan.reader.lexicon import Lexicon
-from stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
-from stages.plan.reader.pending import Pending, noun_ahead, trailing_number
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.lexicon import Lexicon
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
+from apartgen.stages.plan.reader.pending import Pending, noun_ahead, trailing_number
 
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
     ("are", "sind", "sont", "son", "lie"), "p"

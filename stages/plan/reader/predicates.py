@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 
 
 @dataclass

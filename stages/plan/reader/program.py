@@ -1,22 +1,22 @@
 """What was said as a programme: rooms with ids, links, areas, furniture, weights."""
 
-from schemas.base import ROOM_TYPES
-from schemas.errors import BadInput
-from schemas.plan import AskedObjects, AskedRoom, Envelope, Link, Program
-from stages.categories import TABLE
-from stages.plan.reader.areas import fill, typical
-from stages.plan.reader.contradict import consistent
-from stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
-from stages.plan.reader.entity import MOST, Entity
-from stages.plan.reader.halls import hall_rank
-from stages.plan.reader.household import Household
-from stages.plan.reader.links import complete_links, edge
-from stages.plan.reader.mention import RoomPhrase
-from stages.plan.reader.missing import add_missing_rooms, full_graph
-from stages.plan.reader.parse import mentions, parse
-from stages.plan.reader.sizes import room_areas
-from stages.plan.reader.statements import Said
-from stages.plan.reader.style import style_of
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.plan import AskedObjects, AskedRoom, Envelope, Link, Program
+from apartgen.stages.plan.reader.areas import fill, typical
+from apartgen.stages.plan.reader.contradict import consistent
+from apartgen.stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
+from apartgen.stages.plan.reader.entity import MOST, Entity
+from apartgen.stages.plan.reader.halls import hall_rank
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.links import complete_links, edge
+from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.missing import add_missing_rooms, full_graph
+from apartgen.stages.plan.reader.parse import mentions, parse
+from apartgen.stages.plan.reader.sizes import room_areas
+from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.style import style_of
+from apartgen.stages.things.categories import TABLE
 
 LONGEST = 8000
 """Characters of a prompt."""

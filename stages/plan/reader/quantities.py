@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 

@@ -1,11 +1,11 @@
 """Doors between rooms: finds the subject and the objects of every relation in a sentence."""
 
-from stages.plan.reader.anaphora import JOINING
-from stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
-from stages.plan.reader.objects import objects
-from stages.plan.reader.openplan import chain
-from stages.plan.reader.predicates import Predicate, new_clause, predicates
-from stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.anaphora import JOINING
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.objects import objects
+from apartgen.stages.plan.reader.openplan import chain
+from apartgen.stages.plan.reader.predicates import Predicate, new_clause, predicates
+from apartgen.stages.plan.reader.statements import Statement
 
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""

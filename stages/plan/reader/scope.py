@@ -1,7 +1,7 @@
 """How far `no` and `or` reach."""
 
-from stages.plan.reader.mention import Item, is_mark, rooms_of
-from stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.mention import Item, is_mark, rooms_of
+from apartgen.stages.plan.reader.statements import Said
 
 
 def negate_links(items: list[Item]) -> list[Item]:

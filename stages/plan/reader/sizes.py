@@ -2,14 +2,14 @@
 
 import math
 
-from schemas.base import ROOM_TYPES
-from schemas.plan import AskedRoom, Link
-from stages.plan.reader.areas import fill, typical
-from stages.plan.reader.contradict import shares_fit
-from stages.plan.reader.doors import entities
-from stages.plan.reader.household import Household
-from stages.plan.reader.statements import Said, Statement
-from stages.plan.reader.style import style_of
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.plan import AskedRoom, Link
+from apartgen.stages.plan.reader.areas import fill, typical
+from apartgen.stages.plan.reader.contradict import shares_fit
+from apartgen.stages.plan.reader.doors import entities
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.statements import Said, Statement
+from apartgen.stages.plan.reader.style import style_of
 
 
 def room_areas(

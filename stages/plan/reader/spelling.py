@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from stages.plan.reader.lexicon import Lexicon, load
+from apartgen.stages.plan.reader.lexicon import Lexicon, load
 
 
 def correct(word: str, lexicon: Lexicon) -> str:

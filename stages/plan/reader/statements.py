@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 
 @dataclass(eq=False)

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from stages.plan.reader.sense import sense
-from stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.statements import Said
 
 
 def style_of(said: Said) -> dict[str, Any]:

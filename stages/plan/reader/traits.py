@@ -1,7 +1,7 @@
 """What a phrase says of its rooms, laid on them."""
 
-from stages.plan.reader.entity import Entity
-from stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.mention import RoomPhrase
 
 
 def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:

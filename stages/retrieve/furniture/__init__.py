@@ -8,12 +8,12 @@ import importlib
 from functools import cache
 from typing import TYPE_CHECKING
 
-from schemas.errors import BadInput
-from stages import categories
-from stages.asset import Asset
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset
 
 if TYPE_CHECKING:
-    from stages.retrieve.furniture.registry import Builder
+    from apartgen.stages.retrieve.furniture.registry import Builder
 
 FAMILIES = (
     "beds", "storage", "shelves", "media", "sofas", "chairs", "tables", "small_tables", "desks", "kitchen",
@@ -25,10 +25,10 @@ BUILDING = ("door", "window")
 
 @cache
 def _designs() -> "dict[str, dict[str, Builder]]":
-    from stages.retrieve.furniture.registry import DESIGNS
+    from apartgen.stages.retrieve.furniture.registry import DESIGNS
 
     for family in FAMILIES:
-        importlib.import_module(f"stages.retrieve.furniture.{family}")
+        importlib.import_module(f"apartgen.stages.retrieve.furniture.{family}")
     return DESIGNS
 
 
@@ -42,7 +42,7 @@ def styles(category: str) -> tuple[str, ...]:
 
 def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
     """The asset of that category and style whose box is `size`, [depth, width, height] in m, to the millimetre."""
-    from stages.retrieve.furniture.kit import Kit
+    from apartgen.stages.retrieve.furniture.kit import Kit
 
     if style not in styles(category):
         raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")

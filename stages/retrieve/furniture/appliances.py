@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from stages import categories, materials
-from stages.categories import OVEN_TOWER
-from stages.retrieve.furniture import cases, fronts
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.cases import Cell
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.kitchen import PLINTH, STYLES, cooktop, kitchen_look, worktop_front
-from stages.retrieve.furniture.looks import Look
-from stages.retrieve.furniture.mesh import Array
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import cases, fronts
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.cases import Cell
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.kitchen import PLINTH, STYLES, cooktop, kitchen_look, worktop_front
+from apartgen.stages.retrieve.furniture.looks import Look
+from apartgen.stages.retrieve.furniture.mesh import Array
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.things import categories, materials
+from apartgen.stages.things.categories import OVEN_TOWER
 
 _WALL = 260.0
 """Sheet steel with insulation between, kg/m³."""

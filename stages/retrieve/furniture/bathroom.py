@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from stages import categories
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.fronts import GAP, Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
-from stages.retrieve.furniture.tables import ellipse
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.fronts import GAP, Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture.tables import ellipse
+from apartgen.stages.things import categories
 
 _PANE = 0.008
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stages import materials
-from stages.asset import Collider, Mesh
-from stages.retrieve.furniture import mesh
-from stages.retrieve.furniture.mesh import Array, Shape
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.mesh import Array, Shape
+from apartgen.stages.things import materials
+from apartgen.stages.things.asset import Collider, Mesh
 
 _CORNER = np.array([[0, 0, 0], [0, 0, 1], [0, 1, 0], [0, 1, 1], [1, 0, 0], [1, 0, 1], [1, 1, 0], [1, 1, 1]])
 _SIDES = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])

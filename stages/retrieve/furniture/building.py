@@ -1,10 +1,10 @@
 """Doors and windows of the building; their box is the frame in the wall, [wall depth, width, height]."""
 
-from stages.asset import Asset
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.things.asset import Asset
 
 DOOR_STYLES = ("flush", "panelled", "glazed", "boarded")
 WINDOW_STYLES = ("casement", "tilt", "fixed", "grid")

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from stages import categories
-from stages.retrieve.furniture import fronts
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.looks import Look
+from apartgen.stages.retrieve.furniture import fronts
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.looks import Look
+from apartgen.stages.things import categories
 
 BOARD = 0.018
 _REST = 0.002

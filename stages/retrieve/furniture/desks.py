@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from stages.retrieve.furniture import cases
-from stages.retrieve.furniture.cases import Cell
-from stages.retrieve.furniture.chairs import splayed
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.looks import Look, look
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import cases
+from apartgen.stages.retrieve.furniture.cases import Cell
+from apartgen.stages.retrieve.furniture.chairs import splayed
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.looks import Look, look
+from apartgen.stages.retrieve.furniture.registry import design
 
 
 def _low(own: Look) -> Look:

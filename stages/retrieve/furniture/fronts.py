@@ -4,9 +4,9 @@ Everything that opens keeps within the width of its own front: a door turns abou
 box's front plane (which its handle touches) meets the door's outer edge, so that even an open handle stays inside.
 """
 
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.kit import QUARTER, Kit
-from stages.retrieve.furniture.looks import Look
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.kit import QUARTER, Kit
+from apartgen.stages.retrieve.furniture.looks import Look
 
 Span = tuple[float, float]
 

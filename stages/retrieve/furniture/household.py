@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from stages import materials
-from stages.retrieve.furniture.bath import ring
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
-from stages.retrieve.furniture.tables import ellipse
+from apartgen.stages.retrieve.furniture.bath import ring
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture.tables import ellipse
+from apartgen.stages.things import materials
 
 
 def _lidded(kit: Kit, body: str, lid: str, exponent: float, foot: float, thick: float, wall: float) -> None:

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from schemas.retrieve import Joint
-from stages import categories
-from stages.asset import Asset, Collider, Link
-from stages.retrieve.furniture.body import Body
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset, Collider, Link
 
 QUARTER = float(np.pi / 2)
 

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stages.retrieve.furniture import cases, fronts, mesh
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.cases import Cell, Column
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.looks import Look, look
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import cases, fronts, mesh
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.cases import Cell, Column
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.looks import Look, look
+from apartgen.stages.retrieve.furniture.registry import design
 
 STYLES = ("modern", "shaker", "scandi", "handleless", "industrial")
 PLINTH = 0.1

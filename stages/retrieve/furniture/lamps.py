@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from stages.retrieve.furniture import mesh
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.mesh import Array
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.mesh import Array
+from apartgen.stages.retrieve.furniture.registry import design
 
 _HOLLOW = 0.06
 """Share of a lamp's outer volume that is material."""

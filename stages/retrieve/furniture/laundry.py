@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from stages import materials
-from stages.retrieve.furniture import mesh
-from stages.retrieve.furniture.appliances import sheet
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.mesh import Array
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.appliances import sheet
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.mesh import Array
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.things import materials
 
 
 def _porthole(kit: Kit, material: str, accent: str, drum: str) -> None:

@@ -1,8 +1,8 @@
 """Televisions, monitors, pianos."""
 
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
 
 
 @design("tv", "pedestal", "feet", "soundbar")

@@ -12,10 +12,10 @@ import numpy as np
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
-from schemas.errors import BadInput
-from schemas.retrieve import Joint
-from stages.asset import Asset, Collider, Link, Material, Mesh
-from stages.retrieve.furniture.mesh import Array
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.retrieve.furniture.mesh import Array
+from apartgen.stages.things.asset import Asset, Collider, Link, Material, Mesh
 
 _FIELDS = ("library", "id", "category", "style", "size", "credit")
 

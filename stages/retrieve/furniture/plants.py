@@ -4,11 +4,11 @@ from functools import cache
 
 import numpy as np
 
-from stages.retrieve.furniture import mesh
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.mesh import Array, Shape
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.mesh import Array, Shape
+from apartgen.stages.retrieve.furniture.registry import design
 
 _STEPS = 5
 

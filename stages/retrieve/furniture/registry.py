@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.kit import Kit
 
 Builder = Callable[[Kit], None]
 DESIGNS: dict[str, dict[str, Builder]] = {}

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from stages.retrieve.furniture.chairs import splayed, square_legs
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
-from stages.retrieve.furniture.tables import apron, ellipse, metal_frame, tripod, tulip
+from apartgen.stages.retrieve.furniture.chairs import splayed, square_legs
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture.tables import apron, ellipse, metal_frame, tripod, tulip
 
 
 @design("coffee_table", "scandi", "industrial", "drum", "marble", "glass", "block")

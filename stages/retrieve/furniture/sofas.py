@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from stages.retrieve.furniture import mesh
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
 
 _FOAM = 1.6
 """Upholstery's mass over bare foam: its wooden frame, springs and cover."""

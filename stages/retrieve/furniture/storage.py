@@ -1,11 +1,11 @@
 """Wardrobes, chests, nightstands, sideboards, cabinets."""
 
-from stages.retrieve.furniture import cases, fronts
-from stages.retrieve.furniture.body import Body
-from stages.retrieve.furniture.cases import Cell
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.looks import CASE_STYLES, Look, look
-from stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture import cases, fronts
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.cases import Cell
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.looks import CASE_STYLES, Look, look
+from apartgen.stages.retrieve.furniture.registry import design
 
 
 @design("wardrobe", *CASE_STYLES)

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from stages.retrieve.furniture import mesh
-from stages.retrieve.furniture.fronts import Span
-from stages.retrieve.furniture.kit import Kit
-from stages.retrieve.furniture.registry import design
-from stages.retrieve.furniture.tables import ellipse
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.fronts import Span
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.furniture.registry import design
+from apartgen.stages.retrieve.furniture.tables import ellipse
 
 
 @design("rug", "persian", "kilim", "berber", "plain", "round")

@@ -8,12 +8,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from schemas.errors import BadInput
-from stages.asset import Array, Asset
-from stages.categories import TABLE
-from stages.latents import Index, index
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.retrieve.matching.table import Table
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.retrieve.matching.table import Table
+from apartgen.stages.things.asset import Array, Asset
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.latents import Index, index
 
 NAME = "parametric"
 
@@ -34,7 +34,7 @@ class Embedded:
     def __init__(self, config: RetrieveConfig, table: Index | None = None, maker: Maker | None = None) -> None:
         """`table` and `maker` stand in for the shipped index and builder."""
         if maker is None:
-            from stages.retrieve import furniture
+            from apartgen.stages.retrieve import furniture
 
             maker = furniture
         self._maker = maker

@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
-from schemas.errors import BadInput
-from stages.asset import Asset
-from stages.retrieve.matching import store
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.retrieve.matching.table import Table
-from stages.retrieve.matching.textures import FOLDER
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.matching import store
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.retrieve.matching.table import Table
+from apartgen.stages.retrieve.matching.textures import FOLDER
+from apartgen.stages.things.asset import Asset
 
 TABLE_FILE = "library.safetensors"
 VERSION = 1

@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from schemas.errors import BadInput
-from stages import registry
-from stages.asset import Asset
-from stages.retrieve.matching import indexed, store, textures
-from stages.retrieve.matching.embedded import NAME
-from stages.retrieve.matching.indexed import TABLE_FILE, Entry, asset_file
+from apartgen.schemas.errors import BadInput
+from apartgen.stages import registry
+from apartgen.stages.retrieve.matching import indexed, store, textures
+from apartgen.stages.retrieve.matching.embedded import NAME
+from apartgen.stages.retrieve.matching.indexed import TABLE_FILE, Entry, asset_file
+from apartgen.stages.things.asset import Asset
 
 LOG = logging.getLogger("apartgen")
 
@@ -47,7 +47,7 @@ class Report(NamedTuple):
 
 def kinds() -> dict[str, str]:
     """Kinds of library that can be indexed, and their one-line help."""
-    found = registry.members("stages.retrieve")
+    found = registry.members("apartgen.stages.retrieve")
     return {name: text for name, text in found.items() if name not in PACKAGES | {NAME}}
 
 
@@ -57,7 +57,7 @@ def read(root: Path, kind: str, **options: Any) -> Iterator[tuple[str, Asset | F
         raise BadInput(f"no kind of library {kind!r}; one of: {', '.join(kinds())}")
     if not root.exists():
         raise BadInput(f"{root}: no such file or folder")
-    reader: Callable[..., Iterator[Any]] = registry.load("stages.retrieve", kind).assets
+    reader: Callable[..., Iterator[Any]] = registry.load("apartgen.stages.retrieve", kind).assets
     for source in reader(root, **options):
         try:
             yield source.id, source.load()
@@ -98,7 +98,7 @@ def build(root: Path, kind: str, out: Path, name: str = "", **options: Any) -> R
 
 
 def _fill(folder: Path, root: Path, kind: str, name: str, options: dict[str, Any]) -> Report:
-    from stages.retrieve.shape.encoder import latents
+    from apartgen.stages.retrieve.shape.encoder import latents
 
     entries: list[Entry] = []
     rows: list[Any] = []

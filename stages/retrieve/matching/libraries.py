@@ -6,12 +6,12 @@ from pathlib import Path
 
 from numpy.typing import ArrayLike
 
-from schemas.errors import BadInput
-from stages.asset import Asset
-from stages.retrieve.matching import embedded
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.retrieve.matching.embedded import Embedded
-from stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.matching import embedded
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.retrieve.matching.embedded import Embedded
+from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.stages.things.asset import Asset
 
 KEPT = 512
 """Assets kept in memory."""

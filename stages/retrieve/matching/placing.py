@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from shapely import Geometry, Point, Polygon
 from shapely.ops import unary_union
 
-from schemas.layout import Box
-from schemas.plan import Plan
-from stages import boxes, polygons
-from stages.boxes import TOLERANCE, Boxes
-from stages.categories import TABLE, belong_together
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Plan
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.space.boxes import TOLERANCE, Boxes
+from apartgen.stages.things.categories import TABLE, belong_together
 
 Array = NDArray[np.float64]
 

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from shapely import Geometry
 from shapely.ops import unary_union
 
-from schemas.plan import Plan
-from schemas.retrieve import Furnishing
-from stages import boxes, polygons, sweeps
-from stages.boxes import Array, Boxes, Mask
-from stages.categories import TABLE, belong_together
-from stages.retrieve.matching import placing
-from stages.retrieve.matching.placing import Site
+from apartgen.schemas.plan import Plan
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.retrieve.matching import placing
+from apartgen.stages.retrieve.matching.placing import Site
+from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.space.boxes import Array, Boxes, Mask
+from apartgen.stages.things.categories import TABLE, belong_together
 
 LOG = logging.getLogger("apartgen")
 

@@ -7,9 +7,9 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.layout import Box
-from stages.categories import OVEN_TOWER, TABLE, fitted_ovens
-from stages.retrieve.matching.embedded import Embedded
+from apartgen.schemas.layout import Box
+from apartgen.stages.retrieve.matching.embedded import Embedded
+from apartgen.stages.things.categories import OVEN_TOWER, TABLE, fitted_ovens
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]

@@ -8,18 +8,18 @@ from typing import NamedTuple
 import numpy as np
 from shapely import Polygon
 
-from schemas.errors import BadInput
-from schemas.layout import Box, Layout
-from schemas.retrieve import AssetKey, Furnishing, Retrieve
-from stages import boxes
-from stages.asset import Asset
-from stages.boxes import Boxes
-from stages.categories import TABLE
-from stages.retrieve.matching import placing, seats, sets, supports
-from stages.retrieve.matching.config import RetrieveConfig
-from stages.retrieve.matching.embedded import NAME
-from stages.retrieve.matching.libraries import LibrarySet, open_libraries
-from stages.retrieve.matching.placing import Site
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
+from apartgen.stages.retrieve.matching import placing, seats, sets, supports
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.retrieve.matching.embedded import NAME
+from apartgen.stages.retrieve.matching.libraries import LibrarySet, open_libraries
+from apartgen.stages.retrieve.matching.placing import Site
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.categories import TABLE
 
 LOG = logging.getLogger("apartgen")
 

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
-from schemas.errors import BadInput
-from schemas.retrieve import Joint
-from stages.asset import Asset, Collider, Link, Material, Mesh
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.things.asset import Asset, Collider, Link, Material, Mesh
 
 Tensors = dict[str, NDArray[Any]]
 

@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stages import boxes
-from stages.asset import Asset
-from stages.boxes import Boxes
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.asset import Asset
 
 Array = NDArray[np.float64]
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stages.categories import TABLE
-from stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.stages.things.categories import TABLE
 
 Array = NDArray[np.float32]
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from stages.asset import Asset, Material
-from stages.retrieve.reading.images import decoded, encoded, linear
-from stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.images import decoded, encoded, linear
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.things.asset import Asset, Material
 
 LOG = logging.getLogger("apartgen")
 FOLDER = "textures"

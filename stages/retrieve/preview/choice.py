@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from schemas.errors import BadInput
-from stages import categories
-from stages.retrieve import furniture
-from stages.retrieve.matching.indexed import IndexedLibrary
-from stages.retrieve.preview import sheet
-from stages.retrieve.preview.sheet import Cell
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.stages.retrieve.preview import sheet
+from apartgen.stages.retrieve.preview.sheet import Cell
+from apartgen.stages.things import categories
 
 MOST = 600
 """Assets on one sheet."""

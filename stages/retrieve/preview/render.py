@@ -7,10 +7,10 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
-from schemas.retrieve import Joint
-from stages.asset import Array, Asset, Link, Material
-from stages.materials import pixels
-from stages.shading import corner_normals
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.things.asset import Array, Asset, Link, Material
+from apartgen.stages.things.materials import pixels
+from apartgen.stages.things.shading import corner_normals
 
 _SUN = np.array([0.72, -0.1, 0.9]) / np.linalg.norm([0.72, -0.1, 0.9])
 _GROUND = 0.93

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-from stages import categories
-from stages.asset import Asset
-from stages.retrieve import furniture
-from stages.retrieve.preview import render
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.retrieve.preview import render
+from apartgen.stages.things import categories
+from apartgen.stages.things.asset import Asset
 
 CELL, COLUMNS = 136, 14
 PAPER, INK = (250, 250, 250), (30, 30, 30)

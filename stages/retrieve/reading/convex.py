@@ -9,8 +9,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
-from stages.asset import Collider
-from stages.retrieve.reading.pieces import Array, Piece
+from apartgen.stages.retrieve.reading.pieces import Array, Piece
+from apartgen.stages.things.asset import Collider
 
 Cell = NDArray[np.signedinteger[Any]]
 

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stages.categories import TABLE
-from stages.retrieve.reading.pieces import Array
+from apartgen.stages.retrieve.reading.pieces import Array
+from apartgen.stages.things.categories import TABLE
 
 
 def fitted(extents: Array, candidates: Sequence[str]) -> tuple[str, float]:

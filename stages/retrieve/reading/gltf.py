@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.retrieve.reading import limits
-from stages.retrieve.reading.gltf_looks import KNOWN, Looks
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.pieces import Array, Piece, count
+from apartgen.stages.retrieve.reading import limits
+from apartgen.stages.retrieve.reading.gltf_looks import KNOWN, Looks
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.pieces import Array, Piece, count
 
 TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}

@@ -5,11 +5,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stages.asset import Material
-from stages.retrieve.reading import images
-from stages.retrieve.reading.images import encoded
-from stages.retrieve.reading.limits import FILE_BYTES, Broken
-from stages.retrieve.reading.pieces import Array
+from apartgen.stages.retrieve.reading import images
+from apartgen.stages.retrieve.reading.images import encoded
+from apartgen.stages.retrieve.reading.limits import FILE_BYTES, Broken
+from apartgen.stages.retrieve.reading.pieces import Array
+from apartgen.stages.things.asset import Material
 
 WEBP = "EXT_texture_webp"
 TRANSFORM = "KHR_texture_transform"

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stages.retrieve.reading.limits import Broken, read
-from stages.retrieve.reading.pieces import Array
+from apartgen.stages.retrieve.reading.limits import Broken, read
+from apartgen.stages.retrieve.reading.pieces import Array
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 from typing import IO, Any
 from xml.parsers import expat
 
-from schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput
 
 FILE_BYTES = 256 * 2**20
 TEXT_BYTES = 64 * 2**20

@@ -6,16 +6,16 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from stages.asset import Collider, Material
-from stages.retrieve.reading import limits, tree
-from stages.retrieve.reading.convex import hull
-from stages.retrieve.reading.limits import Broken, floats
-from stages.retrieve.reading.model import Motion
-from stages.retrieve.reading.pieces import Array, Piece, count
-from stages.retrieve.reading.primitives import shape
-from stages.retrieve.reading.source import image
-from stages.retrieve.reading.transforms import about, at, quaternion, z_along
-from stages.retrieve.reading.tree import Body
+from apartgen.stages.retrieve.reading import limits, tree
+from apartgen.stages.retrieve.reading.convex import hull
+from apartgen.stages.retrieve.reading.limits import Broken, floats
+from apartgen.stages.retrieve.reading.model import Motion
+from apartgen.stages.retrieve.reading.pieces import Array, Piece, count
+from apartgen.stages.retrieve.reading.primitives import shape
+from apartgen.stages.retrieve.reading.source import image
+from apartgen.stages.retrieve.reading.transforms import about, at, quaternion, z_along
+from apartgen.stages.retrieve.reading.tree import Body
+from apartgen.stages.things.asset import Collider, Material
 
 INCLUDES = 200
 NEST = 64

@@ -6,11 +6,11 @@ from typing import Literal
 
 import numpy as np
 
-from schemas.retrieve import Joint
-from stages.asset import Asset, Collider, Link, Mesh
-from stages.retrieve.reading import convex
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.pieces import Array, Piece, sound
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.retrieve.reading import convex
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.pieces import Array, Piece, sound
+from apartgen.stages.things.asset import Asset, Collider, Link, Mesh
 
 DENSITY = 350.0
 """Of furniture whose file names no mass: board and air, kg/m³."""

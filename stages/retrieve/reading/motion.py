@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stages.categories import DRAWER_TRAVEL
-from stages.retrieve.reading.model import Motion
-from stages.retrieve.reading.pieces import Array, Piece
-from stages.retrieve.reading.words import split
+from apartgen.stages.retrieve.reading.model import Motion
+from apartgen.stages.retrieve.reading.pieces import Array, Piece
+from apartgen.stages.retrieve.reading.words import split
+from apartgen.stages.things.categories import DRAWER_TRAVEL
 
 MOVING = frozenset({"door", "drawer", "lid", "flap"})
 STILL = frozenset({"frame", "knob", "handle", "bed"})

@@ -9,9 +9,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Material
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.pieces import Array, Piece, count
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.pieces import Array, Piece, count
+from apartgen.stages.things.asset import Material
 
 MTL_BYTES = 4 * 2**20
 LINE_BYTES = 2**20

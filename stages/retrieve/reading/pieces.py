@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Material
-from stages.retrieve.reading.limits import FACES, VERTICES, Broken
+from apartgen.stages.retrieve.reading.limits import FACES, VERTICES, Broken
+from apartgen.stages.things.asset import Material
 
 Array = NDArray[np.float64]
 

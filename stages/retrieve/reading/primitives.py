@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from stages.asset import Collider, Material
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.pieces import Array, Piece
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.pieces import Array, Piece
+from apartgen.stages.things.asset import Collider, Material
 
 SIDES = 24
 RINGS = 6

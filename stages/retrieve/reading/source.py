@@ -4,8 +4,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from stages.asset import Asset
-from stages.retrieve.reading.limits import Broken, inside, read
+from apartgen.stages.retrieve.reading.limits import Broken, inside, read
+from apartgen.stages.things.asset import Asset
 
 CREDIT_FILES = ("LICENSE", "LICENSE.txt", "License.txt", "LICENSE.md", "LICENCE", "COPYING", "license.txt")
 APACHE = "Apache License"

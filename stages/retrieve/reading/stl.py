@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.pieces import Piece, count
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.pieces import Piece, count
 
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stages.retrieve.reading.pieces import Array
+from apartgen.stages.retrieve.reading.pieces import Array
 
 
 def at(position: Sequence[float], rotation: Array | None = None) -> Array:

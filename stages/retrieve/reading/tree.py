@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from stages.asset import Collider, Material
-from stages.retrieve.reading import gltf, limits, obj, stl
-from stages.retrieve.reading.limits import Broken
-from stages.retrieve.reading.model import Motion, Part
-from stages.retrieve.reading.pieces import Array, Piece, count
-from stages.retrieve.reading.source import beside, image
+from apartgen.stages.retrieve.reading import gltf, limits, obj, stl
+from apartgen.stages.retrieve.reading.limits import Broken
+from apartgen.stages.retrieve.reading.model import Motion, Part
+from apartgen.stages.retrieve.reading.pieces import Array, Piece, count
+from apartgen.stages.retrieve.reading.source import beside, image
+from apartgen.stages.things.asset import Collider, Material
 
 LINKS = 2000
 """Most links of one object."""

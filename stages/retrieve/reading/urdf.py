@@ -6,16 +6,16 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from stages.asset import Collider, Material
-from stages.retrieve.reading import limits, tree
-from stages.retrieve.reading.convex import colliders
-from stages.retrieve.reading.limits import Broken, floats
-from stages.retrieve.reading.model import Motion
-from stages.retrieve.reading.pieces import Array, Piece, gathered
-from stages.retrieve.reading.primitives import shape
-from stages.retrieve.reading.source import image
-from stages.retrieve.reading.transforms import at, rpy
-from stages.retrieve.reading.tree import LINKS, Body
+from apartgen.stages.retrieve.reading import limits, tree
+from apartgen.stages.retrieve.reading.convex import colliders
+from apartgen.stages.retrieve.reading.limits import Broken, floats
+from apartgen.stages.retrieve.reading.model import Motion
+from apartgen.stages.retrieve.reading.pieces import Array, Piece, gathered
+from apartgen.stages.retrieve.reading.primitives import shape
+from apartgen.stages.retrieve.reading.source import image
+from apartgen.stages.retrieve.reading.transforms import at, rpy
+from apartgen.stages.retrieve.reading.tree import LINKS, Body
+from apartgen.stages.things.asset import Collider, Material
 
 KINDS = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide"}
 

@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from stages.categories import by_word
+from apartgen.stages.things.categories import by_word
 
 OTHER = "other"
 """Category of what the furniture vocabulary has no word for."""

@@ -1,6 +1,7 @@
 """The index of the embedded library: which piece has which latent.
 
-`python -m stages.retrieve.shape.catalogue` makes it anew with the present weights, after the library has changed.
+`python -m apartgen.stages.retrieve.shape.catalogue` makes it anew with the present weights, after the library has
+changed.
 """
 
 import hashlib
@@ -12,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from safetensors.numpy import save_file
 
-from stages.latents import INDEX
-from stages.retrieve.shape.designs import Maker, embedded_maker, fields, indexed
-from stages.retrieve.shape.encoder import WEIGHTS, encode
+from apartgen.stages.retrieve.shape.designs import Maker, embedded_maker, fields, indexed
+from apartgen.stages.retrieve.shape.encoder import WEIGHTS, encode
+from apartgen.stages.things.latents import INDEX
 
 
 def write(maker: Maker, out: Path = INDEX, weights: Path = WEIGHTS) -> int:

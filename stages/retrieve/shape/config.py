@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from schemas.base import Record
+from apartgen.schemas.base import Record
 
 
 class ShapeTraining(Record):

@@ -6,9 +6,9 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.asset import Asset
-from stages.categories import CATEGORIES, TABLE
-from stages.retrieve.shape.fields import field
+from apartgen.stages.retrieve.shape.fields import field
+from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 Size = tuple[float, float, float]
 
@@ -19,7 +19,7 @@ SHARES = (-0.6, 0.0, 0.6)
 
 
 class Maker(Protocol):
-    """What builds pieces to measure; `stages.retrieve.furniture` is one."""
+    """What builds pieces to measure; `apartgen.stages.retrieve.furniture` is one."""
 
     def styles(self, category: str) -> tuple[str, ...]:
         """Styles of a category."""
@@ -30,7 +30,7 @@ class Maker(Protocol):
 
 def embedded_maker() -> Maker:
     """The embedded library's builder."""
-    from stages.retrieve import furniture
+    from apartgen.stages.retrieve import furniture
 
     maker: Maker = furniture
     return maker

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from safetensors import safe_open
 
-from schemas.errors import BadInput
-from stages.asset import Asset
-from stages.retrieve.shape.fields import FEATURES, field
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.shape.fields import FEATURES, field
+from apartgen.stages.things.asset import Asset
 
 Array = NDArray[np.float64]
 WEIGHTS = Path(__file__).parent / "weights.safetensors"

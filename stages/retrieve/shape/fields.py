@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from stages.asset import Asset
+from apartgen.stages.things.asset import Asset
 
 Array = NDArray[np.float64]
 Field = NDArray[np.float32]

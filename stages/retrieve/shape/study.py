@@ -1,6 +1,6 @@
 """How well the latent tells styles apart, and what its neighbours look like: the figures and the picture of the README.
 
-`python -m stages.retrieve.shape.study PICTURE.png` draws the picture and logs the figures.
+`python -m apartgen.stages.retrieve.shape.study PICTURE.png` draws the picture and logs the figures.
 """
 
 import json
@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from stages.latents import INDEX, Index, index
-from stages.retrieve.shape.designs import Design, Maker, drawn, embedded_maker, fields
-from stages.retrieve.shape.encoder import WEIGHTS, encode
+from apartgen.stages.retrieve.shape.designs import Design, Maker, drawn, embedded_maker, fields
+from apartgen.stages.retrieve.shape.encoder import WEIGHTS, encode
+from apartgen.stages.things.latents import INDEX, Index, index
 
 LOG = logging.getLogger("apartgen")
 Array = NDArray[np.float64]
@@ -66,7 +66,7 @@ def picture(maker: Maker, path: Path, weights: Path = WEIGHTS, table: Path = IND
     """A sheet of held-out pieces, one a row in two columns of rows, each followed by its nearest neighbours."""
     from PIL import Image
 
-    from stages.retrieve.preview import render
+    from apartgen.stages.retrieve.preview import render
 
     known, queries = index(table), held_out(maker)
     chosen = [queries[i] for i in np.linspace(0, len(queries) - 1, QUERIES).astype(int)]

@@ -12,12 +12,12 @@ import torch
 from numpy.typing import NDArray
 from safetensors.torch import save_file
 
-from schemas.errors import BadInput
-from stages.latents import INDEX
-from stages.retrieve.shape import catalogue
-from stages.retrieve.shape.config import ShapeTraining
-from stages.retrieve.shape.designs import Maker, drawn, embedded_maker, fields
-from stages.retrieve.shape.vae import LATENT, Batch, ShapeVAE, Weights, loss
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.shape import catalogue
+from apartgen.stages.retrieve.shape.config import ShapeTraining
+from apartgen.stages.retrieve.shape.designs import Maker, drawn, embedded_maker, fields
+from apartgen.stages.retrieve.shape.vae import LATENT, Batch, ShapeVAE, Weights, loss
+from apartgen.stages.things.latents import INDEX
 
 LOG = logging.getLogger("apartgen")
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from torch import Tensor, nn
 from torch.nn import functional as F
 
-from stages.retrieve.shape.fields import FEATURES, SHAPE
+from apartgen.stages.retrieve.shape.fields import FEATURES, SHAPE
 
 LATENT = 32
 

@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from schemas.base import ROOM_TYPES
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from stages.categories import CATEGORIES
-from stages.layout.corpus import read_corpus
-from stages.layout.datasets import _arrays, single_rooms
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.stages.layout.corpus import read_corpus
+from apartgen.stages.layout.datasets import _arrays, single_rooms
+from apartgen.stages.things.categories import CATEGORIES
 
 
 @pytest.fixture(scope="module")

@@ -4,16 +4,17 @@ import numpy as np
 import pytest
 from shapely.geometry import Point, Polygon
 
-from schemas.base import ROOM_TYPES
-from schemas.layout import Box, Layout
-from stages import boxes, polygons, reach, sweeps
-from stages.boxes import Array
-from stages.categories import CATEGORIES, TABLE, belong_together
-from stages.layout.datasets import furnisher, single_rooms
-from stages.layout.datasets._furnish import shape, step
-from stages.layout.datasets._furnish.poses import PLACES
-from stages.layout.datasets._furnish.prefer import FEATURES
-from stages.layout.datasets._furnish.step import Step
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.layout import Box, Layout
+from apartgen.stages.layout.datasets import furnisher, single_rooms
+from apartgen.stages.layout.datasets._furnish import shape, step
+from apartgen.stages.layout.datasets._furnish.poses import PLACES
+from apartgen.stages.layout.datasets._furnish.prefer import FEATURES
+from apartgen.stages.layout.datasets._furnish.step import Step
+from apartgen.stages.robot import reach
+from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.categories import CATEGORIES, TABLE, belong_together
 
 SEEDS = range(3)
 

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from shapely.geometry import LineString, Point
 
-from schemas import artifact
-from schemas.artifact import Made
-from schemas.errors import BadInput
-from schemas.layout import Box, Layout
-from stages import boxes, polygons
-from stages.layout.datasets import _json, front3d, procthor, ssr
-from stages.layout.datasets import boxes as atiss
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Made
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Box, Layout
+from apartgen.stages.layout.datasets import _json, front3d, procthor, ssr
+from apartgen.stages.layout.datasets import boxes as atiss
+from apartgen.stages.space import boxes, polygons
 
 BACK = [0.0, 0.0, 0.0, 1.0]
 """No turn: the front is +z there, -y here."""

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from schemas.errors import BadInput
-from stages.layout import datasets
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.layout import datasets
 
 
 @pytest.mark.parametrize("name", datasets.names())

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from llm_server import Script, Step, good
 
-from schemas.errors import ApartgenError, BadInput, Unmet
-from schemas.plan import Program
-from stages.plan import llm
+from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan import llm
 
 MODEL = "openai/gpt-4o-mini"
 PROMPT = "one-bedroom flat with two desks in the bedroom"
@@ -232,6 +232,7 @@ def test_failures_are_not_cached(script: Script, tmp_path: Path) -> None:
 
 
 def test_litellm_is_imported_only_when_a_model_is_asked() -> None:
-    code = "import sys, stages.plan.llm; print([m for m in ('litellm', 'torch', 'openai') if m in sys.modules])"
+    code = ("import sys, apartgen.stages.plan.llm; "
+            "print([m for m in ('litellm', 'torch', 'openai') if m in sys.modules])")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"

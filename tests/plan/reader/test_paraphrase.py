@@ -2,9 +2,9 @@
 
 import pytest
 
-from schemas.plan import Program
-from stages.graphs import edge_similarity, node_similarity, of_program
-from stages.plan.reader import read
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.reader import read
+from apartgen.stages.space.graphs import edge_similarity, node_similarity, of_program
 
 SAME = [
     ("both", "The study and the lounge are off the hall. Both open onto a balcony. Two bedrooms, a bathroom.",

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from schemas.errors import BadInput, Unmet
-from schemas.plan import AskedRoom, Program
-from stages.graphs import constraint_satisfaction, edge_similarity, node_similarity, of_program
-from stages.plan.prompts import Case, cases
-from stages.plan.reader import complete_program, read
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import AskedRoom, Program
+from apartgen.stages.plan.prompts import Case, cases
+from apartgen.stages.plan.reader import complete_program, read
+from apartgen.stages.space.graphs import constraint_satisfaction, edge_similarity, node_similarity, of_program
 
 SHORT = {
     "living_room": "L", "kitchen": "K", "dining_room": "D", "bedroom": "B", "bathroom": "W", "hallway": "H",
@@ -423,7 +423,7 @@ def test_reading_takes_less_than_fifty_milliseconds() -> None:
 
 def test_the_same_bytes_whatever_the_hash_seed() -> None:
     code = (
-        "from stages.plan.reader import read; from stages.plan.prompts import cases;"
+        "from apartgen.stages.plan.reader import read; from apartgen.stages.plan.prompts import cases;"
         "print([read(c.prompt).model_dump_json() for c in cases('tune')[::4]])"
     )
     runs = [

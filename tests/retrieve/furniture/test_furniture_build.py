@@ -5,9 +5,10 @@ import pytest
 import shapely
 import trimesh
 
-from schemas.errors import BadInput
-from stages import body, categories, sweeps
-from stages.retrieve import furniture, parametric
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve import furniture, parametric
+from apartgen.stages.space import sweeps
+from apartgen.stages.things import body, categories
 
 LARGE = (
     "double_bed",

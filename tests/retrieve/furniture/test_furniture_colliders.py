@@ -5,8 +5,8 @@ import pytest
 import trimesh
 from scipy.spatial import ConvexHull
 
-from stages import categories
-from stages.retrieve import furniture
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.things import categories
 
 CLOSE = 0.0055
 

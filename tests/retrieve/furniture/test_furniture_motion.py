@@ -4,9 +4,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from stages import categories
-from stages.retrieve import furniture
-from stages.solids import corners
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.things import categories
+from apartgen.stages.things.solids import corners
 
 TOUCH = 2e-4
 """Pieces may press this deep into each other, m: rounding and what lies on what."""

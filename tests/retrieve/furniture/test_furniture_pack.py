@@ -5,10 +5,10 @@ import time
 import numpy as np
 import pytest
 
-from schemas.errors import BadInput
-from stages import categories
-from stages.retrieve import furniture
-from stages.retrieve.furniture import pack
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve import furniture
+from apartgen.stages.retrieve.furniture import pack
+from apartgen.stages.things import categories
 
 
 def everything(seed):

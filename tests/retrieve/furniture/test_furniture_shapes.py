@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import trimesh
 
-from schemas.errors import BadInput
-from stages import materials
-from stages.retrieve.furniture import mesh
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.things import materials
 
 CONE = np.pi * 0.1**2 * 0.3 * (1 + 0.5 + 0.25) / 3
 CIRCLE = 32 / 2 * np.sin(2 * np.pi / 32) / np.pi

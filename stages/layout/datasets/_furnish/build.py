@@ -5,14 +5,14 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.random import Generator
 
-from stages.boxes import Array
-from stages.categories import belong_together
-from stages.layout.datasets._furnish import kitchen, prefer, sizes
-from stages.layout.datasets._furnish.pose import hangs, prior
-from stages.layout.datasets._furnish.poses import PLACES
-from stages.layout.datasets._furnish.shape import Shape
-from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Setup, Step, floor_for, most_of, setups, use_of
+from apartgen.stages.layout.datasets._furnish import kitchen, prefer, sizes
+from apartgen.stages.layout.datasets._furnish.pose import hangs, prior
+from apartgen.stages.layout.datasets._furnish.poses import PLACES
+from apartgen.stages.layout.datasets._furnish.shape import Shape
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.layout.datasets._furnish.step import Setup, Step, floor_for, most_of, setups, use_of
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.categories import belong_together
 
 ATTEMPTS = 5
 NOISE = 0.35

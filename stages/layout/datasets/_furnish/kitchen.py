@@ -6,10 +6,10 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from stages import boxes
-from stages.boxes import Array, Boxes
-from stages.layout.datasets._furnish.sizes import draw
-from stages.layout.datasets._furnish.space import NO_USE, Space
+from apartgen.stages.layout.datasets._furnish.sizes import draw
+from apartgen.stages.layout.datasets._furnish.space import NO_USE, Space
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array, Boxes
 
 USE = (0.75, 0.0, 0.0, 0.0)
 """Floor kept free before a run, m."""

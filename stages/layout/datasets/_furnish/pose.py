@@ -6,12 +6,12 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from stages import boxes
-from stages.boxes import Array, Boxes
-from stages.categories import TABLE
-from stages.layout.datasets._furnish.shape import within
-from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Step
+from apartgen.stages.layout.datasets._furnish.shape import within
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.layout.datasets._furnish.step import Step
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array, Boxes
+from apartgen.stages.things.categories import TABLE
 
 Poses = tuple[Boxes, int]
 """Boxes (m,) worth trying, and the index of the object that they may touch, -1 for none."""

@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.random import Generator
 
-from stages.boxes import Array, Boxes
-from stages.categories import TABLE
-from stages.layout.datasets._furnish import relations
-from stages.layout.datasets._furnish.pose import Place, Poses, anchor_of, boxed, gap_of, height_of, nowhere
-from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Step
+from apartgen.stages.layout.datasets._furnish import relations
+from apartgen.stages.layout.datasets._furnish.pose import Place, Poses, anchor_of, boxed, gap_of, height_of, nowhere
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.layout.datasets._furnish.step import Step
+from apartgen.stages.space.boxes import Array, Boxes
+from apartgen.stages.things.categories import TABLE
 
 ALONG = 0.1
 """Spacing of candidates along a wall, m."""

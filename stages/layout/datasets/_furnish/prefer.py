@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from stages import boxes
-from stages.boxes import Array, Boxes
-from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Step
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.layout.datasets._furnish.step import Step
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array, Boxes
 
 
 def _sides(space: Space, at: Boxes) -> tuple[Array, Array]:

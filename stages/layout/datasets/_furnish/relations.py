@@ -6,12 +6,12 @@ from functools import wraps
 import numpy as np
 from numpy.random import Generator
 
-from stages import boxes
-from stages.boxes import Array, Boxes
-from stages.categories import TABLE
-from stages.layout.datasets._furnish.pose import Place, Poses, anchor_of, boxed, gap_of, nowhere, relative
-from stages.layout.datasets._furnish.space import Space
-from stages.layout.datasets._furnish.step import Step
+from apartgen.stages.layout.datasets._furnish.pose import Place, Poses, anchor_of, boxed, gap_of, nowhere, relative
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.layout.datasets._furnish.step import Step
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array, Boxes
+from apartgen.stages.things.categories import TABLE
 
 UNDER = 0.2
 """How far a chair may be pushed under its desk, m."""

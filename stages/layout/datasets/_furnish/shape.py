@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.base import RoomType
-from stages.boxes import Array, Boxes
+from apartgen.schemas.base import RoomType
+from apartgen.stages.space.boxes import Array, Boxes
 
 DOOR_CLEAR = 0.8
 """Floor kept free in front of every door, m."""

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.random import Generator
 
-from stages.boxes import Array
-from stages.categories import TABLE
-from stages.layout.datasets._furnish.step import sizes
+from apartgen.stages.layout.datasets._furnish.step import sizes
+from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.categories import TABLE
 
 SPREAD = 0.45
 LEVEL = {"depth": 0, "width": 1, "height": 2}

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import label
 
-from stages import boxes
-from stages.boxes import Array, Boxes, Mask
-from stages.categories import TABLE, reach
-from stages.layout.datasets._furnish.shape import CELL, SWING, Shape, within
-from stages.layout.datasets._furnish.step import friends_of
+from apartgen.stages.layout.datasets._furnish.shape import CELL, SWING, Shape, within
+from apartgen.stages.layout.datasets._furnish.step import friends_of
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Array, Boxes, Mask
+from apartgen.stages.things.categories import TABLE, reach
 
 TOUCH = 0.004
 """Contact no deeper than this is none, m."""

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from schemas.base import RoomType
+from apartgen.schemas.base import RoomType
 
 RULES = Path(__file__).parent / "rules"
 

@@ -12,15 +12,16 @@ from itertools import count
 
 import numpy as np
 
-from schemas.errors import BadInput
-from schemas.layout import Layout
-from schemas.plan import Plan
-from schemas.retrieve import Furnishing, Retrieve
-from stages import boxes, placed, polygons, shell
-from stages.asset import Asset, Link
-from stages.body import Body, Light
-from stages.categories import TABLE
-from stages.wedged import wedged
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import Plan
+from apartgen.schemas.retrieve import Furnishing, Retrieve
+from apartgen.stages.robot.wedged import wedged
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.things import placed, shell
+from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.body import Body, Light
+from apartgen.stages.things.categories import TABLE
 
 log = logging.getLogger("apartgen")
 Load = Callable[[str, str], Asset]

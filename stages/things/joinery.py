@@ -6,10 +6,11 @@ from there. `span` is where the wall's faces lie on x: (far face, near face). No
 
 import numpy as np
 
-from schemas.plan import Opening
-from schemas.retrieve import Joint
-from stages import finishes, polygons, solids
-from stages.asset import Array, Collider, Link, Material, Mesh
+from apartgen.schemas.plan import Opening
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.space import polygons
+from apartgen.stages.things import finishes, solids
+from apartgen.stages.things.asset import Array, Collider, Link, Material, Mesh
 
 Span = tuple[float, float]
 Corner = tuple[float, float, float]

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.retrieve import Joint
-from stages.asset import Array, Collider
-from stages.solids import corners
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.things.asset import Array, Collider
+from apartgen.stages.things.solids import corners
 
 STEPS = 18
 """Steps of a quarter turn: a leaf 0.9 m wide bulges by 0.9 mm in each."""

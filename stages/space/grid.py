@@ -12,7 +12,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Geometry
 
-from stages.boxes import Array, Boxes, Mask
+from apartgen.stages.space.boxes import Array, Boxes, Mask
 
 RESOLUTION = 0.05
 """Default cell size, m."""

@@ -12,8 +12,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.errors import BadInput
-from stages.asset import Material
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.things.asset import Material
 
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from safetensors import safe_open
 
-from schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput
 
 Array = NDArray[np.float64]
 
 DIMENSIONS = 32
-INDEX = Path(__file__).parent / "retrieve" / "shape" / "index.safetensors"
+INDEX = Path(__file__).parents[1] / "retrieve" / "shape" / "index.safetensors"
 
 
 class Index(NamedTuple):

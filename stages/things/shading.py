@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from stages.asset import Array, Mesh
+from apartgen.stages.things.asset import Array, Mesh
 
 CREASE = np.cos(np.radians(42))
 """Faces that meet at less than this angle are shaded as one smooth surface."""

@@ -7,8 +7,8 @@ from shapely import Geometry
 from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
-from stages import materials
-from stages.asset import Collider, Material, Mesh
+from apartgen.stages.things import materials
+from apartgen.stages.things.asset import Collider, Material, Mesh
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
-from schemas.layout import Box
+from apartgen.schemas.layout import Box
 
 TOLERANCE = 0.01
 """Contact no deeper than this is no collision, m."""

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from types import ModuleType
 
-from schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput
 
 
 @cache

@@ -6,8 +6,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from stages.body import Array, Body
-from stages.solids import corners
+from apartgen.stages.things.body import Array, Body
+from apartgen.stages.things.solids import corners
 
 DEPTH = 0.001
 """Overlap out of which an engine pushes a loose thing without a jolt, m."""

@@ -1,8 +1,8 @@
 """Surfaces of the building: what floors and walls of each type of room are made of."""
 
-from schemas.base import RoomType
-from stages.asset import Material
-from stages.materials import PALETTE
+from apartgen.schemas.base import RoomType
+from apartgen.stages.things.asset import Material
+from apartgen.stages.things.materials import PALETTE
 
 WALL = Material("wall_render", (0.80, 0.785, 0.76, 1.0), 0.9)
 CONCRETE = PALETTE["concrete"]

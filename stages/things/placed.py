@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from schemas.errors import BadInput
-from schemas.retrieve import Furnishing, Joint
-from stages.asset import Asset, Link
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.retrieve import Furnishing, Joint
+from apartgen.stages.things.asset import Asset, Link
 
 CLOSE = 1e-4
 """Lengths and angles that differ by no more are the same, m and rad; artifacts hold rounded ones."""

@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 from shapely import unary_union
 from shapely.geometry import Polygon
 
-from schemas.layout import Box
-from schemas.plan import Opening, Plan
-from stages import boxes, footprints, grid, handling, polygons, sweeps
-from stages.boxes import Boxes, Mask
-from stages.grid import Grid
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Opening, Plan
+from apartgen.stages.robot import handling
+from apartgen.stages.space import boxes, footprints, grid, polygons, sweeps
+from apartgen.stages.space.boxes import Boxes, Mask
+from apartgen.stages.space.grid import Grid
 
 RADIUS = 0.25
 """Default radius of the robot, m."""

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely.geometry import Polygon
 
-from schemas.base import Vector
-from schemas.layout import Box
-from schemas.plan import Plan
-from schemas.retrieve import Furnishing, Joint
-from stages import boxes, categories, polygons
-from stages.boxes import Array, Boxes, Mask
+from apartgen.schemas.base import Vector
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Plan
+from apartgen.schemas.retrieve import Furnishing, Joint
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.space.boxes import Array, Boxes, Mask
+from apartgen.stages.things import categories
 
 PUBLISHED_SHARE = 1 / 3
 """PhyScene opens whatever is articulated by this share of its depth, at the front."""

@@ -11,7 +11,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.retrieve import Joint
+from apartgen.schemas.retrieve import Joint
 
 Array = NDArray[np.float64]
 

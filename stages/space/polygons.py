@@ -13,7 +13,7 @@ from shapely import Geometry
 from shapely.geometry import Point, Polygon
 from shapely.ops import nearest_points, unary_union
 
-from schemas.plan import Opening, Plan, Room, Walls
+from apartgen.schemas.plan import Opening, Plan, Room, Walls
 
 LEAF = 0.04
 """Thickness of a door leaf, m; it fills the wall's face on the side it opens to."""

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from schemas.layout import Box
+from apartgen.schemas.layout import Box
 
 Place = Literal["floor", "wall", "ceiling", "top", "flat"]
 Opens = Literal["", "leaf", "drawer", "flap", "lid", "sliding"]

@@ -9,8 +9,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from schemas.retrieve import Joint
-from stages.asset import Collider, Link
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages.things.asset import Collider, Link
 
 Array = NDArray[np.float64]
 Ranges = tuple[tuple[float, float], ...]

@@ -9,12 +9,12 @@ from typing import Literal
 
 import numpy as np
 
-from schemas.base import Vector
-from schemas.layout import Box
-from schemas.retrieve import Furnishing, Joint
-from stages import sweeps
-from stages.boxes import Array, Boxes, Mask
-from stages.grid import Grid, Window
+from apartgen.schemas.base import Vector
+from apartgen.schemas.layout import Box
+from apartgen.schemas.retrieve import Furnishing, Joint
+from apartgen.stages.space import sweeps
+from apartgen.stages.space.boxes import Array, Boxes, Mask
+from apartgen.stages.space.grid import Grid, Window
 
 ARM = 0.9
 """From the middle of its base the robot gets hold of what is no further away, m."""

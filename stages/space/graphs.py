@@ -4,9 +4,9 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from schemas.plan import Link, Plan, Program
-from stages import polygons
-from stages.graph_matching import Edge, matched
+from apartgen.schemas.plan import Link, Plan, Program
+from apartgen.stages.space import polygons
+from apartgen.stages.space.graph_matching import Edge, matched
 
 
 class RoomGraph(NamedTuple):

@@ -10,9 +10,10 @@ import shapely
 from shapely import Geometry
 from shapely.ops import unary_union
 
-from schemas.layout import Box
-from stages import boxes, categories
-from stages.boxes import Mask
+from apartgen.schemas.layout import Box
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Mask
+from apartgen.stages.things import categories
 
 FLAT = 0.03
 """What is no higher is walked on, m."""

@@ -1,0 +1,1 @@
+"""What a mobile robot reaches, handles and is stopped by."""

@@ -1,0 +1,1 @@
+"""An apartment as the bodies that simulators and pictures are made of."""

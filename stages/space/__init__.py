@@ -1,0 +1,1 @@
+"""Plane geometry: polygons, oriented boxes, grids, swept volumes, and graphs of rooms."""

@@ -1,0 +1,1 @@
+"""What things are: categories, materials, assets, bodies, the building's own parts."""
