@@ -43,6 +43,7 @@ class Category:
     z: float = 0.0
     back: bool = False
     soft: bool = False
+    loose: bool = False
     synonyms: tuple[str, ...] = ()
 
     @property
