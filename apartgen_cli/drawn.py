@@ -23,6 +23,11 @@ class Wanted:
     program: Program | None = None
     rooms: list[Room] = field(default_factory=list)
 
+    @property
+    def id(self) -> str:
+        """What one request is told from another by: its words, or its programme."""
+        return self.program.model_dump_json() if self.program else self.prompt
+
 
 def wanted(source: str) -> Wanted:
     """What a file asks for: a programme, {"rooms": [{id, type, polygon}]} drawn by hand, or an artifact's programme."""

@@ -14,11 +14,12 @@ from apartgen_cli.stage import Outcome, Stage
 
 
 def furnish(plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator]) -> Iterable[Outcome]:
-    """All apartments in one batch, but those that ask for what no layout can have."""
+    """The apartments, but those that ask for what no layout can have."""
     wrong = [_fault(plan) for plan in plans]
     good = [i for i, fault in enumerate(wrong) if fault is None]
-    made = iter(layout.run_many([plans[i] for i in good], config, [rngs[i] for i in good]) if good else [])
-    return [fault or next(made) for fault in wrong]
+    made = layout.run_many([plans[i] for i in good], config, [rngs[i] for i in good])
+    for fault in wrong:
+        yield fault or next(made)
 
 
 def _fault(plan: Plan) -> ApartgenError | None:

@@ -86,7 +86,7 @@ def _advanced(stage: Stage, previous: Artifact[Any], config: Record, seed: int, 
     old = _kept(file, artifact.BODIES[stage.word], wanted)
     if old is not None:
         return old
-    outcome = next(iter(stage.advance([previous.body], config, [lane(seed, stage.word)])))
+    outcome = next(iter(stage.advance([previous.body], config, [lane(seed, stage.word, previous.body)])))
     if isinstance(outcome, ApartgenError):
         raise outcome
     return _saved(outcome, wanted, began, file)

@@ -15,11 +15,12 @@ from apartgen.schemas.artifact import STREAM, Made
 from apartgen.schemas.base import Polygon
 from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.plan import Envelope, Plan, Program, Side
+from apartgen.stages import seeds
 from apartgen.stages.plan.config import PlanConfig
 from apartgen_cli.console import log, progress
 from apartgen_cli.drawn import Wanted, outline, wanted
 from apartgen_cli.options import CONFIG, OUT, SEED, configured, tables, with_options
-from apartgen_cli.stage import lane, made, settled, written
+from apartgen_cli.stage import made, settled, written
 from apartgen_cli.streams import Target, is_folder, targets
 
 PROMPTS = Annotated[list[str] | None, typer.Argument(
@@ -73,7 +74,7 @@ def draw(prompt: str, config: PlanSettings, seed: int) -> tuple[Plan, dict[str, 
     from apartgen.stages import plan
 
     program, used = read(prompt, config)
-    return plan.build(program, config, lane(seed, "plan"), prompt), used
+    return plan.build(program, config, seeds.drawn(seed, "plan", prompt), prompt), used
 
 
 def prompts(given: list[str] | None) -> list[str]:
@@ -139,7 +140,7 @@ def _several(one: Wanted, config: PlanSettings, seed: int, k: int) -> tuple[list
         single, used = draw(one.prompt, config, seed)
         return [single], used
     program, used = (enclosed(one.program, config), {}) if one.program else read(one.prompt, config)
-    rng = lane(seed, "plan")
+    rng = seeds.drawn(seed, "plan", one.id)
     if k == 1:
         return [plan.build(program, config, rng, one.prompt)], used
     return plan.build_variants(program, config, rng, k, one.prompt), used

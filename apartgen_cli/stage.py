@@ -17,6 +17,8 @@ from apartgen.schemas import artifact
 from apartgen.schemas.artifact import STREAM, Artifact, Made
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError, Unmet
+from apartgen.schemas.plan import Plan
+from apartgen.stages import seeds
 from apartgen_cli import __version__
 from apartgen_cli.console import fail, log, progress, say
 from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, configured, tables, with_options
@@ -68,9 +70,9 @@ def each(step: Callable[[Any, Any, np.random.Generator], Record]) -> Advance:
     return advance
 
 
-def lane(seed: int, word: str) -> np.random.Generator:
-    """The random numbers of one stage; the same whether it runs alone or with others."""
-    return np.random.default_rng([seed, *word.encode()])
+def lane(seed: int, word: str, home: Plan) -> np.random.Generator:
+    """The random numbers of one stage for one apartment: the same alone or in a batch, under whatever name."""
+    return seeds.drawn(seed, word, seeds.plan_digest(home))
 
 
 def made(seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0,
@@ -90,10 +92,11 @@ def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int 
     names = sources(inputs)
     places = dict(zip(names, targets(stage.word, names, out)))
     work, errors = opened([(name, name) for name in names], stage.takes)
-    seeds = [read.made.seed if seed is None else seed for _, read in work]
+    used_seeds = [read.made.seed if seed is None else seed for _, read in work]
     began = perf_counter()
-    outcomes = _told(stage, [(name, read.body) for name, read in work], config, [lane(s, stage.word) for s in seeds])
-    for (name, read), used, outcome in zip(work, seeds, progress(outcomes, stage.word, len(work))):
+    outcomes = _told(stage, [(name, read.body) for name, read in work], config,
+                    [lane(s, stage.word, read.body) for s, (_, read) in zip(used_seeds, work)])
+    for (name, read), used, outcome in zip(work, used_seeds, progress(outcomes, stage.word, len(work))):
         if isinstance(outcome, ApartgenError):
             errors.append(about(name, outcome, len(names)))
             continue

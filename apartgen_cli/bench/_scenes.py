@@ -74,7 +74,7 @@ def furnished(homes: list[Plan], settings: LayoutConfig, seed: int) -> list[Layo
     """The plans furnished; the same seeds in every setting."""
     from apartgen.stages import layout
 
-    return layout.run_many(homes, settings, [np.random.default_rng([seed, i, 5]) for i in range(len(homes))])
+    return list(layout.run_many(homes, settings, [np.random.default_rng([seed, i, 5]) for i in range(len(homes))]))
 
 
 def retrieved(home: Layout, seed: int) -> Retrieve:

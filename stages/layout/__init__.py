@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 from apartgen.stages.layout.config import LayoutConfig
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.random import Generator
 
     from apartgen.schemas.layout import Layout
@@ -12,8 +14,8 @@ if TYPE_CHECKING:
 
 
 def run(previous: "Plan", config: LayoutConfig, rng: "Generator") -> "Layout":
-    """Furnish one apartment, all its rooms in one batch. BadInput for a wish that no layout can meet."""
-    return run_many([previous], config, [rng])[0]
+    """Furnish one apartment. BadInput for a wish that no layout can meet."""
+    return next(run_many([previous], config, [rng]))
 
 
 def check(previous: "Plan") -> None:
@@ -23,8 +25,8 @@ def check(previous: "Plan") -> None:
     wishes.check(previous)
 
 
-def run_many(previous: "list[Plan]", config: LayoutConfig, rngs: "list[Generator]") -> "list[Layout]":
-    """Furnish several apartments, their rooms batched together; every room draws from a lane of its own.
+def run_many(previous: "list[Plan]", config: LayoutConfig, rngs: "list[Generator]") -> "Iterator[Layout]":
+    """Furnish several apartments, each as if it were alone, and give each as it is done; rooms draw by their names.
 
     BadInput for a wish that no layout can meet, Unmet where sampling diverged.
     """

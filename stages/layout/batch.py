@@ -1,4 +1,4 @@
-"""Many rooms at once: batches are sampled here while workers put the objects of earlier ones in their places."""
+"""Homes are furnished each by itself, several at once where there are cores; rooms of a corpus in batches."""
 
 import logging
 import multiprocessing
@@ -8,15 +8,15 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from dataclasses import fields
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
+from apartgen.stages import seeds
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.settle import Settled, Task, settle
 
@@ -30,17 +30,19 @@ log = logging.getLogger("apartgen")
 MANY_ROOMS = 48
 """Fewer are done before workers would have started."""
 CHUNK = 4
-Spread = Callable[[Callable[[Task], Settled], Iterable[Task]], Iterator[Settled]]
+Spread = Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[Any]]
 Described = Callable[[int, "Rooms", "Objects", int], "tuple[Task, Latents]"]
 """What is to be placed in a room, by its index, from its row of a sampled batch."""
 
 
-def furnished(plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator]) -> list[Layout]:
-    """The apartments furnished; no room depends on how many workers there are."""
-    many = sum(len(plan.rooms) for plan in plans) >= MANY_ROOMS
-    workers = (config.threads or os.cpu_count() or 1) if many else 1
-    with spreading(workers) as spread:
-        return _furnished(plans, config, rngs, spread, 1 if many else config.threads or 1)
+def furnished(plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator]) -> Iterator[Layout]:
+    """The apartments furnished in turn; none depends on the others, nor on how many workers there are."""
+    many = len(plans) > 1 and sum(len(plan.rooms) for plan in plans) >= MANY_ROOMS
+    with spreading((config.threads or os.cpu_count() or 1) if many else 1) as spread:
+        for plan, (home, notes) in zip(plans, spread(partial(_furnished, config), zip(plans, rngs, strict=True))):
+            for note in notes:
+                log.info(note, extra={"body": plan})
+            yield home
 
 
 @contextmanager
@@ -91,41 +93,27 @@ def _quiet() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def _furnished(
-    plans: list[Plan], config: LayoutConfig, rngs: list[np.random.Generator], spread: Spread, threads: int
-) -> list[Layout]:
+def _furnished(config: LayoutConfig, home: tuple[Plan, np.random.Generator]) -> tuple[Layout, list[str]]:
+    """One apartment, and what is to be said about it; every room draws from the lane of its name."""
     import torch
 
     from apartgen.stages.layout import furnish, weights, wishes
     from apartgen.stages.layout import rooms as room_arrays
     from apartgen.stages.layout.sample import draw_counts
 
-    torch.set_num_threads(threads)
+    torch.set_num_threads(1)  # sums over several threads are rounded differently
+    plan, rng = home
     network, record = weights.load(Path(config.weights) if config.weights else None)
-    spawned = [rng.spawn(len(plan.rooms) + 1) for plan, rng in zip(plans, rngs, strict=True)]
-    lanes = [lane for *own, _ in spawned for lane in own]
-    parts = [room_arrays.of_plan(plan, home.random()) for plan, (*_, home) in zip(plans, spawned, strict=True)]
-    rooms = room_arrays.Rooms(
-        **{f.name: np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(room_arrays.Rooms)}
-    )
-    whose = [(plan, room) for plan in plans for room in plan.rooms]
-    at_home = np.array([len(plan.rooms) > 1 for plan, _ in whose])
-    rooms.count = draw_counts(rooms, record["counts"], lanes, at_home)
-    boxes = {}
-    for i, settled, shapes in placed(
-        network, rooms, config, lanes, lambda i, *row: furnish.of_plan(*whose[i], *row), spread
-    ):
-        boxes[i] = furnish.boxes(whose[i][1], settled, shapes, rooms.origin[i])
-        plan, room = whose[i]
-        for note in settled.notes:
-            log.info("%s: %s", room.id, note, extra={"body": plan})
+    lanes = [seeds.lane(rng, room.id) for room in plan.rooms]
+    rooms = room_arrays.of_plan(plan, seeds.lane(rng, "home").random())
+    rooms.count = draw_counts(rooms, record["counts"], lanes, np.full(len(plan.rooms), len(plan.rooms) > 1))
+    boxes, notes = {}, []
+    made = placed(network, rooms, config, lanes, lambda i, *row: furnish.of_plan(plan, plan.rooms[i], *row), map)
+    for i, settled, shapes in made:
+        room = plan.rooms[i]
+        boxes[i] = furnish.boxes(room, settled, shapes, rooms.origin[i])
+        notes += [f"{room.id}: {note}" for note in settled.notes]
         if lacks := wishes.unmet(plan.program, room.id, boxes[i]):
-            log.info("%s: has %s", room.id, "; ".join(lacks), extra={"body": plan})
-    rows = iter(range(len(whose)))
-    return [
-        Layout(
-            **plan.model_dump(include=set(Plan.model_fields)),
-            objects=[box for _, i in zip(plan.rooms, rows) for box in boxes[i]],
-        )
-        for plan in plans
-    ]
+            notes.append(f"{room.id}: has {'; '.join(lacks)}")
+    objects = [box for i in range(len(plan.rooms)) for box in boxes[i]]
+    return Layout(**plan.model_dump(include=set(Plan.model_fields)), objects=objects), notes

@@ -75,8 +75,8 @@ class LayoutConfig(Record):
     )
     projection: bool = Field(True, description="remove what little overlap is left after sampling")
     weights: str | None = Field(None, description="a weights file other than the shipped one")
-    batch: int = Field(48, ge=1, description="rooms denoised at once")
-    threads: int = Field(0, ge=0, description="cores; 0 is one for few rooms, all for many")
+    batch: int = Field(48, ge=1, description="rooms of a home denoised at once")
+    threads: int = Field(0, ge=0, description="homes furnished at once; 0 is as many as there are cores")
 
     @property
     def gradient_steps(self) -> int:

@@ -1,4 +1,4 @@
-"""Many rooms are settled by workers; what comes out does not depend on how many there are."""
+"""A home is its seed's: alone, in any batch, with any number of workers it is the same."""
 
 import numpy as np
 import pytest
@@ -11,10 +11,10 @@ from apartgen.stages.layout.config import LayoutConfig
 
 def test_the_number_of_workers_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batch, "MANY_ROOMS", 2)
-    plans = [plan(), plan()]
-    made = [
-        layout.run_many(plans, LayoutConfig(steps=4, batch=3, threads=n), [np.random.default_rng(k) for k in (1, 2)])
-        for n in (1, 2)
-    ]
-    assert [home.objects for home in made[0]] == [home.objects for home in made[1]]
-    assert all(home.objects for home in made[0])
+    config = LayoutConfig(steps=4, batch=3)
+    alone = [layout.run(plan(), config, np.random.default_rng(k)) for k in (1, 2, 3)]
+    for threads, order in ((1, (1, 2, 3)), (2, (3, 1, 2))):
+        lanes = [np.random.default_rng(k) for k in order]
+        made = layout.run_many([plan()] * 3, config.model_copy(update={"threads": threads}), lanes)
+        assert [home.objects for home in made] == [alone[k - 1].objects for k in order]
+    assert all(home.objects for home in alone)
