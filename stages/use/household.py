@@ -1,0 +1,27 @@
+"""How many people a home is for, read off its plan."""
+
+import numpy as np
+
+from apartgen.schemas.plan import Plan, Room
+
+DOUBLE = 10.0
+"""A bedroom of so much floor sleeps two, m²; a studio does from three times that."""
+
+
+def sleepers(plan: Plan) -> int | None:
+    """Who sleeps in the home: two in a large bedroom, one in a small one; None for a room by itself."""
+    if len(plan.rooms) == 1 and plan.rooms[0].type != "living_room":
+        return None
+    beds = [room for room in plan.rooms if room.type == "bedroom"]
+    if not beds:
+        return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= 3 * DOUBLE)
+    return sum(1 + (_area(room) >= DOUBLE) for room in beds)
+
+
+def _largest(plan: Plan) -> Room:
+    return max(plan.rooms, key=_area)
+
+
+def _area(room: Room) -> float:
+    x, y = np.array(room.polygon, float).T
+    return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2

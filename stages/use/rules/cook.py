@@ -1,0 +1,102 @@
+"""Cooking: one run of units, worktop between sink and hob, the hood above the hob, floor to stand on."""
+
+from collections.abc import Iterator
+
+import networkx
+
+from apartgen.stages.use.fault import Fault
+from apartgen.stages.use.kinds import COLD, HOT, RUN, TABLES, WET, WORKTOPS
+from apartgen.stages.use.room import Furnished
+
+JOINED = 0.08
+"""Units of one run stand no further apart, m."""
+ABOVE = 0.10
+"""A hood's axis is no further from its hob's, m."""
+AISLE = 0.9
+"""Floor before units, m; NKBA asks for 1.07 for one cook."""
+TOP, LITTLE_TOP = 1.2, 0.6
+"""Worktop in one piece beside the sink or the hob, m; in kitchens below `SMALL` m² the latter."""
+SMALL = 5.5
+TRIANGLE = 7.92
+"""Longest way from sink to hob to fridge and back, m (NKBA kitchen guideline 3)."""
+TALL = 1.3
+"""An oven this high is no hob, m."""
+
+
+def faults(room: Furnished) -> Iterator[Fault]:
+    """Of kitchen units, of what hangs above them and of stools at counters."""
+    if room.site.kind not in ("kitchen", "living_room"):
+        return
+    units = room.which(RUN)
+    if room.site.kind == "kitchen" or room.count["kitchen_sink"]:
+        yield from _run(room, units)
+        yield from _worktop(room, units)
+        yield from _triangle(room)
+    for i in units:
+        if room.front(i, AISLE, 0.05, frozenset({"stool", "chair", "rug"})) < 0.6:
+            yield Fault("no floor before the kitchen unit", room.ids(i))
+        if room.back[i] > 0.15 and room.wall[i] > 0.05:
+            yield Fault("kitchen unit off the wall", room.ids(i))
+    yield from _hung(room, units)
+    counters = frozenset({"island"}) | TABLES
+    for i in room.which(frozenset({"stool"})):
+        if room.site.kind == "kitchen" and not room.beside(i, counters, 0.4):
+            yield Fault("stool without a counter", room.ids(i))
+
+
+def hobs(room: Furnished) -> list[int]:
+    """What one cooks on: hobs, else cookers."""
+    return room.which(frozenset({"hob"})) or [i for i in room.which(HOT) if room.top[i] < TALL]
+
+
+def runs(room: Furnished, units: list[int]) -> list[list[int]]:
+    """Units that stand in one piece, the longest run first."""
+    graph = networkx.Graph()
+    graph.add_nodes_from(units)
+    graph.add_edges_from((i, j) for i in units for j in units if i < j and room.gap[i, j] <= JOINED)
+    return sorted((sorted(part) for part in networkx.connected_components(graph)), key=len, reverse=True)
+
+
+def worktop(room: Furnished, units: list[int]) -> float:
+    """The longest piece of worktop beside a sink or a hob, m."""
+    ends = [*room.which(WET), *hobs(room)]
+    pieces = runs(room, [i for i in units if room.names[i] in WORKTOPS])
+    return max((sum(room.width[i] for i in piece) for piece in pieces
+                if any(room.gap[i, e] <= JOINED for i in piece for e in ends)), default=0.0)
+
+
+def _run(room: Furnished, units: list[int]) -> Iterator[Fault]:
+    first, *others = runs(room, units) or [[]]
+    for part in others:
+        facing = len(part) > 1 and all(room.turn[first[0], i] > 150 for i in part) or (
+            len(part) > 1 and any(room.turn[i, j] > 150 for i in first for j in part))
+        if len(part) == 1:
+            cold = room.names[part[0]] in COLD
+            yield Fault("fridge apart from the run" if cold else "kitchen unit alone", room.ids(*part))
+        elif not facing:
+            yield Fault("kitchen run in pieces", room.ids(*part))
+
+
+def _worktop(room: Furnished, units: list[int]) -> Iterator[Fault]:
+    if room.count["kitchen_sink"] and worktop(room, units) < (LITTLE_TOP if room.site.area < SMALL else TOP) - 0.01:
+        yield Fault("little worktop beside sink and hob", room.ids(*room.which(WET)))
+    for i in hobs(room):
+        if any(room.gap[i, k] <= JOINED and room.top[k] > TALL for k in units):
+            yield Fault("hob beside a tall unit", room.ids(i))
+
+
+def _triangle(room: Furnished) -> Iterator[Fault]:
+    corners = [kind[0] for kind in (room.which(WET), hobs(room), room.which(COLD)) if kind]
+    if len(corners) == 3:
+        a, b, c = (room.boxes.center[i, :2] for i in corners)
+        if sum(float(((p - q) ** 2).sum() ** 0.5) for p, q in ((a, b), (b, c), (c, a))) > TRIANGLE:
+            yield Fault("sink, hob and fridge far apart", room.ids(*corners))
+
+
+def _hung(room: Furnished, units: list[int]) -> Iterator[Fault]:
+    for i in room.which(frozenset({"hood"})):
+        if not any(abs(room.left[h, i]) <= ABOVE and abs(room.ahead[h, i]) < 0.5 for h in hobs(room)):
+            yield Fault("hood not above the hob", room.ids(i))
+    for i in room.which(frozenset({"wall_unit"})):
+        if not any(room.gap[i, k] < 0.01 for k in units):
+            yield Fault("wall unit above nothing", room.ids(i))

@@ -1,0 +1,162 @@
+"""Sitting: sofas, armchairs, coffee tables and the television as one group that works."""
+
+from collections.abc import Iterator
+
+from apartgen.stages.use.fault import Fault
+from apartgen.stages.use.kinds import BEDS, BEFORE_A_SEAT, DESKS, EASY, SCREENS, SMALL_SEATS, SOFAS, TABLES
+from apartgen.stages.use.room import Furnished
+
+FACING, HALF_FACING = 30.0, 60.0
+"""Who looks within so many degrees of something faces it, or half does."""
+CLOSE, FAR = 0.2, 0.75
+"""A coffee table is reached from .30 to .46 m; outside these one stoops or bumps one's shins."""
+TALK = 3.0
+"""People talk across no more than this, m."""
+AGAINST = 0.35
+"""Between a dining table and a sofa one passes, m."""
+REACH = 0.45
+"""A side table is within reach of its seat, m."""
+COFFEE = frozenset({"coffee_table"})
+
+
+def faults(room: Furnished) -> Iterator[Fault]:
+    """Of sofas, armchairs, coffee tables, screens, and what stands by them."""
+    screens = shown(room)
+    yield from _sofas(room, screens)
+    yield from _coffee(room)
+    for i in room.which(frozenset({"armchair"})):
+        if not _in_company(room, i, screens):
+            yield Fault("armchair looks at nothing", room.ids(i))
+    for i in screens:
+        yield from _screen(room, i)
+    yield from _companions(room)
+
+
+def shown(room: Furnished) -> list[int]:
+    """Screens: stands, and televisions that stand on anything else."""
+    stands = room.which(frozenset({"tv_stand"}))
+    loose = [i for i in room.which(frozenset({"tv"})) if not any(room.gap[i, j] < 0.01 for j in stands)]
+    return stands + loose
+
+
+def main_sofa(room: Furnished) -> int | None:
+    """The widest sofa."""
+    return max(room.which(SOFAS), key=lambda i: room.width[i], default=None)
+
+
+def before(room: Furnished, seat: int, i: int, reach: float = 1.1) -> bool:
+    """Whether something stands across the front of a seat, its near edge within `reach`."""
+    (near, right), (_, left) = room.least[seat, i], room.most[seat, i]
+    half = room.width[seat] / 2
+    common = min(left, half) - max(right, -half)
+    inside = 0.9 if room.names[seat] == "corner_sofa" else 0.15
+    return bool(-inside < near - room.depth[seat] / 2 < reach and common > 0.3 * min(left - right, 2 * half))
+
+
+def _sofas(room: Furnished, screens: list[int]) -> Iterator[Fault]:
+    sofas, main = room.which(SOFAS), main_sofa(room)
+    for i in sofas:
+        if screens:
+            off = min(float(room.aside[i, s]) for s in screens)
+            if off > HALF_FACING:
+                yield Fault("sofa not facing the television" if i == main else "second sofa turned from the television",
+                            room.ids(i, *screens))
+            elif off > FACING:
+                yield Fault("sofa aside of the television", room.ids(i, *screens))
+        elif len(sofas) + room.count["armchair"] + room.count["coffee_table"] > 1 and not _in_company(room, i, screens):
+            yield Fault("sofa looks at nothing", room.ids(i))
+        yield from _walled_in(room, i)
+    for i in sofas:
+        for j in sofas:
+            if i != j and room.turn[i, j] < 30 and room.ahead[i, j] > 0.5 and before(room, i, j, 2.5):
+                yield Fault("sofa looks at the back of another", room.ids(i, j))
+
+
+def _walled_in(room: Furnished, i: int) -> Iterator[Fault]:
+    """What stands right before a sofa, or between it and its screen."""
+    d, w = room.depth[i] / 2, 0.4 * room.width[i]
+    others = BEFORE_A_SEAT | SOFAS
+    if room.open(i, (d + 0.05, d + 0.5), (-w, w), others) < 0.9:
+        yield Fault("something right before the sofa", room.ids(i))
+    elif room.clear(room.frame(i), (d + 0.05, d + 1.0), (-0.2, 0.2), ()) < 0.75:
+        yield Fault("sofa looks at a near wall", room.ids(i))
+    for bed in room.which(BEDS):
+        if room.aside[i, bed] < 35 and room.gap[i, bed] < 1.2:
+            yield Fault("sofa looks into a bed", room.ids(i, bed))
+    for table in room.which(TABLES):
+        if room.gap[i, table] < AGAINST:
+            yield Fault("dining table against the sofa", room.ids(table, i))
+    for screen in shown(room):
+        if room.aside[i, screen] < FACING and (between := _between(room, i, screen)):
+            yield Fault("view of the television barred", room.ids(i, screen, *between))
+
+
+def _between(room: Furnished, seat: int, screen: int) -> list[int]:
+    """What stands between a seat's middle and a screen and is higher than a low table."""
+    far = float(room.ahead[seat, screen])
+    slope = float(room.left[seat, screen]) / max(far, 1e-6)
+    found = []
+    for k in room.upright:
+        if k in (seat, screen) or room.top[k] < 0.6 or not room.depth[seat] / 2 < room.ahead[seat, k] < far:
+            continue
+        at = slope * float(room.ahead[seat, k])
+        if room.least[seat, k, 1] < at < room.most[seat, k, 1]:
+            found.append(k)
+    return found
+
+
+def _coffee(room: Furnished) -> Iterator[Fault]:
+    seats, sofas = room.which(EASY), room.which(SOFAS)
+    for t in room.which(COFFEE):
+        served = [s for s in (sofas or seats) if before(room, s, t)]
+        if not served:
+            yield Fault("coffee table not before the sofa", room.ids(t))
+        elif not any(CLOSE <= _edge(room, s, t) <= FAR for s in served if room.names[s] != "corner_sofa") and all(
+                room.names[s] != "corner_sofa" for s in served):
+            yield Fault("coffee table out of reach", room.ids(t, *served))
+        for table in room.which(TABLES):
+            if room.gap[t, table] < AGAINST:
+                yield Fault("coffee table against the dining table", room.ids(t, table))
+
+
+def _edge(room: Furnished, seat: int, i: int) -> float:
+    """From the front of a seat to the near edge of something."""
+    return float(room.least[seat, i, 0]) - room.depth[seat] / 2
+
+
+def _in_company(room: Furnished, i: int, screens: list[int]) -> bool:
+    """Whether a seat looks at a table of its own, a screen, or someone to talk to, or stands paired with another."""
+    if any(room.aside[i, t] <= 60 and room.gap[i, t] <= 1.3 for t in room.which(COFFEE)):
+        return True
+    if any(room.aside[i, s] <= 40 and room.gap[i, s] < 4.5 for s in screens):
+        return True
+    if any(room.aside[i, s] <= 60 and room.gap[i, s] < TALK for s in room.which(EASY) if s != i):
+        return True
+    if any(room.look[i, t] <= 35 and room.gap[i, t] <= 0.55 for t in room.which(DESKS | TABLES)):
+        return True
+    paired = room.which(frozenset({"side_table"})) + room.which(frozenset({"armchair"}))
+    return room.names[i] == "armchair" and any(room.gap[i, k] < 0.5 and room.turn[i, k] < 100 for k in paired if k != i)
+
+
+def _screen(room: Furnished, i: int) -> Iterator[Fault]:
+    viewers = [s for s in room.which(EASY | BEDS) if room.aside[s, i] <= 40 and room.aside[i, s] <= 45]
+    if not viewers:
+        yield Fault("television that nobody watches", room.ids(i))
+    elif not any(1.0 < room.gap[s, i] < 5.5 for s in viewers):
+        yield Fault("television too near or too far", room.ids(i, *viewers))
+    if room.names[i] == "tv_stand" and room.back[i] > 0.2:
+        yield Fault("television off the wall", room.ids(i))
+
+
+def _companions(room: Furnished) -> Iterator[Fault]:
+    easy = EASY | BEDS
+    for i in room.which(frozenset({"side_table"})):
+        if not room.beside(i, easy, REACH):
+            yield Fault("side table at no seat", room.ids(i))
+    for i in room.which(frozenset({"floor_lamp"})):
+        if not room.beside(i, easy | DESKS, 0.7) and room.wall[i] > 0.35:
+            yield Fault("floor lamp at nothing", room.ids(i))
+    for i in room.which(SMALL_SEATS):
+        used = easy | DESKS | TABLES | COFFEE | SCREENS | {"island", "balcony_table"}
+        if room.site.kind in ("living_room", "bedroom") and not room.beside(i, used - SCREENS, 0.6):
+            yield Fault("stool at nothing", room.ids(i))
