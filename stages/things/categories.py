@@ -1,23 +1,32 @@
-"""The furniture vocabulary: sizes, where things stand, what opens and how far it sweeps.
+"""The furniture vocabulary: sizes, what a thing is for, where it stands, what opens and how far it sweeps.
 
-The data is `categories.toml`; the order of `CATEGORIES` is alphabetical, so that class indices are stable.
+The data is `categories.toml`, to which packages add by the entry points `apartgen.categories`. An entry that is `like`
+another has its facts but for those it gives itself, and models that never saw it place it as they place that one.
 """
 
+import logging
 import tomllib
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from apartgen.schemas import plugins
+from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box
+
+log = logging.getLogger("apartgen")
 
 Place = Literal["floor", "wall", "ceiling", "top", "flat"]
 Opens = Literal["", "leaf", "drawer", "flap", "lid", "sliding"]
 
+GROUP = "apartgen.categories"
+"""The entry points by which packages bring categories."""
 DRAWER_TRAVEL = 0.75
 """A drawer comes out by this share of its unit's depth."""
 OVEN_TOWER = 1.3
@@ -26,43 +35,133 @@ LEAST_CLEARANCE_HEIGHT = 1.8
 """What hangs above this is no obstacle to people, m."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Category:
-    """One kind of furniture; sizes are [depth, width, height] in metres."""
+    """One kind of furniture; sizes are [depth, width, height] in metres. `categories.toml` says what each fact is."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid")
 
     name: str
+    like: str = ""
     place: Place
     rooms: tuple[str, ...]
     size: tuple[float, float, float]
     min: tuple[float, float, float]
     max: tuple[float, float, float]
+    uses: tuple[str, ...] = ()
     opens: Opens = ""
     leaf_max: float = 0.6
     flap: float = 0.0
     belongs: tuple[str, ...] = ()
     z: float = 0.0
     back: bool = False
+    faces: bool = True
     soft: bool = False
     loose: bool = False
+    hangs: bool = False
+    kneehole: bool = False
+    appliance: bool = False
+    standard: bool = False
+    matters: Literal["little", "some", "much"] = "some"
+    serves: str = ""
+    instead: tuple[str, ...] = ()
+    family: str = ""
+    run: Literal["", "unit", "fitted", "beside"] = ""
+    lumens: float = 0.0
+    called: str = ""
     synonyms: tuple[str, ...] = ()
+    lineage: tuple[str, ...] = ()
 
     @property
     def articulated(self) -> bool:
         """Whether any part of it moves."""
         return self.opens != ""
 
+    def is_for(self, *uses: str) -> bool:
+        """Whether it has one of these uses."""
+        return not set(uses).isdisjoint(self.uses)
+
+
+_CHECKED = TypeAdapter(Category)
+_ITS_OWN = ("name", "like", "serves", "synonyms", "called", "lineage")
+"""Facts that what is like a category does not take over from it."""
+
 
 def _load() -> dict[str, Category]:
-    table = tomllib.loads((Path(__file__).parent / "categories.toml").read_text())
-    return {name: Category(name=name, **_frozen(table[name])) for name in sorted(table)}
+    """Our entries, then those of other packages, of which a faulty one is left out with a warning."""
+    table = read(tomllib.loads((Path(__file__).parent / "categories.toml").read_text(encoding="utf-8")), {})
+    for plugin, rows in plugins.facts(GROUP):
+        try:
+            if alone := [name for name, row in rows.items() if isinstance(row, dict) and not row.get("like")]:
+                raise BadInput(f'[{alone[0]}] needs like = "…", the category that it is placed as')
+            table |= read(rows, table)
+        except BadInput as error:
+            log.warning("%s", plugin.told(f"{error}; its categories are left out"))
+    return dict(sorted(table.items()))
 
 
-def _frozen(row: dict[str, Any]) -> dict[str, Any]:
-    return {key: tuple(value) if isinstance(value, list) else value for key, value in row.items()}
+def read(rows: dict[str, Any], known: dict[str, Category]) -> dict[str, Category]:
+    """Entries as categories by name, `known` being those there are already; BadInput names the entry and its fault."""
+    found: dict[str, Category] = {}
+    waiting = dict(rows)
+    while waiting:
+        ready = [name for name, row in waiting.items() if _model(row) not in waiting]
+        if not ready:
+            raise BadInput(f"[{next(iter(waiting))}] is like one that is like it; name one that stands by itself")
+        for name in ready:
+            if name in known:
+                raise BadInput(f"[{name}] is there already; give it another name")
+            found[name] = _entry(name, waiting.pop(name), known | found)
+    every = known | found
+    for kind in found.values():
+        if strange := [other for other in (*kind.belongs, *kind.instead, kind.serves) if other and other not in every]:
+            raise BadInput(f"[{kind.name}] names {strange[0]!r}, which is no category; there are: {', '.join(every)}")
+    return found
+
+
+def _model(row: Any) -> str:
+    return str(row.get("like", "")) if isinstance(row, dict) else ""
+
+
+def _entry(name: str, row: Any, known: dict[str, Category]) -> Category:
+    if not isinstance(row, dict):
+        raise BadInput(f"{name} is no entry; begin one with [its_name]")
+    model = _model(row)
+    if model and model not in known:
+        raise BadInput(f"[{name}] is like {model!r}, which is no category; there are: {', '.join(known)}")
+    taken = {k: v for k, v in vars(known[model]).items() if k not in _ITS_OWN} if model else {}
+    lineage = (name, *known[model].lineage) if model else (name,)
+    try:
+        kind = _CHECKED.validate_python(taken | row | {"name": name, "lineage": lineage})
+    except ValidationError as error:
+        fault = error.errors(include_url=False)[0]
+        raise BadInput(f"[{name}] {'.'.join(map(str, fault['loc']))}: {fault['msg'].lower()}") from None
+    if not all(0 < low <= usual <= high for low, usual, high in zip(kind.min, kind.size, kind.max, strict=True)):
+        raise BadInput(f"[{name}] size {list(kind.size)} is not within min {list(kind.min)} and max {list(kind.max)}")
+    return replace(kind, serves=kind.serves or (known[model].serves or model if model else name),
+                   called=kind.called or name.replace("_", " "))
 
 
 TABLE: dict[str, Category] = _load()
-CATEGORIES: tuple[str, ...] = tuple(TABLE)
+CATEGORIES: tuple[str, ...] = tuple(name for name, kind in TABLE.items() if not kind.like)
+"""What models learn, their class indices in this order; what is like one of these is placed as that is."""
+
+
+def those(true_of: Callable[[Category], bool]) -> frozenset[str]:
+    """Names of the categories of which something is true."""
+    return frozenset(name for name, kind in TABLE.items() if true_of(kind))
+
+
+@cache
+def used_for(*uses: str) -> frozenset[str]:
+    """Names of the categories that have one of these uses."""
+    return those(lambda kind: kind.is_for(*uses))
+
+
+def stand_in(category: str, known: Container[str] = CATEGORIES) -> str | None:
+    """The first of a category, what it is like, what that is like and so on, that is `known`; None if none is."""
+    lineage = TABLE[category].lineage if category in TABLE else (category,)
+    return next((name for name in lineage if name in known), None)
 
 
 def leaves(category: str, width: float) -> int:
@@ -92,8 +191,11 @@ def reach(category: str, size: ArrayLike) -> NDArray[np.float64]:
 
 @cache
 def groups() -> frozenset[tuple[str, str]]:
-    """Ordered pairs (child, parent) that touch by design, such as a chair and its table."""
-    return frozenset((c.name, parent) for c in TABLE.values() for parent in c.belongs)
+    """Ordered pairs (child, parent) that touch by design, such as a chair and its table or what is like one."""
+    return frozenset(
+        (child.name, parent.name) for child in TABLE.values() for parent in TABLE.values()
+        if not set(child.belongs).isdisjoint(parent.lineage)
+    )
 
 
 def belong_together(a: str, b: str) -> bool:
@@ -101,13 +203,13 @@ def belong_together(a: str, b: str) -> bool:
     return (a, b) in groups() or (b, a) in groups()
 
 
-INSTEAD = {
-    "double_bed": ("single_bed",), "bunk_bed": ("single_bed",), "wardrobe": ("sliding_wardrobe",),
-    "sliding_wardrobe": ("wardrobe",), "corner_sofa": ("sofa", "armchair"), "sofa": ("armchair",),
-    "bath": ("shower",), "dining_table": ("round_table",),
-}
-"""Kinds that do for another."""
-SEATS = frozenset({"chair", "office_chair", "stool", "bench", "balcony_chair"})
+@cache
+def carriers() -> frozenset[str]:
+    """Names of the categories that others stand on."""
+    return frozenset(parent for child, parent in groups() if TABLE[child].place == "top")
+
+
+SEATS = used_for("sit")
 
 
 def tucks(a: str, b: str) -> bool:
@@ -117,12 +219,17 @@ def tucks(a: str, b: str) -> bool:
 
 @cache
 def by_word() -> dict[str, str]:
-    """Category of every synonym, lower case."""
-    own = {c.name.replace("_", " "): c.name for c in TABLE.values()}
-    return own | {word: c.name for c in TABLE.values() for word in c.synonyms}
+    """Category of every word for one, lower case. A newcomer has its own name, but takes no word that is spoken for."""
+    models, newcomers = ([c for c in TABLE.values() if bool(c.like) == new] for new in (False, True))
+    named = {c.name.replace("_", " "): c.name for c in models}
+    return _words(newcomers) | named | _words(models) | {c.name.replace("_", " "): c.name for c in newcomers}
+
+
+def _words(kinds: Sequence[Category]) -> dict[str, str]:
+    return {word.lower(): c.name for c in kinds for word in c.synonyms}
 
 
 def fitted_ovens(objects: Sequence[Box]) -> frozenset[str]:
     """Ids of ovens fitted into a kitchen with a hob of its own; elsewhere an oven is a cooker."""
-    hobs = {o.room for o in objects if o.category == "hob"}
-    return frozenset(o.id for o in objects if o.category == "oven" and o.room in hobs)
+    hobs = {o.room for o in objects if o.category in used_for("fry")}
+    return frozenset(o.id for o in objects if o.category in used_for("bake") and o.room in hobs)

@@ -5,47 +5,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from apartgen.schemas import rooms
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.space import footprints
 from apartgen.stages.things import categories
 from apartgen.stages.walkable.site import Need, Scene, Site
 
-ESSENTIAL = frozenset({
-    "double_bed", "single_bed", "bunk_bed", "cot", "wardrobe", "sliding_wardrobe", "desk", "sofa", "corner_sofa",
-    "dining_table", "round_table", "kitchen_base", "kitchen_sink", "kitchen_corner", "hob", "oven", "fridge", "toilet",
-    "vanity", "bath", "shower", "washing_machine",
-})
+KEPT = ("sleep", "relieve", "wash", "bathe", "rinse", "cook", "fry", "cool")
+"""Uses of furniture of which the last is given up in no room; `rooms.toml` has more for some types of room."""
+DECORATION = categories.those(lambda kind: kind.matters == "little")
+ESSENTIAL = categories.those(lambda kind: kind.matters == "much")
 """Without the only one of these a room does not do what it is for."""
-VITAL: tuple[tuple[str | None, frozenset[str], int], ...] = (
-    (None, frozenset({"double_bed", "single_bed", "bunk_bed", "cot"}), 1),
-    (None, frozenset({"toilet"}), 1),
-    (None, frozenset({"vanity"}), 1),
-    (None, frozenset({"bath", "shower"}), 1),
-    (None, frozenset({"kitchen_sink"}), 1),
-    (None, frozenset({"hob", "oven"}), 1),
-    (None, frozenset({"hob"}), 1),
-    (None, frozenset({"fridge"}), 1),
-    ("living_room", frozenset({"sofa", "corner_sofa", "armchair"}), 1),
-    ("dining_room", frozenset({"dining_table", "round_table"}), 1),
-    ("dining_room", categories.SEATS, 2),
-    ("study", frozenset({"desk"}), 1),
-)
-"""Type of room (None: any), categories, and how many of them together it keeps: with less it is not that room."""
-DECORATION = frozenset({
-    "plant", "pouffe", "floor_lamp", "side_table", "bench", "coat_rack", "console_table", "planter", "stool", "bin",
-    "laundry_basket", "ironing_board", "clothes_rail", "wall_shelf", "wall_lamp", "table_lamp",
-})
-
-STANDARD = frozenset({
-    "fridge", "oven", "hob", "hood", "dishwasher", "washing_machine", "dryer", "water_heater", "toilet", "vanity",
-    "bath", "shower", "radiator", "curtain",
-})
+STANDARD = categories.those(lambda kind: kind.standard)
 """Comes in few sizes, or in those of what it belongs to: changed last."""
-SERVES = {
-    "corner_sofa": "sofa", "single_bed": "double_bed", "bunk_bed": "double_bed", "round_table": "dining_table",
-    "sliding_wardrobe": "wardrobe", "shower": "bath",
-}
-"""What does for another: where a room has both, it does not lose its use with one of them."""
 
 
 def easily_smaller(o: Furnishing) -> bool:
@@ -59,9 +31,9 @@ def needs(home: Retrieve) -> tuple[Need, ...]:
     found = []
     for room in home.rooms:
         own = [o.category for o in home.objects if o.room == room.id]
-        for type, of, count in VITAL:
-            has = sum(category in of for category in own)
-            if has and type in (None, room.type):
+        for use, count in (*((use, 1) for use in KEPT), *rooms.kinds()[room.type].keeps.items()):
+            of = categories.used_for(use)
+            if has := sum(category in of for category in own):
                 found.append(Need(room.id, of, min(has, count)))
     return tuple(found)
 
@@ -99,7 +71,7 @@ class Ranks:
 
 
 def _serves(o: Furnishing) -> str:
-    return SERVES.get(o.category, o.category)
+    return categories.TABLE[o.category].serves if o.category in categories.TABLE else o.category
 
 
 def asked(o: Furnishing, scene: Scene, site: Site) -> bool:

@@ -12,9 +12,7 @@ from apartgen.stages.walkable.site import Changes, Scene, Site, fits
 
 GAIN = 0.98
 """A smaller candidate's footprint is at most this share of the old one."""
-BUILT_IN = frozenset({
-    "kitchen_base", "kitchen_drawers", "kitchen_sink", "hob", "oven", "dishwasher", "kitchen_corner",
-})
+BUILT_IN = categories.those(lambda kind: kind.run in ("unit", "fitted"))
 """Parts of a run: a gap between them helps nobody, and their sizes are standard."""
 LATENT = 32
 

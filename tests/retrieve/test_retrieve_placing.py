@@ -9,11 +9,11 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.stages.retrieve import RetrieveConfig, run
 from apartgen.stages.retrieve.matching import supports
-from apartgen.stages.retrieve.matching.sets import RUN
 from apartgen.stages.space import boxes
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 RNG = np.random.default_rng(0)
+UNITS = ("kitchen_base", "kitchen_drawers", "kitchen_sink")
 
 
 def retrieve(layout, libraries) -> Retrieve:
@@ -154,7 +154,7 @@ def test_equal_things_of_a_room_look_equal_and_a_kitchen_shares_one_style(flat, 
     chairs = [{"category": "chair", "center": [1 + i, 1, 0.44], "size": [0.5 + i / 100, 0.47, 0.88],
                "latent": noisy(rows[i])} for i in range(3)]  # fmt: skip
     units = [{"category": name, "center": [0.3, 2 + 0.6 * i, 0.45], "size": [0.6 + i / 200, 0.6, 0.9],
-              "latent": rng.normal(size=32).tolist()} for i, name in enumerate(RUN[:3])]  # fmt: skip
+              "latent": rng.normal(size=32).tolist()} for i, name in enumerate(UNITS)]  # fmt: skip
     home = retrieve(flat(*chairs, *units, type="kitchen"), libraries)
     made = [libraries.load(o.asset.library, o.asset.id) for o in home.objects]
     assert {asset.style for asset in made[:3]} == {"legs"} and len({asset.id for asset in made[:3]}) == 1

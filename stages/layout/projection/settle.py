@@ -10,7 +10,7 @@ from apartgen.stages.layout.projection.project import project
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Item
 from apartgen.stages.layout.sense import essentials
-from apartgen.stages.things.categories import INSTEAD, TABLE
+from apartgen.stages.things.categories import TABLE
 
 STAND_INS = ("wall_shelf", "wall_lamp", "mirror", "curtain", "radiator", "ceiling_lamp", "plant", "bin")
 """Small things that take the place of an object that fits nowhere when the count was asked for."""
@@ -88,7 +88,7 @@ def _stand_in(items: list[Item], worst: int, task: Task, notes: list[str]) -> li
     """The items, another kind for the same use in place of the worst, or something small that there is least of."""
     best, there = items, Counter(item.category for item in items)
     small = sorted(STAND_INS, key=there.__getitem__)
-    for category in (*INSTEAD.get(items[worst].category, ()), *small):
+    for category in (*TABLE[items[worst].category].instead, *small):
         if task.kind not in TABLE[category].rooms:
             continue
         swap = Item(category, items[worst].center, np.array(TABLE[category].size), items[worst].yaw)

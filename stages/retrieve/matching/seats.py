@@ -23,12 +23,6 @@ from apartgen.stages.things.categories import TABLE, belong_together
 
 LOG = logging.getLogger("apartgen")
 
-LOOSE = frozenset({
-    "bench", "bin", "chair", "floor_lamp", "laundry_basket", "office_chair", "plant", "pouffe", "side_table", "stool",
-})  # fmt: skip
-"""Categories on the floor that are light enough to be put elsewhere."""
-KNEEHOLES = ("desk", "dressing_table")
-"""Pieces with room under them beside their drawers; others are solid where they have moving parts."""
 MET = 0.002
 """A part that is entered deeper than this does not move freely, m."""
 CONTACT = 0.005
@@ -74,7 +68,7 @@ def cleared(objects: Sequence[Furnishing], plan: Plan) -> list[Furnishing]:
         rows = [i for i, o in enumerate(result) if o.room == room]
         things = [result[i] for i in rows]
         for k, o in enumerate(things):
-            if _hangs(o) or o.category in LOOSE:
+            if _hangs(o) or _loose(o):
                 shift = _shift(k, things, _overhead(o, site, plan) if _hangs(o) else site)
                 things = _shifted(k, things, shift) if shift.any() else things
         for i, o in zip(rows, things, strict=True):
@@ -84,6 +78,10 @@ def cleared(objects: Sequence[Furnishing], plan: Plan) -> list[Furnishing]:
 
 def _hangs(o: Furnishing) -> bool:
     return TABLE[o.category].place == "ceiling"
+
+
+def _loose(o: Furnishing) -> bool:
+    return TABLE[o.category].loose and TABLE[o.category].place == "floor"
 
 
 def _overhead(lamp: Furnishing, site: Site, plan: Plan) -> Site:
@@ -141,7 +139,7 @@ def _beside(own: Boxes, thing: Furnishing, met: Sequence[Furnishing]) -> Array:
     steps = np.stack([out * (1 if at[away] >= 0 else -1), aside], -1)[:, :: 1 if away == 0 else -1]
     order = np.argsort(np.round(np.hypot(out, aside), 6), kind="stable")
     shifts = np.asarray(steps[order] @ boxes.axes(piece)[0])
-    if main.category in KNEEHOLES:
+    if TABLE[main.category].kneehole:  # others are solid where they have moving parts
         return shifts
     return np.asarray(shifts[boxes.penetration(_at(own, shifts), piece)[:, 0] <= CONTACT])
 

@@ -9,22 +9,15 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.layout import Box
 from apartgen.stages.retrieve.matching.embedded import Embedded
-from apartgen.stages.things.categories import OVEN_TOWER, TABLE, fitted_ovens
+from apartgen.stages.things.categories import OVEN_TOWER, TABLE, fitted_ovens, used_for
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
 Design = tuple[str, int]
 Name = TypeVar("Name", str, int)
 
-KITCHEN = ("kitchen_base", "kitchen_drawers", "kitchen_sink", "hob", "kitchen_corner", "island", "wall_unit")
-CASES = (
-    "wardrobe", "sliding_wardrobe", "chest", "nightstand", "dressing_table", "sideboard", "tv_stand",
-    "display_cabinet", "bookshelf", "shoe_cabinet", "desk",
-)  # fmt: skip
-FAMILY = {name: "kitchen" for name in KITCHEN} | {name: "cases" for name in CASES}
-"""Categories whose pieces share a style within a room; any other category is a family of its own."""
-RUN = KITCHEN[:5]
-"""Units under one worktop, all as deep and as high."""
+KITCHEN = "kitchen"
+"""The family of kitchen units, whose styles fitted ovens have, too."""
 CLOSE = 1.15
 """Sides within this ratio are made equal."""
 LACKING = 4.0
@@ -50,7 +43,7 @@ def wishes(objects: Sequence[Box], height: float) -> list[Wish]:
             latent[i] = np.asarray(mean)
         _level(size, rows, [objects[i].category for i in rows], (0, 1, 2))
     fitted = fitted_ovens(objects)
-    run = {o.id for o in objects if o.category in RUN or (o.id in fitted and o.size[2] < OVEN_TOWER)}
+    run = {o.id for o in objects if TABLE[o.category].run == "unit" or (o.id in fitted and o.size[2] < OVEN_TOWER)}
     for rows in _grouped(objects, lambda o: (o.room, "run" if o.id in run else o.id)):
         _level(size, rows, [objects[i].category for i in rows], (0, 2))
     return [Wish((s[0], s[1], s[2]), z) for s, z in zip(size.tolist(), latent, strict=True)]
@@ -75,15 +68,16 @@ def _grouped(objects: Sequence[Box], key: Callable[[Box], Hashable]) -> list[lis
 def designs(objects: Sequence[Box], wished: Sequence[Wish], embedded: Embedded) -> list[Design]:
     """Style and seed of each object: within a family of a room those that cost all its members least."""
     chosen: list[Design] = [("", 0)] * len(objects)
-    fitted, of_kitchens = fitted_ovens(objects), embedded.styles("hob")
+    fitted = fitted_ovens(objects)
+    of_kitchens = {style for name in used_for("fry") for style in embedded.styles(name)}
 
     def family(o: Box) -> tuple[str, str]:
-        return o.room, "kitchen" if o.id in fitted else FAMILY.get(o.category, o.category)
+        return o.room, KITCHEN if o.id in fitted else TABLE[o.category].family or o.category
 
     def costs_of(o: Box, wish: Wish) -> dict[Design, float]:
         found = embedded.costs(o.category, wish.size, wish.latent)
         rest = {d: cost for d, cost in found.items() if (d[0] in of_kitchens) == (o.id in fitted)}
-        return rest or found if o.category == "oven" else found
+        return rest or found if o.category in used_for("bake") else found
 
     for rows in _grouped(objects, family):
         costs = [costs_of(objects[i], wished[i]) for i in rows]

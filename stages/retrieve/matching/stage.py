@@ -19,12 +19,12 @@ from apartgen.stages.retrieve.matching.placing import Site
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.asset import Asset
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, carriers, groups
 
 LOG = logging.getLogger("apartgen")
 
-SURFACES = frozenset(under for kind in TABLE.values() if kind.place == "top" for under in kind.belongs)
-"""Categories that things stand on."""
+ON_A_WALL = 0.5
+"""What has its middle above this, m, may hang on the wall."""
 _NONE = boxes.of([])
 
 
@@ -165,23 +165,22 @@ def _top(asset: Asset, box: Boxes | None) -> supports.Top:
 def _below(i: int, layout: Layout, placed: Sequence[Boxes | None]) -> list[int]:
     """What the object may stand on in its room: what it belongs on before other tops, the nearest first."""
     box = layout.objects[i]
-    own = TABLE[box.category].belongs
     able = [
         j
         for j, other in enumerate(layout.objects)
-        if other.room == box.room and other.category in SURFACES and placed[j] is not None
+        if other.room == box.room and other.category in carriers() and placed[j] is not None
     ]
 
     def order(j: int) -> tuple[bool, float, int]:
         apart = np.hypot(*np.subtract(layout.objects[j].center, box.center)[:2])
-        return layout.objects[j].category not in own, round(float(apart), 6), j
+        return (box.category, layout.objects[j].category) not in groups(), round(float(apart), 6), j
 
     return sorted(able, key=order)
 
 
 def _unsupported(box: Box, item: Boxes) -> Boxes | None:
-    """A television may hang on the wall; anything else without a top to stand on is left out."""
-    if box.category == "tv" and box.center[2] > 0.5:
+    """A television, say, may hang on the wall; anything else without a top to stand on is left out."""
+    if TABLE[box.category].hangs and box.center[2] > ON_A_WALL:
         return item
     LOG.warning("%s (%s): nothing in its room to stand on; left out", box.id, box.category)
     return None
