@@ -15,6 +15,7 @@ from apartgen.stages.space import boxes, footprints
 from apartgen.stages.space.boxes import Array, Boxes
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kernels import free, within
+from apartgen.stages.use.kinds import ON_THE_FLOOR, basic
 from apartgen.stages.use.site import Site, site
 
 OVERHEAD = 1.2
@@ -27,15 +28,16 @@ class Furnished:
 
     def __init__(self, site: Site, objects: Sequence[Box]) -> None:
         self.site, self.objects = site, list(objects)
-        self.names = [o.category for o in self.objects]
+        self.names = [basic(o.category) for o in self.objects]
         self.boxes: Boxes = boxes.of(self.objects)
         self.count = Counter(self.names)
-        self._which: dict[Names, list[int]] = {}
+        self._which: dict[Names | str, list[int]] = {}
 
-    def which(self, names: Names) -> list[int]:
-        """Indices of the objects of these categories."""
+    def which(self, names: Names | str) -> list[int]:
+        """Indices of the objects of these categories, or of one."""
         if names not in self._which:
-            self._which[names] = [i for i, name in enumerate(self.names) if name in names]
+            wanted = {names} if isinstance(names, str) else names
+            self._which[names] = [i for i, name in enumerate(self.names) if name in wanted]
         return self._which[names]
 
     def number(self, names: Iterable[str]) -> int:
@@ -76,7 +78,7 @@ class Furnished:
     def upright(self) -> list[int]:
         """Indices of what stands on the floor, rugs left out."""
         return [i for i, name in enumerate(self.names)
-                if self.stands[i] and (name not in TABLE or TABLE[name].place == "floor")]
+                if self.stands[i] and (name in ON_THE_FLOOR or name not in TABLE)]
 
     @cached_property
     def axes(self) -> Array:

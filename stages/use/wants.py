@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from apartgen.stages.use.kinds import DOUBLE, TABLES
+from apartgen.stages.use.kinds import BEDSIDE, DOUBLE, TABLES
 from apartgen.stages.use.room import Furnished
 from apartgen.stages.use.rules.eat import diners
 from apartgen.stages.use.rules.sleep import within_reach
@@ -19,7 +19,6 @@ GUESTS, MOST_CHAIRS = 4, 6
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
 """At a table no longer than this two sit, m."""
-BEDSIDE = frozenset({"nightstand", "side_table"})
 
 
 class Lack(NamedTuple):

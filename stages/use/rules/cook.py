@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import networkx
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import COLD, HOT, RUN, TABLES, WET, WORKTOPS
+from apartgen.stages.use.kinds import COLD, COUNTERS, HOT, MOVED, RUN, WET, WORKTOPS
 from apartgen.stages.use.room import Furnished
 
 JOINED = 0.08
@@ -33,20 +33,19 @@ def faults(room: Furnished) -> Iterator[Fault]:
         yield from _worktop(room, units)
         yield from _triangle(room)
     for i in units:
-        if room.front(i, AISLE, 0.05, frozenset({"stool", "chair", "rug"})) < 0.6:
+        if room.front(i, AISLE, 0.05, MOVED) < 0.6:
             yield Fault("no floor before the kitchen unit", room.ids(i))
         if room.back[i] > 0.15 and room.wall[i] > 0.05:
             yield Fault("kitchen unit off the wall", room.ids(i))
     yield from _hung(room, units)
-    counters = frozenset({"island"}) | TABLES
-    for i in room.which(frozenset({"stool"})):
-        if room.site.kind == "kitchen" and not room.beside(i, counters, 0.4):
+    for i in room.which("stool"):
+        if room.site.kind == "kitchen" and not room.beside(i, COUNTERS, 0.4):
             yield Fault("stool without a counter", room.ids(i))
 
 
 def hobs(room: Furnished) -> list[int]:
     """What one cooks on: hobs, else cookers."""
-    return room.which(frozenset({"hob"})) or [i for i in room.which(HOT) if room.top[i] < TALL]
+    return room.which("hob") or [i for i in room.which(HOT) if room.top[i] < TALL]
 
 
 def runs(room: Furnished, units: list[int]) -> list[list[int]]:
@@ -94,9 +93,9 @@ def _triangle(room: Furnished) -> Iterator[Fault]:
 
 
 def _hung(room: Furnished, units: list[int]) -> Iterator[Fault]:
-    for i in room.which(frozenset({"hood"})):
+    for i in room.which("hood"):
         if not any(abs(room.left[h, i]) <= ABOVE and abs(room.ahead[h, i]) < 0.5 for h in hobs(room)):
             yield Fault("hood not above the hob", room.ids(i))
-    for i in room.which(frozenset({"wall_unit"})):
+    for i in room.which("wall_unit"):
         if not any(room.gap[i, k] < 0.01 for k in units):
             yield Fault("wall unit above nothing", room.ids(i))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import CHAIRS, DESKS, DINERS, TABLES
+from apartgen.stages.use.kinds import CHAIRS, DESKS, DINERS, TABLE_TOPS
 from apartgen.stages.use.room import Furnished
 
 AT, AT_DESK = 0.3, 0.5
@@ -14,12 +14,11 @@ BEHIND = 0.35
 """A chair is drawn back by this to be got out of, m; .81 m of table edge to wall, less the chair drawn in."""
 CROWD = 0.02
 """Chairs at one table stand no deeper in one another, m."""
-TABLE_TOPS = TABLES | {"balcony_table", "island"}
 
 
 def faults(room: Furnished) -> Iterator[Fault]:
     """Of dining tables and every chair."""
-    for t in room.which(TABLES | {"balcony_table"}):
+    for t in room.which(TABLE_TOPS - {"island"}):
         seats = diners(room, t)
         if not seats:
             yield Fault("table without chairs", room.ids(t))

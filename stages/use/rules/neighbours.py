@@ -8,7 +8,7 @@ from apartgen.stages.space.boxes import Array
 from apartgen.stages.use.fault import Fault
 from apartgen.stages.use.kinds import BEDS
 from apartgen.stages.use.room import Furnished
-from apartgen.stages.use.rules.sit import COFFEE, before, main_sofa, shown
+from apartgen.stages.use.rules.sit import before, main_sofa, shown
 from apartgen.stages.use.site import Hole
 
 STEP = 0.9
@@ -28,7 +28,7 @@ def faults(room: Furnished) -> Iterator[Fault]:
     for i in shown(room):
         if any(_behind(room, i, window) for window in room.site.windows):
             yield Fault("television before a window", room.ids(i))
-    for i in room.which(frozenset({"desk"})):
+    for i in room.which("desk"):
         if room.site.windows and min(_far(room, i, w) for w in room.site.windows) > LIGHT:
             yield Fault("desk away from the light", room.ids(i))
     for i in room.which(BEDS):
@@ -50,7 +50,7 @@ def _through(room: Furnished) -> Iterator[Fault]:
     main = main_sofa(room)
     if main is None or len(holes) < 2:
         return
-    aims = [t for t in room.which(COFFEE) if before(room, main, t)] or [
+    aims = [t for t in room.which("coffee_table") if before(room, main, t)] or [
         s for s in shown(room) if room.aside[main, s] < 30]
     for aim in aims[:1]:
         a, b = room.boxes.center[main, :2], room.boxes.center[aim, :2]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import BEDS, BEFORE_A_SEAT, DESKS, EASY, SCREENS, SMALL_SEATS, SOFAS, TABLES
+from apartgen.stages.use.kinds import BEDS, BEFORE_A_SEAT, DESKS, EASY, SMALL_SEATS, SOFAS, TABLE_TOPS, TABLES
 from apartgen.stages.use.room import Furnished
 
 FACING, HALF_FACING = 30.0, 60.0
@@ -12,11 +12,12 @@ CLOSE, FAR = 0.2, 0.75
 """A coffee table is reached from .30 to .46 m; outside these one stoops or bumps one's shins."""
 TALK = 3.0
 """People talk across no more than this, m."""
+NEAR, NEAR_BED, DISTANT = 1.0, 0.5, 5.5
+"""From a seat, or the foot of a bed, to a screen at least, and at most, m."""
 AGAINST = 0.35
 """Between a dining table and a sofa one passes, m."""
 REACH = 0.45
 """A side table is within reach of its seat, m."""
-COFFEE = frozenset({"coffee_table"})
 
 
 def faults(room: Furnished) -> Iterator[Fault]:
@@ -24,7 +25,7 @@ def faults(room: Furnished) -> Iterator[Fault]:
     screens = shown(room)
     yield from _sofas(room, screens)
     yield from _coffee(room)
-    for i in room.which(frozenset({"armchair"})):
+    for i in room.which("armchair"):
         if not _in_company(room, i, screens):
             yield Fault("armchair looks at nothing", room.ids(i))
     for i in screens:
@@ -34,8 +35,8 @@ def faults(room: Furnished) -> Iterator[Fault]:
 
 def shown(room: Furnished) -> list[int]:
     """Screens: stands, and televisions that stand on anything else."""
-    stands = room.which(frozenset({"tv_stand"}))
-    loose = [i for i in room.which(frozenset({"tv"})) if not any(room.gap[i, j] < 0.01 for j in stands)]
+    stands = room.which("tv_stand")
+    loose = [i for i in room.which("tv") if not any(room.gap[i, j] < 0.01 for j in stands)]
     return stands + loose
 
 
@@ -107,7 +108,7 @@ def _between(room: Furnished, seat: int, screen: int) -> list[int]:
 
 def _coffee(room: Furnished) -> Iterator[Fault]:
     seats, sofas = room.which(EASY), room.which(SOFAS)
-    for t in room.which(COFFEE):
+    for t in room.which("coffee_table"):
         served = [s for s in (sofas or seats) if before(room, s, t)]
         if not served:
             yield Fault("coffee table not before the sofa", room.ids(t))
@@ -126,7 +127,7 @@ def _edge(room: Furnished, seat: int, i: int) -> float:
 
 def _in_company(room: Furnished, i: int, screens: list[int]) -> bool:
     """Whether a seat looks at a table of its own, a screen, or someone to talk to, or stands paired with another."""
-    if any(room.aside[i, t] <= 60 and room.gap[i, t] <= 1.3 for t in room.which(COFFEE)):
+    if any(room.aside[i, t] <= 60 and room.gap[i, t] <= 1.3 for t in room.which("coffee_table")):
         return True
     if any(room.aside[i, s] <= 40 and room.gap[i, s] < 4.5 for s in screens):
         return True
@@ -134,7 +135,7 @@ def _in_company(room: Furnished, i: int, screens: list[int]) -> bool:
         return True
     if any(room.look[i, t] <= 35 and room.gap[i, t] <= 0.55 for t in room.which(DESKS | TABLES)):
         return True
-    paired = room.which(frozenset({"side_table"})) + room.which(frozenset({"armchair"}))
+    paired = room.which("side_table") + room.which("armchair")
     return room.names[i] == "armchair" and any(room.gap[i, k] < 0.5 and room.turn[i, k] < 100 for k in paired if k != i)
 
 
@@ -142,7 +143,7 @@ def _screen(room: Furnished, i: int) -> Iterator[Fault]:
     viewers = [s for s in room.which(EASY | BEDS) if room.aside[s, i] <= 40 and room.aside[i, s] <= 45]
     if not viewers:
         yield Fault("television that nobody watches", room.ids(i))
-    elif not any(1.0 < room.gap[s, i] < 5.5 for s in viewers):
+    elif not any((NEAR_BED if room.names[s] in BEDS else NEAR) < room.gap[s, i] < DISTANT for s in viewers):
         yield Fault("television too near or too far", room.ids(i, *viewers))
     if room.names[i] == "tv_stand" and room.back[i] > 0.2:
         yield Fault("television off the wall", room.ids(i))
@@ -150,13 +151,13 @@ def _screen(room: Furnished, i: int) -> Iterator[Fault]:
 
 def _companions(room: Furnished) -> Iterator[Fault]:
     easy = EASY | BEDS
-    for i in room.which(frozenset({"side_table"})):
+    for i in room.which("side_table"):
         if not room.beside(i, easy, REACH):
             yield Fault("side table at no seat", room.ids(i))
-    for i in room.which(frozenset({"floor_lamp"})):
+    for i in room.which("floor_lamp"):
         if not room.beside(i, easy | DESKS, 0.7) and room.wall[i] > 0.35:
             yield Fault("floor lamp at nothing", room.ids(i))
     for i in room.which(SMALL_SEATS):
-        used = easy | DESKS | TABLES | COFFEE | SCREENS | {"island", "balcony_table"}
-        if room.site.kind in ("living_room", "bedroom") and not room.beside(i, used - SCREENS, 0.6):
+        used = easy | DESKS | TABLE_TOPS | {"coffee_table"}
+        if room.site.kind in ("living_room", "bedroom") and not room.beside(i, used, 0.6):
             yield Fault("stool at nothing", room.ids(i))

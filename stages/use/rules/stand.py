@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from apartgen.stages.things.categories import TABLE, belong_together
+from apartgen.stages.things.categories import belong_together
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import CHAIRS
+from apartgen.stages.use.kinds import CHAIRS, ON_THE_FLOOR, SLENDER
 from apartgen.stages.use.room import Furnished
 from apartgen.stages.use.site import Hole
 
@@ -49,7 +49,6 @@ def _window(room: Furnished, hole: Hole) -> Iterator[Fault]:
     half = hole.width / 2
     for k in room.upright:
         tall = room.top[k] > max(hole.sill + 0.15, 1.0)
-        kind = TABLE.get(room.names[k])
-        if tall and kind is not None and kind.place == "floor" and room.names[k] not in ("plant", "floor_lamp"):
+        if tall and room.names[k] in ON_THE_FLOOR - SLENDER:
             if room.clear(hole.frame, (0.0, STRIP), (-half, half), (k,)) < 0.75:
                 yield Fault("tall before a window", (*room.ids(k), hole.id))

@@ -3,23 +3,21 @@
 from collections.abc import Iterator
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import CASES, CLOTHES
+from apartgen.stages.use.kinds import CASES, CLOTHES, MOVED
 from apartgen.stages.use.room import Furnished
 
 OFF = 0.15
 """A back stands no further off its wall, m."""
 DRESS, OPEN = 0.7, 0.45
 """Floor before wardrobes (HUD: .91 m wanted), and before other cabinets, m."""
-SOFT = frozenset({"chair", "office_chair", "stool", "pouffe", "rug"})
-"""What one moves aside."""
 
 
 def faults(room: Furnished) -> Iterator[Fault]:
     """Of wardrobes, chests, shelves and cabinets."""
-    for i in room.which(CASES | CLOTHES):
+    for i in room.which(CASES):
         clothes = room.names[i] in CLOTHES
         if room.back[i] >= OFF and room.wall[i] >= 0.03:
             yield Fault("wardrobe off the wall" if clothes else "cabinet off the wall", room.ids(i))
         depth, least = (DRESS, 0.75) if clothes else (OPEN, 0.6)
-        if room.front(i, depth, 0.05, SOFT) < least:
+        if room.front(i, depth, 0.05, MOVED) < least:
             yield Fault("no floor before the wardrobe" if clothes else "no floor before the cabinet", room.ids(i))

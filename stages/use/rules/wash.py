@@ -3,14 +3,13 @@
 from collections.abc import Iterator
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import FIXTURES
+from apartgen.stages.use.kinds import FIXTURES, MACHINES, MOVED
 from apartgen.stages.use.room import Furnished
 
 AXIS = {"toilet": 0.38, "vanity": 0.38}
 """From the axis of a fixture to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
 LOW = 0.3
 """What is smaller is moved with the foot, m."""
-SOFT = frozenset({"rug", "stool", "bin", "laundry_basket"})
 SLACK = 0.02
 
 
@@ -18,12 +17,12 @@ def faults(room: Furnished) -> Iterator[Fault]:
     """Of fixtures of a bathroom, and of washing machines anywhere."""
     for i in room.which(frozenset(FIXTURES)):
         yield from _fixture(room, i)
-    for i in room.which(frozenset({"washing_machine", "dryer"})):
-        if room.site.kind != "kitchen" and room.front(i, 0.6, 0.05, SOFT) < 0.7:
+    for i in room.which(MACHINES):
+        if room.site.kind != "kitchen" and room.front(i, 0.6, 0.05, MOVED) < 0.7:
             yield Fault("no floor before the machine", room.ids(i))
-    basins = room.which(frozenset({"vanity"}))
+    basins = room.which("vanity")
     if basins and room.site.kind == "bathroom":
-        mirrors = room.which(frozenset({"mirror"}))
+        mirrors = room.which("mirror")
         if mirrors and not any(abs(room.left[b, m]) < 0.3 and abs(room.ahead[b, m]) < 0.6
                                for m in mirrors for b in basins):
             yield Fault("mirror not above the basin", room.ids(*mirrors))
@@ -34,16 +33,16 @@ def _fixture(room: Furnished, i: int) -> Iterator[Fault]:
     half = room.width[i] / 2
     if name == "bath":  # got into along its long side, wherever there is floor
         d, sides = room.depth[i] / 2, ((1, 0), (-1, 0), (0, 1), (0, -1))
-        ways = [room.open(i, *_strip(d, half, depth, *side), SOFT) for side in sides]
+        ways = [room.open(i, *_strip(d, half, depth, *side), MOVED) for side in sides]
         free = max(ways)
     else:
-        free = room.front(i, depth, 0.0 if name == "shower" else min(0.05, half / 2), SOFT)
+        free = room.front(i, depth, 0.0 if name == "shower" else min(0.05, half / 2), MOVED)
     if free < 0.8:
         yield Fault(f"no floor before the {name}", room.ids(i))
     elif name in AXIS and half < AXIS[name]:
         d = room.depth[i] / 2
         strips = ((half + 0.005, AXIS[name] - SLACK), (SLACK - AXIS[name], -half - 0.005))
-        if any(room.open(i, (0.0, d), strip, SOFT) < 0.8 for strip in strips):
+        if any(room.open(i, (0.0, d), strip, MOVED) < 0.8 for strip in strips):
             yield Fault(f"no elbow room at the {name}", room.ids(i))
 
 
