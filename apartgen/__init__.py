@@ -1,1 +1,107 @@
-"""From a sentence to a furnished, simulation-ready apartment."""
+"""From a sentence to a furnished, simulation-ready apartment.
+
+    >>> import apartgen
+    >>> home = apartgen.plan("studio", seed=7)
+    >>> [room.type for room in home.body.rooms][:1]
+    ['living_room']
+
+Every function takes an apartment as what an earlier one gave, or as the path of its file, and gives the next artifact:
+its `body`, how it was `made`, its `digest`; `save(path)` writes it. Settings are keywords, named as in a settings file.
+What a user can get wrong raises `BadInput`, what cannot be met `Unmet`, both an `ApartgenError`.
+"""
+
+from collections.abc import Sequence
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from apartgen.schemas.artifact import Artifact
+    from apartgen.schemas.export import Export
+    from apartgen.schemas.layout import Layout
+    from apartgen.schemas.metrics import Metrics
+    from apartgen.schemas.plan import Plan
+    from apartgen.schemas.retrieve import Retrieve
+    from apartgen.schemas.walkable import Walkable
+    from apartgen.steps import Step
+
+    Home = Artifact[Any] | str | PathLike[str]
+    """An apartment: what an earlier function gave, or the path of its file."""
+
+__version__ = "0.1.0"
+__all__ = ["export", "layout", "load", "make", "metrics", "plan", "retrieve", "walkable"]
+
+
+
+def load(path: str | PathLike[str]) -> "Artifact[Any]":
+    """The artifact in a file, of whatever kind; older versions are migrated. BadInput where there is none."""
+    from apartgen.settings import opened
+
+    return opened(path)
+
+
+def plan(text: str, *, seed: int = 0, **settings: Any) -> "Artifact[Plan]":
+    """A floor plan for a sentence. Unmet where what is asked for contradicts itself."""
+    from apartgen.settings import planned
+
+    return planned(text, seed, settings)
+
+
+def layout(home: "Home", *, seed: int | None = None, **settings: Any) -> "Artifact[Layout]":
+    """The plan with furniture: an oriented box and a shape latent for every object."""
+    from apartgen.steps import LAYOUT
+
+    return _advanced(LAYOUT, home, seed, settings)
+
+
+def retrieve(home: "Home", *, seed: int | None = None, **settings: Any) -> "Artifact[Retrieve]":
+    """The layout with a real asset, its joints and its size for every object."""
+    from apartgen.steps import RETRIEVE
+
+    return _advanced(RETRIEVE, home, seed, settings)
+
+
+def walkable(home: "Home", *, seed: int | None = None, **settings: Any) -> "Artifact[Walkable]":
+    """The home with room to walk. Unmet, naming the rooms, where a robot does not get everywhere."""
+    from apartgen.steps import WALKABLE
+
+    return _advanced(WALKABLE, home, seed, settings)
+
+
+def metrics(home: "Home", *, metric: Sequence[str] = ()) -> "Metrics":
+    """The figures of one apartment; those of these names only, where some are named."""
+    from apartgen.outputs import MetricsSettings, measure
+    from apartgen.settings import opened
+
+    return measure(opened(home).body, MetricsSettings(metric=list(metric)))
+
+
+def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,
+           libraries: Sequence[str] = ()) -> "Export":
+    """Write a home's files for simulators, viewers and people into the folder `out`, whole or not at all."""
+    from apartgen.outputs import ExportSettings, finished
+    from apartgen.settings import configured, opened
+
+    given = {"format": list(formats), "libraries": list(libraries)}
+    return finished(opened(home), configured(ExportSettings, given), Path(out))
+
+
+def make(text: str, out: str | PathLike[str], *, seed: int = 0, formats: Sequence[str] | None = None,
+         settings: "dict[str, dict[str, Any]] | None" = None) -> "Artifact[Walkable]":
+    """All of it, into the folder `out`, going on where an earlier run was stopped; `settings` by stage."""
+    from apartgen import whole
+    from apartgen.planning import checked
+    from apartgen.settings import by_stage
+
+    folder = Path(out)
+    folder.mkdir(parents=True, exist_ok=True)
+    chosen = by_stage(settings or {}, list(formats or whole.DEFAULT_FORMATS))
+    for _ in whole.make(checked(text), folder, seed, chosen):
+        pass
+    return load(folder / "walkable.json")
+
+
+def _advanced(step: "Step", home: Any, seed: int | None, settings: dict[str, Any]) -> "Artifact[Any]":
+    from apartgen.settings import advanced
+
+    return advanced(step, home, seed, settings)

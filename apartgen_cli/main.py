@@ -13,9 +13,9 @@ from typing import Annotated, Any, Literal
 import typer
 from typer.core import TyperGroup
 
+from apartgen import __version__
 from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import registry
-from apartgen_cli import __version__
 from apartgen_cli.console import fail, listen
 
 WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "make", "train", "assets", "bench", "schema")

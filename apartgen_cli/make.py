@@ -1,134 +1,42 @@
 """Make a whole apartment from a sentence, every stage in one process."""
 
-import hashlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
-from time import perf_counter
 from typing import Annotated, Any
 
 import typer
 
-from apartgen.schemas import artifact
-from apartgen.schemas.artifact import Artifact, Made
+from apartgen.planning import checked
 from apartgen.schemas.base import Record
-from apartgen.schemas.errors import ApartgenError, BadInput
-from apartgen.schemas.export import Export
-from apartgen.schemas.plan import Plan
-from apartgen_cli import export, layout, metrics, plan, retrieve, walkable
+from apartgen.whole import DEFAULT_FORMATS, KINDS, make
 from apartgen_cli.console import say
+from apartgen_cli.export import FORMATS
 from apartgen_cli.options import CONFIG, configured, tables
-from apartgen_cli.stage import Stage, lane, made
 from apartgen_cli.streams import made_folder
-
-STAGES: tuple[Stage, ...] = (layout.STAGE, retrieve.STAGE, walkable.STAGE)
-SCENE = "scene"
-"""The folder of exported files."""
-DEFAULT_FORMATS = ("glb", "mjcf", "svg", "png")
-PICTURES = (".svg", ".png")
 
 PROMPT = Annotated[str, typer.Argument(metavar="PROMPT", help='What is wanted, e.g. "two-bedroom flat".')]
 FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; what is already there goes on from.")]
 SEED = Annotated[int, typer.Option("--seed", min=0, help="Fixes everything drawn.")]
 FORMAT = Annotated[list[str] | None, typer.Option(
-    "--format", help=f"Any number of times; of {', '.join(export.FORMATS)}. [default: {', '.join(DEFAULT_FORMATS)}]")]
+    "--format", help=f"Any number of times; of {', '.join(FORMATS)}. [default: {', '.join(DEFAULT_FORMATS)}]")]
 LLM = Annotated[str | None, typer.Option("--llm", help="Language model that reads the prompt, by its litellm name.")]
-
-
-def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record]) -> Iterator[Path]:
-    """Every stage in turn; yields each file, made now or found as an earlier run left it, the pictures last.
-
-    Raises Unmet at the end where the walkable target was missed and the home asked for all the same.
-    """
-    home = _planned(prompt, settings["plan"], seed, folder)
-    yield folder / "plan.json"
-    for stage in STAGES:
-        home = _advanced(stage, home, settings[stage.word], seed, folder)
-        yield folder / f"{stage.word}.json"
-    _measured(home, settings["metrics"], seed, folder)
-    yield folder / "metrics.json"
-    files = _exported(home, settings["export"], seed, folder / SCENE)
-    yield from sorted(files, key=lambda file: file.suffix in PICTURES and 1 + PICTURES.index(file.suffix))
-    if short := walkable.STAGE.missed(home.body, settings["walkable"]):
-        raise short
-
-
-def _kept(file: Path, model: type[Any], wanted: Made) -> Artifact[Any] | None:
-    """The artifact of an earlier run, if it came about just as `wanted`."""
-    if not file.exists():
-        return None
-    try:
-        read = artifact.read(file, model)
-    except BadInput as error:
-        say(f"{error}; making it again")
-        return None
-    same = read.made.model_copy(update={"seconds": wanted.seconds, "model": wanted.model}) == wanted
-    return read if same and read.kind == file.stem else None
-
-
-def _saved(body: Record, wanted: Made, began: float, file: Path) -> Artifact[Any]:
-    text, settled = artifact.finish(body, wanted.model_copy(update={"seconds": round(perf_counter() - began, 2)}))
-    artifact.write(text, file)
-    return settled
-
-
-def _planned(prompt: str, config: Any, seed: int, folder: Path) -> Artifact[Any]:
-    wanted, began = made(seed, config), perf_counter()
-    old = _kept(folder / "plan.json", Plan, wanted)
-    if old is not None and old.body.prompt == prompt:
-        return old
-    drawn, used = plan.draw(prompt, config, seed)
-    return _saved(drawn, wanted.model_copy(update={"model": used}), began, folder / "plan.json")
-
-
-def _advanced(stage: Stage, previous: Artifact[Any], config: Record, seed: int, folder: Path) -> Artifact[Any]:
-    file, began = folder / f"{stage.word}.json", perf_counter()
-    wanted = made(seed, config, previous, data=stage.data(config))
-    old = _kept(file, artifact.BODIES[stage.word], wanted)
-    if old is not None:
-        return old
-    outcome = next(iter(stage.advance([previous.body], config, [lane(seed, stage.word, previous.body)])))
-    if isinstance(outcome, ApartgenError):
-        raise outcome
-    return _saved(outcome, wanted, began, file)
-
-
-def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> list[Path]:
-    """The main file of every format."""
-    old = _kept(scene / "export.json", Export, made(seed, settings, home))
-    if old is not None and all(_intact(scene / file.path, file.sha256) for file in old.body.files):
-        files = old.body
-    else:
-        files = export.finished(home, settings, scene)
-    return [scene / path for path in export.principal(files)]
-
-
-def _intact(file: Path, sha256: str) -> bool:
-    return file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() == sha256
-
-
-def _measured(home: Artifact[Any], settings: Any, seed: int, folder: Path) -> None:
-    wanted, began = made(seed, settings, home), perf_counter()
-    if _kept(folder / "metrics.json", artifact.BODIES["metrics"], wanted) is None:
-        _saved(metrics.measure(home.body, settings), wanted, began, folder / "metrics.json")
 
 
 def settings(file: Path | None, formats: list[str], llm: str | None) -> dict[str, Record]:
     """The configuration of every stage, from the tables of a settings file and the options."""
-    kinds: dict[str, type[Record]] = {"plan": plan.PlanSettings, **{stage.word: stage.config for stage in STAGES},
-                                      "metrics": metrics.MetricsSettings, "export": export.ExportSettings}
     table = tables(file)
     # What one stage took from a library, the later ones look up there.
     libraries = {"libraries": table.get("retrieve", {}).get("libraries", [])}
     given: dict[str, dict[str, Any]] = {"plan": {"llm": llm} if llm else {}, "walkable": libraries,
                                         "export": libraries | {"format": formats}}
-    return {word: configured(kind, given.get(word, {}), table.get(word)) for word, kind in kinds.items()}
+    return {word: configured(kind, given.get(word, {}), table.get(word)) for word, kind in KINDS.items()}
 
 
 def _run(prompt: PROMPT, out: FOLDER, seed: SEED = 0, format: FORMAT = None, llm: LLM = None,
          config: CONFIG = None) -> None:
     """Make a whole apartment; a run that was stopped, or whose settings changed in part, goes on where it can."""
     chosen = settings(config, format or list(DEFAULT_FORMATS), llm)
-    for file in make(plan.checked(prompt), made_folder(out), seed, chosen):
+    for file in make(checked(prompt), made_folder(out), seed, chosen):
         say(str(file))
 
 

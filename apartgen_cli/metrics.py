@@ -8,30 +8,20 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import typer
-from pydantic import Field
 
+from apartgen.outputs import MetricsSettings, measure
 from apartgen.schemas import artifact, consistency
 from apartgen.schemas.artifact import STREAM
-from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics
 from apartgen.schemas.plan import Plan, Program
+from apartgen.steps import made
 from apartgen_cli.console import progress
 from apartgen_cli.drawn import asked
 from apartgen_cli.options import INPUTS, OUT, SPLIT, SPLITS
-from apartgen_cli.stage import about, made, opened, settled, written
+from apartgen_cli.stage import about, opened, settled, written
 from apartgen_cli.streams import is_folder, sources, targets, whole_set
-
-
-class MetricsSettings(Record):
-    """What is measured."""
-
-    metric: list[str] = Field(default_factory=list, description="names of metrics; all that apply when empty")
-    real_as: str | None = Field(None, description="data source that reads the real apartments; artifacts when None")
-    split: str | None = Field(None, description="part of the real data set; all of it when None")
-    inception_weights: str | None = Field(None, description="Inception-v3 of the image metrics; None is the packaged")
-
 
 METRIC = Annotated[list[str] | None, typer.Option(
     "--metric", help="A metric by name, any number of times; all by default.")]
@@ -56,13 +46,6 @@ class Reference(NamedTuple):
 
     body: Plan | Program
     digest: str
-
-
-def measure(home: Plan, settings: MetricsSettings, against: Plan | Program | None = None) -> Metrics:
-    """The figures of one apartment."""
-    from apartgen.stages import metrics
-
-    return metrics.run(home, settings.metric or None, against)
 
 
 def _run(inputs: INPUTS = None, out: OUT = None, metric: METRIC = None, against: AGAINST = None,

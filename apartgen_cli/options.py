@@ -8,9 +8,10 @@ from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 import typer
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from apartgen import settings
 from apartgen.schemas.errors import BadInput
 
 Config = TypeVar("Config", bound=BaseModel)
@@ -93,46 +94,12 @@ def configured(config: type[Config], given: Mapping[str, Any], table: Mapping[st
     Of a field that maps names to values, what is given changes those names and leaves the others.
     """
     values: dict[str, Any] = dict(table or {})
-    _known(config, values)
-    for field, value in values.items():
-        if _maps(config, field) and isinstance(value, dict):
-            values[field] = _default(config, field) | value
+    settings.known(config, values)
     for field, value in given.items():
         start = values.get(field)
-        start = start if isinstance(start, dict) else _default(config, field)
-        values[field] = _pairs(field, value, start) if _maps(config, field) else value
-    try:
-        return config.model_validate(values)
-    except ValidationError as error:
-        raise BadInput(_first_fault(error, values, names or {})) from None
-
-
-def _known(config: type[BaseModel], values: Mapping[str, Any]) -> None:
-    for field, value in values.items():
-        if field not in config.model_fields:
-            raise BadInput(f"setting {field!r} is unknown; there are: {', '.join(config.model_fields)}")
-        inner = config.model_fields[field].annotation
-        if isinstance(value, dict) and isinstance(inner, type) and issubclass(inner, BaseModel):
-            _known(inner, value)
-
-
-def _first_fault(error: ValidationError, values: Mapping[str, Any], names: Names) -> str:
-    """The option, its value and what is wrong with it; of settings that don't go together, what they say."""
-    first = error.errors(include_url=False)[0]
-    if not first["loc"]:
-        return str(first["ctx"]["error"])
-    field, *keys = map(str, first["loc"])
-    option, value = names.get(field, field).replace("_", "-"), values.get(field)
-    shown = f"{keys[0]}={value[keys[0]]}" if keys and isinstance(value, dict) and keys[0] in value else value
-    return f"--{option} {shown}: {first['msg'][0].lower()}{first['msg'][1:]}"
-
-
-def _maps(config: type[BaseModel], field: str) -> bool:
-    return get_origin(_plain(config.model_fields[field].annotation)) is dict
-
-
-def _default(config: type[BaseModel], field: str) -> Any:
-    return config.model_fields[field].get_default(call_default_factory=True, validated_data={})
+        named = settings.maps(config, field)
+        values[field] = _pairs(field, value, start if isinstance(start, dict) else {}) if named else value
+    return settings.configured(config, values, lambda field: "--" + (names or {}).get(field, field).replace("_", "-"))
 
 
 def _pairs(field: str, rows: list[str], start: Mapping[str, Any]) -> dict[str, Any]:

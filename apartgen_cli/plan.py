@@ -1,6 +1,5 @@
 """Draw a floor plan from a sentence."""
 
-import os
 import re
 import sys
 from collections.abc import Callable, Iterator
@@ -9,18 +8,17 @@ from time import perf_counter
 from typing import Annotated, Any
 
 import typer
-from pydantic import Field
 
+from apartgen.planning import PlanSettings, checked, draw, enclosed, read
 from apartgen.schemas.artifact import STREAM, Made
-from apartgen.schemas.base import Polygon
 from apartgen.schemas.errors import ApartgenError, BadInput
-from apartgen.schemas.plan import Envelope, Plan, Program, Side
+from apartgen.schemas.plan import Plan
 from apartgen.stages import seeds
-from apartgen.stages.plan.config import PlanConfig
-from apartgen_cli.console import log, progress
+from apartgen.steps import made
+from apartgen_cli.console import progress
 from apartgen_cli.drawn import Wanted, outline, wanted
 from apartgen_cli.options import CONFIG, OUT, SEED, configured, tables, with_options
-from apartgen_cli.stage import made, settled, written
+from apartgen_cli.stage import settled, written
 from apartgen_cli.streams import Target, is_folder, targets
 
 PROMPTS = Annotated[list[str] | None, typer.Argument(
@@ -30,51 +28,8 @@ FROM = Annotated[str | None, typer.Option(
 OUTLINE = Annotated[Path | None, typer.Option(
     "--outline", metavar="FILE", help="The clear outline to fill, a JSON list of [x, y] in metres.")]
 VARIANTS = Annotated[int, typer.Option("--variants", min=1, max=100, help="Clearly different plans for each prompt.")]
-_LONGEST = 10_000
 _SLUG = 48
-
-
-class PlanSettings(PlanConfig):
-    """The solver's settings, how the prompt is read, and what stands fixed around the flat."""
-
-    llm: str | None = Field(None, description="Language model that reads the prompt, by its litellm name; "
-                                              "the embedded reader by default")
-    entrance: Side | None = Field(None, description="Side of the entrance")
-    party_walls: list[Side] = Field(default_factory=list, description="Side without windows, any number of times")
-    outline: Polygon | None = None
-
-
 NAMES = {"party_walls": "party_wall"}
-
-
-def read(prompt: str, config: PlanSettings) -> tuple[Program, dict[str, Any]]:
-    """The programme of a prompt, and what a language model took to read it."""
-    if config.llm is None:
-        from apartgen.stages.plan import reader
-
-        program, used = reader.read(prompt), dict[str, Any]()
-    else:
-        from apartgen.stages.plan import llm
-
-        program, used = llm.read(prompt, config.llm, _cache())
-    if program.unread:
-        log.warning("not understood in the prompt: %s", ", ".join(f'"{words}"' for words in program.unread))
-    return enclosed(program, config), used
-
-
-def enclosed(program: Program, config: PlanSettings) -> Program:
-    """The programme with what the settings say of its surroundings."""
-    given = {"entrance": config.entrance, "party_walls": config.party_walls, "outline": config.outline}
-    envelope = program.envelope.model_dump() | {name: value for name, value in given.items() if value}
-    return program.model_copy(update={"envelope": Envelope.model_validate(envelope)})
-
-
-def draw(prompt: str, config: PlanSettings, seed: int) -> tuple[Plan, dict[str, Any]]:
-    """The plan for one prompt, and what a language model took to read it."""
-    from apartgen.stages import plan
-
-    program, used = read(prompt, config)
-    return plan.build(program, config, seeds.drawn(seed, "plan", prompt), prompt), used
 
 
 def prompts(given: list[str] | None) -> list[str]:
@@ -84,23 +39,6 @@ def prompts(given: list[str] | None) -> list[str]:
     texts = [sys.stdin.buffer.read().decode("utf-8", "surrogateescape") if text == STREAM else text
              for text in given or [STREAM]]
     return [checked(text) for text in texts]
-
-
-def checked(text: str) -> str:
-    """The prompt without space around it; BadInput when it cannot be one."""
-    text = text.strip()
-    if not text:
-        raise BadInput('the prompt is empty; say what is wanted, e.g. "two-bedroom flat"')
-    if len(text) > _LONGEST:
-        raise BadInput(f"the prompt has {len(text)} characters; at most {_LONGEST} are read")
-    if any("\ud800" <= c <= "\udfff" or c == "\0" for c in text):
-        raise BadInput("the prompt is not UTF-8 text; give it in that encoding")
-    return text
-
-
-def _cache() -> Path:
-    base = os.environ.get("XDG_CACHE_HOME")
-    return (Path(base) if base else Path.home() / ".cache") / "apartgen" / "llm"
 
 
 def _places(texts: list[str], variants: int, out: str | None) -> list[Target]:

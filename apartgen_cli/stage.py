@@ -1,9 +1,8 @@
 """Runs one stage over its inputs: reads artifacts, has the stage advance them, writes what comes back.
 
-A command module describes its stage by a `Stage`; `make` chains the same descriptions.
+A command module names its step and how options are called; `make` chains the same steps.
 """
 
-import hashlib
 import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,78 +15,33 @@ import numpy as np
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import STREAM, Artifact, Made
 from apartgen.schemas.base import Record
-from apartgen.schemas.errors import ApartgenError, Unmet
-from apartgen.schemas.plan import Plan
-from apartgen.stages import seeds
-from apartgen_cli import __version__
+from apartgen.schemas.errors import ApartgenError
+from apartgen.steps import Outcome, Step, lane, made
 from apartgen_cli.console import fail, log, progress, say
 from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, configured, tables, with_options
 from apartgen_cli.streams import Target, sources, targets
 
-BY = f"apartgen {__version__}"
 Kept = TypeVar("Kept")
-Outcome = Record | ApartgenError
-Advance = Callable[[list[Any], Any, list[np.random.Generator]], Iterable[Outcome]]
 
 
 @dataclass(frozen=True)
 class Stage:
-    """One stage as the command line sees it.
+    """A step as the command line sees it; `names` maps fields of its configuration to other option names."""
 
-    `advance(bodies, config, rngs)` gives, for each body and in order, the next body or the error that prevents it.
-    `names` maps fields of the configuration to other option names. `missed(body, config)` says what a result that
-    is written all the same falls short of. `data(config)` names the files, beside the input, that a result hangs on.
-    """
-
-    word: str
-    takes: type[Record]
-    config: type[Record]
-    advance: Advance
+    step: Step
     names: Mapping[str, str] = field(default_factory=dict)
-    missed: Callable[[Any, Any], Unmet | None] = lambda body, config: None
-    data: Callable[[Any], Mapping[str, Path]] = lambda config: {}
 
     def command(self) -> Callable[..., Any]:
         """The stage as a command with an option for every described field of its configuration."""
 
         def run(inputs: INPUTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None, *, given: Any) -> int:
-            settings = configured(self.config, given, tables(config).get(self.word), self.names)
-            return over(self, inputs, out, seed, settings)
+            settings = configured(self.step.config, given, tables(config).get(self.step.word), self.names)
+            return over(self.step, inputs, out, seed, settings)
 
-        return with_options(run, self.config, self.names)
-
-
-def each(step: Callable[[Any, Any, np.random.Generator], Record]) -> Advance:
-    """An `Advance` out of a function of one body; an error of one leaves the others be."""
-
-    def advance(bodies: list[Any], config: Any, rngs: list[np.random.Generator]) -> Iterator[Outcome]:
-        for body, rng in zip(bodies, rngs):
-            try:
-                yield step(body, config, rng)
-            except ApartgenError as error:
-                yield error
-
-    return advance
+        return with_options(run, self.step.config, self.names)
 
 
-def lane(seed: int, word: str, home: Plan) -> np.random.Generator:
-    """The random numbers of one stage for one apartment: the same alone or in a batch, under whatever name."""
-    return seeds.drawn(seed, word, seeds.plan_digest(home))
-
-
-def made(seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0,
-         data: Mapping[str, Path] | None = None) -> Made:
-    """How a result of this program came about."""
-    inputs = {previous.kind: previous.digest} if previous else {}
-    inputs |= {name: _digest(file) for name, file in (data or {}).items() if file.is_file()}
-    return Made(by=BY, seed=seed, config=config.model_dump(mode="json"), inputs=inputs, seconds=round(seconds, 2))
-
-
-def _digest(file: Path) -> str:
-    return "sha256:" + hashlib.sha256(file.read_bytes()).hexdigest()
-
-
-def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record) -> int:
+def over(stage: Step, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record) -> int:
     """Run a stage over all inputs; every result is written as soon as it is there. Returns the exit status."""
     names = sources(inputs)
     places = dict(zip(names, targets(stage.word, names, out)))
@@ -107,7 +61,7 @@ def over(stage: Stage, inputs: Sequence[str] | None, out: str | None, seed: int 
     return settled(errors, len(names))
 
 
-def _told(stage: Stage, inputs: list[tuple[str, Any]], config: Record, rngs: list[np.random.Generator],
+def _told(stage: Step, inputs: list[tuple[str, Any]], config: Record, rngs: list[np.random.Generator],
           ) -> Iterator[Outcome]:
     """What comes of every input; where there are several, what is said about one begins with its name.
 

@@ -43,6 +43,7 @@ STREAM = "-"
 _LINE = 112
 
 Body = TypeVar("Body", bound=Record)
+Other = TypeVar("Other", bound=Record)
 
 
 class Made(Record):
@@ -73,6 +74,16 @@ class Artifact(Generic[Body]):
     made: Made
     body: Body
     digest: str
+
+    def save(self, path: str | Path) -> None:
+        """Write the file, whole or not at all."""
+        write(finish(self.body, self.made)[0], path)
+
+    def taken_as(self, model: "type[Other]") -> "Artifact[Other]":
+        """The same with its body as a `model`, fields of later stages left out; BadInput where it lacks some."""
+        needed(self.kind, self.kind, model)
+        kept = {name: getattr(self.body, name) for name in model.model_fields}
+        return Artifact(self.kind, self.made, model.model_validate(kept, from_attributes=True), self.digest)
 
 
 def kind_of(body: Record) -> str:
@@ -197,13 +208,19 @@ def json_value(data: bytes, name: str) -> Any:
 
 
 def _kind(raw: dict[str, Any], name: str, model: type[Record]) -> str:
-    kind, good = raw["apartgen"], accepted(model)
+    kind = raw["apartgen"]
     if not isinstance(kind, str) or kind not in BODIES:
         raise BadInput(f"{name}: apartgen: unknown kind {str(kind)[:40]!r}; there are: {', '.join(BODIES)}")
+    needed(kind, name, model)
+    return kind
+
+
+def needed(kind: str, name: str, model: type[Record]) -> None:
+    """BadInput where an artifact of this kind, named so, has not all of a `model`."""
+    good = accepted(model)
     if kind not in good:
         article = "an" if kind[0] in "aeiou" else "a"
         raise BadInput(f"{name}: {article} {kind} artifact where {' or '.join(good)} is needed; {_remedy(good[0])}")
-    return kind
 
 
 def _remedy(kind: str) -> str:

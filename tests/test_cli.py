@@ -20,11 +20,12 @@ from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Plan
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.plan.config import PlanConfig
+from apartgen.steps import Step, each
 from apartgen_cli import make
 from apartgen_cli.console import listen
 from apartgen_cli.main import WORDS
 from apartgen_cli.options import configured
-from apartgen_cli.stage import Stage, each, over
+from apartgen_cli.stage import over
 
 
 @pytest.fixture
@@ -217,14 +218,14 @@ def test_what_is_said_of_one_input_of_several_begins_with_its_name(capsys, text,
         file.write_text(text)
     listen(quiet=False)
     for advance in (each(step), at_once):
-        many = Stage("layout", Plan, PlanConfig, advance)
+        many = Step("layout", Plan, PlanConfig, advance)
         assert over(many, [str(file) for file in files], f"{tmp_path}/out/", 0, PlanConfig()) == 1
         said = capsys.readouterr().err.splitlines()
         for file in files:
             assert f"apartgen: {file}: no room" in said
             assert sum(line.endswith(f"{file}: tight") for line in said) == 1
     with pytest.raises(Unmet, match="^no room$"):
-        over(Stage("layout", Plan, PlanConfig, each(step)), [str(files[0])], f"{tmp_path}/out/", 0, PlanConfig())
+        over(Step("layout", Plan, PlanConfig, each(step)), [str(files[0])], f"{tmp_path}/out/", 0, PlanConfig())
     assert capsys.readouterr().err == "warning: tight\n"
 
 

@@ -104,10 +104,10 @@ def test_damaged_files_are_made_again(made, home, again):
 
 
 def test_other_weights_make_a_layout_anew(home, again, tmp_path):
+    from apartgen import steps
     from apartgen.stages.layout import weights as shipped
-    from apartgen_cli import layout
 
-    assert layout.weights(layout.LayoutConfig()) == {"weights": shipped.SHIPPED}
+    assert steps.weights(steps.LayoutConfig()) == {"weights": shipped.SHIPPED}
     other = tmp_path / "weights.safetensors"
     shutil.copy(shipped.SHIPPED, other)
     with other.open("r+b") as file:

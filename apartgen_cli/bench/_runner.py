@@ -15,9 +15,9 @@ from typing import Any, TextIO
 
 import numpy as np
 
+from apartgen import __version__
 from apartgen.schemas import artifact
 from apartgen.schemas.errors import BadInput
-from apartgen_cli import __version__
 from apartgen_cli.console import watched
 
 SEEDS = 1_000_003

@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
+from apartgen import __version__
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Made
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.migrations import VERSION
 from apartgen.schemas.retrieve import Retrieve
-from apartgen_cli import __version__
 from apartgen_cli.bench import _scenes
 from apartgen_cli.streams import made_folder
 

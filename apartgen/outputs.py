@@ -1,0 +1,78 @@
+"""What comes of an apartment: files for simulators and people, and figures."""
+
+from functools import cache
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from pydantic import Field
+
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Artifact
+from apartgen.schemas.base import Record
+from apartgen.schemas.export import Export
+from apartgen.schemas.metrics import Metrics
+from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.retrieve.matching.config import RetrieveConfig
+from apartgen.steps import made
+
+if TYPE_CHECKING:
+    from apartgen.stages.retrieve import LibrarySet
+    from apartgen.stages.things.asset import Asset
+
+
+class ExportSettings(Record):
+    """What is written, and where assets are found."""
+
+    format: list[str] = Field(min_length=1)
+    libraries: list[str] = Field(default_factory=list)
+
+
+def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
+    """Write one apartment."""
+    from apartgen.stages import export
+
+    def load(library: str, id: str) -> "Asset":
+        return opened_libraries(*settings.libraries).load(library, id)
+
+    return export.run(home, settings.format, folder, load)
+
+
+@cache
+def opened_libraries(*folders: str) -> "LibrarySet":
+    """Opened when the first asset is needed; a picture of a bare plan needs none."""
+    from apartgen.stages import retrieve
+
+    return retrieve.open_libraries(RetrieveConfig(libraries=list(folders)))
+
+
+def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Export:
+    """Write one apartment and the list of its files beside them."""
+    began = perf_counter()
+    files = export(read.body, settings, folder)
+    text, _ = artifact.finish(files, made(read.made.seed, settings, read, perf_counter() - began))
+    artifact.write(text, folder / "export.json")
+    return files
+
+
+def principal(files: Export) -> list[str]:
+    """The main file of every format, which each format names first."""
+    main = {file.format: file.path for file in reversed(files.files)}
+    return list(reversed(main.values()))
+
+
+class MetricsSettings(Record):
+    """What is measured."""
+
+    metric: list[str] = Field(default_factory=list, description="names of metrics; all that apply when empty")
+    real_as: str | None = Field(None, description="data source that reads the real apartments; artifacts when None")
+    split: str | None = Field(None, description="part of the real data set; all of it when None")
+    inception_weights: str | None = Field(None, description="Inception-v3 of the image metrics; None is the packaged")
+
+
+
+def measure(home: Plan, settings: MetricsSettings, against: Plan | Program | None = None) -> Metrics:
+    """The figures of one apartment."""
+    from apartgen.stages import metrics
+
+    return metrics.run(home, settings.metric or None, against)
