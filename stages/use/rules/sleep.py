@@ -18,13 +18,13 @@ def faults(room: Furnished) -> Iterator[Fault]:
     """Of beds and nightstands."""
     beds = room.which(BEDS)
     for i in beds:
-        name, sides = room.names[i], _sides(room, i)
+        name, free = room.names[i], sides(room, i)
         at_wall = room.back[i] <= HEAD or (name not in DOUBLE and room.wall[i] <= HEAD)
         if not at_wall:
             yield Fault("bed head off the wall", room.ids(i))
-        if not sides:
+        if not free:
             yield Fault("no side to get into bed", room.ids(i))
-        elif name in DOUBLE and sides == 1:
+        elif name in DOUBLE and free == 1:
             yield Fault("one side to get into double bed", room.ids(i))
     for i in room.which("nightstand"):
         if not any(within_reach(room, bed, i) for bed in beds):
@@ -38,7 +38,7 @@ def within_reach(room: Furnished, bed: int, i: int) -> bool:
     return from_head < 0.75 and -0.25 < beside < 0.35
 
 
-def _sides(room: Furnished, bed: int) -> int:
+def sides(room: Furnished, bed: int) -> int:
     """Long sides along which one gets in."""
     d, w = room.depth[bed] / 2, room.width[bed] / 2
     strips = ((w + 0.02, w + SIDE), (-w - SIDE, -w - 0.02))
