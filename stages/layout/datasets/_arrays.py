@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Room
-from apartgen.stages.layout.datasets._furnish.step import essentials
+from apartgen.stages.layout.datasets._furnish.rooms import ESSENTIAL
 from apartgen.stages.layout.rooms import MAX_CORNERS, of_plan
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
@@ -48,7 +48,7 @@ def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, N
 def _worth(room: Room, objects: list[Box]) -> bool:
     """Whether a room is furnished and has what a room of its type cannot do without."""
     have = {o.category for o in objects if o.room == room.id}
-    return bool(have) and len(room.polygon) <= MAX_CORNERS and all(have & names for names in essentials(room.type))
+    return bool(have) and len(room.polygon) <= MAX_CORNERS and all(have & names for names in ESSENTIAL[room.type])
 
 
 def _kept(objects: list[Box], rng: np.random.Generator) -> list[Box]:

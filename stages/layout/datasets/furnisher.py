@@ -14,9 +14,9 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.stages.layout.datasets import _json
-from apartgen.stages.layout.datasets._furnish import build, shape
+from apartgen.stages.layout.datasets._furnish import build, household, shape
+from apartgen.stages.layout.datasets._furnish.household import Household
 from apartgen.stages.layout.datasets._furnish.shape import Hole, Shape
-from apartgen.stages.layout.meals import TABLES, table_of
 from apartgen.stages.space import polygons
 from apartgen.stages.space.boxes import Array
 
@@ -41,33 +41,31 @@ def _read(path: Path) -> Plan:
 
 
 def furnish(plan: Plan, rng: Generator) -> list[Box]:
-    """Objects for every room of a plan, as many as `program.counts` says where it says so; somewhere a table."""
-    objects: list[Box] = []
-    table = table_of(plan)
+    """Objects for every room of a plan, at most as many as `program.counts` says; somewhere a table."""
+    return [box for room, _ in furnished(plan, rng) for box in room]
+
+
+def furnished(plan: Plan, rng: Generator) -> Iterator[tuple[list[Box], list[str]]]:
+    """Every room's objects, and for each by what it was placed: `wall k` (side k of the polygon, after collinear
+    corners are left out), `free`, or an object's id."""
     for room, lane in zip(plan.rooms, rng.spawn(len(plan.rooms)), strict=True):
-        must = (TABLES,) if table is not None and table[0] == room.id else ()
-        objects += furnish_room(shape_of(plan, room), room.id, lane, plan.program.counts.get(room.id), must)
-    return objects
+        home = household.of_room(plan, room, lane)
+        yield furnish_room(shape_of(plan, room), room.id, lane, home, plan.program.counts.get(room.id))
 
 
 def furnish_room(
-    room: Shape, id: str, rng: Generator, count: int | None = None, must: tuple[tuple[str, ...], ...] = ()
-) -> list[Box]:
-    """Objects for one room; about `count` where it is given, else as many as suit the floor area, widely spread.
-
-    `must`: of each of these sets of categories at least one, beyond what every room of its type has.
-    """
-    space = build.furnish(room, rng, count, must)
-    body, seen, objects = space.body, dict[str, int](), []
-    for i, name in enumerate(space.category):
+    room: Shape, id: str, rng: Generator, home: Household, count: int | None = None
+) -> tuple[list[Box], list[str]]:
+    """Objects for one room, at most `count` where it is given, and by what each was placed."""
+    placed, seen, objects = build.furnish(room, rng, home, count).placed, dict[str, int](), []
+    for name, row in zip(placed.name, placed.row, strict=True):
         seen[name] = seen.get(name, 0) + 1
-        x, y, z = (round(float(v), 4) for v in body.center[i])
-        d, w, h = (round(float(v), 4) for v in body.size[i])
-        yaw = round(float((body.yaw[i] + np.pi) % (2 * np.pi) - np.pi), 4)
+        x, y, z, d, w, h = (round(float(v), 4) for v in row[:6])
+        yaw = round(float(np.arctan2(row[7], row[6])), 4)
         objects.append(
             Box(id=f"{id}.{name}_{seen[name]}", room=id, category=name, center=(x, y, z), size=(d, w, h), yaw=yaw)
         )
-    return objects
+    return objects, [objects[at].id if isinstance(at, int) else at for at in placed.at]
 
 
 def shape_of(plan: Plan, room: Room) -> Shape:
@@ -80,4 +78,4 @@ def shape_of(plan: Plan, room: Room) -> Shape:
 def _hole(opening: Opening, plan: Plan, room: Room, corners: Array) -> Hole:
     normal, reach = polygons.face(opening, plan, room.id)
     (ax, ay), (bx, by) = (tuple(np.asarray(p) + reach * normal) for p in opening.segment)
-    return Hole((ax, ay), (bx, by), opening.kind, opening.into == room.id, opening.sill, opening.head)
+    return Hole((ax, ay), (bx, by), opening.kind, opening.into == room.id, opening.hinge, opening.sill, opening.head)

@@ -7,14 +7,12 @@ from shapely.geometry import Point, Polygon
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.layout import Box, Layout
 from apartgen.stages.layout.datasets import furnisher, single_rooms
-from apartgen.stages.layout.datasets._furnish import shape, step
-from apartgen.stages.layout.datasets._furnish.poses import PLACES
-from apartgen.stages.layout.datasets._furnish.prefer import FEATURES
-from apartgen.stages.layout.datasets._furnish.step import Step
+from apartgen.stages.layout.datasets._furnish import sizes
+from apartgen.stages.layout.datasets._furnish.rooms import ESSENTIAL
 from apartgen.stages.robot import reach
 from apartgen.stages.space import boxes, polygons, sweeps
 from apartgen.stages.space.boxes import Array
-from apartgen.stages.things.categories import CATEGORIES, TABLE, belong_together
+from apartgen.stages.things.categories import TABLE, belong_together
 
 SEEDS = range(3)
 
@@ -42,7 +40,9 @@ def apart(objects: list[Box], depth: Array) -> list[tuple[str, str]]:
 def test_nothing_collides_closed_or_open(homes: list[Layout]) -> None:
     for home in homes:
         assert apart(home.objects, boxes.penetration(boxes.of(home.objects))) == []
-        assert apart(home.objects, boxes.penetration(sweeps.extended(home.objects))) == []
+        swept = boxes.penetration(sweeps.extended(home.objects), boxes.of(home.objects))
+        np.fill_diagonal(swept, -1)
+        assert apart(home.objects, np.maximum(swept, swept.T)) == []
 
 
 def test_all_stands_and_opens_inside_the_room(homes: list[Layout]) -> None:
@@ -135,24 +135,12 @@ def test_same_seed_same_furniture_another_seed_another() -> None:
         assert furnished(type, 5).objects != furnished(type, 6).objects
 
 
-@pytest.mark.parametrize("type", ["bedroom", "living_room", "kitchen", "dining_room", "study"])
-@pytest.mark.parametrize("count", [5, 10, 16])
-def test_the_wanted_count_is_nearly_always_met_in_rooms_large_enough(type: str, count: int) -> None:
-    corners = np.array([(0, 0), (5.2, 0), (5.2, 4.4), (0, 4.4)])
-    holes = [shape.Hole((0.2, 0.0), (1.1, 0.0), "door", swings=True),
-             shape.Hole((3.8, 4.4), (2.0, 4.4), "window", sill=1.0, head=2.2)]
-    room = shape.of(type, corners, holes, 2.6)  # type: ignore[arg-type]
-    got = np.array([len(furnisher.furnish_room(room, "r", np.random.default_rng(k), count)) for k in range(6)])
-    assert got.max() == count
-    assert np.mean(got >= count - 1) >= 0.65
-
-
 def test_rooms_have_what_they_cannot_do_without() -> None:
     lacking = 0
     for type in ("bedroom", "bathroom", "kitchen", "living_room"):
         for seed in range(8):
             have = {o.category for o in furnished(type, 100 + seed).objects}
-            lacking += not all(have & names for names in step.essentials(type))
+            lacking += not all(have & names for names in ESSENTIAL[type])  # type: ignore[index]
     assert lacking <= 3
 
 
@@ -175,22 +163,8 @@ def test_nightstands_stand_by_beds_and_chairs_face_tables() -> None:
     assert min(facing) > 0.3 and len(facing) >= 12
 
 
-def rules(steps: tuple[Step, ...]) -> list[Step]:
-    return [one for top in steps for one in (top, *rules(top.then))]
-
-
-@pytest.mark.parametrize("type", ROOM_TYPES)
-def test_rules_name_only_what_exists_and_suits_the_room(type: str) -> None:
-    for setup in step.setups(type):  # type: ignore[arg-type]
-        for one in rules(setup.core + setup.extra):
-            assert set(one.put + one.of + one.near) <= set(CATEGORIES)
-            assert one.at == "run" or one.at in PLACES
-            assert set(one.prefer) <= set(FEATURES)
-            assert all(type in TABLE[name].rooms for name in one.put), (type, one.put)
-
-
 def test_sizes_as_sold_are_within_range() -> None:
-    for name, row in step.sizes().items():
+    for name, row in sizes.steps().items():
         for side, k in (("depth", 0), ("width", 1), ("height", 2)):
             for value in row.get(side, ()):
                 assert TABLE[name].min[k] <= value <= TABLE[name].max[k], (name, side, value)

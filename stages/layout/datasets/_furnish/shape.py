@@ -1,12 +1,14 @@
 """What of a room does not change while it is furnished: walls, zones that stay free, a grid to walk on."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.base import RoomType
-from apartgen.stages.space.boxes import Array, Boxes
+from apartgen.stages.layout.datasets._furnish import kernels
+from apartgen.stages.space.boxes import Array
 
 DOOR_CLEAR = 0.8
 """Floor kept free in front of every door, m."""
@@ -18,6 +20,8 @@ LIGHT = 0.25
 HEADROOM = 2.1
 LEAF_MARGIN = 0.03
 """Kept free beside a door leaf's quarter circle, m."""
+LEAF = 0.1
+"""Thickness of an open leaf with its levers, m."""
 CELL = 0.08
 """Step of the walking grid, m."""
 CLEAR, SWING, WINDOW = 0, 1, 2
@@ -31,6 +35,7 @@ class Hole:
     b: tuple[float, float]
     kind: str
     swings: bool = False
+    hinge: int = 0
     sill: float = 0.0
     head: float = 2.1
 
@@ -50,12 +55,25 @@ class Shape:
     """(k, 8): middle x, y, inward normal x, y, half width, sill, head, side."""
     doors: Array
     """(k, 5): middle x, y, inward normal x, y, half width."""
-    zones: Boxes
+    zone_rows: Array
+    """(o, 8): what openings keep free, as the kernels want boxes."""
     zone_kind: NDArray[np.int64]
     grid: Array
     """(rows, columns, 2) points."""
     clear: Array
-    """Distance of every grid point to the nearest wall, m; negative outside."""
+    """Distance of every grid point to the nearest wall or open door leaf, m; negative outside."""
+
+    @property
+    def cell(self) -> float:
+        """Step of the grid, m."""
+        return CELL
+
+    @cached_property
+    def cut(self) -> float:
+        """Floor that is cut off in the empty room, m²."""
+        part = kernels.parts(np.ascontiguousarray(self.clear >= 0.27))
+        sizes = np.bincount(part.ravel())[1:]
+        return float(sizes.sum() - sizes.max(initial=0)) * CELL**2
 
     @property
     def end(self) -> Array:
@@ -75,8 +93,10 @@ def of(type: RoomType, corners: Array, holes: list[Hole], height: float) -> Shap
     grid = _grid(corners)
     x, y = corners.T
     area = float((x * np.roll(y, -1) - y * np.roll(x, -1)).sum() / 2)
-    distance = np.where(within(grid, corners), wall_distance(grid, corners), -1.0)
-    return Shape(type, height, corners, along, normal, length, area, windows, doors, zones, kind, grid, distance)
+    clear = kernels.walls_away(grid, corners)
+    if leaves := _leaves(holes, corners, normal):
+        clear = np.minimum(clear, kernels.away(grid, np.array(leaves), 1.0))
+    return Shape(type, height, corners, along, normal, length, area, windows, doors, zones, kind, grid, clear)
 
 
 def _simplified(corners: Array) -> Array:
@@ -105,7 +125,7 @@ def _holes(holes: list[Hole], corners: Array, normal: Array) -> tuple[Array, Arr
     return np.array(windows).reshape(-1, 8), np.array(doors).reshape(-1, 5)
 
 
-def _zones(holes: list[Hole], corners: Array, normal: Array, height: float) -> tuple[Boxes, NDArray[np.int64]]:
+def _zones(holes: list[Hole], corners: Array, normal: Array, height: float) -> tuple[Array, NDArray[np.int64]]:
     rows, kinds = [], []
     for hole in holes:
         a, b = np.array(hole.a), np.array(hole.b)
@@ -113,10 +133,22 @@ def _zones(holes: list[Hole], corners: Array, normal: Array, height: float) -> t
         wide = float(np.hypot(*(b - a)))
         for kind, depth, lo, hi in _zone(hole, wide, height):
             across = wide + 2 * LEAF_MARGIN * (kind == SWING)
-            rows.append([*((a + b) / 2 + n * depth / 2), (lo + hi) / 2, depth, across, hi - lo, np.arctan2(n[1], n[0])])
+            rows.append([*((a + b) / 2 + n * depth / 2), (lo + hi) / 2, depth, across, hi - lo, *n])
             kinds.append(kind)
-    table = np.array(rows).reshape(-1, 7)
-    return Boxes(table[:, :3], table[:, 3:6], table[:, 6]), np.array(kinds, np.int64)
+    return np.ascontiguousarray(np.array(rows).reshape(-1, 8)), np.array(kinds, np.int64)
+
+
+def _leaves(holes: list[Hole], corners: Array, normal: Array) -> list[list[float]]:
+    """Door leaves standing open at a right angle, as boxes."""
+    rows = []
+    for hole in holes:
+        if hole.swings and hole.kind in ("door", "entrance"):
+            a, b = np.array(hole.a), np.array(hole.b)
+            n, wide = normal[_side((a + b) / 2, corners)], float(np.hypot(*(b - a)))
+            out = (b - a) / wide if hole.hinge == 0 else (a - b) / wide
+            at = (hole.a, hole.b)[hole.hinge] + n * wide / 2 + out * LEAF / 2
+            rows.append([*at, 1.0, wide, LEAF, 2.0, *n])
+    return rows
 
 
 def _zone(hole: Hole, wide: float, height: float) -> list[tuple[int, float, float, float]]:
@@ -132,23 +164,3 @@ def _grid(corners: Array) -> Array:
     lo, hi = corners.min(0), corners.max(0)
     x, y = (np.arange(lo[i] + CELL / 2, hi[i], CELL) for i in (0, 1))
     return np.stack(np.meshgrid(x, y, indexing="ij"), -1)
-
-
-def within(points: Array, corners: Array) -> NDArray[np.bool_]:
-    """Which points (..., 2) lie in the polygon (E, 2)."""
-    (x0, y0), (x1, y1) = corners.T, np.roll(corners, -1, 0).T
-    px, py = points[..., 0, None], points[..., 1, None]
-    straddles = (y0 > py) != (y1 > py)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        crossing = px < (x1 - x0) * (py - y0) / (y1 - y0) + x0
-    return np.asarray((straddles & crossing).sum(-1) % 2 == 1)
-
-
-def wall_distance(points: Array, corners: Array) -> Array:
-    """Distance of points (..., 2) to the nearest side."""
-    best = np.full(points.shape[:-1], np.inf)
-    for a, b in zip(corners, np.roll(corners, -1, 0), strict=True):
-        along = b - a
-        share = np.clip(((points - a) @ along) / (along @ along), 0, 1)
-        best = np.minimum(best, np.hypot(*np.moveaxis(points - a - share[..., None] * along, -1, 0)))
-    return best

@@ -1,220 +1,228 @@
 """A room being furnished: what stands in it, what fits, and whether one can still walk to everything."""
 
-from dataclasses import dataclass, field
+from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
+from numpy.random import Generator
 from numpy.typing import NDArray
-from scipy.ndimage import label
 
-from apartgen.stages.layout.datasets._furnish.shape import CELL, SWING, Shape, within
-from apartgen.stages.layout.datasets._furnish.step import friends_of
-from apartgen.stages.space import boxes
-from apartgen.stages.space.boxes import Array, Boxes, Mask
-from apartgen.stages.things.categories import TABLE, reach
+from apartgen.stages.layout.datasets._furnish import kernels
+from apartgen.stages.layout.datasets._furnish.group import NOTHING, Group, Placed, Poses, rows
+from apartgen.stages.layout.datasets._furnish.shape import SWING, WINDOW, Shape
+from apartgen.stages.layout.datasets._furnish.sizes import draw
+from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.things.categories import TABLE, belong_together
 
 TOUCH = 0.004
 """Contact no deeper than this is none, m."""
-ROBOT = 0.25
+WALK = 0.27
 """Radius of what must be able to pass, m."""
 ARM = 0.75
-"""How far in front of a moving part one may stand to use it, m."""
-NEAR = 0.6
+"""How far in front of open parts one may stand to use them, m."""
+ASIDE = 0.22
+NEAR = 0.62
 """How near one must come to anything else that stands on the floor, m."""
-COUNTER = 0.3
-"""How much farther one reaches over a counter, m."""
-USE_HEIGHT = 1.6
-UNDERFOOT = 1.8
+POCKET = 0.5
+"""No more floor than this may be cut off, m²."""
+UNDERFOOT = 1.5
 """What hangs above this is no obstacle, m."""
-CAPACITY = 48
+LOOKS = 6
+"""How many of the liked places are tried for passage."""
+MOST = 24
+"""Objects a room holds at most."""
 
-Use = tuple[float, float, float, float]
-"""Floor kept free for use in front, to the left, to the right and behind, m."""
-NO_USE: Use = (0.0, 0.0, 0.0, 0.0)
 
-
-@dataclass
 class Space:
-    """Objects placed so far, as padded arrays; `body` ⊂ `swept` (open parts) and `used` (room to use it)."""
+    """A room and what stands in it."""
 
-    shape: Shape
-    category: list[str] = field(default_factory=list)
-    gap: list[float] = field(default_factory=list)
-    near: list[NDArray[np.int64] | None] = field(default_factory=list)
-
-    def __post_init__(self) -> None:
-        def empty() -> Boxes:
-            return Boxes(np.zeros((CAPACITY, 3)), np.zeros((CAPACITY, 3)), np.zeros(CAPACITY))
-
-        self._body, self._swept, self._used = empty(), empty(), empty()
-        self.clear = self.shape.clear.copy()
-        self.flat_grid = self.shape.grid.reshape(-1, 2)
-        self.seeds = self._door_cells()
+    def __init__(self, shape: Shape, rng: Generator, most: int = MOST) -> None:
+        self.shape, self.rng, self.most = shape, rng, most
+        self.placed = Placed()
+        self.models: dict[str, Array] = {}
+        self._marks: list[tuple[int, int]] = []
+        self.seeds, self.share = self._door_cells()
 
     @property
     def n(self) -> int:
         """How many objects there are."""
-        return len(self.category)
+        return len(self.placed.name)
 
     @property
-    def body(self) -> Boxes:
-        """The objects' boxes, (n,)."""
-        return self._body.take(slice_to(self.n))
+    def left(self) -> int:
+        """How many more there may be."""
+        return self.most - self.n
 
-    def find(self, names: tuple[str, ...]) -> list[int]:
+    def find(self, *names: str) -> list[int]:
         """Indices of the objects of these categories."""
-        return [i for i, name in enumerate(self.category) if name in names]
+        return [i for i, name in enumerate(self.placed.name) if name in names]
 
-    def fits(self, name: str, at: Boxes, use: Use, partner: int = -1) -> Mask:
-        """Which of the boxes (m,) can be had: inside, touching nothing, sweeps and use free, openings respected.
+    def has(self, *names: str) -> bool:
+        """Whether there is any of these categories."""
+        return bool(self.find(*names))
 
-        `partner` may be touched.
-        """
-        kind = TABLE[name]
-        swept = forward(at, reach(name, at.size))
-        ok = self._outside_zones(name, at, swept)
-        if ok.any():
-            ok[ok] = inside(swept.take(ok), self.shape)
-        if kind.place == "flat" or not ok.any() or not self.n:
-            return ok
-        others = np.array([i for i in range(self.n) if i != partner and TABLE[self.category[i]].place != "flat"], int)
-        where = np.flatnonzero(ok)
-        bad = boxes.penetration(swept.take(where), self._swept.take(others)) > TOUCH
-        if kind.place == "floor":
-            bad |= self._disturbs(name, at.take(where), use, others)
-        ok[where] = ~bad.any(1)
-        return ok
+    def model(self, name: str) -> Array:
+        """The size that all of the category have in this room."""
+        if name not in self.models:
+            self.models[name] = draw(name, self.rng)
+        return self.models[name].copy()
 
-    def _outside_zones(self, name: str, at: Boxes, swept: Boxes) -> Mask:
-        zones, kind = self.shape.zones, self.shape.zone_kind
-        if not len(kind):
-            return np.ones(at.n, bool)
-        hit = boxes.penetration(at, zones) > TOUCH
-        if name == "curtain":
-            hit = hit & (kind != 2)
-        elif TABLE[name].place == "flat":
-            hit = hit & (kind == SWING)
-        hit = hit | ((boxes.penetration(swept, zones) > TOUCH) & (kind == SWING))
-        return np.asarray(~hit.any(1))
+    def fits(self, group: Group, at: Poses) -> Mask:
+        """At which poses the group stands inside, touching nothing, all that opens and all that is used free."""
+        if group.parts and len(group.parts) > self.left:
+            return np.zeros(len(at), bool)
+        some, shape = rows(group, at), self.shape
+        names = [p.name for p in group.parts]
+        asked = np.ones(2 * len(names) + len(group.zones), bool)
+        every = np.ascontiguousarray(np.concatenate([some.body, some.sweep, some.zone], 1))
+        moving = np.array([p.opens > 0 for p in group.parts], bool)
+        asked[len(names) : 2 * len(names)] = moving
+        ok = ~kernels.leaves(every, asked, shape.start, 2e-3)
+        if len(shape.zone_kind):
+            ok[ok] = ~kernels.clash(every[ok], shape.zone_rows, self._openings(group), TOUCH)
+        if self.n and ok.any():
+            others, forbidden = self._forbidden(group)
+            ok[ok] = ~kernels.clash(every[ok], others, forbidden, TOUCH)
+        return np.asarray(ok)
 
-    def _disturbs(self, name: str, at: Boxes, use: Use, others: NDArray[np.int64]) -> Mask:
-        """Whether new and old (m, n) stand where the other is used."""
-        names = [self.category[i] for i in others]
-        stands = np.array([TABLE[other].place == "floor" for other in names], bool)
-        stranger = np.array([name not in friends_of(other) for other in names], bool)
-        hit = (boxes.penetration(at, self._used.take(others)) > TOUCH) & stands & stranger
-        if max(use) > 0:
-            stranger = np.array([other not in friends_of(name) for other in names], bool)
-            hit |= (boxes.penetration(used(at, use), self._body.take(others)) > TOUCH) & stands & stranger
-        return np.asarray(hit)
+    def _openings(self, group: Group) -> Mask:
+        """Which parts, sweeps and zones (p + p + z, o) must keep off which zones of openings."""
+        kind, p, z = self.shape.zone_kind, len(group.parts), len(group.zones)
+        out = np.zeros((2 * p + z, len(kind)), bool)
+        for i, part in enumerate(group.parts):
+            flat, soft = TABLE[part.name].place == "flat", TABLE[part.name].soft
+            out[i] = (kind == SWING) if flat else (kind != WINDOW) if soft else True
+            out[p + i] = (kind == SWING) & (part.opens > 0)
+        return out
 
-    def add(self, name: str, at: Boxes, use: Use = NO_USE, gap: float = 0.0) -> int:
-        """Place the single box `at` (1,); its index."""
-        i = self.n
-        swept = forward(at, reach(name, at.size))
-        for store, box in ((self._body, at), (self._swept, swept), (self._used, used(at, use))):
-            store.center[i], store.size[i], store.yaw[i] = box.center[0], box.size[0], box.yaw[0]
-        self.category.append(name)
-        self.gap.append(gap)
-        self.near.append(self._approach(name, at))
-        if obstructs(name, at):
-            self.clear = self._cleared(at)
-        return i
+    def _forbidden(self, group: Group) -> tuple[Array, Mask]:
+        """Boxes of what stands (bodies, sweeps, zones), and which of the group's (p + p + z, q) may not meet them."""
+        placed, p, n = self.placed, len(group.parts), self.n
+        body = np.array([[_apart(part.name, name) for name in placed.name] for part in group.parts], bool)
+        ours = np.array([part.name for part in group.parts])
+        opens = np.array([part.opens > 0 for part in group.parts], bool)
+        out = np.zeros((2 * p + len(group.zones), 2 * n + len(placed.zone)), bool)
+        out[:p, :n] = body
+        out[:p, n : 2 * n] = body
+        out[p : 2 * p, :n] = body & opens[:, None]
+        stands = np.array([TABLE[name].place == "floor" for name in placed.name], bool)
+        for k, zone in enumerate(group.zones):
+            out[2 * p + k, :n] = stands & [name not in zone.friends for name in placed.name]
+        for k, friends in enumerate(placed.friends):
+            out[:p, 2 * n + k] = [TABLE[name].place == "floor" and name not in friends for name in ours]
+        return np.ascontiguousarray(np.stack([*placed.row, *placed.sweep, *placed.zone])), out
 
-    def drop_last(self, n: int) -> None:
-        """Forget what was placed after the first `n`."""
-        del self.category[n:], self.gap[n:], self.near[n:]
-        self.clear = self.shape.clear.copy()
-        for i in range(n):
-            if obstructs(self.category[i], self._body.take([i])):
-                self.clear = self._cleared(self._body.take([i]))
+    def put(self, group: Group, at: Poses, liking: Array, noise: float = 0.3, looks: int = LOOKS) -> int:
+        """Place the group at one of the poses, the more liked the likelier; index of its first object, -1 for none."""
+        if not len(at):
+            return -1
+        ok = np.flatnonzero(self.fits(group, at))
+        taste = liking[ok] + self.rng.gumbel(0, noise, len(ok))
+        for k in ok[np.argsort(-taste)[:looks]]:
+            before = self.n
+            self._add(_only(group, int(k), len(at)), at.take(np.array([k])))
+            if self.open():
+                return before
+            self.undo(before)
+        return -1
 
-    def _cleared(self, at: Boxes) -> Array:
-        return np.minimum(self.clear, boxes.distance(self.flat_grid, at)[:, 0].reshape(self.clear.shape))
+    def _add(self, group: Group, at: Poses) -> None:
+        placed, n = self.placed, self.n
+        some = rows(group, at)
+        side = int(at.side[0])
+        for i, part in enumerate(group.parts):
+            placed.name.append(part.name)
+            placed.row.append(some.body[0, i])
+            placed.sweep.append(some.sweep[0, i])
+            placed.at.append(n + part.at if part.at >= 0 else f"wall {side}" if side >= 0 else "free")
+        for i, zone in enumerate(group.zones):
+            placed.zone.append(some.zone[0, i])
+            placed.friends.append(zone.friends)
+        self._marks.append((n, len(group.zones)))
 
-    def stays_open(self, name: str, at: Boxes) -> bool:
-        """Whether every door and every object can still be walked to with the box `at` (1,) in place."""
-        if not obstructs(name, at) and not TABLE[name].articulated:
-            return True
-        clear = self._cleared(at) if obstructs(name, at) else self.clear
-        parts, _ = label(clear >= ROBOT)
-        flat = parts.ravel()
+    def undo(self, n: int) -> None:
+        """Forget all groups placed after the first `n` objects."""
+        placed = self.placed
+        while self._marks and self._marks[-1][0] >= n:
+            zones = self._marks.pop()[1]
+            for some in (placed.zone, placed.friends):
+                del some[len(some) - zones :]
+        for some in (placed.name, placed.row, placed.sweep, placed.at):
+            del some[n:]
+
+    def open(self) -> bool:
+        """Whether every door and everything that stands here can be walked to, and little floor is cut off."""
         if not len(self.seeds):
             return True
-        home = np.bincount(flat[self.seeds], minlength=1)
+        part, main, joined = self._parts()
+        if main == 0 or joined < self.share - 1e-9:
+            return False
+        small = int((part > 0).sum() - (part == main).sum())
+        if small * self.shape.cell**2 > POCKET + self.shape.cut:
+            return False
+        asked = [i for i, name in enumerate(self.placed.name) if _used(name, self.placed.row[i])]
+        if not asked:
+            return True
+        some = np.ascontiguousarray(np.stack([self.placed.row[i] for i in asked]))
+        use = np.array([_use(self.placed.name[i], self.placed.sweep[i]) for i in asked])
+        return bool(kernels.got_to(self.shape.grid, part, main, some, use).all())
+
+    def _parts(self) -> tuple[NDArray[np.int32], int, float]:
+        """Parts of the floor that hang together, which of them has most doors, and its share of doors."""
+        free = self.shape.clear >= WALK
+        some = [row for name, row in zip(self.placed.name, self.placed.row, strict=True) if _obstructs(name, row)]
+        if some:
+            free &= kernels.away(self.shape.grid, np.ascontiguousarray(np.stack(some)), WALK + 0.1) >= WALK
+        part = kernels.parts(np.ascontiguousarray(free))
+        found = part.ravel()[self.seeds]
+        home = np.bincount(found, minlength=1)
         home[0] = 0
         main = int(home.argmax()) if len(home) > 1 else 0
-        if main == 0 or (flat[self.seeds] == main).mean() < self.start_share - 1e-9:
-            return False
-        approaches = [*self.near, self._approach(name, at)]
-        return all(bool((flat[cells] == main).any()) for cells in approaches if cells is not None)
+        return part, main, float((found == main).mean()) if main else 0.0
 
-    def _door_cells(self) -> NDArray[np.int64]:
-        """The walkable grid cell just inside each door; doors that no robot passes even when empty are left out."""
-        parts, _ = label(self.clear >= ROBOT)
-        flat, cells = parts.ravel(), []
-        for x, y, nx, ny, _ in self.shape.doors:
-            point = np.array([x + 0.35 * nx, y + 0.35 * ny])
-            apart = np.hypot(*(self.flat_grid - point).T)
-            apart[flat == 0] = np.inf
+    def _door_cells(self) -> tuple[NDArray[np.int64], float]:
+        """The walkable grid cell just inside each door, and the share of doors joined in the empty room."""
+        shape = self.shape
+        part = kernels.parts(np.ascontiguousarray(shape.clear >= WALK)).ravel()
+        flat, cells = shape.grid.reshape(-1, 2), []
+        for x, y, nx, ny, _ in shape.doors:
+            apart = np.hypot(*(flat - (x + 0.4 * nx, y + 0.4 * ny)).T)
+            apart[part == 0] = np.inf
             cells.append(int(apart.argmin()))
         seeds = np.array(cells, np.int64)
-        home = np.bincount(flat[seeds], minlength=1) if len(seeds) else np.zeros(1)
-        self.start_share = float(home.max() / max(1, len(seeds)))
-        return seeds
-
-    def _approach(self, name: str, at: Boxes) -> NDArray[np.int64] | None:
-        """Grid cells from which the object can be used; None where that does not matter."""
-        kind = TABLE[name]
-        if kind.articulated and at.center[0, 2] - at.size[0, 2] / 2 < UNDERFOOT:
-            seen = boxes.local(self.flat_grid, at)[0]
-            front, half = seen[:, 0] - at.size[0, 0] / 2, at.size[0, 1] / 2
-            arm = ARM if kind.place == "floor" else ARM + COUNTER
-            return np.flatnonzero((front > 0) & (front < arm) & (np.abs(seen[:, 1]) < half + CELL))
-        if kind.place == "floor" and at.size[0, :2].min() > 0.3:
-            return np.flatnonzero(boxes.distance(self.flat_grid, at)[:, 0] < NEAR)
-        return None
+        home = np.bincount(part[seeds], minlength=1) if len(seeds) else np.zeros(1, int)
+        home[0] = 0
+        return seeds, float(home.max() / max(1, len(seeds)))
 
 
-def slice_to(n: int) -> NDArray[np.int64]:
-    """Indices 0 … n-1."""
-    return np.arange(n)
+@lru_cache(maxsize=8192)
+def _apart(a: str, b: str) -> bool:
+    """Whether two categories must not touch."""
+    return "flat" not in (TABLE[a].place, TABLE[b].place) and not belong_together(a, b)
 
 
-def obstructs(name: str, at: Boxes) -> bool:
-    """Whether one has to walk round it."""
-    return TABLE[name].place in ("floor", "wall") and float(at.center[0, 2] - at.size[0, 2] / 2) < UNDERFOOT
+def _obstructs(name: str, row: Array) -> bool:
+    return TABLE[name].place in ("floor", "wall") and float(row[2] - row[5] / 2) < UNDERFOOT and name != "curtain"
 
 
-def forward(at: Boxes, by: Array) -> Boxes:
-    """The boxes grown to the front by `by` (m,)."""
-    if not np.any(by):
-        return at
-    shift = boxes.axes(at)[:, 0] * (np.asarray(by)[:, None] / 2)
-    center = at.center.copy()
-    center[:, :2] += shift
-    size = at.size.copy()
-    size[:, 0] += by
-    return Boxes(center, size, at.yaw)
+def _used(name: str, row: Array) -> bool:
+    if TABLE[name].place == "floor":
+        return bool(min(row[3], row[4]) > 0.3 or TABLE[name].articulated)
+    return False
 
 
-def used(at: Boxes, use: Use) -> Boxes:
-    """The boxes with the room around them that their use takes."""
-    if max(use) <= 0:
-        return at
-    front, left, right, back = use
-    half = at.size / 2
-    lo = np.stack([-half[:, 0] - back, -half[:, 1] - right, -half[:, 2]], 1)
-    hi = np.stack([half[:, 0] + front, half[:, 1] + left, np.maximum(half[:, 2], USE_HEIGHT - at.center[:, 2])], 1)
-    return boxes.spread(at, lo, hi)
+def _use(name: str, sweep: Array) -> tuple[float, float, float, float]:
+    if TABLE[name].articulated:
+        opened = float(sweep[3]) if sweep[2] > NOTHING[2] + 1 else 0.0
+        return opened, ARM, ASIDE, WALK
+    return -1.0, NEAR, 0.0, 0.0
 
 
-def inside(at: Boxes, shape: Shape) -> Mask:
-    """Which boxes (m,) lie in the room: centre inside, no side of the room crosses them."""
-    half = (at.size[:, None, :2] / 2 - 1e-3).clip(1e-4)
-    a, b = boxes.local(shape.start, at), boxes.local(shape.end, at)
-    apart = (np.maximum(a, b) < -half) | (np.minimum(a, b) > half)
-    d = b - a
-    across = np.abs(d[..., 0] * a[..., 1] - d[..., 1] * a[..., 0])
-    apart_on_normal = across > half[..., 0] * np.abs(d[..., 1]) + half[..., 1] * np.abs(d[..., 0])
-    crossing = ~(apart.any(-1) | apart_on_normal)
-    return np.asarray(~crossing.any(1) & within(at.center[:, :2], shape.start))
+def _only(group: Group, k: int, m: int) -> Group:
+    """The group as it is at pose `k` of `m`."""
+    def one(value: float | Array) -> float | Array:
+        return value[k : k + 1] if isinstance(value, np.ndarray) and value.shape == (m,) else value
+
+    parts = tuple(replace(p, x=one(p.x), y=one(p.y), yaw=one(p.yaw)) for p in group.parts)
+    zones = tuple(replace(z, x0=one(z.x0), x1=one(z.x1), y0=one(z.y0), y1=one(z.y1)) for z in group.zones)
+    return Group(parts, zones)

@@ -1,0 +1,73 @@
+"""Who lives in a home, as its plan tells: how many sleep where, where they eat, where they wash their clothes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.random import Generator
+
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.layout.meals import table_of
+
+DOUBLE = 9.6
+"""A bedroom of at least so much floor is for two, m²."""
+
+
+@dataclass(frozen=True)
+class Household:
+    """What furnishing one room knows of the rest: sleepers in the home; whether this bedroom is the main one; whether
+    a table is wanted here, None where that is left open; whether a bed is (a home without bedrooms); whether clothes
+    are washed here."""
+
+    sleepers: int = 2
+    main: bool = True
+    table: bool | None = None
+    bed: bool = False
+    laundry: bool | None = None
+    coats: bool = True
+
+
+def area(room: Room) -> float:
+    """Floor area, m²."""
+    return float(shapely.Polygon(room.polygon).area)
+
+
+def sleepers(plan: Plan) -> int:
+    """Two in the main bedroom and in every large one, else one; two where there is no bedroom."""
+    beds = sorted((area(room) for room in plan.rooms if room.type == "bedroom"), reverse=True)
+    return sum(2 if a >= DOUBLE else 1 for a in beds) if beds else 2
+
+
+def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
+    """What furnishing `room` needs to know."""
+    if len(plan.rooms) == 1:
+        return Household(sleepers=int(rng.choice([1, 2, 2, 3, 4, 4, 5])), main=bool(rng.random() < 0.6))
+    bedrooms = [other for other in plan.rooms if other.type == "bedroom"]
+    table, washing = table_of(plan), _laundry(plan)
+    open_question = room.type == "living_room" and table is None
+    return Household(
+        sleepers=sleepers(plan),
+        main=bool(bedrooms) and room.id == max(bedrooms, key=area).id,
+        table=None if open_question else table is not None and table[0] == room.id,
+        bed=not bedrooms and room.type == "living_room",
+        laundry=washing is None or washing == room.id,
+    )
+
+
+def _laundry(plan: Plan) -> str | None:
+    """The room with the washing machine: a utility room, else the largest bathroom, else the kitchen."""
+    for kind in ("utility", "bathroom", "kitchen"):
+        some = [room for room in plan.rooms if room.type == kind]
+        if some:
+            return max(some, key=area).id
+    return None
+
+
+def chance(rng: Generator, share: float) -> bool:
+    """Whether something with this frequency is there."""
+    return bool(rng.random() < share)
+
+
+def one_of(rng: Generator, *some: str) -> str:
+    """One of them."""
+    return str(np.asarray(some)[int(rng.integers(len(some)))])

@@ -1,0 +1,270 @@
+"""Kitchen runs: units side by side along one wall, round a corner or two, in the order in which one cooks.
+
+The tall stand at an end, the dishwasher by the sink, worktop between sink and hob; the hood hangs over the hob, wall
+units over the rest but before windows.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.random import Generator
+
+from apartgen.stages.layout.datasets._furnish import anchors, kernels
+from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
+from apartgen.stages.layout.datasets._furnish.legs import Leg, length, paths, stretches
+from apartgen.stages.layout.datasets._furnish.shape import WINDOW
+from apartgen.stages.layout.datasets._furnish.sizes import draw
+from apartgen.stages.layout.datasets._furnish.space import TOUCH, Space
+from apartgen.stages.space.boxes import Array
+
+TALL = ("fridge", "tower")
+LOW = ("kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine")
+"""Units with worktop."""
+WORKTOP = 1.2
+"""Worktop in one piece beside sink or hob, m."""
+AISLE, AISLE_LEAST = 1.0, 0.8
+TRIES = 36
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit of the run: what it is (a `tower` is a tall oven) and its size."""
+
+    name: str
+    size: Array
+
+    @property
+    def category(self) -> str:
+        """The category of its box."""
+        return "oven" if self.name == "tower" else self.name
+
+
+@dataclass(frozen=True)
+class Style:
+    """What the units of a kitchen share."""
+
+    depth: float
+    height: float
+    wall: Array
+    hang: float
+
+
+def furnish(space: Space, reserve: int, laundry: bool) -> list[int]:
+    """The run and what hangs above it, `reserve` objects left for others; indices of the units that stand."""
+    rng = space.rng
+    style = _style(space)
+    free = stretches(space, style.depth, style.height)
+    ways = [path for path in paths(space, free, style.depth) if sum(leg.high - leg.low for leg in path) > 1.5]
+    if not ways:
+        return []
+    budget = min(space.left - reserve - 1, 17)
+    tries: list[tuple[float, Group]] = []
+    for k in range(TRIES):
+        path = ways[int(rng.integers(len(ways)))]
+        units = _units(path, style, rng, budget, laundry, k)
+        if group := _built(space, path, units, style, rng, budget, AISLE if k < TRIES // 2 else AISLE_LEAST):
+            tries.append((_worth(space, group, path) + rng.gumbel(0, 0.5), group))
+    pose = anchors.free(np.zeros((1, 2)), np.zeros(1))
+    for _, group in sorted(tries, key=lambda row: -row[0]):
+        before = space.n
+        if space.put(group, pose, np.zeros(1)) >= 0:
+            return _stand(space, before, group)
+    return []
+
+
+def _stand(space: Space, before: int, group: Group) -> list[int]:
+    """Say by which wall each unit stands; indices of those on the floor."""
+    floor = [before + i for i, p in enumerate(group.parts) if p.z == 0]
+    for i in range(before, space.n):
+        if space.placed.at[i] == "free":
+            row = space.placed.row[i]
+            off = np.abs(((row[:2] - space.shape.start) * space.shape.normal).sum(1) - row[3] / 2)
+            off += 9.0 * (space.shape.normal @ row[6:8] < 0.99)
+            space.placed.at[i] = f"wall {int(off.argmin())}"
+    return floor
+
+
+def _style(space: Space) -> Style:
+    rng = space.rng
+    sills = [float(w[5]) for w in space.shape.windows if 0.84 <= w[5] <= 0.93]
+    height = min([float(rng.choice([0.86, 0.9, 0.9, 0.92])), *sills])
+    hang = round(max(height + 0.5, 1.38), 3)
+    wall = draw("wall_unit", rng)
+    wall[0], wall[2] = rng.choice([0.32, 0.35, 0.37]), min(wall[2], space.shape.height - hang - 0.06, 0.95)
+    return Style(float(rng.choice([0.6, 0.6, 0.62, 0.65])), height, np.round(wall, 3), hang)
+
+
+def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: bool, nth: int) -> list[Unit]:
+    """Units in line, as many as the way is long; later tries are content with less."""
+    room = length(path) - 0.02 * len(path) - (0.3 * (nth // 9) if nth > 8 else 0.0)
+    cooker = rng.random() < 0.35
+    heat, sink = "oven" if cooker else "hob", float(rng.choice([0.6, 0.8, 0.8, 1.0] if room > 3.4 else [0.6]))
+    hob = 0.6 if cooker or room < 3.6 else float(rng.choice([0.6, 0.6, 0.8]))
+    fridge = draw("fridge", rng)
+    fridge[1] = fridge[1] if room > 3.4 else min(fridge[1], 0.6)
+    left = room - sink - hob - fridge[1]
+    between: list[tuple[str, float]] = []
+    if left >= 0.6 and rng.random() < 0.8:
+        between.append(("dishwasher", 0.6 if left > 1.0 or left < 0.75 else 0.45))
+    want = WORKTOP - sum(w for _, w in between)
+    if left - sum(w for _, w in between) >= min(want, 0.4):
+        w = min(_sold(left - sum(w for _, w in between), rng, want), 1.2)
+        between.append((str(rng.choice(["kitchen_drawers", "kitchen_base"])), w))
+    left -= sum(w for _, w in between)
+    towers = [("tower", 0.6)] if not cooker and left > 1.0 and rng.random() < 0.55 else []
+    left -= 0.6 * len(towers)
+    ends: list[tuple[str, float]] = []
+    if laundry and left > 0.7 and rng.random() < 0.3:
+        ends.append(("washing_machine", 0.6))
+        left -= 0.6
+    limit = min(3 + int(room > 5), max(0, budget - 9))
+    while left > 0.32 and len(ends) < limit and (rng.random() < 0.85 or room < 4.5):
+        w = _sold(min(left, 0.9), rng, 0.6)
+        ends.append((str(rng.choice(["kitchen_base", "kitchen_drawers" if w >= 0.4 else "kitchen_base"])), w))
+        left -= w
+    if rng.random() < 0.5:
+        between.reverse()
+    if between and between[0][0] != "dishwasher" and any(n == "dishwasher" for n, _ in between):
+        between.reverse()
+    k = int(rng.integers(0, len(ends) + 1))
+    wet = [("kitchen_sink", sink), *between, (heat, hob)]
+    line = [("fridge", float(fridge[1])), *towers, *ends[:k], *(wet if rng.random() < 0.6 else wet[::-1]), *ends[k:]]
+    return [Unit(name, _size(name, w, style, fridge)) for name, w in line]
+
+
+def _sold(most: float, rng: Generator, liked: float) -> float:
+    """A width as sold, no more than `most`, about what is liked."""
+    some = [w for w in (0.3, 0.4, 0.5, 0.6, 0.8, 0.9, 1.0, 1.2) if w <= most + 1e-9]
+    return float(min(some, key=lambda w: abs(w - liked) + rng.uniform(0, 0.15))) if some else 0.3
+
+
+def _size(name: str, width: float, style: Style, fridge: Array) -> Array:
+    if name == "fridge":
+        return np.asarray(np.round(fridge, 3))
+    if name == "tower":
+        return np.array([style.depth, 0.6, 2.1])
+    height = min(style.height, 0.9) if name == "dishwasher" else style.height
+    depth = min(style.depth, {"dishwasher": 0.65, "washing_machine": 0.64}.get(name, 1.0))
+    return np.round(np.array([depth, width, height]), 3)
+
+
+def _built(
+    space: Space, path: list[Leg], units: list[Unit], style: Style, rng: Generator, budget: int, aisle: float
+) -> Group | None:
+    """The run along the path, either way round, broken at corners where it fits."""
+    line = units if rng.random() < 0.5 else units[::-1]
+    spread = _divided(path, [float(u.size[1]) for u in line], rng)
+    if spread is None:
+        return None
+    parts: list[Part] = []
+    zones: list[Zone] = []
+    for leg, (s, some) in zip(path, spread, strict=True):
+        for u in (line[i] for i in some):
+            parts.append(_at(space, leg.side, s + float(u.size[1]) / 2, u.category, u.size))
+            s += float(u.size[1])
+        if some:
+            zones += [_before(p, aisle) for p in parts[-len(some):]]
+    windows = space.shape.zone_rows[space.shape.zone_kind == WINDOW]
+    for p in parts:
+        if (p.size[2] > 1.3 or p.name in ("hob", "oven")) and _lit(p, windows, 2.0):
+            return None
+    hung = _hung(parts, style, rng, windows, budget - len(parts), space.shape.height)
+    return Group((*parts, *hung), tuple(zones))
+
+
+def _divided(path: list[Leg], widths: list[float], rng: Generator) -> list[tuple[float, list[int]]] | None:
+    """For each leg where its first unit begins and which units stand there; None where they don't fit."""
+    rooms = [leg.high - leg.low - 0.006 for leg in path]
+    if len(path) == 1:
+        spare = rooms[0] - sum(widths)
+        if spare < 0:
+            return None
+        s = path[0].low + 0.003 + spare * float(rng.choice([0.0, 0.0, 1.0, 1.0, 0.5]))
+        return [(s, list(range(len(widths))))]
+    cuts = [k for k in range(1, len(widths)) if sum(widths[:k]) <= rooms[0]]
+    rng.shuffle(cuts)
+    for k in cuts:
+        rest = _rest(path[1:], rooms[1:], widths, k)
+        if rest is not None:
+            return [(path[0].high - 0.003 - sum(widths[:k]), list(range(k))), *rest]
+    return None
+
+
+def _rest(path: list[Leg], rooms: list[float], widths: list[float], k: int) -> list[tuple[float, list[int]]] | None:
+    """The units from `k` on along the remaining legs: a middle leg is filled from corner to corner."""
+    if len(path) == 1:
+        return [(path[0].low + 0.003, list(range(k, len(widths))))] if sum(widths[k:]) <= rooms[0] else None
+    for j in range(k + 1, len(widths)):
+        if rooms[0] - 0.12 <= sum(widths[k:j]) <= rooms[0] and sum(widths[j:]) <= rooms[1]:
+            return [(path[0].low + 0.003, list(range(k, j))), (path[1].low + 0.003, list(range(j, len(widths))))]
+    return None
+
+
+def _at(space: Space, side: int, s: float, name: str, size: Array, z: float = 0.0, at: int = -1) -> Part:
+    shape = space.shape
+    xy = shape.start[side] + shape.along[side] * s + shape.normal[side] * (size[0] / 2 + anchors.OFF)
+    yaw = float(np.arctan2(shape.normal[side, 1], shape.normal[side, 0]))
+    return Part(name, float(xy[0]), float(xy[1]), size, yaw, z, at)
+
+
+def _before(p: Part, depth: float) -> Zone:
+    """Floor before a unit, along the world's axes."""
+    c, s = np.cos(p.yaw), np.sin(p.yaw)
+    near, far, half = p.size[0] / 2, p.size[0] / 2 + depth, p.size[1] / 2
+    xs, ys = zip(*((p.x + u * c - v * s, p.y + u * s + v * c) for u in (near, far) for v in (-half, half)), strict=True)
+    return Zone(min(xs), max(xs), min(ys), max(ys))
+
+
+def _lit(p: Part, windows: Array, height: float) -> bool:
+    """Whether something of that height there would stand before a window."""
+    if not len(windows):
+        return False
+    row = np.array([[[p.x, p.y, height / 2, p.size[0], p.size[1], height, np.cos(p.yaw), np.sin(p.yaw)]]], float)
+    return bool(kernels.clash(row, np.ascontiguousarray(windows), np.ones((1, len(windows)), bool), TOUCH)[0])
+
+
+def _hung(parts: list[Part], style: Style, rng: Generator, windows: Array, left: int, ceiling: float) -> list[Part]:
+    """The hood over what cooks, wall units over low units, a microwave on a worktop."""
+    out: list[Part] = []
+    low = [i for i, p in enumerate(parts) if p.size[2] < 1.2]
+    for i in low:
+        if parts[i].name == "hob" or (parts[i].name == "oven" and not any(p.name == "hob" for p in parts)):
+            size = draw("hood", rng, width=float(np.clip(parts[i].size[1], 0.5, 0.95)))
+            size[2] = round(min(float(size[2]), ceiling - 1.62), 3)
+            out.append(_over(parts[i], i, "hood", size, 1.55))
+    if rng.random() < 0.88:
+        for i in low:
+            p = parts[i]
+            size = np.array([style.wall[0], p.size[1], style.wall[2]])
+            if p.name in ("hob", "oven") or len(out) >= left - 1 or _lit(p, windows, style.hang + 0.3):
+                continue
+            out.append(_over(p, i, "wall_unit", size, style.hang))
+    tops = [i for i in low if parts[i].name in ("kitchen_base", "kitchen_drawers") and parts[i].size[1] >= 0.55]
+    if tops and len(out) < left and rng.random() < 0.62:
+        i = int(rng.choice(tops))
+        size = draw("microwave", rng)
+        size[1], size[2] = min(size[1], parts[i].size[1] - 0.02), min(size[2], style.hang - style.height - 0.04)
+        out.append(_over(parts[i], i, "microwave", np.round(size, 3), float(parts[i].size[2])))
+    return out
+
+
+def _over(p: Part, i: int, name: str, size: Array, z: float) -> Part:
+    """Something at the wall above a unit, its middle over the unit's."""
+    back = -p.size[0] / 2 + size[0] / 2
+    return Part(name, p.x + back * float(np.cos(p.yaw)), p.y + back * float(np.sin(p.yaw)), size, p.yaw, z, i)
+
+
+def _worth(space: Space, group: Group, path: list[Leg]) -> float:
+    """What a run is liked for: units, worktop in one piece beside sink or hob, a sink at the window, round corners."""
+    stand = [p for p in group.parts if p.z == 0]
+    best, piece, hot = 0.0, 0.0, False
+    for p in [*stand, None]:
+        if p is not None and p.name in LOW:
+            piece += float(p.size[1])
+            continue
+        wet = p is not None and p.name in ("kitchen_sink", "hob", "oven")
+        best, piece, hot = max(best, piece if wet or hot else 0.0), 0.0, wet
+    sink = [p for p in stand if p.name == "kitchen_sink"]
+    xy = np.array([[p.x, p.y] for p in sink])
+    near = float(anchors.to_windows(xy, space)[0]) if len(sink) else 9.0
+    return 0.45 * len(stand) + 4.0 * (best >= WORKTOP - 1e-6) + 0.5 * best - 0.15 * min(near, 4.0) + 0.5 * len(path)

@@ -1,0 +1,271 @@
+"""Living: sofa, coffee table and television on one axis; armchairs, side tables, lamp and rug about them."""
+
+import numpy as np
+
+from apartgen.stages.layout.datasets._furnish import anchors
+from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses, Zone, joined
+from apartgen.stages.layout.datasets._furnish.sizes import draw
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.space.boxes import Array
+
+LEAST_VIEW, MOST_VIEW, VIEW = 1.45, 3.5, 2.15
+"""From the sofa's front to the television's stand, m: least, most, liked."""
+BEHIND = 0.75
+"""Way behind a sofa that stands free, m."""
+SOFAS = ("sofa", "corner_sofa")
+IN_FRONT = ("coffee_table", "pouffe", "side_table")
+
+
+def furnish(space: Space, chance: dict[str, float]) -> bool:
+    """A conversation group; whether one found a place."""
+    rng, area = space.rng, space.shape.area
+    tv = rng.random() < chance["tv"]
+    if not (tv and _with_tv(space)) and not _without_tv(space, opposite=not tv and rng.random() < 0.55):
+        return False
+    _lamps_and_tables(space, rng.random() < chance["side_table"], rng.random() < chance["floor_lamp"])
+    if area > 11 and space.has("coffee_table") and rng.random() < chance["armchair"]:
+        _armchairs(space, int(rng.random() < 0.5) + 1)
+    if space.has("coffee_table") and rng.random() < chance["pouffe"]:
+        _pouffe(space)
+    return True
+
+
+def _sofa(space: Space, small: bool) -> tuple[str, Array]:
+    rng, area = space.rng, space.shape.area
+    if not small and area > 17 and rng.random() < 0.17:
+        return "corner_sofa", draw("corner_sofa", rng, -0.3)
+    lean = -0.8 if small or area < 13 else -0.3 if area < 17 else 0.2
+    return "sofa", draw("sofa", rng, lean + 0.2 * rng.normal())
+
+
+def _table(space: Space, sofa: Array, small: bool) -> Array:
+    size = draw("coffee_table", space.rng, -0.7 if small else None)
+    size[1] = np.clip(sofa[1] * space.rng.uniform(0.48, 0.66), 0.6, 1.4 if not small else 0.9)
+    return np.asarray(np.round(size, 3))
+
+
+def _core(space: Space, small: bool) -> Group:
+    """Sofa and coffee table, rug under them; the frame's x axis is where one looks."""
+    rng = space.rng
+    name, sofa = _sofa(space, small)
+    table = _table(space, sofa, small)
+    gap = round(float(np.clip(rng.normal(0.36, 0.05), 0.28, 0.5)), 3)
+    aside = round(float(rng.normal(0, 0.05)), 3) if rng.random() < 0.5 else 0.0
+    parts = [Part(name, sofa[0] / 2, 0.0, sofa),
+             Part("coffee_table", sofa[0] + gap + table[0] / 2, aside, table, at=0)]
+    if rng.random() < 0.62:
+        parts.append(_rug(space, sofa, gap + table[0]))
+    zone = Zone(sofa[0], sofa[0] + gap + table[0] + 0.25, -0.42 * sofa[1], 0.42 * sofa[1], ("pouffe",))
+    return Group(tuple(parts), (zone,))
+
+
+def _rug(space: Space, sofa: Array, beyond: float) -> Part:
+    rng = space.rng
+    under = min(0.3, sofa[0] / 3)
+    depth = float(np.clip(under + beyond + rng.uniform(0.15, 0.4), 1.2, 2.6))
+    size = np.array([depth, np.clip(sofa[1] + rng.uniform(-0.3, 0.5), 1.5, 3.4), rng.choice([0.006, 0.008])])
+    return Part("rug", sofa[0] - under + depth / 2, 0.0, np.round(size, 3), at=1)
+
+
+def _stand(space: Space, small: bool) -> tuple[Array, Array]:
+    """A stand and the television on it."""
+    rng = space.rng
+    stand = draw("tv_stand", rng, -0.7 if small else 0.0)
+    tv = draw("tv", rng, width=float(np.clip(stand[1] * rng.uniform(0.62, 0.85), 0.73, 1.6)))
+    tv[2] = round(float(np.clip(tv[1] * 0.6, 0.45, 1.0)), 3)
+    return stand, tv
+
+
+def _with_tv(space: Space) -> bool:
+    for small in (False, False, False, True, True, True):
+        core = _core(space, small)
+        if small and space.rng.random() < 0.5:
+            core = _bare(core)
+        stand, tv = _stand(space, small)
+        sofa = core.parts[0].size
+        at = _looking(space, core, float(sofa[0]), float(stand[0]))
+        if not len(at):
+            continue
+        far = anchors.facing(at, space) - anchors.OFF
+        aside = np.clip(space.rng.laplace(0, 0.1, len(at)), -0.28, 0.28)
+        aside = np.where(np.abs(aside) < 0.03, 0.0, aside)
+        x, n = far - stand[0] / 2, len(core.parts)
+        front = sofa[0] + 0.9
+        view = Zone(front, far - stand[0] - 0.02, -0.35, 0.35, ("pouffe",))
+        before = Zone(far - stand[0] - 0.6, far - stand[0], aside - stand[1] / 2, aside + stand[1] / 2)
+        whole = Group((*core.parts, Part("tv_stand", x, aside, stand, np.pi, at=0),
+                       Part("tv", x, aside, tv, np.pi, float(stand[2]), at=n)), (*core.zones, view, before))
+        if space.put(whole, at, _liking(space, at, core, far, float(stand[0])), 0.35) >= 0:
+            return True
+    return False
+
+
+def _looking(space: Space, core: Group, sofa: float, stand: float) -> Poses:
+    """Places from which a wall across is seen from a fit distance: at walls, and free before a wall too far off."""
+    at = anchors.walls(space, Group(core.parts[:1]), (0.02, 0.05, anchors.BESIDE))
+    if not len(at):
+        return at
+    across = anchors.facing(at, space)
+    view = across - sofa - stand
+    straight = _square(space, at, across)
+    near = at.take((view > LEAST_VIEW) & (view < MOST_VIEW) & straight)
+    if len(near) and space.rng.random() < 0.88:
+        return near
+    off = view - np.clip(space.rng.normal(2.3, 0.25, len(at)), 1.8, 2.9)
+    keep = (off > BEHIND) & straight & (at.gap < 0.03)
+    shift = np.where(keep, off, 0.0)[:, None] * np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1)
+    floating = Poses(at.xy + shift, at.yaw, at.flip, np.full(len(at), -1), at.s, at.gap + off).take(keep)
+    return joined(near, floating) if len(near) and space.rng.random() < 0.5 else floating if len(floating) else near
+
+
+def _square(space: Space, at: Poses, across: Array) -> Array:
+    """Whether the wall across is parallel: as far off on both sides of the axis."""
+    shape = space.shape
+    hit = at.xy + across[:, None] * np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1)
+    off = ((hit[:, None] - shape.start) * shape.normal).sum(-1)
+    along = ((hit[:, None] - shape.start) * shape.along).sum(-1)
+    heading = np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1) @ shape.normal.T
+    good = (np.abs(off) < 0.01) & (along > -0.01) & (along < shape.length + 0.01) & (heading < -0.999)
+    return np.asarray(good.any(1))
+
+
+def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float) -> Array:
+    sofa = core.parts[0].size
+    view = far - sofa[0] - stand
+    liking = -0.8 * np.abs(view - VIEW) - 1.2 * (at.gap > 0.1)
+    liking -= 0.5 * anchors.seen_from_doors(at, 1.0, space)
+    liking += 0.25 * np.minimum(anchors.to_doors(at.point(1.2, 0.0), space), 3.0)
+    wall = at.side >= 0
+    if wall.any():
+        seated = Group(core.parts[:1])
+        liking[wall] -= 0.25 * np.minimum(anchors.off_middle(at.take(wall), seated, space), 1.5)
+        liking[wall] -= 0.7 * anchors.windowed(at.take(wall), seated, space)
+    return np.asarray(liking)
+
+
+def _bare(core: Group) -> Group:
+    """Without the rug."""
+    return Group(tuple(p for p in core.parts if p.name != "rug"), core.zones)
+
+
+def _without_tv(space: Space, opposite: bool) -> bool:
+    """A group that talks: sofa and table, across from it another sofa or two armchairs where asked for."""
+    for small in (False, False, True, True):
+        core = _core(space, small)
+        sofa, table = core.parts[0].size, core.parts[1]
+        for across in ((True, False) if opposite and not small else (False,)):
+            group = _bare(core) if small else core
+            if across:
+                group = group.with_part(*_across(space, sofa, table))
+            zone = Zone(sofa[0], sofa[0] + 1.2, -0.42 * sofa[1], 0.42 * sofa[1], (*IN_FRONT, "armchair"))
+            group = Group(group.parts, (*group.zones, zone)) if not across else group
+            at = anchors.walls(space, Group(group.parts[:1]), (0.02, 0.05, anchors.BESIDE))
+            if not len(at):
+                continue
+            far = anchors.facing(at, space)
+            at, far = at.take(far > 2.0), far[far > 2.0]
+            if len(at) and space.put(group, at, _liking(space, at, core, np.minimum(far, 3.0), 0.4)) >= 0:
+                return True
+    sofa = draw("sofa", space.rng, -0.9)
+    alone = Group((Part("sofa", sofa[0] / 2, 0.0, sofa),), (Zone(sofa[0], sofa[0] + 0.7, -sofa[1] / 2, sofa[1] / 2),))
+    at = anchors.walls(space, alone, (0.02, anchors.BESIDE))
+    return len(at) > 0 and space.put(alone, at, 0.2 * anchors.facing(at, space)) >= 0
+
+
+def _across(space: Space, sofa: Array, table: Part) -> list[Part]:
+    rng = space.rng
+    edge = float(table.x) + table.size[0] / 2 + rng.uniform(0.32, 0.42)
+    if rng.random() < 0.45:
+        return [Part("sofa", edge + sofa[0] / 2, 0.0, sofa if sofa[0] < 1.3 else draw("sofa", rng, 0.0), np.pi, at=1)]
+    chair = space.model("armchair")
+    off = chair[1] / 2 + rng.uniform(0.08, 0.3)
+    return [Part("armchair", edge + chair[0] / 2, side * off, chair, np.pi, at=1) for side in (1.0, -1.0)]
+
+
+def _lamps_and_tables(space: Space, table: bool, lamp: bool) -> None:
+    """At the ends of the sofa: side tables, alike, and a floor lamp."""
+    rng = space.rng
+    k = space.find(*SOFAS)[0]
+    size, at = space.placed.row[k][3:6], anchors.of_object(space, k)
+    back = -size[0] / 2
+    if table:
+        side = draw("side_table", rng)
+        with_lamp, small = rng.random() < 0.5, draw("table_lamp", rng, -0.3)
+        small[:2] = np.minimum(small[:2], side[:2].min() - 0.04)
+        x = back + max(side[0] / 2, min(size[0], 0.9) * rng.uniform(0.35, 0.55))
+        for both in ((1.0, -1.0), (1.0,)) if rng.random() < 0.42 else ((1.0,),):
+            parts: list[Part] = []
+            for sign in both:
+                y = sign * (size[1] / 2 + 0.05 + side[1] / 2)
+                parts.append(Part("side_table", x, y, side))
+                if with_lamp:
+                    parts.append(Part("table_lamp", x, y, small, z=float(side[2]), at=len(parts) - 1))
+            if _beside(space, Group(tuple(parts)), at, k) >= 0:
+                break
+    if lamp:
+        size_l = draw("floor_lamp", rng)
+        x = back + size_l[0] / 2 + rng.uniform(0.0, 0.15)
+        part = Part("floor_lamp", x, size[1] / 2 + rng.uniform(0.05, 0.12) + size_l[1] / 2, size_l)
+        _beside(space, Group((part,)), at, k)
+
+
+def _beside(space: Space, group: Group, at: Poses, k: int) -> int:
+    """Put a group in the frame of object `k`, which is what it stands at."""
+    i = space.put(group, at, np.zeros(len(at)))
+    for j in range(i, space.n) if i >= 0 else ():
+        if space.placed.at[j] == "free":
+            space.placed.at[j] = k
+    return i
+
+
+def _armchairs(space: Space, count: int) -> None:
+    """Beside the coffee table, turned to it: two face each other, or one alone."""
+    rng = space.rng
+    table, sofa = space.find("coffee_table")[0], space.find(*SOFAS)[0]
+    size, chair = space.placed.row[table][3:6], space.model("armchair")
+    at = anchors.of_object(space, table)
+    seat = 0.4 * space.placed.row[sofa][4] + 0.03
+    for turn in (rng.choice([0.0, 0.0, 0.35, 0.5]), 0.0):
+        for n in range(count, 0, -1):
+            for ahead in (rng.uniform(0.0, 0.2), 0.35):
+                y = max(size[1] / 2 + rng.uniform(0.28, 0.42), seat) + chair[0] / 2 + 0.1 * turn
+                parts = [Part("armchair", ahead, sign * y, chair, -sign * (np.pi / 2 + turn)) for sign in (1.0, -1.0)]
+                inner = y - chair[0] / 2
+                zones = [Zone(ahead - chair[1] / 2, ahead + chair[1] / 2, *sorted((s * (inner - 0.22), s * inner)),
+                              ("coffee_table", "pouffe", "sofa", "corner_sofa")) for s in (1.0, -1.0)]
+                if _beside(space, Group(tuple(parts[:n]), tuple(zones[:n])), at, table) >= 0:
+                    return
+
+
+def _pouffe(space: Space) -> None:
+    rng = space.rng
+    table = space.find("coffee_table")[0]
+    size, pouffe = space.placed.row[table][3:6], draw("pouffe", rng)
+    at = anchors.of_object(space, table)
+    x = size[0] / 2 + rng.uniform(0.12, 0.3) + pouffe[0] / 2
+    for y in (rng.uniform(0, size[1] / 2), 0.0):
+        if _beside(space, Group((Part("pouffe", x, y, pouffe),)), at, table) >= 0:
+            return
+
+
+def tv_before_bed(space: Space) -> bool:
+    """A television across from the bed, on a stand or a chest, as near to the bed's axis as the wall allows."""
+    rng = space.rng
+    bed = space.placed.row[space.find("double_bed")[0]]
+    for name in ("tv_stand", "chest") if rng.random() < 0.7 else ("chest", "tv_stand"):
+        stand = draw(name, rng, -0.6)
+        tv = draw("tv", rng, width=float(np.clip(stand[1] * 0.75, 0.72, 1.25)))
+        tv[2] = round(float(np.clip(tv[1] * 0.6, 0.43, 0.8)), 3)
+        if tv[1] > stand[1] - 0.02:
+            continue
+        screen = Part("tv", stand[0] / 2, 0.0, tv, z=float(stand[2]), at=0)
+        group = Group((Part(name, stand[0] / 2, 0.0, stand), screen),
+                      (Zone(stand[0], stand[0] + 0.55, -stand[1] / 2, stand[1] / 2, ("bench",)),))
+        at = anchors.walls(space, group, (0.006, anchors.BESIDE), 0.1)
+        off = at.point(stand[0] / 2, 0.0) - bed[:2]
+        ahead, aside = off @ bed[6:8], np.abs(off @ np.array([-bed[7], bed[6]]))
+        faces = np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1) @ bed[6:8]
+        at, aside = at.take(good := (ahead > 1.0) & (faces < -0.9) & (aside < 0.5 * ahead)), aside[good]
+        if len(at) and space.put(group, at, -aside, 0.1) >= 0:
+            return True
+    return False

@@ -1,0 +1,172 @@
+"""Washing: bathrooms by the clearances of their fixtures, utility rooms with their machines."""
+
+import numpy as np
+
+from apartgen.stages.layout.datasets._furnish import anchors, dressing, storing
+from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
+from apartgen.stages.layout.datasets._furnish.household import Household, chance
+from apartgen.stages.layout.datasets._furnish.sizes import draw
+from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.space.boxes import Array
+
+BEFORE, BEFORE_LEAST = 0.7, 0.54
+"""Floor before basin and toilet: wanted, and in small rooms, m."""
+AXIS, AXIS_LEAST = 0.43, 0.385
+"""From a toilet's axis to what stands beside it, m."""
+
+
+def bathroom(space: Space, home: Household) -> None:
+    """Shower or bath first, then toilet and basin, each with its floor; then what else there is place for."""
+    rng, area = space.rng, space.shape.area
+    before = BEFORE if area > 4 else BEFORE_LEAST
+    if area > 2.3:
+        _tub(space)
+    powder = not space.has("bath", "shower")
+    if area > 1.1 and (powder or not chance(rng, 0.04)):
+        _toilet(space, before)
+    _basin(space, before, 2 if area > 7 and chance(rng, 0.25) else 1)
+    if area > 6.5 and space.has("bath") and chance(rng, 0.4):
+        _shower(space)
+    laundry = home.laundry if home.laundry is not None else chance(rng, 0.5)
+    if laundry and area > 3.6:
+        machine(space, chance(rng, 0.15))
+    dressing.ceiling_lamps(space)
+    if not powder and chance(rng, 0.75):
+        dressing.on_wall(space, "towel_rail", ("shower", "bath"))
+    if chance(rng, 0.6):
+        storing.loose(space, "bin", -0.7, ("toilet", "vanity"))
+    if area > 4.5 and chance(rng, 0.4):
+        storing.loose(space, "laundry_basket")
+    if chance(rng, 0.15):
+        dressing.radiators(space, 1.0)
+    if area > 5 and chance(rng, 0.12):
+        storing.plant(space, small=True)
+    if chance(rng, 0.15):
+        dressing.on_wall(space, "wall_shelf", ("vanity",), -0.7)
+    if not laundry and chance(rng, 0.08):
+        dressing.on_wall(space, "water_heater", (), corner=0.8)
+
+
+def _tub(space: Space) -> bool:
+    bath = space.shape.area > 3.6 and space.rng.random() < 0.45
+    return _bath(space) or _shower(space) if bath else _shower(space) or _bath(space)
+
+
+def _bath(space: Space) -> bool:
+    for width in (float(space.rng.choice([1.6, 1.7, 1.7, 1.8])), 1.5, 1.4):
+        size = draw("bath", space.rng, width=width)
+        group = Group((Part("bath", size[0] / 2, 0.0, size),),
+                      (Zone(size[0], size[0] + 0.55, -0.35, 0.35),))
+        at = anchors.walls(space, group)
+        if not len(at):
+            continue
+        fills = np.abs(space.shape.length[at.side] - size[1]) < 0.25
+        liking = 1.6 * anchors.cornered(at, group, space) + 0.6 * fills + 0.3 * np.minimum(
+            anchors.to_doors(at.xy, space), 3)
+        liking -= 9.0 * (anchors.cornered(at, group, space) < 0.5)
+        if space.put(group, at, liking, 0.25) >= 0:
+            return True
+    return False
+
+
+def _shower(space: Space) -> bool:
+    rng = space.rng
+    for width, depth in ((float(rng.choice([0.9, 1.0, 1.2])), float(rng.choice([0.8, 0.9]))), (0.9, 0.9), (0.8, 0.8)):
+        size = draw("shower", rng, 0.0, width=width, depth=depth)
+        size[2] = min(size[2], space.shape.height - 0.1)
+        before = max(0.62, 0.0)
+        group = Group((Part("shower", size[0] / 2, 0.0, size),),
+                      (Zone(size[0], size[0] + before, -size[1] / 2, size[1] / 2),))
+        at = anchors.walls(space, group)
+        at = at.take(anchors.cornered(at, group, space) > 0) if len(at) else at
+        if not len(at):
+            continue
+        liking = 0.35 * np.minimum(anchors.to_doors(at.xy, space), 3) - 1.0 * anchors.windowed(at, group, space)
+        if space.put(group, at, liking, 0.25) >= 0:
+            return True
+    return False
+
+
+def _toilet(space: Space, before: float) -> bool:
+    size = draw("toilet", space.rng)
+    for axis, free in ((AXIS, before), (AXIS_LEAST, before), (AXIS_LEAST, BEFORE_LEAST)):
+        group = Group((Part("toilet", size[0] / 2, 0.0, size),),
+                      (Zone(0.02, size[0], -axis, axis), Zone(size[0], size[0] + free, -0.3, 0.3)))
+        at = anchors.walls(space, group, (0.005,))
+        if not len(at):
+            continue
+        near = np.minimum(at.s, space.shape.length[at.side] - at.s)
+        liking = 0.3 * np.minimum(anchors.to_doors(at.xy, space), 2.0) - 0.8 * np.minimum(near - axis, 1.2)
+        liking -= 0.6 * anchors.seen_from_doors(at, 0.4, space) + 0.3 * anchors.windowed(at, group, space)
+        if space.put(group, at, liking, 0.25) >= 0:
+            return True
+    return False
+
+
+def _basin(space: Space, before: float, count: int) -> bool:
+    rng, area = space.rng, space.shape.area
+    wide = 0.5 if area < 2.5 else float(rng.choice([0.6, 0.6, 0.8] if area < 5 else [0.6, 0.8, 0.8, 1.0, 1.2]))
+    for width, free, n in ((wide, before, count), (wide, before, 1), (0.6, before, 1), (0.5, BEFORE_LEAST, 1),
+                           (0.45, BEFORE_LEAST, 1)):
+        size = draw("vanity", rng, -0.2 if width > 0.5 else -0.9, width=width)
+        group = _basins(space, size, n, free)
+        at = anchors.walls(space, group, (0.005,))
+        if not len(at):
+            continue
+        liking = -0.3 * np.minimum(anchors.to_doors(at.xy, space), 2.5) - 1.5 * anchors.windowed(at, group, space)
+        liking += 0.3 * anchors.cornered(at, group, space) * (rng.random() < 0.4)
+        if space.put(group, at, liking, 0.3) >= 0:
+            return True
+    return False
+
+
+def _basins(space: Space, size: Array, n: int, free: float) -> Group:
+    mirror = draw("mirror", space.rng, 0.0)
+    mirror[1] = round(float(np.clip(size[1] * space.rng.uniform(0.75, 1.0), 0.35, 1.4)), 3)
+    mirror[2] = round(float(min(mirror[2], 1.0)), 3)
+    parts: list[Part] = []
+    for k in range(n):
+        y = (k - (n - 1) / 2) * (size[1] + 0.08)
+        parts.append(Part("vanity", size[0] / 2, y, size))
+        parts.append(Part("mirror", mirror[0] / 2 + 0.002, y, mirror, z=round(float(size[2]) + 0.15, 3), at=2 * k))
+    half = max((n * size[1] + 0.08 * (n - 1)) / 2, 0.39)
+    return Group(tuple(parts), (Zone(0.02, size[0] + free, -half, half),))
+
+
+def machine(space: Space, dryer: bool) -> bool:
+    """A washing machine, a dryer beside it where there is one."""
+    rng = space.rng
+    for size in (draw("washing_machine", rng, 0.0), draw("washing_machine", rng, -1.0)):
+        for n in (2, 1) if dryer else (1,):
+            group = storing.row("washing_machine", size)
+            if n == 2:
+                other = np.array([size[0] + 0.02, 0.6, size[2]])
+                group = Group((*group.parts, Part("dryer", other[0] / 2, size[1] / 2 + 0.32, other, at=0)), group.zones)
+            if storing.against_wall(space, group, 0.8, -0.2, gaps=(0.02,)) >= 0:
+                return True
+    return False
+
+
+def utility(space: Space, home: Household) -> None:
+    """Machines, shelves, an ironing board."""
+    rng, area = space.rng, space.shape.area
+    machine(space, chance(rng, 0.5))
+    if chance(rng, 0.55):
+        _sink(space)
+    if chance(rng, 0.75):
+        storing.cabinet(space, "shelving", 2 if area > 5 and chance(rng, 0.4) else 1)
+    for name, share in (("ironing_board", 0.4), ("laundry_basket", 0.7), ("bin", 0.3)):
+        if chance(rng, share):
+            storing.loose(space, name)
+    if chance(rng, 0.35):
+        dressing.on_wall(space, "water_heater", corner=0.8)
+    if chance(rng, 0.25) and area > 3:
+        dressing.on_wall(space, "wall_shelf")
+    dressing.ceiling_lamps(space)
+
+
+def _sink(space: Space) -> None:
+    size = draw("kitchen_sink", space.rng, -0.5)
+    group = Group((Part("kitchen_sink", size[0] / 2, 0.0, size),),
+                  (Zone(size[0], size[0] + 0.6, -size[1] / 2, size[1] / 2),))
+    storing.against_wall(space, group, 0.4, 0.2, ("washing_machine",), (0.006,))
