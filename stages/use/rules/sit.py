@@ -76,10 +76,10 @@ def _sofas(room: Furnished, screens: list[int]) -> Iterator[Fault]:
 def _walled_in(room: Furnished, i: int) -> Iterator[Fault]:
     """What stands right before a sofa, or between it and its screen."""
     d, w = room.depth[i] / 2, 0.4 * room.width[i]
-    others = BEFORE_A_SEAT | SOFAS
-    if room.open(i, (d + 0.05, d + 0.5), (-w, w), others) < 0.9:
+    ahead = (d + 0.05, d + 0.5)
+    if room.clear(room.frame(i), ahead, (-w, w), ()) - room.open(i, ahead, (-w, w), BEFORE_A_SEAT | SOFAS) > 0.1:
         yield Fault("something right before the sofa", room.ids(i))
-    elif room.clear(room.frame(i), (d + 0.05, d + 1.0), (-0.2, 0.2), ()) < 0.75:
+    if room.clear(room.frame(i), (d + 0.05, d + 1.0), (-0.2, 0.2), ()) < 0.75:
         yield Fault("sofa looks at a near wall", room.ids(i))
     for bed in room.which(BEDS):
         if room.aside[i, bed] < 35 and room.gap[i, bed] < 1.2:

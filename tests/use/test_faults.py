@@ -1,0 +1,167 @@
+"""Faults of use: by hand, by name, under every symmetry, and rooms put out of order."""
+
+import ast
+from pathlib import Path
+
+import numpy as np
+import pytest
+from lived_in import EAST, NORTH, ROOMS, SOUTH, WEST, room, thing
+
+from apartgen.schemas.layout import Box
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages import use
+
+
+def names(place: use.Furnished) -> set[str]:
+    return {fault.name for fault in use.faults(place)}
+
+
+@pytest.mark.parametrize("kind", ROOMS)
+def test_rooms_in_order_have_no_fault(kind: str) -> None:
+    width, depth, things = ROOMS[kind]
+    assert names(room(kind, width, depth, *things())) == set()
+
+
+def wishes(place: use.Furnished) -> list[tuple[str, float, float]]:
+    return [(lack.name, round(lack.number, 6), round(lack.cost, 6)) for lack in use.lacks(place)]
+
+
+def turned(things: list[Box], by: float) -> list[Box]:
+    c, s = np.cos(by), np.sin(by)
+    return [o.model_copy(update={"center": (o.center[0] * c - o.center[1] * s, o.center[0] * s + o.center[1] * c,
+                                            o.center[2]), "yaw": o.yaw + by}) for o in things]
+
+
+@pytest.mark.parametrize("kind", ROOMS)
+def test_faults_and_lacks_do_not_hang_on_the_frame(kind: str) -> None:
+    """A room turned by any angle, its objects in any order, is the same room."""
+    rng = np.random.default_rng(7)
+    width, depth, things = ROOMS[kind]
+    for _ in range(6):
+        out = [o.model_copy(update={"center": tuple(np.add(o.center, [*rng.normal(0, 0.4, 2), 0]))}) for o in things()]
+        here = room(kind, width, depth, *out)
+        by = float(rng.uniform(0, 2 * np.pi))
+        corners = turned([thing("plant", x, y) for x, y in here.site.corners], by)
+        polygon = [(o.center[0], o.center[1]) for o in corners]
+        order = rng.permutation(len(out))
+        there = use.Furnished(use.alone(Room(id="r_1", type=kind, polygon=polygon)),  # type: ignore[arg-type]
+                              [turned(out, by)[k] for k in order])
+        # What lies within rounding of a threshold may fall on either side of it: samples of floor, one in 36.
+        assert len(names(here) ^ names(there)) <= 1
+        assert wishes(here) == wishes(there)
+
+
+def test_every_fault_has_a_weight_and_every_weight_a_fault() -> None:
+    said = set()
+    for file in (Path(use.__file__).parent / "rules").glob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Fault":
+                text = ast.unparse(node.args[0])
+                said |= {w for w in use.weights() if repr(w) in text} or {
+                    w for w in use.weights() if text.startswith("f'") and w.startswith(text[2:].partition("{")[0])}
+    assert said == set(use.weights()) and all(0 < weight <= 2 for weight in use.weights().values())
+    assert set(use.activities().values()) == set(use.rules())
+
+
+SPOILED = [
+    ("living_room", "tv_stand", (4.75, 0.5, WEST), "sofa not facing the television"),
+    ("living_room", "tv_stand", (2.5, 3.77, NORTH), "television that nobody watches"),
+    ("living_room", "coffee_table", (4.2, 3.0, NORTH), "coffee table not before the sofa"),
+    ("living_room", "coffee_table", (2.5, 2.0, NORTH), "coffee table out of reach"),
+    ("living_room", "sofa", (2.5, 0.47, SOUTH), "sofa looks at a near wall"),
+    ("living_room", "armchair", (0.5, 3.5, WEST), "armchair looks at nothing"),
+    ("living_room", "armchair", (2.5, 1.3, NORTH), "something right before the sofa"),
+    ("bedroom", "double_bed", (1.6, 2.0, EAST), "bed head off the wall"),
+    ("bedroom", "double_bed", (1.06, 0.85, EAST), "one side to get into double bed"),
+    ("bedroom", "nightstand", (2.5, 3.7, SOUTH), "nightstand away from bed"),
+    ("bedroom", "wardrobe", (3.0, 2.0, WEST), "wardrobe off the wall"),
+    ("bedroom", "wardrobe", (2.5, 2.0, WEST), "no floor before the wardrobe"),
+    ("dining_room", "chair", (0.4, 0.4, WEST), "chair at nothing"),
+    ("dining_room", "chair", (1.6, 0.9, SOUTH), "chair at nothing"),
+    ("kitchen", "hood", (1.5, 0.25, NORTH), "hood not above the hob"),
+    ("kitchen", "hob", (3.5, 2.5, SOUTH), "kitchen unit alone"),
+    ("kitchen", "fridge", (3.9, 2.5, WEST), "fridge apart from the run"),
+    ("kitchen", "kitchen_sink", (2.2, 2.5, SOUTH), "little worktop beside sink and hob"),
+    ("bathroom", "vanity", (1.2, 1.0, WEST), "no floor before the toilet"),
+    ("bathroom", "shower", (0.46, 1.65, EAST), "no elbow room at the toilet"),
+    ("bathroom", "mirror", (1.2, 2.97, SOUTH), "mirror not above the basin"),
+]
+
+
+@pytest.mark.parametrize(("kind", "category", "place", "name"), SPOILED)
+def test_what_is_put_out_of_order_is_named_with_what_it_is_about(kind, category, place, name) -> None:  # type: ignore
+    width, depth, things = ROOMS[kind]
+    out = things()
+    k = next(i for i, o in enumerate(out) if o.category == category)
+    out[k] = thing(category, *place, size=out[k].size)
+    found = [fault for fault in use.faults(room(kind, width, depth, *out)) if fault.name == name]
+    assert found and (name.startswith(("no floor", "no elbow", "something", "little"))
+                      or any(out[k].id in fault.objects or category in ("kitchen_sink", "tv_stand") for fault in found))
+
+
+def test_doors_and_windows_are_kept_clear() -> None:
+    import handmade
+
+    home = handmade.home(handmade.thing("bookshelf", 3.7, 1.45, WEST, id="case"),
+                         handmade.thing("wardrobe", 5.5, 0.35, NORTH, handmade.BEDROOM, id="robe"),
+                         handmade.thing("tv_stand", 5.5, 0.25, NORTH, handmade.BEDROOM, id="stand"))
+    living, bedroom = (list(use.faults(use.of_plan(home, id, home.objects)))
+                       for id in (handmade.LIVING, handmade.BEDROOM))
+    assert ("stands in a doorway", ("case", "door_1")) in living
+    assert ("tall before a window", ("robe", "window_1")) in bedroom
+    assert ("television before a window", ("stand",)) in bedroom
+    assert not any(fault.name == "tall before a window" and "stand" in fault.objects for fault in bedroom)
+
+
+def test_openings_lie_on_the_rooms_own_walls_with_the_room_to_the_left() -> None:
+    import handmade
+
+    for id in (handmade.LIVING, handmade.BEDROOM):
+        here = use.site(handmade.plan(), id)
+        for hole in here.holes:
+            x, y, c, s = hole.frame
+            inside = np.array([x, y]) + 0.2 * np.array([c, s])
+            assert use.kernels.within(*inside, here.start, here.end)
+            assert hole.width == pytest.approx(1.0 if hole.kind == "window" else 0.9)
+            middle = np.array(hole.middle)
+            share = ((middle - here.start) * here.along).sum(1).clip(0, here.length)
+            assert np.hypot(*(here.start + share[:, None] * here.along - middle).T).min() < 1e-9
+
+
+def test_free_floor_is_the_share_of_points_outside_of_everything() -> None:
+    """Against shapely, on rectangles in L-shaped rooms."""
+    from shapely.affinity import rotate
+    from shapely.geometry import Polygon, box
+
+    rng, off = np.random.default_rng(0), []
+    corners = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+    place = Room(id="r_1", type="bedroom", polygon=corners)
+    for _ in range(40):
+        out = [thing("chest", *rng.uniform(0, 4, 2), yaw=float(rng.uniform(0, 6)), id=f"c{k}") for k in range(3)]
+        here = use.Furnished(use.alone(place), out)
+        ahead, left = (0.3, 0.3 + rng.uniform(0.2, 1)), (-rng.uniform(0.1, 0.6), rng.uniform(0.1, 0.6))
+        x, y, c, s = here.frame(0)
+        zone = Polygon([(x + a * c - b * s, y + a * s + b * c) for a, b in
+                        ((ahead[0], left[0]), (ahead[1], left[0]), (ahead[1], left[1]), (ahead[0], left[1]))])
+        boxes = [rotate(box(o.center[0] - o.size[0] / 2, o.center[1] - o.size[1] / 2, o.center[0] + o.size[0] / 2,
+                            o.center[1] + o.size[1] / 2), o.yaw, use_radians=True) for o in out[1:]]
+        true = zone.intersection(Polygon(corners)).difference(boxes[0]).difference(boxes[1]).area / zone.area
+        off.append(abs(here.open(0, ahead, left) - true))
+    assert max(off) < 0.12 and np.mean(off) < 0.03
+
+
+def test_plans_say_who_lives_there() -> None:
+    import handmade
+
+    rooms = [("bedroom_1", 12.0), ("bedroom_2", 8.0), ("living_room_1", 20.0)]
+    base = handmade.plan()
+
+    def home(*chosen: tuple[str, float]) -> Plan:
+        polygons = [{"id": id, "type": id[:-2], "polygon": handmade.rectangle(10 * k, 0, area / 2, 2)}
+                    for k, (id, area) in enumerate(chosen)]
+        return Plan.model_validate({**base.model_dump(), "rooms": polygons, "openings": []})
+
+    from apartgen.stages.use.household import sleepers
+
+    assert sleepers(home(*rooms)) == 3 and sleepers(home(rooms[1], rooms[2])) == 1
+    assert sleepers(home(rooms[2])) is None and sleepers(home(rooms[2], ("bathroom_1", 4.0))) == 1

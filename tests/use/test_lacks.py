@@ -1,0 +1,77 @@
+"""What rooms lack: taking things away never makes a room lack less, and what belongs together is missed."""
+
+import numpy as np
+import pytest
+from lived_in import EAST, NORTH, ROOMS, bedroom, room, table, thing
+
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages import use
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use.wants import _table
+
+
+def lacking(place: use.Furnished) -> dict[str, float]:
+    return {lack.name: lack.number for lack in use.lacks(place)}
+
+
+def test_wants_are_of_rooms_and_things_that_there_are() -> None:
+    rules = _table()
+    assert set(rules["few"]) <= set(ROOM_TYPES)
+    for group in ("want", "most"):
+        assert set(rules[group]) <= set(ROOM_TYPES)
+        for kind, wants in rules[group].items():
+            for want in wants.values():
+                assert set(want["of"]) <= set(TABLE) and want["weight"] > 0
+                if group == "want":
+                    assert any(kind in TABLE[name].rooms for name in want["of"])
+
+
+@pytest.mark.parametrize("kind", ROOMS)
+def test_the_empty_room_lacks_most(kind: str) -> None:
+    width, depth, things = ROOMS[kind]
+
+    def cost(some: list) -> float:  # type: ignore[type-arg]
+        return sum(lack.cost for lack in use.lacks(room(kind, width, depth, *some)))
+
+    full, rng = things(), np.random.default_rng(3)
+    for _ in range(20):
+        k = int(rng.integers(1, len(full)))
+        some = [full[i] for i in sorted(rng.choice(len(full), k, replace=False))]
+        # A table that is gone is no more lacking chairs.
+        if any(o.category in ("dining_table", "double_bed", "tv_stand") for o in some):
+            assert cost(some) >= cost(full)
+        assert cost(some) <= cost([]) + 4 * 0.4 + 2 * 0.5 + 0.3
+    assert cost([]) > cost(full) + 1
+
+
+def test_a_double_bed_wants_two_nightstands() -> None:
+    stands = bedroom()
+    assert "double bed with one nightstand" not in lacking(room("bedroom", 4, 4, *stands))
+    assert lacking(room("bedroom", 4, 4, *stands[:2], stands[3]))["double bed with one nightstand"] == 1
+    assert lacking(room("bedroom", 4, 4, stands[0], stands[3]))["double bed without nightstand"] == 2
+
+
+@pytest.mark.parametrize(("people", "missing"), [(None, 2), (1, 0), (2, 0), (3, 2), (4, 2), (6, 4), (9, 4)])
+def test_everyone_who_sleeps_there_has_a_chair(people: int | None, missing: int) -> None:
+    site = room("dining_room", 4, 3).site
+    from dataclasses import replace
+
+    seated = table()[:3]
+    found = lacking(use.Furnished(replace(site, sleepers=people), seated))
+    assert found.get("few chairs at the table", 0) == missing
+
+
+def test_too_much_is_named() -> None:
+    things = [thing("desk", 1, 0.35 + k, NORTH, id=f"desk{k}") for k in range(3)]
+    assert lacking(room("bedroom", 4, 4, *things))["too many desks"] == 2
+    assert "too many desks" not in lacking(room("study", 4, 4, *things))
+
+
+def test_newcomers_are_used_as_what_they_are_like(monkeypatch: pytest.MonkeyPatch) -> None:
+    from dataclasses import replace
+
+    newcomer = replace(TABLE["double_bed"], name="water_bed", lineage=("water_bed", "double_bed"))
+    monkeypatch.setitem(TABLE, "water_bed", newcomer)
+    own = room("bedroom", 4, 4, thing("water_bed", 1.06, 2.0, EAST), *bedroom()[1:])
+    usual = room("bedroom", 4, 4, *bedroom())
+    assert lacking(own) == lacking(usual) and not list(use.faults(own))
