@@ -97,7 +97,7 @@ def _furnished(config: LayoutConfig, home: tuple[Plan, np.random.Generator]) -> 
     """One apartment, and what is to be said about it; every room draws from the lane of its name."""
     import torch
 
-    from apartgen.stages.layout import furnish, weights, wishes
+    from apartgen.stages.layout import furnish, newcomers, weights, wishes
     from apartgen.stages.layout import rooms as room_arrays
     from apartgen.stages.layout.sample import draw_counts
 
@@ -111,7 +111,8 @@ def _furnished(config: LayoutConfig, home: tuple[Plan, np.random.Generator]) -> 
     made = placed(network, rooms, config, lanes, lambda i, *row: furnish.of_plan(plan, plan.rooms[i], *row), map)
     for i, settled, shapes in made:
         room = plan.rooms[i]
-        boxes[i] = furnish.boxes(room, settled, shapes, rooms.origin[i])
+        wished = wishes.of_room(plan.program, room.id)
+        boxes[i] = newcomers.named(furnish.boxes(room, settled, shapes, rooms.origin[i]), wished)
         notes += [f"{room.id}: {note}" for note in settled.notes]
         if lacks := wishes.unmet(plan.program, room.id, boxes[i]):
             notes.append(f"{room.id}: has {'; '.join(lacks)}")

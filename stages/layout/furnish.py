@@ -1,6 +1,7 @@
 """From sampled objects to the boxes of an artifact: each room's own task, which workers may share."""
 
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,19 +10,22 @@ from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.layout.features import Objects
+from apartgen.stages.layout.newcomers import as_known, chosen
 from apartgen.stages.layout.projection.settle import Settled, Task
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.projection.standing import Item
 from apartgen.stages.layout.rooms import Rooms
 from apartgen.stages.layout.wishes import of_room
-from apartgen.stages.things.categories import CATEGORIES
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 Latents = NDArray[np.float32]
 
 
 def of_plan(plan: Plan, room: Room, rooms: Rooms, objects: Objects, row: int) -> tuple[Task, Latents]:
     """What is to be placed in a room of a plan, row `row` of the batch, and the shape latents of its objects."""
-    return task(rooms, objects, row, of_room(plan.program, room.id), room.id in plan.program.counts)
+    wished = of_room(plan.program, room.id)
+    work, latents = task(rooms, objects, row, as_known(wished), room.id in plan.program.counts)
+    return replace(work, items=_sized(work.items, wished)), latents
 
 
 def task(
@@ -43,6 +47,17 @@ def task(
     ]
     work = Task(items, space_of(rooms, row), ROOM_TYPES[rooms.type[row]], asked, wishes or Counter())
     return work, objects.latent[row].numpy()[filled]
+
+
+def _sized(items: list[Item], wished: Counter[str]) -> list[Item]:
+    """The items, those that are to be newcomers in sizes that these come in, their undersides where they were."""
+    found = chosen([item.category for item in items], [item.size for item in items], wished)
+    return [_in_range(item, found[i]) if i in found else item for i, item in enumerate(items)]
+
+
+def _in_range(item: Item, newcomer: str) -> Item:
+    size = np.clip(item.size, TABLE[newcomer].min, TABLE[newcomer].max)
+    return replace(item, size=size, center=item.center + [0.0, 0.0, (size[2] - item.size[2]) / 2])
 
 
 def as_sampled(work: Task) -> Settled:

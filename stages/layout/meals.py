@@ -3,8 +3,9 @@
 import shapely
 
 from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.things.categories import CATEGORIES, stand_in, used_for
 
-TABLES = ("dining_table", "round_table")
+TABLES = tuple(name for name in CATEGORIES if name in used_for("dine"))
 PLACES = (("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
 """Where a table is looked for, in this order: room types with at least so much floor, m²."""
 SMALL = 10.0
@@ -21,7 +22,7 @@ def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
     None where a dining room sees to that, where the prompt speaks of tables itself, where no room has the floor, and
     for a room by itself, which is no home.
     """
-    spoken = any(asked.category in TABLES for asked in plan.program.objects)
+    spoken = any(stand_in(asked.category, TABLES) for asked in plan.program.objects)
     if spoken or len(plan.rooms) == 1 or any(room.type == "dining_room" for room in plan.rooms):
         return None
     for kind, least in PLACES:

@@ -12,6 +12,7 @@ from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.layout.meals import TABLES, table_of
+from apartgen.stages.layout.newcomers import as_known
 from apartgen.stages.layout.wishes import of_room
 from apartgen.stages.things.categories import CATEGORIES
 
@@ -110,7 +111,7 @@ def of_plan(plan: Plan, chance: float = 1.0) -> Rooms:
         out.polygon[i, : len(corners)] = corners - origin
         rows = opening_rows(plan, room, origin)
         out.openings[i, : len(rows)] = rows
-        for category, count in of_room(plan.program, room.id).items():
+        for category, count in as_known(of_room(plan.program, room.id)).items():
             if category in CATEGORIES:
                 out.wanted[i, CATEGORIES.index(category)] = count
     if (table := table_of(plan, chance)) is not None:

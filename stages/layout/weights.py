@@ -34,6 +34,12 @@ def load(path: Path | None = None) -> tuple[Denoiser, dict[str, Any]]:
     return _load(str(path or SHIPPED))
 
 
+def _remedy(known: set[str]) -> str:
+    new = sorted(set(CATEGORIES) - known)
+    own = f"say in categories.toml what {', '.join(new)} is like, or " if new else ""
+    return f"{own}train again with `apartgen train layout`"
+
+
 def tensors(path: Path) -> tuple[dict[str, Tensor], dict[str, str]]:
     """Parameters by name, and the header; BadInput where there are none for this vocabulary."""
     try:
@@ -44,7 +50,7 @@ def tensors(path: Path) -> tuple[dict[str, Tensor], dict[str, str]]:
     except (OSError, SafetensorError, KeyError, ValueError) as error:
         raise BadInput(f"{path}: no layout weights ({error}); train some with `apartgen train layout`") from error
     if known != list(CATEGORIES):
-        raise BadInput(f"{path}: made for another furniture vocabulary; train again with `apartgen train layout`")
+        raise BadInput(f"{path}: made for another furniture vocabulary; {_remedy(set(known))}")
     return found, header
 
 

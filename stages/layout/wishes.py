@@ -8,7 +8,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Program
 from apartgen.stages.layout.config import N_MAX
-from apartgen.stages.things.categories import CATEGORIES, by_word
+from apartgen.stages.things.categories import TABLE, by_word
 
 
 def of_room(program: Program, room: str) -> Counter[str]:
@@ -24,7 +24,7 @@ def check(plan: Plan) -> None:
     """BadInput for a wish that no layout can meet: an unknown category, or too many objects."""
     for room in plan.rooms:
         wished, count = of_room(plan.program, room.id), plan.program.counts.get(room.id)
-        for category in wished.keys() - set(CATEGORIES):
+        for category in wished.keys() - TABLE.keys():
             raise BadInput(f"program.objects: no category {category!r}, wanted in {room.id}; {_near(category)}")
         most = max(wished.total(), count or 0)
         if most > N_MAX:
@@ -40,7 +40,7 @@ def _near(category: str) -> str:
         return f"did you mean {by_word()[words]!r}?"
     near = difflib.get_close_matches(words, by_word(), n=3)
     found = dict.fromkeys(by_word()[word] for word in near)
-    return f"did you mean {' or '.join(map(repr, found))}?" if found else f"there are: {', '.join(CATEGORIES)}"
+    return f"did you mean {' or '.join(map(repr, found))}?" if found else f"there are: {', '.join(TABLE)}"
 
 
 def unmet(program: Program, room: str, objects: Sequence[Box]) -> list[str]:

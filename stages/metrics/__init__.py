@@ -47,7 +47,7 @@ def _member(name: str) -> ModuleType:
 @cache
 def _able(function: str) -> tuple[str, ...]:
     """The members that have a function of that name."""
-    return tuple(name for name in names() if hasattr(_member(name), function))
+    return tuple(name for name, member in registry.sound(__name__).items() if hasattr(member, function))
 
 
 def _measure(name: str, home: Plan, against: Plan | Program | None) -> list[Value]:

@@ -1,19 +1,31 @@
 """A folder is a registry: each public module in it is one interchangeable member, found by its name.
 
-Names are read from the file system and help from the source text, so that listing a registry imports none of its
-members. A member is a module or a package whose name does not begin with an underscore.
+Other packages add members by entry points of the group `apartgen.` and the folder's name. Names are read from the file
+system and help from the source text, so that listing a registry imports none of its members. A member is a module or a
+package whose name does not begin with an underscore; it keeps the folder's contract, see `contract`.
 """
 
 import ast
 import difflib
 import importlib
 import importlib.util
+import logging
 import pkgutil
 from functools import cache
 from pathlib import Path
 from types import ModuleType
 
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas import plugins
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.plugins import Plugin
+from apartgen.stages.registry import contract
+
+log = logging.getLogger("apartgen")
+
+
+def group(package: str) -> str:
+    """The group of entry points by which other packages add members: `apartgen.export` of `apartgen.stages.export`."""
+    return f"apartgen.{package.rpartition('.')[2]}"
 
 
 @cache
@@ -24,29 +36,88 @@ def _folders(package: str) -> tuple[Path, ...]:
     return tuple(Path(folder) for folder in spec.submodule_search_locations)
 
 
-def _help(folder: Path, name: str) -> str:
-    file = folder / f"{name}.py"
-    source = file if file.exists() else folder / name / "__init__.py"
+def _help(source: Path) -> str:
     text = ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"))) or ""
     return text.partition("\n")[0]
 
 
-def members(package: str) -> dict[str, str]:
-    """Each member's name and the first line of its docstring, by name; no member is imported."""
-    found = {
-        module.name: folder
+def _own(package: str) -> dict[str, Path]:
+    """The source of each of the folder's own members, by name."""
+    return {
+        module.name: folder / module.name / "__init__.py" if module.ispkg else folder / f"{module.name}.py"
         for folder in _folders(package)
         for module in pkgutil.iter_modules([str(folder)])
         if not module.name.startswith("_")
     }
-    return {name: _help(found[name], name) for name in sorted(found)}
+
+
+@cache
+def _brought(package: str) -> dict[str, tuple[Plugin, str]]:
+    """Members of other packages with their help; what has no source, or a name that is taken, is left out."""
+    if not package.startswith("apartgen.stages."):
+        return {}
+    found, taken = {}, _own(package)
+    for name, plugin in plugins.brought(group(package)).items():
+        place = plugin.place
+        try:
+            if name in taken:
+                raise ValueError(f"there is a member {name!r} already")
+            if place is None:
+                raise ValueError("there is no such module")
+            found[name] = plugin, _help(place)
+        except (OSError, ValueError, SyntaxError) as error:
+            log.warning("%s", plugin.told(f"{error}; left out"))
+    return found
+
+
+def members(package: str) -> dict[str, str]:
+    """Each member's name and the first line of its docstring, by name; no member is imported."""
+    helps = {name: _help(source) for name, source in _own(package).items()}
+    helps |= {name: help for name, (_, help) in _brought(package).items()}
+    return dict(sorted(helps.items()))
 
 
 def load(package: str, name: str) -> ModuleType:
-    """Import one member; BadInput, naming the members there are, when there is none of that name."""
-    names = list(members(package))
-    if name not in names:
+    """Import one member.
+
+    BadInput, naming the members there are, when there is none of that name; and for one that is broken, or that does
+    not keep the folder's contract.
+    """
+    kind, protocols = package.rpartition(".")[2], contract.protocols(package)
+    if name in _brought(package):
+        return _brought_in(_brought(package)[name][0], protocols)
+    if name not in _own(package):
+        names = list(members(package))
         close = difflib.get_close_matches(name, names, n=1)
         hint = f"did you mean {close[0]!r}? " if close else ""
-        raise BadInput(f"no {package.rpartition('.')[2]} {name!r}; {hint}there are: {', '.join(names)}")
-    return importlib.import_module(f"{package}.{name}")
+        raise BadInput(f"no {kind} {name!r}; {hint}there are: {', '.join(names)}")
+    member = importlib.import_module(f"{package}.{name}")
+    if fault := contract.fault(member, protocols):
+        raise BadInput(f"{kind} {name!r} {fault}; docs/extending.md says what is needed ({member.__file__})")
+    return member
+
+
+@cache
+def _brought_in(plugin: Plugin, protocols: tuple[type, ...]) -> ModuleType:
+    try:
+        member = importlib.import_module(plugin.value)
+    except ApartgenError:
+        raise
+    except Exception as error:  # whatever a stranger's module does when it is imported
+        raise BadInput(plugin.told(f"cannot be imported, {contract.told(error)}")) from error
+    if fault := contract.fault(member, protocols):
+        raise BadInput(plugin.told(fault))
+    return contract.guarded(member, protocols, plugin.told)
+
+
+def sound(package: str) -> dict[str, ModuleType]:
+    """Every member by name; broken ones of other packages are left out with a warning."""
+    found = {}
+    for name in members(package):
+        try:
+            found[name] = load(package, name)
+        except BadInput as error:
+            if name not in _brought(package):
+                raise
+            log.warning("%s", error)
+    return found

@@ -4,40 +4,47 @@
 `wardrobe/shaker/600x1500x2100/17` (millimetres), so `load(id)` makes it again.
 """
 
-import importlib
+import logging
 from functools import cache
 from typing import TYPE_CHECKING
 
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.stages import registry
+from apartgen.stages.registry import contract
 from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
 
 if TYPE_CHECKING:
-    from apartgen.stages.retrieve.furniture.registry import Builder
+    from apartgen.stages.retrieve.furniture.designs import Builder
 
-FAMILIES = (
-    "beds", "storage", "shelves", "media", "sofas", "chairs", "tables", "small_tables", "desks", "kitchen",
-    "appliances", "laundry", "bath", "bathroom", "lamps", "plants", "textiles", "household", "building",
-)  # fmt: skip
+log = logging.getLogger("apartgen")
 BUILDING = ("door", "window")
 """Parts of the building itself; any size goes."""
 
 
 @cache
 def _designs() -> "dict[str, dict[str, Builder]]":
-    from apartgen.stages.retrieve.furniture.registry import DESIGNS
+    """Builders by category and style: of all modules here, then of other packages, faulty ones left out."""
+    from apartgen.stages.retrieve.furniture.designs import DESIGNS
 
-    for family in FAMILIES:
-        importlib.import_module(f"apartgen.stages.retrieve.furniture.{family}")
+    registry.sound(__name__)
+    for category in [name for name in DESIGNS if name not in (*categories.TABLE, *BUILDING)]:
+        log.warning("furniture %r is left out: no such category; give it an entry", category)
+        del DESIGNS[category]
     return DESIGNS
 
 
+def _model(category: str) -> str:
+    """The category, or the one that it is like, of which there are designs; BadInput for none."""
+    model = categories.stand_in(category, _designs())
+    if model is None:
+        raise BadInput(f"no parametric furniture of category {category!r}; one of {', '.join(sorted(_designs()))}")
+    return model
+
+
 def styles(category: str) -> tuple[str, ...]:
-    """The styles a category comes in."""
-    designs = _designs()
-    if category not in designs:
-        raise BadInput(f"no parametric furniture of category {category!r}; one of {', '.join(sorted(designs))}")
-    return tuple(designs[category])
+    """The styles a category comes in: its own, or else those of what it is like."""
+    return tuple(_designs()[_model(category)])
 
 
 def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
@@ -49,9 +56,18 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
     mm = tuple(round(float(s) * 1000) for s in size)
     _check(category, mm)
     d, w, h = mm
-    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed)
-    _designs()[category][style](kit)
-    return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}")
+    model = _model(category)
+    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed, model)
+    builder = _designs()[model][style]
+    try:
+        builder(kit)
+        return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}")
+    except ApartgenError:
+        raise
+    except Exception as error:
+        if builder.__module__.startswith(__name__):
+            raise
+        raise BadInput(f"furniture {category}/{style} of {builder.__module__} failed, {contract.at(error)}") from error
 
 
 def _check(category: str, mm: tuple[int, ...]) -> None:

@@ -5,12 +5,12 @@ import numpy as np
 from apartgen.stages.retrieve.furniture import cases, fronts
 from apartgen.stages.retrieve.furniture.body import Body
 from apartgen.stages.retrieve.furniture.cases import Cell
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.kitchen import PLINTH, STYLES, cooktop, kitchen_look, worktop_front
 from apartgen.stages.retrieve.furniture.looks import Look
 from apartgen.stages.retrieve.furniture.mesh import Array
-from apartgen.stages.retrieve.furniture.registry import design
 from apartgen.stages.things import categories, materials
 from apartgen.stages.things.categories import OVEN_TOWER
 

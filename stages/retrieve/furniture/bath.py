@@ -5,11 +5,11 @@ import numpy as np
 from apartgen.stages.retrieve.furniture import cases, fronts, mesh
 from apartgen.stages.retrieve.furniture.body import Body
 from apartgen.stages.retrieve.furniture.cases import Cell
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.kitchen import tap
 from apartgen.stages.retrieve.furniture.looks import look
 from apartgen.stages.retrieve.furniture.mesh import Array
-from apartgen.stages.retrieve.furniture.registry import design
 
 
 def ring(centre: tuple[float, float], half: tuple[float, float], z: float, exponent: float, n: int = 32) -> Array:

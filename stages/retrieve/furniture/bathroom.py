@@ -3,9 +3,9 @@
 import numpy as np
 
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import GAP, Span
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 from apartgen.stages.retrieve.furniture.tables import ellipse
 from apartgen.stages.things import categories
 

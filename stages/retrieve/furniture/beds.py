@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 
 _DUVETS = ("duvet_blue", "duvet_sand", "duvet_green", "duvet_rose", "duvet_grey", "bedding")
 STYLES = ("platform", "upholstered", "scandi", "classic", "metal")

@@ -1,9 +1,9 @@
 """Doors and windows of the building; their box is the frame in the wall, [wall depth, width, height]."""
 
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 from apartgen.stages.things.asset import Asset
 
 DOOR_STYLES = ("flush", "panelled", "glazed", "boarded")

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 
 _WOODS = ("oak", "walnut", "birch", "ash_black")
 

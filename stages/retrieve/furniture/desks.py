@@ -5,10 +5,10 @@ import numpy as np
 from apartgen.stages.retrieve.furniture import cases
 from apartgen.stages.retrieve.furniture.cases import Cell
 from apartgen.stages.retrieve.furniture.chairs import splayed
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.looks import Look, look
-from apartgen.stages.retrieve.furniture.registry import design
 
 
 def _low(own: Look) -> Look:

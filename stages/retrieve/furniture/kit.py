@@ -20,8 +20,11 @@ _Moving = tuple[str, Body, dict[str, Any], tuple[float, float, float] | None, st
 class Kit:
     """What a builder gets: size `d`, `w`, `h` in metres, `style`, `rng`, and `base`, the fixed body."""
 
-    def __init__(self, category: str, style: str, size: tuple[float, float, float], seed: int) -> None:
-        self.category, self.style, self.seed = category, style, seed
+    def __init__(
+        self, category: str, style: str, size: tuple[float, float, float], seed: int, model: str = ""
+    ) -> None:
+        """`model` is the category whose builder makes it, where that is another one."""
+        self.category, self.style, self.seed, self.model = category, style, seed, model or category
         self.rng = np.random.default_rng([zlib.crc32(f"{category}/{style}".encode()), seed])
         self.size = size
         self.d, self.w, self.h = size

@@ -7,10 +7,10 @@ import numpy as np
 from apartgen.stages.retrieve.furniture import cases, fronts, mesh
 from apartgen.stages.retrieve.furniture.body import Body
 from apartgen.stages.retrieve.furniture.cases import Cell, Column
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.looks import Look, look
-from apartgen.stages.retrieve.furniture.registry import design
 
 STYLES = ("modern", "shaker", "scandi", "handleless", "industrial")
 PLINTH = 0.1

@@ -3,10 +3,10 @@
 import numpy as np
 
 from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.mesh import Array
-from apartgen.stages.retrieve.furniture.registry import design
 
 _HOLLOW = 0.06
 """Share of a lamp's outer volume that is material."""

@@ -5,10 +5,10 @@ import numpy as np
 from apartgen.stages.retrieve.furniture import mesh
 from apartgen.stages.retrieve.furniture.appliances import sheet
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.mesh import Array
-from apartgen.stages.retrieve.furniture.registry import design
 from apartgen.stages.things import materials
 
 

@@ -1,8 +1,8 @@
 """Televisions, monitors, pianos."""
 
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 
 
 @design("tv", "pedestal", "feet", "soundbar")

@@ -6,9 +6,9 @@ import numpy as np
 
 from apartgen.stages.retrieve.furniture import mesh
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.mesh import Array, Shape
-from apartgen.stages.retrieve.furniture.registry import design
 
 _STEPS = 5
 

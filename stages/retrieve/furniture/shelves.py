@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.looks import look
-from apartgen.stages.retrieve.furniture.registry import design
 
 _BOOKS = ("rust_fabric", "navy", "sage", "cream", "graphite", "mustard_fabric", "cherry", "dusk_blue", "white")
 

@@ -3,8 +3,8 @@
 import numpy as np
 
 from apartgen.stages.retrieve.furniture.chairs import splayed, square_legs
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 from apartgen.stages.retrieve.furniture.tables import apron, ellipse, metal_frame, tripod, tulip
 
 

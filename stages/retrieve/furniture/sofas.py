@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from apartgen.stages.retrieve.furniture import mesh
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
-from apartgen.stages.retrieve.furniture.registry import design
 
 _FOAM = 1.6
 """Upholstery's mass over bare foam: its wooden frame, springs and cover."""
@@ -124,7 +124,7 @@ def sofa(kit: Kit) -> None:
     _shell(kit, s, cover, wood, inner, seat, frame_back)
     for left, y in ((False, (kit.y[0], inner[0])), (True, (inner[1], kit.y[1]))):
         _arm(kit, s, cover, wood, (kit.x[0] + 0.005, kit.x[1]), y, arm_high, left)
-    n = 1 if kit.category == "armchair" else max(2, round((inner[1] - inner[0]) / 0.72))
+    n = 1 if kit.model == "armchair" else max(2, round((inner[1] - inner[0]) / 0.72))
     wide = (inner[1] - inner[0]) / n
     cushion = (seat - 0.17, seat + 0.01)
     for i in range(n):
@@ -134,7 +134,7 @@ def sofa(kit: Kit) -> None:
     if kit.style == "wing":
         _wings(kit, cover, arm)
     b.fill = 1.0
-    if kit.category == "sofa":
+    if kit.model == "sofa":
         _throws(kit, inner, kit.x[0] + frame_back + 0.18, seat)
     legs(kit, s.leg, wood, s.leg_high, (kit.x[0] + 0.01, kit.x[1] - 0.01), kit.y)
 

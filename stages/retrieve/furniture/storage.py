@@ -3,9 +3,9 @@
 from apartgen.stages.retrieve.furniture import cases, fronts
 from apartgen.stages.retrieve.furniture.body import Body
 from apartgen.stages.retrieve.furniture.cases import Cell
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.looks import CASE_STYLES, Look, look
-from apartgen.stages.retrieve.furniture.registry import design
 
 
 @design("wardrobe", *CASE_STYLES)

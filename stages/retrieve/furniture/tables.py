@@ -3,10 +3,10 @@
 import numpy as np
 
 from apartgen.stages.retrieve.furniture.chairs import splayed
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.mesh import Array
-from apartgen.stages.retrieve.furniture.registry import design
 
 
 def ellipse(kit: Kit, scale: float = 1.0, n: int = 32, exponent: float = 2.0) -> Array:

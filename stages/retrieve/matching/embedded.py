@@ -39,11 +39,24 @@ class Embedded:
             maker = furniture
         self._maker = maker
         self._loose = config.model_copy(update={"size_weight": 0.01 * config.size_weight})
-        self._index = index() if table is None else table
-        self._latents = _means(self._index)
-        self._table = Table(
-            self._index.category, self._index.size, self._index.latent, np.ones(len(self._index.category), bool)
-        )
+        self._whole = set(TABLE) if table is not None else set[str]()
+        self._take(index() if table is None else table)
+
+    def _take(self, table: Index) -> None:
+        self._index, self._latents = table, _means(table)
+        self._table = Table(table.category, table.size, table.latent, np.ones(len(table.category), bool))
+
+    def _complete(self, category: str) -> None:
+        """Sees to it that the index has every design of a category."""
+        if category in self._whole or category not in TABLE:
+            return
+        self._whole.add(category)
+        from apartgen.stages.retrieve import furniture
+
+        if new := [style for style in furniture.styles(category) if style not in self.styles(category)]:
+            from apartgen.stages.retrieve.matching import newcomers
+
+            self._take(newcomers.joined(self._index, newcomers.encoded(furniture, category, new)))
 
     def load(self, id: str) -> Asset:
         """The piece of that id; BadInput when there is none."""
@@ -51,10 +64,12 @@ class Embedded:
 
     def styles(self, category: str) -> frozenset[str]:
         """Styles that a category comes in."""
+        self._complete(category)
         return frozenset(s for s, c in zip(self._index.style, self._index.category, strict=True) if c == category)
 
     def design(self, category: str, id: str) -> tuple[str, int] | None:
         """Style and seed of a piece by its id; None where the index has no such design of the category."""
+        self._complete(category)
         match id.split("/"):
             case [name, style, _, seed] if seed.isdecimal() and (name, style, int(seed)) in self._latents:
                 return (style, int(seed)) if name == category else None
@@ -62,6 +77,7 @@ class Embedded:
 
     def costs(self, category: str, size: ArrayLike, latent: ArrayLike) -> dict[tuple[str, int], float]:
         """Cost of each design of a category, by style and seed; size only decides between equal latents."""
+        self._complete(category)
         rows = self._table.rows(category)
         if rows is None:
             raise BadInput(f"the embedded library has no {category!r}; make its index anew with `apartgen train shape`")
@@ -88,6 +104,7 @@ class Embedded:
         if design is None:
             costs = self.costs(category, wanted, latent)
             design = min(costs, key=lambda one: (costs[one], one))
+        self._complete(category)
         style, seed = design
         made = self._maker.build(category, style, millimetres(wanted.tolist()), seed=seed)
         return replace(made, latent=self._latents[category, style, seed])

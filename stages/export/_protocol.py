@@ -1,0 +1,13 @@
+"""What a format is: a file of this folder, or a module that another package brings as `apartgen.export`."""
+
+from pathlib import Path
+from typing import Protocol
+
+from apartgen.stages.scene.scene import Scene
+
+
+class Format(Protocol):
+    """Writes an apartment."""
+
+    def write(self, scene: Scene, out: Path) -> list[Path]:
+        """Write files under the folder `out` and name them, the main one first."""

@@ -1,0 +1,29 @@
+"""Designs that the shipped index does not know, of categories or styles that packages bring: encoded when asked for."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from apartgen.stages.retrieve.shape import designs
+from apartgen.stages.retrieve.shape.encoder import encode
+from apartgen.stages.things.latents import Index
+
+
+def encoded(maker: designs.Maker, category: str, styles: Sequence[str]) -> Index:
+    """Rows for some styles of a category, at the sizes and seeds that the shipped index has of its own."""
+    found = [design for design in designs.indexed(maker, [category]) if design.style in styles]
+    latent = encode(designs.fields(maker, found)).astype(np.float16).astype(np.float64)
+    return Index(
+        (category,) * len(found),
+        tuple(design.style for design in found),
+        np.array([design.seed for design in found], np.int64),
+        np.array([design.size for design in found]),
+        latent,
+        {},
+    )
+
+
+def joined(first: Index, second: Index) -> Index:
+    """The rows of two, one after the other."""
+    arrays = (np.concatenate(pair) for pair in zip(first[2:5], second[2:5], strict=True))
+    return Index(first.category + second.category, first.style + second.style, *arrays, first.record)
