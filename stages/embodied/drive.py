@@ -24,7 +24,7 @@ FRAME = 0.2
 """Between frames of the trace, s."""
 STEP, STRIDE = 0.01, 0.025
 """Of the simulation where something may be touched, and where nothing can be, s; a period is some of either."""
-_NEAR = 0.05  # m of clearance above which no contact can come within a period: the way driven, and half a cell
+_CLEAR = 0.05  # m of clearance above which no contact can come within a period: the way driven, and half a cell
 
 
 @dataclass
@@ -57,7 +57,7 @@ def drive(world: World, alone: World, pursuit: Pursuit, yaw: float, limit: float
         x, y, yaw = out.pose
         _record(out, data.qpos)
         speed, turn, out.done = pursuit.command(x, y, yaw)
-        if near != (pursuit.floor.near(x, y) <= base.RADIUS + _NEAR):
+        if near != (pursuit.floor.near(x, y) <= base.RADIUS + _CLEAR):
             near = not near
             _hand_over(data, away)
             data, away = away, data

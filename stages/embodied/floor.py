@@ -3,7 +3,7 @@
 Cells are those of `stages/grid.py`; distances are in metres.
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
@@ -54,7 +54,7 @@ class Floor:
     def open(self) -> Mask:
         """Cells whose centre is on the floor and not in anything that stands in the robot's height."""
         inside = grid.raster(polygons.free_floor(self.space.plan), self.grid)
-        return inside & ~covered(list(self.parts.values()), self.grid)
+        return inside & ~grid.raster(list(self.parts.values()), self.grid)
 
     @cached_property
     def free(self) -> Mask:
@@ -109,21 +109,6 @@ def clearance_at(cells: Array, left: float, below: float, size: float, x: float,
     return float(low * (1 - v) + (cells[i + 1, j] * (1 - u) + cells[i + 1, j + 1] * u) * v)
 
 
-def covered(parts: Sequence[Geometry], cells: Grid) -> Mask:
-    """Cells whose centre lies in any of some convex polygons, (rows, columns); by scan lines, as `grid.raster`."""
-    points, whose = shapely.get_coordinates(shapely.orient_polygons(list(parts)), return_index=True)
-    same = whose[1:] == whose[:-1]
-    (x0, y0), (x1, y1) = points[:-1][same].T[:, :, None], points[1:][same].T[:, :, None]
-    edge, row = np.nonzero((y0 <= cells.y) != (y1 <= cells.y))
-    crossing = x0[edge, 0] + (cells.y[row] - y0[edge, 0]) * (x1 - x0)[edge, 0] / (y1 - y0)[edge, 0]
-    column = np.ceil((crossing - cells.origin[0]) / cells.resolution - 0.5).astype(int)
-    depth = np.zeros((cells.shape[0], cells.shape[1] + 1), np.int32)
-    # Left edges go down and right edges up, all polygons being counter-clockwise.
-    np.add.at(depth, (row, column.clip(0, cells.shape[1])), np.where((y1 > y0)[edge, 0], -1, 1))
-    inside: Mask = np.cumsum(depth[:, :-1], axis=1) > 0
-    return inside
-
-
 def survey(
     world: World, radius: float = reach.RADIUS, height: float = HEIGHT, without: Collection[str] = ()
 ) -> Floor:
@@ -132,16 +117,10 @@ def survey(
     Among the cells' centres are those that `stages/reach.py` looks at, so that no way found there is missed.
     """
     parts = {name: shape for name, shape in standing(world, height).items() if name not in without}
-    cells = _finer(grid.over(polygons.free_floor(world.home)))
+    floor = polygons.free_floor(world.home)
+    coarse = grid.over(floor)
+    cells = grid.finer(coarse, FINER, floor.buffer(coarse.resolution))
     return Floor(reach.space(world.home, radius, cells=cells), parts, radius)
-
-
-def _finer(cells: Grid) -> Grid:
-    """Smaller cells over the same area, the old centres among the new."""
-    size = cells.resolution / FINER
-    x, y = (low + (cells.resolution - size) / 2 - (FINER // 2) * size for low in cells.origin)
-    rows, columns = (FINER * n + 1 for n in cells.shape)
-    return Grid((x, y), (rows, columns), size)
 
 
 def standing(world: World, height: float = HEIGHT) -> dict[str, Geometry]:

@@ -18,7 +18,7 @@ from apartgen.stages.space.boxes import Array
 
 SIZE = (640, 480)
 """Width and height of a frame, pixels."""
-NEAR = (2.6, 2.0, 1.6)
+DISTANCES = (2.6, 2.0, 1.6)
 """How far off an interaction is watched, m, from where there is no wall between."""
 STEEP = (-35, -50, -65)
 ASIDE = (35, -35, 15, -15, 60, -60)
@@ -96,7 +96,7 @@ def _on_its_way(shown: World, outcome: Outcome) -> bool:
     found = {o.id: o for o in shown.home.objects}.get(outcome.object)
     if outcome.trace is None or found is None or _away(outcome):
         return False
-    return float(np.hypot(*np.subtract(outcome.trace.qpos[-1][:2], found.center[:2]))) > NEAR[0]
+    return float(np.hypot(*np.subtract(outcome.trace.qpos[-1][:2], found.center[:2]))) > DISTANCES[0]
 
 
 def _start(apartment: World, outcome: Outcome) -> tuple[Trace, list[marks.Mark]]:
@@ -169,13 +169,13 @@ def _camera(shown: World, outcome: Outcome, above: bool) -> Any:
 def _view(shown: World, at: Array, yaw: float) -> tuple[float, float, float]:
     """Distance (m), elevation and azimuth (degrees) from which nothing but furniture hides an object's front."""
     floor = polygons.free_floor(shown.home).buffer(0.02)
-    for steep, far, aside in product(STEEP, NEAR, ASIDE):
+    for steep, far, aside in product(STEEP, DISTANCES, ASIDE):
         azimuth = np.degrees(yaw) + 180 + aside
         level = far * np.cos(np.radians(steep))
         eye = at - level * np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
         if floor.covers(LineString([at, eye])):
             return far, steep, azimuth
-    return NEAR[0], -80.0, np.degrees(yaw) + 180
+    return DISTANCES[0], -80.0, np.degrees(yaw) + 180
 
 
 def _pose(shown: World, data: Any, trace: Trace, moment: int) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.export._pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
+from apartgen.stages.scene.pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
 from apartgen.stages.things.asset import Array, Link, Material, Mesh
 from apartgen.stages.things.body import Body, Light, inertia
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from apartgen.stages.export._pieces import image, image_name, mesh_digest, shaded
 from apartgen.stages.export._xml import number, numbers
+from apartgen.stages.scene.pieces import image, image_name, mesh_digest, shaded
 from apartgen.stages.things.asset import Array, Material, Mesh
 
 

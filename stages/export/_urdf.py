@@ -4,9 +4,9 @@ import numpy as np
 
 from apartgen.stages.export._hull import hull
 from apartgen.stages.export._obj import Files
-from apartgen.stages.export._pieces import pieces
 from apartgen.stages.export._rotation import roll_pitch_yaw
 from apartgen.stages.export._xml import Element, add, number
+from apartgen.stages.scene.pieces import pieces
 from apartgen.stages.things.asset import Array, Collider, Link, Material, Mesh
 from apartgen.stages.things.body import DAMPING, Body, inertia
 

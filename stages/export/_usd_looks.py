@@ -5,7 +5,7 @@ from typing import Any
 from pxr import Gf, Sdf, UsdGeom, UsdPhysics, UsdShade
 
 from apartgen.stages.export._obj import Files
-from apartgen.stages.export._pieces import cut_out
+from apartgen.stages.scene.pieces import cut_out
 from apartgen.stages.things.asset import Material
 
 

@@ -8,8 +8,8 @@ from pxr import Gf, Sdf, UsdGeom, UsdPhysics, Vt
 
 from apartgen.stages.export._hull import hull
 from apartgen.stages.export._manifold import manifold
-from apartgen.stages.export._pieces import shaded
 from apartgen.stages.export._rotation import quaternion
+from apartgen.stages.scene.pieces import shaded
 from apartgen.stages.things.asset import Array, Collider, Mesh
 
 

@@ -10,9 +10,9 @@ from xml.etree import ElementTree
 import numpy as np
 
 from apartgen.stages.export._obj import Files
-from apartgen.stages.export._pieces import image_name, names, pieces
 from apartgen.stages.export._rotation import about_z, quaternion
 from apartgen.stages.export._xml import Element, add, number, numbers, save
+from apartgen.stages.scene.pieces import image_name, names, pieces
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things.asset import Collider, Link, Material
 from apartgen.stages.things.body import DAMPING, Body, Inertia, counterbalanced, inertia

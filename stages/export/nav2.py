@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from shapely import Geometry
 from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box, Layout
@@ -23,8 +22,8 @@ from apartgen.stages.space.boxes import Array, Mask
 from apartgen.stages.space.grid import Grid
 
 FOLDER = "nav2"
-RESOLUTION = grid.RESOLUTION / 2
-"""Cell size, m: gaps little wider than the robot have cells in them then."""
+FINER = 2
+"""Cells are so much smaller than those of the walkable stage: gaps little wider than the robot have cells in them."""
 BAND = (footprints.FLAT, reach.HEIGHT)
 """Heights between which things are in the robot's way, m: those for which the walkable stage clears ways."""
 LIDAR = (0.18, 0.22)
@@ -42,7 +41,7 @@ def write(scene: Scene, out: Path) -> list[Path]:
     objects = home.objects if isinstance(home, Layout) else []
     world = reach.space(home)
     shell = polygons.shell(home)
-    cells = _over(shell, world.grid)
+    cells = grid.finer(world.grid, FINER, shell)
     floor = grid.raster(polygons.free_floor(home).buffer(_HAIR), cells)
     standing = footprints.covered(o for o in objects if reach.in_the_way(o))
     blocked = grid.raster(standing.buffer(-_HAIR), cells) & floor
@@ -57,18 +56,6 @@ def write(scene: Scene, out: Path) -> list[Path]:
         *_map(folder, "keepout", cells, keep_out, "what of map is not in lidar, and the way out"),
         _waypoints(world, objects, folder),
     ]
-
-
-def _over(area: Geometry, among: Grid) -> Grid:
-    """A grid of finer cells that covers an area, the centres of a coarser one among its own.
-
-    So no way that is found on the coarser one is missed.
-    """
-    x0, y0, x1, y1 = area.bounds
-    left, below = (float(first) - (np.ceil((first - low) / RESOLUTION) + 1.5) * RESOLUTION
-                   for first, low in ((among.x[0], x0), (among.y[0], y0)))
-    columns, rows = (int(np.ceil(span / RESOLUTION)) + 1 for span in (x1 - left, y1 - below))
-    return Grid((left, below), (rows, columns), RESOLUTION)
 
 
 def _between(heights: tuple[float, float]) -> str:

@@ -30,7 +30,7 @@ ROOMS = {"living_room": "LivingRoom", "kitchen": "Kitchen", "bedroom": "Bedroom"
 log = logging.getLogger("apartgen")
 OUTSIDE = "exterior"
 TILES, PAINT = "bathroomTilesGrey", "PureWhite"
-NEAR = 2e-3  # m, rounding of corners
+ROUNDING = 2e-3  # m, of corners
 Part = dict[str, Any]
 Corner = tuple[float, float]
 Stretch = tuple[Corner, Corner]
@@ -97,9 +97,9 @@ def _stretches(home: Plan) -> dict[str, list[Stretch]]:
 
 
 def _parted(side: LineString, corners: list[Corner]) -> list[Stretch]:
-    on_it = sorted((side.project(Point(c)), c) for c in corners if side.distance(Point(c)) < NEAR)
+    on_it = sorted((side.project(Point(c)), c) for c in corners if side.distance(Point(c)) < ROUNDING)
     points = [c for at, c in on_it]
-    return [(a, b) for a, b in zip(points, points[1:]) if Point(a).distance(Point(b)) > NEAR]
+    return [(a, b) for a, b in zip(points, points[1:]) if Point(a).distance(Point(b)) > ROUNDING]
 
 
 def _name(owner: str, stretch: Stretch) -> str:

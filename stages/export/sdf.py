@@ -8,9 +8,9 @@ from xml.etree import ElementTree
 
 from apartgen.stages.export._hull import hull
 from apartgen.stages.export._obj import Files
-from apartgen.stages.export._pieces import pieces
 from apartgen.stages.export._rotation import roll_pitch_yaw
 from apartgen.stages.export._xml import Element, add, number, numbers, save
+from apartgen.stages.scene.pieces import pieces
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things.asset import Collider, Link, Material, Mesh
 from apartgen.stages.things.body import DAMPING, Body, Light, counterbalanced, inertia

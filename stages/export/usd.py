@@ -11,8 +11,8 @@ import numpy as np
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.export._obj import Files
-from apartgen.stages.export._pieces import names, pieces
 from apartgen.stages.export._rotation import about_z, from_x, quaternion
+from apartgen.stages.scene.pieces import names, pieces
 from apartgen.stages.scene.scene import Scene, identifier
 from apartgen.stages.things.asset import Array, Link
 from apartgen.stages.things.body import DAMPING, Body, Light, counterbalanced, inertia

@@ -25,8 +25,8 @@ def low(objects: Sequence[Box]) -> list[Box]:
 def free(floor: Geometry, objects: Sequence[Box]) -> tuple[Grid, Mask]:
     """Cells of a room where the robot's centre may be."""
     cells = grid.over(floor, RESOLUTION)
-    eroded = floor.buffer(-ROBOT / 2, join_style="mitre")
-    return cells, grid.raster(eroded, cells) & (grid.near(boxes.of(objects), cells, ROBOT / 2) == 0)
+    near = grid.near(boxes.of(objects), cells, ROBOT / 2)
+    return cells, grid.open_to(floor, cells, ROBOT / 2, "mitre") & (near == 0)
 
 
 def largest_share(floor: Geometry, objects: Sequence[Box]) -> float:

@@ -20,7 +20,7 @@ BEDS = ("double_bed", "single_bed")
 TABLES = ("dining_table", "round_table", "desk", "dressing_table", "balcony_table")
 SEATS = ("chair", "office_chair", "balcony_chair")
 SOFAS = ("sofa", "corner_sofa")
-NEAR = 0.35
+APART = 0.35
 """Companions stand no further apart, m."""
 WALL = 0.12
 """A back this close to a wall stands at it, m."""
@@ -73,7 +73,7 @@ def of_room(floor: Polygon, things: Sequence[Box]) -> Sample:
 
 
 def _beside(
-    things: Sequence[Box], own: Sequence[str], other: Sequence[str], near: float = NEAR, facing: bool = False
+    things: Sequence[Box], own: Sequence[str], other: Sequence[str], near: float = APART, facing: bool = False
 ) -> list[float]:
     """For each of `own` in a room that has any of `other`: whether one is near, and in front if `facing`."""
     a, b = ([o for o in things if o.category in names] for names in (own, other))

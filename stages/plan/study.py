@@ -10,7 +10,7 @@ import shapely
 from apartgen.schemas.plan import AskedRoom, Plan, Program
 from apartgen.stages.plan import validate
 from apartgen.stages.plan.standards import STANDARDS
-from apartgen.stages.space import polygons
+from apartgen.stages.space import graphs, polygons
 
 
 def archetypes() -> dict[str, Program]:
@@ -28,25 +28,6 @@ def _program(row: dict[str, Any]) -> Program:
     return Program(rooms=rooms, links=row["links"], open_links=row["open_links"], complete=True)
 
 
-def constraint_score(plan: Plan) -> float:
-    """S_constraint (Eq. 7): one minus half the L1 distance of built and asked area shares by room type."""
-    built: dict[str, float] = {}
-    asked: dict[str, float] = {}
-    for room in plan.rooms:
-        built[room.type] = built.get(room.type, 0.0) + polygons.floor(room).area
-    for want in plan.program.rooms:
-        asked[want.type] = asked.get(want.type, 0.0) + (want.area or 0.0)
-    b, a = sum(built.values()), sum(asked.values())
-    return 1 - 0.5 * sum(abs(built.get(t, 0) / b - asked.get(t, 0) / a) for t in sorted({*built, *asked}))
-
-
-def edge_score(plan: Plan) -> float:
-    """S_edge (Eq. 9) of doors and openings against the links asked for."""
-    built = {frozenset(o.rooms) for o in plan.openings if o.kind in ("door", "opening")}
-    asked = {frozenset(p) for p in [*plan.program.links, *plan.program.open_links]}
-    return len(built & asked) / max(len(built), len(asked), 1)
-
-
 def measured(plan: Plan) -> dict[str, float]:
     """Figures of one plan."""
     shapes = polygons.floors(plan)
@@ -54,11 +35,13 @@ def measured(plan: Plan) -> dict[str, float]:
     total = sum(s.area for s in shapes.values())
     spans = [np.subtract(s.bounds[2:], s.bounds[:2]) for s in lived]
     rooms = [shapes[r.id] for r in plan.rooms if r.type != "hallway"]
+    built, asked = graphs.of_plan(plan), graphs.of_program(plan.program)
+    fidelity = graphs.constraint_satisfaction(built, asked)
     return {
         "faults": float(len(validate(plan))),
         "relaxed": float(len(plan.relaxed)),
-        "S_edge": edge_score(plan),
-        "S_constraint": constraint_score(plan),
+        "S_edge": graphs.edge_similarity(built, asked),
+        "S_constraint": float("nan") if fidelity is None else fidelity,
         "aspect": max(float(s.max() / s.min()) for s in spans) if spans else 1.0,
         "corridor": sum(shapes[r.id].area for r in plan.rooms if r.type == "hallway") / total,
         "rectangular": float(np.mean([s.area > 0.999 * shapely.box(*s.bounds).area for s in rooms])),

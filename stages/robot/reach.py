@@ -83,7 +83,7 @@ def space(
     rooms = np.full(cells.shape, -1, np.int16)
     for i, room in enumerate(plan.rooms):
         rooms[grid.raster(polygons.floor(room), cells)] = i
-    free = grid.raster(floor.buffer(-radius), cells)
+    free = grid.open_to(floor, cells, radius)
     doors = {o.id: _door(o, plan, cells, radius) for o in plan.openings if o.kind in polygons.PASSAGES}
     return Space(plan, radius, cells, free, rooms, _entry(plan, free, cells, radius), doors)
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.retrieve import Joint
+from apartgen.stages.space.turns import rotation
 from apartgen.stages.things.asset import Array, Collider
 from apartgen.stages.things.solids import corners
 
@@ -76,7 +77,7 @@ def swept(solids: Hulls, joint: Joint) -> Hulls:
         ends = np.concatenate([solids.points + lo * way, solids.points + hi * way], 1)
         return solids._replace(points=ends)
     steps = max(1, round(STEPS * (hi - lo) / (np.pi / 2)))
-    turns = [rotation(joint, t) for t in np.linspace(lo, hi, steps + 1)]
+    turns = [rotation(joint.axis, t) for t in np.linspace(lo, hi, steps + 1)]
     origin = np.asarray(joint.origin, float)
     arm = solids.points - origin
     points = [arm @ turn.T + origin for turn in turns]
@@ -96,15 +97,8 @@ def moved(solids: Hulls, joint: Joint, value: float) -> Hulls:
     if joint.type == "slide":
         way = np.asarray(joint.axis, float) / np.linalg.norm(joint.axis)
         return solids._replace(points=solids.points + value * way)
-    turn, origin = rotation(joint, value), np.asarray(joint.origin, float)
+    turn, origin = rotation(joint.axis, value), np.asarray(joint.origin, float)
     return solids._replace(points=(solids.points - origin) @ turn.T + origin, axes=solids.axes @ turn.T)
-
-
-def rotation(joint: Joint, angle: float) -> Array:
-    """Turn about a hinge's axis, (3, 3) (Rodrigues)."""
-    x, y, z = np.asarray(joint.axis, float) / np.linalg.norm(joint.axis)
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
 
 
 def meet(a: Hulls, b: Hulls, clear: float) -> bool:

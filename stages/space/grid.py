@@ -3,9 +3,10 @@
 Cells are squares of `resolution` metres addressed [row, column] = [y, x]; a cell stands for its centre.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import Literal
 
 import numpy as np
 import shapely
@@ -22,6 +23,7 @@ Count = NDArray[np.int16]
 """Obstacles that keep the robot off each cell."""
 Labels = NDArray[np.int32]
 Window = tuple[slice, slice]
+Corners = Literal["round", "mitre"]
 
 
 @dataclass(frozen=True)
@@ -73,31 +75,56 @@ def over(area: Geometry, resolution: float = RESOLUTION) -> Grid:
     return Grid((x0 - resolution, y0 - resolution), (rows, columns), resolution)
 
 
-def raster(area: Geometry, grid: Grid) -> Mask:
-    """Cells whose centre lies within a polygonal geometry, (rows, columns); by scan lines, even-odd."""
-    inside = np.zeros(grid.shape, bool)
-    if area.is_empty:
-        return inside
+def finer(grid: Grid, factor: int, area: Geometry) -> Grid:
+    """A grid of smaller cells that covers an area, the centres of the old ones among the new.
+
+    So no way that is found on the coarser one is missed.
+    """
     x0, y0, x1, y1 = area.bounds
+    size = grid.resolution / factor
+    left, below = (float(first) - (np.ceil((first - low) / size) + 1.5) * size
+                   for first, low in ((grid.x[0], x0), (grid.y[0], y0)))
+    columns, rows = (int(np.ceil(span / size)) + 1 for span in (x1 - left, y1 - below))
+    return Grid((left, below), (rows, columns), size)
+
+
+def raster(area: Geometry | Sequence[Geometry], grid: Grid) -> Mask:
+    """Cells whose centre lies within a polygonal geometry, or any of some, (rows, columns); by scan lines."""
+    inside = np.zeros(grid.shape, bool)
+    parts = shapely.get_parts(area)
+    parts = parts[(shapely.get_dimensions(parts) == 2) & ~shapely.is_empty(parts)]
+    if not len(parts):
+        return inside
+    x0, y0, x1, y1 = shapely.total_bounds(parts)
     window = grid.around(np.array([x0, y0]), np.array([x1, y1]))
     rows, columns = (range(*w.indices(n)) for w, n in zip(window, grid.shape))
-    y, turns = grid.y[window[0]], np.zeros((len(rows), len(columns) + 1), np.int32)
-    for ring in _rings(area):
-        (x0, y0), (x1, y1) = ring[:-1].T[:, :, None], ring[1:].T[:, :, None]
-        edge, row = np.nonzero((y0 <= y) != (y1 <= y))
-        slope = (x1 - x0)[edge, 0] / (y1 - y0)[edge, 0]
-        crossing = x0[edge, 0] + (y[row] - y0[edge, 0]) * slope
-        column = np.ceil((crossing - grid.origin[0]) / grid.resolution - 0.5).astype(int) - columns.start
-        np.add.at(turns, (row, column.clip(0, len(columns))), 1)
-    inside[window] = np.cumsum(turns[:, :-1], axis=1) % 2 == 1
+    y, depth = grid.y[window[0]], np.zeros((len(rows), len(columns) + 1), np.int32)
+    start, end, way = _edges(parts)
+    (x0, y0), (x1, y1) = start.T[:, :, None], end.T[:, :, None]
+    edge, row = np.nonzero((y0 <= y) != (y1 <= y))
+    slope = (x1 - x0)[edge, 0] / (y1 - y0)[edge, 0]
+    crossing = x0[edge, 0] + (y[row] - y0[edge, 0]) * slope
+    column = np.ceil((crossing - grid.origin[0]) / grid.resolution - 0.5).astype(int) - columns.start
+    # Left edges of what is counter-clockwise go down and right edges up.
+    turns = np.where((y1 > y0)[edge, 0], -way[edge], way[edge])
+    np.add.at(depth, (row, column.clip(0, len(columns))), turns)
+    inside[window] = np.cumsum(depth[:, :-1], axis=1) > 0
     return inside
 
 
-def _rings(area: Geometry) -> list[Array]:
-    polygons = shapely.get_parts(area)
-    polygons = polygons[shapely.get_dimensions(polygons) == 2]
-    rings = shapely.get_rings(polygons)
-    return [shapely.get_coordinates(ring) for ring in rings]
+def _edges(parts: NDArray[np.object_]) -> tuple[Array, Array, NDArray[np.int32]]:
+    """Starts and ends (n, 2) of all edges, and 1 where they go counter-clockwise about their polygon, -1 elsewhere."""
+    rings, polygon = shapely.get_rings(parts, return_index=True)
+    outer = np.diff(polygon, prepend=-1) != 0
+    points, ring = shapely.get_coordinates(rings, return_index=True)
+    along = ring[1:] == ring[:-1]
+    way = np.where(shapely.is_ccw(rings) == outer, 1, -1).astype(np.int32)
+    return points[:-1][along], points[1:][along], way[ring[1:][along]]
+
+
+def open_to(floor: Geometry, grid: Grid, radius: float, corners: Corners = "round") -> Mask:
+    """Where a robot's centre may be on an empty floor: `radius` from its edges, or from each of them (mitre)."""
+    return raster(floor.buffer(-radius, join_style=corners), grid)
 
 
 def near(boxes: Boxes, grid: Grid, radius: float) -> Count:

@@ -121,20 +121,6 @@ def texture(name: str, size: int = 256) -> Image:
     return image
 
 
-@cache
-def pixels(name: str) -> Image:
-    """The colours (rows, columns, 3) of a texture: a procedural one by name, or a library's image file by path."""
-    if name in textures():
-        return texture(name)
-    from PIL import Image as Pillow
-
-    try:
-        with Pillow.open(name) as picture:
-            return np.asarray(picture.convert("RGB"))
-    except OSError:
-        raise BadInput(f"texture {name!r} is neither a known pattern nor an image; index the library again") from None
-
-
 def noise(rng: np.random.Generator, size: int, width: float, length: float | None = None) -> Array:
     """Periodic Gaussian noise (size, size), unit variance; feature sizes in shares of the image, y then x."""
     fy, fx = np.fft.fftfreq(size, 1 / size)[:, None], np.fft.fftfreq(size, 1 / size)[None, :]

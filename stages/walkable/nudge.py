@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 
 from apartgen.schemas.retrieve import Furnishing
-from apartgen.stages.space import boxes
+from apartgen.stages.space import anchors, boxes
 from apartgen.stages.things import categories
 from apartgen.stages.walkable import placing
 from apartgen.stages.walkable.site import Changes, Scene, Site
@@ -19,7 +19,7 @@ DRAWN_UP = 0.15
 
 def nudges(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """Shifts, short ones first; backs and sides at walls slide along them. Whether they fit is not looked at."""
-    along, across = placing.anchors(o, site)
+    along, across = anchors.anchors(boxes.of([o]), site.floors[o.room])
     axes = boxes.axes(boxes.of([o]))[0]
     company = [o, *placing.carried(o, scene), *_seats(scene, o)]
     shifts = [s for s in product((0.0,) if along else SHIFTS, (0.0,) if across else SHIFTS) if any(s)]

@@ -3,43 +3,26 @@
 from collections.abc import Sequence
 
 import numpy as np
-import shapely
-from numpy.typing import NDArray
 
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
-from apartgen.stages.space import boxes
+from apartgen.stages.space import anchors, boxes
 from apartgen.stages.space.boxes import Array, Boxes
 from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.tops import heights
 from apartgen.stages.walkable.site import Changes, Scene, Site
 
-NEAR = 0.12
-"""A side this close to a wall stays at its distance from it, m."""
 LEVEL = 0.004
 """Heights within this are one level, m."""
 ON = 0.02
 """What is this little above or below a top stands on it, m."""
 
 
-def anchors(o: Furnishing, site: Site) -> tuple[int, int]:
-    """Which end keeps its place, along depth and width: -1 back or right, 1 front or left, 0 the middle.
-
-    The end at a wall does; the back comes before the front, and between two walls the middle stays.
-    """
-    front, left = boxes.axes(boxes.of([o]))[0]
-    d, w = o.size[0] / 2 + NEAR, o.size[1] / 2 + NEAR
-    points = np.asarray(o.center[:2]) + np.array([-d * front, d * front, -w * left, w * left])
-    at = ~shapely.contains_xy(site.floors[o.room], points)
-    back, ahead, right, beside = (int(hit) for hit in at)
-    return (-1 if back else ahead), beside - right
-
-
 def resized(o: Furnishing, size: Sequence[float], site: Site) -> Furnishing:
     """The object in another size: anchored ends, and its underside, stay where they were."""
-    lost = (np.asarray(o.size) - size) / 2
-    shift = np.array(anchors(o, site)) * lost[:2] @ boxes.axes(boxes.of([o]))[0]
-    x, y, z = np.asarray(o.center) + [*shift, -lost[2]]
-    return o.model_copy(update={"center": (float(x), float(y), float(z)), "size": tuple(float(s) for s in size)})
+    box = anchors.resized(boxes.of([o]), size, site.floors[o.room])
+    x, y, z = box.center[0].tolist()
+    return o.model_copy(update={"center": (x, y, z), "size": tuple(float(s) for s in size)})
 
 
 def scaled(o: Furnishing, size: Sequence[float], site: Site) -> Furnishing:
@@ -120,26 +103,8 @@ def _on(under: Furnishing, item: Furnishing, asset: Asset) -> Furnishing | None:
     at = base.center[0, :2] + spot @ boxes.axes(base)[0]
     shifted = Boxes(np.array([[*at, 0.0]]), own.size * [0.7, 0.7, 1], own.yaw)
     points = np.concatenate([at[None], boxes.corners(shifted)[0]])
-    z = surface(asset, boxes.local(points, base)[0])
+    z = heights(asset, boxes.local(points, base)[0])
     if not np.isfinite(z).all() or np.ptp(z) > LEVEL:
         return None
     bottom = under.center[2] + float(z.max())
     return moved(item, [*(at - item.center[:2]), bottom + item.size[2] / 2 - item.center[2]])
-
-
-def surface(asset: Asset, points: Array) -> NDArray[np.float64]:
-    """Height of the highest visible surface over each point (p, 2), asset's frame, (p,); -inf where there is none."""
-    meshes = [mesh for link in asset.links for mesh in link.visuals]
-    if not meshes:
-        return np.full(len(points), asset.size[2] / 2)
-    a, b, c = np.concatenate([mesh.vertices[mesh.faces] for mesh in meshes]).transpose(1, 0, 2)
-    u, v = (b - a)[:, :2], (c - a)[:, :2]
-    det = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    flat = np.abs(det) > 1e-9
-    a, b, c, u, v, det = a[flat], b[flat], c[flat], u[flat], v[flat], det[flat]
-    offset = points[:, None] - a[None, :, :2]
-    s = (offset[..., 0] * v[:, 1] - offset[..., 1] * v[:, 0]) / det
-    t = (u[:, 0] * offset[..., 1] - u[:, 1] * offset[..., 0]) / det
-    over = (s >= -1e-9) & (t >= -1e-9) & (s + t <= 1 + 1e-9)
-    z = a[:, 2] + s * (b - a)[:, 2] + t * (c - a)[:, 2]
-    return np.asarray(np.where(over, z, -np.inf).max(1, initial=-np.inf))

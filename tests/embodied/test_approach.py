@@ -40,7 +40,7 @@ def test_what_is_run_against_on_the_way_fails_the_episode(flat, monkeypatch):  #
     apartment = flat(drawer(), chest(3.7, 1.45, np.pi, id="one"), *row)
     blind = [name for name in floor.standing(apartment) if name.startswith("unseen")]
     assert opened(apartment).reason == "no way from the entrance" and blind
-    monkeypatch.setattr(drive, "_NEAR", np.inf)  # simulate it all, whatever the map says
+    monkeypatch.setattr(drive, "_CLEAR", np.inf)  # simulate it all, whatever the map says
     monkeypatch.setattr(floor, "survey", lambda world, radius, without: survey(world, radius, without=blind))
     (outcome,) = interact.run(apartment, only="one")
     assert outcome.failure == "controller" and outcome.reason == "ran against unseen_1 on its way there"

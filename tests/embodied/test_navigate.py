@@ -119,7 +119,7 @@ def test_a_robot_that_gets_no_further_goes_from_point_to_point(tmp_path):
 def test_where_contacts_are_not_looked_for_there_are_none_and_it_drives_alike(tmp_path, monkeypatch):
     home = _beyond(0.62)
     (some,) = _run(home, tmp_path, only="goal")
-    monkeypatch.setattr("apartgen.stages.embodied.drive._NEAR", 10.0)
+    monkeypatch.setattr("apartgen.stages.embodied.drive._CLEAR", 10.0)
     (fine,) = _run(home, tmp_path, only="goal")
     assert fine.success == some.success and fine.numbers["touches"] == some.numbers["touches"]
     for key, off in (("metres", 0.02), ("seconds", 0.6), ("missed", 0.02)):

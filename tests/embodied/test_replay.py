@@ -40,7 +40,7 @@ def test_no_wall_is_between_an_object_and_the_eye_or_it_looks_from_above(width, 
     # MuJoCo's camera looks along its azimuth.
     eye = at - far * np.cos(np.radians(steep)) * np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
     assert polygons.free_floor(plan).buffer(0.03).contains(Point(eye)) and eye[1] > at[1]
-    assert (steep == replay.STEEP[0]) == level and far in replay.NEAR
+    assert (steep == replay.STEEP[0]) == level and far in replay.DISTANCES
 
 
 def frames(apartment, outcome, robot=None):
@@ -166,7 +166,7 @@ def test_an_opened_part_is_seen_from_nearby_once_the_robot_comes_and_a_drive_tha
     lost = opened.model_copy(update={"trace": gone, "success": False, "failure": "controller", "reason": "stuck"})
     shown = world.build(apartment.scene, apartment.mjcf, interact.mjcf(), visuals=True)
     near, far = (replay._camera(shown, o, replay._on_its_way(shown, o)).distance for o in (opened, lost))
-    assert near <= max(replay.NEAR) < far
+    assert near <= max(replay.DISTANCES) < far
     pictures = list(replay.images(apartment, interact.mjcf(), opened, SMALL))
     gif, _ = replay.save(pictures, tmp_path / "it.gif", opened)
     assert Image.open(gif).info["duration"] == pytest.approx(1000 / interact.FRAMES, abs=10)

@@ -12,6 +12,7 @@ from apartgen.stages import export
 from apartgen.stages.embodied import base, floor, planner, world
 from apartgen.stages.robot import reach
 from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space import grid
 from apartgen.stages.space.grid import Grid
 
 
@@ -129,7 +130,7 @@ def test_cells_are_covered_that_lie_in_any_polygon():
     cells = Grid((-0.1, -0.1), (40, 45), 0.04)
     x, y = np.moveaxis(cells.centers(), -1, 0)
     turned = [shapely.reverse(hull) if k % 2 else hull for k, hull in enumerate(hulls)]
-    assert (floor.covered(turned, cells) == shapely.contains_xy(shapely.union_all(hulls), x, y)).all()
+    assert (grid.raster(turned, cells) == shapely.contains_xy(shapely.union_all(hulls), x, y)).all()
 
 
 def test_nothing_but_what_is_driven_over_is_ground(flat):

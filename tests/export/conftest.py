@@ -26,10 +26,10 @@ class Made(NamedTuple):
 
 @pytest.fixture(autouse=True, scope="session")
 def _small_pictures():
-    from apartgen.stages.export import _render
+    from apartgen.stages.export import view
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(_render, "PIXELS", 30_000)
+        patch.setattr(view, "PIXELS", 30_000)
         yield
 
 

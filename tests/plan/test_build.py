@@ -11,7 +11,7 @@ from plan.flats import flat, within
 
 from apartgen.schemas.plan import Plan
 from apartgen.stages.plan import PlanConfig, build, build_variants, validate
-from apartgen.stages.plan.study import archetypes, constraint_score, edge_score, measured
+from apartgen.stages.plan.study import archetypes, measured
 from apartgen.stages.plan.variants import difference, touching
 from apartgen.stages.space import polygons
 from apartgen_cli.bench import plan as experiment
@@ -24,8 +24,8 @@ ARCHETYPES = sorted(archetypes())
 def test_archetypes_come_out_as_asked(name: str, seed: int) -> None:
     plan = flat(name, seed)
     assert validate(plan) == []
-    assert edge_score(plan) == 1
-    assert constraint_score(plan) > 0.9
+    assert measured(plan)["S_edge"] == 1
+    assert measured(plan)["S_constraint"] > 0.9
     assert Plan.model_validate_json(plan.model_dump_json()) == plan
 
 
@@ -88,7 +88,7 @@ def test_regular_flats_are_more_rectangular_than_organic_ones() -> None:
         program = archetypes()["one_bedroom"].model_copy(update={"regularity": regularity})
         plans = [build(program, PlanConfig(), lane) for lane in np.random.default_rng(4).spawn(6)]
         share[regularity] = np.mean([measured(plan)["rectangular"] for plan in plans])
-        assert all(constraint_score(plan) > 0.9 for plan in plans)
+        assert all(measured(plan)["S_constraint"] > 0.9 for plan in plans)
     assert share[0.0] < share[1.0] == 1
 
 

@@ -8,8 +8,8 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.stages.retrieve import RetrieveConfig, run
-from apartgen.stages.retrieve.matching import supports
 from apartgen.stages.space import boxes
+from apartgen.stages.things import tops
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
 RNG = np.random.default_rng(0)
@@ -92,7 +92,7 @@ def test_things_stand_exactly_on_what_carries_them(flat, libraries):
     for item, under in ((tv, stand), (lamp, night)):
         asset = libraries.load(under.asset.library, under.asset.id)
         at = boxes.local(np.array([item.center[:2]]), boxes.of([under]))[0]
-        top = supports.heights(asset, at)[0] + under.center[2]
+        top = tops.heights(asset, at)[0] + under.center[2]
         assert np.isclose(item.center[2] - item.size[2] / 2, top, atol=1e-6)
     assert footprint(night).covers(footprint(lamp).centroid)
 

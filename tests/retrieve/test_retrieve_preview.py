@@ -39,7 +39,7 @@ def test_the_same_asset_gives_the_same_picture():
 
 
 def test_colours_and_images_of_any_material_are_shown(tmp_path):
-    plain = render.picture(render.opened(cube(Material("a", (0.1, 0.2, 0.9, 1.0))), 0.0), 48)
+    [plain] = render.pictures([render.opened(cube(Material("a", (0.1, 0.2, 0.9, 1.0))), 0.0)], 48)
     r, g, b = plain[20, 24].astype(int)
     assert b > 2 * r and b > g
     image = np.zeros((2, 2, 3), np.uint8)
@@ -47,7 +47,7 @@ def test_colours_and_images_of_any_material_are_shown(tmp_path):
     Image.fromarray(image).save(tmp_path / "half.png")
     # Seen from the front: the image's upper half is the cube's.
     soup = render.opened(cube(Material("b", (1.0, 1.0, 1.0, 1.0), texture=str(tmp_path / "half.png"))), 0.0)
-    shown = render.picture(soup, 48, (1.0, 0.0, 0.1)).astype(int)
+    shown = render.pictures([soup], 48, (0.0, 0.1))[0].astype(int)
     high, low = shown[14, 24], shown[36, 24]
     assert high[0] > 2 * high[1] and low[1] > 2 * low[0]
 

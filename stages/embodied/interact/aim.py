@@ -33,7 +33,7 @@ class Option(NamedTuple):
 OPTIONS = [Option(*angles, False) for angles in product(YAWS.tolist(), PITCHES.tolist())]
 OPTIONS += [Option(yaw, pitch, True) for yaw, pitch in product(YAWS[:3].tolist(), PITCHES[:2].tolist())]
 _YAW, _PITCH, _FOLLOWS = (np.array(column) for column in zip(*OPTIONS, strict=True))
-NEAR = float(np.cos(np.radians(46)))
+ALIKE = float(np.cos(np.radians(46)))
 """Directions no further apart follow one another."""
 
 

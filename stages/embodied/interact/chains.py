@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from apartgen.stages.embodied.interact.aim import NEAR, OPTIONS, directions, grasps
+from apartgen.stages.embodied.interact.aim import ALIKE, OPTIONS, directions, grasps
 from apartgen.stages.embodied.interact.parts import Hold, Part
 from apartgen.stages.embodied.interact.probe import Probe
 from apartgen.stages.embodied.interact.robot import CUP, THICK, TIP, postures
@@ -99,7 +99,7 @@ class Chains:
         key = hold.kind == "push"
         if key not in self._prices:
             ahead = self.aheads(hold)
-            near = (ahead[:-1] @ ahead[1:].transpose(0, 2, 1) > NEAR) | (_CHANGE == 0)
+            near = (ahead[:-1] @ ahead[1:].transpose(0, 2, 1) > ALIKE) | (_CHANGE == 0)
             self._prices[key] = np.where(near, _CHANGE, np.inf)
         return self._prices[key]
 

@@ -5,11 +5,11 @@ from collections.abc import Collection, Sequence
 import mujoco
 import numpy as np
 
-from apartgen.stages.embodied.interact.parts import rotation
 from apartgen.stages.embodied.interact.robot import REACH
 from apartgen.stages.embodied.world import World
 from apartgen.stages.space import polygons
 from apartgen.stages.space.boxes import Array, Mask
+from apartgen.stages.space.turns import rotation
 from apartgen.stages.things.asset import Link
 from apartgen.stages.things.body import Body
 from apartgen.stages.things.solids import corners

@@ -1,7 +1,6 @@
 """What can be opened: one part of an object, where it is held, how it moves."""
 
 from dataclasses import dataclass, replace
-from math import cos, sin
 from typing import Literal
 
 import numpy as np
@@ -10,12 +9,13 @@ from numpy.typing import NDArray
 from apartgen.stages.embodied.interact.robot import OPENING
 from apartgen.stages.embodied.world import World
 from apartgen.stages.space.boxes import Array
+from apartgen.stages.space.turns import rotation
 from apartgen.stages.things.asset import Collider, Link
 from apartgen.stages.things.body import Body
 from apartgen.stages.things.solids import corners
 
 Kind = Literal["pinch", "cup", "push"]
-NEAR = 0.02
+OF_HANDLE = 0.02
 """Pieces no further than this from where the handle is said to be belong to it, m."""
 PLAY = 0.012
 """How much wider than what they take the fingers open, on each side, m."""
@@ -108,18 +108,6 @@ class Part:
         return np.asarray(turn @ point + shift)
 
 
-def rotation(axis: Array, angle: float) -> Array:
-    """Rotation about a unit axis (Rodrigues), (3, 3)."""
-    x, y, z = (float(v) for v in axis)
-    c, s = cos(angle), sin(angle)
-    d = 1 - c
-    return np.array([
-        [c + d * x * x, d * x * y - s * z, d * x * z + s * y],
-        [d * x * y + s * z, c + d * y * y, d * y * z - s * x],
-        [d * x * z - s * y, d * y * z + s * x, c + d * z * z],
-    ])
-
-
 def listed(world: World) -> list[tuple[Body, Link]]:
     """Everything that opens in an apartment: the link, and the object that it belongs to."""
     assert world.source is not None
@@ -179,7 +167,7 @@ def _handle(link: Link, boxes: Corners) -> Array:
 def _pinches(boxes: Corners, handle: Array, pose: Array, geoms: Index) -> list[Hold]:
     """Grasps with both fingers about the piece that the handle is on, narrowest first."""
     apart = np.linalg.norm(np.maximum(np.maximum(boxes[:, 0] - handle, handle - boxes[:, 1]), 0), axis=1)
-    near = np.flatnonzero(apart <= NEAR)
+    near = np.flatnonzero(apart <= OF_HANDLE)
     if not len(near):
         return []
     sizes = boxes[:, 1] - boxes[:, 0]
@@ -243,7 +231,7 @@ def _inside(link: Link, boxes: Corners, handle: Array, pose: Array, geoms: Index
     panel = boxes[int(sizes[:, 1:].prod(1).argmax())]
     # Fronts are screwed to the box: what lies flat behind the panel belongs to it.
     flat = (sizes[:, 0] < BOARD) & (sizes[:, 1:] > BOARD).all(1) & (boxes[:, 0, 0] <= panel[0, 0])
-    boards = boxes[flat & (boxes[:, 1, 0] >= panel[0, 0] - NEAR)]
+    boards = boxes[flat & (boxes[:, 1, 0] >= panel[0, 0] - OF_HANDLE)]
     if not len(boards):
         return []
     point = np.array([boards[:, 0, 0].min(), panel[:, 1].mean(), boards[:, 1, 2].min() - RIM])
@@ -263,7 +251,7 @@ def _aside(holds: list[Hold], link: Link, boxes: Corners, pose: Array) -> list[H
             continue
         ends = np.array([lo[side], hi[side]])
         if hold.kind == "pinch":
-            near = (np.abs(np.clip(local, boxes[:, 0], boxes[:, 1]) - local) <= NEAR).all(1)
+            near = (np.abs(np.clip(local, boxes[:, 0], boxes[:, 1]) - local) <= OF_HANDLE).all(1)
             bar = boxes[near][(boxes[near, 1] - boxes[near, 0]).prod(1).argmin()] if near.any() else boxes[0]
             ends = bar[:, side]
         for share in SHARES:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from shapely import Geometry, Point, Polygon
+from shapely import Geometry, Polygon
 from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box
@@ -17,37 +17,8 @@ from apartgen.stages.things.categories import TABLE, belong_together
 
 Array = NDArray[np.float64]
 
-NEAR = 0.12
-"""A side this close to a wall stays at that distance from it, m."""
 STEPS = (0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Shifts tried along each axis when a box had to grow, m."""
-
-
-def _sides(box: Boxes) -> Array:
-    """Midpoints of back, front, right and left, moved `NEAR` outwards; (4, 2)."""
-    front, left = boxes.axes(box)[0]
-    d, w, _ = box.size[0]
-    reach = [-(d / 2 + NEAR) * front, (d / 2 + NEAR) * front, -(w / 2 + NEAR) * left, (w / 2 + NEAR) * left]
-    return np.asarray(box.center[0, :2] + np.asarray(reach))
-
-
-def anchors(box: Boxes, room: Polygon) -> tuple[int, int]:
-    """Which end stays where it is, along depth and width: -1 back or right, 1 front or left, 0 the middle.
-
-    The end at a wall does; the back comes before the front, and between two walls the middle stays.
-    """
-    back, front, right, left = (not room.covers(Point(*point)) for point in _sides(box))
-    return (-1 if back else int(front), int(left) - int(right))
-
-
-def resized(box: Boxes, size: Sequence[float], room: Polygon) -> Boxes:
-    """One box (1) with another footprint, its anchored ends and its bottom where they were."""
-    new = np.asarray([size], float)
-    along, across = anchors(box, room)
-    lost = (box.size[0] - new[0]) / 2
-    shift = np.array([along * lost[0], across * lost[1]]) @ boxes.axes(box)[0]
-    center = box.center + np.array([[*shift, -lost[2]]])
-    return Boxes(center, new, box.yaw)
 
 
 def bottom(category: str, box: Boxes, height: float) -> float:

@@ -16,7 +16,7 @@ from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.embedded import NAME
 from apartgen.stages.retrieve.matching.libraries import LibrarySet, open_libraries
 from apartgen.stages.retrieve.matching.placing import Site
-from apartgen.stages.space import boxes
+from apartgen.stages.space import anchors, boxes
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.categories import TABLE, carriers, groups
@@ -107,7 +107,7 @@ def _stand(
 
 
 def _resized(box: Box, asset: Asset, room: Polygon, height: float) -> Boxes:
-    new = placing.resized(placing.one(box), asset.size, room)
+    new = anchors.resized(placing.one(box), asset.size, room)
     return placing.at_height(new, placing.bottom(box.category, new, height))
 
 
@@ -137,7 +137,7 @@ def _put_on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], si
     for i, box in enumerate(layout.objects):
         if TABLE[box.category].place != "top":
             continue
-        item = placing.resized(placing.one(box), own[i].size, sites[box.room].floor)
+        item = anchors.resized(placing.one(box), own[i].size, sites[box.room].floor)
         below = _below(i, layout, placed)
         for j in below:
             tops.setdefault(j, _top(own[j], placed[j]))

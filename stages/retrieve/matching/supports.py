@@ -1,4 +1,4 @@
-"""Tops that things stand on: how high an asset is at a point, and where on it another one fits."""
+"""Tops that things stand on: at which height, and where on it another one fits."""
 
 from typing import NamedTuple
 
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.tops import heights
 
 Array = NDArray[np.float64]
 
@@ -29,21 +30,6 @@ class Top(NamedTuple):
     level: float
     points: Array
     clear: NDArray[np.bool_]
-
-
-def heights(asset: Asset, points: Array) -> Array:
-    """Height of the highest surface above each point (p, 2) of the asset's frame, m; -inf where there is none."""
-    corners = np.concatenate([mesh.vertices[mesh.faces] for link in asset.links for mesh in link.visuals])
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    twice = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
-    flat = np.abs(twice) > 1e-9
-    a, b, c, twice = a[flat], b[flat], c[flat], twice[flat]
-    to = points[:, None] - a[None, :, :2]
-    u = (to[..., 0] * (c - a)[:, 1] - to[..., 1] * (c - a)[:, 0]) / twice
-    v = ((b - a)[:, 0] * to[..., 1] - (b - a)[:, 1] * to[..., 0]) / twice
-    z = a[:, 2] + u * (b - a)[:, 2] + v * (c - a)[:, 2]
-    hit = (u >= -1e-9) & (v >= -1e-9) & (u + v <= 1 + 1e-9)
-    return np.asarray(np.where(hit, z, -np.inf).max(1))
 
 
 def top(asset: Asset, box: Boxes) -> Top:

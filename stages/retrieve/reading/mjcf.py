@@ -13,8 +13,9 @@ from apartgen.stages.retrieve.reading.model import Motion
 from apartgen.stages.retrieve.reading.pieces import Array, Piece, count
 from apartgen.stages.retrieve.reading.primitives import shape
 from apartgen.stages.retrieve.reading.source import image
-from apartgen.stages.retrieve.reading.transforms import about, at, quaternion, z_along
+from apartgen.stages.retrieve.reading.transforms import at, quaternion, z_along
 from apartgen.stages.retrieve.reading.tree import Body
+from apartgen.stages.space.turns import rotation
 from apartgen.stages.things.asset import Collider, Material
 
 INCLUDES = 200
@@ -252,7 +253,7 @@ def _pose(doc: Document, at_: dict[str, str]) -> Array:
     if "quat" in values:
         return at(position, quaternion(values["quat"]))
     if "axisangle" in values:
-        return at(position, about(values["axisangle"][:3], values["axisangle"][3] * unit))
+        return at(position, rotation(values["axisangle"][:3], values["axisangle"][3] * unit))
     if "zaxis" in values:
         return at(position, z_along(values["zaxis"]))
     if "xyaxes" in values:
@@ -267,7 +268,7 @@ def _pose(doc: Document, at_: dict[str, str]) -> Array:
 def _euler(doc: Document, angles: list[float], unit: float) -> Array:
     turn = np.eye(3)
     for letter, angle in zip(doc.options.get("eulerseq", "xyz"), angles, strict=False):
-        step = about(np.eye(3)["xyz".index(letter.lower())], angle * unit)
+        step = rotation(np.eye(3)["xyz".index(letter.lower())], angle * unit)
         turn = turn @ step if letter.islower() else step @ turn
     return turn
 

@@ -75,7 +75,7 @@ def picture(maker: Maker, path: Path, weights: Path = WEIGHTS, table: Path = IND
     for query, z in zip(chosen, latent):
         near = neighbours(known, z, NEIGHBOURS)
         designs = [query, *(_design(known, row) for row in near)]
-        tiles = [render.picture(render.opened(maker.build(*design), 0.0), TILE) for design in designs]
+        tiles = [render.pictures([render.opened(maker.build(*design), 0.0)], TILE)[0] for design in designs]
         tiles[0] = _framed(tiles[0])
         rows.append(np.concatenate(tiles, 1))
     half = len(rows) // 2

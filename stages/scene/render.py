@@ -1,17 +1,13 @@
-"""A picture of the furnished apartment from above: sun, sky and their shadows, by ray tracing."""
+"""Pictures of bodies: sun, sky and their shadows, by ray tracing."""
 
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.export._camera import Camera
-from apartgen.stages.export._lowered import lowered
-from apartgen.stages.export._soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, soup, split
-from apartgen.stages.scene.scene import Scene
+from apartgen.stages.scene.camera import Camera
+from apartgen.stages.scene.soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, split
 
-PIXELS = 1_300_000
-"""Of the whole picture; its shape follows from what is shown."""
 PASSES, EDGE_PASSES = 2, 6
 """Rays through each pixel, and further ones through those where something begins or ends."""
 SKY_RAYS = 3
@@ -31,7 +27,6 @@ LIGHT = np.stack([_vector(1.00, 0.93, 0.80, 1.2), _vector(0.86, 0.93, 1.0, 0.95)
 BOUNCE = _vector(1.0, 0.96, 0.90, 0.20)
 """Light that has been about the rooms more than once, taken as even."""
 PAPER = _vector(0.93, 0.935, 0.94)
-GROUND = np.float32(-0.125)  # m, just under the slab
 _GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 low-discrepancy sequence
 _LIFT = np.float32(2e-3)  # m that secondary rays start off their surface
 
@@ -44,20 +39,27 @@ class Seen(NamedTuple):
     normal: Array
 
 
-def picture(scene: Scene) -> NDArray[np.uint8]:
-    """The image, (rows, columns, 3)."""
-    every = soup(lowered(scene.bodies))
+class View(NamedTuple):
+    """What is looked at: a camera, what is solid and what is glass, and the height of the ground under them, m."""
+
+    camera: Camera
+    solid: Tracer
+    glass: Tracer
+    ground: Array
+
+
+def picture(every: Soup, camera: Camera, ground: float) -> NDArray[np.uint8]:
+    """The image, (rows, columns, 3), of triangles above a plain ground at that height, m."""
     clear = np.array([m.color[3] < 1 for m in every.materials])[every.material]
     glass, solid = split(every, clear)
-    camera = Camera.at(every.corners.reshape(-1, 3), PIXELS)
-    traced = Tracer(solid), Tracer(glass)
+    view = View(camera, Tracer(solid), Tracer(glass), np.asarray(ground, np.float32))
     whole = np.arange(camera.rows * camera.columns)
-    seen = Seen(*(sum(part) / PASSES for part in zip(*(_pass(camera, *traced, whole, k) for k in range(PASSES)))))
+    seen = Seen(*(sum(part) / PASSES for part in zip(*(_pass(view, whole, k) for k in range(PASSES)))))
     shape = (camera.rows, camera.columns)
     light = _smooth(seen.light.reshape(*shape, 2), seen.normal.reshape(*shape, 3)).reshape(-1, 2)
     image = seen.color * _falling(light, seen.normal)
     edge = np.flatnonzero(_edges(seen.normal.reshape(*shape, 3), seen.color.reshape(*shape, 3)))
-    fine = [_pass(camera, *traced, edge, PASSES + k) for k in range(EDGE_PASSES)]
+    fine = [_pass(view, edge, PASSES + k) for k in range(EDGE_PASSES)]
     image[edge] = sum(_toned(part.color * _falling(light[edge], part.normal)) for part in fine) / EDGE_PASSES
     return np.asarray(np.rint(encoded(_toned(image)).reshape(*shape, 3) * 255), np.uint8)
 
@@ -70,26 +72,27 @@ def _falling(light: Array, normal: Array) -> Array:
     return np.where(normal[:, 2:] > 1.5, shade / PAPER, full)
 
 
-def _pass(camera: Camera, solid: Tracer, glass: Tracer, pixels: Index, k: int) -> Seen:
+def _pass(view: View, pixels: Index, k: int) -> Seen:
     """What the k-th ray through each of the pixels sees."""
     bands = np.array_split(pixels, max(1, len(pixels) // BAND))
-    parts = [_band(camera, solid, glass, band, k) for band in bands]
+    parts = [_band(view, band, k) for band in bands]
     return Seen(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _band(camera: Camera, solid: Tracer, glass: Tracer, pixels: Index, k: int) -> Seen:
+def _band(view: View, pixels: Index, k: int) -> Seen:
+    camera, solid = view.camera, view.solid
     direction = camera.rays(pixels, (0.5 + (k + 1) * _GOLDEN) % 1)
     origin = np.broadcast_to(camera.eye, direction.shape)
-    hits, panes = solid.first(origin, direction), glass.first(origin, direction)
+    hits, panes = solid.first(origin, direction), view.glass.first(origin, direction)
     rows, ground = np.flatnonzero(hits.triangle >= 0), np.flatnonzero(hits.triangle < 0)
     color = np.broadcast_to(PAPER, direction.shape).copy()
     normal = np.broadcast_to(_vector(0, 0, 1), direction.shape).copy()
     color[rows], normal[rows] = _surface(hits, rows, solid.soup, direction)
     distance = hits.distance.copy()
-    distance[ground] = ((GROUND - camera.eye[2]) / direction[:, 2])[ground]
+    distance[ground] = ((view.ground - camera.eye[2]) / direction[:, 2])[ground]
     light = _light(solid, camera.eye + direction * distance[:, None], normal, pixels, camera.columns, k)
     normal[ground] *= 2
-    _tint(panes, hits, glass.soup, color)
+    _tint(panes, hits, view.glass.soup, color)
     return Seen(color, light, normal)
 
 

@@ -1,14 +1,14 @@
-"""All visible triangles of a scene in world coordinates, with what shading needs, ready for ray queries."""
+"""All visible triangles of bodies in world coordinates, with what shading needs, ready for ray queries."""
 
 import io
 from collections.abc import Iterable
-from functools import cache
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.export._pieces import image, pieces, shaded
+from apartgen.stages.scene.pieces import image, pieces, shaded
 from apartgen.stages.things.asset import Material
 from apartgen.stages.things.body import Body
 
@@ -106,7 +106,7 @@ def colors(hits: Hits, of: Soup) -> tuple[Array, Array]:
     return color, normal
 
 
-@cache
+@lru_cache(maxsize=256)
 def _texels(texture: str) -> Array:
     """A texture as linear light, square, (size, size, 3)."""
     from PIL import Image

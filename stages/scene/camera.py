@@ -1,13 +1,11 @@
-"""Where a picture is taken from: high from one side, far enough to show everything."""
+"""Where a picture is taken from: far enough to show everything."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from apartgen.stages.export._soup import Array, Index, length
+from apartgen.stages.scene.soup import Array, Index, length
 
-AZIMUTH, ELEVATION = np.radians(-74.0), np.radians(68.0)
-"""Where it stands, seen from the middle of the house."""
 FIELD = np.radians(32.0)
 BORDER = 0.04
 """Share of the picture left about what is shown."""
@@ -25,11 +23,11 @@ class Camera:
     columns: int
 
     @classmethod
-    def at(cls, points: Array, pixels: int) -> "Camera":
-        """One that sees all of the points (n, 3); its image of so many pixels is cut to fit."""
+    def at(cls, points: Array, pixels: int, azimuth: float, elevation: float, square: bool = False) -> "Camera":
+        """One that sees all of the points (n, 3) from a direction, rad; its image of so many pixels is cut to fit."""
         points = np.unique(points.round(2), axis=0).astype(float)
-        flat = np.cos(ELEVATION)
-        back = np.array([np.cos(AZIMUTH) * flat, np.sin(AZIMUTH) * flat, np.sin(ELEVATION)])
+        flat = np.cos(elevation)
+        back = np.array([np.cos(azimuth) * flat, np.sin(azimuth) * flat, np.sin(elevation)])
         right = np.cross([0.0, 0.0, 1.0], back) / flat
         frame = np.stack([right, np.cross(back, right), back])
         center = (points.min(0) + points.max(0)) / 2
@@ -38,6 +36,7 @@ class Camera:
         flat_points = seen[:, :2] / -seen[:, 2:]
         lo, hi = flat_points.min(0), flat_points.max(0)
         half = (hi - lo) / 2 + BORDER * (hi - lo).max()
+        half = np.full(2, half.max()) if square else half
         single = np.float32
         shape = float(half[1] / half[0])
         rows, columns = round((pixels * shape) ** 0.5), round((pixels / shape) ** 0.5)

@@ -4,7 +4,6 @@ import hashlib
 import io
 from collections.abc import Iterable
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,13 +78,14 @@ def image(texture: str) -> bytes:
     """A texture as PNG: a procedural one by name, or a library's image file by path."""
     from PIL import Image
 
-    if texture in materials.textures():
-        picture = Image.fromarray(np.array(materials.texture(texture)))
-    elif Path(texture).is_file():
-        picture = Image.open(texture)
+    try:
+        known = texture in materials.textures()
+        picture = Image.fromarray(np.array(materials.texture(texture))) if known else Image.open(texture)
         picture = picture if picture.mode in ("RGB", "RGBA") else picture.convert("RGB")
-    else:
-        raise BadInput(f"texture {texture!r} is neither a known pattern nor a file; check the asset library's folder")
+    except OSError:
+        raise BadInput(
+            f"texture {texture!r} is neither a known pattern nor an image file; check the asset library's folder"
+        ) from None
     buffer = io.BytesIO()
     picture.save(buffer, "PNG")
     return buffer.getvalue()
