@@ -7,22 +7,25 @@ from apartgen.stages.layout.datasets._furnish.rooms import ESSENTIAL, FURNISH
 from apartgen.stages.layout.datasets._furnish.shape import Shape
 from apartgen.stages.layout.datasets._furnish.space import MOST, Space
 
-ATTEMPTS = 6
+ATTEMPTS = 7
+ESSENTIAL_WORTH = 10.0
 EATING = (frozenset({"dining_table", "round_table"}), frozenset({"chair"}))
 
 
 def furnish(shape: Shape, rng: Generator, home: Household, count: int | None = None) -> Space:
     """A furnished room with at most `count` objects; what lacks what its type cannot do without is begun again."""
-    best, most = None, -1.0
+    best, most = None, -1e9
     needed = ESSENTIAL[shape.type] + EATING * bool(home.table)
-    for _ in range(ATTEMPTS):
-        space = Space(shape, rng, min(MOST, MOST if count is None else count))
+    taste: dict[str, float] = {}
+    for nth in range(ATTEMPTS):
+        space = Space(shape, rng, min(MOST, MOST if count is None else count), taste)
         FURNISH[shape.type](space, home)
         have = set(space.placed.name)
-        worth = sum(1.0 for names in needed if have & names) + 0.01 * space.n
+        lacking = sum(not have & names for names in needed)
+        worth = 100.0 - ESSENTIAL_WORTH * lacking - space.missed + 0.05 * space.n
         if worth > most:
             best, most = space, worth
-        if worth >= len(needed) and space.n:
+        if not lacking and space.missed <= nth // 3 and space.n:
             break
     assert best is not None
     return best

@@ -4,7 +4,7 @@ import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors, dining, dressing, runs, storing
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
-from apartgen.stages.layout.datasets._furnish.household import Household, chance
+from apartgen.stages.layout.datasets._furnish.household import Household
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 
@@ -14,19 +14,19 @@ AISLE = 1.1
 
 def furnish(space: Space, home: Household) -> None:
     """The run with what hangs above it, then a table or an island, small things."""
-    rng, area = space.rng, space.shape.area
-    table = home.table if home.table is not None else area > 8 and chance(rng, 0.5 if area > 10 else 0.3)
+    area = space.shape.area
+    table = home.table if home.table is not None else area > 8 and space.wants("table", 0.5 if area > 10 else 0.3)
     run = runs.furnish(space, 5 if table else 0, bool(home.laundry))
     dressing.radiators(space, 0.3)
-    if run and area > 13 and not table and chance(rng, 0.6) or area > 17 and chance(rng, 0.3):
-        _island(space, run)
+    if run and area > 12.5:
+        space.wish("island", 0.2 if table else 0.65, lambda: _island(space, run))
     if table:
-        dining.furnish(space, dining.seats_for(space, home.sleepers) if area > 9.5 else 2, 0.5)
+        seats = dining.seats_for(space, home.sleepers) if area > 9.5 else 2
+        space.missed += not dining.furnish(space, seats, 0.5)
     dressing.ceiling_lamps(space)
-    if chance(rng, 0.35):
-        storing.loose(space, "bin", -0.2, ("kitchen_sink", "kitchen_base"))
-    if area > 11 and chance(rng, 0.12):
-        storing.plant(space, small=True)
+    space.wish("bin", 0.35, lambda: storing.loose(space, "bin", -0.2, ("kitchen_sink", "kitchen_base")))
+    if area > 11:
+        space.wish("plant", 0.12, lambda: storing.plant(space, small=True))
 
 
 def _island(space: Space, run: list[int]) -> bool:

@@ -20,17 +20,14 @@ ABOVE = 0.72
 
 
 def furnish(space: Space, seats: int, lamp: float = 0.7) -> bool:
-    """A table with so many chairs, or the next fewer that find a place; whether any did."""
-    rng = space.rng
+    """A table with so many chairs, or the next fewer that find a place; whether all did."""
     chair = space.model("chair")
     for n in [seats, seats] + [k for k in (6, 4, 4, 2, 2) if k < seats]:
         if space.left < n + 1:
             continue
-        if rng.random() < 0.22 and n in ROUND:
-            if _round(space, n, chair, lamp):
-                return True
-        elif _straight(space, n, chair, lamp):
-            return True
+        round = n in ROUND and space.wants("round table", 0.2)
+        if _round(space, n, chair, lamp) if round else _straight(space, n, chair, lamp):
+            return n == seats
     return False
 
 
@@ -65,7 +62,7 @@ def _chairs(space: Space, size: Array, chair: Array, n: int, heads: bool) -> lis
 
 def _zones(size: Array, chair: Array, heads: bool) -> tuple[Zone, ...]:
     d, w = size[0] / 2, size[1] / 2
-    out = w + (DRAWN if heads else 0.3)
+    out = w + (DRAWN if heads else 0.42)
     return (Zone(-d - DRAWN, d + DRAWN, -w, w, ("chair",)), Zone(-d, d, -out, out, ("chair",)))
 
 
@@ -86,7 +83,7 @@ def _put(space: Space, group: Group, at: Poses) -> bool:
     xy = at.xy
     liking = -0.3 * anchors.to_windows(xy, space) + 0.25 * np.minimum(anchors.to_doors(xy, space), 2.0)
     sofa = anchors.to_things(xy, space, "sofa", "corner_sofa")
-    liking -= np.maximum(2.3 - sofa, 0.0)
+    liking -= 1.2 * np.maximum(2.9 - sofa, 0.0)
     tables = anchors.to_things(xy, space, "tv_stand")
     liking -= 0.5 * np.maximum(1.8 - tables, 0.0) + 0.25 * _apart(space, xy)
     return space.put(group, at, liking, 0.3) >= 0
@@ -138,8 +135,8 @@ def _round(space: Space, n: int, chair: Array, lamp: float) -> bool:
 def seats_for(space: Space, sleepers: int) -> int:
     """Chairs for those who live there, now and then two more, as far as the floor allows."""
     n = 2 * ((max(sleepers, 2) + 1) // 2)
-    if n == 2 and space.rng.random() < 0.62:
+    if n == 2 and space.wants("four chairs", 0.8):
         n = 4
-    if space.rng.random() < 0.12:
+    if space.wants("two more chairs", 0.12):
         n += 2
     return int(min(n, 8))

@@ -3,16 +3,19 @@
 import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors
-from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses
+from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses, Zone
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
 from apartgen.stages.things.categories import TABLE
 
+LOW = tuple(name for name, kind in TABLE.items() if kind.place == "floor" and kind.size[2] < 1.0 and name != "island")
+"""What may stand below what hangs on walls."""
+
 
 def radiators(space: Space, chance: float) -> None:
     """Below the windows that have a sill; one at another wall where none has, now and then."""
-    if space.rng.random() > chance:
+    if not space.wants("radiators", chance):
         return
     size = draw("radiator", space.rng)
     for w in space.shape.windows:
@@ -29,7 +32,7 @@ def radiators(space: Space, chance: float) -> None:
 def curtains(space: Space, chance: float) -> None:
     """All windows of a room alike: down to the floor, or short where something stands below."""
     rng, shape = space.rng, space.shape
-    if rng.random() > chance:
+    if not space.wants("curtains", chance):
         return
     depth, over = round(float(rng.uniform(0.08, 0.12)), 3), float(rng.choice([0.1, 0.15, 0.2]))
     top = round(min(2.58, shape.height - 0.05, max([2.3, *(w[6] + 0.15 for w in shape.windows)])), 3)
@@ -56,7 +59,7 @@ def _at_window(space: Space, w: Array, part: Part) -> bool:
 def ceiling_lamps(space: Space, chance: float = 0.92) -> None:
     """One above the middle of what the room is for, none where a table has its own and the room is small."""
     rng, shape = space.rng, space.shape
-    if rng.random() > chance:
+    if not space.wants("ceiling lamp", chance):
         return
     over = space.find("coffee_table", "double_bed")
     if space.has("ceiling_lamp") and not over:
@@ -109,7 +112,8 @@ def on_wall(
     """Something on a free stretch of wall, near what it is for."""
     size = draw(name, space.rng, lean)
     z = min(TABLE[name].z, space.shape.height - float(size[2]) - 0.1)
-    group = Group((Part(name, size[0] / 2 + 0.003, 0.0, size, z=round(z, 3)),))
+    before = Zone(0.02, size[0] + 0.4, -size[1] / 2, size[1] / 2, LOW)
+    group = Group((Part(name, size[0] / 2 + 0.003, 0.0, size, z=round(z, 3)),), (before,))
     at = anchors.walls(space, group, (0.0,))
     if not len(at):
         return False

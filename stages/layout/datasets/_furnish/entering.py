@@ -4,7 +4,7 @@ import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors, dressing, storing
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
-from apartgen.stages.layout.datasets._furnish.household import Household, chance, one_of
+from apartgen.stages.layout.datasets._furnish.household import Household, one_of
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 
@@ -12,26 +12,21 @@ from apartgen.stages.layout.datasets._furnish.space import Space
 def hallway(space: Space, home: Household) -> None:
     """A place for coats first, shoes beside it, a mirror, somewhere to sit; no more than two cabinets."""
     rng, area = space.rng, space.shape.area
-    coats = ["wardrobe", "coat_rack"] if chance(rng, 0.55) and area > 4 else ["coat_rack", "wardrobe"]
-    for name in coats:
-        if _coats(space, name):
-            break
-    cabinets = len(space.find("wardrobe", "sliding_wardrobe"))
-    if chance(rng, 0.75) and cabinets < 2 and _shoes(space):
-        cabinets += 1
-    elif area > 6 and cabinets < 2 and chance(rng, 0.35):
-        storing.cabinet(space, one_of(rng, "console_table", "chest"), lamp=0.4)
-    if not space.has("mirror") and chance(rng, 0.6):
-        dressing.on_wall(space, "mirror", ("shoe_cabinet", "wardrobe", "coat_rack"))
-    if area > 5 and chance(rng, 0.3):
-        _bench(space)
+    closed = space.wants("wardrobe", 0.55) and area > 4
+    coats = any(_coats(space, name) for name in (("wardrobe", "coat_rack") if closed else ("coat_rack", "wardrobe")))
+    space.missed += 3 * (not coats)
+    if not space.wish("shoes", 0.75, lambda: _shoes(space)) and area > 6:
+        space.wish("console", 0.4, lambda: storing.cabinet(space, one_of(rng, "console_table", "chest"), lamp=0.4))
+    if not space.has("mirror"):
+        space.wish("mirror", 0.6, lambda: dressing.on_wall(space, "mirror", ("shoe_cabinet", "wardrobe", "coat_rack")))
+    if area > 5:
+        space.wish("bench", 0.3, lambda: _bench(space))
     dressing.ceiling_lamps(space)
-    if chance(rng, 0.2):
-        dressing.on_wall(space, "wall_lamp")
-    if area > 6 and chance(rng, 0.2):
-        storing.plant(space, small=True)
-    if area > 5 and chance(rng, 0.3):
-        _runner(space)
+    space.wish("lamp", 0.2, lambda: dressing.on_wall(space, "wall_lamp"))
+    if area > 6:
+        space.wish("plant", 0.2, lambda: storing.plant(space, small=True))
+    if area > 5:
+        space.wish("runner", 0.3, lambda: _runner(space))
 
 
 def _coats(space: Space, name: str) -> bool:
@@ -72,12 +67,14 @@ def _bench(space: Space) -> bool:
     return False
 
 
-def _runner(space: Space) -> None:
+def _runner(space: Space) -> bool:
     size = draw("rug", space.rng, -1.0)
     size[:2] = [float(np.clip(size[0], 0.6, 0.9)), float(np.clip(size[1], 1.2, 2.0))]
-    at = anchors.middle(space)
-    if len(at):
-        space.put(Group((Part("rug", 0.0, 0.0, size),)), at, 0.3 * anchors.facing(at, space) * 0, 0.3)
+    at, shape = anchors.middle(space), space.shape
+    k = int(shape.length.argmax())
+    at = at.take(np.abs(np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1) @ shape.along[k]) < 0.1)
+    return len(at) > 0 and (
+        space.put(Group((Part("rug", 0.0, 0.0, size),)), at, -np.abs(anchors.facing(at, space) - 0.9), 0.1) >= 0)
 
 
 def closet(space: Space, home: Household) -> None:
@@ -89,13 +86,13 @@ def closet(space: Space, home: Household) -> None:
             storing.cabinet(space, kind)
         else:
             storing.wardrobe(space, 2.0)
-    if chance(rng, 0.4):
+    if (rng.random() < 0.4):
         storing.cabinet(space, one_of(rng, "chest", "shoe_cabinet"))
-    if chance(rng, 0.3):
+    if (rng.random() < 0.3):
         dressing.on_wall(space, "mirror")
-    if area > 4 and chance(rng, 0.25):
+    if area > 4 and (rng.random() < 0.25):
         storing.loose(space, "pouffe")
-    if chance(rng, 0.3):
+    if (rng.random() < 0.3):
         storing.loose(space, "laundry_basket")
     dressing.ceiling_lamps(space)
 
@@ -103,14 +100,14 @@ def closet(space: Space, home: Household) -> None:
 def storage(space: Space, home: Household) -> None:
     """Shelves, now and then a workbench."""
     rng, area = space.rng, space.shape.area
-    if area > 5 and chance(rng, 0.25):
+    if area > 5 and (rng.random() < 0.25):
         storing.cabinet(space, "workbench")
     for _ in range(1 + int(area > 2.5) + int(area > 4.5)):
         storing.cabinet(space, "shelving", int(rng.integers(1, 3)))
     for name, share in (("chest", 0.2), ("wardrobe", 0.25), ("filing_cabinet", 0.12)):
-        if chance(rng, share):
+        if (rng.random() < share):
             storing.cabinet(space, name)
-    if chance(rng, 0.25):
+    if (rng.random() < 0.25):
         storing.loose(space, "ironing_board")
     dressing.ceiling_lamps(space)
 
@@ -118,15 +115,15 @@ def storage(space: Space, home: Household) -> None:
 def balcony(space: Space, home: Household) -> None:
     """A small table with its chairs, flowers along the edge."""
     rng, area = space.rng, space.shape.area
-    if not _table(space, 2 if area > 2 else 1) and chance(rng, 0.6):
+    if not _table(space, 2 if area > 2 else 1) and (rng.random() < 0.6):
         _table(space, 1)
     for _ in range(int(rng.integers(1, 3))):
         storing.loose(space, "planter", -0.5)
-    if area > 5 and chance(rng, 0.25):
+    if area > 5 and (rng.random() < 0.25):
         _bench(space)
-    if chance(rng, 0.5):
+    if (rng.random() < 0.5):
         storing.plant(space, small=True)
-    if chance(rng, 0.3):
+    if (rng.random() < 0.3):
         dressing.on_wall(space, "wall_lamp")
 
 

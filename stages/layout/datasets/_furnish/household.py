@@ -63,11 +63,6 @@ def _laundry(plan: Plan) -> str | None:
     return None
 
 
-def chance(rng: Generator, share: float) -> bool:
-    """Whether something with this frequency is there."""
-    return bool(rng.random() < share)
-
-
 def one_of(rng: Generator, *some: str) -> str:
     """One of them."""
     return str(np.asarray(some)[int(rng.integers(len(some)))])

@@ -5,10 +5,13 @@ from typing import NamedTuple
 import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors, kernels
+from apartgen.stages.layout.datasets._furnish.shape import SWING
 from apartgen.stages.layout.datasets._furnish.space import TOUCH, Space
 from apartgen.stages.space.boxes import Mask
 
 PROBE = 0.05
+OPENS = 0.6
+"""How far units open, m."""
 VOID = 0.02
 """A leg begins so far beyond the depth of the one that it meets in a corner, m."""
 
@@ -47,6 +50,11 @@ def _probe(space: Space, side: int, far: float, depth: float, height: float) -> 
     some = [*shape.zone_rows, *space.placed.row]
     if some:
         bad |= kernels.clash(row, np.ascontiguousarray(np.stack(some)), np.ones((1, len(some)), bool), TOUCH)
+    swings = shape.zone_rows[shape.zone_kind == SWING]
+    if len(swings):  # what opens must not meet a door's leaf either
+        row[:, 0, :2] += normal * OPENS / 2
+        row[:, 0, 3] += OPENS
+        bad |= kernels.clash(row, np.ascontiguousarray(swings), np.ones((1, len(swings)), bool), TOUCH)
     return np.asarray(~bad)
 
 

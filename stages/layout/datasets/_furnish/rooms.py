@@ -17,45 +17,53 @@ from apartgen.stages.layout.datasets._furnish import (
     washing,
     working,
 )
-from apartgen.stages.layout.datasets._furnish.household import Household, chance, one_of
+from apartgen.stages.layout.datasets._furnish.household import Household, one_of
 from apartgen.stages.layout.datasets._furnish.space import Space
-
-SEATING = {"tv": 0.82, "side_table": 0.62, "floor_lamp": 0.45, "armchair": 0.66, "pouffe": 0.14}
-BEDDING = {"two_nightstands": 0.84, "table_lamp": 0.6, "bed_rug": 0.35, "bench": 0.12, "single_nightstand": 0.75}
 
 
 def living_room(space: Space, home: Household) -> None:
     """Seating first, then a bed where there is no bedroom, a table, cabinets, a desk, plants."""
     rng, area = space.rng, space.shape.area
     dressing.radiators(space, 0.5)
-    table = home.table if home.table is not None else area > 19 and chance(rng, 0.85 if area > 23 else 0.6)
+    table = home.table if home.table is not None else area > 17 and space.wants("table", 0.88 if area > 21 else 0.6)
     if home.bed:
-        sleeping.double(space, BEDDING | {"bench": 0.0})
-    first = table and chance(rng, 0.25)
+        sleeping.double(space, bench=False)
+    first = table and rng.random() < 0.3
     if first:
-        dining.furnish(space, dining.seats_for(space, home.sleepers))
-    seating.furnish(space, SEATING)
+        _table(space, home)
+    seating.furnish(space)
     if table and not first:
-        dining.furnish(space, dining.seats_for(space, home.sleepers))
-    dressing.curtains(space, 0.72)
+        _table(space, home)
+    dressing.curtains(space, 0.74)
     dressing.ceiling_lamps(space)
-    eating = dining.TABLES if space.has(*dining.TABLES) else ()
-    wanted = 1 + int(area > 20) + int(area > 30) + int(chance(rng, 0.4))
-    for _ in range(wanted):
-        name = one_of(rng, "sideboard", "bookshelf", "bookshelf", "display_cabinet", "console_table", "sideboard")
-        if not space.has(name) and space.left > 2:
-            near = eating if name in ("sideboard", "display_cabinet") else ()
-            two = name == "bookshelf" and chance(rng, 0.35)
-            storing.cabinet(space, name, 1 + int(two), near, 0.4 if name != "bookshelf" else 0.0)
-    if area > 18 and chance(rng, 0.14) and space.left > 4:
-        working.desk(space, small=True)
-    if area > 20 and chance(rng, 0.04) and space.left > 3:
-        storing.piano(space)
-    for _ in range(int(rng.integers(0, 3))):
+    _cabinets(space, 1 + int(area > 19) + int(area > 26) + int(space.wants("one cabinet more", 0.5)))
+    if area > 18 and space.left > 4:
+        space.wish("desk", 0.13, lambda: working.desk(space, small=True))
+    if area > 20 and space.left > 3:
+        space.wish("piano", 0.04, lambda: storing.piano(space))
+    for k in range(2):
         if space.left > 1:
-            storing.plant(space)
-    if chance(rng, 0.2) and space.left > 1:
-        dressing.shelf_above(space, one_of(rng, "sofa", "sideboard"))
+            space.wish(f"plant {k}", 0.5, lambda: storing.plant(space))
+    if space.left > 1:
+        space.wish("shelf", 0.2, lambda: dressing.shelf_above(space, one_of(rng, "sofa", "sideboard")))
+
+
+def _table(space: Space, home: Household) -> None:
+    space.missed += not dining.furnish(space, dining.seats_for(space, home.sleepers))
+
+
+def _cabinets(space: Space, count: int) -> None:
+    """So many, many of them alike; those for the table stand near it."""
+    rng = space.rng
+    eating = dining.TABLES if space.has(*dining.TABLES) else ()
+    alike = one_of(rng, "sideboard", "bookshelf", "bookshelf", "display_cabinet")
+    while count > 0 and space.left > 2:
+        other = one_of(rng, "sideboard", "bookshelf", "display_cabinet", "console_table")
+        name = alike if rng.random() < 0.65 else other
+        two = count > 1 and name in ("bookshelf", "display_cabinet") and rng.random() < 0.6
+        near = eating if name in ("sideboard", "display_cabinet") else ()
+        storing.cabinet(space, name, 1 + int(two), near, 0.4 if name in ("sideboard", "console_table") else 0.0)
+        count -= 1 + int(two)
 
 
 def dining_room(space: Space, home: Household) -> None:
@@ -63,63 +71,53 @@ def dining_room(space: Space, home: Household) -> None:
     rng, area = space.rng, space.shape.area
     dressing.radiators(space, 0.6)
     seats = dining.seats_for(space, home.sleepers)
-    dining.furnish(space, max(4, seats) if area > 8 else seats, 0.85)
-    for name in ("sideboard", "display_cabinet"):
-        if chance(rng, 0.75 if name == "sideboard" else 0.4):
-            storing.cabinet(space, name, lamp=0.4)
+    space.missed += not dining.furnish(space, max(4, seats) if area > 8 else seats, 0.85)
+    for name, share in (("sideboard", 0.75), ("display_cabinet", 0.4)):
+        space.wish(name, share, lambda name=name: storing.cabinet(space, name, lamp=0.4))  # type: ignore[misc]
     dressing.curtains(space, 0.6)
     dressing.ceiling_lamps(space)
-    if area > 15 and chance(rng, 0.25):
-        working.reading(space)
-    if chance(rng, 0.5):
-        storing.plant(space)
-    if area > 13 and chance(rng, 0.3):
-        storing.cabinet(space, one_of(rng, "sideboard", "display_cabinet"))
+    if area > 15:
+        space.wish("armchair", 0.25, lambda: working.reading(space))
+    space.wish("plant", 0.5, lambda: storing.plant(space))
+    if area > 13:
+        space.wish("one more", 0.35, lambda: storing.cabinet(space, one_of(rng, "sideboard", "display_cabinet")))
 
 
 def bedroom(space: Space, home: Household) -> None:
     """For two or for one: beds, wardrobe, then what else finds floor."""
-    rng, area = space.rng, space.shape.area
+    area = space.shape.area
     dressing.radiators(space, 0.5)
-    two = area > 7.5 and (home.main or area >= 9.6) and (home.main or area > 10.5 or chance(rng, 0.7))
-    if two and not home.main and area > 9 and chance(rng, 0.3):
-        two = False
-    if not (two and sleeping.double(space, BEDDING)):
+    two = area > 8.2 if home.main else area > 9 and space.wants("double bed", 0.75 if area > 10.5 else 0.5)
+    if not (two and sleeping.double(space)):
+        space.missed += 3 * two
         _young(space, two)
-    storing.wardrobe(space, 2.7 if area > 13 else 2.0 if area > 9 else 1.5)
-    dressing.curtains(space, 0.78)
+    pair = space.has("double_bed")
+    if pair:
+        space.wish("tv", 0.3, lambda: sleeping.tv_before_bed(space))
+    space.missed += 2 * (not storing.wardrobe(space, 2.7 if area > 13 else 2.0 if area > 9.5 else 1.5))
+    dressing.curtains(space, 0.8)
     dressing.ceiling_lamps(space)
-    if not two and not space.has("desk") and chance(rng, 0.75) or area > 12 and chance(rng, 0.26):
-        working.desk(space, small=area < 12)
-    if area > 9 and chance(rng, 0.45):
-        storing.chest(space)
-    if space.has("double_bed") and chance(rng, 0.22):
-        seating.tv_before_bed(space)
-    if space.has("double_bed") and area > 11 and chance(rng, 0.2) and not space.has("desk"):
-        working.dressing_table(space)
-    if area > 14 and chance(rng, 0.3):
-        working.reading(space)
-    if not two and chance(rng, 0.45):
-        storing.cabinet(space, "bookshelf")
-    elif area > 15 and chance(rng, 0.25):
-        storing.cabinet(space, "bookshelf")
-    if chance(rng, 0.35):
-        storing.plant(space)
-    if chance(rng, 0.1):
-        storing.loose(space, "laundry_basket")
-    if chance(rng, 0.2):
-        dressing.on_wall(space, "wall_shelf", ("desk", "single_bed"), -0.3)
+    space.wish("desk", 0.28 * (area > 12) if pair else 0.75, lambda: working.desk(space, small=area < 12))
+    space.wish("chest", 0.7 if area > 9 else 0.25, lambda: storing.chest(space))
+    if pair and area > 11 and not space.has("desk"):
+        space.wish("dressing table", 0.22, lambda: working.dressing_table(space))
+    space.wish("armchair", 0.42 if area > 13.5 else 0.0, lambda: working.reading(space))
+    shelves = 0.45 if not pair else 0.22 if area > 13 else 0.05
+    space.wish("bookshelf", shelves, lambda: storing.cabinet(space, "bookshelf"))
+    space.wish("plant", 0.3, lambda: storing.plant(space))
+    space.wish("basket", 0.1, lambda: storing.loose(space, "laundry_basket"))
+    space.wish("shelf", 0.2, lambda: dressing.on_wall(space, "wall_shelf", ("desk", "single_bed"), -0.3))
 
 
 def _young(space: Space, two: bool) -> None:
     """A room for one or for children."""
-    rng, area = space.rng, space.shape.area
-    count = 2 if (two or area > 13) and chance(rng, 0.7) or area > 11 and chance(rng, 0.2) else 1
-    if count == 2 and area < 12 and chance(rng, 0.5) and sleeping.bunk(space):
+    area = space.shape.area
+    count = 1 + int(space.wants("two beds", 0.65 if two or area > 13 else 0.2 if area > 11 else 0.0))
+    if count == 2 and area < 12.5 and space.wants("bunk bed", 0.5) and sleeping.bunk(space):
         return
-    sleeping.single(space, count, BEDDING)
-    if count == 1 and area > 8 and chance(rng, 0.06):
-        sleeping.cot(space)
+    space.missed += count - sleeping.single(space, count)
+    if count == 1 and area > 8:
+        space.wish("cot", 0.06, lambda: sleeping.cot(space))
 
 
 def study(space: Space, home: Household) -> None:
@@ -127,23 +125,19 @@ def study(space: Space, home: Household) -> None:
     rng, area = space.rng, space.shape.area
     dressing.radiators(space, 0.5)
     working.desk(space, 0.85, 0.6)
-    if area > 11 and chance(rng, 0.25):
-        working.desk(space, 0.85, 0.3)
-    storing.cabinet(space, "bookshelf", int(rng.integers(1, 4)))
-    if chance(rng, 0.4):
-        storing.cabinet(space, one_of(rng, "filing_cabinet", "bookshelf"))
-    if area > 9 and chance(rng, 0.25):
-        sleeping.single(space, 1, BEDDING | {"single_nightstand": 0.0})
-    elif area > 8.5 and chance(rng, 0.5):
-        working.reading(space)
+    if area > 11:
+        space.wish("second desk", 0.25, lambda: working.desk(space, 0.85, 0.3))
+    space.missed += not storing.cabinet(space, "bookshelf", 1 + int(3 * rng.random() ** 1.5))
+    space.wish("cabinet", 0.4, lambda: storing.cabinet(space, one_of(rng, "filing_cabinet", "bookshelf")))
+    if area > 9 and space.wants("guest", 0.25):
+        sleeping.single(space, 1, 0.0)
+    elif area > 8.5:
+        space.wish("armchair", 0.5, lambda: working.reading(space))
     dressing.curtains(space, 0.55)
     dressing.ceiling_lamps(space)
-    if chance(rng, 0.5):
-        storing.loose(space, "bin", -0.5, ("desk",))
-    if chance(rng, 0.45):
-        storing.plant(space)
-    if chance(rng, 0.3):
-        dressing.on_wall(space, "wall_shelf", ("desk",))
+    space.wish("bin", 0.5, lambda: storing.loose(space, "bin", -0.5, ("desk",)))
+    space.wish("plant", 0.45, lambda: storing.plant(space))
+    space.wish("shelf", 0.3, lambda: dressing.on_wall(space, "wall_shelf", ("desk",)))
 
 
 FURNISH: dict[RoomType, Callable[[Space, Household], None]] = {
@@ -158,7 +152,7 @@ ESSENTIAL: dict[RoomType, tuple[frozenset[str], ...]] = {
     "bedroom": (frozenset({"double_bed", "single_bed", "bunk_bed"}),),
     "study": (frozenset({"desk"}), frozenset({"office_chair", "chair"})),
     "kitchen": (frozenset({"kitchen_sink"}), frozenset({"hob", "oven"})),
-    "bathroom": (frozenset({"toilet", "shower", "bath"}), frozenset({"vanity"})),
+    "bathroom": (frozenset({"toilet"}), frozenset({"vanity"})),
     "hallway": (), "utility": (), "storage": (), "closet": (), "balcony": (),
 }
 """Sets of categories of each of which a room of a type has at least one."""

@@ -126,9 +126,10 @@ def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: 
         between.reverse()
     if between and between[0][0] != "dishwasher" and any(n == "dishwasher" for n, _ in between):
         between.reverse()
-    k = int(rng.integers(0, len(ends) + 1))
+    k, turned = int(rng.integers(0, len(ends) + 1)), bool(rng.random() < 0.4 and ends)
+    k = max(k, 1) if turned else k  # what cooks stands not right beside what is tall
     wet = [("kitchen_sink", sink), *between, (heat, hob)]
-    line = [("fridge", float(fridge[1])), *towers, *ends[:k], *(wet if rng.random() < 0.6 else wet[::-1]), *ends[k:]]
+    line = [("fridge", float(fridge[1])), *towers, *ends[:k], *(wet[::-1] if turned else wet), *ends[k:]]
     return [Unit(name, _size(name, w, style, fridge)) for name, w in line]
 
 

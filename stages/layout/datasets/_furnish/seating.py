@@ -8,7 +8,7 @@ from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
 
-LEAST_VIEW, MOST_VIEW, VIEW = 1.45, 3.5, 2.15
+LEAST_VIEW, MOST_VIEW, VIEW = 1.45, 3.6, 2.15
 """From the sofa's front to the television's stand, m: least, most, liked."""
 BEHIND = 0.75
 """Way behind a sofa that stands free, m."""
@@ -16,25 +16,27 @@ SOFAS = ("sofa", "corner_sofa")
 IN_FRONT = ("coffee_table", "pouffe", "side_table")
 
 
-def furnish(space: Space, chance: dict[str, float]) -> bool:
+def furnish(space: Space) -> bool:
     """A conversation group; whether one found a place."""
     rng, area = space.rng, space.shape.area
-    tv = rng.random() < chance["tv"]
-    if not (tv and _with_tv(space)) and not _without_tv(space, opposite=not tv and rng.random() < 0.55):
+    tv = space.wants("tv", 0.87)
+    if not space.wish("tv", 0.87, lambda: _with_tv(space)) and not _without_tv(space, not tv and rng.random() < 0.6):
         return False
-    _lamps_and_tables(space, rng.random() < chance["side_table"], rng.random() < chance["floor_lamp"])
-    if area > 11 and space.has("coffee_table") and rng.random() < chance["armchair"]:
-        _armchairs(space, int(rng.random() < 0.5) + 1)
-    if space.has("coffee_table") and rng.random() < chance["pouffe"]:
-        _pouffe(space)
+    if space.has("coffee_table"):
+        space.wish("armchair", 0.72 if area > 12 else 0.3, lambda: _armchairs(space, 1 + space.wants("two", 0.55)))
+        space.wish("pouffe", 0.14, lambda: _pouffe(space))
+    space.wish("side_table", 0.66, lambda: _side_tables(space))
+    space.wish("floor_lamp", 0.45, lambda: _lamp(space))
+    if space.has("tv_stand"):
+        space.wish("beside the television", 0.24 if area > 15 else 0.1, lambda: _flank(space))
     return True
 
 
 def _sofa(space: Space, small: bool) -> tuple[str, Array]:
     rng, area = space.rng, space.shape.area
-    if not small and area > 17 and rng.random() < 0.17:
+    if not small and area > 17 and space.wants("corner sofa", 0.24):
         return "corner_sofa", draw("corner_sofa", rng, -0.3)
-    lean = -0.8 if small or area < 13 else -0.3 if area < 17 else 0.2
+    lean = -0.7 if small or area < 12 else -0.1 if area < 16 else 0.45
     return "sofa", draw("sofa", rng, lean + 0.2 * rng.normal())
 
 
@@ -55,7 +57,7 @@ def _core(space: Space, small: bool) -> Group:
              Part("coffee_table", sofa[0] + gap + table[0] / 2, aside, table, at=0)]
     if rng.random() < 0.62:
         parts.append(_rug(space, sofa, gap + table[0]))
-    zone = Zone(sofa[0], sofa[0] + gap + table[0] + 0.25, -0.42 * sofa[1], 0.42 * sofa[1], ("pouffe",))
+    zone = Zone(sofa[0], sofa[0] + gap + table[0] + 0.25, -0.4 * sofa[1], 0.4 * sofa[1], ("pouffe",))
     return Group(tuple(parts), (zone,))
 
 
@@ -87,7 +89,7 @@ def _with_tv(space: Space) -> bool:
         if not len(at):
             continue
         far = anchors.facing(at, space) - anchors.OFF
-        aside = np.clip(space.rng.laplace(0, 0.1, len(at)), -0.28, 0.28)
+        aside = np.clip(space.rng.laplace(0, 0.14, len(at)), -0.32, 0.32)
         aside = np.where(np.abs(aside) < 0.03, 0.0, aside)
         x, n = far - stand[0] / 2, len(core.parts)
         front = sofa[0] + 0.9
@@ -109,7 +111,7 @@ def _looking(space: Space, core: Group, sofa: float, stand: float) -> Poses:
     view = across - sofa - stand
     straight = _square(space, at, across)
     near = at.take((view > LEAST_VIEW) & (view < MOST_VIEW) & straight)
-    if len(near) and space.rng.random() < 0.88:
+    if len(near) and space.rng.random() < 0.94:
         return near
     off = view - np.clip(space.rng.normal(2.3, 0.25, len(at)), 1.8, 2.9)
     keep = (off > BEHIND) & straight & (at.gap < 0.03)
@@ -132,7 +134,7 @@ def _square(space: Space, at: Poses, across: Array) -> Array:
 def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float) -> Array:
     sofa = core.parts[0].size
     view = far - sofa[0] - stand
-    liking = -0.8 * np.abs(view - VIEW) - 1.2 * (at.gap > 0.1)
+    liking = -1.1 * np.abs(view - VIEW) - 0.7 * ((at.gap > 0.1) & (at.gap < 0.5)) - 0.6 * (at.gap > 0.5)
     liking -= 0.5 * anchors.seen_from_doors(at, 1.0, space)
     liking += 0.25 * np.minimum(anchors.to_doors(at.point(1.2, 0.0), space), 3.0)
     wall = at.side >= 0
@@ -140,6 +142,12 @@ def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float) -> A
         seated = Group(core.parts[:1])
         liking[wall] -= 0.25 * np.minimum(anchors.off_middle(at.take(wall), seated, space), 1.5)
         liking[wall] -= 0.7 * anchors.windowed(at.take(wall), seated, space)
+    if space.wants("tv", 0.87):
+        across = at.point(far - 0.2, 0.0)
+        for w in space.shape.windows:
+            off = across - w[:2]
+            ahead, aside = np.abs(off @ w[2:4]), np.abs(off @ np.array([-w[3], w[2]]))
+            liking -= 0.7 * ((ahead < 0.5) & (aside < w[4] + 0.4))
     return np.asarray(liking)
 
 
@@ -182,31 +190,54 @@ def _across(space: Space, sofa: Array, table: Part) -> list[Part]:
     return [Part("armchair", edge + chair[0] / 2, side * off, chair, np.pi, at=1) for side in (1.0, -1.0)]
 
 
-def _lamps_and_tables(space: Space, table: bool, lamp: bool) -> None:
-    """At the ends of the sofa: side tables, alike, and a floor lamp."""
+def _side_tables(space: Space) -> bool:
+    """At the ends of the sofa, alike, or at one; lamps on them."""
     rng = space.rng
     k = space.find(*SOFAS)[0]
     size, at = space.placed.row[k][3:6], anchors.of_object(space, k)
-    back = -size[0] / 2
-    if table:
-        side = draw("side_table", rng)
-        with_lamp, small = rng.random() < 0.5, draw("table_lamp", rng, -0.3)
-        small[:2] = np.minimum(small[:2], side[:2].min() - 0.04)
-        x = back + max(side[0] / 2, min(size[0], 0.9) * rng.uniform(0.35, 0.55))
-        for both in ((1.0, -1.0), (1.0,)) if rng.random() < 0.42 else ((1.0,),):
-            parts: list[Part] = []
-            for sign in both:
-                y = sign * (size[1] / 2 + 0.05 + side[1] / 2)
-                parts.append(Part("side_table", x, y, side))
-                if with_lamp:
-                    parts.append(Part("table_lamp", x, y, small, z=float(side[2]), at=len(parts) - 1))
-            if _beside(space, Group(tuple(parts)), at, k) >= 0:
-                break
-    if lamp:
-        size_l = draw("floor_lamp", rng)
-        x = back + size_l[0] / 2 + rng.uniform(0.0, 0.15)
-        part = Part("floor_lamp", x, size[1] / 2 + rng.uniform(0.05, 0.12) + size_l[1] / 2, size_l)
-        _beside(space, Group((part,)), at, k)
+    side, small = space.model("side_table"), draw("table_lamp", rng, -0.3)
+    with_lamp = space.wants("table lamp", 0.5)
+    small[:2] = np.minimum(small[:2], side[:2].min() - 0.04)
+    x = -size[0] / 2 + max(side[0] / 2, min(size[0], 0.9) * rng.uniform(0.35, 0.55))
+    for both in ((1.0, -1.0), (1.0,)) if space.wants("two side tables", 0.5) else ((1.0,),):
+        parts: list[Part] = []
+        for sign in both:
+            y = sign * (size[1] / 2 + 0.05 + side[1] / 2)
+            parts.append(Part("side_table", x, y, side))
+            if with_lamp:
+                parts.append(Part("table_lamp", x, y, small, z=float(side[2]), at=len(parts) - 1))
+        if _beside(space, Group(tuple(parts)), at, k) >= 0:
+            return True
+    return False
+
+
+def _lamp(space: Space) -> bool:
+    """A floor lamp at the sofa's end or beside an armchair."""
+    rng, lamp = space.rng, draw("floor_lamp", space.rng)
+    for k in (space.find(*SOFAS)[0], *space.find("armchair")):
+        size, at = space.placed.row[k][3:6], anchors.of_object(space, k)
+        x = -size[0] / 2 + lamp[0] / 2 + rng.uniform(0.0, 0.15)
+        part = Part("floor_lamp", x, size[1] / 2 + rng.uniform(0.05, 0.12) + lamp[1] / 2, lamp)
+        if _beside(space, Group((part,)), at, k) >= 0:
+            return True
+    return False
+
+
+def _flank(space: Space) -> bool:
+    """On both sides of the television two shelves, cabinets or plants, alike."""
+    rng, k = space.rng, space.find("tv_stand")[0]
+    stand = space.placed.row[k][3:6]
+    for name in rng.permutation(["bookshelf", "bookshelf", "display_cabinet", "plant"]):
+        size = draw(str(name), rng, -0.5)
+        size[2] = min(size[2], space.shape.height - 0.05)
+        x = (size[0] - stand[0]) / 2 + (0.04 if name == "plant" else 0.0)
+        y = (stand[1] + size[1]) / 2 + (0.1 if name == "plant" else rng.choice([0.01, 0.01, 0.12]))
+        before = [Zone(x + size[0] / 2, x + size[0] / 2 + 0.5, *sorted((s * (y - size[1] / 2), s * (y + size[1] / 2))))
+                  for s in (1.0, -1.0) if name != "plant"]
+        group = Group(tuple(Part(str(name), x, s * y, size) for s in (1.0, -1.0)), tuple(before))
+        if _beside(space, group, anchors.of_object(space, k).take(np.array([0])), k) >= 0:
+            return True
+    return False
 
 
 def _beside(space: Space, group: Group, at: Poses, k: int) -> int:
@@ -218,13 +249,13 @@ def _beside(space: Space, group: Group, at: Poses, k: int) -> int:
     return i
 
 
-def _armchairs(space: Space, count: int) -> None:
+def _armchairs(space: Space, count: int) -> bool:
     """Beside the coffee table, turned to it: two face each other, or one alone."""
     rng = space.rng
     table, sofa = space.find("coffee_table")[0], space.find(*SOFAS)[0]
     size, chair = space.placed.row[table][3:6], space.model("armchair")
     at = anchors.of_object(space, table)
-    seat = 0.4 * space.placed.row[sofa][4] + 0.03
+    seat = 0.4 * space.placed.row[sofa][4] + 0.02
     for turn in (rng.choice([0.0, 0.0, 0.35, 0.5]), 0.0):
         for n in range(count, 0, -1):
             for ahead in (rng.uniform(0.0, 0.2), 0.35):
@@ -234,10 +265,11 @@ def _armchairs(space: Space, count: int) -> None:
                 zones = [Zone(ahead - chair[1] / 2, ahead + chair[1] / 2, *sorted((s * (inner - 0.22), s * inner)),
                               ("coffee_table", "pouffe", "sofa", "corner_sofa")) for s in (1.0, -1.0)]
                 if _beside(space, Group(tuple(parts[:n]), tuple(zones[:n])), at, table) >= 0:
-                    return
+                    return True
+    return False
 
 
-def _pouffe(space: Space) -> None:
+def _pouffe(space: Space) -> bool:
     rng = space.rng
     table = space.find("coffee_table")[0]
     size, pouffe = space.placed.row[table][3:6], draw("pouffe", rng)
@@ -245,27 +277,5 @@ def _pouffe(space: Space) -> None:
     x = size[0] / 2 + rng.uniform(0.12, 0.3) + pouffe[0] / 2
     for y in (rng.uniform(0, size[1] / 2), 0.0):
         if _beside(space, Group((Part("pouffe", x, y, pouffe),)), at, table) >= 0:
-            return
-
-
-def tv_before_bed(space: Space) -> bool:
-    """A television across from the bed, on a stand or a chest, as near to the bed's axis as the wall allows."""
-    rng = space.rng
-    bed = space.placed.row[space.find("double_bed")[0]]
-    for name in ("tv_stand", "chest") if rng.random() < 0.7 else ("chest", "tv_stand"):
-        stand = draw(name, rng, -0.6)
-        tv = draw("tv", rng, width=float(np.clip(stand[1] * 0.75, 0.72, 1.25)))
-        tv[2] = round(float(np.clip(tv[1] * 0.6, 0.43, 0.8)), 3)
-        if tv[1] > stand[1] - 0.02:
-            continue
-        screen = Part("tv", stand[0] / 2, 0.0, tv, z=float(stand[2]), at=0)
-        group = Group((Part(name, stand[0] / 2, 0.0, stand), screen),
-                      (Zone(stand[0], stand[0] + 0.55, -stand[1] / 2, stand[1] / 2, ("bench",)),))
-        at = anchors.walls(space, group, (0.006, anchors.BESIDE), 0.1)
-        off = at.point(stand[0] / 2, 0.0) - bed[:2]
-        ahead, aside = off @ bed[6:8], np.abs(off @ np.array([-bed[7], bed[6]]))
-        faces = np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1) @ bed[6:8]
-        at, aside = at.take(good := (ahead > 1.0) & (faces < -0.9) & (aside < 0.5 * ahead)), aside[good]
-        if len(at) and space.put(group, at, -aside, 0.1) >= 0:
             return True
     return False

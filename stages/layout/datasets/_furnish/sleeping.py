@@ -14,23 +14,23 @@ SIDE, FOOT = 0.5, 0.55
 STANDS = ("nightstand", "table_lamp", "pouffe", "laundry_basket", "bench")
 
 
-def double(space: Space, chance: dict[str, float]) -> bool:
+def double(space: Space, bench: bool = True) -> bool:
     """A double bed with two nightstands, one or none, at a wall with floor on both sides."""
     rng, area = space.rng, space.shape.area
     wide = [1.66, 1.66, 1.7, 1.86, 1.86, 2.06] if area > 12 else [1.66, 1.66, 1.7, 1.86]
-    u = rng.random()
-    wanted = 2 if u < chance["two_nightstands"] else 1 if u < chance["two_nightstands"] + 0.1 else 0
+    wanted = 2 if space.wants("nightstands", 0.88) else int(space.wants("nightstands", 0.95))
     first = float(rng.choice(wide))
     small = [1.66, *([1.46] if area < 11 else [])]
     less = [(w, k) for w in small for k in (2, 1, 0) if k <= wanted]
     tries = [(first, wanted), (first, wanted), (1.66, wanted), *less]
     for width, stands in tries:
-        if _double(space, width, stands, chance):
+        if _double(space, width, stands, bench):
+            space.missed += 0.7 * (wanted - stands) + 0.3 * (width < 1.6)
             return True
     return False
 
 
-def _double(space: Space, width: float, stands: int, chance: dict[str, float]) -> bool:
+def _double(space: Space, width: float, stands: int, bench: bool) -> bool:
     rng = space.rng
     bed = draw("double_bed", rng, width=width, height=float(np.clip(rng.normal(1.0, 0.12), 0.75, 1.3)))
     bed[0] = rng.choice([2.06, 2.1, 2.16])
@@ -38,19 +38,19 @@ def _double(space: Space, width: float, stands: int, chance: dict[str, float]) -
     stand = _nightstand(space, bed)
     lamp = draw("table_lamp", rng, -0.3)
     lamp[:2] = np.minimum(lamp[:2], stand[:2].min() - 0.04)
-    with_lamp = rng.random() < chance["table_lamp"]
+    with_lamp = space.wants("bedside lamps", 0.6)
     for side in (1.0, -1.0)[:stands]:
         at = len(parts)
         y = side * (bed[1] / 2 + gap + stand[1] / 2)
         parts.append(Part("nightstand", stand[0] / 2 + 0.01, y, stand, at=0))
         if with_lamp:
             parts.append(Part("table_lamp", stand[0] / 2 + 0.01, y, lamp, z=float(stand[2]), at=at))
-    if rng.random() < chance["bed_rug"]:
+    if space.wants("rug", 0.35):
         parts.append(_rug(space, bed))
     out = bed[1] / 2
     sides = [Zone(stand[0] * 0.9, bed[0], *sorted((s * out, s * (out + SIDE))), STANDS) for s in (1.0, -1.0)]
     foot = Zone(bed[0], bed[0] + FOOT, -out, out, (*STANDS, "tv_stand"))
-    if rng.random() < chance["bench"]:
+    if bench and space.shape.area > 11 and space.wants("bench", 0.14):
         parts, foot = _benched(space, parts, bed)
     return _put(space, Group(tuple(parts), (*sides, foot)), 0.32)
 
@@ -89,7 +89,7 @@ def _put(space: Space, group: Group, middle: float) -> bool:
     return space.put(group, at, liking, 0.25) >= 0
 
 
-def single(space: Space, count: int, chance: dict[str, float]) -> int:
+def single(space: Space, count: int, stands: float = 0.75) -> int:
     """Single beds, alike: heads at a wall or lengthwise along it; how many found a place."""
     rng = space.rng
     wide = float(rng.choice([0.96, 0.98, 1.06, 1.26] if count == 1 else [0.86, 0.96]))
@@ -98,7 +98,7 @@ def single(space: Space, count: int, chance: dict[str, float]) -> int:
     stand = _nightstand(space, bed)
     some = 0
     for _ in range(count):
-        if _single(space, "single_bed", bed, stand if rng.random() < chance["single_nightstand"] else None):
+        if _single(space, "single_bed", bed, stand if rng.random() < stands else None):
             some += 1
     return some
 
@@ -144,3 +144,26 @@ def _lengthwise(group: Group, bed: Array) -> Group:
     parts = tuple(Part(p.name, p.y + off, -p.x, p.size, p.yaw - np.pi / 2, p.z, p.at) for p in group.parts)
     zones = tuple(Zone(z.y0 + off, z.y1 + off, -z.x1, -z.x0, z.friends) for z in group.zones)
     return Group(parts, zones)
+
+
+def tv_before_bed(space: Space) -> bool:
+    """A television across from the bed, on a stand or a chest, as near to the bed's axis as the wall allows."""
+    rng = space.rng
+    bed = space.placed.row[space.find("double_bed")[0]]
+    for name in ("tv_stand", "chest") if rng.random() < 0.7 else ("chest", "tv_stand"):
+        stand = draw(name, rng, -0.6)
+        tv = draw("tv", rng, width=float(np.clip(stand[1] * 0.75, 0.72, 1.25)))
+        tv[2] = round(float(np.clip(tv[1] * 0.6, 0.43, 0.8)), 3)
+        if tv[1] > stand[1] - 0.02:
+            continue
+        screen = Part("tv", stand[0] / 2, 0.0, tv, z=float(stand[2]), at=0)
+        group = Group((Part(name, stand[0] / 2, 0.0, stand), screen),
+                      (Zone(stand[0], stand[0] + 0.55, -stand[1] / 2, stand[1] / 2, ("bench",)),))
+        at = anchors.walls(space, group, (0.006, anchors.BESIDE), 0.1)
+        off = at.point(stand[0] / 2, 0.0) - bed[:2]
+        ahead, aside = off @ bed[6:8], np.abs(off @ np.array([-bed[7], bed[6]]))
+        faces = np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1) @ bed[6:8]
+        at, aside = at.take(good := (ahead > 1.0) & (faces < -0.9) & (aside < 0.5 * ahead)), aside[good]
+        if len(at) and space.put(group, at, -aside, 0.1) >= 0:
+            return True
+    return False

@@ -1,5 +1,6 @@
 """A room being furnished: what stands in it, what fits, and whether one can still walk to everything."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
@@ -36,8 +37,10 @@ MOST = 24
 class Space:
     """A room and what stands in it."""
 
-    def __init__(self, shape: Shape, rng: Generator, most: int = MOST) -> None:
+    def __init__(self, shape: Shape, rng: Generator, most: int = MOST, taste: dict[str, float] | None = None) -> None:
         self.shape, self.rng, self.most = shape, rng, most
+        self.taste = {} if taste is None else taste
+        self.missed = 0.0
         self.placed = Placed()
         self.models: dict[str, Array] = {}
         self._marks: list[tuple[int, int]] = []
@@ -60,6 +63,20 @@ class Space:
     def has(self, *names: str) -> bool:
         """Whether there is any of these categories."""
         return bool(self.find(*names))
+
+    def wants(self, what: str, share: float) -> bool:
+        """Whether those who live here want something that a share of people have; asked again, the answer stays."""
+        if what not in self.taste:
+            self.taste[what] = float(self.rng.random())
+        return self.taste[what] < share
+
+    def wish(self, what: str, share: float, put: Callable[[], object]) -> bool:
+        """Put what is wanted; whether it stands. What is wanted and finds no place is counted."""
+        if not self.wants(what, share):
+            return False
+        done = bool(put())
+        self.missed += not done
+        return done
 
     def model(self, name: str) -> Array:
         """The size that all of the category have in this room."""

@@ -46,7 +46,7 @@ def wardrobe(space: Space, most: float = 2.5) -> bool:
     sliding = rng.random() < 0.35
     widths = [w for w in ((2.7, 2.4, 2.0, 1.8, 1.5, 1.2) if sliding else (2.5, 2.25, 2.0, 1.8, 1.5, 1.2, 1.0, 0.8))
               if w <= most]
-    start = int(rng.integers(0, max(1, len(widths) // 2)))
+    start = int(rng.integers(0, max(1, (len(widths) + 1) // 2)))
     for width in [*widths[start:], 0.8]:
         name = "sliding_wardrobe" if sliding and width >= 1.2 else "wardrobe"
         size = draw(name, rng, 0.0, width=width)
@@ -88,7 +88,7 @@ def cabinet(space: Space, name: str, count: int = 1, near: tuple[str, ...] = (),
     rng = space.rng
     for n in range(count, 0, -1):
         for lean in (None, -0.7):
-            size = draw(name, rng, lean)
+            size = space.model(name) if lean is None else draw(name, rng, lean)
             size[2] = min(size[2], np.round(space.shape.height - 0.05, 2))
             group = row(name, size, n)
             if n == 1 and rng.random() < lamp:

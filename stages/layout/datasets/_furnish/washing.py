@@ -4,7 +4,7 @@ import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors, dressing, storing
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
-from apartgen.stages.layout.datasets._furnish.household import Household, chance
+from apartgen.stages.layout.datasets._furnish.household import Household
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
@@ -19,51 +19,51 @@ def bathroom(space: Space, home: Household) -> None:
     """Shower or bath first, then toilet and basin, each with its floor; then what else there is place for."""
     rng, area = space.rng, space.shape.area
     before = BEFORE if area > 4 else BEFORE_LEAST
-    if area > 2.3:
-        _tub(space)
-    powder = not space.has("bath", "shower")
-    if area > 1.1 and (powder or not chance(rng, 0.04)):
+    powder = area < 2.3
+    first = rng.random() < 0.5
+    if first:
         _toilet(space, before)
-    _basin(space, before, 2 if area > 7 and chance(rng, 0.25) else 1)
-    if area > 6.5 and space.has("bath") and chance(rng, 0.4):
-        _shower(space)
-    laundry = home.laundry if home.laundry is not None else chance(rng, 0.5)
-    if laundry and area > 3.6:
-        machine(space, chance(rng, 0.15))
+    if not powder:
+        space.missed += 5 * (not _tub(space))
+    if not first:
+        _toilet(space, before)
+    space.missed += not _basin(space, before, 2 if area > 7 and space.wants("two basins", 0.25) else 1)
+    if area > 6.5 and space.has("bath"):
+        space.wish("shower", 0.4, lambda: _shower(space))
+    laundry = home.laundry if home.laundry is not None else space.wants("laundry", 0.5)
+    if laundry and area > 3.6 and (powder or space.has("shower", "bath")):
+        space.missed += not machine(space, space.wants("dryer", 0.15))
     dressing.ceiling_lamps(space)
-    if not powder and chance(rng, 0.75):
-        dressing.on_wall(space, "towel_rail", ("shower", "bath"))
-    if chance(rng, 0.6):
-        storing.loose(space, "bin", -0.7, ("toilet", "vanity"))
-    if area > 4.5 and chance(rng, 0.4):
-        storing.loose(space, "laundry_basket")
-    if chance(rng, 0.15):
-        dressing.radiators(space, 1.0)
-    if area > 5 and chance(rng, 0.12):
-        storing.plant(space, small=True)
-    if chance(rng, 0.15):
-        dressing.on_wall(space, "wall_shelf", ("vanity",), -0.7)
-    if not laundry and chance(rng, 0.08):
-        dressing.on_wall(space, "water_heater", (), corner=0.8)
+    if not powder:
+        space.wish("rail", 0.8, lambda: dressing.on_wall(space, "towel_rail", ("shower", "bath")))
+    space.wish("bin", 0.6, lambda: storing.loose(space, "bin", -0.7, ("toilet", "vanity")))
+    if area > 4.5:
+        space.wish("basket", 0.4, lambda: storing.loose(space, "laundry_basket"))
+    dressing.radiators(space, 0.15)
+    if area > 5:
+        space.wish("plant", 0.12, lambda: storing.plant(space, small=True))
+    space.wish("shelf", 0.15, lambda: dressing.on_wall(space, "wall_shelf", ("vanity",), -0.7))
+    if not laundry:
+        space.wish("heater", 0.08, lambda: dressing.on_wall(space, "water_heater", (), corner=0.8))
 
 
 def _tub(space: Space) -> bool:
-    bath = space.shape.area > 3.6 and space.rng.random() < 0.45
+    bath = space.shape.area > 3.4 and space.rng.random() < 0.45
     return _bath(space) or _shower(space) if bath else _shower(space) or _bath(space)
 
 
 def _bath(space: Space) -> bool:
-    for width in (float(space.rng.choice([1.6, 1.7, 1.7, 1.8])), 1.5, 1.4):
+    """In a corner, rather from wall to wall."""
+    walls = [float(x) - 0.006 for x in space.shape.length if 1.4 <= x <= 1.906]
+    for width in (*walls, float(space.rng.choice([1.6, 1.7, 1.7, 1.8])), 1.5, 1.4):
         size = draw("bath", space.rng, width=width)
-        group = Group((Part("bath", size[0] / 2, 0.0, size),),
-                      (Zone(size[0], size[0] + 0.55, -0.35, 0.35),))
+        group = Group((Part("bath", size[0] / 2, 0.0, size),), (Zone(size[0], size[0] + 0.55, -0.35, 0.35),))
         at = anchors.walls(space, group)
+        at = at.take(anchors.cornered(at, group, space) > 0.5) if len(at) else at
         if not len(at):
             continue
-        fills = np.abs(space.shape.length[at.side] - size[1]) < 0.25
-        liking = 1.6 * anchors.cornered(at, group, space) + 0.6 * fills + 0.3 * np.minimum(
-            anchors.to_doors(at.xy, space), 3)
-        liking -= 9.0 * (anchors.cornered(at, group, space) < 0.5)
+        liking = 0.6 * (np.abs(space.shape.length[at.side] - size[1]) < 0.25)
+        liking = liking + 0.3 * np.minimum(anchors.to_doors(at.xy, space), 3)
         if space.put(group, at, liking, 0.25) >= 0:
             return True
     return False
@@ -74,9 +74,8 @@ def _shower(space: Space) -> bool:
     for width, depth in ((float(rng.choice([0.9, 1.0, 1.2])), float(rng.choice([0.8, 0.9]))), (0.9, 0.9), (0.8, 0.8)):
         size = draw("shower", rng, 0.0, width=width, depth=depth)
         size[2] = min(size[2], space.shape.height - 0.1)
-        before = max(0.62, 0.0)
         group = Group((Part("shower", size[0] / 2, 0.0, size),),
-                      (Zone(size[0], size[0] + before, -size[1] / 2, size[1] / 2),))
+                      (Zone(size[0], size[0] + 0.62, -size[1] / 2, size[1] / 2),))
         at = anchors.walls(space, group)
         at = at.take(anchors.cornered(at, group, space) > 0) if len(at) else at
         if not len(at):
@@ -150,23 +149,19 @@ def machine(space: Space, dryer: bool) -> bool:
 def utility(space: Space, home: Household) -> None:
     """Machines, shelves, an ironing board."""
     rng, area = space.rng, space.shape.area
-    machine(space, chance(rng, 0.5))
-    if chance(rng, 0.55):
-        _sink(space)
-    if chance(rng, 0.75):
-        storing.cabinet(space, "shelving", 2 if area > 5 and chance(rng, 0.4) else 1)
+    space.missed += 2 * (not machine(space, space.wants("dryer", 0.5)))
+    space.wish("sink", 0.55, lambda: _sink(space))
+    space.wish("shelving", 0.78, lambda: storing.cabinet(space, "shelving", 1 + int(area > 5 and rng.random() < 0.4)))
     for name, share in (("ironing_board", 0.4), ("laundry_basket", 0.7), ("bin", 0.3)):
-        if chance(rng, share):
-            storing.loose(space, name)
-    if chance(rng, 0.35):
-        dressing.on_wall(space, "water_heater", corner=0.8)
-    if chance(rng, 0.25) and area > 3:
-        dressing.on_wall(space, "wall_shelf")
+        space.wish(name, share, lambda name=name: storing.loose(space, name))  # type: ignore[misc]
+    space.wish("heater", 0.35, lambda: dressing.on_wall(space, "water_heater", corner=0.8))
+    if area > 3:
+        space.wish("shelf", 0.25, lambda: dressing.on_wall(space, "wall_shelf"))
     dressing.ceiling_lamps(space)
 
 
-def _sink(space: Space) -> None:
+def _sink(space: Space) -> bool:
     size = draw("kitchen_sink", space.rng, -0.5)
     group = Group((Part("kitchen_sink", size[0] / 2, 0.0, size),),
                   (Zone(size[0], size[0] + 0.6, -size[1] / 2, size[1] / 2),))
-    storing.against_wall(space, group, 0.4, 0.2, ("washing_machine",), (0.006,))
+    return storing.against_wall(space, group, 0.4, 0.2, ("washing_machine",), (0.006,)) >= 0
