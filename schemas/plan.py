@@ -1,20 +1,52 @@
 """The floor plan: what was asked for, and the rooms, doors and windows built."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal, cast
 
-from pydantic import Field
+from pydantic import ConfigDict, Field, SerializerFunctionWrapHandler, ValidationInfo, field_validator, model_serializer
 
-from apartgen.schemas.base import Number, Point, Polygon, Positive, Record, RoomType
+from apartgen.schemas.base import ROOM_TYPES, Number, Point, Polygon, Positive, Record, RoomType
+from apartgen.schemas.rooms import base_of, kinds
 
 Link = tuple[str, str]
 Side = Literal["south", "east", "north", "west"]
 
 
-class AskedRoom(Record):
+class Typed(Record):
+    """What has a type of room: one of those that always exist, or another that is `like` one of these."""
+
+    model_config = ConfigDict(json_schema_extra={"anyOf": [
+        {"properties": {"type": {"enum": list(ROOM_TYPES)}}},
+        {"properties": {"like": {"enum": list(ROOM_TYPES)}}, "required": ["like"]},
+    ]})
+
+    id: str
+    like: RoomType | None = Field(None, description="for a type that not everybody knows")
+    type: str = Field(pattern=r"^[a-z][a-z_]*$", description=f"{', '.join(ROOM_TYPES)}, or what is `like` one of them")
+
+    @field_validator("type")
+    @classmethod
+    def _known(cls, type: str, given: ValidationInfo) -> str:
+        if given.data.get("like") is None and base_of(type) is None:
+            raise ValueError(f"{type!r} is no type of room; there are {', '.join(kinds())}; say which one it is like")
+        return type
+
+    @model_serializer(mode="wrap")
+    def _whole(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        rest = handler(self)
+        head = {name: rest.pop(name) for name in ("id", "type") if name in rest}
+        rest.pop("like", None)
+        return head | ({} if self.type == self.base else {"like": self.base}) | rest
+
+    @property
+    def base(self) -> RoomType:
+        """The type that always exists: its own, or the one that it is like."""
+        return cast(RoomType, self.type) if self.type in ROOM_TYPES else self.like or cast(RoomType, base_of(self.type))
+
+
+class AskedRoom(Typed):
     """One room of the programme; `area` in m², None where the prompt leaves it open."""
 
     id: str = Field(pattern=r"^[a-z][a-z_]*_[0-9]+$")
-    type: RoomType
     area: Positive | None = None
     private_to: str | None = Field(None, description="an ensuite's or a walk-in closet's owner")
 
@@ -54,11 +86,9 @@ class Program(Record):
     unread: list[str] = Field(default_factory=list, description="words of the prompt not understood")
 
 
-class Room(Record):
+class Room(Typed):
     """A built room; `polygon` is its clear floor, wall face to wall face, counter-clockwise."""
 
-    id: str
-    type: RoomType
     polygon: Polygon
 
 

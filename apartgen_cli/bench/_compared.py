@@ -66,7 +66,7 @@ def inside(homes: Sequence[Layout]) -> list[tuple[Room, list[Box]]]:
 def seen(rooms: Sequence[tuple[Room, list[Box]]], inception: str | None = None) -> list[Record]:
     """Categories of every room, and what an image network, whose name comes along, sees of it."""
     network = _network(inception)
-    features = network.features([_pictures.picture(room.polygon, objects, room.type) for room, objects in rooms])
+    features = network.features([_pictures.picture(room.polygon, objects, room.base) for room, objects in rooms])
     return [
         {"of": room.type, "network": network.name, "suffix": network.suffix,
          "categories": [o.category for o in objects], "features": _packed(row)}

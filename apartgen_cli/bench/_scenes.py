@@ -101,7 +101,7 @@ def placed(method: str, seed: int, n: int, work: Path) -> list[Retrieve]:
 
 def measured(home: Layout, names: list[str]) -> list[dict[str, Any]]:
     """One record a room that has any figure, with `of` the room's type."""
-    types = {room.id: room.type for room in home.rooms}
+    types = {room.id: room.base for room in home.rooms}
     return [{"of": types[room], **found} for room, found in by_room(home, names).items() if found]
 
 

@@ -28,7 +28,7 @@ def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, An
     count, n = setting.split()
     homes = []
     for home in _scenes.plans(seed, scenes, work):
-        wanted = [room for room in home.rooms if room.type in ROOMS and _scenes.area(room.polygon) >= LEAST_AREA]
+        wanted = [room for room in home.rooms if room.base in ROOMS and _scenes.area(room.polygon) >= LEAST_AREA]
         for room in wanted[:1]:
             program = home.program.model_copy(update={"counts": {room.id: int(n)}, "objects": []})
             openings = [o for o in home.openings if room.id in o.rooms]

@@ -73,15 +73,15 @@ def _fill(
 def _rooms(axes: Axes, home: Plan) -> None:
     _fill(axes, polygons.free_floor(home), "#faf8f4", 0.5)
     for room in home.rooms:
-        patch = _fill(axes, polygons.floor(room), TINTS[room.type], 0.6)
-        if patch is not None and room.type in TILED:
-            _tiles(axes, room, patch, TILED[room.type])
+        patch = _fill(axes, polygons.floor(room), TINTS[room.base], 0.6)
+        if patch is not None and room.base in TILED:
+            _tiles(axes, room, patch, TILED[room.base])
 
 
 def _tiles(axes: Axes, room: Room, clip: PathPatch, pitch: float) -> None:
     x0, y0, x1, y1 = polygons.floor(room).bounds
     lines = [((x, x), (y0, y1)) for x in np.arange(x0 + pitch, x1, pitch)]
-    if room.type != "balcony":
+    if room.base != "balcony":
         lines += [((x0, x1), (y, y)) for y in np.arange(y0 + pitch, y1, pitch)]
     for xs, ys in lines:
         (line,) = axes.plot(xs, ys, color="#dcdfdf", linewidth=0.35, zorder=0.7)
@@ -180,7 +180,7 @@ def _names(axes: Axes, home: Plan, objects: Sequence[Box], inch: float) -> None:
         size = min(12.0, max(6.5, 2.4 * np.sqrt(floor.area) * inch))
         width, height = 0.62 * size * max(len(name), len(area)) / 72 / inch, 2.7 * size / 72 / inch
         x, y = _spot(floor, prints, swings, width, height)
-        halo = {"boxstyle": "round,pad=0.15", "facecolor": TINTS[room.type], "edgecolor": "none", "alpha": 0.82}
+        halo = {"boxstyle": "round,pad=0.15", "facecolor": TINTS[room.base], "edgecolor": "none", "alpha": 0.82}
         axes.text(x, y + 0.02, name, fontsize=size, color="#222222", ha="center", va="bottom", zorder=8, bbox=halo)
         axes.text(x, y, area, fontsize=0.85 * size, color="#555555", ha="center", va="top", zorder=8)
 

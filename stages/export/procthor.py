@@ -109,7 +109,7 @@ def _name(owner: str, stretch: Stretch) -> str:
 
 def _room(room: Room, home: Plan) -> Part:
     return {
-        "id": f"room|{room.id}", "roomType": ROOMS.get(room.type, "LivingRoom"),
+        "id": f"room|{room.id}", "roomType": ROOMS.get(room.base, "LivingRoom"),
         "apartgen": {"id": room.id, "type": room.type},
         "floorPolygon": [_xyz(x, y) for x, y in _outline(room, home)], "floorMaterial": {"name": "WoodFloorsCross"},
         "children": [], "ceilings": [], "layer": "Procedural0",
@@ -119,7 +119,7 @@ def _room(room: Room, home: Plan) -> Part:
 def _walls(home: Plan, stretches: dict[str, list[Stretch]]) -> list[Part]:
     """A sheet for each side of each stretch: two rooms', or a room's and the open air's."""
     owned = {(id, frozenset(stretch)) for id, own in stretches.items() for stretch in own}
-    types = {room.id: room.type for room in home.rooms}
+    types = {room.id: room.base for room in home.rooms}
     found = []
     for id, own in stretches.items():
         for stretch in own:

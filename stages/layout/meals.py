@@ -23,10 +23,10 @@ def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
     for a room by itself, which is no home.
     """
     spoken = any(stand_in(asked.category, TABLES) for asked in plan.program.objects)
-    if spoken or len(plan.rooms) == 1 or any(room.type == "dining_room" for room in plan.rooms):
+    if spoken or len(plan.rooms) == 1 or any(room.base == "dining_room" for room in plan.rooms):
         return None
     for kind, least in PLACES:
-        fitting = [room for room in plan.rooms if room.type == kind and _area(room) >= least and _holds(plan, room)]
+        fitting = [room for room in plan.rooms if room.base == kind and _area(room) >= least and _holds(plan, room)]
         if fitting:
             room = max(fitting, key=_area)
             return room.id, "round_table" if _area(room) < SMALL or chance < ROUND else "dining_table"

@@ -34,7 +34,7 @@ def between(
         for version, side in (("generated", drawn), ("real", other)):
             found = Value(name=name + network.suffix, value=None, unit=unit, version=version, of=kind, n=len(side))
             if len(side) >= LEAST:
-                a, b = (network.features([picture(r.polygon, inside, r.type) for r, inside in some])
+                a, b = (network.features([picture(r.polygon, inside, r.base) for r, inside in some])
                         for some in (side, reference))
                 figure = distance(a, b, np.random.default_rng(SEED))
                 found = found.model_copy(update=figure._asdict())

@@ -21,18 +21,21 @@ def build(program: "Program", config: PlanConfig, rng: "Generator", prompt: str 
 
     Raises BadInput for a programme that names rooms wrongly, Unmet (naming the contradiction) where no plan exists.
     """
+    from apartgen.stages.plan.newcomers import named, plain
     from apartgen.stages.plan.solve import solve
 
-    return solve(program, config, rng).model_copy(update={"prompt": prompt})
+    return named(solve(plain(program), config, rng), program.rooms).model_copy(update={"prompt": prompt})
 
 
 def build_variants(
     program: "Program", config: PlanConfig, rng: "Generator", k: int, prompt: str = ""
 ) -> "list[Plan]":
     """`k` clearly different floor plans for a programme; raises as `build` does."""
+    from apartgen.stages.plan.newcomers import named, plain
     from apartgen.stages.plan.variants import several
 
-    return [plan.model_copy(update={"prompt": prompt}) for plan in several(program, config, rng, k)]
+    plans = several(plain(program), config, rng, k)
+    return [named(plan, program.rooms).model_copy(update={"prompt": prompt}) for plan in plans]
 
 
 def from_polygons(rooms: "list[Room]", config: PlanConfig, program: "Program | None" = None) -> "Plan":
@@ -42,8 +45,9 @@ def from_polygons(rooms: "list[Room]", config: PlanConfig, program: "Program | N
     polygons, Unmet naming the door that finds no place.
     """
     from apartgen.stages.plan.drawn import built
+    from apartgen.stages.plan.newcomers import as_base, named, plain
 
-    return built(rooms, config, program)
+    return named(built([as_base(room) for room in rooms], config, program and plain(program)), rooms)
 
 
 def validate(plan: "Plan") -> list[str]:

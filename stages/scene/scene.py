@@ -67,7 +67,7 @@ class Scene:
             for o in objects if o.category in _LUMENS
         ]
         lit = {o.room for o in objects if o.category == "ceiling_lamp"}
-        dark = [room for room in self.home.rooms if room.id not in lit and room.type != "balcony"]
+        dark = [room for room in self.home.rooms if room.id not in lit and room.base != "balcony"]
         middles = [np.array(polygons.floor(room).representative_point().coords[0]) for room in dark]
         plain = [
             Light(f"light_{room.id}", room.id, np.array([*xy, self.home.height - 0.15]), _LUMENS["ceiling_lamp"])

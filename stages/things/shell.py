@@ -41,7 +41,7 @@ def bodies(plan: Plan, shown: bool = True) -> list[Body]:
     """Every body of the shell, floors first; names are unique among them. Not `shown`, what only shows is left out."""
     storeys = _storeys(plan)
     leaves = [_opening(plan, opening, shown) for opening in plan.openings if not in_parapet(opening, plan)]
-    ceilings = [_ceiling(plan, room, shown) for room in plan.rooms if room.type != "balcony"]
+    ceilings = [_ceiling(plan, room, shown) for room in plan.rooms if room.base != "balcony"]
     solid = [_ground(plan, shown), _walls(plan, storeys, shown)]
     if not shown:
         return [*solid, *ceilings, *leaves]
@@ -71,7 +71,7 @@ def _ground(plan: Plan, shown: bool) -> Body:
 
 
 def _floor(plan: Plan, room: Room) -> Body:
-    covering = solids.extruded(polygons.floor(room), -0.004, 0.0, finishes.floor(room.type))
+    covering = solids.extruded(polygons.floor(room), -0.004, 0.0, finishes.floor(room.base))
     return _still(f"floor_{room.id}", "floor", room.id, [covering])
 
 
@@ -95,7 +95,7 @@ def in_parapet(opening: Opening, plan: Plan) -> bool:
 
 def low(plan: Plan) -> Geometry:
     """Where walls are only parapets: about balconies and nothing else."""
-    indoors = [room for room in plan.rooms if room.type != "balcony"]
+    indoors = [room for room in plan.rooms if room.base != "balcony"]
     if not indoors or len(indoors) == len(plan.rooms):
         return Polygon()
     return polygons.shell(plan).difference(polygons.shell(plan.model_copy(update={"rooms": indoors})))
@@ -139,7 +139,7 @@ def _linings(plan: Plan, room: Room, storeys: list[Storey]) -> list[Body]:
     """The room's own finish of the walls about it, and its skirting."""
     floor = polygons.floor(room)
     skin = _skin(floor)
-    finish = finishes.wall(room.type)
+    finish = finishes.wall(room.base)
     layers = [(_clean(skin.intersection(area)), z0, z1) for area, z0, z1 in storeys]
     faces = [solids.extruded(area, z0, z1, finish) for area, z0, z1 in layers if area.area > 1e-6]
     found = [_still(f"lining_{room.id}", "lining", room.id, faces)]
@@ -151,7 +151,7 @@ def _linings(plan: Plan, room: Room, storeys: list[Storey]) -> list[Body]:
 
 
 def _skirting(plan: Plan, room: Room, floor: Polygon) -> Geometry:
-    if not finishes.has_skirting(room.type):
+    if not finishes.has_skirting(room.base):
         return Polygon()
     open_ = [_cut(o, plan).buffer(0.07, join_style="mitre") for o in plan.openings if o.kind in polygons.PASSAGES]
     return floor.difference(floor.buffer(-SKIRTING[0], join_style="mitre")).difference(unary_union(open_))

@@ -10,9 +10,9 @@ DOUBLE = 10.0
 
 def sleepers(plan: Plan) -> int | None:
     """Who sleeps in the home: two in a large bedroom, one in a small one; None for a room by itself."""
-    if len(plan.rooms) == 1 and plan.rooms[0].type != "living_room":
+    if len(plan.rooms) == 1 and plan.rooms[0].base != "living_room":
         return None
-    beds = [room for room in plan.rooms if room.type == "bedroom"]
+    beds = [room for room in plan.rooms if room.base == "bedroom"]
     if not beds:
         return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= 3 * DOUBLE)
     return sum(1 + (_area(room) >= DOUBLE) for room in beds)

@@ -99,12 +99,12 @@ def site(plan: Plan, room_id: str) -> Site:
     room = next(room for room in plan.rooms if room.id == room_id)
     rows = tuple((o.id, o.kind, *o.segment, o.sill, o.head, o.into == room_id, o.hinge)
                  for o in plan.openings if room_id in o.rooms)
-    return _site(room.id, room.type, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan))
+    return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan))
 
 
 def alone(room: Room) -> Site:
     """A room of which nothing is known but its walls."""
-    return _site(room.id, room.type, tuple((x, y) for x, y in room.polygon), (), None)
+    return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), (), None)
 
 
 @lru_cache(maxsize=256)

@@ -1,11 +1,12 @@
 """Which objects a home misses least."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from apartgen.schemas import rooms
+from apartgen.schemas.plan import Room
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.space import footprints
 from apartgen.stages.things import categories
@@ -31,11 +32,17 @@ def needs(home: Retrieve) -> tuple[Need, ...]:
     found = []
     for room in home.rooms:
         own = [o.category for o in home.objects if o.room == room.id]
-        for use, count in (*((use, 1) for use in KEPT), *rooms.kinds()[room.type].keeps.items()):
+        for use, count in (*((use, 1) for use in KEPT), *_keeps(room)):
             of = categories.used_for(use)
             if has := sum(category in of for category in own):
                 found.append(Need(room.id, of, min(has, count)))
     return tuple(found)
+
+
+def _keeps(room: Room) -> Iterable[tuple[str, int]]:
+    """Uses that the room's type is for, with how many things of each it keeps."""
+    known = rooms.kinds()
+    return known.get(room.type, known[room.base]).keeps.items()
 
 
 @dataclass(frozen=True)

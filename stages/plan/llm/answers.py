@@ -9,8 +9,9 @@ from pydantic import ValidationError
 
 from apartgen.schemas.base import Record
 from apartgen.schemas.plan import Program
+from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.llm.model import Answer
-from apartgen.stages.things.categories import CATEGORIES
+from apartgen.stages.things.categories import TABLE
 
 TERMS = (
     "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",
@@ -38,13 +39,18 @@ class Declined(Exception):
 def instructions() -> str:
     """The system prompt: `prompt.md` with the vocabulary filled in."""
     text = (Path(__file__).parent / "prompt.md").read_text(encoding="utf-8")
-    return text.replace("{categories}", ", ".join(CATEGORIES)).replace("{terms}", ", ".join(TERMS))
+    text = text.replace("{types}", ", ".join(kinds()))
+    return text.replace("{categories}", ", ".join(TABLE)).replace("{terms}", ", ".join(TERMS))
 
 
 @cache
 def reply_schema() -> dict[str, Any]:
-    """JSON Schema of a reply."""
-    return Reply.model_json_schema()
+    """JSON Schema of a reply; types of room are those that are known here."""
+    schema = Reply.model_json_schema()
+    room = schema["$defs"]["AskedRoom"]
+    del room["anyOf"], room["properties"]["like"]
+    room["properties"]["type"]["enum"] = list(kinds())
+    return schema
 
 
 def programme(answer: Answer) -> Program:
@@ -85,7 +91,7 @@ def faults(program: Program) -> list[str]:
     out += [f"links joins {a} to itself" for a, b in program.links if a == b]
     out += [
         f"objects names the unknown category {c}"
-        for c in sorted({o.category for o in program.objects} - set(CATEGORIES))
+        for c in sorted({o.category for o in program.objects} - TABLE.keys())
     ]
     out += [f"weights names the unknown term {w}" for w in sorted(set(program.weights) - set(TERMS))]
     out += [

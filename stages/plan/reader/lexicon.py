@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.things.categories import by_word
 
@@ -91,6 +93,7 @@ def load() -> Lexicon:
     found: dict[Phrase, dict[str, Entry]] = {}
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
+    _add_group(found, "room", _newcomers())
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
         table = tomllib.loads(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
@@ -115,6 +118,11 @@ def _add_group(found: dict[Phrase, dict[str, Entry]], kind: str, group: dict[str
             found.setdefault(words, {}).setdefault(kind, one)
             if kind in NOUNS and words[-1].isascii():
                 found.setdefault(plural(words), {}).setdefault(kind, several)
+
+
+def _newcomers() -> dict[str, list[str]]:
+    """Words for the types of room that do not always exist; these come before others of the same words."""
+    return {name: [name.replace("_", " "), *kind.words] for name, kind in kinds().items() if name not in ROOM_TYPES}
 
 
 def _furniture() -> dict[str, list[str]]:

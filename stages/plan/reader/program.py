@@ -3,6 +3,8 @@
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plan import AskedObjects, AskedRoom, Envelope, Link, Program
+from apartgen.schemas.rooms import kinds
+from apartgen.stages.plan.newcomers import as_base, plain
 from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import consistent
 from apartgen.stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
@@ -94,7 +96,8 @@ def _counts_in_bounds(said: Said) -> None:
 
 def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Program:
     ids = _ids(home)
-    rooms = [AskedRoom(id=ids[id(e)], type=e.type, area=None, private_to=_private(e, ids)) for e in _ordered(home)]
+    ordered = _ordered(home)
+    rooms = [as_base(AskedRoom(id=ids[id(e)], type=e.type, private_to=_private(e, ids))) for e in ordered]
 
     def pairs(found: list[Pair]) -> list[Link]:
         return sorted({edge(ids[id(a)], ids[id(b)]) for a, b in found})
@@ -105,7 +108,8 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
     areas = room_areas(said, home, rooms, links, ids)
     style = style_of(said)
     return Program(
-        rooms=[r.model_copy(update={"area": areas[r.id]}) for r in rooms],
+        rooms=[AskedRoom(id=r.id, type=e.type, area=areas[r.id], private_to=r.private_to)
+               for e, r in zip(ordered, rooms, strict=True)],
         links=links,
         open_links=[link for link in pairs(doors.open) if link in links],
         weights=style["weights"],
@@ -122,7 +126,7 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
 def _ordered(home: Household) -> list[Entity]:
     """By type, the main bedroom and the hall one enters first."""
     types = [str(t) for t in ROOM_TYPES]
-    return sorted(home.rooms, key=lambda e: (types.index(e.type), _rank(e)))
+    return sorted(home.rooms, key=lambda e: (types.index(kinds()[e.type].base), e.type not in types, _rank(e)))
 
 
 def _rank(room: Entity) -> int:
@@ -148,6 +152,9 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
     for e in _ordered(home):
         for category, count in e.objects:
             wanted[ids[id(e)], category] = wanted.get((ids[id(e)], category), 0) + count
+    for e in _ordered(home):
+        for category, count in kinds()[e.type].objects.items():
+            wanted.setdefault((ids[id(e)], category), count)
     for category, count in said.loose_objects:
         homes = [e for kind in (TABLE[category].rooms if category else ()) for e in home.of(kind)]
         if homes:
@@ -176,11 +183,11 @@ def complete_program(program: Program) -> Program:
                 f"program.links names {sorted({a, b} - known)[0]!r}, which is no room of program.rooms; correct the id"
             )
     links = sorted({edge(a, b) for a, b in [*program.links, *program.open_links]})
-    rooms = [r.model_copy() for r in program.rooms]
+    rooms = plain(program).rooms
     if not program.complete or (not links and len(rooms) > 1):
         links = complete_links(rooms, links, set())
     base = typical(rooms, links, {})
     stated = {r.id: r.area for r in rooms if r.area is not None}
     areas = fill(rooms, base, stated, {}, program.total_area)
-    rooms = [r.model_copy(update={"area": areas[r.id]}) for r in rooms]
+    rooms = [r.model_copy(update={"area": areas[r.id]}) for r in program.rooms]
     return program.model_copy(update={"rooms": rooms, "links": links})

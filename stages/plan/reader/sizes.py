@@ -4,6 +4,7 @@ import math
 
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.plan import AskedRoom, Link
+from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import shares_fit
 from apartgen.stages.plan.reader.doors import entities
@@ -16,7 +17,7 @@ def room_areas(
     said: Said, home: Household, rooms: list[AskedRoom], links: list[Link], ids: dict[int, str]
 ) -> dict[str, float]:
     labels = {ids[id(e)]: e.labels for e in home.rooms}
-    base = typical(rooms, links, labels)
+    base = typical(rooms, links, labels) | {ids[id(e)]: area for e in home.rooms if (area := kinds()[e.type].area)}
     style = style_of(said)
     for e in home.rooms:
         base[ids[id(e)]] *= e.factor * (style["hallway"] if e.type == "hallway" else 1.0)
