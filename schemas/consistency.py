@@ -10,6 +10,7 @@ from math import hypot
 from typing import NamedTuple
 
 from apartgen.schemas.base import Polygon, Record
+from apartgen.schemas.carrying import BUILDING
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Opening, Plan, Program
 from apartgen.schemas.retrieve import Retrieve
@@ -33,6 +34,8 @@ def faults(body: Record) -> Iterator[Fault]:
     if isinstance(body, Plan):
         yield from _program(body.program)
         yield from _rooms(body)
+        for name in body.finishes:
+            yield from _known(name, {room.id for room in body.rooms}, "finishes")
         yield from _openings(body)
     if isinstance(body, Layout):
         yield from _objects(body)
@@ -68,6 +71,7 @@ def _program(program: Program) -> Iterator[Fault]:
         yield from _known(wish.room, rooms, f"program.objects[{i}].room")
     for room in program.counts:
         yield from _known(room, rooms, "program.counts")
+    yield from _repeated((asked.id for asked in program.requirements), "program.requirements")
     if program.envelope.outline is not None:
         yield from _outline(program.envelope.outline, "program.envelope.outline")
 
@@ -133,6 +137,24 @@ def _objects(layout: Layout) -> Iterator[Fault]:
         yield from _known(box.room, rooms, f"objects[{i}].room")
         if max(map(abs, (*box.center, *box.size))) > FARTHEST:
             yield Fault(f"objects[{i}]", f"placed or sized over {FARTHEST:g} m; coordinates are metres")
+    yield from _carriers(layout)
+
+
+def _carriers(layout: Layout) -> Iterator[Fault]:
+    on = {box.id: box.on for box in layout.objects}
+    for i, box in enumerate(layout.objects):
+        if box.on is None or box.on in BUILDING:
+            continue
+        if box.on not in on:
+            known = ", ".join(BUILDING)
+            yield Fault(f"objects[{i}].on", f"there is no object {box.on!r}; name one by its id, or {known}")
+            continue
+        below, passed = box.on, {box.id}
+        while below not in passed and (further := on.get(below)) is not None:
+            passed.add(below)
+            below = further
+        if below == box.id:
+            yield Fault(f"objects[{i}].on", f"{box.id!r} would stand on itself by way of {box.on!r}")
 
 
 def _joints(home: Retrieve) -> Iterator[Fault]:

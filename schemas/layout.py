@@ -16,6 +16,7 @@ class Box(Record):
     size: tuple[Positive, Positive, Positive]
     yaw: Number
     latent: list[Number] = Field(default_factory=list, description="32-d shape latent f")
+    on: str | None = Field(None, description="what carries it: another object's id, floor, wall or ceiling")
 
 
 class Layout(Plan):

@@ -68,6 +68,20 @@ class Envelope(Record):
     entrance: Side | None = None
 
 
+class Requirement(Record):
+    """What else was asked of a room or an object: `text` are the words it came from, `met` whether the result has it
+    (None where nobody looked yet).
+    """
+
+    id: str
+    kind: str = Field(description="position, dimension, adjacent, apart, order, …")
+    of: str
+    to: str | None = None
+    value: Number | str | None = None
+    text: str = ""
+    met: bool | None = None
+
+
 class Program(Record):
     """What the plan solver is asked for, filled by a reader from the prompt."""
 
@@ -84,6 +98,7 @@ class Program(Record):
     envelope: Envelope = Field(default_factory=Envelope)
     complete: bool = Field(False, description="exactly these rooms and links, nothing may be added")
     unread: list[str] = Field(default_factory=list, description="words of the prompt not understood")
+    requirements: list[Requirement] = Field(default_factory=list, description="what else was asked")
 
 
 class Room(Typed):
@@ -116,6 +131,14 @@ class Walls(Record):
     outer: Positive = 0.30
 
 
+class Finish(Record):
+    """What a room is finished with, by names of materials; empty where it is as usual."""
+
+    floor: str = ""
+    wall: str = ""
+    joinery: str = ""
+
+
 class Plan(Record):
     """Body of a `plan` artifact."""
 
@@ -126,3 +149,4 @@ class Plan(Record):
     height: Positive = 2.6
     walls: Walls = Field(default_factory=Walls)
     relaxed: list[str] = Field(default_factory=list, description="what the solver had to give up, in words")
+    finishes: dict[str, Finish] = Field(default_factory=dict, description="by room")

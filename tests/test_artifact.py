@@ -114,7 +114,7 @@ HOSTILE = {
     "lone surrogate": (changed(lambda raw: raw["body"].update(prompt="\ud800")), "not UTF-8"),
     "unknown kind": (changed(lambda raw: raw.update(apartgen="palace")), "unknown kind 'palace'"),
     "kind of another type": (changed(lambda raw: raw.update(apartgen={"a": 1})), "unknown kind"),
-    "too new": (changed(lambda raw: raw.update(version=99)), "version 99 is newer than version 1"),
+    "too new": (changed(lambda raw: raw.update(version=99)), "version 99 is newer than version 2"),
     "no version": (changed(lambda raw: raw.pop("version")), "version: a whole number"),
     "true version": (changed(lambda raw: raw.update(version=True)), "version: a whole number"),
     "no body": (changed(lambda raw: raw.pop("body")), "body: field required"),

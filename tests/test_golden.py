@@ -45,8 +45,10 @@ def test_nothing_of_the_present_version_is_lost(file):
     assert not lost(raw, json.loads(artifact.finish(read.body, read.made)[0]))
 
 
-def test_a_chain_of_files_hangs_together():
-    read = {kind: artifact.read(FILES[0].parent / f"{kind}.json", BODIES[kind]) for kind in BODIES}
+@pytest.mark.parametrize("version", range(1, VERSION + 1))
+def test_a_chain_of_files_hangs_together(version):
+    folder = Path(__file__).parent / "golden" / f"v{version}"
+    read = {kind: artifact.read(folder / f"{kind}.json", BODIES[kind]) for kind in BODIES}
     for kind, source in (("layout", "plan"), ("retrieve", "layout"), ("walkable", "retrieve"), ("metrics", "walkable"),
                          ("export", "walkable")):
         assert read[kind].made.inputs[source] == read[source].digest

@@ -15,7 +15,7 @@ from apartgen.stages.embodied.floor import Floor
 from apartgen.stages.robot import reach
 from apartgen.stages.space import boxes, footprints, grid, polygons, sweeps
 from apartgen.stages.space.boxes import Array, Mask
-from apartgen.stages.things import categories
+from apartgen.stages.things.carrying import by_another
 
 Cell = tuple[int, int]
 _ROOMY = 0.55  # m of clearance beyond which more is no better: the inflation radius
@@ -56,8 +56,7 @@ def goals(floor: Floor, objects: list[Furnishing], reached: Mask, rng: np.random
 
 def worth_meeting(o: Furnishing) -> bool:
     """Whether it stands on the floor, or hangs low, and not on other furniture."""
-    kind = categories.TABLE.get(o.category)
-    return reach.in_the_way(o) and not footprints.gives_way(o) and (kind is None or kind.place != "top")
+    return reach.in_the_way(o) and not footprints.gives_way(o) and not by_another(o)
 
 
 def _goal(

@@ -14,8 +14,6 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box
 from apartgen.stages.things.asset import Array
 
-ON_TOP = 0.02
-"""What is no further above a top stands on it, m."""
 MOST, LEAST = 0.4, 0.5
 """By how much an asset may be larger than the object on any side, m, and what share of its side it has at least."""
 TYPES = {
@@ -91,19 +89,10 @@ def dressed(objects: list[Box], known: list[Model]) -> dict[str, tuple[Model, tu
         if model is not None:
             forward = (model.size[0] - o.size[0]) / 2 * np.array([np.cos(o.yaw), np.sin(o.yaw)])
             x, y = np.add(o.center[:2], forward)
-            found[o.id] = model, (float(x), float(y), _bottom(o, objects, found) + model.size[2] / 2)
+            below, middle = found.get(o.on or "", (None, (0.0, 0.0, o.center[2] - o.size[2] / 2)))
+            low = middle[2] + (below.size[2] / 2 if below else 0.0)
+            found[o.id] = model, (float(x), float(y), low + model.size[2] / 2)
     return found
-
-
-def _bottom(o: Box, objects: list[Box], placed: dict[str, tuple[Model, tuple[float, float, float]]]) -> float:
-    """Height of its underside, which follows the top that it stands on."""
-    own = o.center[2] - o.size[2] / 2
-    for below in objects:
-        near = np.hypot(*np.subtract(o.center[:2], below.center[:2])) < max(below.size[:2]) / 2
-        if below.id in placed and near and abs(below.center[2] + below.size[2] / 2 - own) <= ON_TOP:
-            model, middle = placed[below.id]
-            return middle[2] + model.size[2] / 2
-    return own
 
 
 def window(width: float, height: float) -> str:

@@ -22,8 +22,10 @@ from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.export import _thor
-from apartgen.stages.scene.scene import LOOSE, Scene
+from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
+from apartgen.stages.things.carrying import told
+from apartgen.stages.things.categories import TABLE
 
 ROOMS = {"living_room": "LivingRoom", "kitchen": "Kitchen", "bedroom": "Bedroom", "bathroom": "Bathroom"}
 """THOR has four types of room; any other counts as a living room."""
@@ -47,7 +49,7 @@ def write(scene: Scene, out: Path) -> list[Path]:
 def _house(scene: Scene) -> Part:
     home = scene.home
     scene.bodies  # noqa: B018  what has no assets can't be written
-    objects = home.objects if isinstance(home, Layout) else []
+    objects = told(home.objects, home.height) if isinstance(home, Layout) else []
     stretches = _stretches(home)
     openings = [_opening(o, stretches) for o in home.openings]
     known = _thor.furniture()
@@ -188,7 +190,7 @@ def _object(o: Box, asset: str, kind: str, middle: Triple, size: Triple) -> Part
     return {
         "id": o.id, "assetId": asset, "objectType": kind, "room": f"room|{o.room}", "position": _xyz(*middle),
         "rotation": {"x": 0, "y": _heading(o.yaw), "z": 0}, "boundingBox": _xyz(width, depth, height),
-        "kinematic": o.category not in LOOSE, "children": [], "layer": "Procedural0",
+        "kinematic": not (o.category in TABLE and TABLE[o.category].loose), "children": [], "layer": "Procedural0",
         "apartgen": {"id": o.id, "category": o.category},
     }  # fmt: skip
 

@@ -31,7 +31,8 @@ def run_many(previous: "list[Plan]", config: LayoutConfig, rngs: "list[Generator
     BadInput for a wish that no layout can meet, Unmet where sampling diverged.
     """
     from apartgen.stages.layout.batch import furnished
+    from apartgen.stages.things.carrying import recorded
 
     for plan in previous:
         check(plan)
-    return furnished(previous, config, rngs)
+    return map(recorded, furnished(previous, config, rngs))

@@ -9,11 +9,12 @@ from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan
 from apartgen.stages.space import footprints
 from apartgen.stages.space.boxes import Mask
+from apartgen.stages.things.carrying import told
 
 
 def objects(home: Plan) -> list[Box]:
-    """All objects of an artifact; none of a bare plan."""
-    return list(home.objects) if isinstance(home, Layout) else []
+    """All objects of an artifact, what carries them said; none of a bare plan."""
+    return told(home.objects, home.height) if isinstance(home, Layout) else []
 
 
 def solid(home: Plan) -> list[Box]:

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from shapely import Geometry
 
+from apartgen.schemas.carrying import FLOOR
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan, Program
@@ -12,7 +13,6 @@ from apartgen.stages.metrics._free import low, reached_share
 from apartgen.stages.metrics._shares import objects, shares
 from apartgen.stages.robot import reach
 from apartgen.stages.space import boxes, footprints, grid, polygons, sweeps
-from apartgen.stages.things import categories
 
 NEEDS = Layout
 Share = Callable[[Geometry, Sequence[Box]], float | None]
@@ -47,11 +47,7 @@ def _low(floor: Geometry, things: Sequence[Box]) -> float | None:
 
 def _standing(floor: Geometry, things: Sequence[Box]) -> float | None:
     """Only low things are in the way, and only those on the floor are to be reached."""
-    return reached_share(floor, low(things), [o for o in low(things) if _stands(o)])
-
-
-def _stands(o: Box) -> bool:
-    return o.category not in categories.TABLE or categories.TABLE[o.category].place == "floor"
+    return reached_share(floor, low(things), [o for o in low(things) if o.on == FLOOR])
 
 
 def _by_room(home: Plan, version: str, share: Share) -> list[Value]:

@@ -12,28 +12,21 @@ from itertools import count
 
 import numpy as np
 
+from apartgen.schemas.carrying import CEILING, WALL
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.robot.wedged import wedged
-from apartgen.stages.space import boxes, polygons
+from apartgen.stages.space import polygons
 from apartgen.stages.things import placed, shell
 from apartgen.stages.things.asset import Asset, Link
 from apartgen.stages.things.body import Body, Light
+from apartgen.stages.things.carrying import told
 from apartgen.stages.things.categories import TABLE
 
 log = logging.getLogger("apartgen")
 Load = Callable[[str, str], Asset]
-
-LOOSE = frozenset({
-    "armchair", "balcony_chair", "balcony_table", "bin", "chair", "coat_rack", "floor_lamp", "laundry_basket",
-    "microwave", "monitor", "office_chair", "plant", "pouffe", "side_table", "stool", "table_lamp", "tv",
-})
-"""Categories light enough to be pushed about where they stand on something; everything else is fixed."""
-REST = 0.02
-"""What is no further above the floor or a top stands on it, m."""
-_LUMENS = {"ceiling_lamp": 1100.0, "floor_lamp": 700.0, "table_lamp": 350.0, "wall_lamp": 300.0}
 
 
 @dataclass(frozen=True)
@@ -62,15 +55,16 @@ class Scene:
     def lights(self) -> list[Light]:
         """One for every lamp, and one under the ceiling of each room without a ceiling lamp."""
         objects = self.home.objects if isinstance(self.home, Layout) else []
+        kinds = {o.id: TABLE[o.category] for o in objects if o.category in TABLE}
         lamps = [
-            Light(f"light_{identifier(o.id)}", o.room, np.array(o.center), _LUMENS[o.category])
-            for o in objects if o.category in _LUMENS
+            Light(f"light_{identifier(o.id)}", o.room, np.array(o.center), kinds[o.id].lumens)
+            for o in objects if o.id in kinds and kinds[o.id].lumens
         ]
         lit = {o.room for o in objects if o.category == "ceiling_lamp"}
         dark = [room for room in self.home.rooms if room.id not in lit and room.base != "balcony"]
         middles = [np.array(polygons.floor(room).representative_point().coords[0]) for room in dark]
         plain = [
-            Light(f"light_{room.id}", room.id, np.array([*xy, self.home.height - 0.15]), _LUMENS["ceiling_lamp"])
+            Light(f"light_{room.id}", room.id, np.array([*xy, self.home.height - 0.15]), TABLE["ceiling_lamp"].lumens)
             for room, xy in zip(dark, middles, strict=True)
         ]
         return lamps + plain
@@ -80,26 +74,19 @@ class Scene:
         """Who made the assets used, sorted."""
         return sorted({self.load(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
 
-    def _stands(self, o: Furnishing) -> bool:
-        """Whether it would stay where it is, on the floor or on a top; a television on a wall would not."""
-        others = (other for other in _furnishings(self.home) if other is not o)
-        return o.center[2] - o.size[2] / 2 <= REST or any(_on(o, other) for other in others)
-
     def _body(self, o: Furnishing) -> Body:
         asset = self.load(o.asset.library, o.asset.id)
         links = _links(placed.links(o, asset), o.category)
         links = links if self.shown else _bare(links)
         return Body(
             o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, links,
-            o.category in LOOSE and self._stands(o), o.id, f"{o.asset.library}/{o.asset.id}",
+            _is_free(o), o.id, f"{o.asset.library}/{o.asset.id}",
         )
 
 
-def _on(o: Furnishing, below: Furnishing) -> bool:
-    """Whether it stands on another's top."""
-    beside = np.abs(boxes.local([o.center[:2]], boxes.of([below]))[0, 0])
-    top, bottom = below.center[2] + below.size[2] / 2, o.center[2] - o.size[2] / 2
-    return abs(top - bottom) <= REST and bool((beside <= np.array(below.size[:2]) / 2).all())
+def _is_free(o: Furnishing) -> bool:
+    """Whether it may be pushed about: it is light, and stands; a television on a wall does not."""
+    return o.category in TABLE and TABLE[o.category].loose and o.on not in (WALL, CEILING)
 
 
 def _links(links: list[Link], category: str) -> list[Link]:
@@ -115,7 +102,7 @@ def _bare(links: list[Link]) -> list[Link]:
 
 def _furnishings(home: Plan) -> list[Furnishing]:
     if isinstance(home, Retrieve):
-        return home.objects
+        return told(home.objects, home.height)
     if isinstance(home, Layout) and home.objects:
         raise BadInput(
             "this layout has boxes but no assets, which this format needs; "

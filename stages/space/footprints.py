@@ -10,10 +10,12 @@ import shapely
 from shapely import Geometry
 from shapely.ops import unary_union
 
+from apartgen.schemas.carrying import CEILING
 from apartgen.schemas.layout import Box
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Mask
 from apartgen.stages.things import categories
+from apartgen.stages.things.carrying import by_another
 
 FLAT = 0.03
 """What is no higher is walked on, m."""
@@ -24,11 +26,13 @@ HEADROOM = categories.LEAST_CLEARANCE_HEIGHT
 def is_obstacle(o: Box) -> bool:
     """Whether one walks around it."""
     bottom, top = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
-    return top > FLAT and bottom < HEADROOM and _place(o) != "ceiling"
+    return top > FLAT and bottom < HEADROOM and not _hangs_above(o)
 
 
-def _place(o: Box) -> str | None:
-    return categories.TABLE[o.category].place if o.category in categories.TABLE else None
+def _hangs_above(o: Box) -> bool:
+    if o.on is not None:
+        return o.on == CEILING
+    return o.category in categories.TABLE and categories.TABLE[o.category].place == CEILING
 
 
 def gives_way(o: Box) -> bool:
@@ -68,5 +72,5 @@ def plain_ratio(floor: Geometry, objects: Iterable[Box]) -> float:
 
     What stands on other furniture has no footprint on the floor.
     """
-    standing = [o for o in objects if is_obstacle(o) and _place(o) != "top"]
+    standing = [o for o in objects if is_obstacle(o) and not by_another(o)]
     return 1.0 - sum(area(o) for o in standing) / float(floor.area)

@@ -1,10 +1,10 @@
 """Changes to a scene and how they are recorded."""
 
-from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.schemas.walkable import Placement, Shift, Step
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.walkable.site import Changes, Scene, swapped
 
 Action = Literal["replace", "nudge", "drop"]
@@ -38,9 +38,9 @@ def nudged(o: Furnishing, to: Changes, reason: str) -> Change:
     return Change("nudge", o, to, reason)
 
 
-def dropped(o: Furnishing, carried: Sequence[Furnishing], reason: str) -> Change:
+def dropped(o: Furnishing, scene: Scene, reason: str) -> Change:
     """An object left out, and what stands on it."""
-    return Change("drop", o, {p.id: None for p in (o, *carried)}, reason)
+    return Change("drop", o, {p.id: None for p in (o, *carried(o, scene))}, reason)
 
 
 def placement(o: Furnishing) -> Placement:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.robot import reach
-from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable import importance
 from apartgen.stages.walkable.blocking import View
 from apartgen.stages.walkable.changes import Change, Repair, dropped, nudged, replaced
 from apartgen.stages.walkable.kinds import stand_ins
@@ -31,7 +31,7 @@ class Question(NamedTuple):
 
     def away(self, gone: list[Furnishing]) -> Changes:
         """The objects and what stands on them taken away."""
-        return {name: None for o in gone for name in dropped(o, placing.carried(o, self.now.scene), "").to}
+        return {name: None for o in gone for name in dropped(o, self.now.scene, "").to}
 
     def least(self, gone: list[Furnishing], to: Changes) -> Iterator[Change]:
         """What has to go for `to`: those of `gone` without whose leaving it would not do."""
@@ -40,7 +40,7 @@ class Question(NamedTuple):
             fewer = [p for p in least if p is not less]
             if self.answered(fewer, to):
                 least = fewer
-        return (dropped(p, placing.carried(p, self.now.scene), self.here.target) for p in least)
+        return (dropped(p, self.now.scene, self.here.target) for p in least)
 
 
 def making_room(site: Site, now: Ways, here: View, able: list[Furnishing]) -> Iterator[Repair]:

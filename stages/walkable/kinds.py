@@ -10,6 +10,7 @@ from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Array
 from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.walkable import importance, placing
 from apartgen.stages.walkable.designs import look
 from apartgen.stages.walkable.places import kin
@@ -67,5 +68,5 @@ def _stood_in(site: Site, scene: Scene, o: Furnishing, asset: Asset) -> Changes 
         at = boxes.local([p.center[:2]], base)[0, 0]
         moved = at - np.where(np.abs(at) > np.asarray(o.size[:2]) / 2, np.sign(at) * lost, 0.0)
         by = new.center[:2] + moved @ boxes.axes(base)[0] - p.center[:2]
-        changes |= {q.id: placing.moved(q, by.tolist()) for q in (p, *placing.carried(p, scene))}
+        changes |= {q.id: placing.moved(q, by.tolist()) for q in (p, *carried(p, scene))}
     return changes

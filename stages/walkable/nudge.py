@@ -8,6 +8,7 @@ import numpy as np
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.space import anchors, boxes
 from apartgen.stages.things import categories
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.walkable import placing
 from apartgen.stages.walkable.site import Changes, Scene, Site
 
@@ -21,7 +22,7 @@ def nudges(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """Shifts, short ones first; backs and sides at walls slide along them. Whether they fit is not looked at."""
     along, across = anchors.anchors(boxes.of([o]), site.floors[o.room])
     axes = boxes.axes(boxes.of([o]))[0]
-    company = [o, *placing.carried(o, scene), *_seats(scene, o)]
+    company = [o, *carried(o, scene), *_seats(scene, o)]
     shifts = [s for s in product((0.0,) if along else SHIFTS, (0.0,) if across else SHIFTS) if any(s)]
     for shift in sorted(shifts, key=lambda s: (np.hypot(*s), s)):
         by = np.asarray(shift) @ axes

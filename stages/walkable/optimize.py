@@ -9,7 +9,7 @@ from apartgen.schemas.walkable import Step
 from apartgen.stages.space import footprints
 from apartgen.stages.space.boxes import Array
 from apartgen.stages.things import categories
-from apartgen.stages.walkable import importance, placing
+from apartgen.stages.walkable import importance
 from apartgen.stages.walkable.changes import applied, dropped, replaced
 from apartgen.stages.walkable.site import Scene, Site, in_room
 from apartgen.stages.walkable.smaller import smaller
@@ -103,7 +103,7 @@ def thin_out(
         gone = next((o for o in loose if _frees(site, scene, o)), None)
         if gone is None:
             break
-        scene, step = applied(scene, dropped(gone, placing.carried(gone, scene), "ratio"))
+        scene, step = applied(scene, dropped(gone, scene, "ratio"))
         steps.append(step)
         r.update(scene, gone.room)
     return scene, steps

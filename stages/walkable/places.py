@@ -10,7 +10,7 @@ from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.space import boxes, footprints
 from apartgen.stages.space.boxes import Array, Boxes
 from apartgen.stages.things import categories
-from apartgen.stages.walkable import placing
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.walkable.site import COMPANY, SLACK, Changes, Scene, Site, in_room
 
 STEP = 0.15
@@ -34,7 +34,7 @@ def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
         return
     floor = site.floors[o.room]
     group = [o, *kin(o, scene), *hung(o, scene)]
-    company = [p for member in group for p in (member, *placing.carried(member, scene))]
+    company = [p for member in group for p in (member, *carried(member, scene))]
     spots = _along_walls(floor, o, group) if categories.TABLE[o.category].back else _all_over(floor, o)
     rest = [p for p in in_room(scene, o.room) if p not in company and not footprints.gives_way(p)]
     for member in group:

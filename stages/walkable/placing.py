@@ -7,15 +7,13 @@ import numpy as np
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
 from apartgen.stages.space import anchors, boxes
 from apartgen.stages.space.boxes import Array, Boxes
-from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.things.tops import heights
 from apartgen.stages.walkable.site import Changes, Scene, Site
 
 LEVEL = 0.004
 """Heights within this are one level, m."""
-ON = 0.02
-"""What is this little above or below a top stands on it, m."""
 
 
 def resized(o: Furnishing, size: Sequence[float], site: Site) -> Furnishing:
@@ -53,42 +51,15 @@ def moved(o: Furnishing, by: Sequence[float]) -> Furnishing:
     return o.model_copy(update={"center": (float(x), float(y), float(z))})
 
 
-def carried(o: Furnishing, scene: Scene) -> list[Furnishing]:
-    """What stands on top of an object."""
-    tops = [p for p in scene if p.room == o.room and p.id != o.id and _is_top(p) and _may_be_on(p, o)]
-    return [p for p in tops if _below(p, scene) == o.id]
-
-
-def _may_be_on(p: Furnishing, o: Furnishing) -> bool:
-    """Whether a thing's centre is over the circle about an object, which rules most others out."""
-    x, y = p.center[0] - o.center[0], p.center[1] - o.center[1]
-    return x * x + y * y <= (o.size[0] ** 2 + o.size[1] ** 2) / 4 + LEVEL
-
-
-def _is_top(o: Furnishing) -> bool:
-    return o.category in categories.TABLE and categories.TABLE[o.category].place == "top"
-
-
-def _below(o: Furnishing, scene: Scene) -> str | None:
-    """Id of the object that a thing stands on: the highest of those under its centre."""
-    bottom = o.center[2] - o.size[2] / 2
-    under = [p for p in scene if p.room == o.room and p.id != o.id and not _is_top(p)
-             and p.center[2] - p.size[2] / 2 < bottom <= p.center[2] + p.size[2] / 2 + ON]
-    if not under:
-        return None
-    inside = boxes.distance([o.center[:2]], boxes.of(under))[0] <= 0
-    held = [p for p, hit in zip(under, inside) if hit]
-    return max(held, key=lambda p: p.center[2] + p.size[2] / 2).id if held else None
-
-
 def settled(old: Furnishing, new: Furnishing, asset: Asset, scene: Scene) -> Changes | None:
     """The changed object and, by id, what it carries on the new asset's top; None if that no longer holds it."""
     changes: Changes = {new.id: new}
-    for item in carried(old, scene):
+    for item in (p for p in scene if p.on == old.id):
         placed = _on(new, item, asset)
         if placed is None:
             return None
-        changes[item.id] = placed
+        by = np.subtract(placed.center, item.center).tolist()
+        changes |= {item.id: placed, **{p.id: moved(p, by) for p in carried(item, scene)}}
     return changes
 
 

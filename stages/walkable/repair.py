@@ -102,7 +102,7 @@ def _repaired(
     single, joint = blockers(site, scene, here)
     loose = importance.droppable(site, scene, 2 if essential else 1) if site.config.drop else []
     able = [*single, *(o for o in scene if o.id == target)]
-    gone = [(dropped(o, placing.carried(o, scene), target),) for o in loose]
+    gone = [(dropped(o, scene, target),) for o in loose]
     # What did not help without the last resorts does not help now.
     kept = () if (question, False) in failed else _changes(site, scene, here, able)
     whole = chain(((change,) for change in kept), making_room(site, now, here, able) if essential else ())

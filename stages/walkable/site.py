@@ -17,6 +17,7 @@ from apartgen.stages.robot import reach
 from apartgen.stages.space import boxes, footprints, polygons, sweeps
 from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.carrying import holds
 from apartgen.stages.walkable.config import WalkableConfig
 
 SLACK = 0.004
@@ -112,12 +113,17 @@ def swapped(scene: Scene, changes: Changes) -> Scene:
 
 
 def fits(site: Site, scene: Scene, changes: Changes) -> bool:
-    """Whether a change breaks nothing that was whole: room, doors, windows, collisions, sweeps of moving parts."""
+    """Whether a change breaks nothing that was whole: room, doors, windows, what carries things, collisions, sweeps of
+    moving parts.
+    """
     now = {o.id: o for o in scene}
     changed = [o for o in changes.values() if o is not None]
     if not all(_stands_well(site, now[o.id], o) for o in changed):
         return False
     after = swapped(scene, changes)
+    there = {o.id: o for o in after}
+    if not all(holds(there[o.on], o) for o in changed if o.on in there):
+        return False
     rooms = sorted({o.room for o in changed})
     return all(_meets_nothing(in_room(scene, room), in_room(after, room), set(changes)) for room in rooms)
 

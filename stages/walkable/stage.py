@@ -7,6 +7,7 @@ from apartgen.schemas.errors import Unmet
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.schemas.walkable import Blocked, Replaced, Report, Step, Walkable
 from apartgen.stages.things import categories
+from apartgen.stages.things.carrying import told
 from apartgen.stages.walkable import importance, repair
 from apartgen.stages.walkable.blocking import missed
 from apartgen.stages.walkable.blocking import rooms as rooms_of
@@ -27,7 +28,7 @@ LOG = logging.getLogger("apartgen")
 def cleared(previous: Retrieve, config: WalkableConfig, library: Candidates) -> Walkable:
     """The whole stage, one step after another."""
     site = survey(previous, config, Kept(library), importance.needs(previous))
-    start: Scene = tuple(previous.objects)
+    start: Scene = tuple(told(previous.objects, previous.height))
     parts = _parts(site)
     scene, steps = start, list[Step]()
     for rooms in parts:

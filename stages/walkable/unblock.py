@@ -15,6 +15,7 @@ from apartgen.schemas.retrieve import Furnishing
 from apartgen.schemas.walkable import Step
 from apartgen.stages.space import boxes
 from apartgen.stages.things import categories
+from apartgen.stages.things.carrying import carried
 from apartgen.stages.walkable import importance, placing
 from apartgen.stages.walkable.blocking import missed
 from apartgen.stages.walkable.changes import Change, applied, dropped, nudged, replaced
@@ -154,7 +155,7 @@ def _changes(
         yield from shifted(o, places(site, scene, o))
     if site.config.drop:
         loose = importance.sparable(both, scene, site)
-        yield from (dropped(o, placing.carried(o, scene), fault.owner) for o in loose)
+        yield from (dropped(o, scene, fault.owner) for o in loose)
 
 
 def _slight(scene: Scene, o: Furnishing) -> Iterator[Changes]:
@@ -188,7 +189,7 @@ def _drawn_back(scene: Scene, o: Furnishing, both: list[Furnishing], by: Iterabl
 
 
 def _shifted(scene: Scene, o: Furnishing, by: list[float]) -> Changes:
-    return {p.id: placing.moved(p, by) for p in (o, *placing.carried(o, scene))}
+    return {p.id: placing.moved(p, by) for p in (o, *carried(o, scene))}
 
 
 def _trimmed(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:

@@ -93,7 +93,8 @@ def test_things_stand_exactly_on_what_carries_them(flat, libraries):
         asset = libraries.load(under.asset.library, under.asset.id)
         at = boxes.local(np.array([item.center[:2]]), boxes.of([under]))[0]
         top = tops.heights(asset, at)[0] + under.center[2]
-        assert np.isclose(item.center[2] - item.size[2] / 2, top, atol=1e-6)
+        assert np.isclose(item.center[2] - item.size[2] / 2, top, atol=1e-6) and item.on == under.id
+    assert stand.on == night.on == "floor"
     assert footprint(night).covers(footprint(lamp).centroid)
 
 
@@ -195,3 +196,15 @@ def test_no_new_collision_and_nothing_new_outside(seed, flat, libraries):
         assert (np.asarray(thing.size) >= np.asarray(kind.min) - 1e-6).all()
         assert (np.asarray(thing.size) <= np.maximum(before[thing.id].size, kind.min) + 1e-6).all()
         assert room.covers(footprint(thing)) or not room.covers(footprint(before[thing.id]))
+
+
+def test_a_television_said_to_hang_stays_on_the_wall_and_any_other_finds_its_stand(flat, libraries):
+    things = ({"category": "tv_stand", "center": [0.3, 2.5, 0.25], "size": [0.5, 2.0, 0.5]},
+              {"category": "tv", "center": [0.2, 2.5, 1.3], "size": [0.1, 1.2, 0.7], "yaw": 0.0})
+    for on, carrier in (("wall", "wall"), (None, "stand"), ("stand", "stand")):
+        layout = flat(*things)
+        stand, tv = layout.objects
+        tv = tv.model_copy(update={"on": stand.id if on == "stand" else on})
+        stand, tv = retrieve(layout.model_copy(update={"objects": [stand, tv]}), libraries).objects
+        assert tv.on == (stand.id if carrier == "stand" else carrier)
+        assert (abs(tv.center[2] - 1.3) < 0.1) == (carrier == "wall")

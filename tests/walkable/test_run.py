@@ -42,7 +42,8 @@ def object_of(home, id):
 def test_enough_floor_changes_nothing():
     home = h.home(h.thing("double_bed", 6.3, 2.0, DOWN, h.BEDROOM, size=(2.0, 1.4, 1.0)), sofa(x=2.2))
     result = walk(home, target=0.5)
-    assert result.objects == home.objects and result.walkable.steps == []
+    assert result.objects == [o.model_copy(update={"on": "floor"}) for o in home.objects]
+    assert result.walkable.steps == []
     assert result.walkable.before == result.walkable.after == pytest.approx(1 - (2.8 + 2.4) / 21)
 
 
@@ -165,6 +166,25 @@ def test_the_steps_taken_again_lead_from_what_was_to_what_is(kind):
             assert now.pop(shift.object) == shift.before
             now |= {shift.object: shift.after} if shift.after else {}
     assert now == {o.id: placement(o) for o in result.objects}
+
+
+@pytest.mark.parametrize("kind, seed", [("bedroom", 2), ("living_room", 5), ("study", 1)])
+def test_what_stands_on_something_stands_on_it_in_the_end_or_is_gone_with_it(kind, seed):
+    home = crowded(seed, kind)
+    lamps = [h.thing("table_lamp", *o.center[:2], room=h.BEDROOM, size=(0.1, 0.1, 0.3), id=f"on_{o.id}",
+                     bottom=o.center[2] + o.size[2] / 2) for o in home.objects if o.size[2] < 1]
+    home = h.home(*home.objects, *lamps).model_copy(update={"rooms": home.rooms})
+    result = walk(home, target=0.75, write_anyway=True)
+    left = {o.id: o for o in result.objects}
+    assert len(lamps) > 2 and len(left) < len(home.objects)
+    for lamp in lamps:
+        own = lamp.id.removeprefix("on_")
+        assert (lamp.id in left) <= (own in left)
+        if lamp.id in left:
+            on, under = left[lamp.id], left[own]
+            at = boxes.local([on.center[:2]], boxes.of([under]))[0, 0]
+            assert on.on == own and (np.abs(at) <= np.array(under.size[:2]) / 2).all()
+            assert on.center[2] - 0.15 == pytest.approx(under.center[2] + under.size[2] / 2, abs=0.02)
 
 
 def test_what_a_room_does_not_do_without_goes_last():

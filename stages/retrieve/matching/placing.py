@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from shapely import Geometry, Polygon
 from shapely.ops import unary_union
 
+from apartgen.schemas.carrying import CEILING, WALL
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan
 from apartgen.stages.space import boxes, polygons
@@ -21,12 +22,12 @@ STEPS = (0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Shifts tried along each axis when a box had to grow, m."""
 
 
-def bottom(category: str, box: Boxes, height: float) -> float:
-    """Height of the underside above the floor, m; things on top of others are placed later."""
-    kind, h = TABLE[category], float(box.size[0, 2])
-    if kind.place == "ceiling":
+def bottom(on: str, box: Boxes, height: float) -> float:
+    """Height of the underside above the floor, m, by what carries it; what stands on an object is placed later."""
+    h = float(box.size[0, 2])
+    if on == CEILING:
         return height - h
-    if kind.place == "wall":
+    if on == WALL:
         return float(np.clip(box.center[0, 2] - h / 2, 0, max(height - h, 0)))
     return 0.0
 

@@ -19,6 +19,7 @@ from apartgen.stages.retrieve.matching import placing
 from apartgen.stages.retrieve.matching.placing import Site
 from apartgen.stages.space import boxes, polygons, sweeps
 from apartgen.stages.space.boxes import Array, Boxes, Mask
+from apartgen.stages.things import carrying
 from apartgen.stages.things.categories import TABLE, belong_together
 
 LOG = logging.getLogger("apartgen")
@@ -36,8 +37,6 @@ OUT = np.arange(17) * 0.05
 RINGS = np.arange(1, 31) * 0.05
 """How far lamps, and things that belong to no piece, are shifted in any direction, m."""
 BEARINGS = np.arange(16) * np.pi / 8
-RIM = 0.05
-"""What stands on a thing stands this near to its box's top, m."""
 _EDGE = 0.001
 _AREA = 1e-4  # floor that a shift may take from a doorway, m²
 
@@ -153,7 +152,8 @@ def _at(box: Boxes, shifts: Array) -> Boxes:
 def _fits(i: int, things: list[Furnishing], site: Site, shifts: Array) -> Mask:
     """Where a thing, its own open parts included, is in its room, clear of doorways and of all other things, (k,)."""
     own, wide = placing.one(things[i]), sweeps.extended([things[i]])
-    solid = [o for o in things if o is not things[i] and TABLE[o.category].place != "flat" and not _rides(o, things[i])]
+    riding = {o.id for o in carrying.carried(things[i], things)}
+    solid = [o for o in things if o is not things[i] and TABLE[o.category].place != "flat" and o.id not in riding]
     others, spots = boxes.of(solid), _at(own, shifts)
     allowed = np.maximum(boxes.penetration(wide, others), CONTACT) + 1e-9
     blocked = 0.0 if _hangs(things[i]) else _taken(own, site.doorways)[0]
@@ -170,14 +170,6 @@ def _taken(spots: Boxes, area: Geometry) -> Array:
     return np.asarray(shapely.area(shapely.intersection(boxes.footprints(spots), area)))
 
 
-def _rides(o: Furnishing, below: Furnishing) -> bool:
-    """Whether a thing stands on another."""
-    gap = o.center[2] - o.size[2] / 2 - below.center[2] - below.size[2] / 2
-    if TABLE[o.category].place != "top" or abs(gap) > RIM:
-        return False
-    return bool(boxes.distance([o.center[:2]], placing.one(below))[0, 0] <= 0)
-
-
 def _shifted(i: int, things: list[Furnishing], shift: Array) -> list[Furnishing]:
     """The things with one shifted, and what stands on it."""
 
@@ -185,4 +177,5 @@ def _shifted(i: int, things: list[Furnishing], shift: Array) -> list[Furnishing]
         x, y = (round(float(v), 6) for v in np.add(o.center[:2], shift))
         return o.model_copy(update={"center": (x, y, o.center[2])})
 
-    return [moved(o) if o is things[i] or _rides(o, things[i]) else o for o in things]
+    along = {o.id for o in (things[i], *carrying.carried(things[i], things))}
+    return [moved(o) if o.id in along else o for o in things]

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from shapely import Polygon
 
+from apartgen.schemas.carrying import BUILDING, FLOOR, WALL
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
@@ -18,6 +19,7 @@ from apartgen.stages.retrieve.matching.libraries import LibrarySet, open_librari
 from apartgen.stages.retrieve.matching.placing import Site
 from apartgen.stages.space import anchors, boxes
 from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things import carrying
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.categories import TABLE, carriers, groups
 
@@ -41,9 +43,12 @@ def run(
     wanted = _wanted(previous, libraries)
     own = [_nearest(want, libraries, 1 + config.overshoot, previous.height) for want in wanted]
     placed: list[Boxes | None] = [None] * len(own)
-    _stand(previous, own, placed, sites, [partial(_nearest, want, libraries, 1.0, previous.height) for want in wanted])
-    _put_on_top(previous, own, placed, sites)
-    objects = [_furnishing(*row) for row in zip(previous.objects, own, placed, strict=True) if row[2] is not None]
+    on = [_carrier(box) for box in previous.objects]
+    within = [partial(_nearest, want, libraries, 1.0, previous.height) for want in wanted]
+    _stand(previous, own, on, placed, sites, within)
+    _put_on_top(previous, own, on, placed, sites)
+    rows = zip(previous.objects, own, on, placed, strict=True)
+    objects = [_furnishing(box, asset, below, at) for box, asset, below, at in rows if at is not None]
     objects = seats.cleared(objects, previous)
     return Retrieve(**{name: getattr(previous, name) for name in Layout.model_fields} | {"objects": objects})
 
@@ -86,29 +91,39 @@ def _measured(want: Wanted, libraries: LibrarySet) -> Asset:
     return asset
 
 
+def _carrier(box: Box) -> str:
+    """The floor, a wall or the ceiling; empty for what is to stand on another object."""
+    kind = TABLE[box.category]
+    if kind.hangs and box.on == WALL:
+        return WALL
+    if carrying.by_another(box) or kind.place == "top":
+        return ""
+    return kind.place if kind.place in BUILDING else FLOOR
+
+
 def _stand(
-    layout: Layout, own: list[Asset], placed: list[Boxes | None], sites: dict[str, Site],
+    layout: Layout, own: list[Asset], on: list[str], placed: list[Boxes | None], sites: dict[str, Site],
     within: Sequence[Callable[[], Asset]],
 ) -> None:  # fmt: skip
     """Places all that does not stand on something else; what finds no room gives way to one `within` its box."""
-    rows = [i for i, box in enumerate(layout.objects) if TABLE[box.category].place != "top"]
+    rows = [i for i, below in enumerate(on) if below]
     for i in rows:
-        placed[i] = _resized(layout.objects[i], own[i], sites[layout.objects[i].room].floor, layout.height)
+        placed[i] = _resized(layout.objects[i], own[i], on[i], sites[layout.objects[i].room].floor, layout.height)
     for i in rows:
         box, site = layout.objects[i], sites[layout.objects[i].room]
         if _outgrew(own[i], box):
             placed[i] = _fitted(i, layout, placed, site)
         if placed[i] is None and own[i].library != NAME:
             own[i] = within[i]()
-            placed[i] = _resized(box, own[i], site.floor, layout.height)
+            placed[i] = _resized(box, own[i], on[i], site.floor, layout.height)
             placed[i] = _fitted(i, layout, placed, site) if _outgrew(own[i], box) else placed[i]
         if placed[i] is None:
             LOG.warning("%s: smaller than any real %s, and there is no room for one; left out", box.id, box.category)
 
 
-def _resized(box: Box, asset: Asset, room: Polygon, height: float) -> Boxes:
+def _resized(box: Box, asset: Asset, on: str, room: Polygon, height: float) -> Boxes:
     new = anchors.resized(placing.one(box), asset.size, room)
-    return placing.at_height(new, placing.bottom(box.category, new, height))
+    return placing.at_height(new, placing.bottom(on, new, height))
 
 
 def _outgrew(asset: Asset, box: Box) -> bool:
@@ -131,30 +146,34 @@ def _stacked(placed: Sequence[Boxes | None], rows: Sequence[int]) -> Boxes:
     return Boxes(*(np.concatenate([getattr(box, name) for box in some]) for name in Boxes._fields)) if some else _NONE
 
 
-def _put_on_top(layout: Layout, own: list[Asset], placed: list[Boxes | None], sites: dict[str, Site]) -> None:
+def _put_on_top(
+    layout: Layout, own: list[Asset], on: list[str], placed: list[Boxes | None], sites: dict[str, Site]
+) -> None:
     """Puts each thing that stands on another exactly on its top, clear of all the rest where that can be."""
     tops: dict[int, supports.Top] = {}
     for i, box in enumerate(layout.objects):
-        if TABLE[box.category].place != "top":
+        if on[i]:
             continue
         item = anchors.resized(placing.one(box), own[i].size, sites[box.room].floor)
         below = _below(i, layout, placed)
         for j in below:
             tops.setdefault(j, _top(own[j], placed[j]))
         for small in (False, True):
-            spots = (supports.stand(item, tops[j], _stacked(placed, _near(i, j, layout, small))) for j in below)
-            placed[i] = next((spot for spot in spots if spot is not None), None)
+            taken = {j: _stacked(placed, _near(i, j, layout, on, small)) for j in below}
+            spots = ((j, supports.stand(item, tops[j], taken[j])) for j in below)
+            under, placed[i] = next(((j, spot) for j, spot in spots if spot is not None), (i, None))
             if placed[i] is not None:
+                on[i] = layout.objects[under].id
                 break
         else:
-            placed[i] = _unsupported(box, item)
+            on[i], placed[i] = WALL, _unsupported(box, item)
 
 
-def _near(i: int, under: int, layout: Layout, small: bool) -> list[int]:
+def _near(i: int, under: int, layout: Layout, on: Sequence[str], small: bool) -> list[int]:
     """What a thing on top of another must keep clear of: all in its room, or only what stands on something too."""
     room = layout.objects[i].room
     rest = [j for j, other in enumerate(layout.objects) if other.room == room and j not in (i, under)]
-    return [j for j in rest if TABLE[layout.objects[j].category].place == "top" or not small]
+    return [j for j in rest if on[j] not in BUILDING or not small]
 
 
 def _top(asset: Asset, box: Boxes | None) -> supports.Top:
@@ -163,17 +182,19 @@ def _top(asset: Asset, box: Boxes | None) -> supports.Top:
 
 
 def _below(i: int, layout: Layout, placed: Sequence[Boxes | None]) -> list[int]:
-    """What the object may stand on in its room: what it belongs on before other tops, the nearest first."""
+    """What the object may stand on in its room: where it stood, then what it belongs on, then other tops; the nearest
+    first."""
     box = layout.objects[i]
     able = [
         j
         for j, other in enumerate(layout.objects)
-        if other.room == box.room and other.category in carriers() and placed[j] is not None
+        if other.room == box.room and placed[j] is not None and (other.id == box.on or other.category in carriers())
     ]
 
-    def order(j: int) -> tuple[bool, float, int]:
+    def order(j: int) -> tuple[bool, bool, float, int]:
         apart = np.hypot(*np.subtract(layout.objects[j].center, box.center)[:2])
-        return (box.category, layout.objects[j].category) not in groups(), round(float(apart), 6), j
+        beside = (box.category, layout.objects[j].category) not in groups()
+        return layout.objects[j].id != box.on, beside, round(float(apart), 6), j
 
     return sorted(able, key=order)
 
@@ -186,14 +207,14 @@ def _unsupported(box: Box, item: Boxes) -> Boxes | None:
     return None
 
 
-def _furnishing(box: Box, asset: Asset, at: Boxes | None) -> Furnishing:
-    assert at is not None
+def _furnishing(box: Box, asset: Asset, on: str, at: Boxes) -> Furnishing:
     x, y, z = (round(float(v), 6) for v in at.center[0])
     return Furnishing(
         **box.model_dump(include={"id", "room", "category", "yaw"}),
         center=(x, y, z),
         size=asset.size,
         latent=np.round(asset.latent, 4).tolist(),
+        on=on,
         asset=AssetKey(library=asset.library, id=asset.id),
         joints=asset.joints,
     )
