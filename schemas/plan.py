@@ -32,7 +32,7 @@ class Typed(Record):
 
     @model_serializer(mode="wrap")
     def _whole(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        rest = handler(self)
+        rest: dict[str, Any] = handler(self)
         head = {name: rest.pop(name) for name in ("id", "type") if name in rest}
         rest.pop("like", None)
         return head | ({} if self.type == self.base else {"like": self.base}) | rest
@@ -40,7 +40,7 @@ class Typed(Record):
     @property
     def base(self) -> RoomType:
         """The type that always exists: its own, or the one that it is like."""
-        return cast(RoomType, self.type) if self.type in ROOM_TYPES else self.like or cast(RoomType, base_of(self.type))
+        return self.type if self.type in ROOM_TYPES else self.like or cast(RoomType, base_of(self.type))
 
 
 class AskedRoom(Typed):
@@ -66,20 +66,6 @@ class Envelope(Record):
     outline: Polygon | None = Field(None, description="a given outline, metres")
     party_walls: list[Side] = Field(default_factory=list, description="sides without windows")
     entrance: Side | None = None
-
-
-class Requirement(Record):
-    """What else was asked of a room or an object: `text` are the words it came from, `met` whether the result has it
-    (None where nobody looked yet).
-    """
-
-    id: str
-    kind: str = Field(description="position, dimension, adjacent, apart, order, …")
-    of: str
-    to: str | None = None
-    value: Number | str | None = None
-    text: str = ""
-    met: bool | None = None
 
 
 class Program(Record):

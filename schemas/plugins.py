@@ -9,7 +9,7 @@ import logging
 import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib.metadata import EntryPoint, EntryPoints, entry_points
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -36,15 +36,10 @@ class Plugin(NamedTuple):
 
 
 @cache
-def _points() -> EntryPoints:
-    return entry_points()
-
-
-@cache
 def brought(group: str) -> dict[str, Plugin]:
     """The plugins of a group by name; of several of one name the first package's."""
     found: dict[str, Plugin] = {}
-    for point in sorted(_points().select(group=group), key=lambda point: (point.name, _package(point))):
+    for point in sorted(entry_points(group=group), key=lambda point: (point.name, _package(point))):
         plugin = Plugin(point.name, point.value.replace(" ", ""), _package(point))
         if found.setdefault(point.name, plugin) != plugin:
             log.warning("%s", plugin.told(f"the name is taken by {found[point.name].package} already; left out"))

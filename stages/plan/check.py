@@ -57,8 +57,8 @@ def check(program: Program) -> None:
 
 
 def _check_areas(program: Program) -> None:
-    asked = sum(room.area or STANDARDS[room.type].area for room in program.rooms)
-    least = sum(STANDARDS[room.type].area for room in program.rooms)
+    asked = sum(room.area or STANDARDS[room.base].area for room in program.rooms)
+    least = sum(STANDARDS[room.base].area for room in program.rooms)
     total = program.total_area
     if total is None:
         return
@@ -86,7 +86,7 @@ def _largest(program: Program) -> str:
 
 def _check_envelope(program: Program) -> None:
     """Whether the outline can hold the rooms, and light those that need a window."""
-    lit = [room.id for room in program.rooms if STANDARDS[room.type].lit]
+    lit = [room.id for room in program.rooms if STANDARDS[room.base].lit]
     if lit and len(set(program.envelope.party_walls)) == 4:
         raise Unmet(f"{lit[0]} needs a window, but all four sides are party walls: leave one side free")
     if program.envelope.outline is None:
@@ -94,22 +94,22 @@ def _check_envelope(program: Program) -> None:
     outline = Polygon(program.envelope.outline)
     if not outline.is_valid:
         raise BadInput("program.envelope.outline: it crosses itself; give its corners in order around the flat")
-    least = sum(STANDARDS[room.type].area for room in program.rooms)
+    least = sum(STANDARDS[room.base].area for room in program.rooms)
     if least > outline.area:
         raise Unmet(
             f"{len(program.rooms)} rooms need at least {least:.0f} m² by the least areas of their types, but the "
             f"outline holds {outline.area:.1f} m²: ask for fewer rooms or a larger outline"
         )
     for room in program.rooms:
-        if outline.buffer(-0.5 * min(STANDARDS[room.type].width, 0.9 * STANDARDS[room.type].area ** 0.5)).is_empty:
+        if outline.buffer(-0.5 * min(STANDARDS[room.base].width, 0.9 * STANDARDS[room.base].area ** 0.5)).is_empty:
             raise Unmet(
-                f"the outline is nowhere wide enough for {room.id}, which needs {STANDARDS[room.type].width:g} m: "
+                f"the outline is nowhere wide enough for {room.id}, which needs {STANDARDS[room.base].width:g} m: "
                 "ask for a wider outline"
             )
 
 
 def _check_ways(program: Program) -> None:
-    types = {room.id: room.type for room in program.rooms}
+    types = {room.id: room.base for room in program.rooms}
     near = neighbours(program)
     start = entrance_room(program).id
     before: dict[str, str] = {start: ""}

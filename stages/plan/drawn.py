@@ -71,7 +71,7 @@ def programme(rooms: list[Room], floors: Floors) -> Program:
     """What a drawn plan asks for: its rooms and areas, linked by a tree of doors that spares private rooms."""
     if not rooms:
         raise BadInput("rooms: there is none")
-    types = {room.id: room.type for room in rooms}
+    types = {room.id: room.base for room in rooms}
     near = [(a, b) for a, b in combinations(types, 2) if _doorway(floors[a], floors[b])]
     asked = [AskedRoom(id=r.id, type=r.type, area=round(float(floors[r.id].area), 2), private_to=None) for r in rooms]
     found = _tree(types, near)

@@ -31,10 +31,10 @@ def _program(row: dict[str, Any]) -> Program:
 def measured(plan: Plan) -> dict[str, float]:
     """Figures of one plan."""
     shapes = polygons.floors(plan)
-    lived = [shapes[r.id] for r in plan.rooms if STANDARDS[r.type].functional]
+    lived = [shapes[r.id] for r in plan.rooms if STANDARDS[r.base].functional]
     total = sum(s.area for s in shapes.values())
     spans = [np.subtract(s.bounds[2:], s.bounds[:2]) for s in lived]
-    rooms = [shapes[r.id] for r in plan.rooms if r.type != "hallway"]
+    rooms = [shapes[r.id] for r in plan.rooms if r.base != "hallway"]
     built, asked = graphs.of_plan(plan), graphs.of_program(plan.program)
     fidelity = graphs.constraint_satisfaction(built, asked)
     return {
@@ -43,6 +43,6 @@ def measured(plan: Plan) -> dict[str, float]:
         "S_edge": graphs.edge_similarity(built, asked),
         "S_constraint": float("nan") if fidelity is None else fidelity,
         "aspect": max(float(s.max() / s.min()) for s in spans) if spans else 1.0,
-        "corridor": sum(shapes[r.id].area for r in plan.rooms if r.type == "hallway") / total,
+        "corridor": sum(shapes[r.id].area for r in plan.rooms if r.base == "hallway") / total,
         "rectangular": float(np.mean([s.area > 0.999 * shapely.box(*s.bounds).area for s in rooms])),
     }

@@ -54,9 +54,9 @@ def _arguments(function: Callable[..., Any], skip: int = 0) -> list[str]:
 
 def _lacks(member: ModuleType, protocol: type) -> Iterator[str]:
     for name, hint in inspect.get_annotations(protocol).items():
-        value = getattr(member, name, None)
-        if value is None or (get_origin(hint) is type and not isinstance(value, type)):
-            yield f"has no {name}, {'a type' if get_origin(hint) is type else 'a value'}"
+        value, is_type = getattr(member, name, None), str(hint).startswith("type[")
+        if value is None or (is_type and not isinstance(value, type)):
+            yield f"has no {name}, {'a type' if is_type else 'a value'}"
     for name, wanted in functions(protocol).items():
         found = getattr(member, name, None)
         if not callable(found):

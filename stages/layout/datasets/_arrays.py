@@ -11,7 +11,7 @@ from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Room
 from apartgen.stages.layout.datasets._furnish.rooms import ESSENTIAL
 from apartgen.stages.layout.rooms import MAX_CORNERS, of_plan
-from apartgen.stages.things.categories import CATEGORIES, TABLE
+from apartgen.stages.things.categories import CATEGORIES, TABLE, stand_in
 
 SLOTS = 24
 STYLES = 8
@@ -34,7 +34,7 @@ def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, N
         objects = _kept([o for o in home.objects if o.room == room.id], rng)
         for k, o in enumerate(objects):
             x, y = rooms.origin[i]
-            category[i, k] = CATEGORIES.index(o.category)
+            category[i, k] = CATEGORIES.index(stand_in(o.category) or o.category)
             pose[i, k] = [o.center[0] - x, o.center[1] - y, o.center[2], *o.size, (o.yaw + np.pi) % (2 * np.pi) - np.pi]
     data = {
         "category": category, "center": pose[..., :3], "size": pose[..., 3:6], "yaw": pose[..., 6],
@@ -48,7 +48,7 @@ def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, N
 def _worth(room: Room, objects: list[Box]) -> bool:
     """Whether a room is furnished and has what a room of its type cannot do without."""
     have = {o.category for o in objects if o.room == room.id}
-    return bool(have) and len(room.polygon) <= MAX_CORNERS and all(have & names for names in ESSENTIAL[room.type])
+    return bool(have) and len(room.polygon) <= MAX_CORNERS and all(have & names for names in ESSENTIAL[room.base])
 
 
 def _kept(objects: list[Box], rng: np.random.Generator) -> list[Box]:

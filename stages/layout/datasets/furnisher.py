@@ -72,7 +72,7 @@ def shape_of(plan: Plan, room: Room) -> Shape:
     """The room's shape with its openings moved onto its own walls."""
     corners = np.array(room.polygon)
     holes = [_hole(o, plan, room, corners) for o in plan.openings if room.id in o.rooms]
-    return shape.of(room.type, corners, holes, plan.height)
+    return shape.of(room.base, corners, holes, plan.height)
 
 
 def _hole(opening: Opening, plan: Plan, room: Room, corners: Array) -> Hole:

@@ -150,7 +150,7 @@ def _box(row: Part, rooms: dict[str, Room], sizes: Sizes, number: int) -> Box | 
         name, size = own["category"], _size(row["boundingBox"])
     else:
         kind, size = sizes.get(row["assetId"], ("", (0.0, 0.0, 0.0)))
-        name = category(kind, room.type, size)
+        name = category(kind, room.base, size)
     if name not in TABLE or (not own and name == "plant" and p["y"] - size[2] / 2 > 0.15):
         return None
     yaw = np.pi / 2 - np.radians(row["rotation"]["y"])

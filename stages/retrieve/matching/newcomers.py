@@ -25,5 +25,11 @@ def encoded(maker: designs.Maker, category: str, styles: Sequence[str]) -> Index
 
 def joined(first: Index, second: Index) -> Index:
     """The rows of two, one after the other."""
-    arrays = (np.concatenate(pair) for pair in zip(first[2:5], second[2:5], strict=True))
-    return Index(first.category + second.category, first.style + second.style, *arrays, first.record)
+    return Index(
+        first.category + second.category,
+        first.style + second.style,
+        np.concatenate([first.seed, second.seed]),
+        np.concatenate([first.size, second.size]),
+        np.concatenate([first.latent, second.latent]),
+        first.record,
+    )
