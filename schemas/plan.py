@@ -68,6 +68,20 @@ class Envelope(Record):
     entrance: Side | None = None
 
 
+class Requirement(Record):
+    """What else was asked of a room or an object: `text` are the words it came from, `met` whether the result has it
+    (None where nobody looked yet).
+    """
+
+    id: str
+    kind: str = Field(description="position, dimension, adjacent, apart, order, …")
+    of: str
+    to: str | None = None
+    value: Number | str | None = None
+    text: str = ""
+    met: bool | None = None
+
+
 class Program(Record):
     """What the plan solver is asked for, filled by a reader from the prompt."""
 
