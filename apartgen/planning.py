@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 from typing import Any
 
+from numpy.random import Generator
 from pydantic import Field
 
 from apartgen.schemas.base import Polygon
@@ -24,16 +25,17 @@ class PlanSettings(PlanConfig):
                                               "the embedded reader by default")
     entrance: Side | None = Field(None, description="Side of the entrance")
     party_walls: list[Side] = Field(default_factory=list, description="Side without windows, any number of times")
+    facades: int | None = Field(None, ge=1, le=4, description="Sides with windows; drawn where nobody says")
     outline: Polygon | None = None
 
 
 
-def read(prompt: str, config: PlanSettings) -> tuple[Program, dict[str, Any]]:
-    """The programme of a prompt, and what a language model took to read it."""
+def read(prompt: str, config: PlanSettings, rng: Generator | None = None) -> tuple[Program, dict[str, Any]]:
+    """The programme of a prompt, and what a language model took to read it; `rng` draws what the prompt leaves open."""
     if config.llm is None:
         from apartgen.stages.plan import reader
 
-        program, used = reader.read(prompt), dict[str, Any]()
+        program, used = reader.read(prompt, rng), dict[str, Any]()
     else:
         from apartgen.stages.plan import llm
 
@@ -45,7 +47,7 @@ def read(prompt: str, config: PlanSettings) -> tuple[Program, dict[str, Any]]:
 
 def enclosed(program: Program, config: PlanSettings) -> Program:
     """The programme with what the settings say of its surroundings."""
-    given = {"entrance": config.entrance, "party_walls": config.party_walls, "outline": config.outline}
+    given = {name: getattr(config, name) for name in ("entrance", "party_walls", "facades", "outline")}
     envelope = program.envelope.model_dump() | {name: value for name, value in given.items() if value}
     return program.model_copy(update={"envelope": Envelope.model_validate(envelope)})
 
@@ -54,8 +56,9 @@ def draw(prompt: str, config: PlanSettings, seed: int) -> tuple[Plan, dict[str, 
     """The plan for one prompt, and what a language model took to read it."""
     from apartgen.stages import plan
 
-    program, used = read(prompt, config)
-    return plan.build(program, config, seeds.drawn(seed, "plan", prompt), prompt), used
+    rng = seeds.drawn(seed, "plan", prompt)
+    program, used = read(prompt, config, rng.spawn(1)[0])
+    return plan.build(program, config, rng, prompt), used
 
 
 def checked(text: str) -> str:

@@ -66,6 +66,10 @@ class Envelope(Record):
     outline: Polygon | None = Field(None, description="a given outline, metres")
     party_walls: list[Side] = Field(default_factory=list, description="sides without windows")
     entrance: Side | None = None
+    facades: int | None = Field(None, ge=1, le=4, description="sides with windows; drawn where nobody says")
+    dwelling: Literal["flat", "corner_flat", "house"] = Field(
+        "flat", description="a flat is entered from the stair behind one of its party walls, a house from outside"
+    )
 
 
 class Requirement(Record):

@@ -34,9 +34,14 @@ def facing(dx: float, dy: float) -> Side:
 
 
 def entrance_sides(envelope: Envelope) -> list[Side]:
-    """Where the entrance may be: the side asked for, else a façade, or opposite the only façade."""
+    """Where the entrance may be: the side asked for; of a flat the sides without façade; else a façade.
+
+    Where party walls are named, the neighbours stand behind them: then a façade, or opposite the only one.
+    """
     if envelope.entrance:
         return [envelope.entrance]
+    if envelope.facades is not None and envelope.dwelling != "house" and envelope.party_walls:
+        return list(envelope.party_walls)
     facades = [side for side in SIDES if side not in envelope.party_walls]
     if len(facades) == 1:
         return [OPPOSITE[facades[0]]]

@@ -22,7 +22,7 @@ from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 Floors = dict[str, Polygon]
 FRAME = 0.1
 """Least wall between a door and a corner, m."""
-HEAD, OPEN_HEAD = 2.1, 2.3
+HEAD, OPEN_HEAD, GLAZED_HEAD = 2.1, 2.3, 2.2
 ENTRANCE = 0.95
 APPROACH = 0.7
 """Depth of floor kept free of other leaves in front of a door, m."""
@@ -53,11 +53,12 @@ class Column(NamedTuple):
     kind: Literal["door", "opening", "entrance"]
     rooms: list[str]
     choices: list[Choice]
+    head: float = HEAD
 
 
 def place(program: Program, floors: Floors, walls: Walls) -> list[Opening]:
     """Openings for all links and the entrance; raises Unmet naming the door that finds no place."""
-    types = {room.id: room.type for room in program.rooms}
+    types = {room.id: room.base for room in program.rooms}
     open_links = {frozenset(pair) for pair in program.open_links}
     columns = []
     for a, b in links(program):
@@ -65,7 +66,8 @@ def place(program: Program, floors: Floors, walls: Walls) -> list[Opening]:
         if frozenset((a, b)) in open_links:
             columns.append(Column("opening", [a, b], [_wide(face) for face in found[:1] if face.length >= LINK_WALL]))
         else:
-            columns.append(Column("door", [a, b], _doors(a, b, found, floors, types)))
+            head = GLAZED_HEAD if "balcony" in (types[a], types[b]) else HEAD
+            columns.append(Column("door", [a, b], _doors(a, b, found, floors, types), head))
     first = entrance_room(program).id
     columns.append(Column("entrance", [first], _entrances(program, first, floors, walls)))
     for column in columns:
@@ -82,7 +84,7 @@ def _built(column: Column, choice: Choice, number: int) -> Opening:
         rooms=column.rooms,
         segment=choice.face.segment(choice.lo, choice.hi, (choice.face.gap or 0.0) / 2),
         sill=0.0,
-        head=OPEN_HEAD if column.kind == "opening" else HEAD,
+        head=OPEN_HEAD if column.kind == "opening" else column.head,
         hinge=choice.hinge,
         into=choice.into,
     )

@@ -68,12 +68,12 @@ def _apart(plan: Plan, shapes: Shapes) -> Iterator[str]:
 def _sizes(plan: Plan, shapes: Shapes) -> Iterator[str]:
     asked = {r.id: r.area for r in plan.program.rooms}
     for room in plan.rooms:
-        norm, shape = STANDARDS[room.type], shapes[room.id]
+        norm, shape = STANDARDS[room.base], shapes[room.id]
         want = asked[room.id] or shape.area
         least = min(norm.area, want)
         if shape.area < 0.8 * least:
             yield f"{room.id} has {shape.area:.1f} m², less than the least of {norm.area:g}"
-        if not plan.relaxed and abs(shape.area / max(want, norm.area) - 1) > (0.5 if room.type == "hallway" else 0.2):
+        if not plan.relaxed and abs(shape.area / max(want, norm.area) - 1) > (0.5 if room.base == "hallway" else 0.2):
             yield f"{room.id} has {shape.area:.1f} m² instead of {want:.1f}"
         width = min(norm.width, 0.9 * np.sqrt(max(want, norm.area)))
         if shape.buffer(-width / 2 + NEAR, join_style="mitre").is_empty:
@@ -103,7 +103,7 @@ def _graph(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 
 def _ways(plan: Plan, shapes: Shapes) -> Iterator[str]:
-    types = {r.id: r.type for r in plan.rooms}
+    types = {r.id: r.base for r in plan.rooms}
     graph = nx.Graph([tuple(o.rooms) for o in plan.openings if o.kind in ("door", "opening")])
     graph.add_nodes_from(types)
     start = next((o.rooms[0] for o in plan.openings if o.kind == "entrance"), plan.rooms[0].id)
@@ -124,6 +124,7 @@ def _strip(opening: Opening, normal: np.ndarray, lo: float, hi: float) -> Polygo
 
 def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
     """Openings cut the wall they say they cut, over their whole width, and nothing else."""
+    hung = {r.id: r.base == "balcony" and _stands_off(r.id, plan, shapes) for r in plan.rooms}
     for opening in plan.openings:
         line = LineString(opening.segment)
         for room in opening.rooms:
@@ -133,7 +134,8 @@ def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
         if len(opening.rooms) == 1:
             normal, reach = polygons.face(opening, plan, opening.rooms[0])
             ahead = _strip(opening, normal, -DEEP, -reach)
-            if any(ahead.intersection(s).area > NEAR for s in shapes.values()):
+            inside = [s for room, s in shapes.items() if opening.kind != "window" or not hung[room]]
+            if any(ahead.intersection(s).area > NEAR for s in inside):
                 yield f"{opening.id} does not lead into the open air"
         reaches = [polygons.face(opening, plan, room)[1] for room in opening.rooms]
         deep = reaches[1] if len(reaches) > 1 else plan.walls.outer / 2
@@ -150,9 +152,15 @@ def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
             yield f"{plan.openings[i].id} and {plan.openings[j].id} cut the same wall"
 
 
+def _stands_off(balcony: str, plan: Plan, shapes: Shapes) -> bool:
+    """Whether a balcony hangs outside: an outer wall between it and every room."""
+    return all(shapes[r.id].distance(shapes[balcony]) > plan.walls.outer - NEAR for r in plan.rooms if r.id != balcony)
+
+
 def _daylight(plan: Plan, shapes: Shapes) -> Iterator[str]:
-    types = {r.id: r.type for r in plan.rooms}
+    types = {r.id: r.base for r in plan.rooms}
     lit = {o.rooms[0] for o in plan.openings if o.kind == "window"}
+    lit |= {r for o in plan.openings if o.kind == "door" and "balcony" in (types[r] for r in o.rooms) for r in o.rooms}
     joined = {r for pair in plan.program.open_links for r in pair}
     for room, kind in types.items():
         if STANDARDS[kind].lit and room not in lit and not (kind == "kitchen" and room in joined):

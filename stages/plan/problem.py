@@ -1,23 +1,29 @@
 """A programme as the arrays the solver anneals, and the random trees it starts from."""
 
 from collections import deque
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from itertools import pairwise
 from math import sqrt
 
 import numpy as np
 from numpy.random import Generator
 
-from apartgen.schemas.plan import AskedRoom, Program, Walls
+from apartgen.schemas.plan import AskedRoom, Envelope, Program, Walls
+from apartgen.stages.plan.balconies import fronts, indoors
 from apartgen.stages.plan.blocks import Outline
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.outline import wish
 from apartgen.stages.plan.slicing import Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
+from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
 
-WET, WHIM, MEALS = 1, 6, 24
-"""What it counts that wet rooms, rooms of a draw, and kitchen and dining room are near one another."""
+WET, WHIM, MEALS, COOK = 2, 6, 24, 14
+"""What it counts that wet rooms, rooms of a draw, kitchen and dining room, kitchen and living room are near one
+another."""
+CUT_OFF = 0.15
+"""Share of draws in which a kitchen need not lie at the living room."""
 ODD = 0.6
 """Share of large rooms that are made of two rectangles where nothing need be regular."""
 
@@ -42,16 +48,26 @@ class Whim:
     near: list[Pair]
     shape: str
     aspect: float
+    envelope: Envelope = field(default_factory=Envelope)
+    fronts: Mapping[str, float] = field(default_factory=dict)
 
 
-def whim(program: Program, rng: Generator) -> Whim:
-    """A corridor of one to three rectangles, few other rooms of two, pairs of rooms to be near, an outline."""
+def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
+    """A corridor of one to three rectangles, few other rooms of two, pairs of rooms to be near, an outline.
+
+    After draws that `failed` there may be more façade.
+    """
+    program = indoors(whole)
     rooms = [i for i, r in enumerate(program.rooms) if r.type != "hallway"]
     pairs = [rng.choice(rooms, 2, replace=False) for _ in range(3 if len(rooms) > 1 else 0)]
     shape, aspect = wish(program.envelope, program.regularity, rng)
     wanted = areas(program)
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
-    return Whim(parts, [(int(a), int(b), WHIM) for a, b in pairs], shape, aspect)
+    near = [(int(a), int(b), WHIM) for a, b in pairs]
+    if rng.random() >= CUT_OFF:
+        near += _pairs(program, "kitchen", "living_room", COOK)
+    about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
+    return Whim(parts, near, shape, aspect, about, fronts(whole))
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
@@ -64,7 +80,7 @@ def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> in
 
 def areas(program: Program) -> dict[str, float]:
     """Net area wanted of every room, at least the least of its type."""
-    return {r.id: max(r.area or 1.6 * STANDARDS[r.type].area, STANDARDS[r.type].area) for r in program.rooms}
+    return {r.id: max(r.area or 1.6 * STANDARDS[r.base].area, STANDARDS[r.base].area) for r in program.rooms}
 
 
 def gross_area(program: Program, walls: Walls) -> float:
@@ -73,12 +89,12 @@ def gross_area(program: Program, walls: Walls) -> float:
 
 
 def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack: Slack) -> Problem:
-    """Arrays for one run; of the programme within an outline."""
+    """Arrays for one run; of the rooms indoors within an outline."""
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
     spec = [
-        _spec(room, wanted[room.id], 2.0 + 2 * many, room.id in joined, slack)
+        _spec(room, wanted[room.id], 2.0 + 2 * many, room.id in joined, whim.fronts.get(room.id, 0.0), slack)
         for room, many in zip(rooms, whim.parts, strict=True)
     ]
     return Problem(
@@ -93,8 +109,8 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
     )
 
 
-def _spec(room: AskedRoom, area: float, corners: float, joined: bool, slack: Slack) -> tuple[float, ...]:
-    norm = STANDARDS[room.type]
+def _spec(room: AskedRoom, area: float, corners: float, joined: bool, front: float, slack: Slack) -> tuple[float, ...]:
+    norm = STANDARDS[room.base]
     passage = room.type in ("hallway", "balcony")
     return (
         area,
@@ -104,19 +120,24 @@ def _spec(room: AskedRoom, area: float, corners: float, joined: bool, slack: Sla
         norm.aspect * slack.aspect,
         0.02 if passage else 1.0,
         corners,
-        0.0 if room.type == "kitchen" and joined else norm.face,
+        max(front, 0.0 if room.type == "kitchen" and joined else norm.face),
         room.type == "hallway",
         norm.functional,
         norm.outer,
+        {"bedroom": 1.0, "living_room": -1.0}.get(room.type, 0.0),
     )
 
 
 def _near(program: Program) -> list[Pair]:
     """Pairs that should be close: each wet room and the one before it, kitchen and dining room."""
-    types = [r.type for r in program.rooms]
+    types = [r.base for r in program.rooms]
     wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
-    meals = [(i, j) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == ("kitchen", "dining_room")]
-    return [*((i, j, WET) for i, j in pairwise(wet)), *((i, j, MEALS) for i, j in meals)]
+    return [*((i, j, WET) for i, j in pairwise(wet)), *_pairs(program, "kitchen", "dining_room", MEALS)]
+
+
+def _pairs(program: Program, kind: str, other: str, counts: int) -> list[Pair]:
+    types = [r.base for r in program.rooms]
+    return [(i, j, counts) for i, a in enumerate(types) for j, b in enumerate(types) if (a, b) == (kind, other)]
 
 
 def weighed(pairs: list[Pair]) -> Ints:
@@ -145,23 +166,6 @@ def _ways(program: Program, index: dict[str, int]) -> Ints:
     return np.array([(index[room], *before[room]) for room in order], np.int64)
 
 
-def start(program: Program, parts: tuple[int, ...], stretch: tuple[float, float], rng: Generator) -> Tree:
-    """A random tree over the rooms' parts."""
-    wanted = list(areas(program).values())
-    room = np.repeat(np.arange(len(parts)), parts)
-    share = np.concatenate([wanted[i] * rng.dirichlet(np.full(k, 6.0)) for i, k in enumerate(parts)])
-    leaves = len(room)
-    nodes = np.zeros((2 * leaves, 3), np.int64)
-    nodes[:leaves, 0] = room
-    loose = list(rng.permutation(leaves))
-    for cut in range(leaves, 2 * leaves - 1):
-        left, right = (loose.pop(int(rng.integers(len(loose)))) for _ in range(2))
-        nodes[cut] = left, right, rng.integers(2)
-        loose.append(cut)
-    nodes[-1, 0] = loose[0]
-    return Tree(nodes, np.append(share, np.clip(1.0, *stretch)))
-
-
 def copy(tree: Tree) -> Tree:
     """An independent copy."""
     return Tree(tree.nodes.copy(), tree.share.copy())
@@ -178,7 +182,7 @@ def scratch(n: int, links: int, leaves: int, k: int) -> Scratch:
         before=np.zeros(leaves * k, np.int64),
         wall=np.zeros((links, 3)),
         room=np.zeros((n, 13)),
-        terms=np.zeros(15),
+        terms=np.zeros(16),
         entry=np.zeros(4),
         walked=np.zeros((n, 3)),
         area=np.zeros(n),

@@ -13,15 +13,17 @@ from shapely.geometry import Polygon
 from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Envelope, Plan, Program, Room
 from apartgen.stages.plan import doors, kernel, windows
+from apartgen.stages.plan.balconies import hang, indoors
 from apartgen.stages.plan.blocks import Outline, given, gross
 from apartgen.stages.plan.check import check
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.contradict import lacks, told
 from apartgen.stages.plan.judge import faults
 from apartgen.stages.plan.outline import draw, ring
-from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, whim
+from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, whim
 from apartgen.stages.plan.relax import Step, ladder
 from apartgen.stages.plan.slicing import EPS, Floats, Ints
+from apartgen.stages.plan.starts import start
 from apartgen.stages.plan.turn import askew, turned, turned_plan
 
 HOT, COLD = 20.0, 1.0
@@ -91,9 +93,12 @@ def floors(program: Program, run: Run, inner: float) -> dict[str, Polygon]:
 
 
 def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
-    """A plan with doors and windows, or None where they find no place."""
-    shapes = floors(program, run, config.walls.inner)
-    if any(not isinstance(shape, Polygon) or shape.is_empty for shape in shapes.values()):
+    """A plan with balconies, doors and windows, or None where they find no place."""
+    rooms = floors(indoors(program), run, config.walls.inner)
+    if any(not isinstance(shape, Polygon) or shape.is_empty for shape in rooms.values()):
+        return None
+    shapes = hang(program, rooms, config.walls)
+    if shapes is None:
         return None
     try:
         passages = doors.place(program, shapes, config.walls)
@@ -102,14 +107,15 @@ def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
     glass = windows.place(program, shapes, passages, config.walls)
     if windows.dark(program, glass):
         return None
-    rooms = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
-    plan = Plan(program=program, rooms=rooms, openings=[*passages, *glass], height=config.height, walls=config.walls)
+    built = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
+    plan = Plan(program=program, rooms=built, openings=[*passages, *glass], height=config.height, walls=config.walls)
     return None if faults(plan) else plan
 
 
-def waves(program: Program, config: PlanConfig, slack: Slack, rng: Generator) -> Iterator[list[Run]]:
+def waves(
+    program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng: Generator
+) -> Iterator[list[Run]]:
     """Annealing runs on one whim, a wave at a time; what they are does not depend on the number of threads."""
-    wanted = whim(program, rng)
     with ThreadPoolExecutor(config.processes) as pool:
         for _ in range(PATIENCE):
             lanes = rng.spawn(config.wave)
@@ -123,17 +129,18 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
-        for _ in range(config.whims):
+        for failed in range(-(-config.whims // 3) if step.given_up else config.whims):
             valid: list[Run] = []
-            for runs in waves(step.program, config, step.slack, rng):
+            wanted = whim(step.program, config.walls, failed, rng)
+            asked = _with_envelope(step.program, wanted.envelope)
+            for runs in waves(indoors(asked), config, step.slack, wanted, rng):
                 valid += [run for run in runs if run.lack < EPS]
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
                 if not valid or len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
                     break
-            plan = _first(step.program, valid, config, rng)
+            plan = _first(asked, valid, config, rng)
             if plan is not None:
-                plan = turned_plan(_reported(plan, program, step), angle)
-                return plan if angle == 0.0 else _with_envelope(plan, envelope)
+                return _turned_back(_reported(plan, step), angle, envelope)
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
 
 
@@ -146,8 +153,16 @@ def _upright(program: Program) -> tuple[Program, float]:
     return program.model_copy(update={"envelope": program.envelope.model_copy(update={"outline": outline})}), angle
 
 
-def _with_envelope(plan: Plan, envelope: Envelope) -> Plan:
-    return plan.model_copy(update={"program": plan.program.model_copy(update={"envelope": envelope})})
+def _with_envelope(program: Program, envelope: Envelope) -> Program:
+    return program.model_copy(update={"envelope": envelope})
+
+
+def _turned_back(plan: Plan, angle: float, given: Envelope) -> Plan:
+    """The plan in the position that the outline was given in."""
+    if angle == 0.0:
+        return plan
+    envelope = plan.program.envelope.model_copy(update={"outline": given.outline})
+    return turned_plan(plan.model_copy(update={"program": _with_envelope(plan.program, envelope)}), angle)
 
 
 def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator) -> Plan | None:
@@ -157,8 +172,7 @@ def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator
     return next((plan for plan in plans if plan is not None), None)
 
 
-def _reported(plan: Plan, program: Program, step: Step) -> Plan:
+def _reported(plan: Plan, step: Step) -> Plan:
     for line in step.given_up:
         log.warning("plan: %s", line)
-    built = step.program if step.changed else program
-    return plan.model_copy(update={"program": built, "relaxed": list(step.given_up)})
+    return plan.model_copy(update={"relaxed": list(step.given_up)})

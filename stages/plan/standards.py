@@ -29,7 +29,7 @@ class Standard:
     @property
     def lit(self) -> bool:
         """Whether it may not go without a window."""
-        return self.face > 0
+        return self.face > 0 and self.glass > 0
 
 
 def _load() -> dict[RoomType, Standard]:

@@ -21,6 +21,7 @@ from apartgen.stages.plan.slicing import (
     NEAR,
     OUTER,
     PATH,
+    PRIVACY,
     R_AREA,
     R_FACE,
     R_GAPS,
@@ -43,6 +44,7 @@ from apartgen.stages.plan.slicing import (
     S_JOINT,
     S_LOOSE,
     S_OUTER,
+    S_PRIVATE,
     S_TARGET,
     S_WIDTH,
     WIDE,
@@ -187,8 +189,8 @@ def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall f
             if off > 1e-4 or long < EPS:
                 continue
             room = z.room[r]
-            room[R_OUTER] += long
             if edge[4] > 0:
+                room[R_OUTER] += long
                 room[R_FACE] = max(room[R_FACE], long)
             if r == hall and edge[5] > 0 and long > entry[2]:
                 entry[axis], entry[1 - axis], entry[2] = at, max(lo, q[1 - axis]) + 0.5 * long, long
@@ -214,6 +216,10 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
         near = p.near[i]
         terms[NEAR] += near[2] * min(_gap(z.room[near[0]], z.room[near[1]]), 6.0)
     ex, ey = z.entry[0], z.entry[1]
+    lived = -1
+    for i in range(n):
+        if p.spec[i, S_PRIVATE] < 0:
+            lived = i
     for i in range(n):
         r, o, link = p.order[i, 0], p.order[i, 1], p.order[i, 2]
         x, y, before = ex, ey, 0.0
@@ -224,6 +230,9 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
         straight = abs(x - ex) + abs(y - ey) + 0.5
         detour = max(0.0, before / straight - 1)
         terms[PATH] += detour * detour
+    for r in range(n):  # bedrooms that one comes to before the living room
+        if p.spec[r, S_PRIVATE] > 0 and lived >= 0:
+            terms[PRIVACY] += min(max(0.0, walked[lived, 0] - walked[r, 0]), 6.0)
 
 
 @inner
@@ -245,7 +254,7 @@ def _lines(p, root, z, count):  # wall lines, and corners of the box `root` abou
 @inner
 def _weighed(weights, terms):
     cost = LACK * terms[LACKING]
-    for i in range(14):
+    for i in range(weights.shape[0]):
         cost += weights[i] * terms[i]
     return cost
 
@@ -254,7 +263,7 @@ def _weighed(weights, terms):
 def evaluate(p, t, z, bar):
     """Cost of a tree, its measures in `z`; gives up early, with a partial cost above `bar`, once that is certain."""
     count = z.seq[z.seq.shape[0] - 1] = lay(p, t, z)
-    for i in range(15):
+    for i in range(z.terms.shape[0]):
         z.terms[i] = 0.0
     _measure(p, z, count)
     _shape(p, z)

@@ -15,6 +15,8 @@ WEIGHTS: dict[str, float] = {
     "staircase_iou": 0.5,
     "near_rooms": 1.0,
     "wide_corridor": 4.0,
+    "privacy": 1.5,
 }
 """Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`
-(wet rooms, and kitchen and dining room, apart) and `wide_corridor` are added to the field's twelve."""
+(wet rooms apart, the kitchen apart from where one eats), `wide_corridor` and `privacy` (bedrooms nearer the entrance
+than the living room) are added to the field's twelve."""

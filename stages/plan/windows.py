@@ -4,7 +4,7 @@ import numpy as np
 from shapely.geometry import LineString, Polygon
 
 from apartgen.schemas.plan import Opening, Program, Side, Walls
-from apartgen.stages.plan import faces
+from apartgen.stages.plan import balconies, faces
 from apartgen.stages.plan.blocks import facing
 from apartgen.stages.plan.faces import Face
 from apartgen.stages.plan.standards import STANDARDS, Standard
@@ -26,24 +26,26 @@ NEED: dict[Side, float] = {"south": 0.85, "east": 1.0, "west": 1.0, "north": 1.1
 def place(program: Program, floors: dict[str, Polygon], doors: list[Opening], walls: Walls) -> list[Opening]:
     """Windows of all rooms that can have one."""
     out: list[Opening] = []
+    hung = balconies.hung(program)
+    ways = [door for door in doors if len(door.rooms) == 1 or set(door.rooms) & set(hung)]
     for room in program.rooms:
-        norm = STANDARDS[room.type]
-        if room.type not in ("balcony", "hallway") and norm.glass == 0:
+        norm = STANDARDS[room.base]
+        if norm.glass == 0 and room.base != "hallway":
             continue
-        others = [floor for r, floor in floors.items() if r != room.id]
-        free = _facades(faces.outside(floors[room.id], others), program.envelope.party_walls, doors)
-        if room.type == "hallway":
+        before = balconies.outside(floors, program, room.id)
+        free = _facades(faces.outside(floors[room.id], before), program.envelope.party_walls, ways)
+        if room.base == "hallway":
             out += _ends(room.id, norm, free, walls, 2 if floors[room.id].area >= LONG else 1)
         else:
-            out += _glazed(room.id, norm, floors[room.id].area, free, walls, balcony=room.type == "balcony")
+            out += _glazed(room.id, norm, floors[room.id].area, free, walls)
     return [window.model_copy(update={"id": f"window_{i + 1}"}) for i, window in enumerate(out)]
 
 
 def dark(program: Program, windows: list[Opening]) -> list[str]:
     """Rooms that must have daylight and get none; a kitchen open to another room borrows its light."""
-    lit = {room for window in windows for room in window.rooms}
-    lit |= {r.id for r in program.rooms if r.type == "kitchen" and any(r.id in pair for pair in program.open_links)}
-    return [room.id for room in program.rooms if STANDARDS[room.type].lit and room.id not in lit]
+    lit = {room for window in windows for room in window.rooms} | set(balconies.hung(program).values())
+    lit |= {r.id for r in program.rooms if r.base == "kitchen" and any(r.id in pair for pair in program.open_links)}
+    return [room.id for room in program.rooms if STANDARDS[room.base].lit and room.id not in lit]
 
 
 def _facades(found: list[Face], party_walls: list[Side], doors: list[Opening]) -> list[Face]:
@@ -63,7 +65,7 @@ def _facades(found: list[Face], party_walls: list[Side], doors: list[Opening]) -
 
 
 def _cuts(door: Opening, line: LineString) -> bool:
-    return len(door.rooms) == 1 and float(LineString(door.segment).distance(line)) < 0.4
+    return float(LineString(door.segment).distance(line)) < 0.4
 
 
 def _ends(name: str, norm: Standard, free: list[Face], walls: Walls, most: int) -> list[Opening]:
@@ -76,7 +78,7 @@ def _ends(name: str, norm: Standard, free: list[Face], walls: Walls, most: int) 
     ]
 
 
-def _glazed(name: str, norm: Standard, area: float, free: list[Face], walls: Walls, balcony: bool) -> list[Opening]:
+def _glazed(name: str, norm: Standard, area: float, free: list[Face], walls: Walls) -> list[Opening]:
     """Windows on at most three faces, until the glass suffices; wide demand lowers the sill."""
     out: list[Opening] = []
     usable = [face for face in free if face.length >= NARROWEST + 2 * JAMB]
@@ -94,7 +96,7 @@ def _glazed(name: str, norm: Standard, area: float, free: list[Face], walls: Wal
         pair = norm.lit and face.length >= BROAD and wanted >= 2 * least
         many = 2 if pair else 1
         most = face.length / many - 2 * JAMB
-        clear = most if balcony else min(float(np.clip(wanted / many, least, widest)), most)
+        clear = min(float(np.clip(wanted / many, least, widest)), most)
         out += [_window(name, norm, sill, face, (i + 0.5) / many, clear, walls) for i in range(many)]
         lack -= many * clear * (norm.head - sill) / need
     return out

@@ -19,6 +19,8 @@ LEAF = 0.04
 """Thickness of a door leaf, m; it fills the wall's face on the side it opens to."""
 OVERLAP = 0.01
 """How far a threshold reaches onto the floors it joins, m, so that unions connect."""
+RAIL = 0.05
+"""Thickness of a balcony's railing, m."""
 PASSAGES = ("door", "opening", "entrance")
 """Kinds of opening that one walks through."""
 ARC = 12
@@ -142,8 +144,11 @@ def clearance(opening: Opening, plan: Plan, depth: float = 0.6) -> Geometry:
 
 
 def shell(plan: Plan) -> Geometry:
-    """Everything within the outer face of the outer walls: floors and walls together."""
-    return _grown(unary_union(list(floors(plan).values())), plan.walls, plan.walls.outer)
+    """Everything within the outer face of the outer walls: floors and walls together, balconies with their railings."""
+    outdoors = [floor(room) for room in plan.rooms if room.base == "balcony"]
+    inside = unary_union([floor(room) for room in plan.rooms if room.base != "balcony"] or outdoors)
+    railed = [balcony.buffer(RAIL, join_style="mitre") for balcony in outdoors]
+    return unary_union([_grown(inside, plan.walls, plan.walls.outer), *railed])
 
 
 def _grown(area: Geometry, walls: Walls, by: float) -> Geometry:

@@ -7,8 +7,9 @@ from apartgen.schemas.plan import Program, Walls
 from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
-from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, start, weighed, whim
+from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
 from apartgen.stages.plan.slicing import LACKING, NEAR, PATH, Floats, Problem, Tree
+from apartgen.stages.plan.starts import start
 from apartgen.stages.plan.study import archetypes
 
 BARE = Walls(inner=0.1, outer=0.3)
@@ -76,7 +77,7 @@ def test_measures_are_those_of_the_best_state_even_of_a_run_given_up(name: str, 
 def _drawn(name: str, seed: int) -> tuple[Problem, Tree]:
     """An archetype in a drawn outline, and a random tree."""
     program, config, rng = archetypes()[name], PlanConfig(), np.random.default_rng(seed)
-    wanted = whim(program, rng)
+    wanted = whim(program, config.walls, 0, rng)
     gross = gross_area(program, config.walls)
     outline = draw(program.envelope, gross, wanted.shape, wanted.aspect, rng)
     return (

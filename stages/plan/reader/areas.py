@@ -12,14 +12,16 @@ def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, set[
     studio = not any(r.type == "bedroom" for r in rooms) and any(r.type == "bathroom" for r in rooms)
     masters = [r.id for r in rooms if r.type == "bedroom" and "master" in labels.get(r.id, ())]
     first = next(iter(masters), next((r.id for r in rooms if r.type == "bedroom"), ""))
+    beds = sum(r.type == "bedroom" for r in rooms)
+    usual = data["area"] | {kind: by[min(beds, len(by) - 1)] for kind, by in data["by_bedrooms"].items()}
     out: dict[str, float] = {}
     for room in rooms:
         traits = set(labels.get(room.id, ()))
         traits |= {"first"} if room.id == first and not traits & {"small", "kids", "guest"} else set()
         traits |= {"private"} if room.private_to else set()
-        traits |= {"studio"} if studio else set()
+        traits |= {"studio"} if studio and "loft" not in traits else set()
         named = [data["area_of"][key] for t in sorted(traits) if (key := f"{room.type}:{t}") in data["area_of"]]
-        out[room.id] = min(named) if named else data["area"][room.type]
+        out[room.id] = min(named) if named else usual[room.type]
         if room.type == "hallway":
             doors = sum(room.id in pair for pair in links)
             out[room.id] = data["hallway"]["base"] + data["hallway"]["per_door"] * doors

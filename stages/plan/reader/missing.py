@@ -62,7 +62,7 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
     ):
         home.add("hallway")
     if not home.of("bedroom"):
-        _studio(home)
+        _studio(said, home)
 
 
 def _around_living(said: Said, home: Household, doors: Doors) -> bool:
@@ -109,11 +109,12 @@ def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:
         home.add("bathroom")
 
 
-def _studio(home: Household) -> None:
+def _studio(said: Said, home: Household) -> None:
     """One room to live and sleep in, the kitchen open to it."""
     for living in home.of("living_room")[:1]:
         if not any(c in ("double_bed", "single_bed", "bunk_bed") for c, _ in living.objects) and home.of("bathroom"):
             living.objects.append(("double_bed", 1))
+        living.labels |= {"loft"} if said.about.loft else set()
     for kitchen in home.of("kitchen"):
         if "separate" not in kitchen.labels:
-            kitchen.labels |= {"open", "small"}
+            kitchen.labels |= {"open"} if said.about.loft else {"open", "small"}

@@ -1,5 +1,6 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
+from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.attachments import attach_owned, merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
@@ -21,8 +22,9 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = load()
-    phraser = Phraser(lexicon).walk(lexemes(tokenize(fold(prompt)), lexicon))
-    said = Said(unread=list(phraser.unread))
+    whole, text = about(fold(prompt))
+    phraser = Phraser(lexicon).walk(lexemes(tokenize(text), lexicon))
+    said = Said(unread=list(phraser.unread), about=whole)
     _whole(phraser.items, said)
     before: list[RoomPhrase] = []
     known = 0

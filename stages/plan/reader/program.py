@@ -1,10 +1,13 @@
 """What was said as a programme: rooms with ids, links, areas, furniture, weights."""
 
+from numpy.random import Generator
+
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plan import AskedObjects, AskedRoom, Envelope, Link, Program
 from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.newcomers import as_base, plain
+from apartgen.stages.plan.reader.about import About
 from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import consistent
 from apartgen.stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
@@ -18,22 +21,24 @@ from apartgen.stages.plan.reader.parse import mentions, parse
 from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.style import style_of
+from apartgen.stages.plan.reader.wanted import add_bedrooms, add_rooms
 from apartgen.stages.things.categories import TABLE
 
 LONGEST = 8000
 """Characters of a prompt."""
 
 
-def read(prompt: str) -> Program:
+def read(prompt: str, rng: Generator | None = None) -> Program:
     """The programme a prompt asks for, gaps filled by architectural common sense. Pure; no network.
 
+    With `rng`, a prompt that leaves its rooms open gets what homes of its size have, by lot.
     BadInput when no room can be read or the request is absurd, Unmet when it contradicts itself.
     """
     said = bounded(prompt)
     home = Household(mentions(said.statements))
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
-    if not home.rooms and not said.dwelling and not said.main_rooms:
+    if not home.rooms and not said.dwelling and not said.main_rooms and said.about == About():
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
         )
@@ -41,7 +46,12 @@ def read(prompt: str) -> Program:
     doors = doors_said(said.statements, home)
     complete = said.only or full_graph(said, home, doors)
     if not complete:
+        named = {room.type for room in home.rooms} | ({"any"} if said.main_rooms else set())
+        named |= {"studio"} if said.dwelling == "studio" else set()
+        add_bedrooms(said, home, rng)
         add_missing_rooms(said, home, doors)
+        if rng is not None:
+            add_rooms(said, home, doors, named, rng)
     every_room(said.statements, home, doors)
     ensuites(home, doors)
     if len(home.rooms) > MOST:
@@ -170,8 +180,9 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
 def _envelope(said: Said) -> Envelope:
     party = [side for role, side in said.sides if role == "party_wall"]
     entrance = next((side for role, side in said.sides if role == "entrance"), None)
+    about = {"facades": said.about.facades, "dwelling": said.about.dwelling or "flat"}
     said_so = {"shape": said.shape or "auto", "party_walls": list(dict.fromkeys(party)), "entrance": entrance}
-    return Envelope.model_validate(said_so)
+    return Envelope.model_validate(said_so | about)
 
 
 def complete_program(program: Program) -> Program:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from apartgen.stages.plan.reader.about import About
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 
@@ -32,6 +33,7 @@ class Said:
     shape: str = ""
     sides: list[tuple[str, str]] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
+    about: About = field(default_factory=About)
 
 
 def door_pairs(items: list[Item]) -> list[Item]:

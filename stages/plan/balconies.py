@@ -1,0 +1,98 @@
+"""Balconies, hung in front of the façade of the room they belong to once the rooms stand."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from shapely.geometry import Polygon
+
+from apartgen.schemas.plan import Envelope, Program, Walls
+from apartgen.stages.plan import faces
+from apartgen.stages.plan.blocks import facing
+from apartgen.stages.plan.check import entrance_room, links
+from apartgen.stages.plan.faces import Face
+from apartgen.stages.plan.standards import STANDARDS
+
+USUAL = 1.5
+"""Depth of a balcony where the façade allows it, m."""
+DEEPEST = 2.4
+"""Depth up to which a balcony may be deeper than it is wide, m."""
+GLAZED = 2.7
+"""Façade that a glazed door and a window beside it take, m."""
+SUNNY = {"south": 1.5, "west": 0.8, "east": 0.4, "north": 0.0}
+"""Façade that a side is worth, m."""
+
+Floors = dict[str, Polygon]
+
+
+def hung(program: Program) -> dict[str, str]:
+    """Balconies of one door by id, with the room it is in; those of several doors, or open, stay among the rooms."""
+    types = {room.id: room.base for room in program.rooms}
+    indoors = [room for room, kind in types.items() if kind != "balcony"]
+    joined = {room for pair in program.open_links for room in pair}
+    first = entrance_room(program).id
+    out = {}
+    for room in program.rooms:
+        near = [b if a == room.id else a for a, b in links(program) if room.id in (a, b)]
+        if room.type == "balcony" and len(near) == 1 and near[0] in indoors and room.id not in (first, *joined):
+            out[room.id] = near[0]
+    return out
+
+
+def indoors(program: Program) -> Program:
+    """The programme without the balconies that are hung."""
+    outside = hung(program)
+    rooms = [room for room in program.rooms if room.id not in outside]
+    kept = [pair for pair in program.links if not set(pair) & set(outside)]
+    return program.model_copy(update={"rooms": rooms, "links": kept}) if outside else program
+
+
+def fronts(program: Program) -> dict[str, float]:
+    """Façade that the rooms behind hung balconies need, m."""
+    wanted = {room.id: _area(program, room.id) for room in program.rooms if room.type == "balcony"}
+    least = {name: wanted[name] / max(DEEPEST, wanted[name] ** 0.5) for name in wanted}
+    return {owner: max(GLAZED, least[name]) for name, owner in hung(program).items()}
+
+
+def hang(program: Program, floors: Floors, walls: Walls) -> Floors | None:
+    """The floors with those of hung balconies, an outer wall away from their rooms; None where one finds no place."""
+    out = dict(floors)
+    for name, owner in hung(program).items():
+        places = (_placed(face, _area(program, name), walls) for face in _facades(owner, out, program.envelope))
+        free = (place for place in places if place is not None and _clear(place, out, walls))
+        found = next(free, None)
+        if found is None:
+            return None
+        out[name] = found
+    return out
+
+
+def outside(floors: Mapping[str, Polygon], program: Program, room: str) -> list[Polygon]:
+    """Floors that stand before a room's windows: all others but for hung balconies."""
+    open_air = hung(program)
+    return [floor for other, floor in floors.items() if other != room and other not in open_air]
+
+
+def _area(program: Program, name: str) -> float:
+    least = STANDARDS["balcony"].area
+    return max(next(room.area for room in program.rooms if room.id == name) or 2 * least, least)
+
+
+def _facades(owner: str, floors: Floors, envelope: Envelope) -> list[Face]:
+    found = faces.outside(floors[owner], [floor for room, floor in floors.items() if room != owner])
+    free = [face for face in found if facing(*face.along) not in envelope.party_walls]
+    return sorted(free, key=lambda face: (-face.length - SUNNY[facing(*face.along)], *face.start))
+
+
+def _placed(face: Face, area: float, walls: Walls) -> Polygon | None:
+    """In the middle of a façade, `USUAL` deep or deeper where it is short."""
+    width = min(face.length, max(area / USUAL, min(GLAZED, area / STANDARDS["balcony"].width)))
+    deep = area / width
+    if deep > max(DEEPEST, width) or width < STANDARDS["balcony"].width:
+        return None
+    lo = 0.5 * (face.length - width)
+    near, far = (np.array(face.segment(lo, lo + width, walls.outer + d)) for d in (0.0, deep))
+    return Polygon([near[0], far[0], far[1], near[1]])
+
+
+def _clear(place: Polygon, floors: Floors, walls: Walls) -> bool:
+    return all(floor.distance(place) > walls.outer - 1e-3 for floor in floors.values())

@@ -1,0 +1,90 @@
+"""Whom a home is for and what stands about it, found in the text before its rooms are read."""
+
+import re
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+BEFORE = r"(?:\b(?:for|fur|pour|para)\s+)?(?:\b(?:a|an|the|ein|eine|einem|einer|un|une|una)\s+)?"
+"""What stands before people and goes with them."""
+
+
+@dataclass(frozen=True)
+class People:
+    """Couples who share a bedroom, grown-ups who have their own, children."""
+
+    pairs: int = 0
+    singles: int = 0
+    children: int = 0
+
+    @property
+    def count(self) -> int:
+        """How many they are."""
+        return 2 * self.pairs + self.singles + self.children
+
+
+@dataclass(frozen=True)
+class About:
+    """What a prompt says about the home as a whole: `dwelling` and `facades` as in `schemas.plan.Envelope`."""
+
+    people: People | None = None
+    dwelling: str = ""
+    facades: int | None = None
+    loft: bool = False
+
+
+def about(text: str) -> tuple[About, str]:
+    """What a folded text says of people and surroundings, and the text without the words that say it."""
+    people, text = _people(text)
+    dwelling, facades, text = _dwelling(text)
+    return About(people, dwelling, facades, any(p.search(text) for p in _patterns(_data()["loft"]))), text
+
+
+@cache
+def _data() -> dict[str, Any]:
+    return tomllib.loads((Path(__file__).parent / "about.toml").read_text(encoding="utf-8"))
+
+
+def _patterns(row: dict[str, Any], before: str = "") -> list[re.Pattern[str]]:
+    numbers = "|".join(sorted(_data()["numbers"], key=len, reverse=True))
+    return [_compiled(before + text.replace("{n}", rf"(?P<n>\d+|{numbers})")) for text in row["find"]]
+
+
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)
+
+
+def _people(text: str) -> tuple[People | None, str]:
+    for row in _data()["people"]:
+        for pattern in _patterns(row, BEFORE):
+            found = pattern.search(text)
+            if found:
+                return _counted(row, found), _without(text, found)
+    return None, text
+
+
+def _counted(row: dict[str, Any], found: re.Match[str]) -> People:
+    said = found.groupdict().get("n") or "1"
+    n = int(said) if said.isdigit() else int(_data()["numbers"][said])
+    if row.get("household"):
+        return People(singles=1) if n < 2 else People(pairs=1, children=n - 2)
+    value = {-1: n, -2: max(n - 2, 0)}
+    return People(**{who: value.get(row.get(who, 0), row.get(who, 0)) for who in ("pairs", "singles", "children")})
+
+
+def _dwelling(text: str) -> tuple[str, int | None, str]:
+    flat = any(pattern.search(text) for pattern in _patterns(_data()["not_a_house"]))
+    for row in _data()["dwelling"]:
+        for pattern in _patterns(row):
+            found = pattern.search(text)
+            if found and not (flat and row["kind"] == "house"):
+                return row["kind"], row["facades"], _without(text, found)
+    return "", None, text
+
+
+def _without(text: str, found: re.Match[str]) -> str:
+    kept = found.groupdict().get("keep") or ""
+    return f"{text[: found.start()]}{kept}{text[found.end() :]}"

@@ -1,0 +1,143 @@
+"""Rooms that people want beside those one needs: bedrooms for a household, and more as area allows, drawn by lot."""
+
+import tomllib
+from functools import cache
+from math import exp
+from pathlib import Path
+from typing import Any
+
+from numpy.random import Generator
+
+from apartgen.schemas.rooms import kinds
+from apartgen.stages.plan.reader.about import People
+from apartgen.stages.plan.reader.doors import Doors
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.statements import Said
+
+STUDIO = 38.0
+"""Area up to which a home for one has no bedroom, m²."""
+GUESTS = 62.0
+"""Area from which a couple may have a second bedroom, m²."""
+
+
+UNKNOWN = 8.0
+"""Area of a room of a type that not everybody knows, m²."""
+
+
+@cache
+def _data() -> dict[str, Any]:
+    return tomllib.loads((Path(__file__).parent / "wanted.toml").read_text(encoding="utf-8"))
+
+
+def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
+    """Bedrooms for the people named, where the prompt counts none; a loft has none."""
+    unsaid = not (home.of("bedroom") or home.totals or said.main_rooms or said.dwelling == "studio")
+    if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):
+        return
+    if said.about.loft:
+        said.dwelling = "studio"
+    elif said.about.people is not None:
+        many = bedrooms(said.about.people, said.total_area, rng)
+        home.add("bedroom", many)
+        said.dwelling = said.dwelling if many else "studio"
+
+
+def bedrooms(people: People, total: float | None, rng: Generator | None) -> int:
+    """A bedroom a couple, a grown-up and a child; by lot, or in little area, pairs of children share one."""
+    data, lot = _data()["household"], 1.0 if rng is None else float(rng.random())
+    usual = data["area"][min(people.count, len(data["area"])) - 1]
+    if people.count == 1:
+        alone = total < STUDIO if total is not None else lot < 0.25
+        return 0 if alone else 1
+    if people.children == 0:
+        guests = (total is None or total >= GUESTS) and lot < 0.35
+        return people.pairs + people.singles + int(guests and people.pairs == 1 and people.singles == 0)
+    tight = total is not None and total < 0.9 * usual
+    sharing = people.children // 2 if tight or (total is None and lot < data["child_shares"]) else 0
+    return people.pairs + people.singles + people.children - sharing
+
+
+def add_rooms(said: Said, home: Household, doors: Doors, named: set[str], rng: Generator) -> None:
+    """Rooms beyond the least, for a prompt that named rooms of these types only."""
+    free = not named or (named <= {"bedroom"} and said.about.people is not None)
+    if free:
+        if said.total_area is None:
+            said.flat_size *= exp(rng.normal(0.0, _data()["household"]["spread"]))
+        _draw(said, home, doors, rng)
+    if not said.about.loft:
+        _fill(said, home, _data()["order"]["ample" if free else "roomy" if named <= {"bedroom"} else "lavish"])
+
+
+def _draw(said: Said, home: Household, doors: Doors, rng: Generator) -> None:
+    """Each kind of room by its share of homes, as long as it fits into the area."""
+    beds = min(len(home.of("bedroom")), 5)
+    lots = {name: float(rng.random()) < shares[beds] for name, shares in _data()["share"].items()}
+    lots["second_balcony"] &= lots["balcony"]
+    for kitchen in home.of("kitchen"):
+        living = home.of("living_room")
+        if lots["open_kitchen"] and beds:
+            kitchen.labels.add("open")
+        elif lots["kitchen_off_living"] and living and beds:
+            doors.links.append((kitchen, living[0]))
+    for name, wanted in lots.items():
+        fitting = "kitchen" not in name and not (said.about.loft and name in ("dining_room", "study"))
+        if wanted and fitting and _fits(said, home, name):
+            _add(home, name)
+
+
+def _fits(said: Said, home: Household, name: str) -> bool:
+    if (_kind(name), "") in home.banned:
+        return False
+    if said.total_area is None:
+        return True
+    return size(home) + _typical(_kind(name), {"half"} if name == "half_bath" else set(), 1) <= 1.08 * said.total_area
+
+
+def _fill(said: Said, home: Household, limit: float) -> None:
+    """More rooms while the area stated is `limit` times what the rooms want."""
+    if said.total_area is None:
+        return
+    for name in _data()["order"]["more"]:
+        if said.total_area < limit * size(home):
+            return
+        kind = _kind(name)
+        counted = any(e.counted for e in home.of(kind)) or kind in home.totals
+        if (kind, "") not in home.banned and not counted and _there(home, name) < _most(home, name):
+            _add(home, name)
+
+
+def _there(home: Household, name: str) -> int:
+    halves = sum("half" in e.labels for e in home.of("bathroom"))
+    return {"half_bath": halves, "full_bath": len(home.of("bathroom")) - halves}.get(name, len(home.of(_kind(name))))
+
+
+def _most(home: Household, name: str) -> int:
+    beds = len(home.of("bedroom"))
+    return {"full_bath": min(1 + beds // 2, 3), "closet": min(beds, 2), "study": 2, "living_room": 2}.get(name, 1)
+
+
+def _add(home: Household, name: str) -> None:
+    for room in home.add(_kind(name)):
+        if name == "half_bath":
+            room.labels.add("half")
+        if name == "second_balcony" and home.of("bedroom"):
+            room.owner = home.of("bedroom")[0]
+
+
+def _kind(name: str) -> str:
+    return {"half_bath": "bathroom", "full_bath": "bathroom", "second_balcony": "balcony"}.get(name, name)
+
+
+def size(home: Household) -> float:
+    """Area that the rooms want by their types, m²."""
+    beds = len(home.of("bedroom"))
+    return sum(e.area or _typical(kinds()[e.type].base, e.labels, beds) * e.factor for e in home.rooms)
+
+
+def _typical(kind: str, labels: set[str], beds: int) -> float:
+    data = sense()
+    named = [data["area_of"][key] for label in labels if (key := f"{kind}:{label}") in data["area_of"]]
+    by_bedrooms = data["by_bedrooms"].get(kind)
+    usual = by_bedrooms[min(beds, len(by_bedrooms) - 1)] if by_bedrooms else data["area"].get(kind, UNKNOWN)
+    return float(min(named) if named else usual)
