@@ -37,13 +37,15 @@ INCEPTION = Annotated[Path | None, typer.Option(
     "--inception-weights", metavar="FILE", help="Inception-v3 for FID, KID and SCA; a packaged network by default.")]
 REAL = Annotated[str | None, typer.Option(
     "--real", metavar="SOURCE=PATH", help="Real rooms to compare with, in the format of a data source: ssr=rooms/.")]
+AS = Annotated[str | None, typer.Option(
+    "--as", metavar="SOURCE", help="What --real holds, where it is a path alone: ssr, front3d, procthor, boxes.")]
 REPLAY = Annotated[str | None, typer.Option(
     "--replay", metavar="ID", help="Show one episode of an earlier run (embodied) as a GIF; nothing else is run.")]
 
 
 def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, processes: PROCESSES = None,
          weights: WEIGHTS = None, anticipating: ANTICIPATING = None, inception_weights: INCEPTION = None,
-         real: REAL = None, replay: REPLAY = None) -> int:
+         real: REAL = None, real_as: AS = None, replay: REPLAY = None) -> int:
     from apartgen_cli.bench import _runner
 
     experiments = registry.members(__name__)
@@ -53,6 +55,7 @@ def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, pro
     if name not in experiments:
         raise BadInput(f"no experiment {name!r}; there are: {', '.join(experiments)}")
     experiment = registry.load(__name__, name)
+    real = f"{real_as}={real}" if real and real_as else real
     given = {"weights": weights, "anticipating": anticipating, "inception_weights": inception_weights, "real": real}
     files = _taken(name, experiment, {option: value for option, value in given.items() if value})
     if replay is not None:

@@ -7,6 +7,9 @@ from apartgen.schemas.plan import Plan, Room
 DOUBLE = 10.0
 """A bedroom of so much floor sleeps two, m²; a studio does from three times that."""
 
+PLACES = (("dining_room", 0.0), ("kitchen", 10.5), ("living_room", 14.0), ("kitchen", 7.5))
+"""Where people eat, the likeliest first, with the floor that takes, m²."""
+
 
 def sleepers(plan: Plan) -> int | None:
     """Who sleeps in the home: two in a large bedroom, one in a small one; None for a room by itself."""
@@ -16,6 +19,18 @@ def sleepers(plan: Plan) -> int | None:
     if not beds:
         return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= 3 * DOUBLE)
     return sum(1 + (_area(room) >= DOUBLE) for room in beds)
+
+
+def eats_in(plan: Plan) -> str | None:
+    """The room where a home has its meals: a dining room, else a kitchen with floor for a table, else a living room;
+    None for a room by itself."""
+    if len(plan.rooms) == 1:
+        return None
+    for kind, least in PLACES:
+        fitting = [room for room in plan.rooms if room.base == kind and _area(room) >= least]
+        if fitting:
+            return max(fitting, key=_area).id
+    return None
 
 
 def _largest(plan: Plan) -> Room:

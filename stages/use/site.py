@@ -1,13 +1,13 @@
 """A room before it is furnished: walls, openings on them, who lives there."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.plan import Plan, Room
-from apartgen.stages.use.household import sleepers
+from apartgen.stages.use.household import eats_in, sleepers
 
 Array = NDArray[np.float64]
 PASSAGES = ("door", "opening", "entrance")
@@ -47,13 +47,14 @@ class Hole:
 
 @dataclass(frozen=True)
 class Site:
-    """A room of a home: `sleepers` people live there, None for a room by itself."""
+    """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`."""
 
     id: str
     kind: str
     corners: tuple[tuple[float, float], ...]
     holes: tuple[Hole, ...]
     sleepers: int | None
+    meals: bool = False
 
     @cached_property
     def start(self) -> Array:
@@ -99,7 +100,8 @@ def site(plan: Plan, room_id: str) -> Site:
     room = next(room for room in plan.rooms if room.id == room_id)
     rows = tuple((o.id, o.kind, *o.segment, o.sill, o.head, o.into == room_id, o.hinge)
                  for o in plan.openings if room_id in o.rooms)
-    return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan))
+    return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan),
+                 eats_in(plan) == room_id)
 
 
 def alone(room: Room) -> Site:
@@ -109,9 +111,9 @@ def alone(room: Room) -> Site:
 
 @lru_cache(maxsize=256)
 def _site(id: str, kind: str, corners: tuple[tuple[float, float], ...], rows: tuple[tuple[object, ...], ...],
-          people: int | None) -> Site:
+          people: int | None, meals: bool = False) -> Site:
     bare = Site(id, kind, corners, (), people)
-    return Site(id, kind, corners, tuple(_hole(bare, *row) for row in rows), people)  # type: ignore[arg-type]
+    return replace(bare, holes=tuple(_hole(bare, *row) for row in rows), meals=meals)  # type: ignore[arg-type]
 
 
 def _hole(bare: Site, id: str, kind: str, a: tuple[float, float], b: tuple[float, float], sill: float, head: float,

@@ -13,8 +13,8 @@ from apartgen.stages.use.rules.sleep import within_reach
 
 SCREEN = 0.3
 """What a television stand without its television costs."""
-NIGHTSTAND, CHAIR = 0.5, 0.4
-"""What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home."""
+NIGHTSTAND, CHAIR, TABLE = 0.5, 0.4, 0.8
+"""What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, and a table."""
 GUESTS, MOST_CHAIRS = 4, 6
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
@@ -73,6 +73,8 @@ def _of_groups(room: Furnished) -> Iterator[Lack]:
         if room.site.kind == "bedroom" and there < 2:
             yield Lack("double bed without nightstand" if not there else "double bed with one nightstand", 2 - there,
                        (2 - there) * NIGHTSTAND)
+    if room.site.meals and not room.number(TABLES | {"island"}):
+        yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
     for table in room.which(TABLES):
         missing = seats_wanted(room, table) - len(diners(room, table))
         if missing > 0:

@@ -28,6 +28,9 @@ def faults(room: Furnished) -> Iterator[Fault]:
     for i in room.which("armchair"):
         if not _in_company(room, i, screens):
             yield Fault("armchair looks at nothing", room.ids(i))
+        for table in room.which(TABLES):
+            if room.gap[i, table] < AGAINST and room.look[i, table] > 35:
+                yield Fault("armchair against the dining table", room.ids(i, table))
     for i in screens:
         yield from _screen(room, i)
     yield from _companions(room)
@@ -131,7 +134,8 @@ def _in_company(room: Furnished, i: int, screens: list[int]) -> bool:
         return True
     if any(room.aside[i, s] <= 40 and room.gap[i, s] < 4.5 for s in screens):
         return True
-    if any(room.aside[i, s] <= 60 and room.gap[i, s] < TALK for s in room.which(EASY) if s != i):
+    if any(room.aside[i, s] <= 60 and room.aside[s, i] <= 110 and room.gap[i, s] < TALK
+           for s in room.which(EASY) if s != i):
         return True
     if any(room.look[i, t] <= 35 and room.gap[i, t] <= 0.55 for t in room.which(DESKS | TABLES)):
         return True
