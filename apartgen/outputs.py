@@ -32,10 +32,10 @@ def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
     """Write one apartment."""
     from apartgen.stages import export
 
-    def load(library: str, id: str) -> "Asset":
-        return opened_libraries(*settings.libraries).load(library, id)
+    def load_asset(library: str, id: str) -> "Asset":
+        return opened_libraries(*settings.libraries).load_asset(library, id)
 
-    return export.run(home, settings.format, folder, load)
+    return export.run(home, settings.format, folder, load_asset)
 
 
 @cache

@@ -127,7 +127,7 @@ def clear(home: Retrieve, config: WalkableSettings, rng: np.random.Generator) ->
 
     found = _opened(config)
     for library, id in {o.asset.library: o.asset.id for o in home.objects}.items():
-        found.load(library, id)
+        found.load_asset(library, id)
     return walkable.run(home, config, rng, found)
 
 

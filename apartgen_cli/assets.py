@@ -76,7 +76,7 @@ def show(library: Annotated[Path, typer.Argument(
 
     own = str(library) == EMBEDDED
     opened = retrieve.open_libraries(retrieve.RetrieveConfig(libraries=[] if own else [str(library)]))
-    found = opened.load(EMBEDDED if own else next(iter(opened.others)), id)
+    found = opened.load_asset(EMBEDDED if own else next(iter(opened.others)), id)
     json.dump(_told(found), sys.stdout, indent=2, ensure_ascii=False)
     sys.stdout.write("\n")
 

@@ -75,7 +75,7 @@ class Boxes:
     def alternatives(self, category, size, latent):
         return []
 
-    def load(self, library, id):
+    def load_asset(self, library, id):
         if (library, id) not in self.known:
             raise BadInput(f"asset library {library!r} is not open")
         return self.known[library, id]

@@ -161,7 +161,7 @@ def _exported(home: Retrieve, bare: bool = False) -> "Iterator[tuple[Scene, Path
     from apartgen.stages.export import mjcf as exporter
     from apartgen.stages.scene.scene import Scene
 
-    scene = Scene(home, _library().load, shown=not bare)
+    scene = Scene(home, _library().load_asset, shown=not bare)
     with TemporaryDirectory() as folder:
         exporter.write(scene, Path(folder))
         yield scene, Path(folder) / "mjcf" / "apartment.xml"

@@ -46,10 +46,10 @@ def _measured(home: Retrieve) -> dict[str, Any]:
     from apartgen.stages.retrieve.matching.config import RetrieveConfig
     from apartgen.stages.scene.scene import Scene
 
-    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load)
+    scene = Scene(home, retrieve.open_libraries(RetrieveConfig()).load_asset)
     with TemporaryDirectory() as folder:
         registry.load("apartgen.stages.export", "mjcf").write(scene, Path(folder))
-        model = _physics.load(Path(folder) / "mjcf" / "apartment.xml")
+        model = _physics.mjcf_model(Path(folder) / "mjcf" / "apartment.xml")
     drift = np.array(list(_physics.drift(model).values()))
     share = np.array([travel.share for travel in _physics.travels(model)])
     found: dict[str, Any] = {"loose": len(drift), "joints": len(share)}

@@ -28,7 +28,7 @@ def written(path: Path, out: Path, seed: int | None, libraries: list[str]) -> Pa
 
     read = artifact.read(path, Retrieve)
     drawn = f"{path.stem}-{read.made.seed if seed is None else seed}"
-    scene = Scene(read.body, retrieve.open_libraries(RetrieveConfig(libraries=libraries)).load, shown=False)
+    scene = Scene(read.body, retrieve.open_libraries(RetrieveConfig(libraries=libraries)).load_asset, shown=False)
     with TemporaryDirectory() as folder:
         mjcf.write(scene, Path(folder))
         apartment = simulated(scene, Path(folder) / "mjcf" / "apartment.xml", path.stem)

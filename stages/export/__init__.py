@@ -12,7 +12,7 @@ from apartgen.schemas.export import Export, File
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
 from apartgen.stages.export._folder import CONTENTS, replaced
-from apartgen.stages.scene.scene import Load, Scene
+from apartgen.stages.scene.scene import LoadAsset, Scene
 
 PACKAGE = "apartgen.stages.export"
 
@@ -22,16 +22,16 @@ def formats() -> dict[str, str]:
     return registry.members(PACKAGE)
 
 
-def run(home: Plan, formats: list[str], out: Path, load: Load) -> Export:
+def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset) -> Export:
     """Write every format into the folder `out`, which appears, or is replaced, whole or not at all.
 
-    `load(library, id)` gives the assets. BadInput for an unknown format, a layout without assets where a format
+    `load_asset(library, id)` gives the assets. BadInput for an unknown format, a layout without assets where a format
     needs them, and an `out` that holds what no export put there.
     """
     if not formats:
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
     writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats)}
-    scene = Scene(home, load)
+    scene = Scene(home, load_asset)
     with replaced(out) as folder:
         files = [
             File(path=path.relative_to(folder).as_posix(), format=name, sha256=_sha256(path))

@@ -26,7 +26,7 @@ class Travel(NamedTuple):
     share: float
 
 
-def load(path: Path) -> Any:
+def mjcf_model(path: Path) -> Any:
     """An MJCF file as a MuJoCo model."""
     import mujoco
 

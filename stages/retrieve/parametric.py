@@ -22,4 +22,4 @@ def assets(root: Path | None = None) -> Iterator[Source]:
 def _source(category: str, style: str) -> Source:
     d, w, h = (round(side * 1000) for side in TABLE[category].size)
     name = f"{category}/{style}/{d}x{w}x{h}/0"
-    return Source(name, partial(furniture.load, name))
+    return Source(name, partial(furniture.load_asset, name))

@@ -26,7 +26,7 @@ from apartgen.stages.things.carrying import told
 from apartgen.stages.things.categories import TABLE
 
 log = logging.getLogger("apartgen")
-Load = Callable[[str, str], Asset]
+LoadAsset = Callable[[str, str], Asset]
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Scene:
     """
 
     home: Plan
-    load: Load
+    load_asset: LoadAsset
     shown: bool = True
 
     @cached_property
@@ -72,10 +72,10 @@ class Scene:
     @cached_property
     def credits(self) -> list[str]:
         """Who made the assets used, sorted."""
-        return sorted({self.load(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
+        return sorted({self.load_asset(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
 
     def _body(self, o: Furnishing) -> Body:
-        asset = self.load(o.asset.library, o.asset.id)
+        asset = self.load_asset(o.asset.library, o.asset.id)
         links = _links(placed.links(o, asset), o.category)
         links = links if self.shown else _bare(links)
         return Body(

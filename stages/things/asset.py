@@ -95,7 +95,7 @@ class Asset:
 class Library(Protocol):
     """A collection of assets addressed by id."""
 
-    def load(self, id: str) -> Asset:
+    def load_asset(self, id: str) -> Asset:
         """The asset of that id; BadInput when there is none."""
 
     def nearest(

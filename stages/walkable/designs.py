@@ -33,7 +33,7 @@ def redesigned(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
 
 def look(library: Candidates, o: Furnishing) -> tuple[str, str]:
     """Style and main material of an object's asset."""
-    asset = library.load(o.asset.library, o.asset.id)
+    asset = library.load_asset(o.asset.library, o.asset.id)
     return asset.style, main_material(asset)
 
 

@@ -36,10 +36,10 @@ class Kept:
                 self._remembered(asset)
         return iter(self._designs[key])
 
-    def load(self, library: str, id: str) -> Asset:
+    def load_asset(self, library: str, id: str) -> Asset:
         """See `Candidates`."""
         if (library, id) not in self._made:
-            self._made[library, id] = self._library.load(library, id)
+            self._made[library, id] = self._library.load_asset(library, id)
         return self._made[library, id]
 
     def _remembered(self, asset: Asset | None) -> Asset | None:

@@ -50,7 +50,7 @@ class Candidates(Protocol):
     def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterable[Asset]:
         """Other designs of that size, the one closest in latent first."""
 
-    def load(self, library: str, id: str) -> Asset:
+    def load_asset(self, library: str, id: str) -> Asset:
         """The asset of that library and id; BadInput when there is none."""
 
 

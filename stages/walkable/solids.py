@@ -33,7 +33,7 @@ class Solids:
         """The solid of an object's asset."""
         key = (o.asset.library, o.asset.id)
         if key not in self._known:
-            self._known[key] = solid(self._library.load(*key))
+            self._known[key] = solid(self._library.load_asset(*key))
         return self._known[key]
 
     def rest(self, o: Furnishing) -> Hulls:

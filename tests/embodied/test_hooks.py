@@ -70,7 +70,7 @@ def scene(home, tmp_path_factory):
     text, _ = artifact.finish(home, artifact.Made(by="test", seed=SEED))
     (folder / "flat.json").write_text(text)
     pytest.importorskip("pxr")
-    export.run(home, ["usd", "mjcf", "nav2"], folder / "scene", bench._library().load)
+    export.run(home, ["usd", "mjcf", "nav2"], folder / "scene", bench._library().load_asset)
     hook("write_episodes").written(folder / "flat.json", folder / "flat.episodes.json", None, [])
     return folder, json.loads((folder / "flat.episodes.json").read_text())
 

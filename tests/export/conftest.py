@@ -64,7 +64,7 @@ def _sample(make) -> Made:
 @pytest.fixture(scope="session")
 def library():
     """The embedded furniture."""
-    return retrieve.open_libraries(RetrieveConfig()).load
+    return retrieve.open_libraries(RetrieveConfig()).load_asset
 
 
 @pytest.fixture(scope="session")

@@ -70,7 +70,7 @@ def test_the_same_bytes_again(every, name, tmp_path):
 
 def test_the_same_bytes_under_another_hash_seed(every, tmp_path):
     code = (
-        "import sys; from pathlib import Path; from export import sample; from stages import export\n"
+        "import sys; from pathlib import Path; from export import sample; from apartgen.stages import export\n"
         "made = export.run(sample.home(), ['glb', 'mjcf', 'svg'], Path(sys.argv[1]), sample.load)\n"
         "print(*sorted(f.sha256 for f in made.files if f.path != 'CREDITS.txt'))"
     )
@@ -159,7 +159,7 @@ def test_an_unknown_format_is_named_before_anything_is_written(tmp_path):
 
 def test_formats_are_listed_without_heavy_imports():
     heavy = "{'matplotlib', 'mujoco', 'pxr', 'trimesh', 'torch', 'embreex', 'PIL'}"
-    code = f"import sys; from stages import export; export.formats(); print({heavy} & set(sys.modules))"
+    code = f"import sys; from apartgen.stages import export; export.formats(); print({heavy} & set(sys.modules))"
     root = Path(__file__).parents[2]
     done = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"

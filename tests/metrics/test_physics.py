@@ -16,7 +16,7 @@ DRAWER = """<body name="chest" pos="0 0 0.3"><body name="drawer">
 def world(tmp_path, *bodies):
     path = tmp_path / "world.xml"
     path.write_text(FRAME.format("".join(bodies)))
-    return _physics.load(path)
+    return _physics.mjcf_model(path)
 
 
 def box(name, x, z, size=0.1):

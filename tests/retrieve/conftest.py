@@ -72,7 +72,7 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
     )
 
 
-def load(id: str) -> Asset:
+def load_asset(id: str) -> Asset:
     category, style, size, seed = id.split("/")
     d, w, h = (float(side) for side in size.split("x"))
     return build(category, style, (d, w, h), int(seed))
@@ -81,7 +81,7 @@ def load(id: str) -> Asset:
 @pytest.fixture(scope="session")
 def maker():
     """A builder with the embedded library's interface."""
-    return SimpleNamespace(styles=styles, build=build, load=load)
+    return SimpleNamespace(styles=styles, build=build, load_asset=load_asset)
 
 
 @pytest.fixture(scope="session")

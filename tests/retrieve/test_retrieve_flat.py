@@ -69,7 +69,7 @@ def test_what_is_owned_is_used_from_both_sets_and_opens(home):
 def test_it_exports_loads_and_keeps_its_credits(home, tmp_path):
     mujoco, pxr = pytest.importorskip("mujoco"), pytest.importorskip("pxr")
     furnished, opened = home
-    found = export.run(furnished, ["glb", "mjcf", "usd"], tmp_path / "scene", opened.load)
+    found = export.run(furnished, ["glb", "mjcf", "usd"], tmp_path / "scene", opened.load_asset)
     joints = sum(len(o.joints) for o in furnished.objects)
     assert any("Kenney" in c and "CC0" in c for c in found.credits) and any("Apache-2.0" in c for c in found.credits)
     told = (tmp_path / "scene" / "CREDITS.txt").read_text()

@@ -133,16 +133,16 @@ def test_an_indexed_library_serves_its_assets_and_the_embedded_one_what_does_not
     wide, narrow = (both.nearest("sofa", (0.92, w, 0.82), (), (0.92, w, 0.82)) for w in (2.05, 1.7))
     assert (wide.id, narrow.id) == ("sofa_a", "sofa_b") and wide.library == "shop"
     assert "CC-BY" in wide.credit
-    assert both.load("shop", "sofa_a").size == pytest.approx((0.9, 2.0, 0.8))
+    assert both.load_asset("shop", "sofa_a").size == pytest.approx((0.9, 2.0, 0.8))
     # No sofa here is short enough: one is made; no asset is squeezed.
     short = both.nearest("sofa", (0.92, 1.5, 0.82), (), (0.92, 1.5, 0.82))
     assert short.library == "parametric" and short.size == (0.92, 1.5, 0.82)
     # A wardrobe that can't open is passed over only by one that can.
     assert both.nearest("wardrobe", (0.6, 1.5, 2.0), (), (0.6, 1.5, 2.0)).library == "shop"
     with pytest.raises(BadInput, match="no asset 'sofa_z'"):
-        both.load("shop", "sofa_z")
+        both.load_asset("shop", "sofa_z")
     with pytest.raises(BadInput, match="'elsewhere' is not open"):
-        both.load("elsewhere", "x")
+        both.load_asset("elsewhere", "x")
 
 
 def test_an_index_never_overwrites_what_is_no_library(shop, tmp_path):

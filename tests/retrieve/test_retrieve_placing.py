@@ -90,7 +90,7 @@ def test_things_stand_exactly_on_what_carries_them(flat, libraries):
     )
     stand, tv, night, lamp = home.objects
     for item, under in ((tv, stand), (lamp, night)):
-        asset = libraries.load(under.asset.library, under.asset.id)
+        asset = libraries.load_asset(under.asset.library, under.asset.id)
         at = boxes.local(np.array([item.center[:2]]), boxes.of([under]))[0]
         top = tops.heights(asset, at)[0] + under.center[2]
         assert np.isclose(item.center[2] - item.size[2] / 2, top, atol=1e-6) and item.on == under.id
@@ -157,7 +157,7 @@ def test_equal_things_of_a_room_look_equal_and_a_kitchen_shares_one_style(flat, 
     units = [{"category": name, "center": [0.3, 2 + 0.6 * i, 0.45], "size": [0.6 + i / 200, 0.6, 0.9],
               "latent": rng.normal(size=32).tolist()} for i, name in enumerate(UNITS)]  # fmt: skip
     home = retrieve(flat(*chairs, *units, type="kitchen"), libraries)
-    made = [libraries.load(o.asset.library, o.asset.id) for o in home.objects]
+    made = [libraries.load_asset(o.asset.library, o.asset.id) for o in home.objects]
     assert {asset.style for asset in made[:3]} == {"legs"} and len({asset.id for asset in made[:3]}) == 1
     assert len({(asset.style, asset.id[-1]) for asset in made[3:]}) == 1
     assert len({(o.size[0], o.size[2]) for o in home.objects[3:]}) == 1, "one worktop"
@@ -168,7 +168,7 @@ def test_a_smaller_piece_of_the_same_latent_keeps_the_style(flat, libraries):
     box = {"category": "wardrobe", "center": [2, 2.5, 1], "size": [0.6, 1.5, 2.1], "latent": latent}
     thing = retrieve(flat(box), libraries).objects[0]
     smaller = libraries.nearest("wardrobe", (0.5, 1.0, 2.0), thing.latent, (0.5, 1.0, 2.0))
-    assert smaller.style == libraries.load(thing.asset.library, thing.asset.id).style
+    assert smaller.style == libraries.load_asset(thing.asset.library, thing.asset.id).style
     assert smaller.size == (0.5, 1.0, 2.0)
 
 

@@ -106,4 +106,4 @@ def test_every_listed_asset_of_the_embedded_library_can_be_shown(capsys):
     for _, size, name, id in rows[:: len(rows) // 12]:
         assert status(["assets", "show", name, id]) == 0
         assert f'"id": "{id}"' in capsys.readouterr().out
-        assert furniture.load(id).size == pytest.approx([float(side) for side in size.split()], abs=0.006)
+        assert furniture.load_asset(id).size == pytest.approx([float(side) for side in size.split()], abs=0.006)

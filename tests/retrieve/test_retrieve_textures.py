@@ -85,7 +85,7 @@ def models(tmp_path) -> Path:
 
 
 def material(library: IndexedLibrary, id: str):
-    return library.load(id).links[0].visuals[0].material
+    return library.load_asset(id).links[0].visuals[0].material
 
 
 def test_an_embedded_image_is_kept_once_with_its_factor_baked_in(models, indexed):
@@ -107,7 +107,7 @@ def test_an_embedded_image_is_kept_once_with_its_factor_baked_in(models, indexed
 def test_the_image_lies_the_right_way_up(models, indexed):
     (models / "chair.glb").write_bytes(glb([surface()], [png(RED, BLUE)]))
     library = indexed(models)
-    (mesh,) = library.load("chair").links[0].visuals
+    (mesh,) = library.load_asset("chair").links[0].visuals
     top = mesh.vertices[:, 2] > 0
     # v is counted upwards here: the image's red upper edge belongs to the object's top.
     assert np.allclose(mesh.uv[top, 1], 1) and np.allclose(mesh.uv[~top, 1], 0)
@@ -135,7 +135,7 @@ def test_texture_transforms_and_second_coordinates_are_followed(models, indexed)
         "extensions": {"KHR_texture_transform": {"offset": [0.25, 0.5], "scale": [2, 0.5]}}
     }
     (models / "chair.glb").write_bytes(glb([moved], [png(RED)]))
-    (mesh,) = indexed(models).load("chair").links[0].visuals
+    (mesh,) = indexed(models).load_asset("chair").links[0].visuals
     top = mesh.vertices[:, 2] > 0
     assert np.allclose(mesh.uv[top], [0.25, 0.5]) and np.allclose(mesh.uv[~top], [0.25, 0.0])
 
@@ -249,7 +249,7 @@ def home(models, indexed, flat) -> tuple[Retrieve, IndexedLibrary]:
     (models / "chair.glb").write_bytes(glb([surface((1, 0.5, 1, 1), alphaMode="OPAQUE")], [png(WHITE, GREEN)]))
     (models / "License.txt").write_text("Chairs by A. Maker\nCC-BY 4.0\n")
     library = indexed(models)
-    asset = library.load("chair")
+    asset = library.load_asset("chair")
     size = list(asset.size)
     layout = flat({"category": "chair", "center": [2, 2, size[2] / 2], "size": size})
     placed = layout.objects[0].model_dump() | {"asset": {"library": library.name, "id": "chair"}, "joints": []}
@@ -261,7 +261,7 @@ def test_exports_carry_image_surface_and_credit(home, tmp_path):
 
     written, library = home
     out = tmp_path / "scene"
-    found = export.run(written, ["glb", "mjcf"], out, lambda _, id: library.load(id))
+    found = export.run(written, ["glb", "mjcf"], out, lambda _, id: library.load_asset(id))
     assert any("CC-BY" in credit for credit in found.credits)
     data = next(out.rglob("*.glb")).read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]
@@ -282,7 +282,7 @@ def test_a_foreign_file_round_trips_through_our_own_export(home, tmp_path):
     from apartgen.stages import export
 
     written, library = home
-    export.run(written, ["glb"], tmp_path / "scene", lambda _, id: library.load(id))
+    export.run(written, ["glb"], tmp_path / "scene", lambda _, id: library.load_asset(id))
     again = folder.assets(tmp_path / "scene")
     skins = [m.material for s in again for link in s.load().links for m in link.visuals if m.material.name == "skin"]
     assert skins and skins[0].texture.startswith("data:image")

@@ -60,7 +60,7 @@ def test_a_library_gives_the_same_asset_again():
     libraries = retrieve.open_libraries()
     kept, size = Kept(libraries), np.asarray(TABLE["chest"].size)
     first = kept.nearest("chest", size, (), size)
-    assert first is kept.nearest("chest", size, (), size) is kept.load(first.library, first.id)
+    assert first is kept.nearest("chest", size, (), size) is kept.load_asset(first.library, first.id)
     assert first.id == libraries.nearest("chest", size, (), size).id
     assert [a.id for a in kept.alternatives("chest", size, ())] == [
         a.id for a in libraries.alternatives("chest", size, ())]

@@ -174,7 +174,7 @@ def test_the_simulator_agrees(seed, tmp_path):
     libraries = retrieve.open_libraries()
     result = opened(furnished(seed, libraries), libraries)
     assert result.walkable.blocked == []
-    export.run(result, ["mjcf"], tmp_path / "scene", libraries.load)
+    export.run(result, ["mjcf"], tmp_path / "scene", libraries.load_asset)
     world = mujoco.MjModel.from_xml_path(str(tmp_path / "scene/mjcf/apartment.xml"))
     faults = [driven(mujoco, world, j) for j in range(world.njnt) if world.jnt_type[j] != mujoco.mjtJoint.mjJNT_FREE]
     assert [fault for fault in faults if fault] == []
@@ -195,7 +195,7 @@ def test_another_design_is_of_the_same_style_and_material_and_brings_its_latent(
         home = h.home(old)
         site = survey(home, WalkableConfig(), libraries)
         found = [to["wardrobe"] for to in designs.redesigned(site, tuple(home.objects), old)]
-        made = [libraries.load(o.asset.library, o.asset.id) for o in found]
+        made = [libraries.load_asset(o.asset.library, o.asset.id) for o in found]
         unlike = [(a.style != asset.style) + (designs.main_material(a) != designs.main_material(asset)) for a in made]
         assert len(made) > 4 and unlike == sorted(unlike) and min(unlike) < 2
         assert old.asset not in [o.asset for o in found]

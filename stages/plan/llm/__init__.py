@@ -34,7 +34,7 @@ def read(
     """
     bounded(prompt)  # absurd requests end before anything is sent
     store = Cache(cache, model, prompt)
-    kept = store.load()
+    kept = store.recalled()
     if kept is not None:
         return kept
     client = Model(model, timeout, retries, backoff, api_base)

@@ -24,7 +24,7 @@ class Cache:
         name = hashlib.sha256(key.encode()).hexdigest()[:32] + ".json"
         self.path = None if folder is None else folder / name
 
-    def load(self) -> tuple[Program, dict[str, Any]] | None:
+    def recalled(self) -> tuple[Program, dict[str, Any]] | None:
         """The kept programme and its `used`, None where there is none; a damaged file is read over."""
         if self.path is None or not self.path.exists():
             return None

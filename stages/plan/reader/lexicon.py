@@ -88,7 +88,7 @@ def plural(words: Phrase) -> Phrase:
 
 
 @cache
-def load() -> Lexicon:
+def read_lexicon() -> Lexicon:
     """Read every language file once."""
     found: dict[Phrase, dict[str, Entry]] = {}
     also_object: dict[str, str] = {}

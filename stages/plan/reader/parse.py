@@ -5,7 +5,7 @@ from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says
 from apartgen.stages.plan.reader.attachments import attach_owned, merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
-from apartgen.stages.plan.reader.lexicon import load
+from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
@@ -21,7 +21,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
-    lexicon = load()
+    lexicon = read_lexicon()
     whole, text = about(fold(prompt))
     phraser = Phraser(lexicon).walk(lexemes(tokenize(text), lexicon))
     said = Said(unread=list(phraser.unread), about=whole)

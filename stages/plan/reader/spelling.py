@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from apartgen.stages.plan.reader.lexicon import Lexicon, load
+from apartgen.stages.plan.reader.lexicon import Lexicon, read_lexicon
 
 
 def correct(word: str, lexicon: Lexicon) -> str:
@@ -30,7 +30,7 @@ def _noun(word: str, lexicon: Lexicon) -> bool:
 def _by_length() -> dict[int, dict[str, list[str]]]:
     """Words by length and first letter, which is seldom mistyped."""
     out: dict[int, dict[str, list[str]]] = {}
-    for word in sorted(load().words):
+    for word in sorted(read_lexicon().words):
         out.setdefault(len(word), {}).setdefault(word[0], []).append(word)
     return out
 
@@ -62,7 +62,7 @@ def _short(word: str) -> str:
 
 @cache
 def _numbers() -> frozenset[str]:
-    entries = load().entries
+    entries = read_lexicon().entries
     return frozenset(w[0] for w, found in entries.items() if len(w) == 1 and found[0].kind == "number")
 
 

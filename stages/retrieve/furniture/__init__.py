@@ -1,7 +1,7 @@
 """Parametric furniture: every category of the vocabulary in several styles, at any size within its range.
 
 `build(category, style, size, seed)` is pure: the same four give the same asset, and the asset's id holds them,
-`wardrobe/shaker/600x1500x2100/17` (millimetres), so `load(id)` makes it again.
+`wardrobe/shaker/600x1500x2100/17` (millimetres), so `load_asset(id)` makes it again.
 """
 
 import logging
@@ -79,7 +79,7 @@ def _check(category: str, mm: tuple[int, ...]) -> None:
             raise BadInput(f"{category}: {side} {value / 1000} m is outside [{least}, {most}]; give a size within it")
 
 
-def load(id: str) -> Asset:
+def load_asset(id: str) -> Asset:
     """The asset an id names."""
     try:
         category, style, size, seed = id.split("/")

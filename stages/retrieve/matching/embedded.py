@@ -24,7 +24,7 @@ class Maker(Protocol):
     def build(self, category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
         """A piece of exactly that size."""
 
-    def load(self, id: str) -> Asset:
+    def load_asset(self, id: str) -> Asset:
         """The piece of that id."""
 
 
@@ -58,9 +58,9 @@ class Embedded:
 
             self._take(newcomers.joined(self._index, newcomers.encoded(furniture, category, new)))
 
-    def load(self, id: str) -> Asset:
+    def load_asset(self, id: str) -> Asset:
         """The piece of that id; BadInput when there is none."""
-        return self._maker.load(id)
+        return self._maker.load_asset(id)
 
     def styles(self, category: str) -> frozenset[str]:
         """Styles that a category comes in."""

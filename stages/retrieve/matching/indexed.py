@@ -62,7 +62,7 @@ class IndexedLibrary:
         entry = self.entries[row]
         return store.read(asset_file(self.folder, row), self.folder.resolve() / FOLDER).named(self.name, entry.id)
 
-    def load(self, id: str) -> Asset:
+    def load_asset(self, id: str) -> Asset:
         """The asset of that id; BadInput when there is none."""
         if id not in self._row:
             raise BadInput(f"library {self.name!r} ({self.folder}) has no asset {id!r}; see `apartgen assets list`")

@@ -25,16 +25,16 @@ class LibrarySet:
         self.others = {library.name: library for library in others}
         if len(self.others) < len(others) or embedded.NAME in self.others:
             raise BadInput(f"two libraries share a name: {sorted([embedded.NAME, *(o.name for o in others)])}")
-        self.load = lru_cache(maxsize=KEPT)(self._load)
+        self.load_asset = lru_cache(maxsize=KEPT)(self._load)
 
     def _load(self, library: str, id: str) -> Asset:
         """The asset of a library by id; BadInput when there is none."""
         if library == embedded.NAME:
-            return self.embedded.load(id)
+            return self.embedded.load_asset(id)
         if library not in self.others:
             known = ", ".join([embedded.NAME, *self.others])
             raise BadInput(f"asset library {library!r} is not open (open: {known}); give its folder with --library")
-        return self.others[library].load(id)
+        return self.others[library].load_asset(id)
 
     def owned(self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None) -> Asset | None:
         """The cheapest asset that fits of the libraries a user has indexed; None where none does."""

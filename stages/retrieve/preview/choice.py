@@ -27,7 +27,7 @@ def cells(folders: Sequence[Path], ids: Sequence[str], category: str, size: int)
     if folders:
         return _owned([IndexedLibrary(folder) for folder in folders], ids, category, size)
     if ids:
-        return [sheet.of_asset(furniture.load(id), id, size) for id in ids]
+        return [sheet.of_asset(furniture.load_asset(id), id, size) for id in ids]
     return sheet.of_category(category, size) if category else sheet.of_library(size)
 
 
@@ -39,7 +39,7 @@ def _owned(libraries: Sequence[IndexedLibrary], ids: Sequence[str], category: st
         raise BadInput(f"{names}: no asset of category {category!r}; `apartgen assets list` tells what there is")
     if len(chosen) > MOST:
         raise BadInput(f"{names}: {len(chosen)} assets, more than the {MOST} of one sheet; choose by --category or ids")
-    return (sheet.of_asset(one.load(id), id, size) for one, id in chosen)
+    return (sheet.of_asset(one.load_asset(id), id, size) for one, id in chosen)
 
 
 def _found(libraries: Sequence[IndexedLibrary], id: str) -> tuple[IndexedLibrary, str]:

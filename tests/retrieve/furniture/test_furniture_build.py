@@ -140,7 +140,7 @@ def test_boards_and_legs_do_not_stretch():
 def test_the_same_four_make_the_same_asset_and_its_id_makes_it_again():
     size = categories.TABLE["plant"].size
     first, second = (furniture.build("plant", "fig", size, 5) for _ in range(2))
-    again = furniture.load(first.id)
+    again = furniture.load_asset(first.id)
     for other in (second, again):
         assert other.id == first.id == "plant/fig/450x450x1100/5"
         for a, b in zip(first.links[0].visuals, other.links[0].visuals, strict=True):
@@ -161,7 +161,7 @@ def test_the_same_four_make_the_same_asset_and_its_id_makes_it_again():
 )
 def test_an_unknown_id_is_refused_with_what_to_do(id):
     with pytest.raises(BadInput):
-        furniture.load(id)
+        furniture.load_asset(id)
 
 
 def test_the_library_lists_every_style_once_and_loads_it():
