@@ -10,7 +10,7 @@ READY := .venv/.ready
 CONSUMERS := build/consumers
 TYPED := build/typed
 
-.PHONY: demo test acceptance consumers lint types check docs lock clean
+.PHONY: demo test acceptance consumers mutants lint types check docs lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -27,6 +27,10 @@ consumers: $(CONSUMERS)/.ready
 	$(CONSUMERS)/bin/python -m pytest -q -rs -n $(WORKERS) --dist loadfile tests/export > $(CONSUMERS)/report.txt; \
 	status=$$?; cat $(CONSUMERS)/report.txt; exit $$status
 	@! grep "could not import" $(CONSUMERS)/report.txt
+
+# Hours: small faults in every stage, each tried against the tests that run it; goes on where it stopped.
+mutants: $(READY)
+	PYTHONPATH=tests nice $(BIN)/python -m mutants
 
 lint: $(READY)
 	$(BIN)/ruff check .

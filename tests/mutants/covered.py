@@ -1,0 +1,153 @@
+"""Which tests run which lines: the suite under coverage once a commit, file by file, so that it may be interrupted."""
+
+import ast
+import functools
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import coverage
+from mutants.changes import Change, sources
+
+PARTS = ("apartgen", "schemas", "stages")
+ELSEWHERE = ("test_house.py", "test_docs.py", "test_acceptance.py")
+"""About the text of the code, or slow."""
+LONGEST = 3600
+"""Of one file of tests, s; what takes longer is left out."""
+
+
+def clone(root: Path, to: Path, commit: str) -> Path:
+    """The commit in a folder of its own, where its modules have their installed names."""
+    if not to.exists():
+        to.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["git", "clone", "--quiet", str(root), str(to)], check=True)
+        subprocess.run(["git", "checkout", "--quiet", commit], cwd=to, check=True)
+        for name in ("schemas", "stages"):
+            (to / "apartgen" / name).symlink_to(Path("..") / name)
+    return to
+
+
+def surroundings(work: Path, cache: Path) -> dict[str, str]:
+    """Environment of a run in a clone: its own modules before the installed ones, its own compiled kernels."""
+    path = os.pathsep.join([str(work), str(work / "tests"), str(Path(__file__).parent)])
+    return {**os.environ, "PYTHONPATH": path, "NUMBA_CACHE_DIR": str(cache), "OMP_NUM_THREADS": "1"}
+
+
+def measure(work: Path, to: Path, cache: Path) -> None:
+    """Runs each file of tests that was not run yet; leaves `<name>.cover` and `<name>.json` in `to`."""
+    to.mkdir(parents=True, exist_ok=True)
+    for test in sorted((work / "tests").rglob("test_*.py")):
+        name = str(test.relative_to(work / "tests"))
+        cost = to / (name.replace("/", ".") + ".json")
+        if name in ELSEWHERE or cost.exists():
+            continue
+        command = [sys.executable, "-m", "coverage", "run", f"--data-file={cost.with_suffix('.cover')}",
+                   f"--source={','.join(PARTS)}", "-m", "pytest", "-q", "-p", "watching", f"tests/{name}"]
+        unfinished = cost.with_suffix(".unfinished")
+        where = surroundings(work, cache) | {"MUTANTS_COST": str(unfinished)}
+        try:
+            run = subprocess.run(command, cwd=work, env=where, capture_output=True, text=True, timeout=LONGEST)
+            if not unfinished.exists():
+                raise RuntimeError(f"{name}: {run.stdout[-2000:]}{run.stderr[-2000:]}")
+        except subprocess.TimeoutExpired:
+            unfinished.write_text("{}")
+        unfinished.rename(cost)
+        print(f"{name}: {len(json.loads(cost.read_text()))} tests", flush=True)
+
+
+class Seen:
+    """What `measure` left of a clone's tests."""
+
+    def __init__(self, work: Path, folder: Path) -> None:
+        self.work = work
+        costs = {path: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
+        self.cost: dict[str, float] = {test: cost for some in costs.values() for test, cost in some.items()}
+        self.data = [self._read(path.with_suffix(".cover")) for path in costs if path.with_suffix(".cover").exists()]
+
+    def _read(self, path: Path) -> coverage.CoverageData:
+        data = coverage.CoverageData(str(path))
+        data.read()
+        return data
+
+    @functools.cached_property
+    def _trees(self) -> dict[str, ast.Module]:
+        return {file: ast.parse((self.work / file).read_bytes()) for file in sources(self.work, PARTS)}
+
+    @functools.cached_property
+    def _files(self) -> dict[str, list[str]]:
+        files: dict[str, list[str]] = {}
+        for test in self.cost:
+            files.setdefault(test.partition("::")[0], []).append(test)
+        return files
+
+    @functools.lru_cache(maxsize=4096)  # noqa: B019
+    def _by_line(self, file: str) -> dict[int, set[str]]:
+        """Tests by the line that they run; a file of tests stands for all in it."""
+        lines: dict[int, set[str]] = {}
+        for data in self.data:
+            for line, tests in data.contexts_by_lineno(str(self.work / file)).items():
+                lines.setdefault(line, set()).update(tests)
+        return lines
+
+    def tests(self, change: Change) -> tuple[set[str], set[str]]:
+        """Tests that run a change, and others of the same files, which may have what these made.
+
+        What is compiled or read when a module is imported is run by those that run what mentions it.
+        """
+        direct = set() if change.compiled or not change.function else self._running(
+            (change.file, line) for line in range(change.first, change.last + 1))
+        if not direct:
+            names = _named(self._trees[change.file], change) if not change.compiled else set()
+            direct = self._running(self._mentions(change.file, names))
+        files = {test.partition("::")[0] for test in direct}
+        return direct, {test for file in files for test in self._files[file]} - direct
+
+    def _running(self, lines: Iterable[tuple[str, int]]) -> set[str]:
+        """Tests that run any of some lines of files."""
+        found = {test for file, line in lines for test in self._by_line(file).get(line, ())}
+        return {test for name in found for test in self._files.get(name, [name])} & self.cost.keys()
+
+    def _mentions(self, file: str, names: set[str], before: frozenset[str] = frozenset()) -> Iterator[tuple[str, int]]:
+        """Lines in functions that mention some names of a file (all without), in it or where it is imported."""
+        module = file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        module = module if module.startswith("apartgen") else f"apartgen.{module}"
+        yield from ((file, line) for line in _lines(self._trees[file], names))
+        for other, tree in self._trees.items():
+            known = set(_imported(tree, module, names))
+            if known and other not in before | {file}:
+                yield from ((other, line) for line in _lines(tree, known))
+                if "numba" in ast.dump(tree) or "kernels" in other:
+                    yield from self._mentions(other, set(), before | {file})
+
+
+def _named(tree: ast.Module, change: Change) -> set[str]:
+    """What the statement of a change gives a name at the top of its file."""
+    if change.function:
+        return {change.function.partition(".")[0]}
+    (statement,) = (node for node in tree.body if node.lineno <= change.line <= (node.end_lineno or 0))
+    targets = getattr(statement, "targets", [getattr(statement, "target", None)])
+    nodes = (node for target in targets if target is not None for node in ast.walk(target))
+    return {node.id for node in nodes if isinstance(node, ast.Name)}
+
+
+def _imported(tree: ast.Module, module: str, names: set[str]) -> Iterator[str]:
+    """How a file calls a module or some of its names, all if there are none."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            for alias in node.names:
+                one = node.module == module and (not names or alias.name in names)
+                if one or f"{node.module}.{alias.name}" == module:
+                    yield alias.asname or alias.name
+        elif isinstance(node, ast.Import):
+            yield from (alias.asname or alias.name for alias in node.names if alias.name == module)
+
+
+def _lines(tree: ast.Module, names: set[str]) -> set[int]:
+    """Lines in functions that mention any of some names; all if there are none."""
+    inside = (inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+              for statement in node.body for inner in ast.walk(statement))
+    return {node.lineno for node in inside if hasattr(node, "lineno")
+            and (not names or isinstance(node, ast.Name) and node.id in names)}
