@@ -28,7 +28,7 @@ class Plugin(NamedTuple):
         """The file of facts, or of the module's source; None where there is none."""
         module, _, file = self.value.partition(":")
         source = _source(module)
-        return source.parent / file if source is not None and file else source
+        return source.parent / file if source and file else source
 
     def told(self, fault: str) -> str:
         """The fault in words that say whose it is."""
@@ -51,7 +51,7 @@ def _package(point: EntryPoint) -> str:
 
 
 def _source(module: str) -> Path | None:
-    """The file a module would be imported from; packages above it are not imported."""
+    """The file a module would be imported from, of a folder without one where it would lie; nothing is imported."""
     top, *below = module.split(".")
     try:
         spec = importlib.util.find_spec(top)
@@ -60,7 +60,9 @@ def _source(module: str) -> Path | None:
     if spec is None:
         return None
     if not below:
-        return Path(spec.origin) if spec.origin and spec.has_location else None
+        if spec.origin and spec.has_location:
+            return Path(spec.origin)
+        return next((Path(folder, "__init__.py") for folder in spec.submodule_search_locations or ()), None)
     for folder in spec.submodule_search_locations or ():
         stem = Path(folder, *below)
         for file in (stem.with_suffix(".py"), stem / "__init__.py"):

@@ -9,12 +9,12 @@ from pathlib import Path
 
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.retrieve.reading.source import Source
-from apartgen.stages.things.categories import CATEGORIES, TABLE
+from apartgen.stages.things.categories import TABLE
 
 
 def assets(root: Path | None = None) -> Iterator[Source]:
     """One piece of every category and style; `load` builds it."""
-    for category in CATEGORIES:
+    for category in TABLE:
         for style in furniture.styles(category):
             yield _source(category, style)
 

@@ -58,6 +58,14 @@ class Body:
         if touch:
             self.hull(shape.vertices)
 
+    def take(self, other: "Body") -> None:
+        """The pieces of another body as its own."""
+        for mine, theirs in ((self.boxes, other.boxes), (self.shapes, other.shapes)):
+            for material, pieces in theirs.items():
+                mine.setdefault(material, []).extend(pieces)  # type: ignore[attr-defined]
+        self.colliders += other.colliders
+        self.mass += other.mass
+
     def hull(self, points: ArrayLike) -> None:
         """A collision piece: the convex hull of points (n, 3)."""
         p = np.asarray(points, float)

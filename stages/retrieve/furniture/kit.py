@@ -66,7 +66,7 @@ class Kit:
             "range": (0.0, upto),
             "part": part,
         }
-        self.moving.append((self._free(name), body, joint, handle, grip))
+        self._move(name, body, joint, handle, grip)
 
     def slide(
         self, name: str, body: Body, travel: float, axis: ArrayLike = (1, 0, 0), part: str = "slider_drawer",
@@ -81,7 +81,15 @@ class Kit:
             "range": (0.0, travel),
             "part": part,
         }
-        self.moving.append((self._free(name), body, joint, handle, grip))
+        self._move(name, body, joint, handle, grip)
+
+    def _move(self, name: str, body: Body, joint: dict[str, Any], handle: tuple[float, float, float] | None, grip: str,
+              ) -> None:
+        """A moving part, but of a category that has none, which is built by another's builder."""
+        if self.category in categories.TABLE and not categories.TABLE[self.category].articulated:
+            self.base.take(body)
+        else:
+            self.moving.append((self._free(name), body, joint, handle, grip))
 
     def _free(self, name: str) -> str:
         taken = sum(other[0].rsplit("_", 1)[0] == name for other in self.moving)

@@ -19,7 +19,7 @@ def cells(folders: Sequence[Path], ids: Sequence[str], category: str, size: int)
 
     Without folders the library is the embedded one.
     """
-    known = [*categories.CATEGORIES, *furniture.BUILDING]
+    known = [*categories.TABLE, *furniture.BUILDING]
     if category and category not in known:
         raise BadInput(f"no category {category!r}; one of: {', '.join(known)}")
     if ids and category:

@@ -45,7 +45,7 @@ def of_library(size: int = CELL) -> Iterable[Cell]:
 
     One piece closed and open, or two styles of what never opens.
     """
-    for i, category in enumerate([*categories.CATEGORIES, *furniture.BUILDING]):
+    for i, category in enumerate([*categories.TABLE, *furniture.BUILDING]):
         first, second = _shown(category, i)
         pictures = render.pair(_apart(first), size)
         yield Cell(category, pictures if first.joints else [*pictures, render.pair(second, size)[0]])

@@ -1,0 +1,94 @@
+"""The vocabulary: what its facts keep among themselves, and how entries that are like others are read."""
+
+import numpy as np
+import pytest
+
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.things import categories
+from apartgen.stages.things.categories import CATEGORIES, TABLE, read, stand_in, used_for
+
+
+def test_facts_agree():
+    for name, kind in TABLE.items():
+        assert np.all(np.array(kind.min) <= kind.size) and np.all(np.array(kind.size) <= kind.max), name
+        assert kind.rooms and kind.lineage[0] == name and stand_in(name) in CATEGORIES
+        assert kind.place != "top" or kind.belongs, f"{name} stands on nothing"
+        assert not (kind.hangs and kind.place != "top") and not (kind.kneehole and kind.place != "floor")
+        assert (kind.lumens > 0) == kind.is_for("light"), name
+        assert (kind.flap > 0) == (kind.opens == "flap"), name
+        for other in {*kind.instead, kind.serves} - {name}:
+            assert TABLE[other].place == kind.place and not set(TABLE[other].uses).isdisjoint(kind.uses), (name, other)
+
+
+def test_nobody_stands_in_for_himself():
+    assert not [name for name, kind in TABLE.items() if name in kind.instead]
+    assert all(TABLE[TABLE[name].serves].serves == TABLE[name].serves for name in TABLE)
+
+
+def test_one_word_means_one_thing():
+    words = [word for kind in TABLE.values() for word in kind.synonyms]
+    assert len(words) == len(set(words))
+    assert categories.by_word()["couch"] == "sofa" and categories.by_word()["tv stand"] == "tv_stand"
+
+
+def test_uses_hold_what_people_would_say():
+    assert used_for("sleep") == {"double_bed", "single_bed", "bunk_bed", "cot"}
+    assert used_for("bathe") == {"bath", "shower"} and used_for("dine") == {"dining_table", "round_table"}
+    assert used_for("rinse", "cool") == {"kitchen_sink", "fridge"}
+
+
+DESK = {"standing_desk": {"like": "desk", "size": [0.7, 1.5, 1.0], "min": [0.6, 1.0, 0.9], "max": [0.9, 2.0, 1.2],
+                          "synonyms": ["standing desk", "desk"]}}
+
+
+@pytest.fixture
+def newcomers(monkeypatch):
+    """Two newcomers in the vocabulary, one like the other."""
+    rows = DESK | {"crank_desk": {"like": "standing_desk", "opens": ""}}
+    monkeypatch.setattr(categories, "TABLE", TABLE | read(rows, TABLE))
+    cached = (categories.groups, categories.by_word, categories.used_for, categories.carriers)
+    for function in cached:
+        function.cache_clear()
+    yield categories.TABLE
+    monkeypatch.undo()
+    for function in cached:
+        function.cache_clear()
+
+
+def test_what_is_like_another_has_its_facts_but_for_its_own(newcomers):
+    crank, desk = newcomers["crank_desk"], TABLE["desk"]
+    assert crank.lineage == ("crank_desk", "standing_desk", "desk") and crank.size == (0.7, 1.5, 1.0)
+    assert (crank.uses, crank.rooms, crank.family, crank.matters) == (desk.uses, desk.rooms, desk.family, desk.matters)
+    assert crank.opens == "" and newcomers["standing_desk"].opens == desk.opens == "drawer"
+    assert crank.serves == "desk" and crank.called == "crank desk" and not crank.synonyms
+
+
+def test_others_are_to_it_as_to_what_it_is_like(newcomers):
+    assert categories.belong_together("crank_desk", "office_chair") and categories.tucks("office_chair", "crank_desk")
+    assert not categories.belong_together("crank_desk", "sofa")
+    assert "crank_desk" in categories.carriers() and "crank_desk" in categories.used_for("write")
+    assert stand_in("crank_desk") == "desk" and stand_in("crank_desk", {"standing_desk", "desk"}) == "standing_desk"
+    assert stand_in("crank_desk", {"sofa"}) is None and stand_in("unheard_of") is None
+
+
+def test_it_takes_no_word_that_is_spoken_for(newcomers):
+    assert categories.by_word()["desk"] == "desk"
+    assert categories.by_word()["standing desk"] == "standing_desk"
+    assert categories.by_word()["crank desk"] == "crank_desk"
+
+
+@pytest.mark.parametrize("rows, fault", [
+    ({"desk": {"like": "chair"}}, r"\[desk\] is there already"),
+    ({"thing": {"like": "dask"}}, r"\[thing\] is like 'dask', which is no category"),
+    ({"a": {"like": "b"}, "b": {"like": "a"}}, r"\[a\] is like one that is like it"),
+    ({"thing": {"like": "desk", "colour": "red"}}, r"\[thing\] colour: "),
+    ({"thing": {"like": "desk", "size": [1, 1]}}, r"\[thing\] size"),
+    ({"thing": {"like": "desk", "size": [9, 1, 1]}}, r"\[thing\] size .* is not within min"),
+    ({"thing": {"like": "desk", "place": "attic"}}, r"\[thing\] place"),
+    ({"thing": {"like": "desk", "belongs": ["dask"]}}, r"\[thing\] names 'dask', which is no category"),
+    ({"thing": {"size": [1, 1, 1]}}, r"\[thing\] place: field required"),
+    ({"thing": 3}, "thing is no entry"),
+])
+def test_a_faulty_entry_is_named(rows, fault):
+    with pytest.raises(BadInput, match=fault):
+        read(rows, TABLE)
