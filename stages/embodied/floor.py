@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 import mujoco
 import numpy as np
@@ -78,13 +78,13 @@ class Floor:
     @cached_property
     def near(self) -> Callable[[float, float], float]:
         """Clearance of a point x, y as in `beside`, m; numbers by themselves are faster than arrays of one."""
-        return partial(clearance_at, *self.raster)
+        return partial(clearance_at, self.field)
 
     @cached_property
-    def raster(self) -> tuple[Array, float, float, float]:
-        """The clearance of cells, the corner that they begin at (x, y) and their size, for `clearance_at`."""
+    def field(self) -> "Field":
+        """The clearance as compiled code takes it."""
         left, below = self.grid.origin
-        return np.ascontiguousarray(self.clearance), float(left), float(below), float(self.grid.resolution)
+        return Field(np.ascontiguousarray(self.clearance), float(left), float(below), float(self.grid.resolution))
 
     def beside(self, points: Array) -> Array:
         """Clearance of points (..., 2), m, between that of the cells' centres; beyond the raster that of its edge."""
@@ -97,12 +97,22 @@ class Floor:
         return np.asarray(low * (1 - v) + high * v)
 
 
+class Field(NamedTuple):
+    """Clearance of cells (rows, columns), m, the corner (left, below) that they begin at, and their size, m."""
+
+    cells: Array
+    left: float
+    below: float
+    size: float
+
+
 @njit(cache=True)
-def clearance_at(cells: Array, left: float, below: float, size: float, x: float, y: float) -> float:
+def clearance_at(field: Field, x: float, y: float) -> float:
     """Clearance of a point between that of cells' centres, as `Floor.beside` has it, m."""
+    cells = field.cells
     rows, columns = cells.shape
-    u = min(max((x - left) / size - 0.5, 0.0), columns - 1.001)
-    v = min(max((y - below) / size - 0.5, 0.0), rows - 1.001)
+    u = min(max((x - field.left) / field.size - 0.5, 0.0), columns - 1.001)
+    v = min(max((y - field.below) / field.size - 0.5, 0.0), rows - 1.001)
     i, j = int(v), int(u)
     u, v = u - j, v - i
     low = cells[i, j] * (1 - u) + cells[i, j + 1] * u

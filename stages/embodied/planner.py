@@ -10,7 +10,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from apartgen.stages.embodied.floor import Floor, clearance_at
+from apartgen.stages.embodied.floor import Field, Floor, clearance_at
 from apartgen.stages.space.boxes import Array, Mask
 
 INFLATION, SCALING = 0.55, 3.0
@@ -154,28 +154,25 @@ def _straightened(
     room = floor.clearance[cells[:, 0], cells[:, 1]]
     while at < len(cells) - 1:
         least = np.minimum(floor.radius + away, np.minimum.accumulate(room[at:]))
-        at += _furthest(cells[at:], cost[at:], least - _SAGITTA, weight, _SHARES, *floor.raster)
+        at += _furthest(cells[at:], cost[at:], least - _SAGITTA, weight, floor.field)
         corners.append(at)
     return cells[corners]
 
 
 @njit(cache=True)
-def _furthest(
-    cells: NDArray[np.int64], cost: Array, least: Array, weight: Array, shares: Array, clearance: Array, left: float,
-    below: float, size: float,
-) -> int:
+def _furthest(cells: NDArray[np.int64], cost: Array, least: Array, weight: Array, field: Field) -> int:
     """The last cell of a way to which a straight line from its first costs no more and has the `least` clearance."""
     for k in range(len(cells) - 1, 1, -1):
         down, right = cells[k] - cells[0]
         total = 0.0
-        for share in shares:
+        for share in _SHARES:
             row, column = np.rint(cells[0, 0] + share * down), np.rint(cells[0, 1] + share * right)
             total += weight[int(row), int(column)]
-        if total / len(shares) * np.hypot(down, right) <= cost[k] - cost[0] + 1e-6:
-            x, y = left + (cells[0, 1] + 0.5) * size, below + (cells[0, 0] + 0.5) * size
+        if total / len(_SHARES) * np.hypot(down, right) <= cost[k] - cost[0] + 1e-6:
+            x, y = field.left + (cells[0, 1] + 0.5) * field.size, field.below + (cells[0, 0] + 0.5) * field.size
             away = np.inf
-            for share in shares:
-                here = clearance_at(clearance, left, below, size, x + share * right * size, y + share * down * size)
+            for share in _SHARES:
+                here = clearance_at(field, x + share * right * field.size, y + share * down * field.size)
                 away = min(away, here)
             if away >= least[k]:
                 return k

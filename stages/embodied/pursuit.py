@@ -14,7 +14,7 @@ import numpy as np
 from numba import njit
 
 from apartgen.stages.embodied import base, planner
-from apartgen.stages.embodied.floor import Floor, clearance_at
+from apartgen.stages.embodied.floor import Field, Floor, clearance_at
 from apartgen.stages.space.boxes import Array
 
 Point = tuple[float, float]
@@ -161,7 +161,7 @@ class Pursuit:
         """Whether the next second on this arc, or as much of it as leads to the carrot, keeps clear of everything."""
         run = min(speed * TIME_TO_COLLISION, distance)
         bend = curvature if abs(curvature) > 1e-6 else 1e-6
-        return _arc_clear(*self.floor.raster, *here, yaw, bend, run, room)
+        return _arc_clear(self.floor.field, *here, yaw, bend, run, room)
 
     def _turn_to(self, off: float) -> float:
         """As fast as still can be stopped in time."""
@@ -195,16 +195,13 @@ def _beyond(points: Array, first: int, x: float, y: float, reach: float) -> int:
 
 
 @njit(cache=True)
-def _arc_clear(
-    cells: Array, left: float, below: float, size: float, x: float, y: float, yaw: float, bend: float, run: float,
-    room: float,
-) -> bool:
+def _arc_clear(field: Field, x: float, y: float, yaw: float, bend: float, run: float, room: float) -> bool:
     """Whether an arc of a length and a curvature keeps so far from everything, at `LOOKS` points of it."""
     c, s = cos(yaw) / bend, sin(yaw) / bend
     for k in range(1, LOOKS + 1):
         share = k / LOOKS
         ahead, aside = sin(bend * run * share), 1 - cos(bend * run * share)
-        if clearance_at(cells, left, below, size, x + c * ahead - s * aside, y + s * ahead + c * aside) < room:
+        if clearance_at(field, x + c * ahead - s * aside, y + s * ahead + c * aside) < room:
             return False
     return True
 
