@@ -11,6 +11,8 @@ STEP = 0.2
 """Between places along a wall, m."""
 OFF = 0.002
 """What touches a wall keeps off it, m."""
+FARTHEST = 99.0
+"""Where nothing lies ahead, as outside the room, m."""
 BESIDE = 0.13
 """Off a wall with a radiator or a curtain, m."""
 
@@ -61,7 +63,7 @@ def _at_walls(space: Space, table: Array) -> Poses:
                  table[:, 3].copy())
 
 
-def middle(space: Space, step: float = 0.3) -> Poses:
+def middle(space: Space, step: float = 0.25) -> Poses:
     """Over the floor, turned along the sides of the room."""
     shape, rng = space.shape, space.rng
     lo, hi = shape.start.min(0), shape.start.max(0)
@@ -93,7 +95,8 @@ def of_object(space: Space, i: int) -> Poses:
 def facing(at: Poses, space: Space) -> Array:
     """Free length before each place to the wall across, (m,)."""
     heading = np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1)
-    return np.asarray(kernels.ahead(np.ascontiguousarray(at.xy), np.ascontiguousarray(heading), space.shape.start))
+    far = kernels.ahead(np.ascontiguousarray(at.xy), np.ascontiguousarray(heading), space.shape.start)
+    return np.asarray(np.minimum(far, FARTHEST))
 
 
 def cornered(at: Poses, group: Group, space: Space) -> Array:

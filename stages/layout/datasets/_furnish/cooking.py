@@ -22,7 +22,7 @@ def furnish(space: Space, home: Household) -> None:
         space.wish("island", 0.2 if table else 0.65, lambda: _island(space, run))
     if table:
         seats = dining.seats_for(space, home.sleepers) if area > 9.5 else 2
-        space.missed += not dining.furnish(space, seats, 0.5)
+        space.need(dining.furnish(space, seats, 0.5))
     dressing.ceiling_lamps(space)
     space.wish("bin", 0.35, lambda: storing.loose(space, "bin", -0.2, ("kitchen_sink", "kitchen_base")))
     if area > 11:

@@ -1,5 +1,7 @@
 """Eating: a table with its chairs, all alike, across from one another, drawn up to it; a lamp above."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors
@@ -7,12 +9,16 @@ from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses, Z
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.categories import CATEGORIES
 
 TABLES = ("dining_table", "round_table")
 PLACE = 0.62
 """Table edge a diner has, m."""
-DRAWN = 0.72
-"""From the table's edge to what stands behind a chair, m."""
+DRAWN, DRAWN_LEAST = 0.75, 0.64
+"""From the table's edge to what stands behind a chair, m; in small rooms."""
+APART = 0.4
+"""From sofa and coffee table to a dining table, m."""
+OTHERS = frozenset(CATEGORIES) - {"sofa", "corner_sofa", "coffee_table"}
 WIDTHS = {2: (0.8, 0.9, 1.2), 4: (1.2, 1.4, 1.4, 1.6, 1.6), 6: (1.6, 1.8, 1.8, 2.0, 2.2), 8: (2.2, 2.4, 2.6)}
 ROUND = {2: (0.8, 0.9), 4: (0.9, 1.0, 1.1, 1.2), 6: (1.3, 1.35, 1.5)}
 ABOVE = 0.72
@@ -22,11 +28,11 @@ ABOVE = 0.72
 def furnish(space: Space, seats: int, lamp: float = 0.7) -> bool:
     """A table with so many chairs, or the next fewer that find a place; whether all did."""
     chair = space.model("chair")
-    for n in [seats, seats] + [k for k in (6, 4, 4, 2, 2) if k < seats]:
+    for nth, n in enumerate([seats, seats, seats] + [k for k in (6, 4, 4, 2, 2) if k < seats]):
         if space.left < n + 1:
             continue
-        round = n in ROUND and space.wants("round table", 0.2)
-        if _round(space, n, chair, lamp) if round else _straight(space, n, chair, lamp):
+        round = n in ROUND and space.wants("round table", 0.22) and nth < 2
+        if _round(space, n, chair, lamp) if round else _straight(space, n, chair, lamp, nth > 0):
             return n == seats
     return False
 
@@ -35,19 +41,26 @@ def _tuck(space: Space, chair: Array) -> float:
     return round(float(chair[0]) * float(space.rng.uniform(0.25, 0.5)), 3)
 
 
-def _straight(space: Space, n: int, chair: Array, lamp: float) -> bool:
+def _straight(space: Space, n: int, chair: Array, lamp: float, small: bool) -> bool:
     rng = space.rng
     heads = n in (6, 8) and rng.random() < 0.35
-    wide = float(rng.choice(WIDTHS[n - 2 if heads else n]))
+    widths = WIDTHS[n - 2 if heads else n]
+    wide = float(min(widths) if small else rng.choice(widths))
     wide = max(wide, 1.6 if heads and n == 6 else 0.0)
-    size = np.array([rng.choice([0.75, 0.8, 0.85, 0.9, 0.9, 1.0]) if n > 2 else rng.choice([0.7, 0.75, 0.8]), wide,
+    size = np.array([rng.choice([0.8, 0.85, 0.9, 0.9, 0.95, 1.0]) if n > 2 else rng.choice([0.7, 0.75, 0.8]), wide,
                      rng.choice([0.73, 0.74, 0.75, 0.76])])
+    drawn = DRAWN if space.shape.area > 26 else DRAWN_LEAST
     free = Group((Part("dining_table", 0.0, 0.0, size), *_chairs(space, size, chair, n, heads)),
-                 _zones(size, chair, heads))
+                 _zones(size, heads, drawn))
     free = _lit(space, free, lamp)
-    if space.rng.random() < 0.85 and _put(space, free, anchors.middle(space)):
-        return True
-    return not heads and _at_wall(space, free, size)
+    for form in rng.permutation(["free", "free", "along", "end"]):
+        if form == "free" and _put(space, free, anchors.middle(space)):
+            return True
+        if form == "along" and _at_wall(space, _moved(free, size[0] / 2 + drawn)):
+            return True
+        if form == "end" and not heads and _at_wall(space, _end_on(free, size[1] / 2)):
+            return True
+    return False
 
 
 def _chairs(space: Space, size: Array, chair: Array, n: int, heads: bool) -> list[Part]:
@@ -60,10 +73,11 @@ def _chairs(space: Space, size: Array, chair: Array, n: int, heads: bool) -> lis
     return some + [Part("chair", 0.0, side * y, chair, -side * np.pi / 2, at=0) for side in (1.0, -1.0) if heads]
 
 
-def _zones(size: Array, chair: Array, heads: bool) -> tuple[Zone, ...]:
+def _zones(size: Array, heads: bool, drawn: float) -> tuple[Zone, ...]:
     d, w = size[0] / 2, size[1] / 2
-    out = w + (DRAWN if heads else 0.42)
-    return (Zone(-d - DRAWN, d + DRAWN, -w, w, ("chair",)), Zone(-d, d, -out, out, ("chair",)))
+    out = w + (drawn if heads else 0.42)
+    apart = Zone(-d - APART, d + APART, -w - APART, w + APART, OTHERS, False)
+    return (Zone(-d - drawn, d + drawn, -w, w, ("chair",)), apart, Zone(-d, d, -out, out, ("chair",)))
 
 
 def _lit(space: Space, group: Group, chance: float) -> Group:
@@ -97,13 +111,19 @@ def _apart(space: Space, xy: Array) -> Array:
     return np.asarray(np.minimum(np.hypot(*np.moveaxis(xy[:, None] - wide[:, :2], -1, 0)).min(1), 4.0))
 
 
-def _at_wall(space: Space, free: Group, size: Array) -> bool:
-    """With a short side at the wall: the group turned by a right angle."""
-    x = size[1] / 2
-    parts = tuple(_turned(p, x) for p in free.parts)
-    zones = tuple(_turned_zone(z, x) for z in free.zones[:1])
-    group = Group(parts, zones)
-    return _put(space, group, anchors.walls(space, group, (anchors.OFF, 0.05, anchors.BESIDE)))
+def _at_wall(space: Space, group: Group) -> bool:
+    return _put(space, group, anchors.walls(space, group, (anchors.OFF, anchors.BESIDE)))
+
+
+def _moved(free: Group, x: float) -> Group:
+    """A long side along the wall, with place for the chairs between."""
+    parts = tuple(replace(p, x=p.x + x) for p in free.parts)
+    return Group(parts, tuple(replace(z, x0=z.x0 + x + 1e-3, x1=z.x1 + x) for z in free.zones))
+
+
+def _end_on(free: Group, x: float) -> Group:
+    """A short side at the wall: turned by a right angle."""
+    return Group(tuple(_turned(p, x) for p in free.parts), tuple(_turned_zone(z, x) for z in free.zones[:2]))
 
 
 def _turned(p: Part, x: float) -> Part:
@@ -111,7 +131,8 @@ def _turned(p: Part, x: float) -> Part:
 
 
 def _turned_zone(z: Zone, x: float) -> Zone:
-    return Zone(max(x + z.y0, 0.01), x + z.y1, -z.x1, -z.x0, z.friends)
+    low = max(x + z.y0, 0.01) if z.inside else x + z.y0
+    return Zone(low, x + z.y1, -z.x1, -z.x0, z.friends, z.inside)
 
 
 def _round(space: Space, n: int, chair: Array, lamp: float) -> bool:
@@ -125,9 +146,11 @@ def _round(space: Space, n: int, chair: Array, lamp: float) -> bool:
     if first:
         r += 0.04
     chairs = [Part("chair", r * np.cos(t), r * np.sin(t), chair, t + np.pi, at=0) for t in turns]
-    out = wide / 2 + DRAWN
+    out = wide / 2 + (DRAWN if space.shape.area > 26 else DRAWN_LEAST)
     across = out if n > 2 else wide / 2 + 0.2
-    group = Group((Part("round_table", 0.0, 0.0, size), *chairs), (Zone(-out, out, -across, across, ("chair",)),))
+    near = wide / 2 + APART
+    apart = Zone(-near, near, -near, near, OTHERS, False)
+    group = Group((Part("round_table", 0.0, 0.0, size), *chairs), (Zone(-out, out, -across, across, ("chair",)), apart))
     at = anchors.middle(space)
     return _put(space, _lit(space, group, lamp), at)
 
@@ -137,6 +160,6 @@ def seats_for(space: Space, sleepers: int) -> int:
     n = 2 * ((max(sleepers, 2) + 1) // 2)
     if n == 2 and space.wants("four chairs", 0.8):
         n = 4
-    if space.wants("two more chairs", 0.12):
+    if space.shape.area > 27 and space.wants("two more chairs", 0.2):
         n += 2
     return int(min(n, 8))

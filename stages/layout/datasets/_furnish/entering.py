@@ -14,7 +14,7 @@ def hallway(space: Space, home: Household) -> None:
     rng, area = space.rng, space.shape.area
     closed = space.wants("wardrobe", 0.55) and area > 4
     coats = any(_coats(space, name) for name in (("wardrobe", "coat_rack") if closed else ("coat_rack", "wardrobe")))
-    space.missed += 3 * (not coats)
+    space.need(coats, 3)
     if not space.wish("shoes", 0.75, lambda: _shoes(space)) and area > 6:
         space.wish("console", 0.4, lambda: storing.cabinet(space, one_of(rng, "console_table", "chest"), lamp=0.4))
     if not space.has("mirror"):

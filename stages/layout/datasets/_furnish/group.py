@@ -3,6 +3,7 @@
 A group's frame has its origin where the group begins (a point of a wall, say), x into the room, y to the left.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -43,7 +44,9 @@ class Zone:
     x1: Along
     y0: Along
     y1: Along
-    friends: tuple[str, ...] = ()
+    friends: Collection[str] = ()
+    inside: bool = True
+    """Whether it must lie in the room."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +60,7 @@ class Group:
         """Least and greatest y of what stands in it."""
         low, high = [], []
         for p in self.parts:
-            turned = abs(np.cos(p.yaw)), abs(np.sin(p.yaw))
-            half = (p.size[1] * turned[0] + p.size[0] * turned[1]) / 2
+            half = turned(p.size, p.yaw)[1]
             low.append(float(np.min(p.y - half)))
             high.append(float(np.max(p.y + half)))
         return min(low), max(high)
@@ -132,12 +134,18 @@ def _sweep(p: Part, at: Poses) -> Array:
 
 
 def _row(at: Poses, x: Along, y: Along, yaw: Along, z: float, d: Along, w: Along, h: float) -> Array:
-    turned = at.yaw + yaw * at.flip
+    facing = at.yaw + yaw * at.flip
     row = np.empty((len(at), 8))
     row[:, :2] = at.point(x, y)
-    for k, value in enumerate((z, d, w, h, np.cos(turned), np.sin(turned)), 2):
+    for k, value in enumerate((z, d, w, h, np.cos(facing), np.sin(facing)), 2):
         row[:, k] = value
     return row
+
+
+def turned(size: Array, yaw: Along) -> tuple[Along, Along]:
+    """Half of what a turned box takes along x and along y, m."""
+    c, s = np.abs(np.cos(yaw)), np.abs(np.sin(yaw))
+    return (size[0] * c + size[1] * s) / 2, (size[1] * c + size[0] * s) / 2
 
 
 @dataclass
@@ -147,7 +155,7 @@ class Placed:
     name: list[str] = field(default_factory=list)
     row: list[Array] = field(default_factory=list)
     at: list[str | int] = field(default_factory=list)
-    friends: list[tuple[str, ...]] = field(default_factory=list)
+    friends: list[Collection[str]] = field(default_factory=list)
     zone: list[Array] = field(default_factory=list)
     sweep: list[Array] = field(default_factory=list)
 

@@ -28,12 +28,19 @@ def living_room(space: Space, home: Household) -> None:
     table = home.table if home.table is not None else area > 17 and space.wants("table", 0.88 if area > 21 else 0.6)
     if home.bed:
         sleeping.double(space, bench=False)
-    first = table and rng.random() < 0.3
+    first = table and rng.random() < 0.2
     if first:
         _table(space, home)
-    seating.furnish(space)
+    if space.lost:
+        return
+    space.need(seating.furnish(space, table and not first and area < 36), 3)
+    if space.lost:
+        return
     if table and not first:
         _table(space, home)
+    if space.lost:
+        return
+    seating.complete(space)
     dressing.curtains(space, 0.74)
     dressing.ceiling_lamps(space)
     _cabinets(space, 1 + int(area > 19) + int(area > 26) + int(space.wants("one cabinet more", 0.5)))
@@ -49,7 +56,7 @@ def living_room(space: Space, home: Household) -> None:
 
 
 def _table(space: Space, home: Household) -> None:
-    space.missed += not dining.furnish(space, dining.seats_for(space, home.sleepers))
+    space.need(dining.furnish(space, dining.seats_for(space, home.sleepers)), 0.7)
 
 
 def _cabinets(space: Space, count: int) -> None:
@@ -71,7 +78,7 @@ def dining_room(space: Space, home: Household) -> None:
     rng, area = space.rng, space.shape.area
     dressing.radiators(space, 0.6)
     seats = dining.seats_for(space, home.sleepers)
-    space.missed += not dining.furnish(space, max(4, seats) if area > 8 else seats, 0.85)
+    space.need(dining.furnish(space, max(4, seats) if area > 8 else seats, 0.85))
     for name, share in (("sideboard", 0.75), ("display_cabinet", 0.4)):
         space.wish(name, share, lambda name=name: storing.cabinet(space, name, lamp=0.4))  # type: ignore[misc]
     dressing.curtains(space, 0.6)
@@ -89,12 +96,16 @@ def bedroom(space: Space, home: Household) -> None:
     dressing.radiators(space, 0.5)
     two = area > 8.2 if home.main else area > 9 and space.wants("double bed", 0.75 if area > 10.5 else 0.5)
     if not (two and sleeping.double(space)):
-        space.missed += 3 * two
+        space.need(not two, 3)
         _young(space, two)
     pair = space.has("double_bed")
+    if space.lost:
+        return
     if pair:
         space.wish("tv", 0.3, lambda: sleeping.tv_before_bed(space))
-    space.missed += 2 * (not storing.wardrobe(space, 2.7 if area > 13 else 2.0 if area > 9.5 else 1.5))
+    space.need(storing.wardrobe(space, 2.7 if area > 13 else 2.0 if area > 9.5 else 1.5), 2)
+    if space.lost:
+        return
     dressing.curtains(space, 0.8)
     dressing.ceiling_lamps(space)
     space.wish("desk", 0.28 * (area > 12) if pair else 0.75, lambda: working.desk(space, small=area < 12))
@@ -115,7 +126,8 @@ def _young(space: Space, two: bool) -> None:
     count = 1 + int(space.wants("two beds", 0.65 if two or area > 13 else 0.2 if area > 11 else 0.0))
     if count == 2 and area < 12.5 and space.wants("bunk bed", 0.5) and sleeping.bunk(space):
         return
-    space.missed += count - sleeping.single(space, count)
+    placed = sleeping.single(space, count)
+    space.need(placed == count, count - placed)
     if count == 1 and area > 8:
         space.wish("cot", 0.06, lambda: sleeping.cot(space))
 
@@ -127,7 +139,7 @@ def study(space: Space, home: Household) -> None:
     working.desk(space, 0.85, 0.6)
     if area > 11:
         space.wish("second desk", 0.25, lambda: working.desk(space, 0.85, 0.3))
-    space.missed += not storing.cabinet(space, "bookshelf", 1 + int(3 * rng.random() ** 1.5))
+    space.need(storing.cabinet(space, "bookshelf", 1 + int(3 * rng.random() ** 1.5)))
     space.wish("cabinet", 0.4, lambda: storing.cabinet(space, one_of(rng, "filing_cabinet", "bookshelf")))
     if area > 9 and space.wants("guest", 0.25):
         sleeping.single(space, 1, 0.0)

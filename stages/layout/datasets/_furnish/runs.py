@@ -23,7 +23,8 @@ LOW = ("kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine")
 WORKTOP = 1.2
 """Worktop in one piece beside sink or hob, m."""
 AISLE, AISLE_LEAST = 1.0, 0.8
-TRIES = 36
+TRIES, ENOUGH = 90, 16
+"""Runs drawn up, and of how many the most liked is tried first."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +61,8 @@ def furnish(space: Space, reserve: int, laundry: bool) -> list[int]:
     budget = min(space.left - reserve - 1, 17)
     tries: list[tuple[float, Group]] = []
     for k in range(TRIES):
+        if len(tries) == ENOUGH:
+            break
         path = ways[int(rng.integers(len(ways)))]
         units = _units(path, style, rng, budget, laundry, k)
         if group := _built(space, path, units, style, rng, budget, AISLE if k < TRIES // 2 else AISLE_LEAST):
@@ -96,12 +99,15 @@ def _style(space: Space) -> Style:
 
 def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: bool, nth: int) -> list[Unit]:
     """Units in line, as many as the way is long; later tries are content with less."""
-    room = length(path) - 0.02 * len(path) - (0.3 * (nth // 9) if nth > 8 else 0.0)
+    slack = 0.4 * (len(path) - 1) + 1.2 * nth / TRIES
+    room = length(path) - 0.02 * len(path) - rng.uniform(0.0, slack)
     cooker = rng.random() < 0.35
     heat, sink = "oven" if cooker else "hob", float(rng.choice([0.6, 0.8, 0.8, 1.0] if room > 3.4 else [0.6]))
     hob = 0.6 if cooker or room < 3.6 else float(rng.choice([0.6, 0.6, 0.8]))
     fridge = draw("fridge", rng)
     fridge[1] = fridge[1] if room > 3.4 else min(fridge[1], 0.6)
+    if room < 2.0:
+        sink, hob, fridge[1] = 0.5, 0.5, 0.55
     left = room - sink - hob - fridge[1]
     between: list[tuple[str, float]] = []
     if left >= 0.6 and rng.random() < 0.8:
@@ -196,7 +202,7 @@ def _rest(path: list[Leg], rooms: list[float], widths: list[float], k: int) -> l
     if len(path) == 1:
         return [(path[0].low + 0.003, list(range(k, len(widths))))] if sum(widths[k:]) <= rooms[0] else None
     for j in range(k + 1, len(widths)):
-        if rooms[0] - 0.12 <= sum(widths[k:j]) <= rooms[0] and sum(widths[j:]) <= rooms[1]:
+        if rooms[0] - 0.05 <= sum(widths[k:j]) <= rooms[0] and sum(widths[j:]) <= rooms[1]:
             return [(path[0].low + 0.003, list(range(k, j))), (path[1].low + 0.003, list(range(j, len(widths))))]
     return None
 

@@ -3,45 +3,56 @@
 import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors
-from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses, Zone, joined
+from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses, Zone, joined, turned
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
+from apartgen.stages.things.categories import CATEGORIES
 
 LEAST_VIEW, MOST_VIEW, VIEW = 1.45, 3.6, 2.15
 """From the sofa's front to the television's stand, m: least, most, liked."""
 BEHIND = 0.75
 """Way behind a sofa that stands free, m."""
 SOFAS = ("sofa", "corner_sofa")
+ALL = frozenset(CATEGORIES)
 IN_FRONT = ("coffee_table", "pouffe", "side_table")
 
 
-def furnish(space: Space) -> bool:
-    """A conversation group; whether one found a place."""
+def furnish(space: Space, aside: bool) -> bool:
+    """A conversation group, rather at an end of the room (`aside`) than in its middle; whether one found a place."""
     rng, area = space.rng, space.shape.area
     tv = space.wants("tv", 0.87)
-    if not space.wish("tv", 0.87, lambda: _with_tv(space)) and not _without_tv(space, not tv and rng.random() < 0.6):
-        return False
+    if not space.wish("tv", 0.87, lambda: _with_tv(space, aside)):
+        space.need(not tv)
+        if not _without_tv(space, aside, not tv and rng.random() < 0.6):
+            return False
     if space.has("coffee_table"):
-        space.wish("armchair", 0.72 if area > 12 else 0.3, lambda: _armchairs(space, 1 + space.wants("two", 0.55)))
-        space.wish("pouffe", 0.14, lambda: _pouffe(space))
-    space.wish("side_table", 0.66, lambda: _side_tables(space))
-    space.wish("floor_lamp", 0.45, lambda: _lamp(space))
-    if space.has("tv_stand"):
-        space.wish("beside the television", 0.24 if area > 15 else 0.1, lambda: _flank(space))
+        space.wish("armchair", 0.68 if area > 12 else 0.3, lambda: _armchairs(space, 1 + space.wants("two", 0.55)))
     return True
+
+
+def complete(space: Space) -> None:
+    """What stands about a conversation group: side tables, a lamp, a pouffe, something beside the television."""
+    if not space.has(*SOFAS):
+        return
+    space.wish("side_table", 0.64, lambda: _side_tables(space))
+    space.wish("floor_lamp", 0.45, lambda: _lamp(space))
+    if space.has("coffee_table"):
+        space.wish("pouffe", 0.14, lambda: _pouffe(space))
+    if space.has("tv_stand"):
+        space.wish("shelves", 0.24 if space.shape.area > 15 else 0.1, lambda: _flank(space))
 
 
 def _sofa(space: Space, small: bool) -> tuple[str, Array]:
     rng, area = space.rng, space.shape.area
-    if not small and area > 17 and space.wants("corner sofa", 0.24):
+    if not small and area > 17 and space.wants("corner sofa", 0.5) and rng.random() < 0.5:
         return "corner_sofa", draw("corner_sofa", rng, -0.3)
     lean = -0.7 if small or area < 12 else -0.1 if area < 16 else 0.45
     return "sofa", draw("sofa", rng, lean + 0.2 * rng.normal())
 
 
 def _table(space: Space, sofa: Array, small: bool) -> Array:
-    size = draw("coffee_table", space.rng, -0.7 if small else None)
+    size = draw("coffee_table", space.rng, -0.7 if small else float(space.rng.normal(0.15, 0.4)))
     size[1] = np.clip(sofa[1] * space.rng.uniform(0.48, 0.66), 0.6, 1.4 if not small else 0.9)
     return np.asarray(np.round(size, 3))
 
@@ -57,8 +68,9 @@ def _core(space: Space, small: bool) -> Group:
              Part("coffee_table", sofa[0] + gap + table[0] / 2, aside, table, at=0)]
     if rng.random() < 0.62:
         parts.append(_rug(space, sofa, gap + table[0]))
+    bed = Zone(sofa[0], sofa[0] + 1.3, -0.35 * sofa[1], 0.35 * sofa[1], ALL - {"double_bed", "single_bed"}, False)
     zone = Zone(sofa[0], sofa[0] + gap + table[0] + 0.25, -0.4 * sofa[1], 0.4 * sofa[1], ("pouffe",))
-    return Group(tuple(parts), (zone,))
+    return Group(tuple(parts), (zone, bed))
 
 
 def _rug(space: Space, sofa: Array, beyond: float) -> Part:
@@ -72,13 +84,13 @@ def _rug(space: Space, sofa: Array, beyond: float) -> Part:
 def _stand(space: Space, small: bool) -> tuple[Array, Array]:
     """A stand and the television on it."""
     rng = space.rng
-    stand = draw("tv_stand", rng, -0.7 if small else 0.0)
+    stand = draw("tv_stand", rng, -0.7 if small else 0.3)
     tv = draw("tv", rng, width=float(np.clip(stand[1] * rng.uniform(0.62, 0.85), 0.73, 1.6)))
     tv[2] = round(float(np.clip(tv[1] * 0.6, 0.45, 1.0)), 3)
     return stand, tv
 
 
-def _with_tv(space: Space) -> bool:
+def _with_tv(space: Space, to_end: bool) -> bool:
     for small in (False, False, False, True, True, True):
         core = _core(space, small)
         if small and space.rng.random() < 0.5:
@@ -97,7 +109,7 @@ def _with_tv(space: Space) -> bool:
         before = Zone(far - stand[0] - 0.6, far - stand[0], aside - stand[1] / 2, aside + stand[1] / 2)
         whole = Group((*core.parts, Part("tv_stand", x, aside, stand, np.pi, at=0),
                        Part("tv", x, aside, tv, np.pi, float(stand[2]), at=n)), (*core.zones, view, before))
-        if space.put(whole, at, _liking(space, at, core, far, float(stand[0])), 0.35) >= 0:
+        if space.put(whole, at, _liking(space, at, core, far, float(stand[0]), to_end), 0.35) >= 0:
             return True
     return False
 
@@ -131,7 +143,7 @@ def _square(space: Space, at: Poses, across: Array) -> Array:
     return np.asarray(good.any(1))
 
 
-def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float) -> Array:
+def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float, to_end: bool) -> Array:
     sofa = core.parts[0].size
     view = far - sofa[0] - stand
     liking = -1.1 * np.abs(view - VIEW) - 0.7 * ((at.gap > 0.1) & (at.gap < 0.5)) - 0.6 * (at.gap > 0.5)
@@ -140,7 +152,7 @@ def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float) -> A
     wall = at.side >= 0
     if wall.any():
         seated = Group(core.parts[:1])
-        liking[wall] -= 0.25 * np.minimum(anchors.off_middle(at.take(wall), seated, space), 1.5)
+        liking[wall] += (0.5 if to_end else -0.25) * np.minimum(anchors.off_middle(at.take(wall), seated, space), 1.5)
         liking[wall] -= 0.7 * anchors.windowed(at.take(wall), seated, space)
     if space.wants("tv", 0.87):
         across = at.point(far - 0.2, 0.0)
@@ -156,7 +168,7 @@ def _bare(core: Group) -> Group:
     return Group(tuple(p for p in core.parts if p.name != "rug"), core.zones)
 
 
-def _without_tv(space: Space, opposite: bool) -> bool:
+def _without_tv(space: Space, to_end: bool, opposite: bool) -> bool:
     """A group that talks: sofa and table, across from it another sofa or two armchairs where asked for."""
     for small in (False, False, True, True):
         core = _core(space, small)
@@ -172,7 +184,7 @@ def _without_tv(space: Space, opposite: bool) -> bool:
                 continue
             far = anchors.facing(at, space)
             at, far = at.take(far > 2.0), far[far > 2.0]
-            if len(at) and space.put(group, at, _liking(space, at, core, np.minimum(far, 3.0), 0.4)) >= 0:
+            if len(at) and space.put(group, at, _liking(space, at, core, np.minimum(far, 3.0), 0.4, to_end)) >= 0:
                 return True
     sofa = draw("sofa", space.rng, -0.9)
     alone = Group((Part("sofa", sofa[0] / 2, 0.0, sofa),), (Zone(sofa[0], sofa[0] + 0.7, -sofa[1] / 2, sofa[1] / 2),))
@@ -259,10 +271,11 @@ def _armchairs(space: Space, count: int) -> bool:
     for turn in (rng.choice([0.0, 0.0, 0.35, 0.5]), 0.0):
         for n in range(count, 0, -1):
             for ahead in (rng.uniform(0.0, 0.2), 0.35):
-                y = max(size[1] / 2 + rng.uniform(0.28, 0.42), seat) + chair[0] / 2 + 0.1 * turn
+                half, wide = turned(chair, turn)
+                y = max(size[1] / 2 + rng.uniform(0.28, 0.42), seat) + half
                 parts = [Part("armchair", ahead, sign * y, chair, -sign * (np.pi / 2 + turn)) for sign in (1.0, -1.0)]
-                inner = y - chair[0] / 2
-                zones = [Zone(ahead - chair[1] / 2, ahead + chair[1] / 2, *sorted((s * (inner - 0.22), s * inner)),
+                inner = y - half
+                zones = [Zone(ahead - wide, ahead + wide, *sorted((s * (inner - 0.22), s * inner)),
                               ("coffee_table", "pouffe", "sofa", "corner_sofa")) for s in (1.0, -1.0)]
                 if _beside(space, Group(tuple(parts[:n]), tuple(zones[:n])), at, table) >= 0:
                     return True

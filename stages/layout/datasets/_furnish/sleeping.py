@@ -17,7 +17,7 @@ STANDS = ("nightstand", "table_lamp", "pouffe", "laundry_basket", "bench")
 def double(space: Space, bench: bool = True) -> bool:
     """A double bed with two nightstands, one or none, at a wall with floor on both sides."""
     rng, area = space.rng, space.shape.area
-    wide = [1.66, 1.66, 1.7, 1.86, 1.86, 2.06] if area > 12 else [1.66, 1.66, 1.7, 1.86]
+    wide = [1.66, 1.7, 1.86, 1.86, 1.86, 2.06] if area > 11.5 else [1.66, 1.66, 1.7, 1.86]
     wanted = 2 if space.wants("nightstands", 0.88) else int(space.wants("nightstands", 0.95))
     first = float(rng.choice(wide))
     small = [1.66, *([1.46] if area < 11 else [])]
@@ -33,7 +33,7 @@ def double(space: Space, bench: bool = True) -> bool:
 def _double(space: Space, width: float, stands: int, bench: bool) -> bool:
     rng = space.rng
     bed = draw("double_bed", rng, width=width, height=float(np.clip(rng.normal(1.0, 0.12), 0.75, 1.3)))
-    bed[0] = rng.choice([2.06, 2.1, 2.16])
+    bed[0] = rng.choice([2.08, 2.12, 2.16, 2.2])
     parts, gap = [Part("double_bed", bed[0] / 2, 0.0, bed)], round(float(rng.uniform(0.02, 0.07)), 3)
     stand = _nightstand(space, bed)
     lamp = draw("table_lamp", rng, -0.3)

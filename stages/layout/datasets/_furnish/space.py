@@ -30,6 +30,7 @@ UNDERFOOT = 1.5
 """What hangs above this is no obstacle, m."""
 LOOKS = 6
 """How many of the liked places are tried for passage."""
+GIVEN_UP = 50.0
 MOST = 24
 """Objects a room holds at most."""
 
@@ -37,10 +38,11 @@ MOST = 24
 class Space:
     """A room and what stands in it."""
 
-    def __init__(self, shape: Shape, rng: Generator, most: int = MOST, taste: dict[str, float] | None = None) -> None:
+    def __init__(self, shape: Shape, rng: Generator, most: int = MOST, taste: dict[str, float] | None = None,
+                 strict: bool = False) -> None:
         self.shape, self.rng, self.most = shape, rng, most
         self.taste = {} if taste is None else taste
-        self.missed = 0.0
+        self.missed, self.strict = 0.0, strict
         self.placed = Placed()
         self.models: dict[str, Array] = {}
         self._marks: list[tuple[int, int]] = []
@@ -64,6 +66,14 @@ class Space:
         """Whether there is any of these categories."""
         return bool(self.find(*names))
 
+    @property
+    def lost(self) -> bool:
+        """Whether it is better to begin again."""
+        if self.strict and self.missed > 0:
+            self.missed += GIVEN_UP
+            return True
+        return False
+
     def wants(self, what: str, share: float) -> bool:
         """Whether those who live here want something that a share of people have; asked again, the answer stays."""
         if what not in self.taste:
@@ -75,8 +85,12 @@ class Space:
         if not self.wants(what, share):
             return False
         done = bool(put())
-        self.missed += not done
+        self.need(done)
         return done
+
+    def need(self, done: bool, worth: float = 1.0) -> None:
+        """Count what was needed and found no place."""
+        self.missed += 0.0 if done else worth
 
     def model(self, name: str) -> Array:
         """The size that all of the category have in this room."""
@@ -94,6 +108,7 @@ class Space:
         every = np.ascontiguousarray(np.concatenate([some.body, some.sweep, some.zone], 1))
         moving = np.array([p.opens > 0 for p in group.parts], bool)
         asked[len(names) : 2 * len(names)] = moving
+        asked[2 * len(names) :] = [zone.inside for zone in group.zones]
         ok = ~kernels.leaves(every, asked, shape.start, 2e-3)
         if len(shape.zone_kind):
             ok[ok] = ~kernels.clash(every[ok], shape.zone_rows, self._openings(group), TOUCH)
@@ -177,12 +192,13 @@ class Space:
         small = int((part > 0).sum() - (part == main).sum())
         if small * self.shape.cell**2 > POCKET + self.shape.cut:
             return False
-        asked = [i for i, name in enumerate(self.placed.name) if _used(name, self.placed.row[i])]
+        placed = self.placed
+        asked = [(i, use) for i, name in enumerate(placed.name) if _used(name, placed.row[i])
+                 for use in _uses(name, placed.sweep[i])]
         if not asked:
             return True
-        some = np.ascontiguousarray(np.stack([self.placed.row[i] for i in asked]))
-        use = np.array([_use(self.placed.name[i], self.placed.sweep[i]) for i in asked])
-        return bool(kernels.got_to(self.shape.grid, part, main, some, use).all())
+        some = np.ascontiguousarray(np.stack([placed.row[i] for i, _ in asked]))
+        return bool(kernels.got_to(self.shape.grid, part, main, some, np.array([use for _, use in asked])).all())
 
     def _parts(self) -> tuple[NDArray[np.int32], int, float]:
         """Parts of the floor that hang together, which of them has most doors, and its share of doors."""
@@ -219,7 +235,7 @@ def _apart(a: str, b: str) -> bool:
 
 
 def _obstructs(name: str, row: Array) -> bool:
-    return TABLE[name].place in ("floor", "wall") and float(row[2] - row[5] / 2) < UNDERFOOT and name != "curtain"
+    return TABLE[name].place in ("floor", "wall") and float(row[2] - row[5] / 2) < UNDERFOOT
 
 
 def _used(name: str, row: Array) -> bool:
@@ -228,11 +244,12 @@ def _used(name: str, row: Array) -> bool:
     return False
 
 
-def _use(name: str, sweep: Array) -> tuple[float, float, float, float]:
-    if TABLE[name].articulated:
-        opened = float(sweep[3]) if sweep[2] > NOTHING[2] + 1 else 0.0
-        return opened, ARM, ASIDE, WALK
-    return -1.0, NEAR, 0.0, 0.0
+def _uses(name: str, sweep: Array) -> list[tuple[float, float, float, float]]:
+    """What `kernels.got_to` asks of a thing: shut, and with its parts open."""
+    if not TABLE[name].articulated:
+        return [(-1.0, NEAR, 0.0, 0.0)]
+    opened = float(sweep[3]) if sweep[2] > NOTHING[2] + 1 else 0.0
+    return [(0.0, ARM, ASIDE, 0.0), (opened, ARM, ASIDE, WALK)]
 
 
 def _only(group: Group, k: int, m: int) -> Group:

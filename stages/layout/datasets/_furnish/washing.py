@@ -18,21 +18,23 @@ AXIS, AXIS_LEAST = 0.43, 0.385
 def bathroom(space: Space, home: Household) -> None:
     """Shower or bath first, then toilet and basin, each with its floor; then what else there is place for."""
     rng, area = space.rng, space.shape.area
-    before = BEFORE if area > 4 else BEFORE_LEAST
+    before = BEFORE if area > 4.5 else BEFORE_LEAST
     powder = area < 2.3
     first = rng.random() < 0.5
     if first:
         _toilet(space, before)
     if not powder:
-        space.missed += 5 * (not _tub(space))
+        space.need(_tub(space), 5)
     if not first:
         _toilet(space, before)
-    space.missed += not _basin(space, before, 2 if area > 7 and space.wants("two basins", 0.25) else 1)
+    space.need(_basin(space, before, 2 if area > 7 and space.wants("two basins", 0.25) else 1))
+    if space.lost:
+        return
     if area > 6.5 and space.has("bath"):
         space.wish("shower", 0.4, lambda: _shower(space))
     laundry = home.laundry if home.laundry is not None else space.wants("laundry", 0.5)
     if laundry and area > 3.6 and (powder or space.has("shower", "bath")):
-        space.missed += not machine(space, space.wants("dryer", 0.15))
+        space.need(machine(space, space.wants("dryer", 0.15)))
     dressing.ceiling_lamps(space)
     if not powder:
         space.wish("rail", 0.8, lambda: dressing.on_wall(space, "towel_rail", ("shower", "bath")))
@@ -75,7 +77,7 @@ def _shower(space: Space) -> bool:
         size = draw("shower", rng, 0.0, width=width, depth=depth)
         size[2] = min(size[2], space.shape.height - 0.1)
         group = Group((Part("shower", size[0] / 2, 0.0, size),),
-                      (Zone(size[0], size[0] + 0.62, -size[1] / 2, size[1] / 2),))
+                      (Zone(size[0], size[0] + 0.62, -min(size[1] / 2, 0.38), min(size[1] / 2, 0.38)),))
         at = anchors.walls(space, group)
         at = at.take(anchors.cornered(at, group, space) > 0) if len(at) else at
         if not len(at):
@@ -88,7 +90,8 @@ def _shower(space: Space) -> bool:
 
 def _toilet(space: Space, before: float) -> bool:
     size = draw("toilet", space.rng)
-    for axis, free in ((AXIS, before), (AXIS_LEAST, before), (AXIS_LEAST, BEFORE_LEAST)):
+    tight = space.shape.area < 4.5
+    for axis, free in ((AXIS_LEAST if tight else AXIS, before), (AXIS_LEAST, before), (AXIS_LEAST, BEFORE_LEAST)):
         group = Group((Part("toilet", size[0] / 2, 0.0, size),),
                       (Zone(0.02, size[0], -axis, axis), Zone(size[0], size[0] + free, -0.3, 0.3)))
         at = anchors.walls(space, group, (0.005,))
@@ -107,7 +110,8 @@ def _basin(space: Space, before: float, count: int) -> bool:
     wide = 0.5 if area < 2.5 else float(rng.choice([0.6, 0.6, 0.8] if area < 5 else [0.6, 0.8, 0.8, 1.0, 1.2]))
     for width, free, n in ((wide, before, count), (wide, before, 1), (0.6, before, 1), (0.5, BEFORE_LEAST, 1),
                            (0.45, BEFORE_LEAST, 1)):
-        size = draw("vanity", rng, -0.2 if width > 0.5 else -0.9, width=width)
+        size = draw("vanity", rng, -0.2, width=width)
+        size[0] = size[0] if width > 0.5 else 0.36
         group = _basins(space, size, n, free)
         at = anchors.walls(space, group, (0.005,))
         if not len(at):
@@ -128,7 +132,7 @@ def _basins(space: Space, size: Array, n: int, free: float) -> Group:
         y = (k - (n - 1) / 2) * (size[1] + 0.08)
         parts.append(Part("vanity", size[0] / 2, y, size))
         parts.append(Part("mirror", mirror[0] / 2 + 0.002, y, mirror, z=round(float(size[2]) + 0.15, 3), at=2 * k))
-    half = max((n * size[1] + 0.08 * (n - 1)) / 2, 0.39)
+    half = max((n * size[1] + 0.08 * (n - 1)) / 2, 0.39 if free > BEFORE_LEAST else 0.33)
     return Group(tuple(parts), (Zone(0.02, size[0] + free, -half, half),))
 
 
@@ -149,7 +153,7 @@ def machine(space: Space, dryer: bool) -> bool:
 def utility(space: Space, home: Household) -> None:
     """Machines, shelves, an ironing board."""
     rng, area = space.rng, space.shape.area
-    space.missed += 2 * (not machine(space, space.wants("dryer", 0.5)))
+    space.need(machine(space, space.wants("dryer", 0.5)), 2)
     space.wish("sink", 0.55, lambda: _sink(space))
     space.wish("shelving", 0.78, lambda: storing.cabinet(space, "shelving", 1 + int(area > 5 and rng.random() < 0.4)))
     for name, share in (("ironing_board", 0.4), ("laundry_basket", 0.7), ("bin", 0.3)):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from apartgen.stages.layout.datasets._furnish import anchors
-from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
+from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone, turned
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
@@ -69,16 +69,16 @@ def reading(space: Space) -> bool:
     """An armchair by the window, a lamp or a small table beside it."""
     rng = space.rng
     chair, turn = space.model("armchair"), float(rng.choice([0.0, 0.0, 0.4, -0.4]))
-    off = 0.08 * (turn != 0) + 0.05
-    parts = [Part("armchair", chair[0] / 2 + off + 0.12 * abs(turn), 0.0, chair, turn)]
-    edge = chair[1] / 2 + 0.06 + 0.16 * abs(turn)
+    deep, half = turned(chair, turn)
+    parts = [Part("armchair", deep + 0.05, 0.0, chair, turn)]
+    edge = half + 0.06
     if rng.random() < 0.75:
         lamp = draw("floor_lamp", rng)
         parts.append(Part("floor_lamp", lamp[0] / 2 + 0.03, edge + lamp[1] / 2, lamp, at=0))
     if rng.random() < 0.6 or len(parts) == 1:
         side = draw("side_table", rng)
         parts.append(Part("side_table", side[0] / 2 + 0.15, -edge - side[1] / 2, side, at=0))
-    group = Group(tuple(parts), (Zone(chair[0] + off, chair[0] + off + 0.55, -chair[1] / 2, chair[1] / 2),))
+    group = Group(tuple(parts), (Zone(2 * deep + 0.05, 2 * deep + 0.6, -half, half),))
     at = anchors.walls(space, group, (0.03, anchors.BESIDE))
     if not len(at):
         return False
