@@ -38,13 +38,7 @@ def start(floor: Floor) -> tuple[Cell, float] | None:
     open_ = floor.free & floor.space.entry
     if not open_.any():
         return None
-    plan = floor.space.plan
-    ways = [o for o in plan.openings if o.kind == "entrance"] or [o for o in plan.openings if o.kind == "door"]
-    yaw = 0.0
-    if ways:
-        normal, _ = polygons.face(ways[0], plan, ways[0].rooms[0])
-        yaw = float(np.arctan2(normal[1], normal[0]))
-    return _best(np.where(open_, floor.clearance, -1.0)), yaw
+    return _best(np.where(open_, floor.clearance, -1.0)), polygons.inward(floor.space.plan) or 0.0
 
 
 def goals(floor: Floor, objects: list[Furnishing], reached: Mask, rng: np.random.Generator) -> list[Goal]:

@@ -12,7 +12,6 @@ import numpy as np
 from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box, Layout
-from apartgen.schemas.plan import Plan
 from apartgen.stages.export._section import section
 from apartgen.stages.export._xml import number
 from apartgen.stages.robot import reach
@@ -84,7 +83,7 @@ def _waypoints(world: reach.Space, objects: Sequence[Box], folder: Path) -> Path
     """Where to stand inside the entrance, in each room, and before each object that opens."""
     reached = reach.survey(world, objects).cells
     lines = [f"frame_id: map\nrobot_radius: {world.radius}\nrobot_height: {BAND[1]}\n", "entrance:\n"]
-    lines += _pose("  ", world.grid, reached & world.entry, reached, heading=_inward(world.plan))
+    lines += _pose("  ", world.grid, reached & world.entry, reached, heading=polygons.inward(world.plan))
     lines.append("rooms:\n")
     for i, room in enumerate(world.plan.rooms):
         here = reached & (world.rooms == i)
@@ -97,15 +96,6 @@ def _waypoints(world: reach.Space, objects: Sequence[Box], folder: Path) -> Path
     path = folder / "waypoints.yaml"
     path.write_text("".join(lines))
     return path
-
-
-def _inward(plan: Plan) -> float | None:
-    """The yaw of coming in: square to the entrance, or without one to the first door."""
-    ways = [o for o in plan.openings if o.kind == "entrance"] or [o for o in plan.openings if o.kind == "door"]
-    if not ways:
-        return None
-    normal, _ = polygons.face(ways[0], plan, ways[0].rooms[0])
-    return float(np.arctan2(normal[1], normal[0]))
 
 
 def _before(world: reach.Space, o: Box, cells: Mask) -> Mask:

@@ -49,10 +49,7 @@ def _stands_in(areas: shapely.STRtree, zone: Polygon) -> bool:
 
 
 def _covered(window: Opening, home: Plan, things: list[Box]) -> bool:
-    normal, reach = polygons.face(window, home, window.rooms[0])
-    a, b = np.asarray(window.segment, float)
-    depth = (reach + BEHIND) * normal
-    before = Polygon([a, b, b + depth, a + depth])
+    before = polygons.before(window, home, window.rooms[0], BEHIND)
     tall = [o for o in things if o.center[2] + o.size[2] / 2 > window.sill + 0.05 and o.category not in HANGINGS]
     hidden = 0.0
     for area in boxes.footprints(boxes.of(tall)):

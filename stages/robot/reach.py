@@ -12,7 +12,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 from shapely import unary_union
-from shapely.geometry import Polygon
 
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Opening, Plan
@@ -106,29 +105,18 @@ def part(world: Space, rooms: Collection[str], cells: Mask, margin: float = 0.6)
     return Space(world.plan, world.radius, here, world.open[window], world.rooms[window], entry, doors)
 
 
-def _strip(opening: Opening, plan: Plan, room: str, depth: float) -> Polygon:
-    """The floor of `room` before an opening, as wide as it and `depth` deep."""
-    normal, reach = polygons.face(opening, plan, room)
-    a, b = np.asarray(opening.segment, float)
-    near, far = reach * normal, (reach + depth) * normal
-    return Polygon([a + near, b + near, b + far, a + far]).buffer(0)
-
-
 def _door(opening: Opening, plan: Plan, cells: Grid, radius: float) -> list[Mask]:
     if len(opening.rooms) == 1:
-        return [grid.raster(_strip(opening, plan, opening.rooms[0], 2 * radius + _STEP_IN), cells)]
-    sides = [grid.raster(_strip(opening, plan, room, _STEP_IN), cells) for room in opening.rooms]
+        return [grid.raster(polygons.before(opening, plan, opening.rooms[0], 2 * radius + _STEP_IN, True), cells)]
+    sides = [grid.raster(polygons.before(opening, plan, room, _STEP_IN, True), cells) for room in opening.rooms]
     return [grid.raster(polygons.threshold(opening, plan), cells), *sides]
 
 
 def _entry(plan: Plan, free: Mask, cells: Grid, radius: float) -> Mask:
     """Cells just inside the entrance; without one, those inside any door; without any, the largest part."""
-    ways = [o for o in plan.openings if o.kind == "entrance"] or [o for o in plan.openings if o.kind == "door"][:1]
-    strips = [_strip(o, plan, o.rooms[0], 2 * radius + _STEP_IN) for o in ways]
-    seeds = np.zeros(cells.shape, bool)
-    for strip in strips:
-        seeds |= grid.raster(strip, cells)
-    return seeds & free if strips else grid.largest(free)
+    deep = 2 * radius + _STEP_IN
+    strips = [polygons.before(o, plan, o.rooms[0], deep, from_face=True) for o in polygons.ways_in(plan)]
+    return grid.raster(strips, cells) & free if strips else grid.largest(free)
 
 
 def count(world: Space, objects: Sequence[Box]) -> NDArray[np.int16]:

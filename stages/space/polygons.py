@@ -87,6 +87,27 @@ def _strip(opening: Opening, normal: Array, lo: float, hi: float) -> Polygon:
     return Polygon([a + lo * normal, b + lo * normal, b + hi * normal, a + hi * normal]).buffer(0)
 
 
+def before(opening: Opening, plan: Plan, room: str, depth: float, from_face: bool = False) -> Polygon:
+    """What lies before an opening in `room`, as wide as it, from the wall's centre line or its face to `depth` beyond
+    the face.
+    """
+    normal, reach = face(opening, plan, room)
+    return _strip(opening, normal, reach if from_face else 0.0, reach + depth)
+
+
+def ways_in(plan: Plan) -> list[Opening]:
+    """The entrances; without one, the first door."""
+    return [o for o in plan.openings if o.kind == "entrance"] or [o for o in plan.openings if o.kind == "door"][:1]
+
+
+def inward(plan: Plan) -> float | None:
+    """The yaw of coming in, square to the first way in; None without any."""
+    for way in ways_in(plan):
+        normal, _ = face(way, plan, way.rooms[0])
+        return float(np.arctan2(normal[1], normal[0]))
+    return None
+
+
 def threshold(opening: Opening, plan: Plan) -> Polygon:
     """The rectangle cut through the wall, `OVERLAP` onto the floors on both sides.
 
@@ -136,10 +157,7 @@ def clearance(opening: Opening, plan: Plan, depth: float = 0.6) -> Geometry:
     if opening.kind == "window":
         return Polygon()
     inside = unary_union([floor(room) for room in plan.rooms if room.id in opening.rooms])
-    zones = []
-    for room in opening.rooms:
-        normal, reach = face(opening, plan, room)
-        zones.append(_strip(opening, normal, 0.0, reach + depth))
+    zones = [before(opening, plan, room, depth) for room in opening.rooms]
     return unary_union([*zones, swing(opening, plan)]).intersection(inside)
 
 

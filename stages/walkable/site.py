@@ -11,7 +11,7 @@ from shapely import Geometry
 from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box
-from apartgen.schemas.plan import Opening, Plan, Program
+from apartgen.schemas.plan import Plan, Program
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.robot import reach
 from apartgen.stages.space import boxes, footprints, polygons, sweeps
@@ -86,19 +86,13 @@ def survey(plan: Plan, config: WalkableConfig, library: Candidates, needs: tuple
     """Everything about a plan that changes of furniture are checked against."""
     doors = [polygons.clearance(o, plan, BEFORE_DOOR) for o in plan.openings if o.kind in ("door", "entrance")]
     ways = [polygons.threshold(o, plan) for o in plan.openings if o.kind == "opening"]
-    windows = [(_before(o, plan), float(o.sill)) for o in plan.openings if o.kind == "window"]
+    glass = [o for o in plan.openings if o.kind == "window"]
+    windows = [(polygons.before(o, plan, o.rooms[0], BEFORE_WINDOW), float(o.sill)) for o in glass]
     floors = dict(polygons.floors(plan))
     for floor in floors.values():
         shapely.prepare(floor)
     world = reach.space(plan, config.robot_radius, config.resolution)
     return Site(plan.program, needs, config, library, floors, unary_union([*doors, *ways]), windows, world)
-
-
-def _before(window: Opening, plan: Plan) -> Geometry:
-    normal, out = polygons.face(window, plan, window.rooms[0])
-    a, b = np.asarray(window.segment, float)
-    deep = (out + BEFORE_WINDOW) * normal
-    return shapely.Polygon([a, b, b + deep, a + deep])
 
 
 def in_room(scene: Iterable[Furnishing], room: str) -> list[Furnishing]:
