@@ -148,8 +148,8 @@ def _call(node: ast.AST, file: _File, place: _Place) -> None:
     if name in OTHERS:
         end = file.span(node.func)[1]
         file.add("other function", place, end - len(name), end, OTHERS[name])
-    if name == "range":
-        start, end = file.span(node.args[min(1, len(node.args) - 1)])
+    if name == "range" and not isinstance(node.args[-1], ast.Starred):
+        _, end = file.span(node.args[min(1, len(node.args) - 1)])
         file.add("off by one", place, end, end, " - 1")
     plain = [arg for arg in node.args[:2] if not isinstance(arg, ast.Starred | ast.Constant | ast.GeneratorExp)]
     if len(plain) == 2 and name not in EITHER_WAY | {"isinstance", "getattr", "range", "cast", "partial"}:
