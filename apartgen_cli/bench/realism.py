@@ -20,7 +20,7 @@ NOTE = (
     "seeds that training did not use; `corpus again`: the same floors once more) over samples as they come out of a "
     "model (`raw`; `guided`; `constrained`, where nothing follows) to what later steps make of them; `random places` "
     "are the same things put anywhere and settled by the same steps, which is what these do by themselves. `best of "
-    "4`: each room chosen of four by the energy of docs/layout.md; `walkable`: that home after retrieval and the "
+    "4`: each room chosen of four by the energy of docs/realism.md; `walkable`: that home after retrieval and the "
     "walkable stage. Relations are of things of kinds that the real rooms (--real) have, which lack doors and windows; "
     "shares, means, or medians where they are lengths. Faults: `use`, furniture of no use where it stands; `bodies`, "
     "what stands in something else or in a doorway; `neighbours`, doors and windows. Lacks: wishes of those who live "
