@@ -95,7 +95,7 @@ def advanced(step: Step, home: "Home", seed: int | None, settings: Mapping[str, 
     """The next artifact of one apartment."""
     config, began = configured(step.config, settings), perf_counter()
     read = opened(home)
-    used, body = read.made.seed if seed is None else seed, read.taken_as(step.takes).body
+    used, body = read.made.seed if seed is None else seed, step.taken(read).body
     outcome = next(iter(step.advance([body], config, [lane(used, step.word, read.body)])))
     if isinstance(outcome, ApartgenError):
         raise outcome

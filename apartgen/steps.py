@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from apartgen import __version__
-from apartgen.schemas.artifact import Artifact, Made
+from apartgen.schemas.artifact import Artifact, Made, accepted
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError, Unmet
 from apartgen.schemas.layout import Layout
@@ -36,7 +36,7 @@ class Step:
 
     `advance(bodies, config, rngs)` gives, for each body and in order, the next body or the error that prevents it.
     `missed(body, config)` says what a result that is written all the same falls short of. `data(config)` names the
-    files, beside the input, that a result hangs on.
+    files, beside the input, that a result hangs on. Of a file that is a `rather` already, this is what is taken.
     """
 
     word: str
@@ -45,6 +45,12 @@ class Step:
     advance: Advance
     missed: Callable[[Any, Any], Unmet | None] = lambda body, config: None
     data: Callable[[Any], Mapping[str, Path]] = lambda config: {}
+    rather: type[Record] | None = None
+
+    def taken(self, read: Artifact[Any]) -> Artifact[Any]:
+        """What the stage takes of an artifact that was read whole."""
+        later = self.rather is not None and read.kind in accepted(self.rather)
+        return read.taken_as(self.rather if later and self.rather else self.takes)
 
 
 def each(step: Callable[[Any, Any, np.random.Generator], Record]) -> Advance:
@@ -96,8 +102,8 @@ def _fault(plan: Plan) -> ApartgenError | None:
 
 def weights(config: LayoutConfig) -> dict[str, Path]:
     """The weights file; named without torch, so that a finished layout is known again in no time."""
-    shipped = Path(layout.__file__).with_name("weights.safetensors")
-    return {"weights": Path(config.weights) if config.weights else shipped}
+    folder = Path(layout.__file__).parent / ("relations" if config.model == "relations" else "")
+    return {"weights": Path(config.weights) if config.weights else folder / "weights.safetensors"}
 
 
 def match(home: Layout, config: RetrieveConfig, rng: np.random.Generator) -> Retrieve:
@@ -151,7 +157,7 @@ def _as_retrieved(config: WalkableSettings) -> RetrieveConfig:
     return RetrieveConfig(libraries=config.libraries)
 
 
-LAYOUT = Step("layout", Plan, LayoutConfig, furnish, data=weights)
+LAYOUT = Step("layout", Plan, LayoutConfig, furnish, data=weights, rather=Layout)
 RETRIEVE = Step("retrieve", Layout, RetrieveConfig, each(match), data=libraries)
 WALKABLE = Step("walkable", Retrieve, WalkableSettings, each(clear), missed,
                 lambda config: libraries(_as_retrieved(config)))

@@ -45,7 +45,8 @@ def over(stage: Step, inputs: Sequence[str] | None, out: str | None, seed: int |
     """Run a stage over all inputs; every result is written as soon as it is there. Returns the exit status."""
     names = sources(inputs)
     places = dict(zip(names, targets(stage.word, names, out)))
-    work, errors = opened([(name, name) for name in names], stage.takes)
+    work, errors = opened([(name, name) for name in names], stage.takes, whole=stage.rather is not None)
+    work = [(name, stage.taken(read) if stage.rather else read) for name, read in work]
     used_seeds = [read.made.seed if seed is None else seed for _, read in work]
     began = perf_counter()
     outcomes = _told(stage, [(name, read.body) for name, read in work], config,

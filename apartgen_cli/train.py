@@ -3,12 +3,14 @@
 import os
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import typer
+from pydantic import create_model
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.layout.config import TrainConfig
+from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.retrieve.shape.config import ShapeTraining
 from apartgen_cli.console import say, watched
 from apartgen_cli.options import CONFIG, SPLIT, SPLITS, configured, tables, with_options
@@ -18,6 +20,10 @@ if TYPE_CHECKING:
     from apartgen.schemas.layout import Layout
 
 Item = TypeVar("Item")
+EITHER = create_model("EITHER", **{name: (info.annotation, info) for name, info in (  # type: ignore[call-overload]
+    TrainConfig.model_fields | Training.model_fields).items()})
+"""The settings of both layout models; which one heeds an option is looked at when it is given."""
+MODEL = Annotated[Literal["relations", "diffusion"], typer.Option("--model", help="Which layout model.")]
 
 WEIGHTS = Annotated[Path | None, typer.Option("--out", "-o", help="The weights file; the shipped one by default.")]
 FRESH = Annotated[bool, typer.Option("--fresh", help="Begin anew instead of going on from a checkpoint.")]
@@ -77,17 +83,41 @@ def _place(out: Path, name: str) -> Path:
     return out
 
 
-def _layout(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
-    """Train the layout model on a corpus; an interrupted run goes on from its checkpoint."""
-    from apartgen.stages.layout import curve, weights
+def _layout(
+    out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, model: MODEL = "relations", *, given: Any,
+) -> None:
+    """Train a layout model on a corpus; an interrupted run goes on from its checkpoint."""
+    from apartgen.stages.layout import curve
+
+    table = tables(config).get("train-layout")
+    heeded = {"relations": Training, "diffusion": TrainConfig}[model].model_fields
+    if unheeded := sorted(name for name in given if name not in heeded):
+        raise BadInput(f"--{unheeded[0].replace('_', '-')}: the {model} model has no such setting; leave it out")
+    place = _diffusion(out, fresh, given, table) if model == "diffusion" else _relations(out, fresh, given, table)
+    say(f"wrote {place} and its curve {curve.place(place)}")
+
+
+def _relations(out: Path | None, fresh: bool, given: Any, table: Any) -> Path:
+    from apartgen.stages.layout.relations import weights
+    from apartgen.stages.layout.relations.train import train
+
+    settings = configured(Training, given, table)
+    place = _place(out or weights.SHIPPED, "weights.safetensors")
+    with watched("layout", settings.steps) as report:
+        train(settings, place, resume=not fresh, report=report)
+    return place
+
+
+def _diffusion(out: Path | None, fresh: bool, given: Any, table: Any) -> Path:
+    from apartgen.stages.layout import weights
     from apartgen.stages.layout.calibration import GAINS
     from apartgen.stages.layout.train import train
 
-    settings = configured(TrainConfig, given, tables(config).get("train-layout"))
+    settings = configured(TrainConfig, given, table)
     place = _place(out or weights.SHIPPED, "weights.safetensors")
     with watched("layout", settings.steps + (len(GAINS) if settings.calibrate else 0)) as report:
         train(settings, place, resume=not fresh, report=report)
-    say(f"wrote {place} and its curve {curve.place(place)}")
+    return place
 
 
 def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
@@ -103,5 +133,5 @@ def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, 
 
 def commands() -> dict[str, Callable[..., Any]]:
     """The commands of this module."""
-    return {"corpus": _corpus, "layout": with_options(_layout, TrainConfig),
+    return {"corpus": _corpus, "layout": with_options(_layout, EITHER),
             "shape": with_options(_shape, ShapeTraining)}

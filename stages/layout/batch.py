@@ -94,7 +94,18 @@ def _quiet() -> None:
 
 
 def _furnished(config: LayoutConfig, home: tuple[Plan, np.random.Generator]) -> tuple[Layout, list[str]]:
-    """One apartment, and what is to be said about it; every room draws from the lane of its name."""
+    """One apartment by the model that was asked for, and what is to be said about it."""
+    if config.model == "diffusion":
+        return _denoised(config, home)
+    from apartgen.stages.layout.relations.home import furnished
+
+    plan, rng = home
+    given = plan.objects if isinstance(plan, Layout) and (config.keep or config.room) else []
+    return furnished(plan, config, rng, given)
+
+
+def _denoised(config: LayoutConfig, home: tuple[Plan, np.random.Generator]) -> tuple[Layout, list[str]]:
+    """One apartment out of noise; every room draws from the lane of its name."""
     import torch
 
     from apartgen.stages.layout import furnish, newcomers, weights, wishes

@@ -51,9 +51,28 @@ class TrainConfig(Record):
     model: ModelConfig = Field(default_factory=ModelConfig)
 
 
+RELATIONS = {"candidates", "constraints", "places", "keep", "room"}
+"""What the relations model alone heeds."""
+DIFFUSION = {
+    "sampler", "steps", "guidance", "guidance_scale", "guidance_repeats", "scaling", "guide_below", "count",
+    "projection", "batch",
+}
+"""What the diffusion model alone heeds."""
+
+
 class LayoutConfig(Record):
     """One layout run."""
 
+    model: Literal["relations", "diffusion"] = Field(
+        "diffusion", description="objects one after another by their relations, or all at once out of noise"
+    )
+    candidates: int = Field(4, ge=1, le=64, description="samples of a room, of which the best is kept (relations)")
+    constraints: bool = Field(True, description="draw nothing that breaks a requirement (relations)")
+    places: Literal["model", "random"] = Field(
+        "model", description="random: anywhere that breaks nothing, to tell what the model is worth (relations)"
+    )
+    keep: bool = Field(False, description="complete the rooms: objects that the input has stay (relations)")
+    room: list[str] = Field(default_factory=list, description="redo these rooms alone, the others stay (relations)")
     sampler: Literal["ddpm", "ddim", "dpm++"] = Field("dpm++", description="how noise becomes rooms")
     steps: int = Field(20, ge=1, le=T, description="steps of the sampler")
     guidance: dict[str, Annotated[float, Field(ge=0)]] = Field(
@@ -83,9 +102,18 @@ class LayoutConfig(Record):
         """How many at most in a denoising step without Σ: what they leave, the projection puts right as well."""
         return self.guidance_repeats or (4 if self.projection else 8)
 
+    @classmethod
+    def _plain(cls, name: str) -> object:
+        return cls.model_fields[name].get_default(call_default_factory=True)
+
     @model_validator(mode="after")
     def _heeded(self) -> "LayoutConfig":
         """A setting that another one switches off is refused."""
+        others = RELATIONS if self.model == "diffusion" else DIFFUSION
+        changed = (name for name in self.model_fields_set & others if getattr(self, name) != self._plain(name))
+        if unheeded := sorted(changed):
+            option, other = unheeded[0].replace("_", "-"), ({"relations", "diffusion"} - {self.model}).pop()
+            raise ValueError(f"--{option}: acts with --model {other} only; give that, or go without")
         if self.count != "guided" and (gamma := self.guidance.get("quantity")):
             raise ValueError(f"--guidance quantity={gamma:g}: acts with --count guided only; give that, or go without")
         if self.scaling == "sigma" and self.guidance_repeats:

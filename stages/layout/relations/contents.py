@@ -1,0 +1,146 @@
+"""What a room holds, drawn category by category in functional order, until the model says that this is all.
+
+What was asked for is met by masking: how many in all, and how many of a category.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from apartgen.stages.layout.config import N_MAX
+from apartgen.stages.layout.relations.network import SHUT_OUT
+from apartgen.stages.layout.relations.shape import Shape
+from apartgen.stages.layout.relations.tokens import DOOR, ENTRANCE, OPENING, WALL, WINDOW, Array, Ints
+
+FACTS = 12
+UNKNOWN = -1
+ASKED, SILENT, COUNTED = 0.6, 0.5, 0.4
+"""While training: share of categories that may be told, of rooms that tell none, of rooms that tell their count."""
+
+
+class Contents(nn.Module):
+    """Logits of the next category, the last one being the end."""
+
+    def __init__(self, shape: Shape, categories: int, types: int) -> None:
+        super().__init__()
+        w = shape.width
+        self.room_type, self.facts = nn.Embedding(types, w), nn.Linear(FACTS, w)
+        self.so_far, self.wanted = nn.Linear(2 * categories, w), nn.Linear(2 * categories, w)
+        self.left = nn.Embedding(N_MAX + 2, w)
+        self.mix = nn.Sequential(
+            nn.GELU(approximate="tanh"), nn.Linear(w, 2 * w), nn.GELU(approximate="tanh"), nn.Linear(2 * w, w),
+            nn.GELU(approximate="tanh"), nn.Linear(w, categories + 1))
+
+    def forward(self, type: Tensor, facts: Tensor, so_far: Tensor, left: Tensor, wanted: Tensor) -> Tensor:
+        """Logits (..., C + 1): room types (...,), facts (..., 12), counts so far (..., C), objects left (...,) -1 when
+        not known, counts still wanted (..., C) -1 when not known."""
+        x = self.room_type(type) + self.facts(facts)
+        x = x + self.so_far(torch.cat([so_far / 3, (so_far > 0).float()], -1))
+        x = x + self.wanted(torch.cat([wanted.clamp_min(0) / 3, (wanted >= 0).float()], -1))
+        found: Tensor = self.mix(x + self.left(torch.where(left < 0, N_MAX + 1, left.clamp_max(N_MAX))))
+        return found.float()
+
+
+def facts(boxes: Array, kind: Ints, area: float, sleepers: int) -> NDArray[np.float32]:
+    """What of a room tells its contents, (12,): tokens' boxes (T, 7) and kinds (T,)."""
+    long, short = max(boxes[0, 3:5]), min(boxes[0, 3:5])
+    width = {k: boxes[kind == k, 4] for k in (WALL, DOOR, OPENING, ENTRANCE, WINDOW)}
+    return np.array([
+        np.log(area), long / 3, short / 3, area / max(long * short, 1e-6), len(width[WALL]) / 4, len(width[DOOR]) / 2,
+        len(width[OPENING]), len(width[ENTRANCE]), len(width[WINDOW]) / 2, width[WINDOW].sum() / 3,
+        max(sleepers, 0) / 3, float(sleepers >= 0),
+    ], np.float32)
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What contents must keep to: rank (C,) of categories, known (C,) ones that may be drawn at all, groups of which
+    one is needed."""
+
+    rank: Ints
+    known: NDArray[np.bool_]
+    least: tuple[tuple[int, ...], ...]
+
+
+def allowed(so_far: Ints, last: int, left: int, wanted: Ints, rules: Rules) -> NDArray[np.bool_]:
+    """Which categories may come next, and at last whether the room may end here, (C + 1,).
+
+    so_far (C,), last rank drawn, left objects or -1, wanted (C,) still to come by category or -1.
+    """
+    rank, due = rules.rank, wanted > 0
+    may = (rank >= last) & (due | ((wanted < 0) & rules.known))
+    lacking = [group for group in rules.least if not so_far[list(group)].any()]
+    bounds = [int(rank[due].min())] if due.any() else []
+    for group in lacking:
+        still = [int(rank[c]) for c in group if rank[c] >= last and (wanted[c] != 0)]
+        bounds += [max(still)] if still else []
+    if bounds:
+        may &= rank <= min(bounds)
+    open_ = [group for group in lacking if not due[list(group)].any()]
+    if left >= 0 and left <= int(wanted[due].sum()) + len(open_):
+        needed = due.copy()
+        needed[[c for group in open_ for c in group]] = True
+        may &= needed if (may & needed).any() else True
+    end = not bounds and left <= 0 and not (left < 0 and not so_far.any())
+    if left == 0:
+        may[:] = False
+    return np.append(may, end or not may.any())
+
+
+def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wanted: Ints, rules: Rules,
+         rng: np.random.Generator, given: Ints | None = None) -> list[int]:
+    """Categories of a room's contents in functional order, beyond `given` (C,) counts of what is there already.
+
+    count of objects still to come, or -1; wanted (C,) of them by category, or -1.
+    """
+    n = len(wanted)
+    so_far = np.zeros(n, np.int64) if given is None else given.copy()
+    wanted, found, last, left = wanted.copy(), list[int](), -1, count
+    kind, known = torch.tensor([type]), torch.from_numpy(room)[None]
+    for _ in range(N_MAX - int(so_far.sum())):
+        told = torch.from_numpy(wanted)[None].float()
+        with torch.inference_mode():
+            logits = network(kind, known, torch.from_numpy(so_far)[None].float(), torch.tensor([left]), told)[0]
+        may = allowed(so_far, last, left, wanted, rules)
+        shown = np.where(may, logits.numpy().astype(float), SHUT_OUT)
+        weight = np.exp(shown - shown.max())
+        chosen = int(np.searchsorted(np.cumsum(weight) / weight.sum(), rng.random()))
+        if chosen >= n:
+            break
+        found.append(chosen)
+        so_far[chosen] += 1
+        last = int(rules.rank[chosen])
+        left -= left > 0
+        wanted[chosen] -= wanted[chosen] > 0
+    return found
+
+
+def loss(network: Contents, rooms: "list[tuple[int, NDArray[np.float32], Ints]]", rank: Ints,
+         rng: np.random.Generator) -> Tensor:
+    """Mean cross-entropy of what comes next in rooms (type, facts, counts by category), of which some do not tell how
+    many objects they hold, and most not which."""
+    order = np.argsort(rank)
+    c = len(rank)
+    kinds, told, so_fars, lefts, wants, nexts = [], [], [], [], [], []
+    for type, room, counts in rooms:
+        drawn = np.repeat(order, counts[order])
+        n = len(drawn)
+        steps = np.zeros((n + 1, c), np.int64)
+        steps[np.arange(1, n + 1), drawn] = 1
+        so_far = steps.cumsum(0)
+        asked = (rng.random(c) < rng.random() * ASKED) & ((counts > 0) | (rng.random(c) < 0.05))
+        if rng.random() < SILENT:
+            asked[:] = False
+        lefts.append(n - np.arange(n + 1) if rng.random() < COUNTED else np.full(n + 1, UNKNOWN))
+        wants.append(np.where(asked, counts - so_far, UNKNOWN))
+        kinds.append(np.full(n + 1, type))
+        told.append(np.broadcast_to(room, (n + 1, FACTS)))
+        so_fars.append(so_far)
+        nexts.append(np.append(drawn, c))
+    arrays = (np.concatenate(part) for part in (kinds, told, so_fars, lefts, wants))
+    type_, facts_, so_far_, left_, wanted_ = (torch.from_numpy(np.ascontiguousarray(a)) for a in arrays)
+    logits = network(type_, facts_, so_far_.float(), left_, wanted_.float())
+    return torch.nn.functional.cross_entropy(logits, torch.from_numpy(np.concatenate(nexts)))

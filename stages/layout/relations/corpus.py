@@ -1,0 +1,93 @@
+"""A corpus as the relations model learns it: rooms as tokens, objects in functional order, a reference for each."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.corpus import Corpus, read_corpus
+from apartgen.stages.layout.relations import order, references
+from apartgen.stages.layout.relations.tokens import ASKING, OBJECT, Array, Ints, shell
+from apartgen.stages.things.categories import CATEGORIES
+
+
+@dataclass
+class Furnished:
+    """One room: tokens of the shell, then objects in functional order. boxes (T, 7), kind (T,), swing (T, 2), category
+    (T,) -1 for the shell; length (n, T) of each object's description from each token; type, sleepers of its home, -1
+    unknown, floor area."""
+
+    boxes: Array
+    kind: Ints
+    swing: Array
+    category: Ints
+    length: NDArray[np.float32]
+    type: int
+    sleepers: int
+    area: float
+
+    @property
+    def n(self) -> int:
+        """How many objects it holds."""
+        return int(self.length.shape[0])
+
+    @property
+    def shell(self) -> int:
+        """How many tokens come before the objects."""
+        return len(self.kind) - self.n
+
+
+def read(path: Path) -> list[Furnished]:
+    """The rooms of a corpus file; BadInput where there is none."""
+    corpus, sleepers = read_corpus(path), _sleepers(path)
+    rooms = [_tokens(corpus, i, sleepers) for i in range(len(corpus))]
+    kinds = ASKING + len(CATEGORIES)
+    found, earlier, row = [], [], 0
+    for room in rooms:
+        objects = np.arange(room.shell, len(room.kind))
+        some = references.pairs(room.boxes, room.kind, room.category, objects, row, kinds)
+        found.append(some)
+        earlier.append(some.token < room.shell + some.row - row)
+        row += room.n
+    joined = references.Pairs(*(np.concatenate([getattr(some, name) for some in found])
+                                for name in references.Pairs.__dataclass_fields__))
+    length = references.lengths(joined, np.concatenate(earlier), kinds)
+    at = 0
+    for room in rooms:
+        size = room.n * len(room.kind)
+        room.length = length[at : at + size].reshape(room.n, len(room.kind)).astype(np.float32)
+        at += size
+    return rooms
+
+
+def _sleepers(path: Path) -> Ints | None:
+    with np.load(path, allow_pickle=False) as file:
+        return file["sleepers"].astype(np.int64) if "sleepers" in file else None
+
+
+def _tokens(corpus: Corpus, i: int, sleepers: Ints | None) -> Furnished:
+    base = shell(corpus.rooms, i)
+    there = np.flatnonzero(corpus.category[i] >= 0)
+    category, center, size = corpus.category[i][there], corpus.center[i][there], corpus.size[i][there]
+    boxes = np.column_stack([center[:, :2], corpus.yaw[i][there], size[:, :2], center[:, 2] - size[:, 2] / 2,
+                             center[:, 2] + size[:, 2] / 2]).astype(np.float32)
+    place = order.functional(category, boxes)
+    n, s = len(there), len(base.kind)
+    return Furnished(
+        np.concatenate([base.boxes, boxes[place]]), np.concatenate([base.kind, np.full(n, OBJECT)]),
+        np.concatenate([base.swing, np.zeros((n, 2), np.float32)]),
+        np.concatenate([np.full(s, -1), category[place]]), np.zeros((n, s + n), np.float32),
+        int(corpus.rooms.type[i]), -1 if sleepers is None else int(sleepers[i]), float(corpus.rooms.area[i]),
+    )
+
+
+def earlier(room: Furnished, place: Ints) -> tuple[Ints, NDArray[np.bool_]]:
+    """The reference of each object, were they described in the order `place` (n,), as tokens of that order (n,), and
+    whether there is one at all."""
+    s = room.shell
+    length = room.length[place][:, np.concatenate([np.arange(s), s + place])]
+    allowed = np.arange(s + len(place))[None] < s + np.arange(len(place))[:, None]
+    shown = np.where(allowed, length, 2 * references.NEVER)
+    best = shown.argmin(1)
+    return best, shown[np.arange(len(place)), best] < references.NEVER

@@ -1,0 +1,168 @@
+"""Furnishes an apartment with the relations model, each room by itself: the best of K samples."""
+
+from collections import Counter
+from collections.abc import Collection, Sequence
+from pathlib import Path
+
+import numpy as np
+import torch
+from numpy.random import Generator
+
+from apartgen.schemas import rooms as room_types
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages import seeds
+from apartgen.stages.layout import choice, wishes
+from apartgen.stages.layout import rooms as room_arrays
+from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.relations import contents, learning, weights
+from apartgen.stages.layout.relations.propose import Particle, Speaker
+from apartgen.stages.layout.relations.sampler import Room as Task
+from apartgen.stages.layout.relations.sampler import Sampler
+from apartgen.stages.layout.relations.standing import Furniture
+from apartgen.stages.layout.relations.tokens import Array, shell
+from apartgen.stages.layout.rooms import UNKNOWN, Rooms
+from apartgen.stages.layout.sense import sense
+from apartgen.stages.things.categories import CATEGORIES, stand_in
+from apartgen.stages.things.latents import style_latents
+from apartgen.stages.use.household import sleepers
+
+FRAMES, BRANCHES, OFFSETS = 2, 4, 24
+"""References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
+
+
+def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[Box] = ()) -> tuple[Layout, list[str]]:
+    """One apartment, and what is to be said about it; `given` objects stay, and `config.room` names the rooms to do."""
+    torch.set_num_threads(1)  # sums over several threads are rounded differently
+    home = seeds.lane(rng, "home")
+    arrays = room_arrays.of_plan(plan, home.random())
+    style = int(home.integers(1 << 16))
+    objects: list[Box] = []
+    notes: list[str] = []
+    for i, room in enumerate(plan.rooms):
+        there = [o for o in given if o.room == room.id]
+        if config.room and room.id not in config.room:
+            objects += there
+            continue
+        made, said = _room(plan, room, i, arrays, config, seeds.lane(rng, room.id), [] if config.room else there, style)
+        objects += made
+        notes += [f"{room.id}: {note}" for note in said]
+        if lacks := wishes.unmet(plan.program, room.id, made):
+            notes.append(f"{room.id}: has {'; '.join(lacks)}")
+    return Layout(**plan.model_dump(include=set(Plan.model_fields)), objects=objects), notes
+
+
+def _room(plan: Plan, room: Room, i: int, arrays: Rooms, config: LayoutConfig, rng: Generator, given: list[Box],
+          style: int) -> tuple[list[Box], list[str]]:
+    """A room's objects, of K samples those of least energy, and notes."""
+    model, known, _ = weights.load(Path(config.weights) if config.weights else None)
+    task = _task(plan, room, i, arrays, model, known, given)
+    rules = rules_of(known, room, wanted_of(arrays, i, plan, room))
+    lanes = rng.spawn(config.candidates + 1)
+    names = [_contents(task, rules, arrays, i, plan, room, lane) for lane in lanes[1:]]
+    done = Sampler(task, lanes[0], config.constraints, config.places).run(names)
+    found = [_boxes(room, p, arrays.origin[i], style, given) for p in done]
+    best = choice.best(plan, room.id, found) if len(found) > 1 else 0
+    return found[best], done[best].notes
+
+
+def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, known: weights.Vocabulary,
+          given: list[Box]) -> Task:
+    walls = shell(arrays, i)
+    told = sleepers(plan)
+    facts = learning.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
+    type_ = known.type(room.type)
+    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, 1.0)
+    return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
+                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room))
+
+
+def _row(o: Box, origin: Array) -> Array:
+    """A given object as a token's box in the room's frame."""
+    x, y, z = o.center
+    d, w, h = o.size
+    return np.array([x - origin[0], y - origin[1], o.yaw, d, w, z - h / 2, z + h / 2], np.float32)
+
+
+def _least(room: Room) -> tuple[frozenset[str], ...]:
+    """Of what a room of its type is never without, by `sense.toml`."""
+    kind = ROOM_TYPES.index(room_types.base_of(room.type) or room.type)
+    return tuple(frozenset(CATEGORIES[c] for c in group) for group in sense().least[kind])
+
+
+def wanted_of(arrays: Rooms, i: int, plan: Plan, room: Room) -> Counter[str]:
+    """Objects asked for by category, those of the programme and the home's table; 0 where there are to be none."""
+    wanted = Counter({CATEGORIES[c]: int(k) for c, k in enumerate(arrays.wanted[i]) if k != UNKNOWN})
+    for category, count in wishes.of_room(plan.program, room.id).items():
+        wanted[category] = count
+    return wanted
+
+
+class Rules:
+    """What contents keep to in a room, in the indices of the weights; what is like a category counts as that."""
+
+    def __init__(self, known: weights.Vocabulary, least: tuple[frozenset[str], ...], wanted: Counter[str]) -> None:
+        n = len(known.categories)
+        here = np.array([name in CATEGORIES for name in known.categories])
+        index = {name: k for k, name in enumerate(known.categories)}
+        groups = tuple(tuple(index[name] for name in sorted(group) if name in index) for group in least)
+        self.drawn = contents.Rules(known.rank, here, tuple(group for group in groups if group))
+        self.wanted = np.full(n, UNKNOWN)
+        for name, count in wanted.items():
+            if name in index:
+                self.wanted[index[name]] = count
+        self.likes: list[str] = [name for name, count in wanted.items() if name not in index for _ in range(count)]
+
+
+def rules_of(known: weights.Vocabulary, room: Room, wanted: Counter[str]) -> Rules:
+    """The rules of a room of a plan."""
+    return Rules(known, _least(room), wanted)
+
+
+def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room: Room, rng: Generator) -> list[str]:
+    """Names of what one sample of a room is to hold beyond what is given."""
+    known = task.speaker.known
+    there = np.zeros(len(known.categories), np.int64)
+    for name, _ in task.given:
+        there[known.category(name)] += 1
+    wanted = np.where(rules.wanted >= 0, np.maximum(rules.wanted - there, 0), UNKNOWN)
+    likes = list((Counter(rules.likes) - Counter(name for name, _ in task.given)).elements())
+    count = plan.program.counts.get(room.id, UNKNOWN)
+    if count != UNKNOWN:
+        count = max(0, count - len(task.given) - len(likes))
+    told = sleepers(plan)
+    facts = contents.facts(task.speaker.shell.boxes, task.speaker.shell.kind, float(arrays.area[i]),
+                           -1 if told is None else told)
+    drawn = contents.draw(task.speaker.model.contents, task.speaker.type, facts, count, wanted, rules.drawn, rng, there)
+    return likes + [known.categories[c] for c in drawn]
+
+
+def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box]) -> list[Box]:
+    """A finished room's objects in the world, those given as they were."""
+    out, taken, seen = list(given), {o.id for o in given}, Counter[str]()
+    for name, box in list(zip(p.furniture.names, p.furniture.boxes.astype(float), strict=True))[len(given):]:
+        seen[name] += 1
+        while (id_ := f"{room.id}_{name}_{seen[name]}") in taken:
+            seen[name] += 1
+        x, y, yaw, depth, width, low, high = box
+        yaw = (yaw + np.pi) % (2 * np.pi) - np.pi
+        out.append(Box(
+            id=id_, room=room.id, category=name, yaw=round(float(yaw), 5),
+            center=(round(float(x + origin[0]), 4), round(float(y + origin[1]), 4), round(float(low + high) / 2, 4)),
+            size=(round(float(depth), 4), round(float(width), 4), round(float(high - low), 4)),
+            latent=_latent(name, style)))
+    return out
+
+
+def _latent(name: str, style: int) -> list[float]:
+    """The shape latent of a category in the home's style."""
+    model = stand_in(name, CATEGORIES) or name
+    names, means = style_latents(model)
+    return [round(float(v), 3) for v in means[style % len(names)]] if names else []
+
+
+def check(rooms: Collection[str], plan: Plan) -> list[str]:
+    """Names of rooms that a plan does not have."""
+    return sorted(set(rooms) - {room.id for room in plan.rooms})

@@ -1,0 +1,149 @@
+"""Furnishes a room: several particles, each object drawn from p(candidate) · exp(−λ φ(candidate)).
+
+This is Eq. 2 without a gradient: the posterior over candidates is shifted by the energies of what they break, so that
+rooms keep to what the model thinks likely. A particle that can go nowhere begins again, at most `BEGUN` times.
+"""
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.relations.propose import Particle, Speaker
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.things.categories import TABLE
+
+BEGUN = 3
+"""How often a room is begun at most."""
+TRIES = 2
+"""How often candidates are drawn for an object before its room is begun again."""
+LOOKS = 8
+"""Candidates whose ways are looked at before new ones are drawn."""
+CUT = 0.25
+"""What an object may cut off of the floor, in metres of way."""
+LAMBDA = 0.5
+"""λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
+Floats = NDArray[np.floating[Any]]
+
+
+@dataclass(frozen=True)
+class Room:
+    """A room to be furnished: what the model sees of it, its space, what is given, and what was asked for by name."""
+
+    speaker: Speaker
+    empty: Furniture
+    given: tuple[tuple[str, Array], ...]
+    asked: Counter[str]
+    counted: bool
+    least: tuple[frozenset[str], ...]
+
+    def needs(self, name: str, there: list[str]) -> bool:
+        """Whether the room is not what was asked for, or not what it is for, without one more of a category."""
+        lacking = any(name in group and not group & set(there) for group in self.least)
+        return self.counted or lacking or there.count(name) < self.asked[name]
+
+
+class Sampler:
+    """Particles of one room, stepped together; `contents` draws the names of what a particle is to hold."""
+
+    def __init__(self, room: Room, rng: np.random.Generator, constrained: bool = True, places: str = "model") -> None:
+        self.room, self.rng, self.constrained, self.places = room, rng, constrained, places
+
+    def begin(self, left: list[str]) -> Particle:
+        """A room with nothing but what is given."""
+        furniture = self.room.empty.fork()
+        for name, box in self.room.given:
+            furniture.add(name, box)
+        return Particle(furniture, list(left))
+
+    def run(self, contents: list[list[str]]) -> list[Particle]:
+        """A finished room for each list of contents."""
+        particles = [self.begin(left) for left in contents]
+        going = [i for i, p in enumerate(particles) if p.left]
+        while going:
+            some = [particles[i] for i in going]
+            for i, (name, boxes, weight) in zip(going, self.room.speaker.propose(some, self.rng), strict=True):
+                if self.places == "random":
+                    boxes = self._anywhere(particles[i].furniture, name, boxes)
+                    weight = np.full(len(boxes), 1 / len(boxes))
+                particles[i] = self._placed(particles[i], name, boxes, weight, contents[i])
+            going = [i for i in going if particles[i].left]
+        return particles
+
+    def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str]) -> Particle:
+        """The particle with an object more, or as it is to go on without."""
+        found = self._chosen(p.furniture, name, boxes, weight)
+        if found is None and p.tries + 1 < TRIES:
+            p.tries += 1
+            return p
+        needed = found is None and self.room.needs(name, p.furniture.names)
+        if needed and p.begun < BEGUN:
+            again = self.begin(contents)
+            again.begun = p.begun + 1
+            return again
+        if found is None:
+            found = self._last_resort(p, name, needed)
+        p.left.remove(name)
+        p.tries = 0
+        if found is not None:
+            p.furniture.add(name, found)
+        return p
+
+    def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> Array | None:
+        """A candidate that breaks nothing, drawn by its shifted weight; None where there is none."""
+        if not self.constrained:
+            return np.asarray(boxes[self._draw(weight)])
+        price = there.prices(name, boxes)
+        weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
+        for _ in range(LOOKS):
+            if weight.sum() <= 0:
+                return None
+            k = self._draw(weight)
+            if there.shuts(name, boxes[k]) < CUT:
+                return np.asarray(boxes[k])
+            weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
+        return None
+
+    def _draw(self, weight: Floats) -> int:
+        total = weight.cumsum()
+        return int(min(np.searchsorted(total, self.rng.random() * total[-1], side="right"), len(weight) - 1))
+
+    def _last_resort(self, p: Particle, name: str, needed: bool) -> Array | None:
+        """Anywhere, and smaller, for what is needed; else it is left out. Both are said."""
+        for scale in (1.0, 0.85, 0.7) if needed else ():
+            size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
+            start = np.zeros((600, 7), np.float32)
+            start[:, 3:5], start[:, 6] = size[:2], size[2]
+            boxes = self._anywhere(p.furniture, name, start)
+            found = self._chosen(p.furniture, name, boxes, np.full(len(boxes), 1 / len(boxes)))
+            if found is not None:
+                p.notes.append(f"no place for the {name} where such things stand; put where it fits")
+                return found
+        p.notes.append(f"no place for the {name}; left out")
+        return None
+
+    def _anywhere(self, there: Furniture, name: str, boxes: Array) -> Array:
+        """Boxes of the same sizes at random: along walls what has a back, on tops what stands there, else anywhere."""
+        kind, shell = TABLE[name], self.room.speaker.shell
+        n, out, rng = len(boxes), boxes.copy(), self.rng
+        walls = np.flatnonzero((shell.boxes[:, 3] == 0) & (shell.kind == 1))
+        length = shell.boxes[walls, 4].astype(float)
+        wall = shell.boxes[walls[rng.choice(len(walls), n, p=length / length.sum())]]
+        away = boxes[:, 3] / 2 + np.where(kind.back or kind.place == "wall", 0.005, rng.random(n) * 3)
+        along = (rng.random(n) - 0.5) * np.maximum(wall[:, 4] - boxes[:, 4], 0)
+        c, s = np.cos(wall[:, 2]), np.sin(wall[:, 2])
+        out[:, 0], out[:, 1] = wall[:, 0] + away * c - along * s, wall[:, 1] + away * s + along * c
+        quarter = 0 if kind.back or kind.place == "wall" else rng.integers(4, size=n)
+        out[:, 2] = wall[:, 2] + quarter * np.pi / 2
+        height = boxes[:, 6] - boxes[:, 5]
+        low = {"wall": max(kind.z, 0.0), "ceiling": np.nan}.get(kind.place, 0.0)
+        out[:, 5] = np.where(np.isnan(low), shell.boxes[0, 6] - height, low)
+        under = [box for o, box in zip(there.names, there.boxes, strict=True) if o in kind.belongs]
+        if kind.place == "top" and under:
+            which = np.array(under)[rng.integers(len(under), size=n)]
+            out[:, :3], out[:, 5] = which[:, :3], which[:, 6]
+        out[:, 6] = out[:, 5] + height
+        return out

@@ -1,0 +1,145 @@
+"""What stands in a room so far, and what a candidate for the next object would break: φ of Eq. 2 to 4, exactly."""
+
+import copy
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.projection import kernels
+from apartgen.stages.layout.projection.paths import Paths
+from apartgen.stages.layout.projection.space import Space, outside, writable
+from apartgen.stages.layout.projection.standing import Standing
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import TABLE, reach, tucks
+
+SLACK = 0.008
+"""Contact that is none, m; below what metrics allow."""
+BROKEN = 10.0
+"""From this price on a candidate breaks a requirement; what is below it is undesired only."""
+TUCK_MOST = 0.30
+"""How far a seat may go under its table, m."""
+LEVEL = 0.02
+OFF_WALL = 0.06
+"""What hangs has its back no farther from a wall, m."""
+IN_THE_WAY, FLAT = 1.5, 0.03
+"""What hangs with its centre above, or rises no higher, is in nobody's way, m."""
+Floats = NDArray[np.float64]
+
+
+def upright(boxes: Array) -> Boxes:
+    """Token boxes (n, 7) as the geometry of the floor below the stages has them."""
+    rows = np.asarray(boxes, float)
+    center = np.column_stack([rows[:, 0:2], (rows[:, 5] + rows[:, 6]) / 2])
+    return Boxes(center, np.column_stack([rows[:, 3:5], rows[:, 6] - rows[:, 5]]), rows[:, 2].copy())
+
+
+@cache
+def tuck(a: str, b: str) -> float:
+    """How far two may be drawn into one another, m: a seat under what is dined, worked or dressed at."""
+    host = b if TABLE[a].is_for("sit") else a
+    return TUCK_MOST if tucks(a, b) and not TABLE[host].is_for("sleep", "sit") else 0.0
+
+
+class Furniture:
+    """The objects of a room that has begun to be furnished, and the free floor between them."""
+
+    def __init__(self, space: Space) -> None:
+        self.space = space
+        self.names: list[str] = []
+        self.boxes: Array = np.zeros((0, 7), np.float32)
+        self.upright = self.grown = upright(self.boxes)
+        self.paths = Paths(Standing([]), space)
+        self.cut = self.paths.cut_off()
+
+    def fork(self) -> "Furniture":
+        """A copy to go on from."""
+        other = copy.copy(self)
+        other.names = list(self.names)
+        other.paths = copy.copy(self.paths)
+        other.paths.count = self.paths.count.copy()
+        other.paths.bodies, other.paths.rows = dict(self.paths.bodies), dict(self.paths.rows)
+        return other
+
+    def add(self, name: str, box: Array) -> None:
+        """An object stands there from now on."""
+        if _in_the_way(name, box):
+            self.paths.add(len(self.names), upright(box[None]))
+            self.cut = self.paths.cut_off()
+        self.names.append(name)
+        self.boxes = np.concatenate([self.boxes, box[None]])
+        one = upright(box[None])
+        self.upright, self.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
+
+    def prices(self, name: str, boxes: Array) -> Floats:
+        """What candidates (n, 7) for an object break: φ of articulation, collisions, walls and openings, (n,)."""
+        found, kind = upright(boxes), TABLE[name]
+        total = np.zeros(found.n)
+        if kind.place == "top":
+            total += np.where(self._carried(name, boxes), 0.0, 2 * BROKEN)
+        if kind.place == "wall":
+            total += np.where(self.space.behind(found) > OFF_WALL, 2 * BROKEN, 0.0)
+        total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
+        if kind.soft:
+            return total + self._soft(name, found)
+        soft, tucked = self._others(name)
+        others, grown = self.upright, self.grown
+        broken: Floats = kernels.prices(
+            *map(writable, found), reach(name, found.size), np.zeros(found.n), others.center, others.size,
+            grown.center, grown.size, others.yaw, soft, tucked > 0, tucked, *self.space.zones, self.space.window,
+            *self.space.bounds, SLACK, BROKEN)
+        return total + broken
+
+    def shuts(self, name: str, box: Array) -> float:
+        """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach."""
+        if not _in_the_way(name, box):
+            return 0.0
+        return max(0.0, self.paths.cut_off(more={len(self.names): upright(box[None])}) - self.cut)
+
+    def _others(self, name: str) -> tuple[NDArray[np.bool_], Floats]:
+        """Of what stands there, what gives way to a category, and how far the two may be drawn into one another."""
+        tall_leaf = TABLE[name].opens == "leaf"
+        soft = np.array([TABLE[o].soft and not (tall_leaf and o == "curtain") for o in self.names], bool)
+        tucked = np.array([tuck(name, o) for o in self.names], float)
+        return soft, tucked
+
+    def _soft(self, name: str, found: Boxes) -> Floats:
+        beyond = outside(found, self.space)
+        total = np.where(beyond > SLACK, 40 + 100 * beyond, 0.0)
+        doors = self.space.zones.take(~self.space.window)
+        if TABLE[name].place == "wall" and doors.n:
+            total += np.where(penetration(found, doors).max(1) > SLACK, 3 * BROKEN, 0.0)
+        return np.asarray(total)
+
+    def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
+        """Whether candidates stand on the top of something, wholly."""
+        found = np.zeros(len(boxes), bool)
+        for under in self.boxes:
+            offset = boxes[:, :2] - under[:2]
+            c, s = np.cos(under[2]), np.sin(under[2])
+            x, y = offset[:, 0] * c + offset[:, 1] * s, offset[:, 1] * c - offset[:, 0] * s
+            turn = boxes[:, 2] - under[2]
+            ex = np.abs(np.cos(turn)) * boxes[:, 3] / 2 + np.abs(np.sin(turn)) * boxes[:, 4] / 2
+            ey = np.abs(np.sin(turn)) * boxes[:, 3] / 2 + np.abs(np.cos(turn)) * boxes[:, 4] / 2
+            found |= ((np.abs(boxes[:, 5] - under[6]) < LEVEL) & (np.abs(x) + ex < under[3] / 2 + 2 * LEVEL)
+                      & (np.abs(y) + ey < under[4] / 2 + 2 * LEVEL))
+        return found
+
+
+def _grown(name: str, found: Boxes) -> Boxes:
+    """b′: a box grown in front by what its open parts sweep."""
+    far = float(reach(name, found.size[0]))
+    center, size = found.center.copy(), found.size.copy()
+    center[0, :2] += np.array([np.cos(found.yaw[0]), np.sin(found.yaw[0])]) * far / 2
+    size[0, 0] += far
+    return Boxes(center, size, found.yaw)
+
+
+def _joined(one: Boxes, two: Boxes) -> Boxes:
+    return Boxes(*(np.concatenate(parts) for parts in zip(one, two, strict=True)))
+
+
+def _in_the_way(name: str, box: Array) -> bool:
+    kind = TABLE[name]
+    return not kind.soft and (box[5] + box[6]) / 2 < IN_THE_WAY and box[6] > FLAT and kind.place != "top"

@@ -1,0 +1,150 @@
+"""Fits the relations model to a corpus; a run that was interrupted goes on from its checkpoint."""
+
+import copy
+import logging
+import math
+import pickle
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.stages.layout import curve
+from apartgen.stages.layout.relations import contents, corpus, learning, order, weights
+from apartgen.stages.layout.relations.config import Training
+from apartgen.stages.layout.relations.corpus import Furnished
+from apartgen.stages.layout.relations.tokens import Ints
+from apartgen.stages.layout.train import digest
+from apartgen.stages.things.categories import CATEGORIES, TABLE
+
+log = logging.getLogger("apartgen")
+Report = Callable[[int, float], None]
+FREE = {"threads", "save_every", "corpus"}
+"""What may change between a run and its going on."""
+HUNG = np.array([TABLE[name].place in ("wall", "top") for name in CATEGORIES])
+"""Whose height is spoken; the rest stand on the floor or hang from the ceiling."""
+
+
+def learning_rate(step: int, config: Training) -> float:
+    """Linear warm-up, then half a cosine down to 2 %."""
+    if step < config.warmup:
+        return config.lr * (step + 1) / config.warmup
+    share = (step - config.warmup) / max(1, config.steps - config.warmup)
+    return config.lr * (0.02 + 0.98 * 0.5 * (1 + math.cos(math.pi * min(1.0, share))))
+
+
+def chosen(
+    rooms: list[Furnished], config: Training, start: int
+) -> Iterator[tuple[list[Furnished], np.random.Generator]]:
+    """The rooms of every step from `start`, alike in size, since all pay for the largest; each step has a generator of
+    its own, so that a resumed run repeats an unbroken one."""
+    size = np.array([len(room.kind) for room in rooms])
+    worth = np.array([room.n for room in rooms], float)
+    order_ = np.argsort(size, kind="stable")
+    worth = worth[order_]
+    window = 6 * config.batch
+    for step in range(start, config.steps):
+        rng = np.random.default_rng([config.seed, step])
+        middle = int(np.searchsorted(worth.cumsum(), rng.random() * worth.sum()))
+        first = int(np.clip(middle - window // 2, 0, max(0, len(rooms) - window)))
+        some = order_[first : first + window]
+        picked = rng.choice(some, size=min(config.batch, len(some)), replace=False)
+        yield [rooms[i] for i in picked], rng
+
+
+def step_losses(model: weights.Model, rooms: list[Furnished], objects: int, rng: np.random.Generator,
+                hung: NDArray[np.bool_]) -> dict[str, torch.Tensor]:
+    """All losses of one step by name."""
+    of = learning.batch(rooms, len(CATEGORIES), rng)
+    rows, which = np.nonzero(of.said)
+    some = np.sort(rng.choice(len(rows), size=min(objects, len(rows)), replace=False))
+    held = [(room.type, contents.facts(room.boxes, room.kind, room.area, _told(room, rng)), _counts(room))
+            for room in rooms]
+    return learning.scene_losses(model.places, of) | learning.frame_losses(
+        model.places, of, rows[some], which[some], hung) | {
+        "contents": contents.loss(model.contents, held, order.ranks(), rng)}
+
+
+def _told(room: Furnished, rng: np.random.Generator) -> int:
+    return room.sleepers if rng.random() > learning.UNTOLD else -1
+
+
+def _counts(room: Furnished) -> Ints:
+    return np.bincount(room.category[room.shell :], minlength=len(CATEGORIES))
+
+
+def train(config: Training, out: Path, resume: bool = True, report: Report | None = None) -> dict[str, Any]:
+    """Train and write `out`; a checkpoint beside it lets an interrupted run go on. Returns the training record.
+
+    BadInput where the checkpoint is of other settings; Unmet where the loss is no longer finite.
+    """
+    torch.set_num_threads(config.threads)
+    rooms = [room for room in corpus.read(Path(config.corpus)) if room.n]
+    model = weights.empty(config)
+    if config.start:
+        model.load_state_dict(weights.load(Path(config.start))[0].state_dict())
+    average = copy.deepcopy(model).requires_grad_(False)
+    optimizer = torch.optim.AdamW(model.parameters(), config.lr, betas=(0.9, 0.98), weight_decay=0.01)
+    facts = {"corpus": digest(config.corpus), "rooms": len(rooms)}
+    settings = config.model_dump(exclude=FREE) | {"corpus": facts["corpus"]}
+    saved = out.with_suffix(".checkpoint")
+    record: dict[str, Any] = {"losses": [], "step": 0}
+    if resume and saved.exists():
+        record = _resumed(saved, settings, model, average, optimizer)
+    mean: dict[str, float] = record.get("by_name", {})
+    for step, (some, rng) in enumerate(chosen(rooms, config, record["step"]), record["step"]):
+        value = train_step(model, optimizer, some, rng, config, learning_rate(step, config))
+        if not math.isfinite(sum(value.values())):
+            raise Unmet(f"training diverged in step {step + 1}; begin anew with a lower --lr and --fresh")
+        decay = min(config.ema, (1 + step) / (10 + step))
+        torch._foreach_lerp_(list(average.parameters()), list(model.parameters()), 1 - decay)
+        mean = {name: 0.98 * mean.get(name, v) + 0.02 * v for name, v in value.items()} | {
+            name: v for name, v in mean.items() if name not in value}
+        record |= {"step": step + 1, "by_name": {name: round(v, 4) for name, v in sorted(mean.items())}}
+        if report:
+            report(step + 1, sum(mean.values()))
+        if (step + 1) % config.save_every == 0 or step + 1 == config.steps:
+            record["losses"].append([step + 1, round(sum(mean.values()), 4)])
+            state = {"model": model.state_dict(), "average": average.state_dict(), "optimizer": optimizer.state_dict(),
+                     "record": record, "settings": settings}
+            torch.save(state, saved.with_suffix(".part"))
+            saved.with_suffix(".part").replace(saved)
+            weights.save(average, out, config, record | facts)
+            curve.draw(record["losses"], out)
+            log.info("step %d of %d: loss %.3f", step + 1, config.steps, sum(mean.values()))
+    return record
+
+
+def train_step(model: weights.Model, optimizer: torch.optim.Optimizer, rooms: list[Furnished],
+               rng: np.random.Generator, config: Training, lr: float) -> dict[str, float]:
+    """One gradient step; its losses by name."""
+    with torch.autocast("cpu", torch.bfloat16, enabled=config.bf16):
+        losses = step_losses(model, rooms, config.objects, rng, HUNG)
+    for group in optimizer.param_groups:
+        group["lr"] = lr
+    optimizer.zero_grad(set_to_none=True)
+    torch.stack(list(losses.values())).sum().backward()  # type: ignore[no-untyped-call]
+    torch.nn.utils.clip_grad_norm_(model.parameters(), 1.0)
+    optimizer.step()
+    return {name: value.item() for name, value in losses.items()}
+
+
+def _resumed(saved: Path, settings: dict[str, Any], model: weights.Model, average: weights.Model,
+             optimizer: torch.optim.Optimizer) -> dict[str, Any]:
+    """The record to go on from; BadInput where the checkpoint was left by other settings."""
+    try:
+        state: dict[str, Any] = torch.load(saved, weights_only=True)
+        other = [name for name, value in settings.items() if state["settings"][name] != value]
+    except (OSError, RuntimeError, KeyError, EOFError, pickle.UnpicklingError) as error:
+        raise BadInput(f"{saved}: no checkpoint to go on from ({error}); begin anew with --fresh") from error
+    if other:
+        raise BadInput(f"{saved}: left by a run with another {', '.join(other)}; begin anew with --fresh, or set --out")
+    model.load_state_dict(state["model"])
+    average.load_state_dict(state["average"])
+    optimizer.load_state_dict(state["optimizer"])
+    record: dict[str, Any] = state["record"]
+    return record
