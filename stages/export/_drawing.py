@@ -16,8 +16,8 @@ from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.schemas.retrieve import Furnishing, Joint
 from apartgen.stages.export import _symbols
 from apartgen.stages.export._pen import FAINT, INK, PAPER, Pen
+from apartgen.stages.scene import shell
 from apartgen.stages.space import boxes, polygons
-from apartgen.stages.things import shell
 from apartgen.stages.things.categories import TABLE, fitted_ovens
 
 INCH = 0.72

@@ -18,8 +18,9 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.robot.wedged import wedged
+from apartgen.stages.scene import shell
 from apartgen.stages.space import polygons
-from apartgen.stages.things import placed, shell
+from apartgen.stages.things import placed
 from apartgen.stages.things.asset import Asset, Link
 from apartgen.stages.things.body import Body, Light
 from apartgen.stages.things.carrying import told

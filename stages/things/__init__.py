@@ -1,1 +1,1 @@
-"""What things are: categories, materials, assets, bodies, the building's own parts."""
+"""What things are: categories, materials, assets, bodies, what carries them."""

@@ -9,9 +9,9 @@ from shapely import Geometry
 from shapely.ops import unary_union
 
 from apartgen.schemas.plan import Opening, Plan
+from apartgen.stages.scene import joinery, shell
 from apartgen.stages.space import convex, polygons
 from apartgen.stages.space.convex import Hulls
-from apartgen.stages.things import joinery, shell
 
 LEVER = 0.06
 """Levers of doors stand out by less than this, m."""

@@ -6,9 +6,10 @@ import trimesh
 from export import sample
 from shapely.geometry import Point, box
 
+from apartgen.stages.scene import shell
 from apartgen.stages.scene.scene import Scene, identifier
 from apartgen.stages.space import polygons
-from apartgen.stages.things import shell, solids
+from apartgen.stages.things import solids
 from apartgen.stages.things.body import inertia
 from apartgen.stages.things.materials import PALETTE
 

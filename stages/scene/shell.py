@@ -13,11 +13,11 @@ from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
 from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.stages.scene.joinery import Span, door, lining_of_passage, window
 from apartgen.stages.space import polygons
 from apartgen.stages.things import finishes, solids
 from apartgen.stages.things.asset import Array, Collider, Link, Mesh
 from apartgen.stages.things.body import Body, Kind
-from apartgen.stages.things.joinery import Span, door, lining_of_passage, window
 
 SLAB = 0.12
 """Thickness of floors, m."""
