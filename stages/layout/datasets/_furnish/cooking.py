@@ -15,13 +15,13 @@ AISLE = 1.1
 def furnish(space: Space, home: Household) -> None:
     """The run with what hangs above it, then a table or an island, small things."""
     area = space.shape.area
-    table = home.table if home.table is not None else area > 8 and space.wants("table", 0.5 if area > 10 else 0.3)
+    table = bool(home.table) or area > 8.5 and space.wants("table", 0.55 if area > 10 else 0.4)
     run = runs.furnish(space, 5 if table else 0, bool(home.laundry))
     dressing.radiators(space, 0.3)
     if run and area > 12.5:
         space.wish("island", 0.2 if table else 0.65, lambda: _island(space, run))
     if table:
-        seats = dining.seats_for(space, home.sleepers) if area > 9.5 else 2
+        seats = dining.seats_for(space, home.sleepers) if area > 9.5 and (home.table or area > 13) else 2
         space.need(dining.furnish(space, seats, 0.5))
     dressing.ceiling_lamps(space)
     space.wish("bin", 0.35, lambda: storing.loose(space, "bin", -0.2, ("kitchen_sink", "kitchen_base")))

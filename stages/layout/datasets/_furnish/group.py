@@ -3,8 +3,9 @@
 A group's frame has its origin where the group begins (a point of a wall, say), x into the room, y to the left.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +34,12 @@ class Part:
     @property
     def opens(self) -> float:
         """How far its open parts stand out in front, m."""
-        return float(reach(self.name, self.size))
+        return _opens(self.name, *(float(v) for v in self.size))
+
+
+@lru_cache(maxsize=4096)
+def _opens(name: str, d: float, w: float, h: float) -> float:
+    return float(reach(name, (d, w, h))) if TABLE[name].articulated else 0.0
 
 
 @dataclass(frozen=True)
@@ -117,29 +123,38 @@ NOTHING = np.array([0.0, 0.0, -50.0, 0.01, 0.01, 0.01, 1.0, 0.0])
 
 def rows(group: Group, at: Poses) -> Rows:
     """The group's boxes in the world, as the kernels want them."""
-    bodies = [_row(at, p.x, p.y, p.yaw, p.z + p.size[2] / 2, *p.size) for p in group.parts]
-    sweeps = [_sweep(p, at) for p in group.parts]
-    zones = [_row(at, (z.x0 + z.x1) / 2, (z.y0 + z.y1) / 2, 0.0, (LOW + HIGH) / 2, z.x1 - z.x0, z.y1 - z.y0, HIGH - LOW)
+    bodies = [(p.x, p.y, p.yaw, p.z + p.size[2] / 2, *p.size) for p in group.parts]
+    zones = [((z.x0 + z.x1) / 2, (z.y0 + z.y1) / 2, 0.0, (LOW + HIGH) / 2, z.x1 - z.x0, z.y1 - z.y0, HIGH - LOW)
              for z in group.zones]
-    return Rows(*(np.ascontiguousarray(np.stack(some, 1)) if some else np.empty((len(at), 0, 8))
-                  for some in (bodies, sweeps, zones)))
+    return Rows(_rows(bodies, at), _rows([_sweep(p) for p in group.parts], at), _rows(zones, at))
 
 
-def _sweep(p: Part, at: Poses) -> Array:
+def _sweep(p: Part) -> tuple[Along, ...]:
     out = p.opens
     if out <= 0:
-        return np.tile(NOTHING, (len(at), 1))
+        return 0.0, 0.0, 0.0, float(NOTHING[2]), 0.01, 0.01, 0.01
     by = (p.size[0] + out) / 2
-    return _row(at, p.x + by * np.cos(p.yaw), p.y + by * np.sin(p.yaw), p.yaw, p.z + p.size[2] / 2, out, *p.size[1:])
+    return p.x + by * np.cos(p.yaw), p.y + by * np.sin(p.yaw), p.yaw, p.z + p.size[2] / 2, out, *p.size[1:]
 
 
-def _row(at: Poses, x: Along, y: Along, yaw: Along, z: float, d: Along, w: Along, h: float) -> Array:
-    facing = at.yaw + yaw * at.flip
-    row = np.empty((len(at), 8))
-    row[:, :2] = at.point(x, y)
-    for k, value in enumerate((z, d, w, h, np.cos(facing), np.sin(facing)), 2):
-        row[:, k] = value
-    return row
+def _rows(some: Sequence[tuple[Along, ...]], at: Poses) -> Array:
+    """Boxes (x, y, turn, z, depth, width, height) of the frame as rows (m, k, 8) in the world."""
+    m, k = len(at), len(some)
+    if any(isinstance(v, np.ndarray) and v.ndim for one in some for v in one):
+        local = np.empty((7, m, k))
+        for i, one in enumerate(some):
+            for j, v in enumerate(one):
+                local[j, :, i] = v
+    else:
+        local = np.array(some, float).reshape(k, 7).T[:, None]
+    c, s, flip = np.cos(at.yaw)[:, None], np.sin(at.yaw)[:, None], at.flip[:, None]
+    y, heading = local[1] * flip, at.yaw[:, None] + local[2] * flip
+    out = np.empty((m, k, 8))
+    out[..., 0], out[..., 1] = at.xy[:, :1] + c * local[0] - s * y, at.xy[:, 1:] + s * local[0] + c * y
+    for j in range(4):
+        out[..., 2 + j] = local[3 + j]
+    out[..., 6], out[..., 7] = np.cos(heading), np.sin(heading)
+    return out
 
 
 def turned(size: Array, yaw: Along) -> tuple[Along, Along]:

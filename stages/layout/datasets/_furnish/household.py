@@ -55,9 +55,9 @@ def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
 
 
 def _laundry(plan: Plan) -> str | None:
-    """The room with the washing machine: a utility room, else the largest bathroom, else the kitchen."""
-    for kind in ("utility", "bathroom", "kitchen"):
-        some = [room for room in plan.rooms if room.type == kind]
+    """The room with the washing machine: a utility room, else a large bathroom, else the kitchen."""
+    for kind, least in (("utility", 0.0), ("bathroom", 4.6), ("kitchen", 0.0), ("bathroom", 0.0)):
+        some = [room for room in plan.rooms if room.type == kind and area(room) >= least]
         if some:
             return max(some, key=area).id
     return None

@@ -25,6 +25,7 @@ def living_room(space: Space, home: Household) -> None:
     """Seating first, then a bed where there is no bedroom, a table, cabinets, a desk, plants."""
     rng, area = space.rng, space.shape.area
     dressing.radiators(space, 0.5)
+    dressing.curtains(space, 0.82)
     table = home.table if home.table is not None else area > 17 and space.wants("table", 0.88 if area > 21 else 0.6)
     if home.bed:
         sleeping.double(space, bench=False)
@@ -41,7 +42,6 @@ def living_room(space: Space, home: Household) -> None:
     if space.lost:
         return
     seating.complete(space)
-    dressing.curtains(space, 0.74)
     dressing.ceiling_lamps(space)
     _cabinets(space, 1 + int(area > 19) + int(area > 26) + int(space.wants("one cabinet more", 0.5)))
     if area > 18 and space.left > 4:
@@ -94,6 +94,7 @@ def bedroom(space: Space, home: Household) -> None:
     """For two or for one: beds, wardrobe, then what else finds floor."""
     area = space.shape.area
     dressing.radiators(space, 0.5)
+    dressing.curtains(space, 0.86)
     two = area > 8.2 if home.main else area > 9 and space.wants("double bed", 0.75 if area > 10.5 else 0.5)
     if not (two and sleeping.double(space)):
         space.need(not two, 3)
@@ -106,9 +107,8 @@ def bedroom(space: Space, home: Household) -> None:
     space.need(storing.wardrobe(space, 2.7 if area > 13 else 2.0 if area > 9.5 else 1.5), 2)
     if space.lost:
         return
-    dressing.curtains(space, 0.8)
     dressing.ceiling_lamps(space)
-    space.wish("desk", 0.28 * (area > 12) if pair else 0.75, lambda: working.desk(space, small=area < 12))
+    space.wish("desk", 0.36 * (area > 11) if pair else 0.75, lambda: working.desk(space, small=area < 12))
     space.wish("chest", 0.7 if area > 9 else 0.25, lambda: storing.chest(space))
     if pair and area > 11 and not space.has("desk"):
         space.wish("dressing table", 0.22, lambda: working.dressing_table(space))
@@ -116,6 +116,8 @@ def bedroom(space: Space, home: Household) -> None:
     shelves = 0.45 if not pair else 0.22 if area > 13 else 0.05
     space.wish("bookshelf", shelves, lambda: storing.cabinet(space, "bookshelf"))
     space.wish("plant", 0.3, lambda: storing.plant(space))
+    if not space.has("mirror"):
+        space.wish("mirror", 0.25, lambda: dressing.on_wall(space, "mirror", ("wardrobe", "chest")))
     space.wish("basket", 0.1, lambda: storing.loose(space, "laundry_basket"))
     space.wish("shelf", 0.2, lambda: dressing.on_wall(space, "wall_shelf", ("desk", "single_bed"), -0.3))
 

@@ -23,7 +23,7 @@ LOW = ("kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine")
 WORKTOP = 1.2
 """Worktop in one piece beside sink or hob, m."""
 AISLE, AISLE_LEAST = 1.0, 0.8
-TRIES, ENOUGH = 90, 16
+TRIES, ENOUGH = 90, 24
 """Runs drawn up, and of how many the most liked is tried first."""
 
 
@@ -102,10 +102,11 @@ def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: 
     slack = 0.4 * (len(path) - 1) + 1.2 * nth / TRIES
     room = length(path) - 0.02 * len(path) - rng.uniform(0.0, slack)
     cooker = rng.random() < 0.35
-    heat, sink = "oven" if cooker else "hob", float(rng.choice([0.6, 0.8, 0.8, 1.0] if room > 3.4 else [0.6]))
-    hob = 0.6 if cooker or room < 3.6 else float(rng.choice([0.6, 0.6, 0.8]))
+    basins = [0.6, 0.8, 0.8, 1.0] if room > 3.9 else [0.6, 0.8] if room > 3.3 else [0.6]
+    heat, sink = "oven" if cooker else "hob", float(rng.choice(basins))
+    hob = 0.6 if cooker or room < 4.0 else float(rng.choice([0.6, 0.6, 0.8]))
     fridge = draw("fridge", rng)
-    fridge[1] = fridge[1] if room > 3.4 else min(fridge[1], 0.6)
+    fridge[1] = fridge[1] if room > 3.6 else min(fridge[1], 0.6)
     if room < 2.0:
         sink, hob, fridge[1] = 0.5, 0.5, 0.55
     left = room - sink - hob - fridge[1]
@@ -117,12 +118,10 @@ def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: 
         w = min(_sold(left - sum(w for _, w in between), rng, want), 1.2)
         between.append((str(rng.choice(["kitchen_drawers", "kitchen_base"])), w))
     left -= sum(w for _, w in between)
+    ends: list[tuple[str, float]] = [("washing_machine", 0.6)] if laundry and left > 0.61 else []
+    left -= 0.6 * len(ends)
     towers = [("tower", 0.6)] if not cooker and left > 1.0 and rng.random() < 0.55 else []
     left -= 0.6 * len(towers)
-    ends: list[tuple[str, float]] = []
-    if laundry and left > 0.7 and rng.random() < 0.3:
-        ends.append(("washing_machine", 0.6))
-        left -= 0.6
     limit = min(3 + int(room > 5), max(0, budget - 9))
     while left > 0.32 and len(ends) < limit and (rng.random() < 0.85 or room < 4.5):
         w = _sold(min(left, 0.9), rng, 0.6)
@@ -159,7 +158,7 @@ def _built(
     space: Space, path: list[Leg], units: list[Unit], style: Style, rng: Generator, budget: int, aisle: float
 ) -> Group | None:
     """The run along the path, either way round, broken at corners where it fits."""
-    line = units if rng.random() < 0.5 else units[::-1]
+    line = _filling(path, units if rng.random() < 0.5 else units[::-1], rng)
     spread = _divided(path, [float(u.size[1]) for u in line], rng)
     if spread is None:
         return None
@@ -177,6 +176,24 @@ def _built(
             return None
     hung = _hung(parts, style, rng, windows, budget - len(parts), space.shape.height)
     return Group((*parts, *hung), tuple(zones))
+
+
+def _filling(path: list[Leg], line: list[Unit], rng: Generator) -> list[Unit]:
+    """With a cupboard so much wider that units fill the leg between two corners, where that is little."""
+    if len(path) < 3:
+        return line
+    room, widths = path[1].high - path[1].low - 0.006, [float(u.size[1]) for u in line]
+    spans = [(k, j) for k in range(1, len(line)) for j in range(k + 1, len(line))
+             if 0 <= room - sum(widths[k:j]) < 0.25]
+    if not spans:
+        return line
+    k, j = spans[int(rng.integers(len(spans)))]
+    spare = room - sum(widths[k:j]) - 0.004
+    for i in range(k, j):
+        if line[i].name in ("kitchen_base", "kitchen_drawers") and widths[i] + spare <= 1.2:
+            size = line[i].size + np.array([0.0, max(spare, 0.0), 0.0])
+            return [*line[:i], Unit(line[i].name, size), *line[i + 1 :]]
+    return line
 
 
 def _divided(path: list[Leg], widths: list[float], rng: Generator) -> list[tuple[float, list[int]]] | None:
@@ -202,7 +219,7 @@ def _rest(path: list[Leg], rooms: list[float], widths: list[float], k: int) -> l
     if len(path) == 1:
         return [(path[0].low + 0.003, list(range(k, len(widths))))] if sum(widths[k:]) <= rooms[0] else None
     for j in range(k + 1, len(widths)):
-        if rooms[0] - 0.05 <= sum(widths[k:j]) <= rooms[0] and sum(widths[j:]) <= rooms[1]:
+        if rooms[0] - 0.02 <= sum(widths[k:j]) <= rooms[0] and sum(widths[j:]) <= rooms[1]:
             return [(path[0].low + 0.003, list(range(k, j))), (path[1].low + 0.003, list(range(j, len(widths))))]
     return None
 
@@ -247,7 +264,7 @@ def _hung(parts: list[Part], style: Style, rng: Generator, windows: Array, left:
                 continue
             out.append(_over(p, i, "wall_unit", size, style.hang))
     tops = [i for i in low if parts[i].name in ("kitchen_base", "kitchen_drawers") and parts[i].size[1] >= 0.55]
-    if tops and len(out) < left and rng.random() < 0.62:
+    if tops and len(out) < left and rng.random() < 0.75:
         i = int(rng.choice(tops))
         size = draw("microwave", rng)
         size[1], size[2] = min(size[1], parts[i].size[1] - 0.02), min(size[2], style.hang - style.height - 0.04)
@@ -265,7 +282,10 @@ def _worth(space: Space, group: Group, path: list[Leg]) -> float:
     """What a run is liked for: units, worktop in one piece beside sink or hob, a sink at the window, round corners."""
     stand = [p for p in group.parts if p.z == 0]
     best, piece, hot = 0.0, 0.0, False
-    for p in [*stand, None]:
+    for before, p in zip([None, *stand], [*stand, None], strict=True):
+        turned = before is not None and p is not None and abs(np.cos(before.yaw - p.yaw)) < 0.9
+        if turned:  # a worktop ends in the corner
+            best, piece, hot = max(best, piece if hot else 0.0), 0.0, False
         if p is not None and p.name in LOW:
             piece += float(p.size[1])
             continue

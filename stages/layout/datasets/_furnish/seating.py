@@ -11,7 +11,9 @@ from apartgen.stages.things.categories import CATEGORIES
 
 LEAST_VIEW, MOST_VIEW, VIEW = 1.45, 3.6, 2.15
 """From the sofa's front to the television's stand, m: least, most, liked."""
-BEHIND = 0.75
+FAR_VIEW = 2.7
+"""Where all places at walls are further, a sofa now and then stands free."""
+BEHIND = 0.62
 """Way behind a sofa that stands free, m."""
 SOFAS = ("sofa", "corner_sofa")
 ALL = frozenset(CATEGORIES)
@@ -45,7 +47,7 @@ def complete(space: Space) -> None:
 
 def _sofa(space: Space, small: bool) -> tuple[str, Array]:
     rng, area = space.rng, space.shape.area
-    if not small and area > 17 and space.wants("corner sofa", 0.5) and rng.random() < 0.5:
+    if not small and area > 17 and space.wants("corner sofa", 0.5) and rng.random() < 0.6:
         return "corner_sofa", draw("corner_sofa", rng, -0.3)
     lean = -0.7 if small or area < 12 else -0.1 if area < 16 else 0.45
     return "sofa", draw("sofa", rng, lean + 0.2 * rng.normal())
@@ -123,9 +125,10 @@ def _looking(space: Space, core: Group, sofa: float, stand: float) -> Poses:
     view = across - sofa - stand
     straight = _square(space, at, across)
     near = at.take((view > LEAST_VIEW) & (view < MOST_VIEW) & straight)
-    if len(near) and space.rng.random() < 0.94:
+    far = len(near) and float(view[(view > LEAST_VIEW) & (view < MOST_VIEW) & straight].min()) > FAR_VIEW
+    if len(near) and space.rng.random() < (0.6 if far else 0.95):
         return near
-    off = view - np.clip(space.rng.normal(2.3, 0.25, len(at)), 1.8, 2.9)
+    off = view - np.clip(space.rng.normal(2.15, 0.2, len(at)), 1.7, 2.6)
     keep = (off > BEHIND) & straight & (at.gap < 0.03)
     shift = np.where(keep, off, 0.0)[:, None] * np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1)
     floating = Poses(at.xy + shift, at.yaw, at.flip, np.full(len(at), -1), at.s, at.gap + off).take(keep)
@@ -146,7 +149,7 @@ def _square(space: Space, at: Poses, across: Array) -> Array:
 def _liking(space: Space, at: Poses, core: Group, far: Array, stand: float, to_end: bool) -> Array:
     sofa = core.parts[0].size
     view = far - sofa[0] - stand
-    liking = -1.1 * np.abs(view - VIEW) - 0.7 * ((at.gap > 0.1) & (at.gap < 0.5)) - 0.6 * (at.gap > 0.5)
+    liking = -1.4 * np.abs(view - VIEW) - 0.7 * ((at.gap > 0.1) & (at.gap < 0.5)) - 0.6 * (at.gap > 0.5)
     liking -= 0.5 * anchors.seen_from_doors(at, 1.0, space)
     liking += 0.25 * np.minimum(anchors.to_doors(at.point(1.2, 0.0), space), 3.0)
     wall = at.side >= 0
