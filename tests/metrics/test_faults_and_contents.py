@@ -1,0 +1,45 @@
+"""Faults and contents as figures of a home: of every room, named, and summed up over its furnished rooms."""
+
+import handmade
+import numpy as np
+import pytest
+
+from apartgen.schemas.metrics import Value
+from apartgen.stages import metrics, use
+
+HOME = handmade.home(
+    handmade.thing("sofa", 2, 2.52, -np.pi / 2, id="sofa"), handmade.thing("tv_stand", 0.9, 2.7, -np.pi / 2, id="stand"),
+    handmade.thing("double_bed", 6.04, 1.5, np.pi, handmade.BEDROOM, id="bed"),
+)
+
+
+def figures(*objects: object) -> dict[tuple[str, str, str], Value]:
+    found = metrics.run(handmade.home(*objects), ["faults", "contents"]).values  # type: ignore[arg-type]
+    return {(v.name, v.version, v.of): v for v in found}
+
+
+def test_rooms_have_their_faults_by_number_and_by_name() -> None:
+    found = figures(*HOME.objects)
+    names = {name for name, _, of in found if name.startswith("fault/") and of == handmade.LIVING}
+    assert names == {"fault/sofa not facing the television", "fault/television that nobody watches",
+                     "fault/things stand in one another"}
+    assert found["faults", "use", handmade.LIVING].value == 2
+    assert found["faults", "bodies", handmade.LIVING].value == 1
+    assert found["faults", "use", handmade.BEDROOM].value == 0
+    assert found["faults", "use", "apartment"].value == pytest.approx(1)
+
+
+def test_what_rooms_lack_is_counted_and_weighed() -> None:
+    found = figures(*HOME.objects)
+    assert found["lack/double bed without nightstand", "ours", handmade.BEDROOM].value == 2
+    lacks = list(use.lacks(use.of_plan(HOME, handmade.BEDROOM, HOME.objects)))
+    assert found["lacks", "cost", handmade.BEDROOM].value == pytest.approx(sum(lack.cost for lack in lacks))
+    assert found["lacks", "number", handmade.BEDROOM].value == len(lacks)
+    both = [found["lacks", "cost", room].value for room in (handmade.LIVING, handmade.BEDROOM)]
+    assert found["lacks", "cost", "apartment"].value == pytest.approx(np.mean(both))  # type: ignore[arg-type]
+
+
+def test_an_empty_home_has_no_faults_and_lacks_everything() -> None:
+    found = figures()
+    assert all(found["faults", version, "apartment"].value is None for version in ("use", "bodies", "neighbours"))
+    assert found["lacks", "cost", "apartment"].value > figures(*HOME.objects)["lacks", "cost", "apartment"].value
