@@ -13,8 +13,10 @@ POOLED = ("Col_obj", "R_out", "R_blocked")
 """Shares of all objects of all apartments; every other figure is a mean over apartments."""
 SIDES = ("generated", "real")
 """Versions that a comparison's table begins with."""
-FREQUENCY, MOST = "frequency/", 10
-"""Begins the names of how often categories come; a table shows so many of a room type, the most frequent ones."""
+FREQUENCY, FAULT, LACK = "frequency/", "fault/", "lack/"
+"""Begins the names of how often categories, faults and lacks come."""
+MOST = 10
+"""A table shows so many of each of these of a room type, the most frequent ones."""
 RESAMPLES = 1000
 LEVEL = 0.95
 
@@ -47,7 +49,7 @@ def _ends(row: Row) -> str:
 def side_by_side(metrics: Metrics) -> str:
     """A table for people of what `compare` found: a row a figure, its versions in columns, n in brackets.
 
-    Of frequencies only the greatest are shown. How the figures came about stands below it.
+    Of what is told by frequency only the greatest are shown. How the figures came about stands below it.
     """
     versions = sorted({v.version for v in metrics.values}, key=lambda version: (version not in SIDES, version))
     rows: dict[tuple[str, str], dict[str, str]] = {}
@@ -63,12 +65,13 @@ def side_by_side(metrics: Metrics) -> str:
 
 def _rare(metrics: Metrics) -> set[tuple[str, str]]:
     """(name, of) of the frequencies beyond the `MOST` greatest of each room type, in whichever set is greater."""
-    greatest: dict[str, dict[str, float]] = {}
+    greatest: dict[tuple[str, str], dict[str, float]] = {}
     for v in metrics.values:
-        if v.name.startswith(FREQUENCY):
-            of = greatest.setdefault(v.of, {})
+        if (kind := v.name.partition("/")[0] + "/") in (FREQUENCY, FAULT, LACK):
+            of = greatest.setdefault((kind, v.of), {})
             of[v.name] = max(of.get(v.name, 0.0), v.value or 0.0)
-    return {(name, of) for of, found in greatest.items() for name in sorted(found, key=lambda n: -found[n])[MOST:]}
+    return {(name, of) for (_, of), found in greatest.items()
+            for name in sorted(found, key=lambda n: -found[n])[MOST:]}
 
 
 def _cell(v: Value) -> str:

@@ -1,15 +1,17 @@
 """Contents: what those who live there miss in a room, and what it has too much of."""
 
+from collections.abc import Sequence
+
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan, Program
 from apartgen.stages import use
+from apartgen.stages.metrics._named import Told, compared
 from apartgen.stages.metrics._shares import objects
+from apartgen.stages.metrics._table import LACK
 
 NEEDS = Layout
-UNITS = {"number": "things", "cost": "faults"}
-LACK = "lack/"
-"""Begins the names of what single rooms lack."""
+UNITS = {"number": "things", "cost": "faults", "ours": "things"}
 
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
@@ -18,14 +20,19 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     Versions: number = how many things are wanted or too much · cost = what going without them costs, 1 being a piece
     of furniture of no use. Of rooms also lack/NAME: how many are lacking.
     """
-    things = objects(home)
-    found = {room.id: list(use.lacks(use.of_plan(home, room.id, things))) for room in home.rooms}
-    rooms = {id: {"number": float(len(lacks)), "cost": sum(lack.cost for lack in lacks)} for id, lacks in found.items()}
-    whole = [Value(name="lacks", value=sum(room[v] for room in rooms.values()) / len(rooms), unit=unit, version=v)
-             for v, unit in UNITS.items()]
-    of_rooms = [Value(name="lacks", value=room[v], unit=unit, version=v, of=id)
-                for id, room in rooms.items() for v, unit in UNITS.items()]
-    each = [Value(name=LACK + lack.name, value=lack.number, unit="things", of=id)
-            for id, lacks in found.items() for lack in lacks]
-    return [*whole, *of_rooms, *each]
+    rooms = {room.id: _told(home, room.id) for room in home.rooms}
+    whole = [Value(name="lacks", value=sum(told["lacks", v] for told in rooms.values()) / len(rooms), unit=UNITS[v],
+                   version=v) for v in ("number", "cost")]
+    return [*whole, *(Value(name=name, value=value, unit=UNITS[v], version=v, of=id)
+                      for id, told in rooms.items() for (name, v), value in told.items())]
 
+
+def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
+    """What a furnished room lacks in two sets, in all and by type."""
+    return compared(_told, "things", homes, real)
+
+
+def _told(home: Plan, room: str) -> Told:
+    found = list(use.lacks(use.of_plan(home, room, objects(home))))
+    whole = {("lacks", "number"): float(len(found)), ("lacks", "cost"): sum(lack.cost for lack in found)}
+    return whole | {(LACK + lack.name, "ours"): lack.number for lack in found}

@@ -1,20 +1,20 @@
 """Faults of use: furniture that nobody could use where it stands, by room and by name."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan, Program
 from apartgen.stages import use
+from apartgen.stages.metrics._named import Told, compared
 from apartgen.stages.metrics._shares import objects
+from apartgen.stages.metrics._table import FAULT
 
 NEEDS = Layout
 APART = {"stand": "bodies", "neighbours": "neighbours"}
 """Activities of a version of their own; `use` has all others."""
 VERSIONS = ("use", *APART.values())
-FAULT = "fault/"
-"""Begins the names of single faults, of rooms that have them."""
 
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
@@ -23,15 +23,17 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     Versions: use = furniture that is of no use where it stands · bodies = what stands in something else, in a wall or
     in a doorway · neighbours = what minds the doors and windows. Of rooms also fault/NAME: how often they have it.
     """
-    things = objects(home)
-    found = {room.id: use.of_plan(home, room.id, things) for room in home.rooms}
-    named = {id: list(use.faults(room)) for id, room in found.items() if room.objects}
-    counts = {id: Counter(version(fault) for fault in faults) for id, faults in named.items()}
-    whole = [_value("faults", _mean([count[v] for count in counts.values()]), v, "apartment") for v in VERSIONS]
-    rooms = [_value("faults", count[v], v, id) for id, count in counts.items() for v in VERSIONS]
-    each = [_value(FAULT + name, number, "ours", id) for id, faults in named.items()
-            for name, number in Counter(fault.name for fault in faults).items()]
-    return [*whole, *rooms, *each]
+    furnished = {o.room for o in objects(home)}
+    rooms = {room.id: _told(home, room.id) for room in home.rooms if room.id in furnished}
+    means = {v: sum(told["faults", v] for told in rooms.values()) / len(rooms) if rooms else None for v in VERSIONS}
+    whole = [Value(name="faults", value=mean, unit="faults", version=v) for v, mean in means.items()]
+    return [*whole, *(Value(name=name, value=number, unit="faults", version=v, of=id)
+                      for id, told in rooms.items() for (name, v), number in told.items())]
+
+
+def compare(homes: Sequence[Layout], real: Sequence[Layout]) -> list[Value]:
+    """Faults a room in two sets, in all and by type; real rooms without openings have none with neighbours."""
+    return compared(_told, "faults", homes, real)
 
 
 def version(fault: use.Fault) -> str:
@@ -39,10 +41,8 @@ def version(fault: use.Fault) -> str:
     return APART.get(use.activities()[fault.name], "use")
 
 
-def _value(name: str, value: float | None, version: str, of: str) -> Value:
-    return Value(name=name, value=value, unit="faults", version=version, of=of)
-
-
-def _mean(numbers: Iterable[int]) -> float | None:
-    values = list(numbers)
-    return sum(values) / len(values) if values else None
+def _told(home: Plan, room: str) -> Told:
+    found = list(use.faults(use.of_plan(home, room, objects(home))))
+    counts = Counter(version(fault) for fault in found)
+    whole = {("faults", v): float(counts[v]) for v in VERSIONS}
+    return whole | {(FAULT + name, "ours"): float(n) for name, n in Counter(fault.name for fault in found).items()}

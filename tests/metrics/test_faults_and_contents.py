@@ -43,3 +43,15 @@ def test_an_empty_home_has_no_faults_and_lacks_everything() -> None:
     found = figures()
     assert all(found["faults", version, "apartment"].value is None for version in ("use", "bodies", "neighbours"))
     assert found["lacks", "cost", "apartment"].value > figures(*HOME.objects)["lacks", "cost", "apartment"].value
+
+
+def test_sets_are_compared_by_rooms_that_have_a_fault_and_by_those_that_have_none() -> None:
+    good = handmade.home(handmade.thing("sofa", 2, 0.47, np.pi / 2), handmade.thing("tv_stand", 2, 2.77, -np.pi / 2))
+    sets = [handmade.home(*HOME.objects[:2]), *[good] * 3], [good]
+    found = {(v.name, v.version, v.of): v for v in metrics.compare(*sets, ["faults", "contents"]).values}
+    assert found["fault/sofa not facing the television/ours", "generated", handmade.LIVING[:-2]].value == 0.25
+    assert found["fault/sofa not facing the television/ours", "real", handmade.LIVING[:-2]].value == 0
+    assert found["faults/use", "generated", "apartment"].value == 0.5
+    assert found["lack/no coffee table/ours", "generated", "apartment"].value == 1
+    text = metrics.side_by_side(metrics.compare(*sets, ["contents"]))
+    assert len([line for line in text.splitlines() if "lack/" in line and "| apartment |" in line]) <= 10
