@@ -12,6 +12,7 @@ from apartgen.schemas.plan import Room
 from apartgen.stages.space.boxes import Array
 from apartgen.stages.things.asset import Link
 from apartgen.stages.things.body import Body
+from apartgen.stages.things.categories import TABLE, those
 from apartgen.stages.things.solids import corners
 
 NOUNS = {
@@ -20,14 +21,8 @@ NOUNS = {
 }
 """Of a joint's `part` (GAPartNet's classes); a door that turns about a level axis is a flap."""
 VERBS = {"button": "press", "knob": "turn", "handle": "turn"}
-DOORS = frozenset({"oven", "dishwasher", "microwave", "washing_machine", "dryer", "fridge"})
-"""Appliances whose flap everybody calls a door."""
-NAMES = {
-    "hob": "hob cabinet", "kitchen_base": "base cabinet", "kitchen_corner": "corner cabinet",
-    "kitchen_drawers": "drawer unit", "kitchen_sink": "sink cabinet", "tv_stand": "TV stand",
-    "wall_unit": "wall cabinet",
-}
-"""Of categories whose own word says too little."""
+DOORS = those(lambda kind: kind.appliance)
+"""What has a flap that everybody calls a door."""
 APART = 0.05
 """Parts whose middles are nearer than this in height stand in one row, m."""
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
@@ -40,7 +35,7 @@ def instruction(body: Body, link: Link, room: Room) -> str:
     middles = np.array([_middle(other) for other in same])
     before, after = _which(middles, next(k for k, other in enumerate(same) if other is link))
     what = " ".join([*before, word, *after])
-    of = NAMES.get(body.category, body.category.replace("_", " "))
+    of = TABLE[body.category].called if body.category in TABLE else body.category.replace("_", " ")
     return f"{VERBS.get(word, 'open')} the {what} of the {of} in the {room.type.replace('_', ' ')}"
 
 

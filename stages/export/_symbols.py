@@ -10,6 +10,7 @@ import numpy as np
 
 from apartgen.stages.export import _fixtures
 from apartgen.stages.export._pen import CLOTH, DARK, FAINT, GREEN, LEAF, PAPER, STEEL, WOOD, Pen
+from apartgen.stages.things.categories import stand_in
 
 Symbol = Callable[[Pen, float, float], None]
 
@@ -249,4 +250,4 @@ SYMBOLS: dict[str, Symbol] = {
 
 def draw(pen: Pen, category: str, d: float, w: float) -> None:
     """The category's symbol at its size; a cabinet for those without one of their own."""
-    SYMBOLS.get(category, partial(_fixtures.cabinet, doors=0.5))(pen, d, w)
+    SYMBOLS.get(stand_in(category, SYMBOLS) or "", partial(_fixtures.cabinet, doors=0.5))(pen, d, w)

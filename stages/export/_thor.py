@@ -13,23 +13,10 @@ import numpy as np
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box
 from apartgen.stages.things.asset import Array
+from apartgen.stages.things.categories import TABLE
 
 MOST, LEAST = 0.4, 0.5
 """By how much an asset may be larger than the object on any side, m, and what share of its side it has at least."""
-TYPES = {
-    "armchair": "ArmChair", "balcony_chair": "Chair", "balcony_table": "SideTable", "bin": "GarbageCan",
-    "bookshelf": "ShelvingUnit", "bunk_bed": "Bed", "chair": "Chair", "chest": "Dresser", "coffee_table": "CoffeeTable",
-    "console_table": "SideTable", "corner_sofa": "Sofa", "desk": "Desk", "dining_table": "DiningTable",
-    "display_cabinet": "ShelvingUnit", "double_bed": "Bed", "dressing_table": "Desk", "dryer": "ClothesDryer",
-    "floor_lamp": "FloorLamp", "fridge": "Fridge", "island": "CounterTop", "kitchen_base": "CounterTop",
-    "kitchen_corner": "CounterTop", "kitchen_drawers": "CounterTop", "kitchen_sink": "CounterTop",
-    "laundry_basket": "LaundryHamper", "microwave": "Microwave", "nightstand": "SideTable", "office_chair": "Chair",
-    "plant": "HousePlant", "pouffe": "Ottoman", "round_table": "DiningTable", "shelving": "ShelvingUnit",
-    "shoe_cabinet": "Dresser", "side_table": "SideTable", "sideboard": "Dresser", "single_bed": "Bed", "sofa": "Sofa",
-    "stool": "Stool", "table_lamp": "DeskLamp", "toilet": "Toilet", "tv": "Television", "tv_stand": "TVStand",
-    "vanity": "Sink", "washing_machine": "WashingMachine", "workbench": "Desk",
-}  # fmt: skip
-"""Type of THOR's that a category of ours is most like."""
 WINDOWS = {
     "Window_Fixed_36x48": (0.92, 1.22), "Window_Fixed_60x36": (1.53, 0.92), "Window_Fixed_60x48": (1.53, 1.22),
     "Window_Fixed_60x72": (1.53, 1.83), "Window_Fixed_96x48": (2.44, 1.23), "Window_Fixed_96x72": (2.44, 1.83),
@@ -68,9 +55,14 @@ def furniture() -> list[Model]:
     return []
 
 
+def type_of(category: str) -> str | None:
+    """THOR's type of furniture that a category is most like; None where there is none."""
+    return TABLE[category].thor or None if category in TABLE else None
+
+
 def alike(o: Box, known: list[Model]) -> Model | None:
     """The asset of the object's type that is nearest in size, None where none comes near."""
-    fits = [m for m in known if m.kind == TYPES.get(o.category) and _fits(m.size, np.array(o.size))]
+    fits = [m for m in known if m.kind == type_of(o.category) and _fits(m.size, np.array(o.size))]
     return min(fits, key=lambda m: (float(np.abs(np.subtract(m.size, o.size)).sum()), m.id), default=None)
 
 

@@ -22,7 +22,7 @@ from apartgen.stages.export._xml import save
 from apartgen.stages.scene.scene import Scene, identifier, untaken
 from apartgen.stages.things.asset import Link, Material, Mesh
 from apartgen.stages.things.body import Body, Light, Ranges, inertia
-from apartgen.stages.things.categories import CATEGORIES
+from apartgen.stages.things.categories import CATEGORIES, those
 
 FOLDER = "habitat"
 NAME = "apartment"
@@ -30,7 +30,8 @@ LEXICON = f"semantics/{NAME}.semantic_lexicon.json"
 UPRIGHT = 0.5**0.5
 MARGIN = 0.001
 """Shell that Bullet puts about a shape, m; by Habitat's own, things would hover 4 cm above the floor."""
-SEMANTIC_IDS = {name: k for k, name in enumerate(("unknown", *CATEGORIES, "door", "entrance"))}
+NEWCOMERS = sorted(those(lambda kind: kind.like != ""))
+SEMANTIC_IDS = {name: k for k, name in enumerate(("unknown", *CATEGORIES, "door", "entrance", *NEWCOMERS))}
 """By category; 0 is the stage and whatever has no name here."""
 Config = dict[str, Any]
 

@@ -10,6 +10,7 @@ from apartgen.schemas.plan import Opening, Plan, Program
 from apartgen.stages.metrics._shares import objects, share
 from apartgen.stages.space import boxes, footprints, polygons
 from apartgen.stages.space.boxes import TOLERANCE
+from apartgen.stages.things.categories import those
 
 NEEDS = Layout
 DEPTH = 0.5
@@ -18,7 +19,8 @@ BEHIND = 0.3
 """What stands closer to a window, m, and higher than its sill, covers it."""
 COVERED = 0.2
 """Share of a window's width that may be covered."""
-HANGINGS = ("curtain",)
+SHADES = those(lambda kind: kind.soft and kind.place == "wall")
+"""What hangs before windows."""
 
 
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
@@ -50,7 +52,7 @@ def _stands_in(areas: shapely.STRtree, zone: Polygon) -> bool:
 
 def _covered(window: Opening, home: Plan, things: list[Box]) -> bool:
     before = polygons.before(window, home, window.rooms[0], BEHIND)
-    tall = [o for o in things if o.center[2] + o.size[2] / 2 > window.sill + 0.05 and o.category not in HANGINGS]
+    tall = [o for o in things if o.center[2] + o.size[2] / 2 > window.sill + 0.05 and o.category not in SHADES]
     hidden = 0.0
     for area in boxes.footprints(boxes.of(tall)):
         along = shapely.get_coordinates(shapely.intersection(before, area)) @ polygons.along(window)

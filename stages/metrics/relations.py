@@ -1,6 +1,6 @@
 """Realism: how furniture stands to walls and to its companions, against real rooms."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -16,10 +16,12 @@ from apartgen.stages.space.boxes import Array
 from apartgen.stages.things import categories
 
 NEEDS = Layout
-BEDS = ("double_bed", "single_bed")
-TABLES = ("dining_table", "round_table", "desk", "dressing_table", "balcony_table")
-SEATS = ("chair", "office_chair", "balcony_chair")
-SOFAS = ("sofa", "corner_sofa")
+SEATS = categories.those(lambda kind: kind.is_for("sit") and kind.faces)
+TABLES = categories.parents(SEATS)
+BEDSIDE = ("nightstand",)
+BEDS = categories.parents(BEDSIDE)
+SCREENS = categories.used_for("watch")
+SOFAS = categories.those(lambda kind: kind.serves == categories.TABLE["sofa"].serves)
 APART = 0.35
 """Companions stand no further apart, m."""
 WALL = 0.12
@@ -62,9 +64,9 @@ def of_room(floor: Polygon, things: Sequence[Box]) -> Sample:
     standing = [o for o in things if footprints.is_obstacle(o) and o.category in categories.TABLE]
     upright = [o for o in standing if categories.TABLE[o.category].place == "floor"]
     return {
-        "nightstand_at_bed": _beside(standing, ("nightstand",), BEDS),
+        "nightstand_at_bed": _beside(standing, BEDSIDE, BEDS),
         "seat_at_table": _beside(standing, SEATS, TABLES, facing=True),
-        "tv_faces_sofa": _beside(standing, ("tv", "tv_stand"), SOFAS, near=np.inf, facing=True),
+        "tv_faces_sofa": _beside(standing, SCREENS, SOFAS, near=np.inf, facing=True),
         "back_to_wall": [float(_at_wall(o, floor)) for o in upright if categories.TABLE[o.category].back],
         "yaw_aligned": [float(_aligned(o, floor)) for o in upright],
         "density": [1 - footprints.walkable_ratio(floor, things)],
@@ -73,7 +75,7 @@ def of_room(floor: Polygon, things: Sequence[Box]) -> Sample:
 
 
 def _beside(
-    things: Sequence[Box], own: Sequence[str], other: Sequence[str], near: float = APART, facing: bool = False
+    things: Sequence[Box], own: Collection[str], other: Collection[str], near: float = APART, facing: bool = False
 ) -> list[float]:
     """For each of `own` in a room that has any of `other`: whether one is near, and in front if `facing`."""
     a, b = ([o for o in things if o.category in names] for names in (own, other))

@@ -15,59 +15,11 @@ from apartgen.stages.retrieve.reading.pieces import Piece
 from apartgen.stages.retrieve.reading.source import Source, beside, image
 from apartgen.stages.retrieve.reading.words import OTHER, category
 from apartgen.stages.things.asset import Asset
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, labelled
 
 MESHES = ("raw_model.obj", "normalized_model.obj")
 INFO = "model_info.json"
 CREDIT = "3D-FUTURE (Alibaba Topping Homestyler), model {}, under its terms of use for research"
-KINDS: dict[str, str] = {
-    "king-size bed": "double_bed",
-    "double bed": "double_bed",
-    "bed frame": "double_bed",
-    "single bed": "single_bed",
-    "kids bed": "single_bed",
-    "bunk bed": "bunk_bed",
-    "wardrobe": "wardrobe",
-    "children cabinet": "chest",
-    "nightstand": "nightstand",
-    "dressing table": "dressing_table",
-    "dressing chair": "stool",
-    "desk": "desk",
-    "three-seat / multi-seat sofa": "sofa",
-    "three-seat / multi-person sofa": "sofa",
-    "two-seat sofa": "sofa",
-    "loveseat sofa": "sofa",
-    "l-shaped sofa": "corner_sofa",
-    "u-shaped sofa": "corner_sofa",
-    "chaise longue sofa": "sofa",
-    "lazy sofa": "armchair",
-    "armchair": "armchair",
-    "lounge chair / cafe / office chair": "armchair",
-    "lounge chair / book-chair / computer chair": "office_chair",
-    "classic chinese chair": "chair",
-    "dining chair": "chair",
-    "barstool": "stool",
-    "footstool / sofastool / bed end stool / stool": "pouffe",
-    "coffee table": "coffee_table",
-    "corner/side table": "side_table",
-    "round end table": "side_table",
-    "tea table": "coffee_table",
-    "dining table": "dining_table",
-    "bookcase / jewelry armoire": "bookshelf",
-    "shelf": "bookshelf",
-    "drawer chest / corner cabinet": "chest",
-    "tv stand": "tv_stand",
-    "sideboard / side cabinet / console table": "sideboard",
-    "sideboard / side cabinet / console": "sideboard",
-    "wine cabinet": "display_cabinet",
-    "wine cooler": "display_cabinet",
-    "shoe cabinet": "shoe_cabinet",
-    "pendant lamp": "ceiling_lamp",
-    "ceiling lamp": "ceiling_lamp",
-    "floor lamp": "floor_lamp",
-    "table lamp": "table_lamp",
-    "wall lamp": "wall_lamp",
-}
 SUPER: dict[str, tuple[str, ...]] = {
     "bed": ("double_bed", "single_bed"),
     "sofa": ("sofa", "armchair"),
@@ -134,8 +86,8 @@ def _extents(pieces: list[Piece]) -> np.ndarray[tuple[int, ...], np.dtype[np.flo
 
 def _candidates(about: dict[str, Any]) -> tuple[str, ...]:
     told = str(about.get("category") or "").strip().lower()
-    if told in KINDS:
-        return (KINDS[told],)
+    if told in labelled("future3d"):
+        return labelled("future3d")[told]
     named = category(told)
     return (named,) if named != OTHER else SUPER.get(str(about.get("super-category") or "").strip().lower(), ())
 

@@ -17,6 +17,7 @@ from apartgen.stages.retrieve.reading.source import Source
 from apartgen.stages.retrieve.reading.tree import Body
 from apartgen.stages.retrieve.reading.words import OTHER
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.categories import labelled
 
 URDFS = ("mobility_annotation_gapartnet.urdf", "mobility_relabel_gapartnet.urdf", "mobility.urdf")
 ANNOTATION = "link_annotation_gapartnet.json"
@@ -37,32 +38,7 @@ LENGTHS = {
     "Toaster": 0.3,
 }
 """Longest side of what is no furniture, m."""
-KINDS: dict[str, tuple[str, ...]] = {
-    "Table": ("desk", "dining_table", "coffee_table", "side_table", "round_table", "console_table", "dressing_table"),
-    "Refrigerator": ("fridge",),
-    "Microwave": ("microwave",),
-    "Dishwasher": ("dishwasher",),
-    "Oven": ("oven",),
-    "WashingMachine": ("washing_machine",),
-    "Toilet": ("toilet",),
-    "TrashCan": ("bin",),
-    "Bucket": ("laundry_basket",),
-    "Chair": ("chair", "armchair", "office_chair", "stool"),
-    "FoldingChair": ("chair", "stool"),
-    "Lamp": ("floor_lamp", "table_lamp"),
-    "Display": ("monitor", "tv"),
-    "Safe": ("nightstand",),
-    "Piano": ("piano",),
-    "Bed": ("double_bed", "single_bed"),
-    "Sofa": ("sofa",),
-    "Faucet": (),
-    "Door": (),
-    "Laptop": (),
-}
-LEAVES = ("wardrobe", "sideboard", "tv_stand", "display_cabinet", "kitchen_base", "wall_unit", "nightstand")
-DRAWERS = ("chest", "nightstand", "kitchen_drawers", "filing_cabinet", "desk", "tv_stand")
-STORAGE = ("bookshelf", "shelving", "sideboard", "tv_stand")
-
+CABINET = "StorageFurniture"
 
 def assets(root: Path) -> Iterator[Source]:
     """Every object folder below `root`, wherever its URDF lies."""
@@ -178,14 +154,14 @@ def _real(name: str, bodies: list[Body], parts: list[Part]) -> tuple[str, float]
     if not np.isfinite(points).all():
         raise Broken("vertices that are not finite numbers")
     extents: Array = np.ptp(points, axis=0)
-    candidates = _storage(parts) if name in ("StorageFurniture", "") else KINDS.get(name, ())
+    candidates = labelled("gapartnet").get(_storage(parts) if name in (CABINET, "") else name, ())
     if not candidates:
         return OTHER, LENGTHS.get(name, 0.5) / max(float(extents.max()), 1e-9)
     return fitted(extents, candidates)
 
 
-def _storage(parts: list[Part]) -> tuple[str, ...]:
-    """What a cabinet may be, from what most of its parts do."""
+def _storage(parts: list[Part]) -> str:
+    """What label a cabinet has by what most of its parts do."""
     slides = sum(part.motion.type == "slide" for part in parts if part.motion)
     hinges = sum(part.motion.type == "hinge" for part in parts if part.motion)
-    return STORAGE if slides + hinges == 0 else DRAWERS if slides > hinges else LEAVES
+    return CABINET if slides + hinges == 0 else f"{CABINET} with {'drawers' if slides > hinges else 'leaves'}"

@@ -61,7 +61,7 @@ class Scene:
             Light(f"light_{identifier(o.id)}", o.room, np.array(o.center), kinds[o.id].lumens)
             for o in objects if o.id in kinds and kinds[o.id].lumens
         ]
-        lit = {o.room for o in objects if o.category == "ceiling_lamp"}
+        lit = {o.room for o in objects if o.id in kinds and kinds[o.id].lumens and kinds[o.id].place == "ceiling"}
         dark = [room for room in self.home.rooms if room.id not in lit and room.base != "balcony"]
         middles = [np.array(polygons.floor(room).representative_point().coords[0]) for room in dark]
         plain = [

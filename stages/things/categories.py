@@ -6,8 +6,8 @@ another has its facts but for those it gives itself, and models that never saw i
 
 import logging
 import tomllib
-from collections.abc import Callable, Container, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Collection, Container, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
@@ -48,6 +48,7 @@ class Category:
     size: tuple[float, float, float]
     min: tuple[float, float, float]
     max: tuple[float, float, float]
+    rule: tuple[float, float, float] | None = None
     uses: tuple[str, ...] = ()
     opens: Opens = ""
     leaf_max: float = 0.6
@@ -66,9 +67,11 @@ class Category:
     serves: str = ""
     instead: tuple[str, ...] = ()
     family: str = ""
-    run: Literal["", "unit", "fitted", "beside"] = ""
+    run: Literal["", "unit", "fitted", "beside", "hung"] = ""
     lumens: float = 0.0
     called: str = ""
+    thor: str = ""
+    labels: dict[str, tuple[str, ...]] = field(default_factory=dict)
     synonyms: tuple[str, ...] = ()
     lineage: tuple[str, ...] = ()
 
@@ -83,7 +86,7 @@ class Category:
 
 
 _CHECKED = TypeAdapter(Category)
-_ITS_OWN = ("name", "like", "serves", "synonyms", "called", "lineage")
+_ITS_OWN = ("name", "like", "serves", "synonyms", "called", "labels", "lineage")
 """Facts that what is like a category does not take over from it."""
 
 
@@ -198,6 +201,11 @@ def groups() -> frozenset[tuple[str, str]]:
     )
 
 
+def parents(children: Collection[str]) -> frozenset[str]:
+    """Names of the categories that one of these belongs to."""
+    return frozenset(parent for child, parent in groups() if child in children)
+
+
 def belong_together(a: str, b: str) -> bool:
     """Whether contact between categories `a` and `b` is part of their use."""
     return (a, b) in groups() or (b, a) in groups()
@@ -227,6 +235,16 @@ def by_word() -> dict[str, str]:
 
 def _words(kinds: Sequence[Category]) -> dict[str, str]:
     return {word.lower(): c.name for c in kinds for word in c.synonyms}
+
+
+@cache
+def labelled(source: str) -> dict[str, tuple[str, ...]]:
+    """What a source of models calls furniture, and the categories that each of its labels may be."""
+    found: dict[str, tuple[str, ...]] = {}
+    for name, kind in TABLE.items():
+        for label in kind.labels.get(source, ()):
+            found[label] = (*found.get(label, ()), name)
+    return found
 
 
 def fitted_ovens(objects: Sequence[Box]) -> frozenset[str]:

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.habits import Habit, habits
 from apartgen.stages.space.boxes import Boxes
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, parents, those
 
 Array = NDArray[np.float64]
 Spots = list[tuple[float, float, float, Array]]
@@ -24,12 +24,10 @@ OFF_AXIS = 1.5
 """So much less a metre that it stands aside of where the sofa looks."""
 SOFAS = ("sofa", "corner_sofa")
 TABLES = ("dining_table", "island", "balcony_table")
-BEDS = ("double_bed", "single_bed")
-HUNG = frozenset({"wall_unit", "hood"})
-LOW_RUN = frozenset({
-    "kitchen_base", "kitchen_drawers", "kitchen_sink", "kitchen_corner", "hob", "oven", "dishwasher", "fridge",
-    "washing_machine", "dryer",
-})
+BEDS = parents(("nightstand",))
+HUNG = those(lambda kind: kind.run == "hung")
+UNITS = those(lambda kind: kind.run in ("unit", "fitted"))
+LOW_RUN = UNITS | those(lambda kind: kind.run == "beside")
 RUN = LOW_RUN | HUNG
 """What stands side by side without a gap."""
 

@@ -13,7 +13,7 @@ from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Item, Standing
 from apartgen.stages.layout.projection.supports import on_support
 from apartgen.stages.space.boxes import Boxes
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, used_for
 
 Array = NDArray[np.float64]
 LEAN = {"bench": 3.0, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,
@@ -27,7 +27,7 @@ ROOM_BESIDE = 1.0
 """Room for a nightstand is worth a shift of the bed by as much, m."""
 SEAT_LOST = 1.5
 """So is room for one chair more of a table."""
-EATEN_AT = frozenset({"dining_table", "round_table"})
+EATEN_AT = used_for("dine")
 LOOSE = frozenset({"plant", "pouffe"})
 """What people leave at any angle."""
 MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}

@@ -14,7 +14,7 @@ from apartgen.stages.layout.projection.placing import place
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Item, Standing
 from apartgen.stages.space.boxes import gap
-from apartgen.stages.things.categories import SEATS, TABLE
+from apartgen.stages.things.categories import SEATS, TABLE, used_for
 
 Array = NDArray[np.float64]
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
@@ -140,7 +140,7 @@ def _rank(i: int, items: list[Item], essential: Container[int]) -> tuple[int, bo
         if item.category == "nightstand":
             return 0, False, 0.0
         level = 1
-    tables = [k for k, other in enumerate(items) if other.category in ("dining_table", "round_table")]
+    tables = [k for k, other in enumerate(items) if other.category in used_for("dine")]
     if item.category == "chair" and tables:
         # Right after the table, as armchairs and cabinets would take their places.
         level, late, size = max(_rank(k, items, essential) for k in tables)

@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.candidates import GAP
 from apartgen.stages.layout.projection.costs import BROKEN, cost
-from apartgen.stages.layout.projection.partners import HUNG, LOW_RUN
+from apartgen.stages.layout.projection.partners import HUNG, LOW_RUN, UNITS
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Item, Standing
 from apartgen.stages.space.boxes import Boxes, penetration
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, those, used_for
 
 Array = NDArray[np.float64]
 LINE = (
@@ -23,8 +23,10 @@ NEEDED = {"kitchen_sink": 3.0, "hob": 2.6, "oven": 2.6, "fridge": 2.0}
 """How much more than a cupboard a unit matters."""
 WAY, PER_UNIT = 0.25, 3.0
 """What a metre from where the model put a unit counts against a unit placed."""
-COOKERS = frozenset({"hob", "oven"})
+COOKERS = used_for("cook")
 COOKERS_AT_WINDOW = 2.0
+SPARE = ("kitchen_base", "kitchen_drawers")
+"""Units of which there may be any number."""
 LEGS = 3
 TALL = 1.2
 LOW_OVEN = 0.9
@@ -35,12 +37,12 @@ SEAM = 0.001
 def alike(items: list[Item]) -> list[Item]:
     """Low units of one worktop share its depth and height, those on the wall theirs; the only oven has a hob on top."""
     out = list(items)
-    ovens = [i for i, o in enumerate(items) if o.category == "oven" and o.size[2] >= LOW_OVEN]
-    if ovens and not any(o.category == "hob" for o in items):
+    ovens = [i for i, o in enumerate(items) if o.category in used_for("bake") and o.size[2] >= LOW_OVEN]
+    if ovens and not any(o.category in used_for("fry") for o in items):
         for i in ovens:
             out[i] = replace(out[i], size=np.array([*out[i].size[:2], LOW_OVEN]))
     items = list(out)
-    for group in (LOW_RUN - {"fridge", "washing_machine", "dryer"}, HUNG - {"hood"}):
+    for group in (UNITS, those(lambda kind: kind.run == "hung" and kind.articulated)):
         members = [i for i, o in enumerate(items) if o.category in group and (o.category in HUNG or o.size[2] < TALL)]
         if len(members) < 2:
             continue
@@ -58,10 +60,10 @@ def line(items: list[Item]) -> list[int]:
     if len(units) < 2:
         return []
     rank = {name: k for k, name in enumerate(LINE)}
-    spare = [i for i in units if items[i].category in ("kitchen_base", "kitchen_drawers")]
+    spare = [i for i in units if items[i].category in SPARE]
     # One worktop beside the fridge, the others between sink and hob and after it.
     late = {i: 7.5 + 2.0 * (k % 2) for k, i in enumerate(spare[1:])}
-    tall = {i: 0.5 for i in units if items[i].category == "oven" and items[i].size[2] >= TALL}
+    tall = {i: 0.5 for i in units if items[i].category in used_for("bake") and items[i].size[2] >= TALL}
     return sorted(units, key=lambda i: (tall | late).get(i, float(rank.get(items[i].category, 9))))
 
 

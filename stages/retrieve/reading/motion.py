@@ -7,12 +7,14 @@ import numpy as np
 from apartgen.stages.retrieve.reading.model import Motion
 from apartgen.stages.retrieve.reading.pieces import Array, Piece
 from apartgen.stages.retrieve.reading.words import split
-from apartgen.stages.things.categories import DRAWER_TRAVEL
+from apartgen.stages.things.categories import DRAWER_TRAVEL, those
 
 MOVING = frozenset({"door", "drawer", "lid", "flap"})
 STILL = frozenset({"frame", "knob", "handle", "bed"})
-FLAPS = frozenset({"oven", "dishwasher"})
-LIDS = frozenset({"toilet", "bin", "laundry_basket", "piano"})
+FLAPS = those(lambda kind: kind.opens == "flap" and kind.appliance)
+LIDS = those(lambda kind: kind.opens == "lid")
+DOORS = those(lambda kind: kind.opens == "leaf" and kind.place == "top")
+"""What has one part that moves, whatever it is called."""
 X, Y, Z = np.eye(3)
 QUARTER = float(np.pi / 2)
 
@@ -34,7 +36,7 @@ def guess(name: str, category: str, pieces: Sequence[Piece], pivot: Array, middl
         return Motion("hinge", -X, pivot, (0.0, QUARTER), "hinge_lid")
     if "flap" in words or category in FLAPS:
         return Motion("hinge", X, np.array([pivot[0], lo[1], pivot[2]]), (0.0, QUARTER), "hinge_door")
-    if "door" not in words and category not in {"microwave"}:
+    if "door" not in words and category not in DOORS:
         return None
     if pivot[1] > hi[1] - 0.1 * (hi[1] - lo[1]) and hi[0] - lo[0] > 1.5 * (hi[1] - lo[1]):
         return Motion("hinge", -X, pivot, (0.0, QUARTER), "hinge_door")
