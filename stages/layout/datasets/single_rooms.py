@@ -19,11 +19,11 @@ from apartgen.stages.space.boxes import Array
 
 AREA: dict[str, tuple[float, float]] = {
     "living_room": (24.5, 0.34), "kitchen": (9.8, 0.3), "dining_room": (12.5, 0.28), "bedroom": (12.6, 0.26),
-    "bathroom": (5.0, 0.32), "hallway": (7.5, 0.4), "study": (9.5, 0.28), "utility": (4.5, 0.35),
+    "bathroom": (5.2, 0.28), "hallway": (7.5, 0.4), "study": (9.5, 0.28), "utility": (4.5, 0.35),
     "storage": (3.2, 0.4), "closet": (3.5, 0.4), "balcony": (5.5, 0.4),
 }
 """Median floor area in m² and spread of its logarithm."""
-LEAST = {"living_room": 3.1, "kitchen": 1.9, "dining_room": 2.6, "bedroom": 2.5, "bathroom": 1.55, "hallway": 1.15,
+LEAST = {"living_room": 3.1, "kitchen": 1.9, "dining_room": 2.6, "bedroom": 2.5, "bathroom": 1.65, "hallway": 1.15,
          "study": 2.1, "utility": 1.5, "storage": 1.0, "closet": 1.1, "balcony": 1.2}
 """Least clear width, m."""
 SHARE = {"living_room": 5.0, "bedroom": 4.5, "kitchen": 3.5, "dining_room": 1.8, "study": 1.6, "bathroom": 2.8,

@@ -36,8 +36,7 @@ def walls(space: Space, group: Group, gaps: tuple[float, ...] = (OFF,), step: fl
 
 def _alike(group: Group) -> bool:
     """Whether a group is its own mirror image."""
-    return all(np.ndim(p.y) == 0 and abs(p.y) < 1e-9 and np.ndim(p.yaw) == 0 and abs(np.sin(p.yaw)) < 1e-9
-               for p in group.parts)
+    return all(bool(np.all(np.abs(v) < 1e-9)) for p in group.parts for v in (p.y, np.sin(p.yaw)))
 
 
 def _stretches(space: Space, k: int, lo: float, hi: float, first: float, last: float) -> list[float]:

@@ -34,7 +34,7 @@ def area(room: Room) -> float:
 
 def sleepers(plan: Plan) -> int:
     """Two in the main bedroom and in every large one, else one; two where there is no bedroom."""
-    beds = sorted((area(room) for room in plan.rooms if room.type == "bedroom"), reverse=True)
+    beds = sorted((area(room) for room in plan.rooms if room.base == "bedroom"), reverse=True)
     return sum(2 if a >= DOUBLE else 1 for a in beds) if beds else 2
 
 
@@ -42,14 +42,14 @@ def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
     """What furnishing `room` needs to know."""
     if len(plan.rooms) == 1:
         return Household(sleepers=int(rng.choice([1, 2, 2, 3, 4, 4, 5])), main=bool(rng.random() < 0.6))
-    bedrooms = [other for other in plan.rooms if other.type == "bedroom"]
+    bedrooms = [other for other in plan.rooms if other.base == "bedroom"]
     table, washing = table_of(plan), _laundry(plan)
-    open_question = room.type == "living_room" and table is None
+    open_question = room.base == "living_room" and table is None
     return Household(
         sleepers=sleepers(plan),
         main=bool(bedrooms) and room.id == max(bedrooms, key=area).id,
         table=None if open_question else table is not None and table[0] == room.id,
-        bed=not bedrooms and room.type == "living_room",
+        bed=not bedrooms and room.base == "living_room",
         laundry=washing is None or washing == room.id,
     )
 
@@ -57,7 +57,7 @@ def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
 def _laundry(plan: Plan) -> str | None:
     """The room with the washing machine: a utility room, else a large bathroom, else the kitchen."""
     for kind, least in (("utility", 0.0), ("bathroom", 4.6), ("kitchen", 0.0), ("bathroom", 0.0)):
-        some = [room for room in plan.rooms if room.type == kind and area(room) >= least]
+        some = [room for room in plan.rooms if room.base == kind and area(room) >= least]
         if some:
             return max(some, key=area).id
     return None

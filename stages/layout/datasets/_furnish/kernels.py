@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-inner = njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+inner = njit(**WITHIN)
 
 
 def compiled(signature: str) -> Any:

@@ -6,7 +6,7 @@ from apartgen.stages.layout.datasets._furnish import anchors
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, Poses, Zone, joined, turned
 from apartgen.stages.layout.datasets._furnish.sizes import draw
 from apartgen.stages.layout.datasets._furnish.space import Space
-from apartgen.stages.space.boxes import Array
+from apartgen.stages.space.boxes import Array, Mask
 from apartgen.stages.things.categories import CATEGORIES
 
 LEAST_VIEW, MOST_VIEW, VIEW = 1.45, 3.6, 2.15
@@ -135,7 +135,7 @@ def _looking(space: Space, core: Group, sofa: float, stand: float) -> Poses:
     return joined(near, floating) if len(near) and space.rng.random() < 0.5 else floating if len(floating) else near
 
 
-def _square(space: Space, at: Poses, across: Array) -> Array:
+def _square(space: Space, at: Poses, across: Array) -> Mask:
     """Whether the wall across is parallel: as far off on both sides of the axis."""
     shape = space.shape
     hit = at.xy + across[:, None] * np.stack([np.cos(at.yaw), np.sin(at.yaw)], -1)
@@ -247,7 +247,7 @@ def _flank(space: Space) -> bool:
         size[2] = min(size[2], space.shape.height - 0.05)
         x = (size[0] - stand[0]) / 2 + (0.04 if name == "plant" else 0.0)
         y = (stand[1] + size[1]) / 2 + (0.1 if name == "plant" else rng.choice([0.01, 0.01, 0.12]))
-        before = [Zone(x + size[0] / 2, x + size[0] / 2 + 0.5, *sorted((s * (y - size[1] / 2), s * (y + size[1] / 2))))
+        before = [Zone(x + size[0] / 2, x + size[0] / 2 + 0.5, s * y - size[1] / 2, s * y + size[1] / 2)
                   for s in (1.0, -1.0) if name != "plant"]
         group = Group(tuple(Part(str(name), x, s * y, size) for s in (1.0, -1.0)), tuple(before))
         if _beside(space, group, anchors.of_object(space, k).take(np.array([0])), k) >= 0:
@@ -278,8 +278,8 @@ def _armchairs(space: Space, count: int) -> bool:
                 y = max(size[1] / 2 + rng.uniform(0.28, 0.42), seat) + half
                 parts = [Part("armchair", ahead, sign * y, chair, -sign * (np.pi / 2 + turn)) for sign in (1.0, -1.0)]
                 inner = y - half
-                zones = [Zone(ahead - wide, ahead + wide, *sorted((s * (inner - 0.22), s * inner)),
-                              ("coffee_table", "pouffe", "sofa", "corner_sofa")) for s in (1.0, -1.0)]
+                zones = [Zone(ahead - wide, ahead + wide, low, high, ("coffee_table", "pouffe", *SOFAS))
+                         for low, high in ((inner - 0.22, inner), (-inner, 0.22 - inner))]
                 if _beside(space, Group(tuple(parts[:n]), tuple(zones[:n])), at, table) >= 0:
                     return True
     return False

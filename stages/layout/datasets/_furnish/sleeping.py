@@ -48,7 +48,7 @@ def _double(space: Space, width: float, stands: int, bench: bool) -> bool:
     if space.wants("rug", 0.35):
         parts.append(_rug(space, bed))
     out = bed[1] / 2
-    sides = [Zone(stand[0] * 0.9, bed[0], *sorted((s * out, s * (out + SIDE))), STANDS) for s in (1.0, -1.0)]
+    sides = [Zone(stand[0] * 0.9, bed[0], low, high, STANDS) for low, high in ((out, out + SIDE), (-out - SIDE, -out))]
     foot = Zone(bed[0], bed[0] + FOOT, -out, out, (*STANDS, "tv_stand"))
     if bench and space.shape.area > 11 and space.wants("bench", 0.14):
         parts, foot = _benched(space, parts, bed)

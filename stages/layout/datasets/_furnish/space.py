@@ -177,10 +177,8 @@ class Space:
         placed = self.placed
         while self._marks and self._marks[-1][0] >= n:
             zones = self._marks.pop()[1]
-            for some in (placed.zone, placed.friends):
-                del some[len(some) - zones :]
-        for some in (placed.name, placed.row, placed.sweep, placed.at):
-            del some[n:]
+            del placed.zone[len(placed.zone) - zones :], placed.friends[len(placed.friends) - zones :]
+        del placed.name[n:], placed.row[n:], placed.sweep[n:], placed.at[n:]
 
     def open(self) -> bool:
         """Whether every door and everything that stands here can be walked to, and little floor is cut off."""
