@@ -33,6 +33,7 @@ class RoomKind:
     like: str = ""
     words: tuple[str, ...] = ()
     area: float | None = Field(None, gt=0, le=1000)
+    free: float = Field(0.65, ge=0, le=1)
     objects: dict[str, int] = Field(default_factory=dict)
     keeps: dict[str, int] = Field(default_factory=dict)
 
@@ -63,7 +64,7 @@ def _kind(name: str, row: Any, known: dict[str, RoomKind]) -> RoomKind:
     if name not in ROOM_TYPES and like not in known:
         raise BadInput(f"[{name}] needs like = \"…\", a type of room that is there; there are: {', '.join(known)}")
     model = known.get(like)
-    taken = {"keeps": model.keeps, "objects": model.objects} if model else {}
+    taken = {"keeps": model.keeps, "objects": model.objects, "free": model.free} if model else {}
     try:
         return _CHECKED.validate_python(taken | row | {"name": name, "base": model.base if model else name})
     except ValidationError as error:

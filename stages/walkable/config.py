@@ -12,7 +12,8 @@ Share = Annotated[float, Field(ge=0, lt=1)]
 class WalkableConfig(Record):
     """Target, effort, and which steps beyond Algorithm 2 are taken."""
 
-    target: float = Field(0.70, ge=0, le=1, description="least share of floor that stays free (τ)")
+    target: float | None = Field(None, ge=0, le=1, description="least share of floor that stays free (τ); by default "
+                                 "what furnished rooms of these types have, about .66 of a two-bedroom flat")
     scope: Literal["apartment", "rooms"] = Field("apartment", description="meets it: all floors together, or each")
     top_k: int = Field(3, ge=1, le=1000, description="largest objects replaced in an iteration (k)")
     max_iterations: int = Field(20, ge=0, le=10_000, description="iterations at most (M), each time the loop runs")

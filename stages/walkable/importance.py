@@ -17,6 +17,9 @@ KEPT = ("sleep", "relieve", "wash", "bathe", "rinse", "cook", "fry", "cool")
 DECORATION = categories.those(lambda kind: kind.matters == "little")
 ESSENTIAL = categories.those(lambda kind: kind.matters == "much")
 """Without the only one of these a room does not do what it is for."""
+MAIN = categories.those(lambda kind: kind.is_for("sleep", "lounge") and kind.matters == "much")
+"""What a home is furnished around: made smaller only after what it can spare has gone."""
+CABINETS = categories.those(lambda kind: kind.is_for("store") and not kind.run and kind.place == "floor")
 STANDARD = categories.those(lambda kind: kind.standard)
 """Comes in few sizes, or in those of what it belongs to: changed last."""
 
@@ -25,6 +28,26 @@ def easily_smaller(o: Furnishing) -> bool:
     """Whether people would readily have a smaller one: what stands on the floor and has no standard size."""
     upright = o.category not in categories.TABLE or categories.TABLE[o.category].place == "floor"
     return upright and o.category not in STANDARD
+
+
+def anything(scene: Scene) -> frozenset[str]:
+    """Every object of a scene, by id."""
+    return frozenset(o.id for o in scene)
+
+
+def decoration(scene: Scene) -> frozenset[str]:
+    """What is missed least: lamps, plants, pouffes, side tables, benches."""
+    return frozenset(o.id for o in scene if o.category in DECORATION)
+
+
+def surplus_cabinets(scene: Scene) -> frozenset[str]:
+    """All that stores things on the floor of a room but its largest piece."""
+    own: dict[str, list[Furnishing]] = {}
+    for o in scene:
+        if o.category in CABINETS:
+            own.setdefault(o.room, []).append(o)
+    ordered = (sorted(some, key=lambda o: (-footprints.area(o), o.id)) for some in own.values())
+    return frozenset(o.id for some in ordered for o in some[1:])
 
 
 def needs(home: Retrieve) -> tuple[Need, ...]:

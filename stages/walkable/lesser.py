@@ -21,7 +21,7 @@ def lesser_kinds(
     What the prompt asked for keeps its kind, and with `now` the robot gets to no less than it does.
     """
     steps: list[Step] = []
-    while area_ratio(site, scene, rooms) < site.config.target - EPSILON:
+    while area_ratio(site, scene, rooms) < site.target(rooms) - EPSILON:
         found = _first(site, scene, rooms, now)
         if found is None:
             break

@@ -1,6 +1,6 @@
 """Algorithm 2: replace the largest objects by smaller ones until enough floor is free; then leave some out."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 
 import numpy as np
 
@@ -8,13 +8,14 @@ from apartgen.schemas.retrieve import Furnishing
 from apartgen.schemas.walkable import Step
 from apartgen.stages.space import footprints
 from apartgen.stages.space.boxes import Array
-from apartgen.stages.things import categories
 from apartgen.stages.walkable import importance
 from apartgen.stages.walkable.changes import applied, dropped, replaced
 from apartgen.stages.walkable.site import Scene, Site, in_room
 from apartgen.stages.walkable.smaller import smaller
 
 EPSILON = 1e-9
+Among = Callable[[Scene], Collection[str]]
+"""Ids of some objects of a scene."""
 
 
 def area_ratio(site: Site, scene: Scene, rooms: Collection[str]) -> float:
@@ -52,22 +53,23 @@ class _Ratios:
 
 
 def optimize(
-    site: Site, scene: Scene, rooms: Collection[str], start: Scene | None = None, least: float = 0.0
+    site: Site, scene: Scene, rooms: Collection[str], start: Scene | None = None, least: float = 0.0,
+    kept: Collection[str] = (),
 ) -> tuple[Scene, list[Step]]:
     """The loop of Algorithm 2 over the objects of some rooms.
 
-    Valid objects are obstacles not yet found to have no smaller candidate. Where `least` is given, no object gets
-    smaller than that share of its sides in `start`, and what has a standard size stays as it is.
+    Valid objects are obstacles not yet found to have no smaller candidate, of no category in `kept`. Where `least` is
+    given, no object gets smaller than that share of its sides in `start`, and what has a standard size stays as it is.
     """
     config = site.config
     first = {o.id: np.asarray(o.size) * least for o in start or scene}
-    r = _Ratios(site, scene, rooms)
+    r, target = _Ratios(site, scene, rooms), site.target(rooms)
     spent: set[str] = set()
     steps: list[Step] = []
     iteration = 0
-    while r.whole < config.target - EPSILON and iteration < config.max_iterations:
+    while r.whole < target - EPSILON and iteration < config.max_iterations:
         valid = [o for o in scene if o.room in rooms and o.id not in spent and footprints.is_obstacle(o)
-                 and (least == 0 or importance.easily_smaller(o))]
+                 and o.category not in kept and (least == 0 or importance.easily_smaller(o))]
         top = sorted(valid, key=lambda o: (-footprints.area(o), o.id))[: config.top_k]
         if not top:
             break
@@ -90,16 +92,16 @@ def _within(new: Furnishing | None, low: Array) -> bool:
 
 
 def thin_out(
-    site: Site, scene: Scene, rooms: Collection[str], most: int = 1, among: Collection[str] = categories.TABLE
+    site: Site, scene: Scene, rooms: Collection[str], most: int = 1, among: Among = importance.anything
 ) -> tuple[Scene, list[Step]]:
     """Leave out the least important objects of some rooms until the target is met or only needed ones are left.
 
-    Only objects of up to a rank (see `importance.Ranks`) and of some categories.
+    Only objects of up to a rank (see `importance.Ranks`) and those that `among(scene)` names.
     """
     steps: list[Step] = []
     r = _Ratios(site, scene, rooms)
-    while r.whole < site.config.target - EPSILON:
-        loose = [o for o in importance.droppable(site, scene, most) if o.room in rooms and o.category in among]
+    while r.whole < site.target(rooms) - EPSILON:
+        loose = [o for o in importance.droppable(site, scene, most) if o.room in rooms and o.id in among(scene)]
         gone = next((o for o in loose if _frees(site, scene, o)), None)
         if gone is None:
             break

@@ -132,7 +132,7 @@ def _changes(site: Site, scene: Scene, here: View, able: list[Furnishing]) -> It
 def _smaller(site: Site, scene: Scene, here: View, o: Furnishing) -> Iterator[Change]:
     """Smaller assets in place of an object, looked for only where a box of that size would do."""
     for share in SHARES:
-        for limit in limits(o, share):
+        for limit in limits(o, share, site.least(o)):
             if not here.reaches({o.id: placing.scaled(o, limit.tolist(), site)}):
                 continue
             found = candidate(site, scene, o, limit)

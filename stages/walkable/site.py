@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from shapely import Geometry
 from shapely.ops import unary_union
 
+from apartgen.schemas import rooms as room_kinds
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Program
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.robot import reach
 from apartgen.stages.space import boxes, footprints, polygons, sweeps
+from apartgen.stages.space.boxes import Array
 from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.carrying import holds
@@ -75,6 +77,26 @@ class Site:
     windows: list[tuple[Geometry, float]]
     world: reach.Space
     free: dict[Hashable, float] = field(default_factory=dict)
+
+    def target(self, rooms: Iterable[str] | None = None) -> float:
+        """Share of these rooms' floors, of all by default, that is to stay free."""
+        if self.config.target is not None:
+            return self.config.target
+        type_of, known = {room.id: room for room in self.world.plan.rooms}, room_kinds.kinds()
+        share, area = 0.0, 0.0
+        for id in self.floors if rooms is None else rooms:
+            kind = known.get(type_of[id].type, known[type_of[id].base])
+            share, area = share + kind.free * self.floors[id].area, area + self.floors[id].area
+        return float(share / area)
+
+    def least(self, o: Furnishing) -> Array:
+        """Size (3,) below which an object is not made smaller: what people have as a rule, or what there is at all
+        where nothing but Algorithm 2 is asked for.
+        """
+        kind = categories.TABLE.get(o.category)
+        if kind is None:
+            return np.zeros(3)
+        return np.asarray(kind.min if kind.rule is None or self.config.gentle == 0 else kind.rule)
 
     @property
     def area(self) -> float:

@@ -19,22 +19,21 @@ LATENT = 32
 
 def smaller(site: Site, scene: Scene, o: Furnishing, share: float) -> Changes | None:
     """The object with the nearest smaller asset that fits in its place, with what it carries; None if there is none."""
-    for limit in limits(o, share):
+    for limit in limits(o, share, site.least(o)):
         changes = candidate(site, scene, o, limit)
         if changes is not None and fits(site, scene, changes):
             return changes
     return None
 
 
-def limits(o: Furnishing, share: float) -> Iterator[Array]:
+def limits(o: Furnishing, share: float, least: Array) -> Iterator[Array]:
     """Greatest sizes (3,) to look for: `share` of both sides of the footprint, of the width, of the depth.
 
-    The height stays, and no side goes below the least of its category.
+    The height stays, and no side goes below `least`.
     """
     if o.category in BUILT_IN:
         return
     size = np.asarray(o.size)
-    least = np.asarray(categories.TABLE[o.category].min) if o.category in categories.TABLE else np.zeros(3)
     for d, w in ((share, share), (1.0, share), (share, 1.0)):
         limit = np.minimum(size, np.maximum(size * [d, w, 1.0], least))
         if limit[0] * limit[1] <= GAIN * size[0] * size[1]:

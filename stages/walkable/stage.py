@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from apartgen.schemas.errors import Unmet
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.schemas.walkable import Blocked, Replaced, Report, Step, Walkable
-from apartgen.stages.things import categories
 from apartgen.stages.things.carrying import told
 from apartgen.stages.walkable import importance, repair
 from apartgen.stages.walkable.blocking import missed
@@ -62,17 +61,20 @@ def cleared(previous: Retrieve, config: WalkableConfig, library: Candidates) -> 
 
 
 def _opened(site: Site, scene: Scene, rooms: list[str]) -> tuple[Scene, list[Step]]:
-    """Algorithm 2, what is gentle first: people miss a plant less than a fifth of their sofa, and a third chair less
-    than a third of their table.
+    """Algorithm 2, what is gentle first: people miss a plant or a second cabinet less than a fifth of their sofa, and a
+    third chair less than a third of their table.
     """
     config, start = site.config, scene
     steps: list[Step] = []
-    for k, among in enumerate((importance.DECORATION, categories.TABLE), 1) if config.gentle > 0 else ():
-        scene, taken = optimize(site, scene, rooms, start, config.gentle**k)
+    for k, spared in enumerate(((0, importance.decoration), (0, importance.anything)), 1) if config.gentle > 0 else ():
+        least = config.gentle**k
+        scene, taken = optimize(site, scene, rooms, start, least, importance.MAIN)
         steps += taken
-        if config.drop:
-            scene, taken = thin_out(site, scene, rooms, 0, among)
+        for most, among in (spared, (1, importance.surplus_cabinets)) if config.drop else ():
+            scene, taken = thin_out(site, scene, rooms, most, among)
             steps += taken
+        scene, taken = optimize(site, scene, rooms, start, least)
+        steps += taken
     scene, taken = optimize(site, scene, rooms)
     return scene, [*steps, *taken]
 
@@ -91,10 +93,11 @@ def _parts(site: Site) -> list[list[str]]:
 
 def _shortfalls(site: Site, scene: Scene, parts: Iterable[list[str]], unreached: list[str]) -> list[str]:
     """The target, where it is missed, and what the robot does not get to for what is vital to a room."""
-    target = site.config.target
-    reached = {", ".join(rooms): area_ratio(site, scene, rooms) for rooms in parts}
-    short = "; ".join(f"{rooms}: {ratio:.3f}" for rooms, ratio in reached.items() if ratio < target - EPSILON)
-    found = [f"walkable ratio {target:g} can't be met, best reached: {short}; lower --target or ask for less furniture"]
+    reached = {", ".join(rooms): (area_ratio(site, scene, rooms), site.target(rooms)) for rooms in parts}
+    missed = {rooms: (ratio, target) for rooms, (ratio, target) in reached.items() if ratio < target - EPSILON}
+    short = "; ".join(f"{rooms}: {ratio:.3f}" for rooms, (ratio, _) in missed.items())
+    wanted = ", ".join(dict.fromkeys(f"{target:.4g}" for _, target in missed.values()))
+    found = [f"walkable ratio {wanted} can't be met, best reached: {short}; lower --target or ask for less furniture"]
     return found[: bool(short)] + _cut_off(site, scene, unreached)
 
 
@@ -121,7 +124,7 @@ def _report(site: Site, start: Scene, scene: Scene, steps: list[Step], unreached
     old, new = {o.id: o for o in start}, {o.id: o for o in scene}
     swaps = [name for name, o in old.items() if name in new and new[name].asset != o.asset]
     return Report(
-        target=site.config.target, before=area_ratio(site, start, whole), after=area_ratio(site, scene, whole),
+        target=site.target(), before=area_ratio(site, start, whole), after=area_ratio(site, scene, whole),
         rooms={room: area_ratio(site, scene, [room]) for room in site.floors},
         replaced=[_swap(name, old[name], new[name]) for name in swaps],
         moved=list(dict.fromkeys(s.object for s in steps if s.action == "nudge" and s.object in new)),

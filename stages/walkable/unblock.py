@@ -121,7 +121,7 @@ def _keeps_target(site: Site, state: _State, change: Change) -> bool:
     scene = swapped(state.scene, change.to)
     rooms = list(site.floors) if site.config.scope == "apartment" else [change.object.room]
     ratio = area_ratio(site, scene, rooms)
-    return ratio >= min(site.config.target, area_ratio(site, state.scene, rooms)) - EPSILON
+    return ratio >= min(site.target(rooms), area_ratio(site, state.scene, rooms)) - EPSILON
 
 
 def _changes(
@@ -203,7 +203,7 @@ def _trimmed(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
 
 def _smaller(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     for share in SHARES:
-        for limit in limits(o, share):
+        for limit in limits(o, share, site.least(o)):
             to = candidate(site, scene, o, limit)
             if to is not None:
                 yield to
