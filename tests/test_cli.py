@@ -189,7 +189,7 @@ def test_settings_come_from_a_file_and_options_win(cli, tmp_path):
         assert "[layuot] is unknown" in refused(cli(*command, "--config", file))
     file.write_text("layout = 5\n")
     assert "is no table" in refused(cli("layout", file, "--config", file))
-    file.write_text("[train-layout.model]\nwidht = 9\n")
+    file.write_text("[train-layout.shape]\nwidht = 9\n")
     assert "'widht' is unknown" in refused(cli("train", "layout", "--config", file))
     file.write_text("[plan\n")
     assert "not TOML" in refused(cli("plan", "studio", "--config", file))
@@ -197,9 +197,9 @@ def test_settings_come_from_a_file_and_options_win(cli, tmp_path):
 
 def test_weights_by_name_change_those_named_wherever_they_are_given(tmp_path):
     file = tmp_path / "settings.toml"
-    file.write_text("[layout]\nguidance = {walkway = 1.0, inside = 0}\n")
+    file.write_text('[layout]\nmodel = "diffusion"\nguidance = {walkway = 1.0, inside = 0}\n')
     from_file = make.settings(file, ["svg"], None)["layout"].guidance
-    given = configured(LayoutConfig, {"guidance": ["walkway=1", "inside=0"]}).guidance
+    given = configured(LayoutConfig, {"model": "diffusion", "guidance": ["walkway=1", "inside=0"]}).guidance
     assert from_file == given == {"articulation": 1.0, "inside": 0.0, "openings": 1.0, "walkway": 1.0}
 
 
@@ -257,7 +257,7 @@ def test_the_examples_work(cli, tmp_path):
         assert cli("plan", "--from", examples / f"{name}.json", "-o", tmp_path / "plan.json").code == 0
     assert cli("plan", "studio", "--config", examples / "settings.toml", "-o", tmp_path / "plan.json").code == 0
     settings = make.settings(examples / "settings.toml", ["svg"], None)
-    assert settings["walkable"].robot_radius == 0.3 and settings["layout"].steps == 50
+    assert settings["walkable"].robot_radius == 0.3 and settings["layout"].candidates == 8
 
 
 def test_an_outline_is_filled(cli, tmp_path):

@@ -105,7 +105,7 @@ def test_damaged_files_are_made_again(made, home, again):
 
 def test_other_weights_make_a_layout_anew(home, again, tmp_path):
     from apartgen import steps
-    from apartgen.stages.layout import weights as shipped
+    from apartgen.stages.layout.relations import weights as shipped
 
     assert steps.weights(steps.LayoutConfig()) == {"weights": shipped.SHIPPED}
     other = tmp_path / "weights.safetensors"

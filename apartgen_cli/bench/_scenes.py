@@ -67,7 +67,7 @@ def config(method: str, **changes: Any) -> LayoutConfig:
 
 def config_of(changes: dict[str, Any]) -> LayoutConfig:
     """Layout settings that differ so from the default."""
-    return LayoutConfig(**({"threads": 1} | changes))
+    return LayoutConfig(**({"threads": 1, "model": "diffusion"} | changes))
 
 
 def furnished(homes: list[Plan], settings: LayoutConfig, seed: int) -> list[Layout]:

@@ -59,7 +59,8 @@ def furnished(network: Denoiser, rooms: Rooms, lanes: list[np.random.Generator],
     """Counts (types, C) of the classes in rooms furnished as by default; the same on any number of cores."""
     out = np.zeros((len(ROOM_TYPES), len(CATEGORIES)))
     with spreading(threads) as spread:
-        made = placed(network, rooms, LayoutConfig(), lanes, lambda _, *row: furnish.task(*row), spread)
+        config = LayoutConfig(model="diffusion")
+        made = placed(network, rooms, config, lanes, lambda _, *row: furnish.task(*row), spread)
         for i, settled, _ in made:
             np.add.at(out[rooms.type[i]], [CATEGORIES.index(item.category) for item in settled.items], 1)
     return out

@@ -64,7 +64,7 @@ class LayoutConfig(Record):
     """One layout run."""
 
     model: Literal["relations", "diffusion"] = Field(
-        "diffusion", description="objects one after another by their relations, or all at once out of noise"
+        "relations", description="objects one after another by their relations, or all at once out of noise"
     )
     candidates: int = Field(4, ge=1, le=64, description="samples of a room, of which the best is kept (relations)")
     constraints: bool = Field(True, description="draw nothing that breaks a requirement (relations)")
@@ -109,14 +109,14 @@ class LayoutConfig(Record):
     @model_validator(mode="after")
     def _heeded(self) -> "LayoutConfig":
         """A setting that another one switches off is refused."""
-        others = RELATIONS if self.model == "diffusion" else DIFFUSION
-        changed = (name for name in self.model_fields_set & others if getattr(self, name) != self._plain(name))
-        if unheeded := sorted(changed):
-            option, other = unheeded[0].replace("_", "-"), ({"relations", "diffusion"} - {self.model}).pop()
-            raise ValueError(f"--{option}: acts with --model {other} only; give that, or go without")
         if self.count != "guided" and (gamma := self.guidance.get("quantity")):
             raise ValueError(f"--guidance quantity={gamma:g}: acts with --count guided only; give that, or go without")
         if self.scaling == "sigma" and self.guidance_repeats:
             raise ValueError(f"--guidance-repeats {self.guidance_repeats}: Eq. 2 with Σ takes one gradient step; "
                              "leave it out, or give --scaling plain")
+        others = RELATIONS if self.model == "diffusion" else DIFFUSION
+        changed = (name for name in self.model_fields_set & others if getattr(self, name) != self._plain(name))
+        if unheeded := sorted(changed):
+            option, other = unheeded[0].replace("_", "-"), ({"relations", "diffusion"} - {self.model}).pop()
+            raise ValueError(f"--{option}: acts with --model {other} only; give that, or go without")
         return self

@@ -117,7 +117,7 @@ def test_paper_scaling_shifts_the_posterior_mean_by_lambda_sigma_gradient() -> N
     """Eq. 2 for one DDPM step, whatever the sampler sees: μ′ = μ - λΣ∇φ(μ)."""
     from apartgen.stages.layout.samplers import posterior
 
-    config = LayoutConfig(scaling="sigma", guidance_scale=3.0)
+    config = LayoutConfig(model="diffusion", scaling="sigma", guidance_scale=3.0)
     rooms, t = some_rooms(1), 9
     x = torch.randn(1, 4, 8 + N_CLASSES + 32, generator=torch.Generator().manual_seed(0))
     clean = x * 0.9
@@ -173,7 +173,7 @@ def test_schedule_is_respected() -> None:
         [(1.0, counting)],
         floor_of(some_rooms(1)),
         MODEL,
-        LayoutConfig(),
+        LayoutConfig(model="diffusion"),
         0.01,
     )
     steered(x, torch.tensor([11]))
@@ -193,7 +193,7 @@ def test_late_quantity_guidance_makes_counts_exact(wanted: int) -> None:
     rooms.count[:] = wanted
     network, _ = weights.load()
     lanes = [np.random.default_rng([i, 0]) for i in range(6)]
-    config = LayoutConfig(count="guided", guidance={}, projection=False)
+    config = LayoutConfig(model="diffusion", count="guided", guidance={}, projection=False)
     made = (sample(network, rooms, config, lanes).category >= 0).sum(1)
     assert (made == wanted).all()
     lanes = [np.random.default_rng([i, 0]) for i in range(6)]
@@ -202,12 +202,12 @@ def test_late_quantity_guidance_makes_counts_exact(wanted: int) -> None:
 
 
 def test_guidance_goes_farther_where_nothing_comes_after_it() -> None:
-    bare, projected = (LayoutConfig(projection=after).gradient_steps for after in (False, True))
-    assert bare > projected and LayoutConfig(guidance_repeats=20).gradient_steps == 20
+    bare, projected = (LayoutConfig(model="diffusion", projection=after).gradient_steps for after in (False, True))
+    assert bare > projected and LayoutConfig(model="diffusion", guidance_repeats=20).gradient_steps == 20
 
 
 def test_rooms_that_need_no_guidance_are_left_alone_and_the_others_descend_as_ever() -> None:
-    room, config = floor_of(some_rooms(2)), LayoutConfig(guidance_repeats=5)
+    room, config = floor_of(some_rooms(2)), LayoutConfig(model="diffusion", guidance_repeats=5)
     terms = guided.energies({name: 1.0 for name in SPATIAL if name != "walkway"})
     category = torch.tensor([[CATEGORIES.index("wardrobe")] * 2] * 2)
     center = torch.tensor([[[-0.2, 0.1, 0.4], [0.2, 0.0, 0.4]], [[-1.0, 0.6, 0.4], [1.0, -0.6, 0.4]]])

@@ -67,13 +67,13 @@ def test_a_room_too_small_for_what_it_was_asked_says_so(caplog: pytest.LogCaptur
 def test_wishes_hold_where_guidance_sets_the_number() -> None:
     """Eq. 3 fills the slots that were given to what is wanted."""
     plan = asking([("desk", 2)], {h.BEDROOM: 5})
-    config = LayoutConfig(count="guided", projection=False)
+    config = LayoutConfig(model="diffusion", count="guided", projection=False)
     homes = layout.run_many([plan] * 12, config, [np.random.default_rng([i, 1]) for i in range(12)])
     bedrooms = [[o.category for o in home.objects if o.room == h.BEDROOM] for home in homes]
     assert [names.count("desk") for names in bedrooms] == [2] * 12 and {len(names) for names in bedrooms} == {5}
 
 
 def test_a_sample_that_ran_away_is_no_layout() -> None:
-    config = LayoutConfig(projection=False, scaling="sigma", guidance_scale=2e5)
+    config = LayoutConfig(model="diffusion", projection=False, scaling="sigma", guidance_scale=2e5)
     with pytest.raises(Unmet, match="--guidance-scale"):
         layout.run(asking(), config, np.random.default_rng(0))

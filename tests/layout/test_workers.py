@@ -11,7 +11,7 @@ from apartgen.stages.layout.config import LayoutConfig
 
 def test_the_number_of_workers_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batch, "MANY_ROOMS", 2)
-    config = LayoutConfig(steps=4, batch=3)
+    config = LayoutConfig(model="diffusion", steps=4, batch=3)
     alone = [layout.run(plan(), config, np.random.default_rng(k)) for k in (1, 2, 3)]
     for threads, order in ((1, (1, 2, 3)), (2, (3, 1, 2))):
         lanes = [np.random.default_rng(k) for k in order]

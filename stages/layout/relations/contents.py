@@ -3,6 +3,7 @@
 What was asked for is met by masking: how many in all, and how many of a category.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -90,32 +91,55 @@ def allowed(so_far: Ints, last: int, left: int, wanted: Ints, rules: Rules) -> N
     return np.append(may, end or not may.any())
 
 
+@dataclass
+class _Drawing:
+    """Contents that are being drawn: counts so far, what is still wanted (C,), objects left or -1, last rank."""
+
+    so_far: Ints
+    wanted: Ints
+    left: int
+    last: int
+    found: list[int]
+
+
 def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wanted: Ints, rules: Rules,
-         rng: np.random.Generator, given: Ints | None = None) -> list[int]:
-    """Categories of a room's contents in functional order, beyond `given` (C,) counts of what is there already.
+         rngs: Sequence[np.random.Generator], given: Ints | None = None) -> list[list[int]]:
+    """Categories of a room's contents in functional order, beyond `given` (C,) counts of what is there already; one
+    list for every generator.
 
     count of objects still to come, or -1; wanted (C,) of them by category, or -1.
     """
-    n = len(wanted)
-    so_far = np.zeros(n, np.int64) if given is None else given.copy()
-    wanted, found, last, left = wanted.copy(), list[int](), -1, count
-    kind, known = torch.tensor([type]), torch.from_numpy(room)[None]
-    for _ in range(N_MAX - int(so_far.sum())):
-        told = torch.from_numpy(wanted)[None].float()
+    there = np.zeros(len(wanted), np.int64) if given is None else given
+    rows = [_Drawing(there.copy(), wanted.copy(), count, -1, []) for _ in rngs]
+    going = list(range(len(rows)))
+    for _ in range(N_MAX - int(there.sum())):
+        some = [rows[i] for i in going]
         with torch.inference_mode():
-            logits = network(kind, known, torch.from_numpy(so_far)[None].float(), torch.tensor([left]), told)[0]
-        may = allowed(so_far, last, left, wanted, rules)
-        shown = np.where(may, logits.numpy().astype(float), SHUT_OUT)
-        weight = np.exp(shown - shown.max())
-        chosen = int(np.searchsorted(np.cumsum(weight) / weight.sum(), rng.random()))
-        if chosen >= n:
+            logits = network(
+                torch.full((len(some),), type), torch.from_numpy(room).expand(len(some), -1),
+                torch.from_numpy(np.stack([row.so_far for row in some])).float(),
+                torch.tensor([row.left for row in some]),
+                torch.from_numpy(np.stack([row.wanted for row in some])).float()).numpy()
+        going = [i for k, i in enumerate(going) if _further(rows[i], logits[k], rules, rngs[i])]
+        if not going:
             break
-        found.append(chosen)
-        so_far[chosen] += 1
-        last = int(rules.rank[chosen])
-        left -= left > 0
-        wanted[chosen] -= wanted[chosen] > 0
-    return found
+    return [row.found for row in rows]
+
+
+def _further(row: _Drawing, logits: NDArray[np.float32], rules: Rules, rng: np.random.Generator) -> bool:
+    """Draw the next category; False where the room ends."""
+    may = allowed(row.so_far, row.last, row.left, row.wanted, rules)
+    shown = np.where(may, logits.astype(float), SHUT_OUT)
+    weight = np.exp(shown - shown.max())
+    chosen = int(np.searchsorted(np.cumsum(weight) / weight.sum(), rng.random()))
+    if chosen >= len(row.wanted):
+        return False
+    row.found.append(chosen)
+    row.so_far[chosen] += 1
+    row.last = int(rules.rank[chosen])
+    row.left -= row.left > 0
+    row.wanted[chosen] -= row.wanted[chosen] > 0
+    return True
 
 
 def loss(network: Contents, rooms: "list[tuple[int, NDArray[np.float32], Ints]]", rank: Ints,

@@ -32,6 +32,9 @@ from apartgen.stages.use.household import sleepers
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
 
+SHARP = 1.0
+"""What logits are multiplied with before anything is drawn."""
+
 
 def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[Box] = ()) -> tuple[Layout, list[str]]:
     """One apartment, and what is to be said about it; `given` objects stay, and `config.room` names the rooms to do."""
@@ -61,7 +64,7 @@ def _room(plan: Plan, room: Room, i: int, arrays: Rooms, config: LayoutConfig, r
     task = _task(plan, room, i, arrays, model, known, given)
     rules = rules_of(known, room, wanted_of(arrays, i, plan, room))
     lanes = rng.spawn(config.candidates + 1)
-    names = [_contents(task, rules, arrays, i, plan, room, lane) for lane in lanes[1:]]
+    names = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     done = Sampler(task, lanes[0], config.constraints, config.places).run(names)
     found = [_boxes(room, p, arrays.origin[i], style, given) for p in done]
     best = choice.best(plan, room.id, found) if len(found) > 1 else 0
@@ -74,7 +77,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     told = sleepers(plan)
     facts = learning.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
-    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, 1.0)
+    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP)
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room))
 
@@ -121,8 +124,9 @@ def rules_of(known: weights.Vocabulary, room: Room, wanted: Counter[str]) -> Rul
     return Rules(known, _least(room), wanted)
 
 
-def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room: Room, rng: Generator) -> list[str]:
-    """Names of what one sample of a room is to hold beyond what is given."""
+def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room: Room,
+              rngs: list[Generator]) -> list[list[str]]:
+    """Names of what samples of a room are to hold beyond what is given."""
     known = task.speaker.known
     there = np.zeros(len(known.categories), np.int64)
     for name, _ in task.given:
@@ -135,8 +139,9 @@ def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room:
     told = sleepers(plan)
     facts = contents.facts(task.speaker.shell.boxes, task.speaker.shell.kind, float(arrays.area[i]),
                            -1 if told is None else told)
-    drawn = contents.draw(task.speaker.model.contents, task.speaker.type, facts, count, wanted, rules.drawn, rng, there)
-    return likes + [known.categories[c] for c in drawn]
+    model, type_ = task.speaker.model.contents, task.speaker.type
+    drawn = contents.draw(model, type_, facts, count, wanted, rules.drawn, rngs, there)
+    return [likes + [known.categories[c] for c in one] for one in drawn]
 
 
 def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box]) -> list[Box]:

@@ -26,6 +26,8 @@ CUT = 0.25
 """What an object may cut off of the floor, in metres of way."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
+APART = np.array([1.0, np.e, np.pi, np.sqrt(7), np.sqrt(11), np.sqrt(13), np.sqrt(17)])
+"""Numbers of which no candidates have the same sum."""
 Floats = NDArray[np.floating[Any]]
 
 
@@ -60,26 +62,35 @@ class Sampler:
         return Particle(furniture, list(left))
 
     def run(self, contents: list[list[str]]) -> list[Particle]:
-        """A finished room for each list of contents."""
-        particles = [self.begin(left) for left in contents]
-        going = [i for i, p in enumerate(particles) if p.left]
+        """Finished rooms, of as many lists of contents; those in which something finds no place are given up, as long
+        as half of them are left."""
+        particles: dict[int, Particle] = {i: self.begin(left) for i, left in enumerate(contents)}
+        going = [i for i, p in particles.items() if p.left]
         while going:
-            some = [particles[i] for i in going]
-            for i, (name, boxes, weight) in zip(going, self.room.speaker.propose(some, self.rng), strict=True):
+            said = self.room.speaker.propose([particles[i] for i in going], self.rng)
+            for i, (name, boxes, weight) in zip(going, said, strict=True):
                 if self.places == "random":
                     boxes = self._anywhere(particles[i].furniture, name, boxes)
                     weight = np.full(len(boxes), 1 / len(boxes))
-                particles[i] = self._placed(particles[i], name, boxes, weight, contents[i])
-            going = [i for i in going if particles[i].left]
-        return particles
+                spare = 2 * len(particles) > len(contents) + 1
+                further = self._placed(particles[i], name, boxes, weight, contents[i], spare)
+                if further is None:
+                    del particles[i]
+                else:
+                    particles[i] = further
+            going = [i for i in going if i in particles and particles[i].left]
+        return list(particles.values())
 
-    def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str]) -> Particle:
-        """The particle with an object more, or as it is to go on without."""
+    def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str],
+                spare: bool) -> Particle | None:
+        """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
         found = self._chosen(p.furniture, name, boxes, weight)
         if found is None and p.tries + 1 < TRIES:
             p.tries += 1
             return p
         needed = found is None and self.room.needs(name, p.furniture.names)
+        if found is None and spare and (needed or TABLE[name].place == "floor"):
+            return None
         if needed and p.begun < BEGUN:
             again = self.begin(contents)
             again.begun = p.begun + 1
@@ -96,6 +107,7 @@ class Sampler:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
+        boxes, weight = _merged(boxes, weight)
         price = there.prices(name, boxes)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
         for _ in range(LOOKS):
@@ -147,3 +159,9 @@ class Sampler:
             out[:, :3], out[:, 5] = which[:, :3], which[:, 6]
         out[:, 6] = out[:, 5] + height
         return out
+
+
+def _merged(boxes: Array, weight: Floats) -> tuple[Array, Floats]:
+    """Candidates that are the same taken together."""
+    _, first, which = np.unique(boxes @ APART, return_index=True, return_inverse=True)
+    return boxes[first], np.asarray(np.bincount(which, weight), float)

@@ -21,7 +21,8 @@ def drawn(seed: int, count: int = -1, wanted: dict[str, int] | None = None, rule
     there = np.bincount([CATEGORIES.index(name) for name, k in (given or {}).items() for _ in range(k)], minlength=C)
     model = weights.empty(SMALL.model_copy(update={"seed": seed % 3})).eval()
     facts = np.random.default_rng(seed).normal(size=contents.FACTS).astype(np.float32)
-    found = contents.draw(model.contents, seed % 11, facts, count, asked, rules, np.random.default_rng(seed), there)
+    rngs = [np.random.default_rng([seed, k]) for k in range(2)]
+    found = contents.draw(model.contents, seed % 11, facts, count, asked, rules, rngs, there)[seed % 2]
     return [CATEGORIES[c] for c in found]
 
 

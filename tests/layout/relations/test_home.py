@@ -1,0 +1,71 @@
+"""Homes by the shipped weights: the same alone and in batches, rooms redone, newcomers placed."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from apartgen.schemas.layout import Layout
+from apartgen.schemas.plan import AskedObjects, Plan
+from apartgen.stages import layout, seeds
+from apartgen.stages.layout import batch
+from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.relations import weights
+from apartgen.stages.plan import build
+from apartgen.stages.plan.config import PlanConfig
+from apartgen.stages.plan.study import archetypes
+
+ONE = LayoutConfig(model="relations", candidates=2, threads=1)
+
+
+@cache
+def home(seed: int = 3) -> Plan:
+    plan: Plan = build(archetypes()["one_bedroom"], PlanConfig(), np.random.default_rng(seed))
+    return plan
+
+
+def made(plan: Plan, seed: int = 1, config: LayoutConfig = ONE) -> Layout:
+    return layout.run(plan, config, seeds.drawn(seed, "layout", seeds.plan_digest(plan)))
+
+
+def test_a_home_is_the_same_in_any_batch_and_on_any_number_of_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(batch, "MANY_ROOMS", 2)
+    plans = [home(3), home(4)]
+    alone = [made(plan).objects for plan in plans]
+    for threads, order in ((1, (1, 0)), (2, (0, 1))):
+        rngs = [seeds.drawn(1, "layout", seeds.plan_digest(plans[k])) for k in order]
+        together = layout.run_many([plans[k] for k in order], ONE.model_copy(update={"threads": threads}), rngs)
+        assert [done.objects for done in together] == [alone[k] for k in order]
+
+
+def test_rooms_are_redone_alone() -> None:
+    first = made(home())
+    room = home().rooms[0].id
+    again = made(first, seed=2, config=ONE.model_copy(update={"room": [room]}))
+    assert [o for o in again.objects if o.room != room] == [o for o in first.objects if o.room != room]
+    assert [o for o in again.objects if o.room == room] != [o for o in first.objects if o.room == room]
+
+
+def test_a_part_furnished_home_is_completed() -> None:
+    first = made(home())
+    kept = first.objects[::3]
+    part = first.model_copy(update={"objects": kept})
+    whole = made(part, seed=5, config=ONE.model_copy(update={"keep": True}))
+    assert {o.id: o for o in kept}.items() <= {o.id: o for o in whole.objects}.items()
+    assert len(whole.objects) > len(kept)
+
+
+def test_what_is_asked_for_is_there() -> None:
+    plan = home().model_copy(deep=True)
+    living = next(room.id for room in plan.rooms if room.type == "living_room")
+    plan.program.objects += [AskedObjects(room=living, category="armchair", count=2),
+                             AskedObjects(room=living, category="rug", count=0)]
+    found = [o.category for o in made(plan).objects if o.room == living]
+    assert found.count("armchair") == 2 and "rug" not in found
+
+
+def test_weights_say_what_they_were_made_of() -> None:
+    _, known, record = weights.load()
+    assert {"corpus", "rooms", "losses", "step"} <= record.keys()
+    assert "sofa" in known.categories and known.category("sofa") == known.categories.index("sofa")
+    assert weights.SHIPPED.stat().st_size < 8e6
