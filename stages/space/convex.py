@@ -57,7 +57,7 @@ def of(colliders: Sequence[Collider]) -> Hulls:
 
 def _points(c: Collider) -> Array:
     if c.kind in ("cylinder", "sphere"):
-        wide = c.size * ([_ROUND, _ROUND, 1.0] if c.kind == "cylinder" else 1.0)
+        wide = c.size * [_ROUND, _ROUND, 1.0 if c.kind == "cylinder" else _ROUND]
         return corners(Collider(c.kind, c.center, wide, c.rotation))
     return corners(c)
 
