@@ -250,8 +250,6 @@ def test_beds_stay_as_wide_as_people_have_them_where_other_things_can_go():
     result = walk(home, target=0.69, connect=False, unblock=False)
     assert object_of(result, "bed").size[1] >= 1.6 and object_of(result, "sofa").size[1] == 2.4
     assert 1 <= len(result.walkable.dropped) <= 2 and all(name.startswith("side") for name in result.walkable.dropped)
-    least = walk(home, target=1, write_anyway=True, connect=False, unblock=False)
-    assert object_of(least, "bed").size[1] >= 1.6
 
 
 def test_a_plant_goes_before_a_sofa_shrinks_far():
