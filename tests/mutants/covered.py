@@ -27,6 +27,7 @@ def clone(root: Path, to: Path, commit: str) -> Path:
         subprocess.run(["git", "checkout", "--quiet", commit], cwd=to, check=True)
         for name in ("schemas", "stages"):
             (to / "apartgen" / name).symlink_to(Path("..") / name)
+    subprocess.run(["git", "checkout", "--quiet", "--", "."], cwd=to, check=True)  # what an interrupted run left
     return to
 
 
