@@ -95,7 +95,7 @@ def test_a_style_is_among_those_of_its_category(done, site):
     """It can be shown, and what looks for a desk like it gets it."""
     code = ("from apartgen.stages.retrieve import open_libraries\n"
             "own = open_libraries()\n"
-            "like = own.load('parametric', 'desk/trestle/700x1400x750/0')\n"
+            "like = own.load_asset('parametric', 'desk/trestle/700x1400x750/0')\n"
             "from apartgen.stages.retrieve.shape.encoder import latents\n"
             "print(own.nearest('desk', like.size, latents([like])[0]).id)")
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
