@@ -16,7 +16,7 @@ from apartgen.stages.things.categories import CATEGORIES
 class Furnished:
     """One room: tokens of the shell, then objects in functional order. boxes (T, 7), kind (T,), swing (T, 2), category
     (T,) -1 for the shell; length (n, T) of each object's description from each token; type, sleepers of its home, -1
-    unknown, floor area."""
+    unknown, floor area; deep (T,) behind walls."""
 
     boxes: Array
     kind: Ints
@@ -26,6 +26,7 @@ class Furnished:
     type: int
     sleepers: int
     area: float
+    deep: Array
 
     @property
     def n(self) -> int:
@@ -79,6 +80,7 @@ def _tokens(corpus: Corpus, i: int, sleepers: Ints | None) -> Furnished:
         np.concatenate([base.swing, np.zeros((n, 2), np.float32)]),
         np.concatenate([np.full(s, -1), category[place]]), np.zeros((n, s + n), np.float32),
         int(corpus.rooms.type[i]), -1 if sleepers is None else int(sleepers[i]), float(corpus.rooms.area[i]),
+        np.concatenate([base.deep, np.zeros(n, np.float32)]),
     )
 
 

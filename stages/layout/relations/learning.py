@@ -30,7 +30,7 @@ UNTOLD = 0.3
 class Batch:
     """Rooms padded to T tokens and Q objects: boxes (B, T, 7), kind, category (B, T), swing (B, T, 2), shell, n (B,),
     type (B,), facts (B, 3), asked category (B, Q) -1 past the last, reference (B, Q), said (B, Q) whether it has one,
-    left (B, Q, C) to come, the object itself included."""
+    left (B, Q, C) to come, the object itself included, deep (B, T) behind walls."""
 
     boxes: Array
     kind: Ints
@@ -44,6 +44,7 @@ class Batch:
     reference: Ints
     said: NDArray[np.bool_]
     left: Array
+    deep: Array
 
     @property
     def tokens(self) -> int:
@@ -60,7 +61,8 @@ def batch(rooms: Sequence[Furnished], categories: int, rng: np.random.Generator)
         np.zeros((b, t, 2), np.float32),
         np.array([room.shell for room in rooms]), np.array([room.n for room in rooms]),
         np.array([room.type for room in rooms]), np.zeros((b, ROOM_FACTS), np.float32), np.full((b, q), -1),
-        np.zeros((b, q), np.int64), np.zeros((b, q), bool), np.zeros((b, q, categories), np.float32))
+        np.zeros((b, q), np.int64), np.zeros((b, q), bool), np.zeros((b, q, categories), np.float32),
+        np.zeros((b, t), np.float32))
     for i, room in enumerate(rooms):
         place = np.arange(room.n)
         if rng.random() < LOCKED:
@@ -73,6 +75,7 @@ def batch(rooms: Sequence[Furnished], categories: int, rng: np.random.Generator)
         n = len(order)
         out.boxes[i, :n], out.swing[i, :n] = turned(boxes, int(rng.integers(4))), swing
         out.kind[i, :n], out.category[i, :n] = room.kind[order], room.category[order]
+        out.deep[i, :n] = room.deep[order]
         told = room.sleepers if rng.random() > UNTOLD else -1
         out.facts[i] = room_facts(room.area, float(room.boxes[0, 6]), told)
         out.asked[i, : room.n] = room.category[room.shell :][place]
@@ -176,7 +179,7 @@ def frame_losses(network: Relations, of: Batch, rows: Ints, which: Ints, hung: N
     state, tokens = network.view(seen_by, torch.from_numpy(category), torch.from_numpy(left))
     objects = real & (of.kind[rows] == OBJECT)
     soft = SOFT[of.category[rows]] & objects
-    bodies, sort = solids(of.boxes[rows], of.kind[rows], of.swing[rows], soft)
+    bodies, sort = solids(of.boxes[rows], of.kind[rows], of.swing[rows], of.deep[rows], soft)
     met = Met(seen(bodies, frame), np.where(real, sort, 0), frame[:, 3:5] / 2)
     same = objects & (of.category[rows] == category[:, None])
     taken = beside(view, frame[:, 3:5] / 2, of.kind[rows], np.where(real, sort, 0), same)

@@ -50,7 +50,7 @@ class Speaker:
         b, t = len(particles), s + int(n.max())
         boxes, kind = np.zeros((b, t, 7), np.float32), np.full((b, t), OBJECT)
         category, swing = np.full((b, t), -1), np.zeros((b, t, 2), np.float32)
-        boxes[:, :s], kind[:, :s], swing[:, :s] = self.shell
+        boxes[:, :s], kind[:, :s], swing[:, :s], _ = self.shell
         for i, p in enumerate(particles):
             boxes[i, s : s + n[i]] = p.furniture.boxes
             category[i, s : s + n[i]] = [self.known.category(name) for name in p.furniture.names]
@@ -133,7 +133,9 @@ class Speaker:
         for i, p in enumerate(particles):
             gives = [TABLE[o].soft or TABLE[o].place == "flat" for o in p.furniture.names]
             soft[i, len(self.shell.kind) : len(self.shell.kind) + len(gives)] = gives
-        bodies, sort = solids(boxes[rows], kind[rows], swing[rows], soft[rows])
+        behind = np.zeros(kind.shape, np.float32)
+        behind[:, : len(self.shell.deep)] = self.shell.deep
+        bodies, sort = solids(boxes[rows], kind[rows], swing[rows], behind[rows], soft[rows])
         same = real & (category[rows] == asked_for[:, None])
         taken = learning.beside(view, frame[:, 3:5] / 2, kind[rows], np.where(real, sort, 0), same)
         kinds = [TABLE[names[i]] for i in rows.tolist()]

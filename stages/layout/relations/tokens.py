@@ -18,19 +18,20 @@ HOLES = {KINDS["door"]: DOOR, KINDS["opening"]: OPENING, KINDS["entrance"]: ENTR
 HEADS = {DOOR: (0.0, 2.05), OPENING: (0.0, 2.05), ENTRANCE: (0.0, 2.05), WINDOW: (0.9, 2.2)}
 """Heights of sill and head that the model is told, as corpora do not say them."""
 BOX = 7
-BODY = 0.3
-"""Thickness of a wall as others meet it, m."""
+BODY = 6.0
+"""All is solid behind a wall for so far, unless the room itself goes on there, m."""
 Array = NDArray[np.floating[Any]]
 Ints = NDArray[np.int64]
 
 
 class Shell(NamedTuple):
-    """A room without objects: boxes (S, 7), kind (S,), swing (S, 2) of doors: opens into the room, hinge; the room
-    itself is the first token."""
+    """A room without objects: boxes (S, 7), kind (S,), swing (S, 2) of doors: opens into the room, hinge; deep (S,) how
+    far it is solid behind walls, m. The room itself is the first token."""
 
     boxes: Array
     kind: Ints
     swing: Array
+    deep: Array
 
 
 def shell(rooms: Rooms, index: int) -> Shell:
@@ -49,7 +50,20 @@ def shell(rooms: Rooms, index: int) -> Shell:
     swing = np.zeros((1 + len(walls) + len(holes), 2), np.float32)
     swing[1 + len(walls):] = rows[:, 5:7]
     boxes = np.concatenate([room, walls, holes]).astype(np.float32)
-    return Shell(boxes, np.concatenate([[ROOM], np.full(len(walls), WALL), kind]).astype(np.int64), swing)
+    deep = np.concatenate([[0.0], _behind(corners), np.zeros(len(holes))]).astype(np.float32)
+    return Shell(boxes, np.concatenate([[ROOM], np.full(len(walls), WALL), kind]).astype(np.int64), swing, deep)
+
+
+def _behind(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far it is to other parts of the room behind each wall, m."""
+    side = np.roll(corners, -1, 0) - corners
+    length = np.hypot(*side.T)
+    along = side / length[:, None]
+    offset = corners[None] - corners[:, None]
+    past = (offset * along[:, None]).sum(-1)
+    out = offset[..., 0] * along[:, None, 1] - offset[..., 1] * along[:, None, 0]
+    there = (out > 0.05) & (past > 0.05) & (past < length[:, None] - 0.05)
+    return np.asarray(np.where(there, out, BODY).min(1))
 
 
 def _upright(start: NDArray[np.float64], end: NDArray[np.float64], low: NDArray[np.float64],
@@ -61,13 +75,16 @@ def _upright(start: NDArray[np.float64], end: NDArray[np.float64], low: NDArray[
     return np.column_stack([middle, yaw, np.zeros(len(side)), np.hypot(*side.T), low, high]).reshape(-1, BOX)
 
 
-def solids(boxes: Array, kind: Ints, swing: Array, soft: NDArray[np.bool_]) -> tuple[Array, Ints]:
-    """What tokens (..., T) keep others from: boxes (..., T, 7), walls as bodies, doors and windows as the floor before
-    them, and their sorts as `clear.depths` counts them; `soft` objects keep nobody away."""
+def solids(
+    boxes: Array, kind: Ints, swing: Array, behind: Array, soft: NDArray[np.bool_]
+) -> tuple[Array, Ints]:
+    """What tokens (..., T) keep others from: boxes (..., T, 7), walls as bodies, solid for so far `behind` them, doors
+    and windows as the floor before them, and their sorts as `clear.depths` counts them; `soft` objects keep nobody
+    away."""
     out = boxes.copy()
     door, window, wall = (kind > WALL) & (kind < WINDOW), kind == WINDOW, kind == WALL
     leaf = np.where(swing[..., 0] > 0, np.maximum(boxes[..., 4], DOOR_CLEARANCE), DOOR_CLEARANCE)
-    deep = np.select([wall, door, window], [BODY, leaf, WINDOW_CLEARANCE], 0.0)
+    deep = np.select([wall, door, window], [behind, leaf, WINDOW_CLEARANCE], 0.0)
     ahead = np.where(wall, -deep / 2, deep / 2)
     out[..., 0] += np.cos(boxes[..., 2]) * ahead
     out[..., 1] += np.sin(boxes[..., 2]) * ahead
