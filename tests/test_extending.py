@@ -61,7 +61,7 @@ def done(site, tmp_path_factory):
     (folder / "rooms/study.csv").write_text(TAPE)
     for line in COMMANDS:
         ended = run(line, site, folder)
-        assert ended.returncode == 0 and "warning" not in ended.stderr, f"{line}\n{ended.stderr}"
+        assert ended.returncode == 0 and "my-home" not in ended.stderr, f"{line}\n{ended.stderr}"
     return folder
 
 
