@@ -10,10 +10,8 @@ only those are run that run the changed line, the quickest first, until one fail
 import argparse
 import json
 import os
-import resource
 import shutil
 import subprocess
-import sys
 import tempfile
 import tomllib
 from collections.abc import Iterator, Sequence
@@ -23,7 +21,7 @@ from pathlib import Path
 from random import Random
 from typing import Literal
 
-from mutants import covered
+from mutants import covered, running
 from mutants.changes import Change, changes, sources
 
 ROOT = Path(__file__).parent.parent.parent
@@ -104,29 +102,26 @@ def tried(bench: Bench, change: Change, tests: Sequence[str]) -> tuple[Fate, str
     times = path.stat()
     compiles = change.compiled or b"njit" in source or b"import inner" in source
     cache = Path(tempfile.mkdtemp()) if compiles else bench.kernels
-    arguments = bench.results.with_suffix(".tests")
+    arguments, said = bench.results.with_suffix(".tests"), bench.results.with_suffix(".txt")
     arguments.write_text("\n".join(tests), encoding="utf-8")
     limit = int(60 + GENEROUS * sum(bench.seen.cost[test] for test in tests) + COMPILING * compiles)
     try:
         path.write_bytes(change.applied(source))
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns + 10**9))  # what is compiled already is not taken
-        run = subprocess.run(
-            [sys.executable, "-m", "pytest", "-x", "-q", "-rfE", "-p", "no:cacheprovider", f"@{arguments}"],
-            cwd=bench.work, env=covered.surroundings(bench.work, cache), capture_output=True, text=True,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)), timeout=20 * limit)
-    except subprocess.TimeoutExpired:
-        return "too long", ""
+        words = ["-x", "-q", "-rfE", "-p", "no:cacheprovider", f"@{arguments}"]
+        status = running.run(bench.work, cache, words, said, limit)
     finally:
         path.write_bytes(source)
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
         if compiles:
             shutil.rmtree(cache)
-    if run.returncode < 0:
+    text = said.read_text(encoding="utf-8", errors="replace")
+    if status < 0:
         return "too long", ""
-    if run.returncode > 2:
-        raise RuntimeError(run.stdout[-2000:] + run.stderr[-2000:])
-    failed = [line for line in run.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
-    return ("survived", "") if run.returncode == 0 else ("killed", failed[0] if failed else run.stderr[-200:])
+    if status > 2:
+        raise RuntimeError(text[-2000:])
+    failed = [line for line in text.splitlines() if line.startswith(("FAILED", "ERROR"))]
+    return ("survived", "") if status == 0 else ("killed", failed[0] if failed else text[-200:])
 
 
 def judged(bench: Bench, part: str, change: Change) -> dict[str, str | int]:
@@ -171,6 +166,7 @@ def main() -> None:
     commit = subprocess.run(git, cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
     at = asked.at.resolve() / commit
     work = covered.clone(ROOT, at / "clone", commit)
+    running.ready()
     covered.measure(work, at / "seen", at / "kernels")
     bench = Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results.jsonl", asked.budget)
     lines = bench.results.read_text(encoding="utf-8").splitlines() if bench.results.exists() else []

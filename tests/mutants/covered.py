@@ -5,11 +5,11 @@ import functools
 import json
 import os
 import subprocess
-import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import coverage
+from mutants import running
 from mutants.changes import Change, sources
 
 PARTS = ("apartgen", "schemas", "stages")
@@ -31,12 +31,6 @@ def clone(root: Path, to: Path, commit: str) -> Path:
     return to
 
 
-def surroundings(work: Path, cache: Path) -> dict[str, str]:
-    """Environment of a run in a clone: its own modules before the installed ones, its own compiled kernels."""
-    path = os.pathsep.join([str(work), str(work / "tests"), str(Path(__file__).parent)])
-    return {**os.environ, "PYTHONPATH": path, "NUMBA_CACHE_DIR": str(cache), "OMP_NUM_THREADS": "1"}
-
-
 def measure(work: Path, to: Path, cache: Path) -> None:
     """Runs each file of tests that was not run yet; leaves `<name>.cover` and `<name>.json` in `to`."""
     to.mkdir(parents=True, exist_ok=True)
@@ -45,16 +39,13 @@ def measure(work: Path, to: Path, cache: Path) -> None:
         cost = to / (name.replace("/", ".") + ".json")
         if name in ELSEWHERE or cost.exists():
             continue
-        command = [sys.executable, "-m", "coverage", "run", f"--data-file={cost.with_suffix('.cover')}",
-                   f"--source={','.join(PARTS)}", "-m", "pytest", "-q", "-p", "watching", f"tests/{name}"]
-        unfinished = cost.with_suffix(".unfinished")
-        where = surroundings(work, cache) | {"MUTANTS_COST": str(unfinished)}
-        try:
-            run = subprocess.run(command, cwd=work, env=where, capture_output=True, text=True, timeout=LONGEST)
-            if not unfinished.exists():
-                raise RuntimeError(f"{name}: {run.stdout[-2000:]}{run.stderr[-2000:]}")
-        except subprocess.TimeoutExpired:
+        unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
+        os.environ["MUTANTS_COST"] = str(unfinished)
+        status = running.run(work, cache, ["-q", f"tests/{name}"], said, LONGEST, cost.with_suffix(".cover"))
+        if status < 0:
             unfinished.write_text("{}")
+        elif not unfinished.exists():
+            raise RuntimeError(f"{name}: {said.read_text()[-2000:]}")
         unfinished.rename(cost)
         print(f"{name}: {len(json.loads(cost.read_text()))} tests", flush=True)
 
@@ -98,11 +89,13 @@ class Seen:
 
         What is compiled or read when a module is imported is run by those that run what mentions it.
         """
-        direct = set() if change.compiled or not change.function else self._running(
-            (change.file, line) for line in range(change.first, change.last + 1))
-        if not direct:
-            names = _named(self._trees[change.file], change) if not change.compiled else set()
+        lines = range(change.first, change.last + 1)
+        direct = self._running((change.file, line) for line in lines)
+        imported = not direct and any(self._by_line(change.file).get(line) for line in lines)
+        if change.compiled or not change.function or imported:
+            names = set() if change.compiled else _named(self._trees[change.file], change)
             direct = self._running(self._mentions(change.file, names))
+            direct = direct or self._running(self._mentions(change.file, set()))
         files = {test.partition("::")[0] for test in direct}
         return direct, {test for file in files for test in self._files[file]} - direct
 
@@ -129,9 +122,19 @@ def _named(tree: ast.Module, change: Change) -> set[str]:
     if change.function:
         return {change.function.partition(".")[0]}
     (statement,) = (node for node in tree.body if node.lineno <= change.line <= (node.end_lineno or 0))
-    targets = getattr(statement, "targets", [getattr(statement, "target", None)])
-    nodes = (node for target in targets if target is not None for node in ast.walk(target))
-    return {node.id for node in nodes if isinstance(node, ast.Name)}
+    names = _targets(statement)
+    for node in tree.body:  # and what else is made of that
+        if isinstance(node, ast.Assign | ast.AnnAssign) and node.value is not None and names & _names(node.value):
+            names |= _targets(node)
+    return names
+
+
+def _targets(node: ast.stmt) -> set[str]:
+    return _names(*(target for target in getattr(node, "targets", [getattr(node, "target", None)]) if target))
+
+
+def _names(*nodes: ast.AST) -> set[str]:
+    return {inner.id for node in nodes for inner in ast.walk(node) if isinstance(inner, ast.Name)}
 
 
 def _imported(tree: ast.Module, module: str, names: set[str]) -> Iterator[str]:
@@ -148,7 +151,10 @@ def _imported(tree: ast.Module, module: str, names: set[str]) -> Iterator[str]:
 
 def _lines(tree: ast.Module, names: set[str]) -> set[int]:
     """Lines in functions that mention any of some names; all if there are none."""
-    inside = (inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
-              for statement in node.body for inner in ast.walk(statement))
-    return {node.lineno for node in inside if hasattr(node, "lineno")
-            and (not names or isinstance(node, ast.Name) and node.id in names)}
+    found: set[int] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            inside = [inner for statement in node.body for inner in ast.walk(statement) if hasattr(inner, "lineno")]
+            whole = not names or names & _names(node.args)
+            found |= {inner.lineno for inner in inside if whole or isinstance(inner, ast.Name) and inner.id in names}
+    return found

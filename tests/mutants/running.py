@@ -1,0 +1,87 @@
+"""Pytest in a child of this process, which has what is slow to import already; in a clone, with its modules."""
+
+import contextlib
+import importlib
+import os
+import resource
+import signal
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+import coverage
+
+SLOW = ("numpy", "scipy.ndimage", "scipy.optimize", "scipy.spatial", "shapely", "numba", "matplotlib.pyplot", "mujoco",
+        "networkx", "trimesh", "pydantic", "typer", "rich", "PIL.Image", "safetensors", "torch", "pxr.Usd",
+        "hypothesis", "pytest")
+HERE = Path(__file__).parent
+
+
+def ready() -> None:
+    """Imports what children would each import anew, but nothing of the project."""
+    for name in SLOW:
+        with contextlib.suppress(ImportError):
+            importlib.import_module(name)
+
+
+def run(work: Path, cache: Path, arguments: Sequence[str], out: Path, seconds: int, cover: Path | None = None) -> int:
+    """Pytest's exit status, negative if it took more than so many seconds of processor time or ten times as long.
+
+    What it says goes to `out`; with `cover`, the lines that tests run go there.
+    """
+    child = os.fork()
+    if child == 0:
+        try:
+            _within(work, cache, out, seconds)
+            status = _pytest(list(arguments), cover)
+        except BaseException as error:  # nothing of this may go on in the child
+            print(f"{type(error).__name__}: {error}", file=sys.stderr)
+            status = 3
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
+    return _ended(child, 10 * seconds)
+
+
+def _ended(child: int, seconds: float) -> int:
+    end = time.monotonic() + seconds
+    while True:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return os.waitstatus_to_exitcode(status)
+        if time.monotonic() > end:
+            os.killpg(child, signal.SIGKILL)
+        time.sleep(0.1)
+
+
+def _within(work: Path, cache: Path, out: Path, seconds: int) -> None:
+    """The child as a process of its own, whose modules are the clone's."""
+    import numba
+
+    os.setsid()
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
+    file = os.open(out, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+    for number, name in ((1, "stdout"), (2, "stderr")):
+        os.dup2(file, number)
+        setattr(sys, name, open(number, "w", encoding="utf-8", closefd=False))
+    own = [str(work), str(work / "tests"), str(HERE)]
+    left = {"", str(HERE.parent), str(HERE.parent.parent)}
+    sys.path[:] = [*own, *(path for path in sys.path if path not in left)]
+    os.chdir(work)
+    os.environ["PYTHONPATH"] = os.pathsep.join(own)
+    os.environ["NUMBA_CACHE_DIR"] = numba.config.CACHE_DIR = str(cache)
+
+
+def _pytest(arguments: list[str], cover: Path | None) -> int:
+    import pytest
+
+    if cover is None:
+        return int(pytest.main(arguments))
+    watch = coverage.Coverage(data_file=str(cover), source=["apartgen", "schemas", "stages"])
+    watch.start()
+    try:
+        return int(pytest.main(["-p", "watching", *arguments]))
+    finally:
+        watch.stop()
+        watch.save()
