@@ -60,9 +60,10 @@ class Body:
 
     def take(self, other: "Body") -> None:
         """The pieces of another body as its own."""
-        for mine, theirs in ((self.boxes, other.boxes), (self.shapes, other.shapes)):
-            for material, pieces in theirs.items():
-                mine.setdefault(material, []).extend(pieces)  # type: ignore[attr-defined]
+        for material, boxes in other.boxes.items():
+            self.boxes.setdefault(material, []).extend(boxes)
+        for material, shapes in other.shapes.items():
+            self.shapes.setdefault(material, []).extend(shapes)
         self.colliders += other.colliders
         self.mass += other.mass
 
