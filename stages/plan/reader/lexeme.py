@@ -9,7 +9,8 @@ from apartgen.stages.plan.reader.lexicon import Entry
 class Lexeme:
     """A phrase with its readings. `joined` says that a hyphen ties it to the lexeme before.
 
-    Beyond the lexicon's kinds: `mark`, `unknown`, `area` (m² in `values`), `share`, `shorthand`.
+    Beyond the lexicon's kinds: `mark`, `unknown`, `area` (m² in `values`, metres in `sides`), `share`, `shorthand`.
+    `slips` are words misspelled, with those they were read as.
     """
 
     kind: str
@@ -21,6 +22,8 @@ class Lexeme:
     values: tuple[float, ...] = ()
     others: tuple[Entry, ...] = ()
     parts: tuple[tuple[str, float], ...] = field(default=())
+    sides: tuple[float, ...] = ()
+    slips: tuple[tuple[str, str], ...] = ()
 
     @property
     def number(self) -> float:

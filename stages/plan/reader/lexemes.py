@@ -1,4 +1,4 @@
-"""Tokens as lexemes: longest phrases of the lexicon, numbers, areas, shares and listings' shorthand."""
+"""Tokens as lexemes: longest phrases of the lexicon, numbers and listings' shorthand."""
 
 import tomllib
 from dataclasses import replace
@@ -7,7 +7,6 @@ from pathlib import Path
 
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import Lexicon
-from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.spelling import correct, split
 from apartgen.stages.plan.reader.tokens import Token
 
@@ -21,8 +20,8 @@ def _shorthand() -> dict[str, dict[str, dict[str, str]]]:
 
 
 def lexemes(tokens: list[Token], lexicon: Lexicon) -> list[Lexeme]:
-    """All lexemes of a prompt in order, `mark` "." between sentences."""
-    return quantities(_words(_split_words(tokens, lexicon), lexicon))
+    """All lexemes of a prompt in order, `mark` "." between sentences; numbers and units are not joined yet."""
+    return _words(_split_words(tokens, lexicon), lexicon)
 
 
 def _split_words(tokens: list[Token], lexicon: Lexicon) -> list[Token]:
@@ -120,11 +119,22 @@ def _longest(tokens: list[Token], i: int, lexicon: Lexicon, fixed: dict[int, str
             values = (float(head.value),) if head.kind in ("number", "fraction", "ordinal", "compare", "size") else ()
             best = (
                 Lexeme(
-                    head.kind, head.value, text, head.plural, values=values, others=entries[1:], glued=tokens[i].glued
-                ),
+                    head.kind,
+                    head.value,
+                    text,
+                    head.plural,
+                    values=values,
+                    others=entries[1:],
+                    glued=tokens[i].glued,
+                    slips=_misspelled(tokens, range(i, j), fixed),
+                ),  # fmt: skip
                 j,
             )
     return best
+
+
+def _misspelled(tokens: list[Token], at: range, fixed: dict[int, str]) -> tuple[tuple[str, str], ...]:
+    return tuple((tokens[k].text, fixed[k]) for k in at if fixed.get(k, tokens[k].text) != tokens[k].text)
 
 
 def _short(tokens: list[Token], i: int) -> tuple[Lexeme, int] | None:

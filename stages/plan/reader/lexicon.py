@@ -18,7 +18,7 @@ NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
     "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
-    "only", "style", "shape", "side_role", "side", "furniture", "furniture_count", "graph", "main_rooms",
+    "only", "style", "shape", "side_role", "side", "place", "furniture", "furniture_count", "graph", "main_rooms",
     "compound", "sum", "give", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
@@ -53,7 +53,7 @@ class Lexicon:
             for p, es in self.entries.items()
             if es[0].kind not in ("stop", "reach")
             for w in p
-            if len(w) >= 5 and w.isascii()
+            if len(w) >= 5 and w.isascii() and not w.endswith("rm")  # an abbreviation is nobody's slip
         )
 
 

@@ -55,6 +55,16 @@ def _totals(items: list[Item], k: int) -> bool:
     return (k > 0 and before.kind == "dwelling") or any(i.kind == "area_word" and i.value == "total" for i in after)
 
 
+def of_the_last(items: list[Item], before: list[RoomPhrase]) -> list[Item]:
+    """`It measures 30 m²` gives an area to the one room spoken of before, as far as a room may have it."""
+    said_of = [i for i in items if i.kind not in ("copula", "conjunction", "mark", "area_word", "reach")]
+    fits = [i.kind for i in said_of] == ["pronoun", "area"] and len(before) == 1 and not before[0].headline
+    if not fits or before[0].areas or said_of[1].values[0] > 5 * sense()["area"].get(before[0].type, 12.0):
+        return items
+    before[0].areas, before[0].sides = said_of[1].values, said_of[1].sides
+    return []
+
+
 def attach_areas(items: list[Item], said: Said) -> list[Item]:
     """Give every area or share to the room it speaks of, else to the flat."""
     out: list[Item] = []
@@ -75,7 +85,7 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if not owners:
             owners = [] if item.value == "total" or _total_near(items, k) else _owners(out, items, k)
         if not owners and item.kind == "area":
-            said.total_area = item.values[0] if said.total_area is None else said.total_area
+            _of_home(item, said)
         elif not owners:
             said.unread.append(item.text)
         together = any(i.kind == "sum" for i in items[max(k - 3, 0) : k + 2])
@@ -93,10 +103,19 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         for owner in owners:
             owner.together = together or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
             if item.kind == "area":
+                owner.sides = owner.sides if owner.areas else item.sides
                 owner.areas = owner.areas or item.values
             else:
                 owner.share = item.values[0]
     return [i for i in out if i.kind not in ("area_word", "sum")]
+
+
+def _of_home(item: Item, said: Said) -> None:
+    """The first area that no room takes is the flat's, others are not understood."""
+    if said.total_area is None:
+        said.total_area = item.values[0]
+    elif abs(said.total_area - item.values[0]) > 0.02 * said.total_area:
+        said.unread.append(item.text)
 
 
 def _corrected(items: list[Item], k: int) -> list[RoomPhrase]:

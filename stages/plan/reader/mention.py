@@ -12,7 +12,7 @@ class RoomPhrase:
     """A mention of rooms. `type` is "" for an elliptical one ("one of them") until it is resolved.
 
     `among` are the rooms an elliptical phrase speaks of where the sentence says so, `excluded` those it leaves out.
-    `quantifier` is the determiner's value; `area` has one value, or one per room, in m².
+    `quantifier` is the determiner's value; `area` has one value, or one per room, in m², `sides` length and width in m.
     """
 
     type: str = ""
@@ -22,6 +22,7 @@ class RoomPhrase:
     ordinals: tuple[int, ...] = ()
     plural: bool = False
     areas: tuple[float, ...] = ()
+    sides: tuple[float, ...] = ()
     share: float | None = None
     factor: float = 1.0
     negated: bool = False
@@ -55,6 +56,7 @@ class Item:
     values: tuple[float, ...] = ()
     joined: bool = False
     form: str = ""
+    sides: tuple[float, ...] = ()
 
 
 def is_mark(item: Item, marks: str) -> bool:

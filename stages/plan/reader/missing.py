@@ -32,7 +32,13 @@ def full_graph(said: Said, home: Household, doors: Doors) -> bool:
 def _lone(said: Said, home: Household) -> bool:
     """One or two rooms and no word of a dwelling: exactly those."""
     homely = (
-        said.dwelling or home.totals or said.main_rooms or said.total_area or home.banned or len(home.of("bedroom")) > 1
+        not home.rooms
+        or said.dwelling
+        or home.totals
+        or said.main_rooms
+        or said.total_area
+        or home.banned
+        or len(home.of("bedroom")) > 1
     )
     return len(home.rooms) < 3 and not homely
 

@@ -6,14 +6,17 @@ from apartgen.stages.plan.reader.attachments import attach_owned, merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
-from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines
+from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.phrases import Phraser
+from apartgen.stages.plan.reader.positions import positions, role_of
+from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.relations import place, relations
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import fold, tokenize
+from apartgen.stages.plan.reader.unread import limits
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
@@ -22,10 +25,14 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    whole, text = about(fold(prompt))
-    phraser = Phraser(lexicon).walk(lexemes(tokenize(text), lexicon))
-    said = Said(unread=list(phraser.unread), about=whole)
+    folded = fold(prompt)
+    whole, text = about(folded)
+    words = lexemes(tokenize(text), lexicon)
+    phraser = Phraser(lexicon).walk(quantities(words))
+    said = Said(unread=list(phraser.unread), about=whole, prompt=prompt, beyond=limits(folded))
+    said.corrected = [slip for word in words for slip in word.slips]
     _whole(phraser.items, said)
+    phraser.items = positions(phraser.items, said)
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []
@@ -65,22 +72,8 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.main_rooms = int(item.number)
             case "flat_size":
                 said.flat_size *= item.number
-            case "side":
-                role = _role(items, k)
-                said.sides += [(role, item.value)] if role else []
-                said.unread += [] if role else [item.text]
-
-
-def _role(items: list[Item], k: int) -> str:
-    """What a side is said of: `entrance on the north side`, `party walls to the east and west`, `north entrance`."""
-    start = k
-    while start > 0 and (items[start - 1].kind in ("side", "conjunction") or is_mark(items[start - 1], ",")):
-        start -= 1  # "party walls to the north, east and west"
-    before = [i.value for i in items[max(0, start - 4) : k] if i.kind == "side_role"]
-    ahead = items[k + 1 : k + 4]
-    stop = next((j for j, i in enumerate(ahead) if i.room is not None or i.kind == "mark"), len(ahead))
-    after = [i.value for i in ahead[:stop] if i.kind == "side_role"]
-    return next(iter([*before[-1:], *after]), "")
+            case "side" if role := role_of(items, k):
+                said.sides.append((role, item.value))
 
 
 def _of_room(after: list[Item]) -> bool:
@@ -108,11 +101,11 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     items = merge_ensuites(intended(items))
-    items = attach_areas(items, said)
+    items = attach_areas(of_the_last(items, before), said)
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
     ]
-    items = _adjectives(items)
+    items = _adjectives(items, said)
     items, found = open_groups(items)
     said.statements += found
     items = attach_owned(items, said)
@@ -144,19 +137,28 @@ def _of_link(items: list[Item], k: int) -> bool:
     return k > 0 and items[k].value == "it" and items[k - 1].kind == "link"
 
 
-def _adjectives(items: list[Item]) -> list[Item]:
+def _adjectives(items: list[Item], said: Said) -> list[Item]:
     """`the kitchen is small`: a size after its room."""
     out: list[Item] = []
-    for item in items:
+    for k, item in enumerate(items):
         last = next((i.room for i in reversed(out) if i.kind != "copula"), None)
         if item.kind == "size":
             if last is not None:
                 last.factor *= item.number
-        elif item.kind != "label" or last is None:
+            else:
+                said.unread.append(item.text)
+        elif item.kind != "label":
             out.append(item)
-        else:
+        elif last is not None or (last := _headed(items, k)) is not None:
             last.labels.add(item.value)
-    return [i for i in out if i.kind != "label"]
+        elif not any(i.kind == "dwelling" for i in out):
+            said.unread.append(item.text)
+    return out
+
+
+def _headed(items: list[Item], k: int) -> RoomPhrase | None:
+    """`hub: living room`."""
+    return items[k + 2].room if k + 2 < len(items) and is_mark(items[k + 1], ":") else None
 
 
 def mentions(statements: list[Statement]) -> set[int]:

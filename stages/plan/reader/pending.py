@@ -35,7 +35,7 @@ class Pending:
         phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
         phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
         phrase.count = self.number or None
-        phrase.areas = self.area.values if self.area else ()
+        phrase.areas, phrase.sides = (self.area.values, self.area.sides) if self.area else ((), ())
         if kind == "bathroom" and "own" in phrase.labels:
             phrase.labels.add("ensuite")
         if phrase.quantifier == "both" and _both(self.texts) and not word.plural:

@@ -52,6 +52,8 @@ class Phraser:
 
     def _step(self, words: list[Lexeme], i: int) -> int:
         word = words[i]
+        if word.value == "word" and word.kind in ("stop", "adjective"):
+            self.unread.append(word.text)
         following = words[i + 1] if i + 1 < len(words) else None
         if word.text == "den" and following is not None and following.kind == "room":
             return i + 1  # German article
@@ -221,7 +223,7 @@ class Phraser:
     def _dwelling(self, word: Lexeme) -> None:
         p = self.pending
         if p.area:
-            self.items.append(Item("area", "total", p.area.text, values=p.area.values))
+            self.items.append(Item("area", "total", p.area.text, values=p.area.values, sides=p.area.sides))
         if p.factor != 1.0:
             self.items.append(Item("flat_size", "", word.text, number=p.factor))
         self.items.append(Item("dwelling", word.value, word.text, joined=word.joined, number=p.number or 1))
@@ -247,7 +249,8 @@ class Phraser:
         else:
             value, _, form = (word.value, "", "") if word.kind in ("compare", "mark") else word.value.partition(".")
             number = word.values[0] if word.values else 1.0
-            self.items.append(Item(word.kind, value, word.text, None, number, word.values, word.joined, form))
+            traits = (number, word.values, word.joined, form, word.sides)
+            self.items.append(Item(word.kind, value, word.text, None, *traits))
 
     def _in_hall(self) -> bool:
         """`a hall with a cupboard`: large enough to be one of the rooms."""
@@ -278,5 +281,7 @@ class Phraser:
             self.unread.append(text)
         elif p.factor != 1.0:
             self.items.append(Item("size", "", p.texts[-1], number=p.factor))
+        elif p.labels or p.ordinals:
+            self.unread.append(text)
         if p.area:
-            self.items.append(Item("area", "", p.area.text, values=p.area.values))
+            self.items.append(Item("area", "", p.area.text, values=p.area.values, sides=p.area.sides))

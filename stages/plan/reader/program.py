@@ -1,5 +1,7 @@
 """What was said as a programme: rooms with ids, links, areas, furniture, weights."""
 
+import logging
+
 from numpy.random import Generator
 
 from apartgen.schemas.base import ROOM_TYPES
@@ -14,16 +16,20 @@ from apartgen.stages.plan.reader.doors import Doors, Pair, doors_said, ensuites,
 from apartgen.stages.plan.reader.entity import MOST, Entity
 from apartgen.stages.plan.reader.halls import hall_rank
 from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.languages import understood
 from apartgen.stages.plan.reader.links import complete_links, edge
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.missing import add_missing_rooms, full_graph
 from apartgen.stages.plan.reader.parse import mentions, parse
+from apartgen.stages.plan.reader.requirements import requirements
 from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.style import style_of
+from apartgen.stages.plan.reader.unread import with_clauses
 from apartgen.stages.plan.reader.wanted import add_bedrooms, add_rooms
 from apartgen.stages.things.categories import TABLE
 
+log = logging.getLogger("apartgen")
 LONGEST = 8000
 """Characters of a prompt."""
 
@@ -35,6 +41,8 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     BadInput when no room can be read or the request is absurd, Unmet when it contradicts itself.
     """
     said = bounded(prompt)
+    if said.corrected:
+        log.warning("read in the prompt: %s", ", ".join(f'"{a}" as "{b}"' for a, b in dict.fromkeys(said.corrected)))
     home = Household(mentions(said.statements))
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
@@ -65,6 +73,7 @@ def bounded(prompt: str) -> Said:
         raise BadInput('the prompt is empty; name rooms, e.g. "two-bedroom flat"')
     if len(prompt) > LONGEST:
         raise BadInput(f"the prompt has {len(prompt)} characters; keep it below {LONGEST}")
+    understood(prompt)
     said = parse(prompt)
     _counts_in_bounds(said)
     return said
@@ -129,7 +138,8 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
         regularity=style["regularity"],
         envelope=_envelope(said),
         complete=complete,
-        unread=list(dict.fromkeys(said.unread)),
+        unread=with_clauses(said.unread, said.beyond, said.prompt),
+        requirements=requirements(said, home, ids),
     )
 
 

@@ -6,7 +6,7 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
-METRES = {"m": 1.0, "ft": 0.3048}
+METRES = {"m": 1.0, "ft": 0.3048, "cm": 0.01}
 
 NONE = ("none", "no", "0", "zero", "nil")
 """`Balcony: none`."""
@@ -149,7 +149,8 @@ def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
     unit = words[j].value if numbers and j < len(words) and words[j].kind == "unit" else ""
     if "x" in joints and len(numbers) == 2 and unit not in SQUARE_METRES:
         end = j + 1 if unit in METRES else j
-        return _made([numbers[0] * numbers[1] * METRES.get(unit, 1.0) ** 2], words, i, end), end
+        a, b = (n * METRES.get(unit, 1.0) for n in numbers)
+        return replace(_made([a * b], words, i, end), sides=(a, b)), end
     if unit not in SQUARE_METRES:
         return None, i
     values = [sum(numbers) / 2] if joints == ["-"] else numbers

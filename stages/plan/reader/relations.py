@@ -57,7 +57,7 @@ def relations(
             alike = out[-1:] or [s for s in told if s.left == told[-1].left]
             out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
-        out += _statement(p, left, right)
+        out += _statement(p, left, right, items[p.at].text)
     return out
 
 
@@ -252,7 +252,7 @@ def _comma_and(items: list[Item], j: int) -> bool:
     return j + 1 < len(items) and items[j + 1].kind == "conjunction"
 
 
-def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
+def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
     if p.kind == "has":
         return []
     kind = "not" if p.negated or p.kind == "apart" else p.kind
@@ -263,4 +263,5 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) ->
         return [Statement("door", right[:1], right[1:])] if len(right) > 1 else []
     if kind in ("to", "in", "gap"):
         kind = "open" if kind == "in" and {x.type for x in (*left, *right)} <= set(OPEN_TYPES) else "door"
-    return [Statement(kind, left, right)] if left and right else []
+    relation = f"not {words}" if p.negated else words
+    return [Statement(kind, left, right, relation=relation)] if left and right else []

@@ -8,12 +8,26 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 @dataclass(eq=False)
 class Statement:
-    """`kind`: door, only, open, near, share, not (no door), compare (left = number × right), equal."""
+    """`kind`: door, only, open, near, share, not (no door), compare (left = number × right), equal.
+
+    `relation` are the words that stood between the rooms."""
 
     kind: str
     left: list[RoomPhrase]
     right: list[RoomPhrase]
     number: float = 1.0
+    relation: str = ""
+
+
+@dataclass
+class Asked:
+    """What else is asked of rooms: `kind` and `value` as in `schemas.plan.Requirement`, `to` other rooms or a place."""
+
+    kind: str
+    of: list[RoomPhrase]
+    to: list[RoomPhrase] | str
+    value: str
+    text: str
 
 
 @dataclass
@@ -33,6 +47,10 @@ class Said:
     shape: str = ""
     sides: list[tuple[str, str]] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
+    asked: list[Asked] = field(default_factory=list)
+    corrected: list[tuple[str, str]] = field(default_factory=list)
+    beyond: list[tuple[str, str]] = field(default_factory=list)
+    prompt: str = ""
     about: About = field(default_factory=About)
 
 

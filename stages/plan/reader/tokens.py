@@ -9,6 +9,10 @@ Kind = Literal["number", "word", "mark"]
 
 CJK = "\u3400-\u9fff"
 
+_INCHES = re.compile(
+    r"""(\d+)\s?(?:'|(?:ft|feet|foot)\b\.?)\s?(\d{1,2}(?:\.\d+)?)(?![\d.'m])\s?(?:"|''|in(?:ch(?:es)?)?\b)?"""
+)
+_FEET = re.compile(r"(\d)'(?=\s?(?:x|by)\b)|(?<=[xy] )(\d+)'(?![\d'])")
 _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
 _QUOTES = str.maketrans(
     {
@@ -23,6 +27,10 @@ _QUOTES = str.maketrans(
         "。": ".",
         "；": ";",
         "、": ",",
+        "”": '"',
+        "“": '"',
+        "′": "'",
+        "″": '"',
         "[": "(",
         "]": ")",
         "{": "(",
@@ -58,6 +66,8 @@ def fold(text: str) -> str:
         text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
         text = text.replace(sign, "0" + plain)
     text = unicodedata.normalize("NFKC", text.translate(_QUOTES)).lower().replace("ß", "ss")
+    text = _INCHES.sub(lambda found: f"{float(found[1]) + float(found[2]) / 12:.4f} ft ", text)
+    text = _FEET.sub(lambda found: f"{found[1] or found[2]} ft", text)
     text = re.sub(r"\.\.+", ", ", text)  # a pause ends no sentence
     parts = unicodedata.normalize("NFD", text)
     return unicodedata.normalize("NFC", "".join(c for c in parts if not unicodedata.combining(c)))

@@ -129,4 +129,4 @@ def test_a_percentage_more_is_a_ratio() -> None:
 
 
 def test_words_of_other_scripts_are_not_dropped_in_silence() -> None:
-    assert read("two-bedroom flat с балконом").unread == ["с", "балконом"]
+    assert [w.split(" (")[0] for w in read("two-bedroom flat с балконом").unread] == ["с", "балконом"]

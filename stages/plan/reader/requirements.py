@@ -1,0 +1,49 @@
+"""What else is asked of rooms, as typed requirements: places, dimensions, neighbours."""
+
+from collections.abc import Iterator
+from itertools import product
+
+from apartgen.schemas.plan import Requirement
+from apartgen.stages.plan.reader.doors import entities
+from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.statements import Asked, Said, Statement
+
+OPPOSITE = ("opposite", "across from")
+FAR = ("away from", "far from")
+BESIDE = ("next to", "adjacent to", "beside", "alongside", "next door to", "close to", "near", "near to", "by")
+
+
+def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requirement]:
+    """One requirement for each room, or pair of rooms, something is asked of."""
+    found: list[tuple[str, str, str | None, str | None, str]] = []
+    for wish in [*said.asked, *_dimensions(said), *_neighbours(said.statements)]:
+        others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
+        of = [ids[id(e)] for e in entities(wish.of, home)]
+        rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
+        found += [row for row in rows if row not in found]
+    return [
+        Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=text)
+        for n, (kind, a, b, value, text) in enumerate(found, 1)
+    ]
+
+
+def _dimensions(said: Said) -> Iterator[Asked]:
+    for room in said.rooms:
+        for phrase in (room, *room.owned):
+            if phrase.sides:
+                a, b = (f"{side:.2f}".rstrip("0").rstrip(".") for side in phrase.sides)
+                yield Asked("dimension", [phrase], "", f"{a} x {b}", f"{phrase.text} {a} x {b} m")
+
+
+def _neighbours(statements: list[Statement]) -> Iterator[Asked]:
+    for s in statements:
+        words = s.relation.removeprefix("not ")
+        denied = words != s.relation
+        kind = ""
+        if s.kind == "near":
+            kind = "opposite" if words in OPPOSITE else "adjacent"
+        elif s.kind == "not" and (words in FAR or (denied and words in BESIDE)):
+            kind = "apart"
+        if kind:
+            names = [" and ".join(p.text for p in phrases) for phrases in (s.left, s.right)]
+            yield Asked(kind, s.left, s.right, "", f"{names[0]} {s.relation} {names[1]}")

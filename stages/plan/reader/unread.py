@@ -1,0 +1,85 @@
+"""What a prompt says and no rule takes up: words with the clauses they stand in, and what a plan cannot have."""
+
+import re
+import tomllib
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from apartgen.stages.plan.reader.tokens import fold
+
+DENIED = re.compile(r"\b(?:no|not|without|single|one|ohne|kein\w*|sans|pas d'|pas de|sin|ninguna?) (?:\w+ )?$")
+"""What stands before something that nobody wants."""
+CLAUSE = re.compile(r"(?<=\D)[.,:](?=\s|$)|[;!?\n()，。；、！？：]| - | – | — |(?<=\d)[.,](?=\s|$)")
+"""Where one clause ends and the next begins; 3.5 is one number."""
+LONGEST = 80
+"""Characters of a clause that are quoted."""
+
+
+def limits(text: str) -> list[tuple[str, str]]:
+    """Words of a folded text for what a plan cannot have, and why; "" where nobody wants it."""
+    return [
+        (found.group(), "" if DENIED.search(text[: found.start()]) else row["why"])
+        for row in _limits()
+        for pattern in row["find"]
+        for found in _compiled(pattern).finditer(text)
+    ]
+
+
+def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -> list[str]:
+    """Each of `words` with the clause of the prompt it stands in, those of `beyond` with the reason, once each."""
+    clauses = [" ".join(part.split()) for part in CLAUSE.split(prompt) if part.strip()]
+    named = _outermost(beyond)
+    out = [_entry(text, why, clauses) for text, why in named if why]
+    told = [_plain(text) for text, _ in named]
+    joined = [word.replace(" - ", "-") for word in words]
+    out += [_entry(word, "", clauses) for word in joined if not any(_plain(word) in text for text in told)]
+    return list(dict.fromkeys(out))
+
+
+@cache
+def _limits() -> list[dict[str, Any]]:
+    data = tomllib.loads((Path(__file__).parent / "limits.toml").read_text(encoding="utf-8"))
+    return list(data["limit"])
+
+
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)
+
+
+def _outermost(beyond: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Without those that stand inside a longer one."""
+    return [
+        (text, why)
+        for k, (text, why) in enumerate(beyond)
+        if not any(text in other and (text != other or j < k) for j, (other, _) in enumerate(beyond) if j != k)
+    ]
+
+
+def _entry(word: str, why: str, clauses: list[str]) -> str:
+    clause = next((c for c in clauses if _holds(c, word)), "")
+    quoted = "" if _plain(clause) == _plain(word) else _shortened(clause, word)
+    notes = "; ".join([*([why] if why else []), *([f"in: {quoted}"] if quoted else [])])
+    return f"{word} ({notes})" if notes else word
+
+
+def _holds(clause: str, word: str) -> bool:
+    text, wanted = _plain(clause), _plain(word)
+    return f" {wanted} " in f" {text} " or (not wanted.isascii() and wanted in text)
+
+
+@cache
+def _plain(text: str) -> str:
+    """Words of a text, folded, with single blanks."""
+    return " ".join(re.findall(r"[^\W_]+", fold(text)))
+
+
+def _shortened(clause: str, word: str) -> str:
+    """A long clause from a few words before the word on."""
+    if len(clause) <= LONGEST:
+        return clause
+    at = fold(clause).find(word.split()[0])
+    start = clause.rfind(" ", 0, max(at - LONGEST // 2, 0)) + 1
+    end = clause.find(" ", start + LONGEST)
+    return ("…" if start else "") + (clause[start:] if end < 0 else clause[start:end] + "…")
