@@ -10,7 +10,7 @@ from torch import Tensor
 
 from apartgen.stages.layout.relations import clear, describe, features
 from apartgen.stages.layout.relations.corpus import Furnished, earlier
-from apartgen.stages.layout.relations.network import ROOM_FACTS, SHUT_OUT, Head, Relations, Seen
+from apartgen.stages.layout.relations.network import ROOM_FACTS, SHUT_OUT, Head, Known, Relations, Seen
 from apartgen.stages.layout.relations.tokens import OBJECT, Array, Ints, mirrored, seen, solids, turned
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
@@ -120,10 +120,25 @@ def scene_mask(shell: Ints, n: Ints, tokens: int, asking: int) -> Tensor:
     return torch.from_numpy(sees)
 
 
-def alike(boxes: Array, category: Ints, asked: Ints, there: Ints) -> NDArray[np.float32]:
-    """How near to each token others of the category asked for stand, (B, Q, T), 1 at it and 0 far off: boxes (B, T, 7),
-    category (B, T), asked (B, Q), of which the first `there` (B, Q) tokens count."""
-    view = seen(boxes[:, None], boxes)  # (B, viewer, T)
+def known_of(boxes: Array, kind: Ints, category: Ints, asked: Ints, there: Ints) -> Known:
+    """What the first `there` (B, Q) tokens say about where an object `asked` for (B, Q) may be described from."""
+    view = seen(boxes[:, None], boxes)
+    stands = (kind == OBJECT)[:, None] & (np.arange(boxes.shape[1])[None, None] < there[..., None])
+    near = alike(view, boxes, category, asked, there)
+    return Known(torch.from_numpy(near), torch.from_numpy(relations(view)), torch.from_numpy(stands))
+
+
+def relations(view: Array) -> NDArray[np.float32]:
+    """How tokens lie in the frames of others (B, J, T, 9), as numbers (B, J, T, RELATIONS)."""
+    x, y, yaw, ex, ey = (view[..., k] for k in range(5))
+    past = np.abs(y) - ey
+    return np.stack([x / 3, y / 3, np.cos(yaw), np.sin(yaw), ex, ey, past, np.tanh(3 * past), np.tanh(2 * x),
+                     np.log1p(np.abs(x)), np.tanh(3 * (np.abs(x) - ex))], -1).astype(np.float32)
+
+
+def alike(view: Array, boxes: Array, category: Ints, asked: Ints, there: Ints) -> NDArray[np.float32]:
+    """How near to each token others of the category asked for stand, (B, Q, T), 1 at it and 0 far off: boxes (B, T, 7)
+    in the frames of each other (B, T, T, 9), category (B, T), asked (B, Q); the first `there` (B, Q) tokens count."""
     past = [np.maximum(np.abs(view[..., k]) - boxes[:, :, None, 3 + k] / 2, 0) for k in (0, 1)]
     near = np.exp(-np.hypot(*past) / NEAR)
     counts = (category[:, None] == asked[..., None]) & (asked[..., None] >= 0)
@@ -154,8 +169,8 @@ def scene_losses(network: Relations, of: Batch) -> dict[str, Tensor]:
     tokens, asking = network.look(view, network.bag(left), scene_mask(of.shell, of.n, t, q))
     asked, there = torch.from_numpy(of.asked), torch.from_numpy(of.asked >= 0)
     logits = network.next(asking).float().masked_fill(left == 0, SHUT_OUT)[there]
-    near = torch.from_numpy(alike(of.boxes, of.category, of.asked, of.shell[:, None] + np.arange(q)))
-    refer = network.reference(asking, asked.clamp_min(0), tokens, near)
+    known = known_of(of.boxes, of.kind, of.category, of.asked, of.shell[:, None] + np.arange(q))
+    refer = network.reference(asking, asked.clamp_min(0), tokens, known)
     before = np.arange(t)[None, None] < of.shell[:, None, None] + np.arange(q)[None, :, None]
     refer = refer.masked_fill(~torch.from_numpy(before), SHUT_OUT)[there & torch.from_numpy(of.said)]
     chosen = torch.from_numpy(of.reference)[there & torch.from_numpy(of.said)]

@@ -18,6 +18,8 @@ from apartgen.stages.layout.relations.tokens import N_KINDS
 ROOM_FACTS = 3
 """log of floor area, ceiling height, sleepers in the home (0 unknown)."""
 SHUT_OUT = -1e9
+RELATIONS = 11
+"""Numbers that say how one token lies to another."""
 METRES = 3.0
 """What standing in something counts at first, so that little has to be learned."""
 
@@ -80,6 +82,16 @@ class Seen:
     facts: Tensor
 
 
+@dataclass
+class Known:
+    """What is known of tokens before a reference is chosen: `alike` (B, Q, T), how near others of the category asked
+    for are to each; `relations` (B, J, T, RELATIONS), how each lies to each; `there` (B, Q, J), objects that stand."""
+
+    alike: Tensor
+    relations: Tensor
+    there: Tensor
+
+
 class Head(nn.Module):
     """One attribute: logits of its bins, and of being that of a token in one of some ways, of which the value's own bin
     tells part."""
@@ -132,6 +144,11 @@ class Relations(nn.Module):
         self.refer = nn.Sequential(nn.LayerNorm(w), nn.Linear(w, w), nn.GELU(approximate="tanh"), nn.Linear(w, w))
         self.referred = nn.Sequential(nn.LayerNorm(w), nn.Linear(w, w))
         self.taken = nn.Linear(w, 1)
+        self.relation = nn.Sequential(nn.Linear(RELATIONS, 2 * shape.key), nn.GELU(approximate="tanh"), nn.Linear(
+            2 * shape.key, shape.key))
+        self.asks, self.tells = nn.Linear(w, shape.key), nn.Linear(w, shape.key)
+        nn.init.zeros_(self.tells.weight)
+        nn.init.zeros_(self.tells.bias)
         self.normed = nn.LayerNorm(w)
         self.heading = Head(shape, describe.HEADINGS)
         self.sizes = nn.ModuleList(Head(shape, describe.SIZES, 1) for _ in range(3))
@@ -160,13 +177,14 @@ class Relations(nn.Module):
             x = layer(x, bias)
         return x[:, : seen.kind.shape[1]], x[:, seen.kind.shape[1] :]
 
-    def reference(self, asking: Tensor, category: Tensor, tokens: Tensor, alike: Tensor) -> Tensor:
-        """Logits (..., Q, T) of the tokens that objects (..., Q) of a category may be described from; `alike`
-        (..., Q, T) tells where others of the category are already."""
+    def reference(self, asking: Tensor, category: Tensor, tokens: Tensor, known: "Known") -> Tensor:
+        """Logits (B, Q, T) of the tokens that objects (B, Q) of a category may be described from."""
         query = self.refer(asking + self.place(category))
         found: Tensor = (query @ self.referred(tokens).transpose(-1, -2)).float() / self.shape.width**0.5
-        taken: Tensor = self.taken(query).float() * alike
-        return found + taken
+        share = self.asks(query)[:, :, None] * self.tells(tokens)[:, None] * known.there[..., None]
+        related = torch.einsum("bqjh,bjth->bqt", share, self.relation(known.relations)).float()
+        total: Tensor = found + self.taken(query).float() * known.alike + related
+        return total
 
     def view(self, seen: Seen, category: Tensor, left: Tensor) -> tuple[Tensor, Tensor]:
         """The frame encoder: the state (B, W) from which an object's attributes are spoken, and tokens (B, T, W)."""

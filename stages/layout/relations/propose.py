@@ -98,8 +98,8 @@ class Speaker:
         chosen = drawn(logits.numpy().astype(float), rng)[:, 0]
         names = [next(name for name in p.left if self.known.category(name) == c)
                  for p, c in zip(particles, chosen.tolist(), strict=True)]
-        near = torch.from_numpy(learning.alike(boxes, category, chosen[:, None], n[:, None]))
-        refer = network.reference(asking, torch.from_numpy(chosen)[:, None], tokens, near)[:, 0]
+        related = learning.known_of(boxes, kind, category, chosen[:, None], n[:, None])
+        refer = network.reference(asking, torch.from_numpy(chosen)[:, None], tokens, related)[:, 0]
         return names, np.where(real, refer.numpy(), SHUT_OUT)
 
     def _frames(self, refer: Array, rng: np.random.Generator) -> tuple[Ints, Ints, Array]:

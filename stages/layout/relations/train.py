@@ -86,7 +86,7 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
     rooms = [room for room in corpus.read(Path(config.corpus)) if room.n]
     model = weights.empty(config)
     if config.start:
-        model.load_state_dict(weights.load(Path(config.start))[0].state_dict())
+        model.load_state_dict(weights.tensors(Path(config.start)), strict=False)
     average = copy.deepcopy(model).requires_grad_(False)
     optimizer = torch.optim.AdamW(model.parameters(), config.lr, betas=(0.9, 0.98), weight_decay=0.01)
     facts = {"corpus": digest(config.corpus), "rooms": len(rooms)}

@@ -10,7 +10,7 @@ import numpy as np
 import torch
 from safetensors import SafetensorError, safe_open
 from safetensors.torch import save_file
-from torch import nn
+from torch import Tensor, nn
 
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import BadInput
@@ -73,6 +73,15 @@ def save(model: Model, path: Path, config: Training, record: dict[str, Any]) -> 
     part = path.with_suffix(".part")
     save_file(halves, part, header)
     part.replace(path)
+
+
+def tensors(path: Path) -> dict[str, Tensor]:
+    """Parameters by name; BadInput where there are none."""
+    try:
+        with safe_open(path, "pt") as file:
+            return {name: file.get_tensor(name).float() for name in file.keys()}  # noqa: SIM118
+    except (OSError, SafetensorError) as error:
+        raise BadInput(f"{path}: no weights ({error}); train some with `apartgen train layout`") from error
 
 
 def load(path: Path | None = None) -> tuple[Model, Vocabulary, dict[str, Any]]:
