@@ -1,0 +1,52 @@
+"""Textures tile, have their material's colour, and the bands that their names promise."""
+
+import numpy as np
+import pytest
+
+from apartgen.stages.things import materials
+from apartgen.stages.things.materials import PALETTE
+
+
+def grey(name: str) -> np.ndarray:
+    return np.asarray(materials.texture(name), float).mean(-1)
+
+
+def bands(profile: np.ndarray, dark: float) -> int:
+    """How many dark bands a closed profile has."""
+    low = profile < profile.mean() * (1 - dark)
+    return int((low & ~np.roll(low, 1)).sum())
+
+
+@pytest.mark.parametrize("name", materials.textures())
+def test_a_texture_tiles_and_has_about_the_colour_of_its_material(name: str) -> None:
+    image = np.asarray(materials.texture(name), float)
+    assert image.shape == (256, 256, 3)
+    assert image.mean((0, 1)) / 255 == pytest.approx(PALETTE[name].color[:3], abs=0.1)
+    for axis in (0, 1):
+        steps = np.abs(np.diff(image, axis=axis)).mean((1 - axis, 2))
+        across = np.abs(image.take(0, axis) - image.take(-1, axis)).mean()
+        assert across <= 1.5 * steps.max() + 1
+    assert image.std() > 1
+
+
+def test_patterns_by_their_bands() -> None:
+    # Two tiles a side, their joints at a quarter and three quarters of the image.
+    for axis in (0, 1):
+        tiles = grey("floor_tile").mean(axis)
+        assert bands(tiles, 0.1) == 2
+        assert {round(int(k) / 64) for k in np.argsort(tiles)[:4]} == {1, 3}
+    assert bands(grey("floor_oak").mean(1), 0.15) == 10, "boards"
+    assert bands(grey("rug_stripe").mean(0), 0.15) == 5 and bands(grey("rug_stripe").mean(1), 0.15) == 0
+
+
+def test_veins_are_dark_in_light_marble_and_light_in_dark() -> None:
+    for name, sign in (("marble", -1), ("dark_marble", 1)):
+        off = grey(name) - np.median(grey(name))
+        assert np.sign((off**3).mean()) == sign
+
+
+def test_every_material_may_be_weighed_and_seen_through_only_where_it_is_glass() -> None:
+    for name, material in PALETTE.items():
+        assert 20 <= materials.density(name) <= 9000 and 0 <= material.metalness <= 1 and 0 < material.roughness <= 1
+        assert (material.color[3] < 1) == (name in ("glass", "smoked_glass", "sheer"))
+        assert materials.span(name) > 0 and (material.texture is None or materials.span(name) < 5)
