@@ -142,10 +142,15 @@ def test_a_trial_tells_of_every_furnished_room(tmp_path: Path, monkeypatch: pyte
     home = handmade.home(handmade.thing("sofa", 2, 0.47, np.pi / 2), handmade.thing("rug", 2, 1.5),
                          handmade.thing("double_bed", 6.04, 1.5, np.pi, handmade.BEDROOM))
     monkeypatch.setattr(_scenes, "plans", lambda seed, n, work: [handmade.plan()] * n)
+    kitchen = handmade.plan().rooms[0].model_copy(update={"type": "kitchen"})
+    units = [handmade.thing("kitchen_sink", 2, 2.7, -np.pi / 2), handmade.thing("hob", 1.3, 2.7, -np.pi / 2)]
     monkeypatch.setattr(_compared, "furnished", lambda plans, seed, lane: [home for _ in plans])
     monkeypatch.setattr(_compared, "seen", lambda rooms, _=None: [{"categories": [o.category for o in things]}
                                                                  for _, things in rooms])
     monkeypatch.setattr(_compared, "kinds", lambda real: frozenset({"sofa", "double_bed"}))
+    cooking = handmade.home(*units).model_copy(update={"rooms": [kitchen]})
+    (only,) = _lived_in.records(cooking, "ssr=x", {})
+    assert only["habits"]["things on the floor"] == [2] and only["habits"]["kitchen in one run"] == [1]
     found = realism.trial("corpus", 5, 2, tmp_path, real="ssr=x")
     assert [r["of"] for r in found] == ["living_room", "bedroom"] * 2
     assert found[0]["whole"]["categories"] == ["sofa", "rug"] and found[0]["common"]["categories"] == ["sofa"]

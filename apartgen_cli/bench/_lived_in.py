@@ -26,7 +26,7 @@ SEEN = ("living_room", "bedroom")
 FAR = 0.5
 """What is moved further is elsewhere, m."""
 MOVED = "moved, m"
-LEAST = 20
+LEAST, FEW = 20, 10
 """Rooms a side below which a classifier is not asked, and cases below which nothing is said."""
 RESAMPLES = 400
 
@@ -57,7 +57,7 @@ def _look(found: list[Record], seen: list[int], rooms: list[tuple[Room, list[Box
 def _of_room(home: Layout, room: Room, objects: Sequence[Box], real: str | None, alone: bool) -> Record:
     site = use.alone(room) if alone else use.site(home, room.id)
     whole = use.Furnished(site, objects)
-    common = use.Furnished(site, _common(objects, real)) if real else whole
+    common = use.Furnished(site, _common(objects, real)) if real and room.base in SEEN else whole
     versions = [version(fault) for fault in use.faults(whole)]
     lacks = list(use.lacks(whole))
     return {
@@ -92,7 +92,7 @@ def _figures(mine: list[Record], by: By, rng: np.random.Generator) -> dict[str, 
         samples |= {"moved over .5 m": [[float(m > FAR) for m in room] for room in moves], MOVED: moves}
     if "seconds" in mine[0]:
         samples["CPU seconds a room"] = [[r["seconds"]] for r in mine]
-    said = {name: rooms for name, rooms in samples.items() if sum(map(len, rooms)) >= LEAST}
+    said = {name: rooms for name, rooms in samples.items() if sum(map(len, rooms)) >= FEW}
     return {"rooms": len(mine), **{name: summed(name, rooms, rng) for name, rooms in said.items()},
             **_apart(mine, by, rng)}
 
