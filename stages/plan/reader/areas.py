@@ -38,11 +38,12 @@ def fill(
     """Area of every room: `stated` and `shares` of the total are kept, the others scale to fit `total`."""
     kind = {r.id: r.type for r in rooms}
     fixed = dict(stated)
+    shares = {i: share for i, share in shares.items() if share > 0}
     part = min(sum(v for k, v in shares.items() if k not in fixed), 0.95)
     free = [r.id for r in rooms if r.id not in fixed and r.id not in shares]
     if total is None:
         known = sum(fixed.values()) + sum(base[i] for i in free)
-        whole = known / (1 - part)
+        whole = known / (1 - part) if known else sum(base[i] for i in shares) / part  # "15 % pantry" and no more
     else:
         whole = total
     fixed |= {i: share * whole for i, share in shares.items() if i not in fixed}

@@ -2,7 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.sense import sense
-from apartgen.stages.plan.reader.statements import Said, Statement
+from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""
@@ -112,6 +112,9 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
 
 def _of_home(item: Item, said: Said) -> None:
     """The first area that no room takes is the flat's, others are not understood."""
+    if item.sides:
+        said.asked.append(Asked("dimension", [], "", f"{item.sides[0]:g} x {item.sides[1]:g}", item.text))
+    said.unread += [f"{more:g} m²" for more in item.values[1:]]
     if said.total_area is None:
         said.total_area = item.values[0]
     elif abs(said.total_area - item.values[0]) > 0.02 * said.total_area:

@@ -48,7 +48,7 @@ class Pending:
         """A room without a noun, `known` when one was named before: `one of them`, `the largest`, `its own`."""
         if "own" in self.labels and self.number is None:
             return RoomPhrase("bathroom", {"ensuite", "own"}, text="own")
-        few = self.number is not None and self.number <= 9
+        few = self.number is not None and self.number <= 9 and self.number % 1 == 0
         one = self.quantifier in (*PARTITIVE, "another") or bool(self.ordinals)
         named = one or few or self.labels & {"master", "guest", "kids"}
         if named and known and not self.negated:

@@ -271,6 +271,9 @@ class Phraser:
         if p.empty() or (following is not None and following.text in OTHER_NOUNS):
             return
         text = " ".join(p.texts)
+        if p.number is not None and following is not None and following.kind == "unit":
+            self.unread.append(f"{text} {following.text}")
+            return
         known = any(i.room and i.room.type for i in self.items)
         phrase = p.elliptical(known, following)
         if phrase is not None:

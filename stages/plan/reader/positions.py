@@ -12,7 +12,10 @@ def role_of(items: list[Item], k: int) -> str:
     start = k
     while start > 0 and (items[start - 1].kind in ("side", "conjunction") or is_mark(items[start - 1], ",")):
         start -= 1  # "party walls to the north, east and west"
-    before = [i.value for i in items[max(0, start - 4) : k] if i.kind == "side_role"]
+    recent = items[max(0, start - 4) : k]
+    room = max((j for j, i in enumerate(recent) if i.room is not None), default=-1)
+    recent = recent[room + 1 :]  # "party walls to the east, balcony to the west"
+    before = [i.value for i in recent if i.kind == "side_role"]
     ahead = items[k + 1 : k + 4]
     stop = next((j for j, i in enumerate(ahead) if i.room is not None or i.kind == "mark"), len(ahead))
     after = [i.value for i in ahead[:stop] if i.kind == "side_role"]

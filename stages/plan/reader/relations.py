@@ -39,7 +39,7 @@ def relations(
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
-        out += [Statement("not", left, barred)] if barred and left else []
+        out += [Statement("not", left, barred, relation=f"not {items[p.at].text}")] if barred and left else []
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":

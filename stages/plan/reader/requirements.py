@@ -18,7 +18,7 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
     found: list[tuple[str, str, str | None, str | None, str]] = []
     for wish in [*said.asked, *_dimensions(said), *_neighbours(said.statements)]:
         others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
-        of = [ids[id(e)] for e in entities(wish.of, home)]
+        of = [ids[id(e)] for e in entities(wish.of, home)] if wish.of else ["home"]
         rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
         found += [row for row in rows if row not in found]
     return [

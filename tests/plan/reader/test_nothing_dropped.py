@@ -196,6 +196,7 @@ def test_it_is_the_room_of_the_sentence_before() -> None:
         ("one-bedroom flat, the bedroom far from the front door", [("apart", "bedroom_1", "entrance", None)]),
         ("one-bedroom flat with a study next to the bedroom", [("adjacent", "study_1", "bedroom_1", None)]),
         ("one-bedroom flat; the bedroom is away from the kitchen", [("apart", "bedroom_1", "kitchen_1", None)]),
+        ("one-bedroom flat; the bath is not next to the kitchen", [("apart", "bathroom_1", "kitchen_1", None)]),
         ("one-bedroom flat; the bathroom opposite the bedroom", [("opposite", "bathroom_1", "bedroom_1", None)]),
         ("Zwei Zimmer, Küche, Bad; das Schlafzimmer nach Norden", [("orientation", "bedroom_1", None, "north")]),
         ("appartement avec une chambre, cuisine au nord", [("position", "kitchen_1", None, "north")]),
@@ -209,3 +210,34 @@ def test_places_and_neighbours_are_requirements(
     program = read(prompt)
     assert [(r.kind, r.of, r.to, r.value) for r in program.requirements] == wanted
     assert program.unread == [] and all(r.text and r.met is None for r in program.requirements)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "listed"),
+    [
+        ("one bedroom, ceiling height 3 m", ["ceiling height", "3 m"]),
+        ("a bed of 1.6 m in the bedroom, a kitchen", ["1.6 m"]),
+        ("one bedroom, a corridor 1.2 m wide", ["1.2 m"]),
+        ("a quiet one-bedroom flat", ["quiet"]),
+        ("one-bedroom flat of 60 m², 75 m²", ["75 m²"]),
+    ],
+)
+def test_numbers_and_words_of_other_uses_are_listed(prompt: str, listed: list[str]) -> None:
+    assert [entry.split(" (")[0] for entry in read(prompt).unread] == listed
+
+
+def test_a_side_said_of_a_room_is_no_party_wall() -> None:
+    program = read("two-bedroom flat, party walls to the east, balcony to the west")
+    assert program.envelope.party_walls == ["east"]
+    assert [(r.kind, r.of, r.value) for r in program.requirements] == [("position", "balcony_1", "west")]
+
+
+def test_dimensions_of_the_whole_are_those_of_the_home() -> None:
+    program = read("A 10 x 8 m flat with one bedroom")
+    assert program.total_area == 80
+    assert [(r.kind, r.of, r.value) for r in program.requirements] == [("dimension", "home", "10 x 8")]
+
+
+@pytest.mark.parametrize("prompt", ["couple", "15% Abstellraum", "0 % kitchen, a bedroom"])
+def test_a_share_or_a_household_alone_makes_a_home(prompt: str) -> None:
+    assert all((room.area or 0) > 0 for room in read(prompt).rooms)
