@@ -39,6 +39,14 @@ def test_patterns_by_their_bands() -> None:
     assert bands(grey("rug_stripe").mean(0), 0.15) == 5 and bands(grey("rug_stripe").mean(1), 0.15) == 0
 
 
+def test_a_lattice_is_the_same_from_all_sides() -> None:
+    image = grey("rug_berber")
+    line = image < 0.7 * np.median(image)
+    assert 0.03 < line.mean() < 0.3
+    for turned in (line.T, np.roll(line[::-1], 1, 0), np.roll(line[:, ::-1], 1, 1)):
+        assert (turned & line).sum() > 0.8 * line.sum()
+
+
 def test_veins_are_dark_in_light_marble_and_light_in_dark() -> None:
     for name, sign in (("marble", -1), ("dark_marble", 1)):
         off = grey(name) - np.median(grey(name))
