@@ -8,7 +8,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from apartgen.stages.layout.relations import features, learning
+from apartgen.stages.layout.relations import around, features, learning
 from apartgen.stages.layout.relations.network import SHUT_OUT, Seen
 from apartgen.stages.layout.relations.speak import Asked, drawn, speak
 from apartgen.stages.layout.relations.standing import Furniture
@@ -98,7 +98,7 @@ class Speaker:
         chosen = drawn(logits.numpy().astype(float), rng)[:, 0]
         names = [next(name for name in p.left if self.known.category(name) == c)
                  for p, c in zip(particles, chosen.tolist(), strict=True)]
-        related = learning.known_of(boxes, kind, category, chosen[:, None], n[:, None])
+        related = around.known_of(boxes, kind, category, chosen[:, None], n[:, None])
         refer = network.reference(asking, torch.from_numpy(chosen)[:, None], tokens, related)[:, 0]
         return names, np.where(real, refer.numpy(), SHUT_OUT)
 
@@ -137,7 +137,7 @@ class Speaker:
         behind[:, : len(self.shell.deep)] = self.shell.deep
         bodies, sort = solids(boxes[rows], kind[rows], swing[rows], behind[rows], soft[rows])
         same = real & (category[rows] == asked_for[:, None])
-        taken = learning.beside(view, frame[:, 3:5] / 2, kind[rows], np.where(real, sort, 0), same)
+        taken = around.beside(view, frame[:, 3:5] / 2, kind[rows], np.where(real, sort, 0), same)
         kinds = [TABLE[names[i]] for i in rows.tolist()]
         height = np.full(len(rows), self.shell.boxes[0, 6])
         asked = Asked(

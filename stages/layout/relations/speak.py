@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from apartgen.stages.layout.relations import describe
+from apartgen.stages.layout.relations.around import Met
 from apartgen.stages.layout.relations.clear import picked
-from apartgen.stages.layout.relations.learning import Met
 from apartgen.stages.layout.relations.network import SHUT_OUT, Head, Relations
 from apartgen.stages.layout.relations.tokens import Array, Ints
 
