@@ -22,6 +22,7 @@ from apartgen.stages import export
 from apartgen.stages.embodied import base, episodes, navigate, planner, pursuit
 from apartgen.stages.embodied.instructions import instruction
 from apartgen.stages.export import nav2
+from apartgen.stages.space import grid
 from apartgen.stages.things import solids
 from apartgen.stages.things.asset import Link
 from apartgen.stages.things.body import Body
@@ -248,7 +249,7 @@ def parameters(node):
 @pytest.mark.parametrize("costmap", ["global_costmap", "local_costmap"])
 def test_costmaps_are_those_of_the_benchmarks_planner(costmap):
     found = parameters(costmap)
-    assert found["robot_radius"] == base.RADIUS and found["resolution"] == nav2.RESOLUTION
+    assert found["robot_radius"] == base.RADIUS and found["resolution"] == grid.RESOLUTION
     inflated = found["inflation_layer"]
     assert (inflated["inflation_radius"], inflated["cost_scaling_factor"]) == (planner.INFLATION, planner.SCALING)
     # Nothing inflates what a filter marks but an inflation that comes after it.
