@@ -7,7 +7,9 @@ import os
 import re
 from pathlib import Path
 
+import codemap
 import commandline
+import networkx
 import pytest
 
 from apartgen_cli.main import WORDS
@@ -16,6 +18,7 @@ ROOT = Path(__file__).parent.parent
 DOCUMENTS = ("README.md", "docs/commands.md")
 GROUPS = {"train": ("corpus", "layout", "shape"), "assets": ("index", "check", "list", "show", "preview")}
 QUOTE = re.compile(r"(<!-- help: (?P<line>[^>]*?) -->\n```text\n)(?P<text>.*?)(```\n)", re.DOTALL)
+MAP = re.compile(r"(<!-- map -->\n```mermaid\n)(.*?)(```\n)", re.DOTALL)
 
 
 @pytest.fixture
@@ -38,6 +41,19 @@ def test_quoted_help_is_what_the_program_says(help_of, name):
     if os.environ.get("APARTGEN_WRITE_DOCS"):
         document.write_text(anew, encoding="utf-8")
     assert text == anew, f"{name} quotes another version; run `make docs`"
+
+
+def test_the_map_of_the_code_is_of_this_code():
+    document = ROOT / "docs/architecture.md"
+    text = document.read_text(encoding="utf-8")
+    anew = MAP.sub(lambda match: match[1] + codemap.flowchart() + match[3], text)
+    if os.environ.get("APARTGEN_WRITE_DOCS"):
+        document.write_text(anew, encoding="utf-8")
+    assert text == anew, "docs/architecture.md draws another version; run `make docs`"
+
+
+def test_rooms_of_the_code_are_in_floors():
+    assert networkx.is_directed_acyclic_graph(codemap.rooms())
 
 
 def test_every_command_is_quoted():
