@@ -23,13 +23,14 @@ if TYPE_CHECKING:
     from apartgen.schemas.plan import Plan
     from apartgen.schemas.retrieve import Retrieve
     from apartgen.schemas.walkable import Walkable
+    from apartgen.stages.check import Fault
     from apartgen.steps import Step
 
     Home = Artifact[Any] | str | PathLike[str]
     """An apartment: what an earlier function gave, or the path of its file."""
 
 __version__ = "0.1.0"
-__all__ = ["export", "layout", "load", "make", "metrics", "plan", "retrieve", "walkable"]
+__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "retrieve", "walkable"]
 
 
 
@@ -74,6 +75,13 @@ def metrics(home: "Home", *, metric: Sequence[str] = ()) -> "Metrics":
     from apartgen.settings import opened
 
     return measure(opened(home).body, MetricsSettings(metric=list(metric)))
+
+
+def check(home: "Home", *, strict: bool = False) -> "list[Fault]":
+    """What is wrong with a home, each fault with a witness; it is right where none `refuses`."""
+    from apartgen.checking import judged
+
+    return judged(home, strict)
 
 
 def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,

@@ -2,15 +2,18 @@
 
 import json
 from collections.abc import Iterator
+from os import PathLike
 from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
 from apartgen.schemas import artifact
-from apartgen.schemas.artifact import BODIES, STREAM, Envelope
+from apartgen.schemas.artifact import BODIES, STREAM, Artifact, Envelope
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.migrations import migrate
 from apartgen.schemas.plan import Plan
+from apartgen.stages import check
+from apartgen.stages.check import Fault
 
 
 class Read(NamedTuple):
@@ -58,3 +61,12 @@ def _body(raw: dict[str, Any], kind: str, name: str) -> Plan:
         raise BadInput(f"{name}: {told}; `apartgen schema {kind}` says what belongs there") from None
     body: Plan = envelope.body
     return body
+
+
+def judged(home: Artifact[Any] | str | PathLike[str], strict: bool) -> list[Fault]:
+    """What the judge has to say of an artifact, or of the one in a file, be it one that nothing else would read."""
+    if isinstance(home, Artifact):
+        return check.run(home.body, strict)
+    name = str(home)
+    read = parsed(artifact.contents(name), name)
+    return check.run(read.home, strict) if read else []

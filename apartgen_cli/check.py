@@ -8,13 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from apartgen import checking
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.errors import ApartgenError, BadInput
-from apartgen_cli.console import fail, progress
+from apartgen.schemas.plan import Plan
+from apartgen_cli.console import fail, log, progress
 from apartgen_cli.streams import sources
 
 if TYPE_CHECKING:
     from apartgen.stages.check import Fault
 
+Reader = Callable[..., Artifact[Any]]
 REFUSED = 1
 HOMES = Annotated[list[str] | None, typer.Argument(
     metavar="FILE", help="Artifacts of any stage, files of one a line, folders; - or a pipe is standard input.")]
@@ -58,6 +62,35 @@ def _read(names: list[str]) -> Iterator[checking.Read | ApartgenError]:
             yield error
     if not count:
         yield BadInput(f"{', '.join(names)}: no apartment in it; give artifacts, or a folder of them")
+
+
+def reader(trust: bool) -> Reader:
+    """How a stage reads its inputs."""
+    return artifact.read if trust else read_sound
+
+
+def read_sound(name: str, model: type[Any], whole: bool = False) -> Artifact[Any]:
+    """An artifact for a stage; BadInput, naming the first fault, where its plan or its furniture's places have any."""
+    read = artifact.read(name, model, whole)
+    if fault := _first_fault(read.body):
+        raise BadInput(f"{name}: {fault}; --trust takes it as it is")
+    return read
+
+
+def read_told(name: str, model: type[Any], whole: bool = False) -> Artifact[Any]:
+    """An artifact whose faults are only said."""
+    read = artifact.read(name, model, whole)
+    if fault := _first_fault(read.body):
+        log.warning("%s: %s", name, fault)
+    return read
+
+
+def _first_fault(home: Plan) -> str:
+    from apartgen.stages import check
+
+    found = check.quick(home)
+    more = f", and {len(found) - 1} more" if found[1:] else ""
+    return f"{found[0]}{more} (`apartgen check` names all faults)" if found else ""
 
 
 def _told(read: checking.Read, found: "list[Fault]", notes: bool) -> str:

@@ -12,8 +12,9 @@ from apartgen.schemas.artifact import STREAM
 from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
+from apartgen_cli.check import reader
 from apartgen_cli.console import say
-from apartgen_cli.options import INPUTS
+from apartgen_cli.options import INPUTS, TRUST
 from apartgen_cli.stage import opened, settled
 from apartgen_cli.streams import sources, targets
 
@@ -23,7 +24,7 @@ LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of 
 FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; it is replaced whole or not at all.")]
 
 
-def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = None) -> int:
+def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = None, trust: TRUST = False) -> int:
     names = sources(inputs)
     if out == STREAM:
         raise BadInput("-o -: an export is a folder of files; give -o FOLDER/")
@@ -31,7 +32,7 @@ def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = 
     if settings.libraries:
         opened_libraries(*settings.libraries)  # one that is none is said, though the formats may need no asset
     with _unless_empty(Path(out)):
-        return _exported(names, settings, _folders(names, out))
+        return _exported(names, settings, _folders(names, out), trust)
 
 
 @contextmanager
@@ -46,8 +47,8 @@ def _unless_empty(out: Path) -> Iterator[None]:
                 folder.rmdir()
 
 
-def _exported(names: list[str], settings: ExportSettings, folders: list[Path]) -> int:
-    work, errors = opened(list(zip(names, folders)), Plan, whole=True)
+def _exported(names: list[str], settings: ExportSettings, folders: list[Path], trust: bool) -> int:
+    work, errors = opened(list(zip(names, folders)), Plan, True, reader(trust))
     for folder, read in work:
         try:
             files = finished(read, settings, Path(folder))

@@ -87,6 +87,7 @@ def main() -> None:
 
 def status(args: list[str]) -> int:
     """Run one command line and return its exit status."""
+    listen(not {"-q", "--quiet"}.isdisjoint(args))  # what commands say while they are imported, too
     try:
         code = int(application()(args=args, prog_name="apartgen", standalone_mode=False) or 0)
         sys.stdout.flush()

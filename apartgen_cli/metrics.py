@@ -17,6 +17,7 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics
 from apartgen.schemas.plan import Plan, Program
 from apartgen.steps import made
+from apartgen_cli.check import read_told
 from apartgen_cli.console import progress
 from apartgen_cli.drawn import asked
 from apartgen_cli.options import INPUTS, OUT, SPLIT, SPLITS
@@ -68,7 +69,7 @@ def _run(inputs: INPUTS = None, out: OUT = None, metric: METRIC = None, against:
 def _each(names: list[str], settings: MetricsSettings, reference: Reference | None, out: str | None) -> int:
     """An artifact for every input."""
     places = dict(zip(names, targets("metrics", names, out)))
-    work, errors = opened([(name, name) for name in names], Plan, whole=True)
+    work, errors = opened([(name, name) for name in names], Plan, True, read_told)
     for name, read in work:
         began = perf_counter()
         try:
@@ -88,7 +89,7 @@ def _tabled(names: list[str], settings: MetricsSettings, reference: Reference | 
     from apartgen.stages import metrics
 
     place = _sheet(out)
-    work, errors = opened([(name, name) for name in names], Plan, whole=True)
+    work, errors = opened([(name, name) for name in names], Plan, True, read_told)
     measured: list[Metrics] = []
     for name, read in progress(work, "metrics", len(work)):
         try:

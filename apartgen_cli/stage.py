@@ -17,8 +17,9 @@ from apartgen.schemas.artifact import STREAM, Artifact, Made
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError
 from apartgen.steps import Outcome, Step, lane, made
+from apartgen_cli.check import Reader, read_sound, reader
 from apartgen_cli.console import fail, log, progress, say
-from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, configured, tables, with_options
+from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, TRUST, configured, tables, with_options
 from apartgen_cli.streams import Target, sources, targets
 
 Kept = TypeVar("Kept")
@@ -34,18 +35,20 @@ class Stage:
     def command(self) -> Callable[..., Any]:
         """The stage as a command with an option for every described field of its configuration."""
 
-        def run(inputs: INPUTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None, *, given: Any) -> int:
+        def run(inputs: INPUTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None,
+                trust: TRUST = False, *, given: Any) -> int:
             settings = configured(self.step.config, given, tables(config).get(self.step.word), self.names)
-            return over(self.step, inputs, out, seed, settings)
+            return over(self.step, inputs, out, seed, settings, trust)
 
         return with_options(run, self.step.config, self.names)
 
 
-def over(stage: Step, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record) -> int:
+def over(stage: Step, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record,
+         trust: bool = False) -> int:
     """Run a stage over all inputs; every result is written as soon as it is there. Returns the exit status."""
     names = sources(inputs)
     places = dict(zip(names, targets(stage.word, names, out)))
-    work, errors = opened([(name, name) for name in names], stage.takes, whole=stage.rather is not None)
+    work, errors = opened([(name, name) for name in names], stage.takes, stage.rather is not None, reader(trust))
     work = [(name, stage.taken(read) if stage.rather else read) for name, read in work]
     used_seeds = [read.made.seed if seed is None else seed for _, read in work]
     began = perf_counter()
@@ -93,14 +96,14 @@ def about(name: str, error: ApartgenError, total: int) -> ApartgenError:
     return type(error)(f"{name}: {error}") if total > 1 else error
 
 
-def opened(pairs: Iterable[tuple[str, Kept]], model: type[Record], whole: bool = False,
+def opened(pairs: Iterable[tuple[str, Kept]], model: type[Record], whole: bool = False, read: Reader = read_sound,
            ) -> tuple[list[tuple[Kept, Artifact[Any]]], list[ApartgenError]]:
     """The inputs that can be read, each with what was paired with its name, and what is wrong with the others."""
     work: list[tuple[Kept, Artifact[Any]]] = []
     errors: list[ApartgenError] = []
     for name, place in pairs:
         try:
-            work.append((place, artifact.read(name, model, whole)))
+            work.append((place, read(name, model, whole)))
         except ApartgenError as error:
             errors.append(error)
     return work, errors

@@ -90,7 +90,7 @@ def _layout(
     from apartgen.stages.layout import curve
 
     table = tables(config).get("train-layout")
-    heeded = {"relations": Training, "diffusion": TrainConfig}[model].model_fields
+    heeded = (TrainConfig if model == "diffusion" else Training).model_fields
     if unheeded := sorted(name for name in given if name not in heeded):
         raise BadInput(f"--{unheeded[0].replace('_', '-')}: the {model} model has no such setting; leave it out")
     place = _diffusion(out, fresh, given, table) if model == "diffusion" else _relations(out, fresh, given, table)

@@ -18,6 +18,9 @@ __all__ = ["MOST", "WHAT", "Fault", "quick", "run"]
 MOST = 1000
 """Faults and notes beyond so many are left out, but never the only one that refuses."""
 
+CLEAR = 0.05
+"""What is no further outside, m or m², a stage may still mend."""
+
 
 def run(home: Plan, strict: bool = False) -> list[Fault]:
     """All faults of an apartment, and what is worth a note; it is certified when none of them refuses.
@@ -43,12 +46,15 @@ def _all(home: Plan) -> Iterator[Fault]:
 
 
 def quick(home: Plan) -> list[Fault]:
-    """What refuses an apartment wherever it comes from: faults of its plan, and furniture outside or of no size."""
+    """What refuses an apartment wherever it comes from: faults of its plan, and furniture that is of no size or clearly
+    outside, so that stages may ask it of everything that they read.
+    """
     if found := _inconsistent(home):
         return found
     site = building.site(home)
     placed = furniture.placed(home, site) if isinstance(home, Layout) else []
-    return [fault for fault in islice(chain(building.faults(home, site), placed), MOST) if fault.refuses]
+    clear = (fault for fault in placed if fault.code == "size" or (fault.value or 0.0) > CLEAR)
+    return [fault for fault in islice(chain(building.faults(home, site), clear), MOST) if fault.refuses]
 
 
 def _inconsistent(home: Plan) -> list[Fault]:

@@ -18,6 +18,8 @@ USE = 0.05
 """How far what belongs together may stand in one another, m."""
 BACK = (-0.35, 0.5, 0.5)
 """Front left upper corner of a seat's back, in shares of its size."""
+SQUARE, ROUND = ((0.5, 0.5),), ((0.5, 0.2), (0.2, 0.5), (0.354, 0.354))
+"""Half widths, in shares of their size, of boxes that make up tables: those without a front are round."""
 BEYOND, UNKNOWN = 3.0, ((0.005,) * 3, (1.5,) * 3)
 """Sizes this many times beyond those of a category's real products, or of what nobody knows, are mistakes."""
 NEAR, HELD = 0.03, 0.3
@@ -71,9 +73,11 @@ def _overlaps(objects: list[Box]) -> Iterator[Fault]:
         for child, parent in ((one, two), (two, one)):
             a, b = TABLE.get(child.category), TABLE.get(parent.category)
             if a and b and not set(a.belongs).isdisjoint(b.lineage):
-                under, allowed = is_seat(child) and not b.back, USE
-                deep = min(deep, float(depth(boxes([child], hi=BACK), boxes([parent]))[0, 0])) if under else deep
-                deep = 0.0 if under and child.size[2] <= parent.size[2] else deep
+                allowed = USE
+                if is_seat(child) and (b.kneehole or not b.back):
+                    tops = [boxes([parent], (-x, -y, -0.5), (x, y, 0.5)) for x, y in (SQUARE if b.faces else ROUND)]
+                    back = max(float(depth(boxes([child], hi=BACK), top)[0, 0]) for top in tops)
+                    deep = 0.0 if child.size[2] <= parent.size[2] else min(deep, back)
         if deep > TOUCH and not gives_way(one) and not gives_way(two):
             yield Fault("overlap", (one.id, two.id), common(shapes, i, shapes, j), deep, deep > allowed)
 

@@ -3,6 +3,7 @@
 import hashlib
 import json
 from collections.abc import Iterable
+from typing import cast
 
 from numpy.random import PCG64, Generator, SeedSequence
 
@@ -18,7 +19,7 @@ def lane(rng: Generator, name: str) -> Generator:
     """A generator of its own for the part of this name; nothing is drawn from `rng`, nor does its state
     matter, so that it is the same lane however often it is asked for.
     """
-    source: SeedSequence = rng.bit_generator.seed_seq  # type: ignore[attr-defined]
+    source = cast(SeedSequence, rng.bit_generator.seed_seq)
     return Generator(PCG64(SeedSequence(source.entropy, spawn_key=(*source.spawn_key, *_key([name])))))
 
 

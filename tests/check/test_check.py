@@ -130,6 +130,12 @@ def test_seats_go_under_tables_but_not_their_backs():
     for x, yaw, refused in ((1.45, 0, False), (1.45, math.pi, True), (2.0, 0, True)):
         chair = h.thing("chair", x, 1.5, yaw, id="chair", size=(0.5, 0.45, 0.9))
         assert bool([f for f in refusing(h.home(table, chair)) if f.code == "overlap"]) == refused, (x, yaw)
+    disc = h.thing("round_table", 2, 1.5, id="table", size=(1.1, 1.1, 0.75))
+    for x, y, yaw, refused in ((1.48, 0.98, math.pi / 4, False), (1.55, 1.05, -3 * math.pi / 4, True)):
+        chair = h.thing("chair", x, y, yaw, id="chair", size=(0.5, 0.45, 0.9))
+        assert bool([f for f in refusing(h.home(disc, chair)) if f.code == "overlap"]) == refused, (x, yaw)
+    away = h.thing("chair", 1.42, 0.92, -3 * math.pi / 4, id="chair", size=(0.5, 0.45, 0.9))  # in its box's corner only
+    assert refusing(h.home(disc, away)) == []
     stool = h.thing("stool", 2, 1.5, size=(0.35, 0.35, 0.5))
     assert refusing(h.home(table, stool)) == []
 

@@ -99,3 +99,20 @@ def test_files_that_no_stage_would_read_are_judged_all_the_same(run, wrong):
     wrong.write_text(json.dumps(raw))
     done = run(wrong)
     assert done.code == 1 and "twice" in done.out and "clockwise" in done.out
+
+
+@pytest.mark.parametrize("word, more", [("layout", []), ("walkable", []), ("export", ["--format", "svg"])])
+def test_every_stage_looks_at_its_inputs_first(capsys, monkeypatch, tmp_path, wrong, word, more):
+    done = commandline.run(capsys, monkeypatch, word, wrong, *more, "-o", tmp_path / "out")
+    assert done.code == 2 and not (tmp_path / "out").exists()
+    assert "no-entrance" in done.err and "--trust" in done.err and len(done.err.splitlines()) == 1
+
+
+def test_who_trusts_a_file_gets_what_it_holds(capsys, monkeypatch, tmp_path, wrong):
+    done = commandline.run(capsys, monkeypatch, "export", wrong, "--trust", "--format", "svg", "-o", tmp_path / "out")
+    assert done.code == 0 and list((tmp_path / "out").glob("*.svg"))
+
+
+def test_figures_of_faulty_homes_come_with_a_warning(capsys, monkeypatch, tmp_path, wrong):
+    done = commandline.run(capsys, monkeypatch, "metrics", wrong, "--metric", "counts", "-o", tmp_path / "m.json")
+    assert done.code == 0 and "warning" in done.err and "no-entrance" in done.err

@@ -249,7 +249,7 @@ def parameters(node):
 @pytest.mark.parametrize("costmap", ["global_costmap", "local_costmap"])
 def test_costmaps_are_those_of_the_benchmarks_planner(costmap):
     found = parameters(costmap)
-    assert found["robot_radius"] == base.RADIUS and found["resolution"] == grid.RESOLUTION
+    assert found["robot_radius"] == base.RADIUS and found["resolution"] == grid.RESOLUTION / nav2.FINER
     inflated = found["inflation_layer"]
     assert (inflated["inflation_radius"], inflated["cost_scaling_factor"]) == (planner.INFLATION, planner.SCALING)
     # Nothing inflates what a filter marks but an inflation that comes after it.

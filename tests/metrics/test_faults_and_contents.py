@@ -8,7 +8,8 @@ from apartgen.schemas.metrics import Value
 from apartgen.stages import metrics, use
 
 HOME = handmade.home(
-    handmade.thing("sofa", 2, 2.52, -np.pi / 2, id="sofa"), handmade.thing("tv_stand", 0.9, 2.7, -np.pi / 2, id="stand"),
+    handmade.thing("sofa", 2, 2.52, -np.pi / 2, id="sofa"),
+    handmade.thing("tv_stand", 0.9, 2.7, -np.pi / 2, id="stand"),
     handmade.thing("double_bed", 6.04, 1.5, np.pi, handmade.BEDROOM, id="bed"),
 )
 

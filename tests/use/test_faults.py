@@ -76,6 +76,7 @@ SPOILED = [
     ("bedroom", "nightstand", (2.5, 3.7, SOUTH), "nightstand away from bed"),
     ("bedroom", "wardrobe", (3.0, 2.0, WEST), "wardrobe off the wall"),
     ("bedroom", "wardrobe", (2.5, 2.0, WEST), "no floor before the wardrobe"),
+    ("bedroom", "wardrobe", (3.24, 3.2, NORTH), "wardrobe off the wall"),
     ("dining_room", "chair", (0.4, 0.4, WEST), "chair at nothing"),
     ("dining_room", "chair", (1.6, 0.9, SOUTH), "chair at nothing"),
     ("kitchen", "hood", (1.5, 0.25, NORTH), "hood not above the hob"),

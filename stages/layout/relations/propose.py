@@ -73,7 +73,7 @@ class Speaker:
         b = len(kind)
         arrays = (features.numbers(view), kind, category, swing, marked, real, np.full(b, self.type),
                   np.broadcast_to(self.facts, (b, len(self.facts))))
-        return Seen(*(torch.from_numpy(np.ascontiguousarray(a)) for a in arrays))
+        return Seen(*(torch.from_numpy(np.require(a, requirements=["C", "W"])) for a in arrays))
 
     def _left(self, lefts: Sequence[Sequence[str]]) -> Tensor:
         counts = np.zeros((len(lefts), len(self.known.categories)), np.float32)

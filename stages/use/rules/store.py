@@ -16,7 +16,7 @@ def faults(room: Furnished) -> Iterator[Fault]:
     """Of wardrobes, chests, shelves and cabinets."""
     for i in room.which(CASES):
         clothes = room.names[i] in CLOTHES
-        if room.back[i] >= OFF and room.wall[i] >= 0.03:
+        if room.back[i] >= OFF:
             yield Fault("wardrobe off the wall" if clothes else "cabinet off the wall", room.ids(i))
         depth, least = (DRESS, 0.75) if clothes else (OPEN, 0.6)
         if room.front(i, depth, 0.05, MOVED) < least:
