@@ -16,6 +16,8 @@ SLOW = ("numpy", "scipy.ndimage", "scipy.optimize", "scipy.spatial", "shapely", 
         "networkx", "trimesh", "pydantic", "typer", "rich", "PIL.Image", "safetensors", "torch", "pxr.Usd",
         "hypothesis", "pytest")
 HERE = Path(__file__).parent
+PROJECT = ("apartgen", "apartgen_cli")
+"""What the child imports from the clone, whatever this process has."""
 
 
 def ready() -> None:
@@ -68,6 +70,8 @@ def _within(work: Path, cache: Path, out: Path, seconds: int) -> None:
     own = [str(work), str(work / "tests"), str(HERE)]
     left = {"", str(HERE.parent), str(HERE.parent.parent)}
     sys.path[:] = [*own, *(path for path in sys.path if path not in left)]
+    for name in [name for name in sys.modules if name.partition(".")[0] in PROJECT]:
+        del sys.modules[name]
     os.chdir(work)
     os.environ["PYTHONPATH"] = os.pathsep.join(own)
     os.environ["NUMBA_CACHE_DIR"] = numba.config.CACHE_DIR = str(cache)
