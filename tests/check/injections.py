@@ -326,7 +326,8 @@ def a_thing_stands_in_another(body, rng):
 @kind("overlap")
 def a_partner_is_pushed_too_far(body, rng):
     pairs = [(o, p) for o in hard(body, "floor") for p in hard(body, "floor")
-             if o["room"] == p["room"] and p["category"] in TABLE[o["category"]].belongs and TABLE[p["category"]].back]
+             if o["room"] == p["room"] and p["category"] in TABLE[o["category"]].belongs
+             and TABLE[p["category"]].back and not TABLE[p["category"]].kneehole]
     pair = one(pairs, rng)
     if pair is None:
         return None
