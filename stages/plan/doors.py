@@ -24,10 +24,12 @@ FRAME = 0.1
 """Least wall between a door and a corner, m."""
 HEAD, OPEN_HEAD, GLAZED_HEAD = 2.1, 2.3, 2.2
 ENTRANCE = 0.95
-APPROACH = 0.7
-"""Depth of floor kept free of other leaves in front of a door, m."""
+APPROACHES = (0.7, 0.35, 0.12)
+"""Depths of floor kept free of other leaves in front of a door, m; the next where the one before cannot be had."""
 WIDEST = 3.2
 """Widest opening between open-plan rooms, m."""
+NEARER = 0.5
+"""Cost of a metre between the entrance and the living room."""
 TRIES = 4000
 
 
@@ -58,18 +60,33 @@ class Column(NamedTuple):
 
 def place(program: Program, floors: Floors, walls: Walls) -> list[Opening]:
     """Openings for all links and the entrance; raises Unmet naming the door that finds no place."""
+    *wider, least = APPROACHES
+    for approach in wider:
+        try:
+            return _placed_all(program, floors, walls, approach)
+        except Unmet:
+            continue
+    return _placed_all(program, floors, walls, least)
+
+
+def _placed_all(program: Program, floors: Floors, walls: Walls, approach: float) -> list[Opening]:
     types = {room.id: room.base for room in program.rooms}
     open_links = {frozenset(pair) for pair in program.open_links}
+    first = entrance_room(program).id
+    entrances = _entrances(program, first, floors, walls, approach)
     columns = []
     for a, b in links(program):
         found = faces.between(floors[a], floors[b])
         if frozenset((a, b)) in open_links:
-            columns.append(Column("opening", [a, b], [_wide(face) for face in found[:1] if face.length >= LINK_WALL]))
+            wide = [face for face in found[:1] if face.length >= LINK_WALL]
+            columns.append(Column("opening", [a, b], [_wide(face, approach) for face in wide]))
         else:
             head = GLAZED_HEAD if "balcony" in (types[a], types[b]) else HEAD
-            columns.append(Column("door", [a, b], _doors(a, b, found, floors, types), head))
-    first = entrance_room(program).id
-    columns.append(Column("entrance", [first], _entrances(program, first, floors, walls)))
+            choices = _doors(a, b, found, floors, types, approach)
+            if entrances and {types[a], types[b]} == {types[first], "living_room"} and first in (a, b):
+                choices = _nearest(choices, entrances[0])
+            columns.append(Column("door", [a, b], choices, head))
+    columns.append(Column("entrance", [first], entrances))
     for column in columns:
         if not column.choices:
             raise Unmet(f"no wall has room for the {column.kind} of {' and '.join(column.rooms)}")
@@ -90,10 +107,10 @@ def _built(column: Column, choice: Choice, number: int) -> Opening:
     )
 
 
-def _wide(face: Face) -> Choice:
+def _wide(face: Face, approach: float) -> Choice:
     clear = min(face.length - 2 * FRAME, WIDEST)
     lo = 0.5 * (face.length - clear)
-    return Choice(face, lo, lo + clear, 0, None, 0.0, (0.0, 0.0, 0.0, 0.0), _fronts(face, lo, lo + clear))
+    return Choice(face, lo, lo + clear, 0, None, 0.0, (0.0, 0.0, 0.0, 0.0), _fronts(face, lo, lo + clear, approach))
 
 
 def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:
@@ -103,19 +120,21 @@ def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _fronts(face: Face, lo: float, hi: float) -> tuple[Box, Box]:
+def _fronts(face: Face, lo: float, hi: float, approach: float) -> tuple[Box, Box]:
     gap = face.gap or 0.0
-    return _box(face, lo, hi, 0.0, APPROACH), _box(face, lo, hi, -gap - APPROACH, -gap)
+    return _box(face, lo, hi, 0.0, approach), _box(face, lo, hi, -gap - approach, -gap)
 
 
-def _doors(a: str, b: str, found: list[Face], floors: Floors, types: dict[str, RoomType]) -> list[Choice]:
+def _doors(
+    a: str, b: str, found: list[Face], floors: Floors, types: dict[str, RoomType], approach: float
+) -> list[Choice]:
     width = min(STANDARDS[types[r]].door for r in (a, b))
     better = _opens_into(a, b, types)
     out = []
     for face in (face for face in found if face.length >= width + 2 * FRAME - 1e-6):
         for into in (a, b):
             away = 0.0 if into == better else 5.0 if types[into] in ("closet", "storage") else 3.0
-            out += _placed(face, width, into, away, into == a)
+            out += _placed(face, width, into, away, into == a, approach)
     return _fitting(out, floors)
 
 
@@ -128,16 +147,41 @@ def _opens_into(a: str, b: str, types: dict[str, RoomType]) -> str:
     return max((a, b), key=lambda r: (rank.index(types[r]), r))
 
 
-def _entrances(program: Program, room: str, floors: Floors, walls: Walls) -> list[Choice]:
+def _entrances(program: Program, room: str, floors: Floors, walls: Walls, approach: float) -> list[Choice]:
     sides = entrance_sides(program.envelope)
     out = []
     for face in faces.outside(floors[room], [f for r, f in floors.items() if r != room]):
         if facing(*face.along) in sides and face.length >= ENTRANCE + 2 * FRAME - 1e-6:
-            out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, 0.0, True)
-    return _fitting(out, floors)
+            out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, 0.0, True, approach)
+    return _fitting([_towards(choice, _lived(program, room, floors)) for choice in out], floors)
 
 
-def _placed(face: Face, width: float, into: str, extra: float, mine: bool) -> list[Choice]:
+def _lived(program: Program, first: str, floors: Floors) -> Polygon | None:
+    """The living room one comes to, if it is not the room one enters."""
+    living = [r.id for r in program.rooms if r.type == "living_room" and r.id != first]
+    return floors[living[0]] if living else None
+
+
+def _towards(choice: Choice, living: Polygon | None) -> Choice:
+    """An entrance costs less the nearer it is to the living room, so that nobody walks past the bedrooms."""
+    if living is None:
+        return choice
+    return choice._replace(cost=choice.cost + NEARER * float(shapely.Point(_middle(choice)).distance(living)))
+
+
+def _nearest(choices: list[Choice], entrance: Choice) -> list[Choice]:
+    """Doors to the living room cost less the nearer they are to the entrance."""
+    away = [float(np.abs(_middle(choice) - _middle(entrance)).sum()) for choice in choices]
+    dearer = [choice._replace(cost=choice.cost + NEARER * d) for choice, d in zip(choices, away, strict=True)]
+    return sorted(dearer, key=lambda c: c.cost)
+
+
+def _middle(choice: Choice) -> faces.Array:
+    middle: faces.Array = choice.face.start + 0.5 * (choice.lo + choice.hi) * choice.face.along
+    return middle
+
+
+def _placed(face: Face, width: float, into: str, extra: float, mine: bool, approach: float) -> list[Choice]:
     """Doors along a face; a leaf that opens flat against a side wall costs least, one in mid-wall most."""
     slack = face.length - 2 * FRAME - width
     steps = [0.3 * i for i in range(int(slack / 0.3) + 1)]
@@ -146,7 +190,7 @@ def _placed(face: Face, width: float, into: str, extra: float, mine: bool) -> li
     for lo in sorted({FRAME + round(step, 4) for step in [*steps, slack / 2, slack]}):
         hi = lo + width
         sweep = _box(face, lo, hi, 0.0, width) if mine else _box(face, lo, hi, -gap - width, -gap)
-        fronts = _fronts(face, lo, hi)
+        fronts = _fronts(face, lo, hi, approach)
         middle = 0.6 * min(lo, face.length - hi, 1.5)
         for hinge, beside in ((0, lo), (1, face.length - hi)):
             cost = extra + min(beside, 0.8) + middle

@@ -19,7 +19,7 @@ from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
 
-WET, WHIM, MEALS, COOK = 2, 6, 24, 14
+WET, WHIM, MEALS, COOK = 2, 6, 24, 24
 """What it counts that wet rooms, rooms of a draw, kitchen and dining room, kitchen and living room are near one
 another."""
 CUT_OFF = 0.15
@@ -125,6 +125,7 @@ def _spec(room: AskedRoom, area: float, corners: float, joined: bool, front: flo
         norm.functional,
         norm.outer,
         {"bedroom": 1.0, "living_room": -1.0}.get(room.type, 0.0),
+        room.type == "bathroom",
     )
 
 
@@ -181,9 +182,9 @@ def scratch(n: int, links: int, leaves: int, k: int) -> Scratch:
         last=np.zeros(n, np.int64),
         before=np.zeros(leaves * k, np.int64),
         wall=np.zeros((links, 3)),
-        room=np.zeros((n, 13)),
+        room=np.zeros((n, 14)),
         terms=np.zeros(16),
-        entry=np.zeros(4),
+        entry=np.zeros(7),
         walked=np.zeros((n, 3)),
         area=np.zeros(n),
     )

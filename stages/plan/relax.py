@@ -7,6 +7,9 @@ from apartgen.schemas.plan import AskedRoom, Program
 from apartgen.stages.plan.check import check, entrance_room, links
 from apartgen.stages.plan.problem import Slack
 
+LOOSE = 0.19
+"""Part by which areas may differ where they cannot differ less, before that is told."""
+
 
 @dataclass(frozen=True)
 class Step:
@@ -21,6 +24,7 @@ class Step:
 def ladder(program: Program) -> Iterator[Step]:
     """Rungs from nothing given up to as much as may be."""
     yield Step(program, Slack())
+    yield Step(program, Slack(area=LOOSE))
     said = ["areas may differ from what was asked by up to 30 %"]
     yield Step(program, Slack(area=0.3), tuple(said))
     said.append("rooms may be half as long again for their width as they should")

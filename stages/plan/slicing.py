@@ -35,20 +35,20 @@ PATH, AREA, ASPECT, CONVEX, CONCISE, OUTER, CORNER, LINES, FUNCTION, NARROW, _, 
 LACKING = 15
 SPEC = (
     "target", "loose", "width", "joint", "aspect", "form", "corners", "face", "corridor", "functional", "outer",
-    "private",
+    "private", "shaft",
 )  # fmt: skip
 S_TARGET, S_LOOSE, S_WIDTH, S_JOINT, S_ASPECT, S_FORM, S_CORNERS, S_FACE, S_CORRIDOR = range(9)
-S_FUNCTION, S_OUTER, S_PRIVATE = range(9, 12)
+S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT = range(9, 13)
 LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall")
 L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY = range(5)
-R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS = range(13)
+R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS, R_RIM = range(14)
 LEFT, RIGHT, UPRIGHT = range(3)
 
 
 class Problem(NamedTuple):
     """What does not change while annealing; `n` rooms, `m` links, `k` blocks, `e` edges."""
 
-    spec: Floats  # (n, 12) of each room, by SPEC; lengths and areas net; private: 1 bedrooms, -1 the living room
+    spec: Floats  # (n, 13) of each room, by SPEC; lengths and areas net; private: 1 bedrooms, -1 the living room
     links: Ints  # (m, 2)
     near: Ints  # (q, 3) two rooms that should be close to one another, and how much that counts
     order: Ints  # (n, 3) rooms breadth first from the entrance, the room before each and their link, -1 at the start
@@ -75,9 +75,11 @@ class Scratch(NamedTuple):
     last: Ints  # (n,) last piece of each room
     before: Ints  # (P,) the piece of the same room before each, -1 for the first
     wall: Floats  # (m, 3) longest straight wall between two linked rooms, its middle
-    room: Floats  # (n, 13) by the R_ columns
+    room: Floats  # (n, 14) by the R_ columns
     terms: Floats  # (16,) by TERMS, then the lack
-    entry: Floats  # (4,) entrance x, y (else of its room), length of its wall, distance of its room from such a wall
+    # (7,) entrance x, y (else of its room), length of its wall, distance of its room from such a wall and of itself
+    # from the living room's door, and that door's x, y
+    entry: Floats
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
     area: Floats  # (n,) of the state accepted last
 

@@ -21,19 +21,19 @@ from apartgen.stages.plan.contradict import lacks, told
 from apartgen.stages.plan.judge import faults
 from apartgen.stages.plan.outline import draw, ring
 from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, whim
-from apartgen.stages.plan.relax import Step, ladder
+from apartgen.stages.plan.relax import ladder
 from apartgen.stages.plan.slicing import EPS, Floats, Ints
 from apartgen.stages.plan.starts import start
 from apartgen.stages.plan.turn import askew, turned, turned_plan
 
 HOT, COLD = 20.0, 1.0
 """Temperatures between which a run anneals, in units of cost."""
-SPREAD = 12.0
+SPREAD = 6.0
 """Difference of cost up to which one arrangement is as good as another."""
-CHOICE = 20
+CHOICE = 24
 """Rooms in all the arrangements to choose from: one of a large flat is as good as several of a small one."""
 BEYOND = 5.0
-PATIENCE = 3
+PATIENCE = 6
 """Waves of runs on one whim; it is dropped after the first where none is valid."""
 
 log = logging.getLogger("apartgen")
@@ -92,7 +92,7 @@ def floors(program: Program, run: Run, inner: float) -> dict[str, Polygon]:
     return out
 
 
-def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
+def finish(program: Program, run: Run, config: PlanConfig, given_up: tuple[str, ...] = ()) -> Plan | None:
     """A plan with balconies, doors and windows, or None where they find no place."""
     rooms = floors(indoors(program), run, config.walls.inner)
     if any(not isinstance(shape, Polygon) or shape.is_empty for shape in rooms.values()):
@@ -108,7 +108,10 @@ def finish(program: Program, run: Run, config: PlanConfig) -> Plan | None:
     if windows.dark(program, glass):
         return None
     built = [Room(id=r.id, type=r.type, polygon=ring(shapes[r.id])) for r in program.rooms]
-    plan = Plan(program=program, rooms=built, openings=[*passages, *glass], height=config.height, walls=config.walls)
+    plan = Plan(
+        program=program, rooms=built, openings=[*passages, *glass], height=config.height, walls=config.walls,
+        relaxed=list(given_up),
+    )  # fmt: skip
     return None if faults(plan) else plan
 
 
@@ -129,7 +132,7 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
-        for failed in range(-(-config.whims // 3) if step.given_up else config.whims):
+        for failed in range(-(-config.whims // 2) if step.given_up else config.whims):
             valid: list[Run] = []
             wanted = whim(step.program, config.walls, failed, rng)
             asked = _with_envelope(step.program, wanted.envelope)
@@ -138,9 +141,11 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
                 if not valid or len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
                     break
-            plan = _first(asked, valid, config, rng)
+            plan = _first(asked, valid, config, step.given_up, rng)
             if plan is not None:
-                return _turned_back(_reported(plan, step), angle, envelope)
+                for line in step.given_up:
+                    log.warning("plan: %s", line)
+                return _turned_back(plan, angle, envelope)
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
 
 
@@ -165,14 +170,10 @@ def _turned_back(plan: Plan, angle: float, given: Envelope) -> Plan:
     return turned_plan(plan.model_copy(update={"program": _with_envelope(plan.program, envelope)}), angle)
 
 
-def _first(program: Program, runs: list[Run], config: PlanConfig, rng: Generator) -> Plan | None:
+def _first(
+    program: Program, runs: list[Run], config: PlanConfig, given_up: tuple[str, ...], rng: Generator
+) -> Plan | None:
     """The first run that takes doors and windows, as a plan: cheap ones first, near ties by lot."""
     keys = [run.cost + SPREAD * rng.random() for run in runs]
-    plans = (finish(program, runs[i], config) for i in np.argsort(keys))
+    plans = (finish(program, runs[i], config, given_up) for i in np.argsort(keys))
     return next((plan for plan in plans if plan is not None), None)
-
-
-def _reported(plan: Plan, step: Step) -> Plan:
-    for line in step.given_up:
-        log.warning("plan: %s", line)
-    return plan.model_copy(update={"relaxed": list(step.given_up)})

@@ -16,7 +16,7 @@ USUAL = (0.2, 0.5, 0.3)
 """Shares of flats with one, two and three façades, where their rooms allow it."""
 CORNER = 0.5
 """Share of flats with two façades that stand at a corner of the building; the others go through it."""
-SPARE = 1.15
+SPARE = 1.35
 """Façade that a flat has, over what its rooms need."""
 TRIES = 12
 STUBBORN = 20
@@ -37,10 +37,11 @@ def surrounded(program: Program, aspect: float, gross: float, failed: int, rng: 
     envelope = program.envelope
     if settled(envelope):
         return envelope
+    most = 3 if failed < 2 * STUBBORN else 4
     needed = SPARE * front(program)
     long, free = sqrt(gross * aspect), list[Side]()
     for attempt in range(TRIES):
-        number = envelope.facades or min(4, int(rng.choice(3, p=USUAL)) + 1 + (failed // STUBBORN) + attempt // 4)
+        number = envelope.facades or min(most, int(rng.choice(3, p=USUAL)) + 1 + failed // STUBBORN + attempt // 4)
         free = _sides(envelope, number, rng)
         if sum(long if side in ("south", "north") else gross / long for side in free) >= needed:
             break

@@ -30,6 +30,7 @@ from apartgen.stages.plan.slicing import (
     R_MAIN,
     R_OUTER,
     R_PIECES,
+    R_RIM,
     R_WIDTH,
     R_X0,
     R_X1,
@@ -45,6 +46,7 @@ from apartgen.stages.plan.slicing import (
     S_LOOSE,
     S_OUTER,
     S_PRIVATE,
+    S_SHAFT,
     S_TARGET,
     S_WIDTH,
     WIDE,
@@ -54,6 +56,8 @@ from apartgen.stages.plan.slicing import (
 )
 
 LACK = 60.0
+ALONE, RISER = 5.0, 1.0
+"""What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
 
 
 @inner
@@ -61,7 +65,7 @@ def _measure(p, z, count):  # areas, extents and parts of the rooms, and the cha
     thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
     for r in range(rooms.shape[0]):
         room = rooms[r]
-        for c in range(13):
+        for c in range(14):
             room[c] = 0.0
         room[R_X0] = room[R_Y0] = room[R_LEAST] = 1e9
         room[R_X1] = room[R_Y1] = -1e9
@@ -171,11 +175,25 @@ def _walls(p, z):  # longest straight wall between linked rooms, its middle or e
 
 
 @inner
+def _enter(wide, entry, axis, at, lo, hi):  # a wall for the entrance, if it is long enough and near the living room
+    along, half = entry[6 - axis], 0.5 * min(wide, hi - lo)
+    middle = min(max(along, lo + half), hi - half)
+    away = abs(at - entry[5 + axis]) + abs(middle - along)
+    fits = hi - lo > wide - EPS and (entry[2] < wide - EPS or away < entry[4])
+    if fits or (entry[2] < wide - EPS and hi - lo > entry[2]):
+        entry[axis], entry[1 - axis], entry[2], entry[4] = at, middle, hi - lo, away
+
+
+@inner
 def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall for the entrance
     entry, hall = z.entry, p.order[0, 0]
     entry[0] = 0.5 * (z.room[hall, R_X0] + z.room[hall, R_X1])
     entry[1] = 0.5 * (z.room[hall, R_Y0] + z.room[hall, R_Y1])
-    entry[2], entry[3] = 0.0, 1e9
+    entry[2], entry[3], entry[4] = 0.0, 1e9, 1e9
+    entry[5], entry[6] = entry[0], entry[1]
+    for i in range(1, p.order.shape[0]):
+        if p.spec[p.order[i, 0], S_PRIVATE] < 0:
+            entry[5], entry[6] = z.wall[p.order[i, 2], 1], z.wall[p.order[i, 2], 2]
     for e in range(p.edges.shape[0]):
         edge = p.edges[e]
         axis = int(edge[0])
@@ -189,11 +207,12 @@ def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall f
             if off > 1e-4 or long < EPS:
                 continue
             room = z.room[r]
+            room[R_RIM] = max(room[R_RIM], long)
             if edge[4] > 0:
                 room[R_OUTER] += long
                 room[R_FACE] = max(room[R_FACE], long)
-            if r == hall and edge[5] > 0 and long > entry[2]:
-                entry[axis], entry[1 - axis], entry[2] = at, max(lo, q[1 - axis]) + 0.5 * long, long
+            if r == hall and edge[5] > 0:
+                _enter(p.limits[L_ENTRY], entry, axis, at, max(lo, q[1 - axis]), min(hi, q[3 - axis]))
     lack = max(0.0, p.limits[L_ENTRY] - entry[2]) + 0.3 * entry[3]
     for r in range(p.spec.shape[0]):
         lack += max(0.0, p.spec[r, S_FACE] - z.room[r, R_FACE])
@@ -210,6 +229,7 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
         functional += room[R_AREA] * want[S_FUNCTION]
         outer += room[R_OUTER]
         held += room[R_OUTER] * want[S_OUTER]
+        terms[NEAR] += ALONE * want[S_SHAFT] * (room[R_RIM] < RISER)
     away, unlived = held / (outer + 0.01) - 1, 1 - functional / (total + 0.01)
     terms[OUTER], terms[FUNCTION] = away * away * n, unlived * unlived * n
     for i in range(p.near.shape[0]):
