@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.stages import registry
 from apartgen.stages.registry import contract
-from apartgen.stages.things import categories
+from apartgen.stages.things import categories, small
 from apartgen.stages.things.asset import Asset
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def _designs() -> "dict[str, dict[str, Builder]]":
     from apartgen.stages.retrieve.furniture.designs import DESIGNS
 
     registry.sound(__name__)
-    for category in [name for name in DESIGNS if name not in (*categories.TABLE, *BUILDING)]:
+    for category in [name for name in DESIGNS if name not in (*categories.TABLE, *small.TABLE, *BUILDING)]:
         log.warning("furniture %r is left out: no such category; give it an entry", category)
         del DESIGNS[category]
     return DESIGNS
@@ -54,7 +54,7 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
     if style not in styles(category):
         raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")
     mm = tuple(round(float(s) * 1000) for s in size)
-    _check(category, mm)
+    _check(category, style, mm)
     d, w, h = mm
     model = _model(category)
     kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed, model)
@@ -70,11 +70,12 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
         raise BadInput(f"furniture {category}/{style} of {builder.__module__} failed, {contract.at(error)}") from error
 
 
-def _check(category: str, mm: tuple[int, ...]) -> None:
+def _check(category: str, style: str, mm: tuple[int, ...]) -> None:
     if category in BUILDING:
         return
-    kind = categories.TABLE[category]
-    for value, least, most, side in zip(mm, kind.min, kind.max, ("depth", "width", "height"), strict=True):
+    kind = categories.TABLE.get(category) or small.TABLE[category]
+    standing = small.upright(style, mm)[1] if category in small.TABLE else mm
+    for value, least, most, side in zip(standing, kind.min, kind.max, ("depth", "width", "height"), strict=True):
         if not round(least * 1000) <= value <= round(most * 1000):
             raise BadInput(f"{category}: {side} {value / 1000} m is outside [{least}, {most}]; give a size within it")
 

@@ -29,6 +29,7 @@ class Kit:
         self.size = size
         self.d, self.w, self.h = size
         self.base = Body()
+        self.friction = 0.6
         self.moving: list[_Moving] = []
 
     @property
@@ -98,7 +99,8 @@ class Kit:
     def finish(self, id: str) -> Asset:
         """The asset, in the frame whose origin is the centre of its box."""
         drop = self.h / 2
-        links = [Link("base", self.base.meshes(drop), _lowered(self.base, drop), round(self.base.mass, 3))]
+        links = [Link("base", self.base.meshes(drop), _lowered(self.base, drop), round(self.base.mass, 3),
+                      friction=self.friction)]
         for name, body, joint, handle, grip in self.moving:
             hold = None if handle is None else np.array(handle) - [0, 0, drop]
             made = _joint(name, body, joint, drop)
