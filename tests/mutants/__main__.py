@@ -94,17 +94,27 @@ def ordered(bench: Bench, change: Change) -> list[str]:
     return [test for k, (test, so_far) in enumerate(zip(chosen, spent)) if so_far <= bench.budget or k == 0]
 
 
+def compiled_anew(bench: Bench, change: Change, source: bytes) -> set[str]:
+    """Modules whose compiled functions a change may have a part in: its own, and those that import what is frozen."""
+    own = [change.file] if covered.compiles(source) else []
+    files = bench.seen.compiled_with(change.file) if change.compiled or not change.function else own
+    return {(Path(file).parent.name if file.endswith("__init__.py") else Path(file).stem) for file in files}
+
+
 def tried(bench: Bench, change: Change, tests: Sequence[str]) -> tuple[Fate, str]:
     """What becomes of a change, and the first test that failed."""
     if not tests:
         return "not run", ""
     path, source = bench.work / change.file, (bench.work / change.file).read_bytes()
     times = path.stat()
-    compiles = change.compiled or b"njit" in source or b"import inner" in source
-    cache = Path(tempfile.mkdtemp()) if compiles else bench.kernels
+    anew = compiled_anew(bench, change, source)
+    cache = Path(tempfile.mkdtemp()) if anew else bench.kernels
+    if anew:
+        left = shutil.ignore_patterns(*(f"{module}.*" for module in anew))
+        shutil.copytree(bench.kernels, cache, dirs_exist_ok=True, ignore=left)
     arguments, said = bench.results.with_suffix(".tests"), bench.results.with_suffix(".txt")
     arguments.write_text("\n".join(tests), encoding="utf-8")
-    limit = int(60 + GENEROUS * sum(bench.seen.cost[test] for test in tests) + COMPILING * compiles)
+    limit = int(60 + GENEROUS * sum(bench.seen.cost[test] for test in tests) + COMPILING * bool(anew))
     try:
         path.write_bytes(change.applied(source))
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns + 10**9))  # what is compiled already is not taken
@@ -113,7 +123,7 @@ def tried(bench: Bench, change: Change, tests: Sequence[str]) -> tuple[Fate, str
     finally:
         path.write_bytes(source)
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
-        if compiles:
+        if anew:
             shutil.rmtree(cache)
     text = said.read_text(encoding="utf-8", errors="replace")
     if status < 0:
@@ -167,12 +177,14 @@ def main() -> None:
     at = asked.at.resolve() / commit
     work = covered.clone(ROOT, at / "clone", commit)
     running.ready()
-    covered.measure(work, at / "seen", at / "kernels")
-    bench = Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results.jsonl", asked.budget)
+    draw = list(drawn(work, asked.many, asked.seed))
+    seen, kernels = at / f"seen.{asked.many}.{asked.seed}", covered.kernels(ROOT, work, at / "kernels")
+    covered.measure(work, seen, kernels, sorted({change.file for _, some in draw for change in some}))
+    bench = Bench(work, covered.Seen(work, seen), kernels, at / "results.jsonl", asked.budget)
     lines = bench.results.read_text(encoding="utf-8").splitlines() if bench.results.exists() else []
     known = {(one["file"], one["start"], one["new"]): one for one in map(json.loads, lines)}
     found = []
-    for part, some in drawn(work, asked.many, asked.seed):
+    for part, some in draw:
         for change in some if not asked.stage or part in asked.stage else []:
             new = change.lines((work / change.file).read_bytes())[1]
             found.append(known.get((change.file, change.start, new)) or judged(bench, part, change))

@@ -1,11 +1,16 @@
-"""Which tests run which lines: the suite under coverage once a commit, file by file, so that it may be interrupted."""
+"""Which tests run which lines: the suite under coverage once a commit, file by file, so that it may be interrupted.
+
+Only files that are going to be changed are watched: what is not watched costs next to nothing.
+"""
 
 import ast
 import functools
+import hashlib
 import json
 import os
+import shutil
 import subprocess
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import coverage
@@ -31,7 +36,24 @@ def clone(root: Path, to: Path, commit: str) -> Path:
     return to
 
 
-def measure(work: Path, to: Path, cache: Path) -> None:
+def kernels(root: Path, work: Path, to: Path) -> Path:
+    """What is compiled in the checkout, as if it were the clone's: it is read only where the source is the same."""
+    for folder in (root / "stages").rglob("__pycache__"):
+        kept = to / place_of_kernels(work, str(folder.parent.relative_to(root)))
+        for file in folder.glob("*.nb[ic]"):
+            kept.mkdir(parents=True, exist_ok=True)
+            if not (kept / file.name).exists():
+                shutil.copy(file, kept)
+    return to
+
+
+def place_of_kernels(work: Path, folder: str) -> str:
+    """What numba calls the place of kernels of a folder of the clone."""
+    path = work / "apartgen" / folder
+    return f"{path.name}_{hashlib.sha1(str(path).encode()).hexdigest()}"
+
+
+def measure(work: Path, to: Path, cache: Path, only: Sequence[str]) -> None:
     """Runs each file of tests that was not run yet; leaves `<name>.cover` and `<name>.json` in `to`."""
     to.mkdir(parents=True, exist_ok=True)
     for test in sorted((work / "tests").rglob("test_*.py")):
@@ -41,7 +63,7 @@ def measure(work: Path, to: Path, cache: Path) -> None:
             continue
         unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
         os.environ["MUTANTS_COST"] = str(unfinished)
-        status = running.run(work, cache, ["-q", f"tests/{name}"], said, LONGEST, cost.with_suffix(".cover"))
+        status = running.run(work, cache, ["-q", f"tests/{name}"], said, LONGEST, cost.with_suffix(".cover"), only)
         if status < 0:
             unfinished.write_text("{}")
         elif not unfinished.exists():
@@ -99,6 +121,17 @@ class Seen:
         files = {test.partition("::")[0] for test in direct}
         return direct, {test for file in files for test in self._files[file]} - direct
 
+    def compiled_with(self, file: str) -> Iterator[str]:
+        """Files with compiled functions that import a file, or what imports it."""
+        found, open_ = {file}, [file]
+        while open_:
+            name = _module(open_.pop())
+            more = {other for other, tree in self._trees.items() if other not in found
+                    and any(_imported(tree, name, set()))}
+            found |= more
+            open_ += sorted(more)
+        return (other for other in sorted(found) if compiles((self.work / other).read_bytes()))
+
     def _running(self, lines: Iterable[tuple[str, int]]) -> set[str]:
         """Tests that run any of some lines of files."""
         found = {test for file, line in lines for test in self._by_line(file).get(line, ())}
@@ -106,8 +139,7 @@ class Seen:
 
     def _mentions(self, file: str, names: set[str], before: frozenset[str] = frozenset()) -> Iterator[tuple[str, int]]:
         """Lines in functions that mention some names of a file (all without), in it or where it is imported."""
-        module = file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-        module = module if module.startswith("apartgen") else f"apartgen.{module}"
+        module = _module(file)
         yield from ((file, line) for line in _lines(self._trees[file], names))
         for other, tree in self._trees.items():
             known = set(_imported(tree, module, names))
@@ -115,6 +147,16 @@ class Seen:
                 yield from ((other, line) for line in _lines(tree, known))
                 if "numba" in ast.dump(tree) or "kernels" in other:
                     yield from self._mentions(other, set(), before | {file})
+
+
+def compiles(source: bytes) -> bool:
+    """Whether a file has compiled functions."""
+    return b"njit" in source or b"import inner" in source or b"    inner,\n" in source
+
+
+def _module(file: str) -> str:
+    module = file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+    return module if module.startswith("apartgen") else f"apartgen.{module}"
 
 
 def _named(tree: ast.Module, change: Change) -> set[str]:

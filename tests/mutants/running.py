@@ -27,16 +27,17 @@ def ready() -> None:
             importlib.import_module(name)
 
 
-def run(work: Path, cache: Path, arguments: Sequence[str], out: Path, seconds: int, cover: Path | None = None) -> int:
+def run(work: Path, cache: Path, arguments: Sequence[str], out: Path, seconds: int,
+        cover: Path | None = None, only: Sequence[str] = ()) -> int:
     """Pytest's exit status, negative if it took more than so many seconds of processor time or ten times as long.
 
-    What it says goes to `out`; with `cover`, the lines that tests run go there.
+    What it says goes to `out`; with `cover`, the lines of the files `only` that tests run go there.
     """
     child = os.fork()
     if child == 0:
         try:
             _within(work, cache, out, seconds)
-            status = _pytest(list(arguments), cover)
+            status = _pytest(list(arguments), cover, [str(work / file) for file in only])
         except BaseException as error:  # nothing of this may go on in the child
             print(f"{type(error).__name__}: {error}", file=sys.stderr)
             status = 3
@@ -77,12 +78,12 @@ def _within(work: Path, cache: Path, out: Path, seconds: int) -> None:
     os.environ["NUMBA_CACHE_DIR"] = numba.config.CACHE_DIR = str(cache)
 
 
-def _pytest(arguments: list[str], cover: Path | None) -> int:
+def _pytest(arguments: list[str], cover: Path | None, only: list[str]) -> int:
     import pytest
 
     if cover is None:
         return int(pytest.main(arguments))
-    watch = coverage.Coverage(data_file=str(cover), source=["apartgen", "schemas", "stages"])
+    watch = coverage.Coverage(data_file=str(cover), include=only)
     watch.start()
     try:
         return int(pytest.main(["-p", "watching", *arguments]))
