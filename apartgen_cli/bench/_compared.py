@@ -1,6 +1,7 @@
 """Rooms beside the same rooms furnished otherwise: what is kept of each, and how far two sets of them are apart."""
 
 import base64
+from collections import Counter
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -13,12 +14,17 @@ from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.metrics import _networks, _pictures
 from apartgen.stages.metrics._distances import Figure, frechet, kernel, separability
 from apartgen.stages.metrics.frequencies import divergence
+from apartgen.stages.use.kinds import BEDS, CASES, CHAIRS, CLOTHES, DOUBLE, SMALL_SEATS, SOFAS, TABLES
 from apartgen_cli.bench._runner import SEEDS
 
 Record = dict[str, Any]
 REFERENCE, REAL, FURNISHER = "reference", "real against real", "furnisher"
 LANES = (REFERENCE, REAL, FURNISHER)
 """The furnisher's: of the reference, of the other real rooms, of itself as a method; no two furnish alike."""
+GROUPS = (CASES - CLOTHES, CLOTHES & {"wardrobe", "sliding_wardrobe"}, SOFAS, TABLES, CHAIRS, SMALL_SEATS,
+          BEDS - DOUBLE, frozenset({"plant", "planter"}))
+COMMON = 0.02
+"""Share of real rooms in which a kind must stand to be among those that are compared."""
 HELD_OUT = 77_000
 """Begins every seed here: no training data are made with it."""
 
@@ -48,9 +54,16 @@ def _read(name: str, folder: str) -> list[Layout]:
 
 @cache
 def kinds(real: str) -> frozenset[str]:
-    """Every category that the real rooms have."""
+    """What stands in a share of the real rooms, told as coarsely as descriptions of their things allow."""
     name, _, folder = real.partition("=")
-    return frozenset(o.category for home in _read(name, folder) for o in home.objects)
+    rooms = [{coarse(o.category) for o in objects} for _, objects in inside(_read(name, folder))]
+    found = Counter(kind for room in rooms for kind in room)
+    return frozenset(kind for kind, rooms_with in found.items() if rooms_with >= COMMON * len(rooms))
+
+
+def coarse(category: str) -> str:
+    """One name for all kinds that descriptions of things do not tell apart."""
+    return next((min(group, key=lambda name: (len(name), name)) for group in GROUPS if category in group), category)
 
 
 def bare(home: Layout) -> Plan:

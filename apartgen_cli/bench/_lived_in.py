@@ -19,7 +19,7 @@ Moves = dict[str, list[float]]
 By = dict[tuple[str, str], list[Record]]
 """Records by room type and setting."""
 REAL, OTHER = "real", "real, other half"
-CORPUS, AGAIN = "corpus", "corpus again"
+CORPUS, AGAIN, ON_REAL = "corpus", "corpus again", "corpus, floors of real rooms"
 TYPES = ("living_room", "bedroom", "kitchen", "bathroom", "hallway", "dining_room")
 SEEN = ("living_room", "bedroom")
 """Types of which there are real rooms."""
@@ -40,13 +40,19 @@ def records(home: Layout, real: str | None, moves: Moves, alone: bool = False) -
         whole = [rooms[k] for k in seen]
         _look(found, seen, whole, "whole")
         if real:
-            _look(found, seen, [(room, _common(objects, real)) for room, objects in whole], "common")
+            _look(found, seen, [(room, _coarse(objects, real)) for room, objects in whole], "common")
+            _look(found, seen, [(room, []) for room, _ in whole], "bare")
     return found
 
 
 def _common(objects: Sequence[Box], real: str) -> list[Box]:
     """Those of kinds that the real rooms have."""
-    return [o for o in objects if o.category in _compared.kinds(real)]
+    return [o for o in objects if _compared.coarse(o.category) in _compared.kinds(real)]
+
+
+def _coarse(objects: Sequence[Box], real: str) -> list[Box]:
+    """The same, told no finer than what is known of the real ones."""
+    return [o.model_copy(update={"category": _compared.coarse(o.category)}) for o in _common(objects, real)]
 
 
 def _look(found: list[Record], seen: list[int], rooms: list[tuple[Room, list[Box]]], name: str) -> None:
@@ -115,10 +121,12 @@ def _apart(mine: list[Record], by: By, rng: np.random.Generator) -> dict[str, li
     """SCA and CKL against as many rooms of the same type of the corpus, and of real ones."""
     out, kind, setting = dict[str, list[float]](), mine[0]["of"], mine[0]["setting"]
     for name, look, reference, never in (("corpus", "whole", CORPUS, (CORPUS, REAL, OTHER)),
-                                         ("real rooms", "common", REAL, (REAL,))):
+                                         ("real rooms", "common", REAL, (REAL,)),
+                                         ("real rooms, bare floors", "bare", REAL, (REAL,))):
         sides = [[r[look] for r in side if look in r] for side in (mine, by.get((kind, reference), []))]
         n = min(map(len, sides))
         if setting not in never and n >= LEAST:
-            found = _compared.apart(sides[0][:n], sides[1][:n], rng, ("SCA", "CKL"))
+            figures = ("SCA",) if look == "bare" else ("SCA", "CKL")
+            found = _compared.apart(sides[0][:n], sides[1][:n], rng, figures)
             out |= {f"{figure} against {name}": value for figure, value in found.items()}
     return out

@@ -11,13 +11,14 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
 from apartgen_cli.bench import _compared, _lived_in, _replaced, _scenes
-from apartgen_cli.bench._lived_in import AGAIN, CORPUS, OTHER, REAL, SEEN, Moves, Record
+from apartgen_cli.bench._lived_in import AGAIN, CORPUS, ON_REAL, OTHER, REAL, SEEN, Moves, Record
 from apartgen_cli.bench._runner import SEEDS
 
 PAPER: list[Record] = []
 NOTE = (
     "A scene is an apartment that was never trained on. Columns go from the corpus (`corpus`: the furnisher, with "
-    "seeds that training did not use; `corpus again`: the same floors once more) over samples as they come out of a "
+    "seeds that training did not use; `corpus again`: the same floors once more; `floors of real rooms`: furnished by "
+    "it, too) over samples as they come out of a "
     "model (`raw`; `guided`; `constrained`, where nothing follows) to what later steps make of them; `random places` "
     "are the same things put anywhere and settled by the same steps, which is what these do by themselves. `best of "
     "4`: each room chosen of four by the energy of docs/realism.md; `walkable`: that home after retrieval and the "
@@ -26,7 +27,8 @@ NOTE = (
     "what stands in something else or in a doorway; `neighbours`, doors and windows. Lacks: wishes of those who live "
     "there, as numbers and as cost. Moved: things that a step put elsewhere than where they were sampled. SCA, CKL: "
     "against as many rooms of one type of the corpus and of the real ones; 50 is best of SCA, and what it is of the "
-    "corpus again or of other real rooms stands in their columns. 95 % intervals by bootstrap over rooms."
+    "corpus again or of other real rooms stands in their columns; `bare floors` are the same rooms without a thing in "
+    "them, what their shapes alone tell. 95 % intervals by bootstrap over rooms."
 )
 TAKES = ("weights", "real")
 SETTLED: dict[str, Any] = {"model": "diffusion", "projection": False, "guidance_repeats": 4}
@@ -50,7 +52,7 @@ METHODS: dict[str, dict[str, Any]] = {
     "diffusion, projected, no guidance": {"model": "diffusion", "projection": False, "guidance": {}},
 }
 SETTINGS = [CORPUS, AGAIN, *METHODS]
-KNOWN = ["room", "figure", REAL, OTHER, CORPUS, AGAIN]
+KNOWN = ["room", "figure", REAL, OTHER, CORPUS, AGAIN, ON_REAL]
 TABLES = {f"{model.capitalize()} model": [*KNOWN, *(name for name in METHODS if name.startswith(model))]
           for model in ("relations", "diffusion")}
 RUN = " · "
@@ -66,7 +68,7 @@ def settings(weights: list[str] | None = None, real: str | None = None) -> list[
     if len({stem for _, stem in runs.values()}) < len(runs):
         raise BadInput(f"--weights {' '.join(runs)}: the table tells runs apart by file name; rename one")
     rows = [row for name in METHODS for row in _with_runs(name, list(runs.values()))]
-    return [*([REAL, OTHER] if real else []), CORPUS, AGAIN, *rows]
+    return [*([REAL, OTHER, ON_REAL] if real else []), CORPUS, AGAIN, *rows]
 
 
 def _with_runs(name: str, runs: list[tuple[str, str]]) -> list[str]:
@@ -91,9 +93,11 @@ def trial(setting: str, seed: int, scenes: int, work: Path, weights: list[str] |
           real: str | None = None) -> list[Record]:
     """Rooms of `scenes` apartments."""
     name = setting.partition(RUN)[0]
-    if name in (REAL, OTHER):
+    if name in (REAL, OTHER, ON_REAL):
         first = seed + (ROOMS - 1) * (seed % SEEDS)
-        homes = _compared.real_rooms(str(real), first, ROOMS * scenes, name == OTHER)
+        homes = _compared.real_rooms(str(real), first, ROOMS * scenes, name != REAL)
+        if name == ON_REAL:
+            homes = _compared.furnished([_compared.bare(home) for home in homes], seed, _compared.FURNISHER)
         return [record for home in homes for record in _lived_in.records(home, real, {}, alone=True)]
     plans = _scenes.plans(seed, scenes, work)
     if name in (CORPUS, AGAIN):

@@ -4,10 +4,9 @@ import shapely
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.things.categories import CATEGORIES, stand_in, used_for
+from apartgen.stages.use.household import PLACES
 
 TABLES = tuple(name for name in CATEGORIES if name in used_for("dine"))
-PLACES = (("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
-"""Where a table is looked for, in this order: room types with at least so much floor, m²."""
 SMALL = 10.0
 """In a room below this floor area, m², the table is a round one."""
 ROUND = 1 / 3

@@ -4,10 +4,12 @@ import numpy as np
 
 from apartgen.schemas.plan import Plan, Room
 
-DOUBLE = 10.0
-"""A bedroom of so much floor sleeps two, m²; a studio does from three times that."""
+DOUBLE = 9.6
+"""A bedroom of so much floor sleeps two, m²."""
+STUDIO = 30.0
+"""A home without bedrooms of which the largest room has so much floor sleeps two, m²."""
 
-PLACES = (("dining_room", 0.0), ("kitchen", 10.5), ("living_room", 14.0), ("kitchen", 7.5))
+PLACES = (("dining_room", 0.0), ("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
 """Where people eat, the likeliest first, with the floor that takes, m²."""
 
 
@@ -17,7 +19,7 @@ def sleepers(plan: Plan) -> int | None:
         return None
     beds = [room for room in plan.rooms if room.base == "bedroom"]
     if not beds:
-        return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= 3 * DOUBLE)
+        return None if len(plan.rooms) == 1 else 1 + (_area(_largest(plan)) >= STUDIO)
     return sum(1 + (_area(room) >= DOUBLE) for room in beds)
 
 

@@ -18,7 +18,7 @@ from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.space.boxes import Array
 
 AREA: dict[str, tuple[float, float]] = {
-    "living_room": (24.5, 0.34), "kitchen": (9.8, 0.3), "dining_room": (12.5, 0.28), "bedroom": (12.6, 0.26),
+    "living_room": (26.0, 0.34), "kitchen": (9.8, 0.3), "dining_room": (12.5, 0.28), "bedroom": (12.6, 0.26),
     "bathroom": (5.2, 0.28), "hallway": (7.5, 0.4), "study": (9.5, 0.28), "utility": (4.5, 0.35),
     "storage": (3.2, 0.4), "closet": (3.5, 0.4), "balcony": (5.5, 0.4),
 }
@@ -37,6 +37,9 @@ SMALL_WINDOW = ("bathroom", "utility")
 SILL = {"living_room": (0.0, 0.3, 0.6, 0.6, 0.9), "bathroom": (1.4,), "kitchen": (0.95, 1.0, 1.05, 1.1),
         "study": (0.6, 0.9), "utility": (1.4,), "hallway": (0.9,), "dining_room": (0.0, 0.6, 0.9),
         "bedroom": (0.6, 0.9, 0.9)}
+CUT = {"living_room": (0.35, 0.4, 0.25), "bedroom": (0.65, 0.3, 0.05), "dining_room": (0.7, 0.25, 0.05),
+       "study": (0.75, 0.25, 0.0), "kitchen": (0.82, 0.18, 0.0), "hallway": (0.6, 0.3, 0.1)}
+"""Shares of rooms without a corner cut out, with one, with two; few of other types have one."""
 OUTER, INNER = 0.15, 0.05
 """From a wall's face to where its openings are drawn, m."""
 
@@ -66,21 +69,35 @@ def draw(rng: Generator, type: RoomType | None = None) -> Plan:
 
 def _corners(type: RoomType, rng: Generator) -> Array:
     """A rectangle, or one with a corner or two cut out."""
+    cuts = int(rng.choice(3, p=CUT.get(type, (0.85, 0.15, 0.0))))
     median, spread = AREA[type]
     area = median * float(np.exp(np.clip(rng.normal(0, spread), -2 * spread, 1.8 * spread)))
     aspect = rng.uniform(1.6, 4.0) if type in ("hallway", "balcony") else 1 + abs(rng.normal(0, 0.35))
     if type == "living_room":
         aspect = np.clip(rng.normal(0.85 + 0.024 * area, 0.25), 1.0, 2.4)
+    area *= 1 + 0.14 * cuts
     short = max(LEAST[type], float(np.sqrt(area / aspect)))
     x, y = np.round([max(short, min(area / short, 10.0)), short], 2)
-    points = np.array([[0, 0], [x, 0], [x, y], [0, y]], float)
-    if rng.random() < 0.2 and short > 1.6 * LEAST[type]:
-        cut = np.round([rng.uniform(0.1, 0.45) * x, rng.uniform(0.1, 0.45) * y], 2)
-        cut = np.maximum(cut, 0.15)
-        points = np.array([[0, 0], [x, 0], [x, y - cut[1]], [x - cut[0], y - cut[1]], [x - cut[0], y], [0, y]])
+    points = _cut(np.array([x, y]), cuts, 0.8 * LEAST[type], rng)
     for _ in range(int(rng.integers(4))):
         points = np.stack([-points[:, 1], points[:, 0]], 1)
     return np.asarray(points - points.min(0))
+
+
+def _cut(size: Array, cuts: int, least: float, rng: Generator) -> Array:
+    """A rectangle from (0, 0) to `size`, so many corners cut out of which neither side is left shorter than `least`."""
+    where = set(rng.permutation(4)[:cuts].tolist()) if size.min() > 1.6 * least else set[int]()
+    points = list[Array]()
+    for k, corner in enumerate(([0, 0], [1, 0], [1, 1], [0, 1])):
+        at = np.array(corner) * size
+        if k not in where:
+            points.append(at)
+            continue
+        most = np.minimum(0.48 * size, 0.5 * (size - least) if cuts > 1 else size - least)
+        inward = np.maximum(np.round(rng.uniform(0.1, 1.0, 2) * most, 2), 0.15) * (1 - 2 * np.array(corner))
+        by = [at + inward * [0, 1], at + inward, at + inward * [1, 0]]
+        points += by if k % 2 == 0 else by[::-1]
+    return np.array(points, float)
 
 
 def _openings(type: RoomType, id: str, corners: Array, rng: Generator) -> list[Opening]:

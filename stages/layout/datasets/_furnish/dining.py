@@ -19,7 +19,7 @@ DRAWN, DRAWN_LEAST = 0.75, 0.64
 APART = 0.4
 """From sofa and coffee table to a dining table, m."""
 OTHERS = frozenset(CATEGORIES) - {"sofa", "corner_sofa", "coffee_table"}
-WIDTHS = {2: (0.8, 0.9, 1.2), 4: (1.2, 1.4, 1.4, 1.6, 1.6), 6: (1.6, 1.8, 1.8, 2.0, 2.2), 8: (2.2, 2.4, 2.6)}
+WIDTHS = {2: (0.8, 0.9, 1.2), 4: (1.2, 1.4, 1.4, 1.6, 1.6, 1.8), 6: (1.6, 1.8, 1.8, 2.0, 2.2), 8: (2.2, 2.4, 2.6)}
 ROUND = {2: (0.8, 0.9), 4: (0.9, 1.0, 1.1, 1.2), 6: (1.3, 1.35, 1.5)}
 ABOVE = 0.72
 """A pendant hangs so far above the table, m."""
@@ -38,7 +38,7 @@ def furnish(space: Space, seats: int, lamp: float = 0.7) -> bool:
 
 
 def _tuck(space: Space, chair: Array) -> float:
-    return round(float(chair[0]) * float(space.rng.uniform(0.25, 0.5)), 3)
+    return round(float(chair[0]) * float(space.rng.uniform(0.12, 0.4)), 3)
 
 
 def _straight(space: Space, n: int, chair: Array, lamp: float, small: bool) -> bool:

@@ -8,9 +8,7 @@ from numpy.random import Generator
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.layout.meals import table_of
-
-DOUBLE = 9.6
-"""A bedroom of at least so much floor is for two, m²."""
+from apartgen.stages.use.household import sleepers
 
 
 @dataclass(frozen=True)
@@ -32,12 +30,6 @@ def area(room: Room) -> float:
     return float(shapely.Polygon(room.polygon).area)
 
 
-def sleepers(plan: Plan) -> int:
-    """Two in the main bedroom and in every large one, else one; two where there is no bedroom."""
-    beds = sorted((area(room) for room in plan.rooms if room.base == "bedroom"), reverse=True)
-    return sum(2 if a >= DOUBLE else 1 for a in beds) if beds else 2
-
-
 def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
     """What furnishing `room` needs to know."""
     if len(plan.rooms) == 1:
@@ -46,7 +38,7 @@ def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
     table, washing = table_of(plan), _laundry(plan)
     open_question = room.base == "living_room" and table is None
     return Household(
-        sleepers=sleepers(plan),
+        sleepers=sleepers(plan) or 2,
         main=bool(bedrooms) and room.id == max(bedrooms, key=area).id,
         table=None if open_question else table is not None and table[0] == room.id,
         bed=not bedrooms and room.base == "living_room",

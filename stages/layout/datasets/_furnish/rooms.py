@@ -43,14 +43,17 @@ def living_room(space: Space, home: Household) -> None:
         return
     seating.complete(space)
     dressing.ceiling_lamps(space)
-    _cabinets(space, 1 + int(area > 19) + int(area > 26) + int(space.wants("one cabinet more", 0.5)))
+    more = int(area > 22 and space.wants("one cabinet more", 0.55)) + int(area > 32)
+    _cabinets(space, int(space.wants("cabinet", 0.7)) + more)
     if area > 18 and space.left > 4:
         space.wish("desk", 0.13, lambda: working.desk(space, small=True))
+    if area > 21 and space.left > 1:
+        space.wish("reading", 0.22, lambda: working.reading(space))
     if area > 20 and space.left > 3:
         space.wish("piano", 0.04, lambda: storing.piano(space))
     for k in range(2):
         if space.left > 1:
-            space.wish(f"plant {k}", 0.5, lambda: storing.plant(space))
+            space.wish(f"plant {k}", 0.36, lambda: storing.plant(space))
     if space.left > 1:
         space.wish("shelf", 0.2, lambda: dressing.shelf_above(space, one_of(rng, "sofa", "sideboard")))
 
@@ -109,7 +112,7 @@ def bedroom(space: Space, home: Household) -> None:
         return
     dressing.ceiling_lamps(space)
     space.wish("desk", 0.36 * (area > 11) if pair else 0.75, lambda: working.desk(space, small=area < 12))
-    space.wish("chest", 0.7 if area > 9 else 0.25, lambda: storing.chest(space))
+    space.wish("chest", 0.42 if area > 9 else 0.2, lambda: storing.chest(space))
     if pair and area > 11 and not space.has("desk"):
         space.wish("dressing table", 0.22, lambda: working.dressing_table(space))
     space.wish("armchair", 0.42 if area > 13.5 else 0.0, lambda: working.reading(space))

@@ -38,9 +38,9 @@ def complete(space: Space) -> None:
     if not space.has(*SOFAS):
         return
     space.wish("side_table", 0.64, lambda: _side_tables(space))
-    space.wish("floor_lamp", 0.45, lambda: _lamp(space))
+    space.wish("floor_lamp", 0.34, lambda: _lamp(space))
     if space.has("coffee_table"):
-        space.wish("pouffe", 0.14, lambda: _pouffe(space))
+        space.wish("pouffe", 0.28, lambda: _pouffe(space))
     if space.has("tv_stand"):
         space.wish("shelves", 0.24 if space.shape.area > 15 else 0.1, lambda: _flank(space))
 
@@ -86,7 +86,7 @@ def _rug(space: Space, sofa: Array, beyond: float) -> Part:
 def _stand(space: Space, small: bool) -> tuple[Array, Array]:
     """A stand and the television on it."""
     rng = space.rng
-    stand = draw("tv_stand", rng, -0.7 if small else 0.3)
+    stand = draw("tv_stand", rng, -0.7 if small else 0.5)
     tv = draw("tv", rng, width=float(np.clip(stand[1] * rng.uniform(0.62, 0.85), 0.73, 1.6)))
     tv[2] = round(float(np.clip(tv[1] * 0.6, 0.45, 1.0)), 3)
     return stand, tv
