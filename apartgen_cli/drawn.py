@@ -1,4 +1,4 @@
-"""Programmes, outlines and hand-drawn rooms from JSON files that people write."""
+"""Programmes, outlines and hand-drawn rooms from JSON files that people write, and floor plans of other programs."""
 
 import json
 from dataclasses import dataclass, field
@@ -11,17 +11,22 @@ from apartgen.schemas import artifact
 from apartgen.schemas.base import Polygon
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plan import Plan, Program, Room
+from apartgen.stages.plan.config import PlanConfig
 
 Type = TypeVar("Type")
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a plan is to be made from: a prompt, a programme, or rooms drawn by hand with or without a programme."""
+    """What a plan is to be made from: a prompt, a programme, or rooms drawn by hand with or without a programme.
+
+    `home` is a plan, or a layout, that another program drew.
+    """
 
     prompt: str = ""
     program: Program | None = None
     rooms: list[Room] = field(default_factory=list)
+    home: Plan | None = None
 
     @property
     def id(self) -> str:
@@ -29,9 +34,15 @@ class Wanted:
         return self.program.model_dump_json() if self.program else self.prompt
 
 
-def wanted(source: str) -> Wanted:
-    """What a file asks for: a programme, {"rooms": [{id, type, polygon}]} drawn by hand, or an artifact's programme."""
-    return asked(artifact.contents(source), source)
+def wanted(source: str, config: PlanConfig | None = None) -> Wanted:
+    """What a file asks for: a programme, {"rooms": [{id, type, polygon}]} drawn by hand, an artifact's programme, or
+    the floor plan that is in it.
+    """
+    from apartgen.stages.plan import imports
+
+    data = artifact.contents(source)
+    home = imports.read(source, data, config or PlanConfig())
+    return Wanted(home=home) if home is not None else asked(data, source)
 
 
 def asked(data: bytes, source: str) -> Wanted:

@@ -92,7 +92,7 @@ def _tree(types: dict[str, RoomType], near: list[tuple[str, str]]) -> list[Link]
     """Prim's spanning tree from the hallway; entering a room from a corridor costs least, from a bedroom most."""
     start = min(types, key=lambda r: (LEADS.get(types[r], LAST), r))
     inside, out = {start}, list[Link]()
-    heap = [(_cost(types, start, b), start, b) for b in _beside(start, near)]
+    heap = [(cost(types, start, b), start, b) for b in _beside(start, near)]
     heapq.heapify(heap)
     while heap:
         _, a, b = heapq.heappop(heap)
@@ -101,7 +101,7 @@ def _tree(types: dict[str, RoomType], near: list[tuple[str, str]]) -> list[Link]
         inside.add(b)
         out.append((a, b))
         for c in _beside(b, near):
-            heapq.heappush(heap, (_cost(types, b, c), b, c))
+            heapq.heappush(heap, (cost(types, b, c), b, c))
     return out
 
 
@@ -109,6 +109,6 @@ def _beside(room: str, near: list[tuple[str, str]]) -> list[str]:
     return [b if a == room else a for a, b in near if room in (a, b)]
 
 
-def _cost(types: dict[str, RoomType], a: str, b: str) -> int:
+def cost(types: dict[str, RoomType], a: str, b: str) -> int:
     own = types[a] == "bedroom" and types[b] in ("bathroom", "closet", "balcony")
     return 5 if own else LEADS.get(types[a], LAST)

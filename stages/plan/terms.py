@@ -65,8 +65,7 @@ def _measure(p, z, count):  # areas, extents and parts of the rooms, and the cha
     thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
     for r in range(rooms.shape[0]):
         room = rooms[r]
-        for c in range(14):
-            room[c] = 0.0
+        room[:14] = 0.0
         room[R_X0] = room[R_Y0] = room[R_LEAST] = 1e9
         room[R_X1] = room[R_Y1] = -1e9
         z.last[r] = -1
@@ -89,8 +88,9 @@ def _measure(p, z, count):  # areas, extents and parts of the rooms, and the cha
             if x < -EPS or y < -EPS:
                 room[R_GAPS] += 0.3 * (max(0.0, -x) + max(0.0, -y))
             else:
-                room[R_AREA] += thick * max(max(x, y) - thick, 0.0)
-                room[R_JOINTS] += max(x, y) - thick >= p.spec[r, S_JOINT]
+                wide = max(x, y) - thick
+                room[R_AREA] += thick * max(wide, 0.0)
+                room[R_JOINTS] += wide >= p.spec[r, S_JOINT]
             j = z.before[j]
         z.before[i] = z.last[r]
         z.last[r] = i
@@ -189,8 +189,7 @@ def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall f
     entry, hall = z.entry, p.order[0, 0]
     entry[0] = 0.5 * (z.room[hall, R_X0] + z.room[hall, R_X1])
     entry[1] = 0.5 * (z.room[hall, R_Y0] + z.room[hall, R_Y1])
-    entry[2], entry[3], entry[4] = 0.0, 1e9, 1e9
-    entry[5], entry[6] = entry[0], entry[1]
+    entry[2], entry[3], entry[4], entry[5], entry[6] = 0.0, 1e9, 1e9, entry[0], entry[1]
     for i in range(1, p.order.shape[0]):
         if p.spec[p.order[i, 0], S_PRIVATE] < 0:
             entry[5], entry[6] = z.wall[p.order[i, 2], 1], z.wall[p.order[i, 2], 2]
@@ -235,8 +234,7 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
     for i in range(p.near.shape[0]):
         near = p.near[i]
         terms[NEAR] += near[2] * min(_gap(z.room[near[0]], z.room[near[1]]), 6.0)
-    ex, ey = z.entry[0], z.entry[1]
-    lived = -1
+    ex, ey, lived = z.entry[0], z.entry[1], -1
     for i in range(n):
         if p.spec[i, S_PRIVATE] < 0:
             lived = i
@@ -283,8 +281,7 @@ def _weighed(weights, terms):
 def evaluate(p, t, z, bar):
     """Cost of a tree, its measures in `z`; gives up early, with a partial cost above `bar`, once that is certain."""
     count = z.seq[z.seq.shape[0] - 1] = lay(p, t, z)
-    for i in range(z.terms.shape[0]):
-        z.terms[i] = 0.0
+    z.terms[:] = 0.0
     _measure(p, z, count)
     _shape(p, z)
     cost = _weighed(p.weights, z.terms)

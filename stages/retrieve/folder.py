@@ -9,8 +9,8 @@ import numpy as np
 from apartgen.stages.retrieve.reading import gltf, limits, motion, obj
 from apartgen.stages.retrieve.reading.model import Model, Part, asset
 from apartgen.stages.retrieve.reading.source import Source, beside, credit, files, image
-from apartgen.stages.retrieve.reading.words import category
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.words import category
 
 MOVABLE = "movable_nodes.json"
 """May name more nodes that move: {file: {node: {"pivot": [x, y, z]}}}."""

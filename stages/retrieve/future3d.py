@@ -13,9 +13,9 @@ from apartgen.stages.retrieve.reading.limits import Broken
 from apartgen.stages.retrieve.reading.model import Model, Part, asset
 from apartgen.stages.retrieve.reading.pieces import Piece
 from apartgen.stages.retrieve.reading.source import Source, beside, image
-from apartgen.stages.retrieve.reading.words import OTHER, category
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.categories import TABLE, labelled
+from apartgen.stages.things.words import OTHER, category
 
 MESHES = ("raw_model.obj", "normalized_model.obj")
 INFO = "model_info.json"

@@ -15,9 +15,9 @@ from apartgen.stages.retrieve.reading.model import Model, Motion, Part, asset
 from apartgen.stages.retrieve.reading.pieces import Array
 from apartgen.stages.retrieve.reading.source import Source
 from apartgen.stages.retrieve.reading.tree import Body
-from apartgen.stages.retrieve.reading.words import OTHER
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.categories import labelled
+from apartgen.stages.things.words import OTHER
 
 URDFS = ("mobility_annotation_gapartnet.urdf", "mobility_relabel_gapartnet.urdf", "mobility.urdf")
 ANNOTATION = "link_annotation_gapartnet.json"

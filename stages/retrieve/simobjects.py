@@ -12,8 +12,8 @@ from apartgen.stages.retrieve.reading import limits, mjcf, sdf, tree, urdf
 from apartgen.stages.retrieve.reading.model import FRONT_MINUS_Y, Z_UP, Model, asset
 from apartgen.stages.retrieve.reading.source import Source, credit, files
 from apartgen.stages.retrieve.reading.tree import Body
-from apartgen.stages.retrieve.reading.words import OTHER, category
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.words import OTHER, category
 
 FRONTS = {"x": Z_UP, "-y": FRONT_MINUS_Y, "y": -FRONT_MINUS_Y * (1, 1, -1), "-x": np.diag([-1.0, -1.0, 1.0])}
 """Turns the named side to the front."""

@@ -14,8 +14,8 @@ from apartgen.stages.retrieve.reading.limits import Archive, Broken, floats
 from apartgen.stages.retrieve.reading.model import Y_UP, Model, Part, asset
 from apartgen.stages.retrieve.reading.pieces import Array, Piece
 from apartgen.stages.retrieve.reading.source import Source, files
-from apartgen.stages.retrieve.reading.words import category
 from apartgen.stages.things.asset import Asset
+from apartgen.stages.things.words import category
 
 CATALOGUE = "PluginFurnitureCatalog.properties"
 ENTRY = re.compile(r"^(\w+)#(\d+)$")

@@ -6,8 +6,8 @@ import numpy as np
 
 from apartgen.stages.retrieve.reading.model import Motion
 from apartgen.stages.retrieve.reading.pieces import Array, Piece
-from apartgen.stages.retrieve.reading.words import split
 from apartgen.stages.things.categories import DRAWER_TRAVEL, those
+from apartgen.stages.things.words import split
 
 MOVING = frozenset({"door", "drawer", "lid", "flap"})
 STILL = frozenset({"frame", "knob", "handle", "bed"})

@@ -1,0 +1,139 @@
+"""What a file of another program lacks is completed and said; what is wrong is an error with its place."""
+
+import io
+import json
+import logging
+import zipfile
+
+import numpy as np
+import pytest
+from plan.imports import homes, writers
+from shapely.geometry import Polygon
+
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.layout import Layout
+from apartgen.stages import check
+from apartgen.stages.plan import PlanConfig, imports
+
+
+def zipped(xml: str) -> bytes:
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w") as archive:
+        archive.writestr("Home.xml", f"<home wallHeight='250'>{xml}</home>")
+    return out.getvalue()
+
+
+def room(x0: float, y0: float, x1: float, y1: float, name: str = "") -> str:
+    corners = "".join(f"<point x='{x}' y='{y}'/>" for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+    return f"<room name='{name}'>{corners}</room>"
+
+
+def wall(x0: float, y0: float, x1: float, y1: float, thick: float = 10) -> str:
+    return f"<wall xStart='{x0}' yStart='{y0}' xEnd='{x1}' yEnd='{y1}' thickness='{thick}'/>"
+
+
+def read(xml: str, caplog: pytest.LogCaptureFixture):
+    caplog.clear()
+    with caplog.at_level(logging.WARNING, "apartgen"):
+        plan = imports.read("home.sh3d", zipped(xml), PlanConfig())
+    assert plan is not None and check.quick(plan) == []
+    return plan, " | ".join(caplog.messages)
+
+
+PAIR = room(5, 5, 395, 395, "Living room") + room(405, 5, 695, 395, "Bedroom")
+
+
+def test_doors_an_entrance_and_windows_are_put_in(caplog: pytest.LogCaptureFixture) -> None:
+    plan, said = read(PAIR, caplog)
+    assert sorted(o.kind for o in plan.openings if o.kind != "window") == ["door", "entrance"]
+    assert {o.rooms[0] for o in plan.openings if o.kind == "window"} == {"living_room_1", "bedroom_1"}
+    for words in ("no door leads to bedroom_1", "no entrance", "no window"):
+        assert words in said
+
+
+def test_rooms_without_a_wall_between_are_open_to_each_other(caplog: pytest.LogCaptureFixture) -> None:
+    around = wall(0, 0, 700, 0) + wall(700, 0, 700, 400) + wall(700, 400, 0, 400) + wall(0, 400, 0, 0)
+    both = room(5, 5, 400, 395, "Living room") + room(400, 5, 695, 395, "Kitchen")
+    plan, _ = read(around + both, caplog)
+    (wide,) = [o for o in plan.openings if o.kind == "opening"]
+    assert np.hypot(*np.subtract(*wide.segment)) > 3.6 and plan.program.open_links
+    plan, _ = read(around + wall(400, 0, 400, 400) + both, caplog)
+    assert [o.kind for o in plan.openings if len(o.rooms) == 2] == ["door"]
+
+
+def test_thick_walls_keep_their_openings(caplog: pytest.LogCaptureFixture) -> None:
+    door = "<doorOrWindow name='Door' x='420' y='200' angle='1.5707963' width='90' depth='10' height='205'/>"
+    plan, _ = read(room(0, 0, 400, 400, "Living room") + room(440, 0, 700, 400, "Bedroom") + door, caplog)
+    (found,) = [o for o in plan.openings if o.kind == "door"]
+    assert [x for x, _ in found.segment] == [4.2, 4.2] and plan.walls.inner == 0.4
+
+
+def test_what_cannot_be_taken_is_said(caplog: pytest.LogCaptureFixture) -> None:
+    lost = "<doorOrWindow name='Garden gate' x='1500' y='200' width='90' depth='10' height='205'/>"
+    odd = "<pieceOfFurniture name='Harp' x='200' y='200' width='90' depth='90' height='180'/>"
+    shed = room(3000, 0, 3300, 300, "Storage")
+    plan, said = read(PAIR + lost + odd + shed, caplog)
+    assert len(plan.rooms) == 2 and not isinstance(plan, Layout)
+    for words in ("Garden gate at (14.55, -2.00) is in no wall", "no furniture known here: Harp", "stands apart"):
+        assert words in said, said
+
+
+def test_drawings_far_from_their_origin_are_moved(caplog: pytest.LogCaptureFixture) -> None:
+    far = room(300005, 200005, 300395, 200395, "Living room") + room(300405, 200005, 300695, 200395, "Bedroom")
+    plan, said = read(far, caplog)
+    assert "moved to the origin" in said and max(abs(x) for r in plan.rooms for x, _ in r.polygon) < 20
+
+
+def test_furniture_in_a_wall_is_moved_out_of_it(caplog: pytest.LogCaptureFixture) -> None:
+    sofa = "<pieceOfFurniture name='Sofa' x='200' y='45' width='200' depth='90' height='80'/>"
+    plan, _ = read(PAIR + sofa, caplog)
+    (found,) = plan.objects
+    assert found.center[1] == pytest.approx(-0.5) and found.yaw == pytest.approx(-np.pi / 2, abs=1e-4)
+
+
+BROKEN = {
+    "no Sweet Home 3D file": b"PK\x03\x04 not a zip",
+    "Home.xml is no XML": zipped("<room>"),
+    "room Attic: its outline is no polygon .*Self-intersection.2 -2": zipped(
+        "<room name='Attic'><point x='0' y='0'/><point x='400' y='400'/><point x='400' y='0'/>"
+        "<point x='0' y='400'/></room>"),
+    "wall w7: xStart is 'left', no number": zipped("<wall id='w7' xStart='left' yStart='0' xEnd='1' yEnd='0'/>"),
+    "rooms Hall and Bath lie over each other by 1.00 m²": zipped(
+        room(0, 0, 400, 400, "Hall") + room(300, 300, 700, 700, "Bath")),
+    "no room": zipped(wall(0, 0, 400, 0)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("fault", BROKEN)
+def test_what_is_wrong_is_an_error_with_its_place(fault: str) -> None:
+    with pytest.raises(BadInput, match=f"home.sh3d: .*{fault}"):
+        imports.read("home.sh3d", BROKEN[fault], PlanConfig())
+
+
+def test_a_room_that_no_door_can_lead_to_is_told() -> None:
+    apart = room(0, 0, 400, 400, "Hall") + room(400, 400, 700, 700, "Bath")  # they meet in a corner
+    with pytest.raises(Unmet, match="no door leads to bathroom_1 at"):
+        imports.read("home.sh3d", zipped(apart), PlanConfig())
+
+
+@pytest.mark.parametrize("key", ["walls", "objects", "doors"])
+def test_a_scan_with_a_broken_part_names_it(key: str) -> None:
+    raw = json.loads(writers.roomplan(homes.furnished("studio", 0)))
+    raw[key][1]["transform"] = raw[key][1]["transform"][:7]
+    with pytest.raises(BadInput, match=rf"scan.json: {key}\[1\]"):
+        imports.read("scan.json", json.dumps(raw).encode(), PlanConfig())
+
+
+def test_a_scan_without_floors_has_the_rooms_that_its_walls_enclose() -> None:
+    home = homes.furnished("one_bedroom", 1)
+    raw = json.loads(writers.roomplan(home))
+    raw["floors"] = []
+    plan = imports.read("scan.json", json.dumps(raw).encode(), PlanConfig())
+    assert plan is not None and len(plan.rooms) == len(home.rooms) and check.quick(plan) == []
+    given, found = (sum(Polygon(r.polygon).area for r in p.rooms) for p in (home, plan))
+    assert found == pytest.approx(given, rel=0.02)
+
+
+def test_other_files_are_left_to_others() -> None:
+    for data in (b'{"rooms": []}', b"", b"[]", b"PK\x05\x06" + 18 * b"\0"):
+        assert imports.read("x.json", data, PlanConfig()) is None
