@@ -19,6 +19,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 from apartgen.schemas import plugins
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box
+from apartgen.stages.things.stands import Stands
 
 log = logging.getLogger("apartgen")
 
@@ -68,6 +69,7 @@ class Category:
     instead: tuple[str, ...] = ()
     family: str = ""
     run: Literal["", "unit", "fitted", "beside", "hung"] = ""
+    stands: Stands = Stands()
     lumens: float = 0.0
     called: str = ""
     thor: str = ""

@@ -128,9 +128,9 @@ def test_a_chair_stands_where_it_can_be_drawn_back() -> None:
 
 
 def test_a_table_is_long_enough_for_its_chairs() -> None:
-    assert long_enough(np.array([0.9, 1.0, 0.75]), 4)[1] == 1.0
+    assert long_enough("dining_table", np.array([0.9, 1.0, 0.75]), 4)[1] == 1.0
     for chairs in (5, 6, 8):
-        grown = long_enough(np.array([0.9, 1.0, 0.75]), chairs)
+        grown = long_enough("dining_table", np.array([0.9, 1.0, 0.75]), chairs)
         table = Boxes(np.zeros((1, 3)), grown[None], np.zeros(1))
         assert len(around(np.array([0.5, 0.5, 0.9]), table)) >= chairs
 

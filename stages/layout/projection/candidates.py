@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 
 Array = NDArray[np.float64]
 GAP = 0.006
@@ -15,10 +16,8 @@ SLIDES = np.concatenate(
 RINGS = (0.04, 0.08, 0.14, 0.22, 0.32, 0.45, 0.6, 0.8, 1.05, 1.4, 1.9)
 CENTRAL = np.array([1.0, 1.0, 0.6, 0.6, 0.6, 0.6])
 """How much of what the middle is worth each place of `middle` has."""
-ASKEW = frozenset({"armchair", "chair", "office_chair", "stool", "balcony_chair", "floor_lamp"})
-"""What may well stand at an angle to the walls; the rest is turned along them."""
 SNAP = np.deg2rad(16)
-"""Even those are turned along a wall when this close to it."""
+"""Even what may stand at an angle is turned along a wall when this close to it."""
 
 
 def snapped(category: str, yaw: float, space: Space) -> float:
@@ -26,7 +25,7 @@ def snapped(category: str, yaw: float, space: Space) -> float:
     walls = np.arctan2(space.normal[:, 1], space.normal[:, 0])
     turn = (yaw - walls[:, None] + np.pi) % (2 * np.pi) - np.pi
     nearest = turn.flat[np.argmin(np.abs(turn))]
-    return float(yaw - nearest) if abs(nearest) < SNAP or category not in ASKEW else float(yaw)
+    return float(yaw - nearest) if abs(nearest) < SNAP or not TABLE[category].stands.askew else float(yaw)
 
 
 def along_walls(center: Array, size: Array, space: Space, others: Boxes) -> Boxes:

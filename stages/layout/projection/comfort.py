@@ -6,35 +6,26 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.projection.partners import SOFAS
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.space.boxes import Boxes, penetration
-from apartgen.stages.things.categories import SEATS, TABLE
+from apartgen.stages.things.categories import SEATS, TABLE, those
 
 Array = NDArray[np.float64]
-VIEW = {"sofa": 1.2, "corner_sofa": 0.9, "armchair": 0.8}
-"""How far a seat looks before it meets a wall, m."""
 FACED = 2.0
 """A seat before a wall is worth a way of this many metres, elsewhere."""
-SIDES = {"double_bed": 0.6}
-"""Floor at either side to get in from, m."""
 SIDE = 1.5
-ASIDE = frozenset({"bin", "plant", "laundry_basket", "floor_lamp", "coat_rack", "bench", "stool"})
-"""What stands at a wall, out of the way; elsewhere it costs OPEN metres."""
+"""Nowhere to get into a bed from at one side is worth as much, m."""
 OPEN = 2.5
-MIRRORED = frozenset({"vanity", "tv_stand"})
-"""What has a mirror or a screen above it and had better not stand below a window, where it costs DAZZLED metres."""
+"""What stands aside as a rule costs as much in the open, m."""
 DAZZLED = 1.5
-OVERHEAD = frozenset({"water_heater"})
-"""What had better not hang over anything; there it costs as much as OPEN."""
-KEPT_OFF = frozenset({"dining_table", "round_table", "desk"})
+"""What has a mirror or a screen above it costs as much below a window, m."""
+KEPT_OFF = those(lambda kind: kind.is_for("dine", "work") and not kind.back)
 """What does not stand between a sofa and what it looks at, LOUNGE m deep; there it costs as much as OPEN."""
 LOUNGE = 1.3
 ELBOW = 0.85
 """A seat nearer than this to another, m, costs as much as OPEN: two people sit across a table, not side by side."""
-BEFORE = {"toilet": 0.45}
-"""Floor to be kept free before it, m; where it is not, a place costs CRAMPED metres."""
+BEFORE = {name: kind.stands.before for name, kind in TABLE.items() if kind.stands.before}
 CRAMPED = 2.0
-DRAWN = {"chair": 0.35}
-"""Floor behind a seat to draw it back, m; where there is none, a place costs CRAMPED metres."""
-ABOVE = frozenset({"wall_unit"})
+"""A place without the floor before it, or behind it to draw it back, costs as much, m."""
+ABOVE = those(lambda kind: kind.run == "hung" and kind.articulated)
 """What hangs above something that stands on the floor; elsewhere it costs BARE metres."""
 BARE = 2.5
 WORKTOP = 1.3
@@ -45,27 +36,27 @@ CROWD = 1.5
 
 def price(category: str, found: Boxes, space: Space, standing: Boxes, names: list[str]) -> Array:
     """What each place (n,) lacks, in metres of shifting."""
-    total = np.zeros(found.n)
-    if category in VIEW:
-        total += FACED * (outside(_before(found, VIEW[category]), space) > 0.05)
-    if category in SIDES:
+    total, stands = np.zeros(found.n), TABLE[category].stands
+    if stands.view:
+        total += FACED * (outside(_before(found, stands.view), space) > 0.05)
+    if stands.sides:
         for sign in (1.0, -1.0):
-            total += SIDE * _taken(_aside(found, SIDES[category], sign), space, standing)
-    if category in BEFORE:
-        total += CRAMPED * _taken(_before(found, BEFORE[category]), space, standing)
-    if category in DRAWN:
+            total += SIDE * _taken(_aside(found, stands.sides, sign), space, standing)
+    if stands.before:
+        total += CRAMPED * _taken(_before(found, stands.before), space, standing)
+    if stands.drawn:
         turned = Boxes(found.center, found.size, found.yaw + np.pi)
-        total += CRAMPED * _taken(_before(turned, DRAWN[category]), space, standing)
+        total += CRAMPED * _taken(_before(turned, stands.drawn), space, standing)
     for name, depth in BEFORE.items():
         kept = _before(standing.take(np.array([other == name for other in names], bool)), depth)
         if kept.n and TABLE[category].place == "floor":
             total += CRAMPED * (penetration(found, kept) > 0.05).any(1)
     if category in ABOVE:
         total += BARE * ~_over(found, standing, names)
-    if category in MIRRORED and space.window.any():
+    if stands.dazzled and space.window.any():
         tall = Boxes(found.center * [1, 1, 0] + [0, 0, 1.0], found.size * [1, 1, 0] + [0, 0, 2.0], found.yaw)
         total += DAZZLED * (penetration(tall, space.zones.take(space.window)) > 0.01).any(1)
-    if category in ASIDE:
+    if stands.aside:
         total += OPEN * (space.away(found.center[:, :2]) > found.size[:, :2].min(1) / 2 + 0.25)
     if category in KEPT_OFF:
         sofas = standing.take(np.array([name in SOFAS for name in names], bool))
@@ -75,11 +66,11 @@ def price(category: str, found: Boxes, space: Space, standing: Boxes, names: lis
         seats = standing.take(np.array([name in SEATS for name in names], bool))
         apart = np.linalg.norm(found.center[:, None, :2] - seats.center[None, :, :2], axis=-1)
         total += OPEN * (apart < ELBOW).any(1)
-    if category in OVERHEAD and standing.n:
+    if stands.bare_below and standing.n:
         flat = [Boxes(b.center * [1, 1, 0], b.size * [1, 1, 0] + [0, 0, 1], b.yaw) for b in (found, standing)]
         total += OPEN * (penetration(*flat) > 0.05).any(1)
-    if category == "ceiling_lamp":
-        lamps = standing.take(np.array([name == category for name in names], bool))
+    if TABLE[category].place == "ceiling":
+        lamps = standing.take(np.array([TABLE[name].place == "ceiling" for name in names], bool))
         if lamps.n:
             apart = np.linalg.norm(found.center[:, None, :2] - lamps.center[None, :, :2], axis=-1).min(1)
             total += 2 * np.maximum(CROWD - apart, 0)

@@ -6,13 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
-from apartgen.stages.layout.projection.space import Space, outside, writable
+from apartgen.stages.layout.projection.kernels import Others, writable
+from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach
 
 Array = NDArray[np.float64]
 SOFT = frozenset(name for name, kind in TABLE.items() if kind.soft)
 """What shares its place with other things."""
+HANGINGS = frozenset(name for name, kind in TABLE.items() if kind.soft and kind.place == "wall")
+"""Cloth that hangs where a door may open."""
 SLACK = 0.004
 """Contact that is none, m; half of what metrics allow."""
 TURN = 0.5
@@ -21,18 +24,6 @@ FARTHEST = 4.0
 """A longer way costs no more than this, m; it alone breaks no requirement."""
 BROKEN = 10.0
 """At or above this a place breaks a requirement."""
-
-
-@dataclass
-class Placed:
-    """What already stands: boxes, b′, which of it is no hindrance, which is a seat or table with the object, and how
-    far (m) the two may be drawn into one another."""
-
-    boxes: Boxes
-    grown: Boxes
-    soft: NDArray[np.bool_]
-    seated: NDArray[np.bool_]
-    tuck: Array
 
 
 @dataclass
@@ -55,25 +46,21 @@ def grown(category: str, found: Boxes) -> Boxes:
     return Boxes(center, size, found.yaw)
 
 
-def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Placed, space: Space) -> Array:
+def cost(found: Boxes, category: str, center: Array, yaw: float, placed: Others, space: Space) -> Array:
     """Cost of each candidate (n,) for an object the model put at `center` and `yaw`."""
     moved = np.linalg.norm(found.center[:, :2] - center[:2], axis=1)
     way = np.minimum(moved, FARTHEST) + TURN * (1 - np.cos(found.yaw - yaw))
     if category in SOFT:
         beyond = outside(found, space)
         return np.asarray(way + np.where(beyond > SLACK, 40 + 100 * beyond, 0) + _in_swings(found, category, space))
-    return np.asarray(
-        kernels.prices(
-            *map(writable, found), reach(category, found.size), way, *placed.boxes[:2], *placed.grown,
-            placed.soft, placed.seated, placed.tuck, *space.zones, space.window, *space.bounds, SLACK, BROKEN,
-        )
-    )
+    return kernels.prices(
+        writable(found), reach(category, found.size), way, placed, space.kept_clear, space.walls, SLACK, BROKEN)
 
 
 def _in_swings(found: Boxes, category: str, space: Space) -> Array:
     """Price of cloth that hangs where a door opens."""
     doors = space.zones.take(~space.window)
-    if category != "curtain" or not doors.n:
+    if category not in HANGINGS or not doors.n:
         return np.zeros(found.n)
     return _price(penetration(found, doors).max(1), 30)
 
@@ -89,7 +76,7 @@ def standing_costs(boxes: Boxes, wide: Boxes, categories: list[str], meets: "Mee
     if space.zones.n:
         blocked = penetration(boxes, space.zones)
         doors, windows = (blocked[:, which].max(1, initial=-1) for which in (~space.window, space.window))
-        cloth = np.array([name == "curtain" for name in categories], bool)
+        cloth = np.array([name in HANGINGS for name in categories], bool)
         total += np.where(~soft | cloth, _price(doors, 30), 0) + np.where(soft, 0, _price(windows, 12))
         swept = penetration(wide, space.zones)[:, ~space.window].max(1, initial=-1)
         total += np.where(opens, _price(swept, 6), 0)

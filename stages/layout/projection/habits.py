@@ -30,6 +30,13 @@ def habits() -> dict[str, tuple[Habit, ...]]:
     return {name: tuple(h for h in every if name in h.of) for name in {name for h in every for name in h.of}}
 
 
+@cache
+def across(end: Literal["of", "at"]) -> frozenset[str]:
+    """Who looks at something across the room (`of`), or what they look at (`at`)."""
+    found = {habit for some in habits().values() for habit in some if habit.how == "opposite"}
+    return frozenset(name for habit in found for name in getattr(habit, end))
+
+
 def _frozen(row: dict[str, Any]) -> dict[str, Any]:
     return {key: tuple(value) if isinstance(value, list) else value for key, value in row.items()}
 

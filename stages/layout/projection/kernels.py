@@ -1,28 +1,133 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What places cost, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only the names of arrays are imported: the cache of compiled code sees changes of this file alone.
 """
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
-from numba import njit
+from numba import float64, njit, types
+from numpy.typing import NDArray
 
+from apartgen.stages.space.boxes import Boxes
+
+F = TypeVar("F", bound=Callable[..., Any])
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 # Not callable from Python: those wrappers cost as much to compile as the functions.
 WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-inner = njit(**WITHIN)
-A, B, C = "float64[:]", "float64[:,:]", "boolean[:]"
-BOXES = f"{B},{B},{A}"
 
 
-def compiled(signature: str) -> Any:
+class Lines(NamedTuple):
+    """Where walls start, their directions and inward normals (E, 2), lengths (E,); whether the room is convex."""
+
+    start: Floats
+    along: Floats
+    normal: Floats
+    length: Floats
+    convex: bool
+
+
+class Walls(NamedTuple):
+    """The lines of the walls, and the bodies of those that meet at corners which stand out into the room."""
+
+    lines: Lines
+    corners: Boxes
+
+
+class Zones(NamedTuple):
+    """What is to be kept clear (Z,), and which of it is before windows."""
+
+    boxes: Boxes
+    window: Flags
+
+
+class Others(NamedTuple):
+    """What stands (k,): boxes, b′, which of it is no hindrance, which is a seat or table with the object, and how far
+    the two may be drawn into one another, m."""
+
+    boxes: Boxes
+    grown: Boxes
+    soft: Flags
+    seated: Flags
+    tuck: Floats
+
+
+class Turned(NamedTuple):
+    """Boxes with the cosines and sines of their yaw."""
+
+    center: Floats
+    size: Floats
+    cos: Floats
+    sin: Floats
+
+
+class Kept(NamedTuple):
+    """`Zones`, turned."""
+
+    center: Floats
+    size: Floats
+    cos: Floats
+    sin: Floats
+    window: Flags
+
+
+class Stood(NamedTuple):
+    """`Others`, turned; b′ is turned as its box is."""
+
+    center: Floats
+    size: Floats
+    g_center: Floats
+    g_size: Floats
+    cos: Floats
+    sin: Floats
+    soft: Flags
+    seated: Flags
+    tuck: Floats
+
+
+class Room(NamedTuple):
+    """What parts that open sweep, and how deep a contact is none, m."""
+
+    zones: Kept
+    lines: Lines
+    corners: Turned
+    slack: float
+
+
+named: Any = types.NamedTuple
+A, B, C = float64[::1], float64[:, ::1], types.boolean[::1]
+BOXES = named((B, B, A), Boxes)
+LINES = named((B, B, B, A, types.boolean), Lines)
+WALLS = named((LINES, BOXES), Walls)
+ZONES = named((BOXES, C), Zones)
+OTHERS = named((BOXES, BOXES, C, C, A), Others)
+
+
+def inner(function: F) -> F:
+    """Compiled where a compiled function calls it."""
+    return cast(F, njit(**WITHIN)(function))
+
+
+def compiled(signature: Any) -> Callable[[F], F]:
     """Compiled when first imported, and kept in numba's cache."""
-    return njit(signature, cache=True, error_model="numpy")
+    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
+
+
+def writable(found: Boxes) -> Boxes:
+    """Floats in memory of their own, as compiled code takes them; boxes of one size may share that."""
+    return Boxes(*(np.ascontiguousarray(part, float) for part in found))
 
 
 @inner
-def _depth(at, size, c, s, other, extent, oc, os):  # `boxes.penetration` of two boxes, or 0 where apart
+def _turned(boxes: Boxes) -> Turned:
+    return Turned(boxes.center, boxes.size, np.cos(boxes.yaw), np.sin(boxes.yaw))
+
+
+@inner
+def _depth(at: Floats, size: Floats, c: float, s: float, other: Floats, extent: Floats, oc: float, os: float) -> float:
+    """`boxes.penetration` of two boxes, or 0 where apart."""
     depth = (size[2] + extent[2]) / 2 - abs(other[2] - at[2])
     if depth <= 0:
         return 0.0
@@ -36,12 +141,13 @@ def _depth(at, size, c, s, other, extent, oc, os):  # `boxes.penetration` of two
     if depth <= 0:
         return 0.0
     depth = min(depth, bx + ax * cosine + ay * sine - abs(x * oc + y * os))
-    return max(min(depth, by + ax * sine + ay * cosine - abs(y * oc - x * os)), 0.0)
+    return float(max(min(depth, by + ax * sine + ay * cosine - abs(y * oc - x * os)), 0.0))
 
 
 @inner
-def _far(x, y, walls):  # 0 on the floor, else the distance to the nearest wall
-    start, along, normal, length, convex = walls
+def _far(x: float, y: float, lines: Lines) -> float:
+    """0 on the floor, else the distance to the nearest wall."""
+    start, along, normal, length, convex = lines
     n = len(length)
     if convex:
         inside = True
@@ -49,7 +155,7 @@ def _far(x, y, walls):  # 0 on the floor, else the distance to the nearest wall
             inside &= (x - start[k, 0]) * normal[k, 0] + (y - start[k, 1]) * normal[k, 1] > 0
         if inside:
             return 0.0
-    nearest, within = np.inf, False
+    within, nearest = False, float(np.inf)
     for k in range(n):
         u, v, after = x - start[k, 0], y - start[k, 1], start[(k + 1) % n, 1]
         share = min(max(u * along[k, 0] + v * along[k, 1], 0.0), length[k])
@@ -58,39 +164,41 @@ def _far(x, y, walls):  # 0 on the floor, else the distance to the nearest wall
             turn = along[k, 0] * v - along[k, 1] * u
             if (turn > 0) if after > start[k, 1] else (turn < 0):
                 within = not within
-    return 0.0 if within and not convex else nearest
+    return 0.0 if within and not convex else float(nearest)
 
 
 @inner
-def _beyond(at, size, c, s, walls, corners):  # how far a box stands beyond the walls
+def _beyond(at: Floats, size: Floats, c: float, s: float, lines: Lines, corners: Turned) -> float:
+    """How far a box stands beyond the walls."""
     center, extent, cos, sin = corners
     far = 0.0
     for i in (-0.5, 0.5):
         for j in (-0.5, 0.5):
             x, y = i * size[0], j * size[1]
-            far = max(far, _far(at[0] + x * c - y * s, at[1] + x * s + y * c, walls))
+            far = max(far, _far(at[0] + x * c - y * s, at[1] + x * s + y * c, lines))
     for k in range(len(cos)):
         far = max(far, _depth(at, size, c, s, center[k], extent[k], cos[k], sin[k]))
     return far
 
 
-@compiled(f"{A}({BOXES},{B},{B},{B},{A},boolean,{BOXES})")
-def beyond(center, size, yaw, start, along, normal, length, convex, r_center, r_size, r_yaw):
-    """How far each box (n,) stands beyond the walls, m; `r_` are bodies of walls at corners that stand out."""
-    walls, corners = (start, along, normal, length, convex), (r_center, r_size, np.cos(r_yaw), np.sin(r_yaw))
-    found = np.empty(len(yaw))
+@compiled(A(BOXES, WALLS))
+def beyond(found: Boxes, walls: Walls) -> Floats:
+    """How far each box (n,) stands beyond the walls, m."""
+    (center, size, yaw), lines, corners = found, walls.lines, _turned(walls.corners)
+    far = np.empty(len(yaw))
     for i in range(len(yaw)):
-        found[i] = _beyond(center[i], size[i], np.cos(yaw[i]), np.sin(yaw[i]), walls, corners)
-    return found
+        far[i] = _beyond(center[i], size[i], np.cos(yaw[i]), np.sin(yaw[i]), lines, corners)
+    return far
 
 
 @inner
-def _priced(depth, price, slack):
+def _priced(depth: float, price: float, slack: float) -> float:
     return price + 5 * price * depth if depth > slack else 0.0
 
 
 @inner
-def _most(at, size, c, s, zones, windows):  # deepest in any door's zone, or in any window's
+def _most(at: Floats, size: Floats, c: float, s: float, zones: Kept, windows: bool) -> float:
+    """Deepest in any door's zone, or in any window's."""
     center, extent, cos, sin, window = zones
     deepest = 0.0
     for k in range(len(cos)):
@@ -100,8 +208,9 @@ def _most(at, size, c, s, zones, windows):  # deepest in any door's zone, or in 
 
 
 @inner
-def _bodies(at, size, c, s, others, zones, slack):  # of standing before doors and windows and in others
-    center, extent, _, _, cos, sin, soft, _, tuck = others
+def _bodies(at: Floats, size: Floats, c: float, s: float, stood: Stood, zones: Kept, slack: float) -> float:
+    """Price of standing before doors and windows and in others."""
+    center, extent, _, _, cos, sin, soft, _, tuck = stood
     total = _priced(_most(at, size, c, s, zones, False), 30.0, slack)
     total += _priced(_most(at, size, c, s, zones, True), 12.0, slack)
     for k in range(len(cos)):
@@ -112,15 +221,17 @@ def _bodies(at, size, c, s, others, zones, slack):  # of standing before doors a
 
 
 @inner
-def _sweeps(at, size, c, s, far, others, zones, walls, corners, slack):  # of sweeping others and being swept
-    center, extent, g_center, g_extent, cos, sin, soft, seated, _ = others
+def _sweeps(at: Floats, size: Floats, c: float, s: float, far: float, stood: Stood, room: Room) -> float:
+    """Price of sweeping others, and of being swept."""
+    center, extent, g_center, g_extent, cos, sin, soft, seated, _ = stood
+    zones, lines, corners, slack = room
     total, opens = 0.0, far > 1e-6
     ahead, wide = at.copy(), size.copy()
     if opens:
         ahead[0] += c * far / 2
         ahead[1] += s * far / 2
         wide[0] += far
-        total += _priced(_beyond(ahead, wide, c, s, walls, corners), 12.0, slack)
+        total += _priced(_beyond(ahead, wide, c, s, lines, corners), 12.0, slack)
         total += _priced(_most(ahead, wide, c, s, zones, False), 6.0, slack)
     for k in range(len(cos)):
         if soft[k] or seated[k]:
@@ -134,34 +245,35 @@ def _sweeps(at, size, c, s, far, others, zones, walls, corners, slack):  # of sw
     return total
 
 
-@compiled(
-    f"{A}({BOXES},{A},{A},{B},{B},{B},{B},{A},{C},{C},{A},{BOXES},{C},{B},{B},{B},{A},boolean,{BOXES},float64,float64)"
-)
-def prices(center, size, yaw, reach, way, o_center, o_size, g_center, g_size, o_yaw, soft, seated, tuck, z_center,
-           z_size, z_yaw, window, start, along, normal, length, convex, r_center, r_size, r_yaw, slack, broken):
+@compiled(A(BOXES, A, A, OTHERS, ZONES, WALLS, types.float64, types.float64))
+def prices(found: Boxes, reach: Floats, way: Floats, others: Others, zones: Zones, walls: Walls, slack: float,
+           broken: float) -> Floats:
     """Price of each place (n,): `way` there, and what of `costs.cost` it breaks.
 
     A place that is broken by the walls is not asked for bodies, nor one broken by these for sweeps, unless all are.
-    `o_` are what stands, `g_` b′ of it, `z_` the zones of doors and windows, `r_` walls at corners that stand out.
     """
-    others = (o_center, o_size, g_center, g_size, np.cos(o_yaw), np.sin(o_yaw), soft, seated, tuck)
-    zones = (z_center, z_size, np.cos(z_yaw), np.sin(z_yaw), window)
-    walls, corners = (start, along, normal, length, convex), (r_center, r_size, np.cos(r_yaw), np.sin(r_yaw))
+    (o_center, o_size, o_yaw), (g_center, g_size, _), soft, seated, tuck = others
+    stood = Stood(o_center, o_size, g_center, g_size, np.cos(o_yaw), np.sin(o_yaw), soft, seated, tuck)
+    (z_center, z_size, z_yaw), window = zones
+    kept, lines = Kept(z_center, z_size, np.cos(z_yaw), np.sin(z_yaw), window), walls.lines
+    corners = _turned(walls.corners)
+    room = Room(kept, lines, corners, slack)
+    center, size, yaw = found
     n = len(yaw)
     base, total, whole = np.empty(n), np.empty(n), n > 0
     for i in range(n):
         c, s = np.cos(yaw[i]), np.sin(yaw[i])
-        past = _beyond(center[i], size[i], c, s, walls, corners)
+        past = _beyond(center[i], size[i], c, s, lines, corners)
         base[i] = way[i] + (40 + 100 * past if past > slack else 0.0)
         total[i] = base[i]
         if total[i] < broken:
-            total[i] += _bodies(center[i], size[i], c, s, others, zones, slack)
+            total[i] += _bodies(center[i], size[i], c, s, stood, kept, slack)
         if total[i] < broken:
-            total[i] += _sweeps(center[i], size[i], c, s, reach[i], others, zones, walls, corners, slack)
+            total[i] += _sweeps(center[i], size[i], c, s, reach[i], stood, room)
         whole &= total[i] >= broken
     if whole:
         for i in range(n):
             c, s = np.cos(yaw[i]), np.sin(yaw[i])
-            total[i] = base[i] + _bodies(center[i], size[i], c, s, others, zones, slack)
-            total[i] += _sweeps(center[i], size[i], c, s, reach[i], others, zones, walls, corners, slack)
+            total[i] = base[i] + _bodies(center[i], size[i], c, s, stood, kept, slack)
+            total[i] += _sweeps(center[i], size[i], c, s, reach[i], stood, room)
     return total

@@ -1,28 +1,82 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What is cut off of a floor, compiled.
 
 Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
 """
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
-from numba import njit
+from numba import boolean, float64, int16, int64, njit, types
+from numpy.typing import NDArray
 
+F = TypeVar("F", bound=Callable[..., Any])
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Counts = NDArray[np.int16]
+Labels = NDArray[np.int32]
+Indices = NDArray[np.int64]
 # Not callable from Python: those wrappers cost as much to compile as the functions.
 WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-inner = njit(**WITHIN)
-A, B = "float64[:]", "float64[:,:]"
-CELL = "int64[:]"
 
 
-def compiled(signature: str) -> Any:
+class Raster(NamedTuple):
+    """Lower left corner and size of cells, m; their rows and columns."""
+
+    x: float
+    y: float
+    step: float
+    rows: int
+    columns: int
+
+
+class Walkers(NamedTuple):
+    """Their radii, m, and how many metres of shifting each is worth (r,)."""
+
+    radii: Floats
+    worth: Floats
+
+
+class Doors(NamedTuple):
+    """A door's cell, and which radius it is of (d,)."""
+
+    row: Indices
+    column: Indices
+    of: Indices
+
+
+class Prices(NamedTuple):
+    """The share of the floor that may be cut off, what a door and an object out of reach count, and how near, m, one
+    has to get to an object."""
+
+    sliver: float
+    door: float
+    unreached: float
+    beside: float
+
+
+A, B = float64[::1], float64[:, ::1]
+named: Any = types.NamedTuple
+of_one_type: Any = types.NamedUniTuple
+RASTER = named((float64, float64, float64, int64, int64), Raster)
+WALKERS = of_one_type(A, 2, Walkers)
+DOORS = of_one_type(int64[::1], 3, Doors)
+PRICES = of_one_type(float64, 4, Prices)
+
+
+def inner(function: F) -> F:
+    """Compiled where a compiled function calls it."""
+    return cast(F, njit(**WITHIN)(function))
+
+
+def compiled(signature: Any) -> Callable[[F], F]:
     """Compiled when first imported, and kept in numba's cache."""
-    return njit(signature, cache=True, error_model="numpy")
+    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 @inner
-def _window(box, reach, raster):  # rows and columns of the cells that may lie within reach of a footprint
+def _window(box: Floats, reach: float, raster: Raster) -> tuple[int, int, int, int]:
+    """Rows and columns of the cells that may lie within reach of a footprint."""
     x0, y0, step, rows, columns = raster
     c, s = abs(np.cos(box[4])), abs(np.sin(box[4]))
     x, y = (c * box[2] + s * box[3]) / 2 + reach, (s * box[2] + c * box[3]) / 2 + reach
@@ -32,15 +86,16 @@ def _window(box, reach, raster):  # rows and columns of the cells that may lie w
 
 
 @inner
-def _close(box, c, s, row, column, radius, raster):  # whether a cell's centre is closer to a footprint than radius
-    x, y = raster[0] + (column + 0.5) * raster[2] - box[0], raster[1] + (row + 0.5) * raster[2] - box[1]
+def _close(box: Floats, c: float, s: float, row: int, column: int, radius: float, raster: Raster) -> bool:
+    """Whether a cell's centre is closer to a footprint than a radius."""
+    x, y = raster.x + (column + 0.5) * raster.step - box[0], raster.y + (row + 0.5) * raster.step - box[1]
     ahead = max(abs(x * c + y * s) - box[2] / 2, 0.0)
     aside = max(abs(y * c - x * s) - box[3] / 2, 0.0)
-    return ahead * ahead + aside * aside < (radius - 1e-9) ** 2
+    return bool(ahead * ahead + aside * aside < (radius - 1e-9) ** 2)
 
 
 @inner
-def _shade(count, box, radius, by, raster):
+def _shade(count: Counts, box: Floats, radius: float, by: int, raster: Raster) -> None:
     c, s = np.cos(box[4]), np.sin(box[4])
     below, above, left, right = _window(box, radius, raster)
     for row in range(below, above):
@@ -49,23 +104,23 @@ def _shade(count, box, radius, by, raster):
                 count[row, column] += by
 
 
-@compiled(f"void(int16[:,:,:],{A},{A},int16,float64,float64,float64)")
-def shade(count, box, radii, by, x0, y0, step):
+@compiled(types.void(int16[:, :, ::1], A, A, int16, RASTER))
+def shade(count: Counts, box: Floats, radii: Floats, by: int, raster: Raster) -> None:
     """Add `by` to the cells (radii, rows, columns) closer than each radius to a footprint [x, y, depth, width, yaw]."""
-    raster = (x0, y0, step, count.shape[1], count.shape[2])
     for k in range(len(radii)):
         _shade(count[k], box, radii[k], by, raster)
 
 
 @inner
-def _root(parent, label):
+def _root(parent: Labels, label: int) -> int:
     while parent[label] != label:
         label = parent[label]
     return label
 
 
 @inner
-def _label(free, labels, parent, sizes):  # by edges; then `parent` is the first label of each one's part
+def _label(free: Flags, labels: Labels, parent: Labels, sizes: Indices) -> int:
+    """By edges; then `parent` is the first label of each one's part."""
     rows, columns = free.shape
     n = 0
     for i in range(rows):
@@ -95,7 +150,8 @@ def _label(free, labels, parent, sizes):  # by edges; then `parent` is the first
 
 
 @inner
-def _home(labels, parent, sizes, n, rows, columns):  # the part with most doors' floor, else the largest
+def _home(labels: Labels, parent: Labels, sizes: Indices, n: int, rows: Indices, columns: Indices) -> int:
+    """The part with most doors' floor, else the largest."""
     home = 0
     for k in range(len(rows)):
         part = parent[labels[rows[k], columns[k]]]
@@ -109,7 +165,8 @@ def _home(labels, parent, sizes, n, rows, columns):  # the part with most doors'
 
 
 @inner
-def _touched(box, labels, parent, home, radius, raster):  # whether any of a part lies about a footprint
+def _touched(box: Floats, labels: Labels, parent: Labels, home: int, radius: float, raster: Raster) -> bool:
+    """Whether any of a part lies about a footprint."""
     c, s = np.cos(box[4]), np.sin(box[4])
     below, above, left, right = _window(box, radius, raster)
     for row in range(below, above):
@@ -119,17 +176,15 @@ def _touched(box, labels, parent, home, radius, raster):  # whether any of a par
     return False
 
 
-@compiled(
-    f"float64(boolean[:,:,:],int16[:,:,:],{A},{A},{B},{B},{CELL},{CELL},{CELL},float64,float64,float64,{A},float64)"
-)
-def cut_off(inside, count, radii, worth, bodies, more, door_row, door_column, door_of, x0, y0, step, prices, limit):
+@compiled(float64(boolean[:, :, ::1], int16[:, :, ::1], WALKERS, B, B, DOORS, RASTER, PRICES, float64))
+def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more: Floats, doors: Doors, raster: Raster,
+            prices: Prices, limit: float) -> float:
     """What of a floor is cut off, see `paths.Paths.cut_off`.
 
     `inside`, `count` (radii, rows, columns); `bodies` all that stands, `more` those of them that `count` lacks, rows
-    of [x, y, depth, width, yaw]; a door's cell and the radius it is of; prices [sliver, door, unreached, beside].
+    of [x, y, depth, width, yaw].
     """
-    rows, columns = inside.shape[1:]
-    raster = (x0, y0, step, rows, columns)
+    (radii, worth), (_, _, _, rows, columns), (door_row, door_column, door_of) = walkers, raster, doors
     free, labels = np.empty((rows, columns), np.bool_), np.empty((rows, columns), np.int32)
     room = rows * columns // 2 + 2
     parent, sizes, hidden = np.zeros(room, np.int32), np.zeros(room, np.int64), np.zeros((rows, columns), np.int16)
@@ -148,15 +203,15 @@ def cut_off(inside, count, radii, worth, bodies, more, door_row, door_column, do
         mine = door_of == r
         home = _home(labels, parent, sizes, n, door_row[mine], door_column[mine])
         lost = 1 - sizes[home] / sizes[: n + 1].sum() if home else 1.0
-        if lost > prices[0]:
+        if lost > prices.sliver:
             total += worth[r] * lost
         for k in range(len(door_of)):
             if door_of[k] == r and parent[labels[door_row[k], door_column[k]]] != home:
-                total += prices[1] * worth[r]
+                total += prices.door * worth[r]
         if total > limit:
             break
         if r == 0:
             for k in range(len(bodies)):
-                if home == 0 or not _touched(bodies[k], labels, parent, home, prices[3], raster):
-                    total += prices[2]
+                if home == 0 or not _touched(bodies[k], labels, parent, home, prices.beside, raster):
+                    total += prices.unreached
     return total

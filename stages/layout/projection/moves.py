@@ -19,8 +19,7 @@ NARROWER = (0.92, 0.85, 0.75)
 NEAR = 0.7
 """Places farther away than this are not tried, m."""
 FAR = 3.0
-LITTLE = frozenset({"bin", "plant", "laundry_basket", "side_table", "floor_lamp"})
-"""What may go to another corner of the room, as what hangs on the walls; places farther than FAR are not tried, m."""
+"""What may go to another corner of the room, as what hangs on the walls, goes no farther than this, m."""
 RUN_BROKEN = 1.5
 """A unit out of line with its run costs as much as a shift of so many metres."""
 PARTED = 0.4
@@ -127,12 +126,13 @@ def _anew(i: int, room: Standing, space: Space) -> Move:
     item = room.items[i]
     standing, names = room.standing(i)
     parts = [partners.beside(item.category, item.center, item.size, standing, names)[0]]
-    if TABLE[item.category].back or item.category in LITTLE:
+    kind = TABLE[item.category]
+    if kind.back or kind.stands.anywhere:
         parts.append(candidates.along_walls(item.center, item.size, space, standing))
     found = candidates.join(parts)
-    near = FAR if item.category in LITTLE or TABLE[item.category].place == "wall" else NEAR
+    near = FAR if kind.stands.anywhere or kind.place == "wall" else NEAR
     found = found.take(np.linalg.norm(found.center[:, :2] - item.center[:2], axis=1) < near)
-    if TABLE[item.category].place == "wall":
+    if kind.place == "wall":
         found = found.take(space.behind(found) < 0.03)
     return Move([i], [found], _price(i, found, [i], room, space))
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.projection.habits import Habit, habits
+from apartgen.stages.layout.projection.habits import Habit, across, habits
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE, parents, those
 
@@ -22,9 +22,10 @@ WATCH = 6.0
 """A television across from the sofa is worth a way of this many metres."""
 OFF_AXIS = 1.5
 """So much less a metre that it stands aside of where the sofa looks."""
-SOFAS = ("sofa", "corner_sofa")
-TABLES = ("dining_table", "island", "balcony_table")
-BEDS = parents(("nightstand",))
+SOFAS, SCREENS = across("of"), across("at")
+BEDSIDE = those(lambda kind: bool(kind.belongs) and all(TABLE[name].is_for("sleep") for name in kind.belongs))
+"""What belongs at a bed and nowhere else."""
+BEDS = parents(BEDSIDE)
 HUNG = those(lambda kind: kind.run == "hung")
 UNITS = those(lambda kind: kind.run in ("unit", "fitted"))
 LOW_RUN = UNITS | those(lambda kind: kind.run == "beside")
@@ -52,9 +53,9 @@ def beside(category: str, center: Array, size: Array, others: Boxes, names: list
     return found, np.array(worth)
 
 
-def bedsides(size: Array, beds: Boxes) -> tuple[Boxes, Boxes]:
+def bedsides(stand: str, size: Array, beds: Boxes) -> tuple[Boxes, Boxes]:
     """Where a nightstand would stand at either side of each bed's head."""
-    gap = habits()["nightstand"][0].gap
+    gap = habits()[stand][0].gap
     left = np.stack([-np.sin(beds.yaw), np.cos(beds.yaw)], -1)
     back = np.stack([np.cos(beds.yaw), np.sin(beds.yaw)], -1) * (size[0] - beds.size[:, :1]) / 2
     aside = left * ((beds.size[:, 1:2] + size[1]) / 2 + gap)
@@ -84,9 +85,9 @@ def around(size: Array, tables: Boxes) -> list[Boxes]:
     ]
 
 
-def long_enough(size: Array, seats: int) -> Array:
-    """A table's size, as wide as so many seats need, where there are tables of that width."""
-    widest, width = TABLE["dining_table"].max[1], float(size[1])
+def long_enough(table: str, size: Array, seats: int) -> Array:
+    """A table's size, as wide as so many seats need, where there are such tables of that width."""
+    widest, width = TABLE[table].max[1], float(size[1])
     ends = 2 * max(1, int(size[0] / SEAT))
     needed = SEAT * np.ceil((seats - ends) / 2) + GAP
     return np.array([size[0], min(max(width, needed), max(width, widest)), size[2]])
@@ -127,12 +128,13 @@ def watched(found: Boxes, others: Boxes, names: list[str]) -> Array:
 
 def _spots(habit: Habit, category: str, partner: str, size: Array, extent: Array) -> Spots:
     match habit.how:
-        case "seat" if partner == "round_table":
+        case "seat" if TABLE[partner].stands.round:
             far = extent[:2].max() / 2 + size[0] / 2 - TUCK
             angles = np.arange(12) * np.pi / 6
             return [(far * float(np.cos(a)), far * float(np.sin(a)), float(a) + np.pi, size) for a in angles]
         case "seat":
-            return _seats(size, extent, -GAP if TABLE[partner].opens else TUCK, all_round=partner in TABLES)
+            table = TABLE[partner]
+            return _seats(size, extent, -GAP if table.opens else TUCK, all_round=table.stands.all_round)
         case "before":
             return [((extent[0] + size[0]) / 2 + habit.gap, 0.0, 0.0, size)]
         case "facing":

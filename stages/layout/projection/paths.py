@@ -7,6 +7,7 @@ import shapely
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels_floor
+from apartgen.stages.layout.projection.kernels_floor import Doors, Prices, Raster, Walkers
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.space import boxes, grid
@@ -15,7 +16,7 @@ from apartgen.stages.space.boxes import Boxes
 RADII = {0.16: 12.0, 0.27: 8.0}
 """Radius of who walks, m: that of the usual metric (0.15) and that of a common robot (0.25), which goes round open
 doors, each with room for the raster's error; and how many metres of shifting it is worth that no floor is cut off."""
-_RADII, _WORTH = np.array(list(RADII)), np.array(list(RADII.values()))
+WALKERS = Walkers(np.array(list(RADII)), np.array(list(RADII.values())))
 BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
@@ -53,23 +54,24 @@ class Paths:
                 inner &= grid.near(space.leaves, self.cells, r) == 0
             usable = inner[row, column]
             self.doors.append((row[usable], column[usable]))
-        at = [np.concatenate(part) for part in zip(*self.doors, strict=True)]
-        self.door_cells = *at, np.repeat(np.arange(len(RADII)), [len(rows) for rows, _ in self.doors])
+        rows, columns = (np.concatenate(part) for part in zip(*self.doors, strict=True))
+        self.door_cells = Doors(rows, columns, np.repeat(np.arange(len(RADII)), [len(rows) for rows, _ in self.doors]))
 
     @property
-    def raster(self) -> tuple[float, float, float]:
-        """Lower left corner and cell size, as `kernels_floor` takes them."""
-        return *self.cells.origin, self.cells.resolution
+    def raster(self) -> Raster:
+        """The cells as `kernels_floor` takes them."""
+        (x, y), (rows, columns) = self.cells.origin, self.cells.shape
+        return Raster(float(x), float(y), float(self.cells.resolution), rows, columns)
 
     def add(self, k: int, box: Boxes) -> None:
         """Object `k` stands there from now on."""
         self.bodies[k], self.rows[k] = box, _row(box)
-        kernels_floor.shade(self.count, self.rows[k], _RADII, 1, *self.raster)
+        kernels_floor.shade(self.count, self.rows[k], WALKERS.radii, 1, self.raster)
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
         del self.bodies[k]
-        kernels_floor.shade(self.count, self.rows.pop(k), _RADII, -1, *self.raster)
+        kernels_floor.shade(self.count, self.rows.pop(k), WALKERS.radii, -1, self.raster)
 
     def parts(self, which: int) -> tuple[grid.Labels, NDArray[np.int64], int]:
         """Parts of the floor for the walker of a radius, their sizes, and the one with most doors' floor, 0 without
@@ -86,12 +88,9 @@ class Paths:
         """
         extra = {k: _row(box) for k, box in more.items()}
         bodies, added = (np.array([*some.values()]).reshape(-1, 5) for some in (self.rows | extra, extra))
-        return float(
-            kernels_floor.cut_off(
-                self.inner, self.count, _RADII, _WORTH, bodies, added, *self.door_cells, *self.raster,
-                np.array([SLIVER, DOOR, UNREACHED, self._beside]), limit,
-            )
-        )
+        prices = Prices(SLIVER, DOOR, UNREACHED, self._beside)
+        return kernels_floor.cut_off(
+            self.inner, self.count, WALKERS, bodies, added, self.door_cells, self.raster, prices, limit)
 
     @property
     def _beside(self) -> float:

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import candidates, comfort, partners
-from apartgen.stages.layout.projection.costs import BROKEN, cost
+from apartgen.stages.layout.projection.costs import BROKEN, HANGINGS, cost
 from apartgen.stages.layout.projection.habits import belongs_to
-from apartgen.stages.layout.projection.partners import FLUSH, SOFAS, bedsides, beside, in_run, watched
+from apartgen.stages.layout.projection.partners import BEDSIDE, FLUSH, SCREENS, SOFAS, bedsides, beside, in_run, watched
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Item, Standing
 from apartgen.stages.layout.projection.supports import on_support
@@ -16,10 +16,8 @@ from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE, used_for
 
 Array = NDArray[np.float64]
-LEAN = {"bench": 3.0, "sofa": 0.9, "corner_sofa": 0.9, "floor_lamp": 1.5, "coat_rack": 3.0, "side_table": 0.4,
-        "bin": 3.0, "plant": 3.0, "laundry_basket": 3.0}
 NEAR = 0.12
-"""Things that need no wall still stand flush with one as near as LEAN says, NEAR otherwise, m."""
+"""Things that need no wall still stand flush with one as near as this, m, or as their category says."""
 FLUSH_WITH = 0.03
 """What hangs at a wall is no farther from it, m."""
 WINDOW_MARGIN = 0.15
@@ -28,14 +26,6 @@ ROOM_BESIDE = 1.0
 SEAT_LOST = 1.5
 """So is room for one chair more of a table."""
 EATEN_AT = used_for("dine")
-LOOSE = frozenset({"plant", "pouffe"})
-"""What people leave at any angle."""
-MIDDLE = {"ceiling_lamp": 4.0, "rug": 1.5}
-"""The middle of the room is worth a way of this many metres."""
-AT_WINDOWS = {"radiator": 3.0}
-"""So is a place below a window."""
-EYES = 1.55
-"""The middle of a mirror hangs no lower, m, unless it reaches to the floor."""
 
 
 def place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
@@ -44,7 +34,7 @@ def place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
     if kind.place == "top" and (stood := on_support(item, room.neighbours(i))) is not None:
         return stood
     item = replace(item, center=np.array([*item.center[:2], _height(item, space)]))
-    if item.category == "curtain":
+    if item.category in HANGINGS:
         item = _at_window(item, space)
     others = room.others(i, item)
     standing, names = room.standing(i)
@@ -54,19 +44,19 @@ def place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
         found, worth = found.take(flush), worth[flush]
     parts = [_candidates(item, others.boxes, space, wide), found]
     liked = [np.zeros(parts[0].n), worth]
-    if item.category in MIDDLE:
+    if kind.stands.middle:
         parts.append(candidates.middle(item.center, item.size, space))
-        liked.append(MIDDLE[item.category] * candidates.CENTRAL)
-    if item.category in AT_WINDOWS:
+        liked.append(kind.stands.middle * candidates.CENTRAL)
+    if kind.stands.at_window:
         parts.append(candidates.under_windows(item.center, item.size, space))
-        liked.append(np.full(parts[-1].n, AT_WINDOWS[item.category]))
-    if item.category == "tv_stand":
+        liked.append(np.full(parts[-1].n, kind.stands.at_window))
+    if item.category in SCREENS:
         sofas = standing.take(np.array([name in SOFAS for name in names], bool))
         parts.append(candidates.across(item.center, item.size, space, sofas))
         liked.append(np.zeros(parts[-1].n))
     found, bonus = candidates.join(parts), np.concatenate(liked)
     bonus += FLUSH * in_run(item.category, found, standing, names)
-    if item.category == "tv_stand":
+    if item.category in SCREENS:
         bonus += watched(found, standing, names)
     prices = cost(found, item.category, item.center, item.yaw, others, space)
     prices += ROOM_BESIDE * _bedsides_lost(item, found, room, space)
@@ -83,19 +73,19 @@ def place(i: int, item: Item, room: Standing, space: Space, wide: bool) -> Item:
 def _bedsides_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Array:
     """How many nightstands that have no place yet would find none at a bed in each of its places, (n,)."""
     waiting = [k for k, o in enumerate(room.items) if not room.there[k] and belongs_to(o.category, item.category)]
-    waiting = [k for k in waiting if room.items[k].category == "nightstand"][:2]
+    waiting = [k for k in waiting if room.items[k].category in BEDSIDE][:2]
     if not waiting or not found.n:
         return np.zeros(found.n)
     stand = room.items[waiting[0]]
     others, free = room.others(waiting[0], stand), np.zeros(found.n)
-    for places in bedsides(stand.size, found):
+    for places in bedsides(stand.category, stand.size, found):
         free += cost(places, stand.category, stand.center, stand.yaw, others, space) - _way(places, stand) < BROKEN
     return np.asarray(np.maximum(len(waiting) - free, 0))
 
 
 def _seats_lost(item: Item, found: Boxes, room: Standing, space: Space) -> Array:
     """How many seats that have no place yet would find none at a table in each of its places, (n,)."""
-    waiting = [k for k, o in enumerate(room.items) if not room.there[k] and o.category == "chair"]
+    waiting = [k for k, o in enumerate(room.items) if not room.there[k] and TABLE[o.category].stands.diner]
     if not waiting or item.category not in EATEN_AT or not found.n:
         return np.zeros(found.n)
     chair = room.items[waiting[0]]
@@ -111,18 +101,18 @@ def _way(places: Boxes, item: Item) -> Array:
 
 def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
     kind = TABLE[item.category]
-    yaw = candidates.snapped(item.category, item.yaw, space) if item.category not in LOOSE else item.yaw
+    yaw = candidates.snapped(item.category, item.yaw, space) if not kind.stands.any_angle else item.yaw
     walls = candidates.along_walls(item.center, item.size, space, others)
-    if (kind.back or item.category == "desk" or kind.place in ("wall", "top")) and walls.n:
+    if (kind.back or kind.is_for("work") or kind.place in ("wall", "top")) and walls.n:
         return walls
     parts = [candidates.about(item.center, item.size, yaw)]
     if walls.n:
-        lean = LEAN.get(item.category, NEAR)
+        lean = NEAR if kind.stands.lean is None else kind.stands.lean
         near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else lean)
         turned = np.cos(walls.yaw - yaw) > 0.7
         walls = walls.take(near & (turned | wide | (lean > 1)))
         # With its back to a wall is where such a thing stands by habit.
-        parts = [walls] if walls.n and item.category in LEAN and not wide else [*parts, walls]
+        parts = [walls] if walls.n and kind.stands.lean is not None and not wide else [*parts, walls]
     if wide:
         parts.append(candidates.everywhere(item.center, item.size, yaw, space))
     return candidates.join(parts)
@@ -140,8 +130,8 @@ def _height(item: Item, space: Space) -> float:
             return min(1.1 + tall / 2, space.height - tall / 2)
         case _:
             middle = max(kind.z + tall / 2, tall / 2)
-            if item.category == "mirror" and tall < EYES:
-                middle = max(middle, EYES)
+            if tall < kind.stands.eyes:  # what is taller reaches to the floor
+                middle = max(middle, kind.stands.eyes)
             return min(middle, space.height - 0.02 - tall / 2)
 
 
@@ -151,8 +141,7 @@ def _at_window(item: Item, space: Space) -> Item:
     if not len(spans):
         return item
     span = spans[np.argmin(np.linalg.norm(spans.mean(1) - item.center[:2], axis=1))]
-    width = np.clip(
-        np.linalg.norm(span[1] - span[0]) + 2 * WINDOW_MARGIN, TABLE["curtain"].min[1], TABLE["curtain"].max[1]
-    )
+    kind = TABLE[item.category]
+    width = np.clip(np.linalg.norm(span[1] - span[0]) + 2 * WINDOW_MARGIN, kind.min[1], kind.max[1])
     mid = span.mean(0)
     return replace(item, center=np.array([*mid, item.center[2]]), size=np.array([item.size[0], width, item.size[2]]))

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import passage, runs
 from apartgen.stages.layout.projection.costs import BROKEN
-from apartgen.stages.layout.projection.habits import belongs_to
-from apartgen.stages.layout.projection.partners import SOFAS, WATCH, long_enough, watched
+from apartgen.stages.layout.projection.habits import belongs_to, habits
+from apartgen.stages.layout.projection.partners import BEDSIDE, SCREENS, SOFAS, WATCH, long_enough, watched
 from apartgen.stages.layout.projection.placing import place
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.projection.standing import Item, Standing
@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 SHRINKS = (0.9, 0.8, 0.7, 0.6)
 ROUNDS = 3
 HEADROOM = 2.1
+AT_TABLES = frozenset(name for name in SEATS if any(habit.how == "seat" for habit in habits().get(name, ())))
+"""What one sits on at a table."""
 ASTRAY = 0.35
 """A seat no farther from a table stands at it, m."""
 
@@ -59,12 +61,12 @@ def project(items: list[Item], space: Space, essential: Container[int] = ()) -> 
 
 def _laid(items: list[Item]) -> list[Item]:
     """The items, the only dining table long enough for the chairs."""
-    chairs = sum(item.category == "chair" for item in items)
-    tables = [i for i, item in enumerate(items) if item.category == "dining_table"]
+    chairs = sum(TABLE[item.category].stands.diner for item in items)
+    tables = [i for i, item in enumerate(items) if TABLE[item.category].stands.widens]
     if len(tables) != 1:
         return items
     table = items[tables[0]]
-    laid = replace(table, size=long_enough(table.size, chairs))
+    laid = replace(table, size=long_enough(table.category, table.size, chairs))
     return [laid if item is table else item for item in items]
 
 
@@ -72,7 +74,7 @@ def _turn_to_screen(order: list[int], wanted: list[Item], room: Standing, space:
     """A sofa that does not see the television's stand from in front is placed anew, and what belongs with it."""
     for i in order:
         others, names = room.standing(i)
-        stands = others.take(np.array([name == "tv_stand" for name in names], bool))
+        stands = others.take(np.array([name in SCREENS for name in names], bool))
         if room.items[i].category not in SOFAS or not stands.n:
             continue
         if watched(stands, room.boxes.take([i]), [room.items[i].category])[0] >= WATCH / 2:
@@ -88,7 +90,7 @@ def _astray(room: Standing, essential: Container[int]) -> int | None:
     found: dict[int, float] = {}
     for i, item in enumerate(room.items):
         tables = [k for k, other in enumerate(room.items) if belongs_to(item.category, other.category)]
-        if item.category in SEATS - {"bench"} and i not in essential and tables:
+        if item.category in AT_TABLES and i not in essential and tables:
             found[i] = float(gap(room.boxes.take([i]), room.boxes.take(tables)).min())
     worst = max(found, key=found.__getitem__, default=None)
     return worst if worst is not None and found[worst] > ASTRAY else None
@@ -137,19 +139,19 @@ def _rank(i: int, items: list[Item], essential: Container[int]) -> tuple[int, bo
     level = {"floor": 0, "wall": 3, "top": 4, "flat": 5, "ceiling": 6}[kind.place]
     if kind.place == "floor" and kind.belongs and any(other.category in kind.belongs for other in items):
         # A nightstand is placed right after the bed: nothing else may take its place.
-        if item.category == "nightstand":
+        if item.category in BEDSIDE:
             return 0, False, 0.0
         level = 1
     tables = [k for k, other in enumerate(items) if other.category in used_for("dine")]
-    if item.category == "chair" and tables:
+    if kind.stands.diner and tables:
         # Right after the table, as armchairs and cabinets would take their places.
         level, late, size = max(_rank(k, items, essential) for k in tables)
         return level, late, size + 0.01
     sofas = [float(other.size[0] * other.size[1]) for other in items if other.category in SOFAS]
-    if item.category == "tv_stand" and sofas:
+    if item.category in SCREENS and sofas:
         # Right after the sofas: the place across from them shall not be taken.
         return level, not first, 0.01 - min(sofas)
-    first &= not (item.category == "armchair" and bool(sofas))
+    first &= not (kind.is_for("lounge") and item.category not in SOFAS and bool(sofas))
     return level, not first, -float(item.size[0] * item.size[1]) * (1.5 if kind.back else 1.0)
 
 

@@ -14,19 +14,10 @@ from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, those, used_for
 
 Array = NDArray[np.float64]
-LINE = (
-    "fridge", "kitchen_base", "kitchen_sink", "dishwasher", "washing_machine", "dryer", "kitchen_drawers", "hob",
-    "oven",
-)
-"""Who stands next to whom: the tall one at the end, the wet together, a worktop between sink and heat."""
-NEEDED = {"kitchen_sink": 3.0, "hob": 2.6, "oven": 2.6, "fridge": 2.0}
-"""How much more than a cupboard a unit matters."""
 WAY, PER_UNIT = 0.25, 3.0
 """What a metre from where the model put a unit counts against a unit placed."""
 COOKERS = used_for("cook")
 COOKERS_AT_WINDOW = 2.0
-SPARE = ("kitchen_base", "kitchen_drawers")
-"""Units of which there may be any number."""
 LEGS = 3
 TALL = 1.2
 LOW_OVEN = 0.9
@@ -55,16 +46,18 @@ def alike(items: list[Item]) -> list[Item]:
 
 
 def line(items: list[Item]) -> list[int]:
-    """The units that stand on the floor, in the order in which they stand; none where there is no run."""
+    """The units that stand on the floor, in the order in which they stand; none where there is no run.
+
+    The tall one at the end, the wet together, a worktop between sink and heat.
+    """
     units = [i for i, o in enumerate(items) if o.category in LOW_RUN]
     if len(units) < 2:
         return []
-    rank = {name: k for k, name in enumerate(LINE)}
-    spare = [i for i in units if items[i].category in SPARE]
+    spare = [i for i in units if TABLE[items[i].category].stands.spare]
     # One worktop beside the fridge, the others between sink and hob and after it.
     late = {i: 7.5 + 2.0 * (k % 2) for k, i in enumerate(spare[1:])}
     tall = {i: 0.5 for i in units if items[i].category in used_for("bake") and items[i].size[2] >= TALL}
-    return sorted(units, key=lambda i: (tall | late).get(i, float(rank.get(items[i].category, 9))))
+    return sorted(units, key=lambda i: (tall | late).get(i, float(TABLE[items[i].category].stands.line)))
 
 
 def place(units: list[int], room: Standing, space: Space) -> list[int]:
@@ -107,7 +100,7 @@ def _leg(order: list[int], room: Standing, space: Space) -> tuple[float, list[tu
         price = cost(boxes, item.category, item.center, item.yaw, room.others(i, item), space)
         far = np.linalg.norm(at - item.center[:2], axis=1)
         going &= price < BROKEN
-        total += going * (PER_UNIT * NEEDED.get(item.category, 1.0) - WAY * far - _steamed(item, boxes, space))
+        total += going * (PER_UNIT * TABLE[item.category].stands.needed - WAY * far - _steamed(item, boxes, space))
         count += going
         places.append(boxes)
     best = int(total.argmax())

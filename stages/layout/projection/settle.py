@@ -12,7 +12,7 @@ from apartgen.stages.layout.projection.standing import Item
 from apartgen.stages.layout.sense import essentials
 from apartgen.stages.things.categories import TABLE
 
-STAND_INS = ("wall_shelf", "wall_lamp", "mirror", "curtain", "radiator", "ceiling_lamp", "plant", "bin")
+STAND_INS = sorted((name for name, kind in TABLE.items() if kind.stands.filler), key=lambda n: TABLE[n].stands.filler)
 """Small things that take the place of an object that fits nowhere when the count was asked for."""
 
 

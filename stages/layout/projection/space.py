@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
+from apartgen.stages.layout.projection.kernels import writable
 from apartgen.stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
 from apartgen.stages.space.boxes import Boxes
 
@@ -47,10 +48,16 @@ class Space:
         return self.slabs.take(out | np.roll(out, -1))
 
     @cached_property
-    def bounds(self) -> tuple[Array, Array, Array, Array, bool, Array, Array, Array]:
-        """The walls as `kernels` takes them: start, along, normal, length, whether convex, and `reentrant`."""
-        convex = not self.reentrant.n
-        return self.start, self.along, self.normal, self.length, convex, *self.reentrant
+    def walls(self) -> kernels.Walls:
+        """The walls as `kernels` takes them."""
+        start, along, normal, length = map(np.ascontiguousarray, (self.start, self.along, self.normal, self.length))
+        lines = kernels.Lines(start, along, normal, length, not self.reentrant.n)
+        return kernels.Walls(lines, writable(self.reentrant))
+
+    @cached_property
+    def kept_clear(self) -> kernels.Zones:
+        """The zones as `kernels` takes them."""
+        return kernels.Zones(writable(self.zones), np.ascontiguousarray(self.window))
 
     @cached_property
     def middle(self) -> tuple[Array, Array]:
@@ -136,12 +143,7 @@ def _zones(rows: Array, height: float) -> tuple[Boxes, NDArray[np.bool_], Array]
 
 def outside(found: Boxes, space: Space) -> Array:
     """How far each box stands beyond the walls, m, 0 when inside, (n,)."""
-    return np.asarray(kernels.beyond(*map(writable, found), *space.bounds))
-
-
-def writable(values: Array) -> Array:
-    """Floats in memory of their own, as compiled code takes them; boxes of one size may share that."""
-    return np.ascontiguousarray(values, float)
+    return kernels.beyond(writable(found), space.walls)
 
 
 def _within(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.projection.costs import BROKEN, SOFT, Meets, Placed, grown, standing_costs
+from apartgen.stages.layout.projection.costs import BROKEN, HANGINGS, SOFT, Meets, grown, standing_costs
+from apartgen.stages.layout.projection.kernels import Others
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE, tucks
@@ -52,7 +53,7 @@ class Standing:
             store.center[i], store.size[i], store.yaw[i] = box.center[0], box.size[0], box.yaw[0]
         self.there[i] = True
 
-    def others(self, i: int, item: Item, besides: Container[int] = ()) -> Placed:
+    def others(self, i: int, item: Item, besides: Container[int] = ()) -> Others:
         """All that object `i`, placed as `item`, could meet; not what carries it, nor what is `besides`."""
         index = self.there & np.array([k != i and k not in besides for k in range(len(self.there))], bool)
         if TABLE[item.category].place == "top":
@@ -62,7 +63,7 @@ class Standing:
         # A chair goes under its table, not into its middle, nor where it would hold drawers shut.
         shut = np.array([self.opens[i] or self.opens[k] for k in np.flatnonzero(index)], bool)
         tuck = np.where(seated & ~shut, TUCK_MOST, 0.0)
-        return Placed(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], seated, tuck)
+        return Others(self.boxes.take(index), self.grown.take(index), self._soft(item)[index], seated, tuck)
 
     def meets(self) -> Meets:
         """`others` of all objects at once."""
@@ -94,7 +95,7 @@ class Standing:
         """What gives way to an item; a tall door does not pass a curtain's rod."""
         if TABLE[item.category].opens != "leaf" or item.size[2] < ROD:
             return self.soft
-        return np.array([o.category in SOFT and o.category != "curtain" for o in self.items], bool)
+        return np.array([o.category in SOFT - HANGINGS for o in self.items], bool)
 
     def standing(self, i: int, besides: Container[int] = ()) -> tuple[Boxes, list[str]]:
         """All that has a place but object `i` and what is `besides`, and their categories."""

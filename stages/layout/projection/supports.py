@@ -11,10 +11,6 @@ from apartgen.stages.things.categories import TABLE
 
 EDGE = 0.01
 """From the front edge of what carries it, m: where a hand gets to what is used or switched."""
-AT_HAND = frozenset({"table_lamp", "microwave"})
-CENTRED = frozenset({"tv", "monitor"})
-SEATED_AT = frozenset({"desk"})
-"""Its front edge is for the arms."""
 
 
 def on_support(item: Item, others: list[Item]) -> Item | None:
@@ -28,12 +24,13 @@ def on_support(item: Item, others: list[Item]) -> Item | None:
         c, s = np.cos(support.yaw), np.sin(support.yaw)
         offset = np.array([[c, s], [-s, c]]) @ (item.center[:2] - support.center[:2])
         half = np.maximum(room / 2, 0)
-        if item.category in CENTRED:
+        centred = TABLE[item.category].stands.centred
+        if centred:
             offset[1] = 0.0
         z = support.center[2] + support.size[2] / 2 + item.size[2] / 2
         for share in (None, 0.0, 0.5, -0.5, 1.0, -1.0):
             at = np.clip(offset, -half, half) if share is None else np.array([-half[0] * 0.6, half[1] * share])
-            if item.category in AT_HAND and support.category not in SEATED_AT:
+            if not centred and not TABLE[support.category].kneehole:  # there the front edge is for the arms
                 at[0] = max(half[0] - EDGE, at[0])
             place = support.center[:2] + np.array([[c, -s], [s, c]]) @ at
             stood = replace(item, center=np.array([*place, z]), yaw=support.yaw, cost=0.0)

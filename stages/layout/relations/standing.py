@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import Paths
-from apartgen.stages.layout.projection.space import Space, outside, writable
+from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes, penetration
@@ -84,11 +84,9 @@ class Furniture:
         if kind.soft:
             return total + self._soft(name, found)
         soft, tucked = self._others(name)
-        others, grown = self.upright, self.grown
-        broken: Floats = kernels.prices(
-            *map(writable, found), reach(name, found.size), np.zeros(found.n), others.center, others.size,
-            grown.center, grown.size, others.yaw, soft, tucked > 0, tucked, *self.space.zones, self.space.window,
-            *self.space.bounds, SLACK, BROKEN)
+        others = kernels.Others(self.upright, self.grown, soft, tucked > 0, tucked)
+        broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
+                                self.space.kept_clear, self.space.walls, SLACK, BROKEN)
         return total + broken
 
     def shuts(self, name: str, box: Array) -> float:
