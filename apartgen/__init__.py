@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from apartgen.schemas.layout import Layout
     from apartgen.schemas.metrics import Metrics
     from apartgen.schemas.plan import Plan
+    from apartgen.schemas.render import Render
     from apartgen.schemas.retrieve import Retrieve
     from apartgen.schemas.walkable import Walkable
     from apartgen.stages.check import Fault
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     """An apartment: what an earlier function gave, or the path of its file."""
 
 __version__ = "0.1.0"
-__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "retrieve", "walkable"]
+__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "render", "retrieve", "walkable"]
 
 
 
@@ -92,6 +93,14 @@ def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,
 
     given = {"format": list(formats), "libraries": list(libraries)}
     return finished(opened(home), configured(ExportSettings, given), Path(out))
+
+
+def render(home: "Home", out: str | PathLike[str], *, seed: int | None = None, **settings: Any) -> "Render":
+    """Write pictures of a home with labels into the folder `out`, whole or not at all."""
+    from apartgen.settings import configured, opened
+    from apartgen.viewing import RenderSettings, rendered
+
+    return rendered(opened(home), configured(RenderSettings, settings), seed, Path(out))
 
 
 def make(text: str, out: str | PathLike[str], *, seed: int = 0, formats: Sequence[str] | None = None,

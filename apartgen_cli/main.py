@@ -18,8 +18,8 @@ from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import registry
 from apartgen_cli.console import fail, listen
 
-WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "check", "make", "train", "assets", "bench",
-         "schema")
+WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "render", "check", "make", "train", "assets",
+         "bench", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141
 MARKUP: Literal["markdown"] = "markdown"

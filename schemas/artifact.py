@@ -27,11 +27,13 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics
 from apartgen.schemas.migrations import VERSION, migrate
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.render import Render
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.schemas.walkable import Walkable
 
 BODIES: dict[str, type[Record]] = {
     "plan": Plan, "layout": Layout, "retrieve": Retrieve, "walkable": Walkable, "export": Export, "metrics": Metrics,
+    "render": Render,
 }
 """The body type of every kind of artifact, in the order of the stages."""
 DECIMALS = 6

@@ -19,6 +19,7 @@ from apartgen.schemas.export import Export, File
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics, Value
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.render import Instance, Render
 from apartgen.schemas.retrieve import Joint, Retrieve
 from apartgen.schemas.walkable import Replaced, Report, Walkable
 
@@ -42,6 +43,7 @@ def every() -> dict[str, object]:
         "layout": Layout.model_validate(home.model_dump(by_alias=True)),
         "retrieve": Retrieve.model_validate(home.model_dump(by_alias=True)),
         "export": Export(files=[File(path="a/b.glb", format="glb", sha256="0" * 64)]),
+        "render": Render(labels={"wall": 1}, instances=[Instance(number=1, id="walls", category="wall", label=1)]),
         "metrics": Metrics(values=[Value(name="R_acoll", value=None), Value(name="R_out", value=0.5, of="bedroom_1")]),
     }
 

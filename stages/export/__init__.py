@@ -11,7 +11,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
-from apartgen.stages.export._folder import CONTENTS, replaced
+from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 from apartgen.stages.scene.scene import LoadAsset, Scene
 
 PACKAGE = "apartgen.stages.export"
@@ -40,8 +40,7 @@ def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset) -> Exp
         ]
         credits = scene.credits if any(name not in ("svg", "png") for name in writers) else []
         files.append(_credits(folder, credits))
-        lines = [f"{file.sha256}  {file.path}\n" for file in sorted(files, key=lambda f: f.path)]
-        (folder / CONTENTS).write_text("# written by apartgen export, which replaces this folder\n" + "".join(lines))
+        (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "export"))
     return Export(files=files, credits=credits)
 
 

@@ -42,6 +42,22 @@ class Camera:
         rows, columns = round((pixels * shape) ** 0.5), round((pixels / shape) ** 0.5)
         return cls(eye.astype(single), frame.astype(single), half, (lo + hi) / 2, rows, columns)
 
+    @classmethod
+    def looking(cls, eye: Array, yaw: float, pitch: float, field: float, columns: int, rows: int) -> "Camera":
+        """One at `eye` that looks along `yaw`, `pitch` above the horizon, and sees `field` from left to right, rad."""
+        ahead = np.array([np.cos(yaw) * np.cos(pitch), np.sin(yaw) * np.cos(pitch), np.sin(pitch)])
+        right = np.array([np.sin(yaw), -np.cos(yaw), 0.0])
+        frame = np.stack([right, np.cross(right, ahead), -ahead])
+        half = np.tan(field / 2) * np.array([1.0, rows / columns])
+        return cls(np.asarray(eye, np.float32), frame.astype(np.float32), half, np.zeros(2), rows, columns)
+
+    @property
+    def intrinsics(self) -> tuple[float, float, float, float]:
+        """fx, fy, cx, cy in pixels; the middle of the first pixel is at (0.5, 0.5)."""
+        fx, fy = self.columns / 2 / self.half[0], self.rows / 2 / self.half[1]
+        return float(fx), float(fy), float(self.columns / 2 - fx * self.middle[0]), float(
+            self.rows / 2 + fy * self.middle[1])
+
     def rays(self, pixels: Index, within: Array) -> Array:
         """Unit directions (n, 3) through a point of each pixel, `within` it in [0, 1)²."""
         x = (2 * (pixels % self.columns + within[0]) / self.columns - 1) * self.half[0] + self.middle[0]
@@ -49,3 +65,19 @@ class Camera:
         way = np.stack([x, y, np.full(len(pixels), -1.0)], -1).astype(np.float32)
         found: Array = (way / length(way)) @ self.frame
         return found
+
+
+@dataclass(frozen=True)
+class Panorama:
+    """All that is seen from `eye`: columns from the back over the left round to the back, rows from above to below."""
+
+    eye: Array
+    rows: int
+    columns: int
+
+    def rays(self, pixels: Index, within: Array) -> Array:
+        """Unit directions (n, 3) through a point of each pixel, `within` it in [0, 1)²; the middle looks along +x."""
+        yaw = np.pi * (1 - 2 * (pixels % self.columns + within[0]) / self.columns)
+        pitch = np.pi * (0.5 - (pixels // self.columns + within[1]) / self.rows)
+        flat = np.cos(pitch)
+        return np.stack([flat * np.cos(yaw), flat * np.sin(yaw), np.sin(pitch)], -1).astype(np.float32)

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.scene.camera import Camera
-from apartgen.stages.scene.soup import Array, Hits, Index, Soup, Tracer, colors, encoded, length, split
+from apartgen.stages.scene.noise import GOLDEN, about, noise_of, shifted
+from apartgen.stages.scene.soup import Array, Hits, Index, Soup, Tracer, colors, encoded, split
 
 PASSES, EDGE_PASSES = 2, 6
 """Rays through each pixel, and further ones through those where something begins or ends."""
@@ -27,7 +28,6 @@ LIGHT = np.stack([_vector(1.00, 0.93, 0.80, 1.2), _vector(0.86, 0.93, 1.0, 0.95)
 BOUNCE = _vector(1.0, 0.96, 0.90, 0.20)
 """Light that has been about the rooms more than once, taken as even."""
 PAPER = _vector(0.93, 0.935, 0.94)
-_GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 low-discrepancy sequence
 _LIFT = np.float32(2e-3)  # m that secondary rays start off their surface
 
 
@@ -60,8 +60,8 @@ def picture(every: Soup, camera: Camera, ground: float) -> NDArray[np.uint8]:
     image = seen.color * _falling(light, seen.normal)
     edge = np.flatnonzero(_edges(seen.normal.reshape(*shape, 3), seen.color.reshape(*shape, 3)))
     fine = [_pass(view, edge, PASSES + k) for k in range(EDGE_PASSES)]
-    image[edge] = sum(_toned(part.color * _falling(light[edge], part.normal)) for part in fine) / EDGE_PASSES
-    return np.asarray(np.rint(encoded(_toned(image)).reshape(*shape, 3) * 255), np.uint8)
+    image[edge] = sum(toned(part.color * _falling(light[edge], part.normal)) for part in fine) / EDGE_PASSES
+    return np.asarray(np.rint(encoded(toned(image)).reshape(*shape, 3) * 255), np.uint8)
 
 
 def _falling(light: Array, normal: Array) -> Array:
@@ -81,7 +81,7 @@ def _pass(view: View, pixels: Index, k: int) -> Seen:
 
 def _band(view: View, pixels: Index, k: int) -> Seen:
     camera, solid = view.camera, view.solid
-    direction = camera.rays(pixels, (0.5 + (k + 1) * _GOLDEN) % 1)
+    direction = camera.rays(pixels, (0.5 + (k + 1) * GOLDEN) % 1)
     origin = np.broadcast_to(camera.eye, direction.shape)
     hits, panes = solid.first(origin, direction), view.glass.first(origin, direction)
     rows, ground = np.flatnonzero(hits.triangle >= 0), np.flatnonzero(hits.triangle < 0)
@@ -106,8 +106,8 @@ def _surface(hits: Hits, rows: Index, of: Soup, direction: Array) -> tuple[Array
 def _light(solid: Tracer, place: Array, normal: Array, pixels: Index, columns: int, k: int) -> Array:
     """Shares of sun and sky that reach points, (n, 2)."""
     start = place + normal * _LIFT
-    base, first = _noise(pixels, columns), k * (SKY_RAYS + 1)
-    noise = _shifted(base, first)
+    base, first = noise_of(pixels, columns), k * (SKY_RAYS + 1)
+    noise = shifted(base, first)
     spread, turn = SUN_SIZE * np.sqrt(noise[:, :1]), 2 * np.pi * noise[:, 1:]
     side = np.cross(SUN, _vector(0, 1, 0))
     sun = SUN + spread * (np.cos(turn) * side + np.sin(turn) * np.cross(SUN, side))
@@ -115,32 +115,10 @@ def _light(solid: Tracer, place: Array, normal: Array, pixels: Index, columns: i
     lit = np.flatnonzero(light[:, 0])
     light[lit, 0] *= solid.free(start[lit], sun[lit])
     for j in range(1, SKY_RAYS + 1):
-        way = _about(normal, _shifted(base, first + j))
+        way = about(normal, shifted(base, first + j))
         up = np.flatnonzero(way[:, 2] > 0)
         light[up, 1] += solid.free(start[up], way[up]) * (0.55 + 0.45 * way[up, 2]) / SKY_RAYS
     return light
-
-
-def _about(normal: Array, noise: Array) -> Array:
-    """A direction about each normal, as likely as its cosine."""
-    height, turn = 1 - 2 * noise[:, 0], 2 * np.pi * noise[:, 1]
-    ring = np.sqrt(1 - height**2)
-    way = normal + np.stack([ring * np.cos(turn), ring * np.sin(turn), height], -1)
-    return np.asarray(way / length(way))
-
-
-def _noise(pixels: Index, columns: int) -> Array:
-    """Two numbers in [0, 1) for each pixel, spread evenly over neighbours, always the same."""
-    column, row = pixels % columns, pixels // columns
-    here = 52.9829189 * ((0.06711056 * column + 0.00583715 * row) % 1)
-    there = 52.9829189 * ((0.00583715 * column + 0.06711056 * (row + 71)) % 1)
-    return (np.stack([here, there], -1) % 1).astype(np.float32)
-
-
-def _shifted(noise: Array, n: int) -> Array:
-    """The n-th of a sequence that fills the unit square evenly from each starting point."""
-    moved: Array = noise + ((n + 1) * _GOLDEN % 1).astype(np.float32)
-    return np.where(moved >= 1, moved - 1, moved)
 
 
 def _tint(panes: Hits, hits: Hits, of: Soup, color: Array) -> None:
@@ -180,7 +158,7 @@ def _smooth(light: Array, normal: Array) -> Array:
     return light
 
 
-def _toned(light: Array) -> Array:
+def toned(light: Array) -> Array:
     """Highlights rolled off softly, everything else left."""
     knee = np.float32(0.75)
     over = (light - knee).clip(0)

@@ -18,13 +18,14 @@ Index = NDArray[np.int64]
 
 
 class Soup(NamedTuple):
-    """`corners`, `normals` (n, 3, 3), `uv` (n, 3, 2), `material` (n,) into `materials`."""
+    """`corners`, `normals` (n, 3, 3), `uv` (n, 3, 2), `material` (n,) into `materials`, `owner` (n,) into bodies."""
 
     corners: Array
     normals: Array
     uv: Array
     material: Index
     materials: list[Material]
+    owner: Index
 
 
 class Hits(NamedTuple):
@@ -38,24 +39,26 @@ class Hits(NamedTuple):
 def soup(bodies: Iterable[Body]) -> Soup:
     """Triangles of all visuals, at rest."""
     index: dict[Material, int] = {}
-    parts: list[tuple[Array, Array, Array, Index]] = []
-    for body in bodies:
+    parts: list[tuple[Array, Array, Array, Index, Index]] = []
+    for k, body in enumerate(bodies):
         turn, shift = body.pose()[:3, :3], body.position
         for piece in (piece for link in body.links for piece in pieces(link)):
             vertices, normals, uv, faces = shaded(piece)
             material = index.setdefault(piece.material, len(index))
             flat = np.zeros((*faces.shape, 2)) if uv is None else uv[faces]
             corners = (vertices @ turn.T + shift)[faces]
-            parts.append((corners, (normals @ turn.T)[faces], flat, np.full(len(faces), material)))
-    corners, normals, uv, which = (np.concatenate(column) for column in zip(*parts, strict=True))
+            n = len(faces)
+            parts.append((corners, (normals @ turn.T)[faces], flat, np.full(n, material), np.full(n, k)))
+    corners, normals, uv, which, owner = (np.concatenate(column) for column in zip(*parts, strict=True))
     single = np.float32
-    return Soup(corners.astype(single), normals.astype(single), uv.astype(single), which, list(index))
+    return Soup(corners.astype(single), normals.astype(single), uv.astype(single), which, list(index), owner)
 
 
 def split(all_: Soup, mask: NDArray[np.bool_]) -> tuple[Soup, Soup]:
     """The triangles that are masked, and the others."""
     one, other = (
-        Soup(all_.corners[m], all_.normals[m], all_.uv[m], all_.material[m], all_.materials) for m in (mask, ~mask)
+        Soup(all_.corners[m], all_.normals[m], all_.uv[m], all_.material[m], all_.materials, all_.owner[m])
+        for m in (mask, ~mask)
     )
     return one, other
 
@@ -83,16 +86,21 @@ class Tracer:
         distance = np.where(hit >= 0, found["tfar"], np.float32(np.inf))
         return Hits(hit, distance, np.stack([1 - u - v, u, v], -1))
 
-    def free(self, origin: Array, direction: Array) -> Array:
-        """1 where a ray meets nothing, 0 where it does."""
+    def free(self, origin: Array, direction: Array, far: float | None = None) -> Array:
+        """1 where a ray meets nothing, 0 where it does; up to `far` times its direction if given."""
         if self.empty:
             return np.ones(len(direction), np.float32)
-        found = self._scene.run(np.ascontiguousarray(origin), np.ascontiguousarray(direction), query="OCCLUDED")
+        ends = None if far is None else np.full(len(direction), far, np.float32)
+        ray = np.ascontiguousarray(origin), np.ascontiguousarray(direction)
+        found = self._scene.run(*ray, dists=ends, query="OCCLUDED")
         return np.asarray(found != 0, np.float32)
 
 
-def colors(hits: Hits, of: Soup) -> tuple[Array, Array]:
-    """Linear colour (n, 3) and shading normal (n, 3) where rays hit; every ray must have hit."""
+def colors(hits: Hits, of: Soup, width: Array | None = None) -> tuple[Array, Array]:
+    """Linear colour (n, 3) and shading normal (n, 3) where rays hit; every ray must have hit.
+
+    Textures are averaged over the `width` (n,) that a ray stands for, m.
+    """
     triangle = hits.triangle
     normal = np.einsum("nk,nkd->nd", hits.weights, of.normals[triangle])
     normal /= length(normal)
@@ -102,8 +110,41 @@ def colors(hits: Hits, of: Soup) -> tuple[Array, Array]:
     for k, material in enumerate(of.materials):
         if material.texture:
             rows = np.flatnonzero(which == k)
-            color[rows] = _texels(material.texture)[_texel(uv[rows], len(_texels(material.texture)))]
+            levels = _levels(material.texture)
+            texels = None if width is None else width[rows] * _repeats(of, triangle[rows]) * len(levels[0])
+            color[rows] = _looked_up(levels, uv[rows], texels)
     return color, normal
+
+
+def _repeats(of: Soup, triangle: Index) -> Array:
+    """Repeats of the texture along a metre of triangles."""
+    corners, uv = of.corners[triangle], of.uv[triangle]
+    sides, turns = corners[:, 1:] - corners[:, :1], uv[:, 1:] - uv[:, :1]
+    area = length(np.cross(sides[:, 0], sides[:, 1]))[:, 0]
+    covered = np.abs(turns[:, 0, 0] * turns[:, 1, 1] - turns[:, 0, 1] * turns[:, 1, 0])
+    return np.asarray(np.sqrt(covered / area))
+
+
+def _looked_up(levels: list[Array], uv: Array, texels: Array | None) -> Array:
+    """Colours (n, 3) at places of a texture, from the level whose texels are as wide as so many of the finest."""
+    if texels is None:
+        return np.asarray(levels[0][_texel(uv, len(levels[0]))])
+    level = np.log2(texels.clip(1)).round().astype(np.int64).clip(0, len(levels) - 1)
+    found = np.empty((len(uv), 3), np.float32)
+    for k in np.unique(level):
+        rows = np.flatnonzero(level == k)
+        found[rows] = levels[k][_texel(uv[rows], len(levels[k]))]
+    return found
+
+
+@lru_cache(maxsize=256)
+def _levels(texture: str) -> list[Array]:
+    """A texture, and the same at half its size again and again."""
+    found = [_texels(texture)]
+    while len(found[-1]) > 1 and len(found[-1]) % 2 == 0:
+        n = len(found[-1]) // 2
+        found.append(found[-1].reshape(n, 2, n, 2, 3).mean((1, 3)).astype(np.float32))
+    return found
 
 
 @lru_cache(maxsize=256)

@@ -1,16 +1,15 @@
 """Pictures of assets, closed and open, on a plain ground."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.scene import render
 from apartgen.stages.scene.camera import Camera
+from apartgen.stages.scene.posed import moved
 from apartgen.stages.scene.soup import Soup, soup
-from apartgen.stages.space import sweeps
-from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.body import Body
 
 AZIMUTH, ELEVATION = np.radians(-31.8), np.radians(27.8)
@@ -20,18 +19,9 @@ Direction = tuple[float, float]
 
 def opened(asset: Asset, share: float) -> Soup:
     """The asset's triangles with every joint at this share of its range, standing on z = 0."""
-    links = [_moved(link, share) for link in asset.links]
+    links = [moved(link, share) for link in asset.links]
     middle = np.array([0.0, 0.0, asset.size[2] / 2])
     return soup([Body(asset.category, "object", asset.category, "", middle, 0.0, links)])
-
-
-def _moved(link: Link, share: float) -> Link:
-    joint = link.joint
-    if joint is None or share == 0:
-        return link
-    value = joint.range[0] + share * (joint.range[1] - joint.range[0])
-    shown = [replace(mesh, vertices=sweeps.at(joint, mesh.vertices, value)) for mesh in link.visuals]
-    return replace(link, visuals=shown)
 
 
 def pictures(

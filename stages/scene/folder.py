@@ -1,9 +1,9 @@
-"""A folder that appears whole or not at all, and replaces only what an export made."""
+"""A folder that appears whole or not at all, and replaces only what such a one held."""
 
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from apartgen.schemas.errors import BadInput
 
 CONTENTS = "SHA256SUMS"
 """Lists an export's files (`sha256sum -c` reads it), and marks the folder as one that may be replaced."""
-_OURS = {CONTENTS, "export.json"}
+_OURS = {CONTENTS, "export.json", "views.json"}
 
 
 @contextmanager
@@ -48,6 +48,12 @@ def _beside(out: Path) -> Iterator[Path]:
             raise
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def listed(paths: Iterable[tuple[str, str]], by: str) -> str:
+    """The text of `CONTENTS` for files (path, digest)."""
+    lines = [f"{digest}  {path}\n" for path, digest in sorted(paths)]
+    return f"# written by apartgen {by}, which replaces this folder\n" + "".join(lines)
 
 
 def _check(out: Path) -> None:

@@ -1,0 +1,98 @@
+"""Light that falls on points of a home: sun, windows, lamps, and what comes back from the surfaces around."""
+
+import numpy as np
+
+from apartgen.stages.render.world import World
+from apartgen.stages.scene.noise import about, shifted
+from apartgen.stages.scene.soup import Array, Index
+
+LIFT = np.float32(2e-3)
+"""How far off their surface rays begin, m."""
+SUN = np.array([1.0, 0.92, 0.80], np.float32) * 1.8
+SKY = np.array([0.86, 0.94, 1.0], np.float32) * 3.2
+"""Radiance of the sky before windows."""
+LAMP = np.array([1.0, 0.88, 0.72], np.float32) * 2.2e-3
+"""Of one lumen into all directions, at 1 m."""
+LEAST = np.array([1.0, 0.98, 0.95], np.float32) * 0.04
+"""Light that is everywhere."""
+GATHERED, ON_PANES, ON_LAMPS = 12, 4, 2
+"""Rays from a point to its surroundings, to each window and to each lamp of its room."""
+BULB = 0.14
+"""Radius of lamps, m."""
+NEARBY = 0.5
+"""Surfaces nearer than about this give back less than the room's mean light, m."""
+BACK = 0.55
+"""Mean share of light that rooms give back."""
+
+
+def irradiance(world: World, point: Array, normal: Array, noise: Array) -> Array:
+    """All light on points (n, 3) but the sun's own, which has sharp edges; `noise` (n, 2) in [0, 1)."""
+    start = point + normal * LIFT
+    room = world.room_at(point + normal * 0.08)
+    direct = _from_panes(world, start, normal, room, noise) + _from_lamps(world, start, normal, room, noise)
+    known, share = _gathered(world, start, normal, room, noise)
+    known += direct + LEAST
+    mean = known.mean(0) / (1 - BACK * float(share.mean()))
+    found: Array = known + share * mean
+    return found.astype(np.float32)
+
+
+def sunlit(world: World, point: Array, normal: Array) -> Array:
+    """Share of the sun's light that falls on points, (n,)."""
+    fall = (normal @ world.sun).clip(0).astype(np.float32)
+    rows = np.flatnonzero(fall)
+    way = np.broadcast_to(world.sun, (len(rows), 3))
+    if len(rows):
+        fall[rows] *= world.blockers.free(point[rows] + normal[rows] * LIFT, way)
+    return fall
+
+
+def _from_panes(world: World, start: Array, normal: Array, room: Index, noise: Array) -> Array:
+    found = np.zeros_like(start)
+    for pane in world.panes:
+        rows = np.flatnonzero(room == pane.room)
+        for k in range(ON_PANES if len(rows) else 0):
+            at = shifted(noise[rows], k)
+            to = pane.corner + at[:, :1] * pane.across + at[:, 1:] * pane.up - start[rows]
+            square = np.einsum("nd,nd->n", to, to).clip(0.04)
+            way = to / np.sqrt(square)[:, None]
+            flux = np.einsum("nd,nd->n", way, normal[rows]).clip(0) * -(way @ pane.normal).clip(-1, 0)
+            flux *= pane.area / square / np.pi / ON_PANES
+            lit = np.flatnonzero(flux)
+            flux[lit] *= world.blockers.free(start[rows[lit]], to[lit] * np.float32(0.97), 1.0)
+            found[rows] += flux[:, None] * SKY
+    return found
+
+
+def _from_lamps(world: World, start: Array, normal: Array, room: Index, noise: Array) -> Array:
+    found = np.zeros_like(start)
+    for j, lamp in enumerate(world.lamps):
+        rows = np.flatnonzero(room == lamp.room)
+        for k in range(ON_LAMPS if len(rows) else 0):
+            off = about(np.zeros((len(rows), 3), np.float32), shifted(noise[rows], 31 + 2 * j + k)) * BULB
+            to = (lamp.position + off - start[rows]).astype(np.float32)
+            square = np.einsum("nd,nd->n", to, to).clip(0.4)
+            flux = np.einsum("nd,nd->n", to, normal[rows]).clip(0) / np.sqrt(square) / square / ON_LAMPS
+            lit = np.flatnonzero(flux > 1e-4)
+            flux[lit] *= world.blockers.free(start[rows[lit]], to[lit], 1.0)
+            found[rows] += flux[:, None] * LAMP * lamp.lumens
+    return found
+
+
+def _gathered(world: World, start: Array, normal: Array, room: Index, noise: Array) -> tuple[Array, Array]:
+    """Light from the surroundings that is known, and the coloured share of the room's mean light that comes back."""
+    known, share = np.zeros_like(start), np.zeros_like(start)
+    open_air = (room < 0) | world.outdoors[room]
+    for k in range(GATHERED):
+        way = about(normal, shifted(noise, 101 + k)).astype(np.float32)
+        hits = world.blockers.first(start, way)
+        met, missed = np.flatnonzero(hits.triangle >= 0), np.flatnonzero((hits.triangle < 0) & open_air)
+        triangle, distance = hits.triangle[met], hits.distance[met, None]
+        soup = world.blockers.soup
+        color = world.flat[soup.material[triangle]]
+        share[met] += color * distance / (distance + NEARBY)
+        face = soup.normals[triangle, 0]
+        face = np.where(np.einsum("nd,nd->n", face, way[met])[:, None] > 0, -face, face)
+        known[met] += color * sunlit(world, start[met] + way[met] * distance, face)[:, None] * SUN
+        known[missed] += SKY * (0.35 + 0.4 * way[missed, 2:].clip(0))
+    return known / GATHERED, share / GATHERED

@@ -1,0 +1,89 @@
+"""What rays of a camera meet: the first surface, glass too, which labels are of, and the first that is opaque."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from apartgen.stages.render.world import World
+from apartgen.stages.scene.camera import Camera, Panorama
+from apartgen.stages.scene.soup import Array, Hits, Index, colors
+
+PANES = 4
+"""Clear surfaces behind one another that are looked through."""
+PAST = np.float32(1e-3)
+"""How far behind a pane a ray goes on, m."""
+CLEAR, VEIL = 0.7, 0.75
+"""Share of their opacity that clear surfaces have in pictures, and how bright they are."""
+
+Eye = Camera | Panorama
+
+
+class First(NamedTuple):
+    """Of rays: `triangle` (-1 for none), `distance` along the ray (inf), `weights` of its corners."""
+
+    direction: Array
+    hits: Hits
+
+
+class Seen(NamedTuple):
+    """Opaque surfaces at the ends of rays: which `triangle` (-1 for the outside), where, its normal to the eye, colour;
+    `through` and `veil` of the panes before it: what is seen is colour × through + veil.
+    """
+
+    triangle: Index
+    distance: Array
+    point: Array
+    normal: Array
+    color: Array
+    through: Array
+    veil: Array
+
+
+def first(world: World, eye: Eye, pixels: Index, within: Array) -> First:
+    """What rays through a point of each pixel meet first."""
+    direction = eye.rays(pixels, within)
+    origin = np.broadcast_to(np.asarray(eye.eye, np.float32), direction.shape)
+    return First(direction, world.every.first(origin, direction))
+
+
+def seen(world: World, origin: Array, direction: Array, hits: Hits, angle: float) -> Seen:
+    """What is opaque behind what rays from `origin` (3,) or (n, 3) met first; a ray stands for `angle`, rad."""
+    n = len(direction)
+    hits = Hits(hits.triangle.copy(), hits.distance.copy(), hits.weights.copy())
+    through, veil = np.ones((n, 3), np.float32), np.zeros((n, 3), np.float32)
+    origin = np.broadcast_to(np.asarray(origin, np.float32), direction.shape)
+    for _ in range(PANES):
+        rows = np.flatnonzero((hits.triangle >= 0) & (world.alpha[hits.triangle] < 1))
+        if not len(rows):
+            break
+        _pass(world, origin[rows], direction[rows], rows, hits, through, veil)
+    rows = np.flatnonzero(hits.triangle >= 0)
+    color, normal = np.zeros((n, 3), np.float32), -direction
+    met = Hits(hits.triangle[rows], hits.distance[rows], hits.weights[rows])
+    color[rows], shown = colors(met, world.every.soup, met.distance * angle)
+    normal[rows] = turned(shown, direction[rows])
+    point = origin + direction * np.where(np.isfinite(hits.distance), hits.distance, 100.0)[:, None].astype(np.float32)
+    return Seen(hits.triangle, hits.distance, point, normal, color, through, veil)
+
+
+def _pass(world: World, origin: Array, direction: Array, rows: Index, hits: Hits, through: Array, veil: Array) -> None:
+    """Goes on behind the panes that some rays met, in place."""
+    pane = hits.triangle[rows]
+    alpha = world.alpha[pane][:, None] * CLEAR
+    veil[rows] += through[rows] * alpha * world.flat[world.every.soup.material[pane]] * VEIL
+    through[rows] *= 1 - alpha
+    start = hits.distance[rows] + PAST
+    behind = world.every.first(origin + direction * start[:, None], direction)
+    hits.triangle[rows], hits.weights[rows] = behind.triangle, behind.weights
+    hits.distance[rows] = behind.distance + start
+
+
+def angle(eye: Eye) -> float:
+    """What a pixel in the middle spans, rad."""
+    return 2 * float(eye.half[0]) / eye.columns if isinstance(eye, Camera) else 2 * np.pi / eye.columns
+
+
+def turned(normal: Array, direction: Array) -> Array:
+    """Normals turned against the rays that meet them."""
+    away = np.einsum("nd,nd->n", normal, direction) > 0
+    return np.where(away[:, None], -normal, normal).astype(np.float32)

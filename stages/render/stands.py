@@ -1,0 +1,120 @@
+"""Where a person would stand and look to see much: on free floor, towards the most things of some size."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.schemas.layout import Layout
+from apartgen.stages.render.world import World
+from apartgen.stages.robot import reach
+from apartgen.stages.scene.camera import Camera, Panorama
+from apartgen.stages.scene.soup import Array
+
+PLACES, HEADINGS = 9, 16
+"""Places of a room, and headings of each, that are tried."""
+PITCH = np.radians(-10.0)
+COARSE = 48
+"""Columns of the pictures by which views are judged."""
+ENOUGH = 0.01
+"""Share of the picture from which a thing counts as seen."""
+MARGIN = 1.25
+"""What is seen coarsely must cover so much more than that."""
+CLOSE = 0.7
+"""What is nearer than this is in the way of seeing, m."""
+
+
+class Stand(NamedTuple):
+    """A place to look from, its room's index, and the heading."""
+
+    room: int
+    place: Array
+    yaw: float
+
+
+def free_floor(world: World) -> tuple[reach.Space, NDArray[np.bool_]]:
+    """The raster of a robot, and where on it one may stand."""
+    space = reach.space(world.plan)
+    objects = world.plan.objects if isinstance(world.plan, Layout) else []
+    return space, reach.free(space, objects)
+
+
+def spread_places(space: reach.Space, cells: NDArray[np.bool_], room: int, most: int) -> Array:
+    """Places (n, 2) of a room far from one another, the first near the middle of where one can stand."""
+    rows, columns = np.nonzero(cells & (space.rooms == room))
+    points = np.stack([space.grid.x[columns], space.grid.y[rows]], -1)
+    if not len(points):
+        return points
+    middle = points.mean(0)
+    chosen = [int(np.argmin(np.linalg.norm(points - middle, axis=1)))]
+    apart = np.linalg.norm(points - points[chosen[0]], axis=1)
+    while len(chosen) < most and apart.max() > 0.35:
+        chosen.append(int(np.argmax(apart)))
+        apart = np.minimum(apart, np.linalg.norm(points - points[chosen[-1]], axis=1))
+    return points[chosen]
+
+
+def middles(world: World, height: float) -> list[Stand]:
+    """One place of each room, from where a panorama shows most."""
+    space, cells = free_floor(world)
+    found = []
+    for i in range(len(world.plan.rooms)):
+        places = spread_places(space, cells, i, 1)
+        at = places[0] if len(places) else np.array(world.plan.rooms[i].polygon).mean(0)
+        found.append(Stand(i, np.array([*at, height]), 0.0))
+    return found
+
+
+def best(world: World, views: int, height: float, field: float, shape: tuple[int, int]) -> list[Stand]:
+    """Up to so many stands that together show most things; each shows five or more where any does.
+
+    `field` in rad and `shape` (columns, rows) are those of the pictures.
+    """
+    space, cells = free_floor(world)
+    stands = [Stand(i, np.array([*place, height]), float(yaw)) for i in range(len(world.plan.rooms))
+              for place in spread_places(space, cells, i, PLACES)
+              for yaw in np.arange(HEADINGS) * 2 * np.pi / HEADINGS]
+    if not stands:
+        return []
+    shares, near = _judged(world, stands, field, shape[1] / shape[0])
+    seen = shares > ENOUGH * MARGIN
+    counts = seen.sum(1)
+    new_worth = np.ones(seen.shape[1])
+    chosen: list[int] = []
+    taken: dict[int, int] = {}
+    while len(chosen) < views:
+        gain = seen @ new_worth + 0.25 * np.minimum(counts, 8) - 8 * near
+        gain = gain - 1.5 * np.array([taken.get(s.room, 0) for s in stands])
+        gain[counts < 5] -= 100
+        gain[chosen] = -np.inf
+        k = int(np.argmax(gain))
+        if chosen and (not np.isfinite(gain[k]) or counts[k] < 5):
+            break
+        chosen.append(k)
+        taken[stands[k].room] = taken.get(stands[k].room, 0) + 1
+        new_worth[seen[k]] *= 0.3
+    return [stands[k] for k in sorted(chosen)]
+
+
+def _judged(world: World, stands: list[Stand], field: float, aspect: float) -> tuple[Array, Array]:
+    """Share of each object in a coarse picture from each stand, (n, objects), and of what is too near, (n,)."""
+    columns, rows = COARSE, max(1, round(COARSE * aspect))
+    objects = np.array([body.kind == "object" for body in world.bodies])
+    index = np.cumsum(objects) - 1
+    pixels = np.arange(rows * columns)
+    shares, near = np.zeros((len(stands), int(objects.sum()))), np.zeros(len(stands))
+    for k, stand in enumerate(stands):
+        eye = Camera.looking(stand.place, stand.yaw, PITCH, field, columns, rows)
+        direction = eye.rays(pixels, np.array([0.5, 0.5]))
+        hits = world.every.first(np.broadcast_to(eye.eye, direction.shape), direction)
+        met = hits.triangle >= 0
+        owner = world.every.soup.owner[hits.triangle[met]]
+        own = owner[objects[owner]]
+        shares[k] = np.bincount(index[own], minlength=shares.shape[1]) / len(pixels)
+        near[k] = float((hits.distance < CLOSE).mean())
+    return shares, near
+
+
+def panorama(stand: Stand, rows: int) -> Panorama:
+    """All that is seen from a stand."""
+    return Panorama(stand.place.astype(np.float32), rows, 2 * rows)
