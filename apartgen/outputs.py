@@ -1,5 +1,6 @@
 """What comes of an apartment: files for simulators and people, and figures."""
 
+import hashlib
 from functools import cache
 from pathlib import Path
 from time import perf_counter
@@ -7,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from pydantic import Field
 
+from apartgen.kept import kept
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.base import Record
@@ -53,6 +55,17 @@ def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Ex
     text, _ = artifact.finish(files, made(read.made.seed, settings, read, perf_counter() - began))
     artifact.write(text, folder / "export.json")
     return files
+
+
+def intact(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Export | None:
+    """The list of an earlier export's files, where it came about just so and none is lost or changed."""
+    old = kept(folder / "export.json", "export", made(read.made.seed, settings, read))
+    same = old is not None and all(_unchanged(folder / file.path, file.sha256) for file in old.body.files)
+    return old.body if old is not None and same else None
+
+
+def _unchanged(file: Path, sha256: str) -> bool:
+    return file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() == sha256
 
 
 def principal(files: Export) -> list[str]:

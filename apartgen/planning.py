@@ -52,11 +52,11 @@ def enclosed(program: Program, config: PlanSettings) -> Program:
     return program.model_copy(update={"envelope": Envelope.model_validate(envelope)})
 
 
-def draw(prompt: str, config: PlanSettings, seed: int) -> tuple[Plan, dict[str, Any]]:
-    """The plan for one prompt, and what a language model took to read it."""
+def draw(prompt: str, config: PlanSettings, seed: int, id: str = "") -> tuple[Plan, dict[str, Any]]:
+    """The plan for one prompt, and what a language model took to read it; it draws by its id, else by its words."""
     from apartgen.stages import plan
 
-    rng = seeds.drawn(seed, "plan", prompt)
+    rng = seeds.drawn(seed, "plan", id or prompt)
     program, used = read(prompt, config, rng.spawn(1)[0])
     return plan.build(program, config, rng, prompt), used
 

@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -76,10 +77,18 @@ def made(seed: int, config: Record, previous: Artifact[Any] | None = None, secon
     """How a result of this program came about."""
     inputs = {previous.kind: previous.digest} if previous else {}
     inputs |= {name: _digest(file) for name, file in (data or {}).items() if file.is_file()}
-    return Made(by=BY, seed=seed, config=config.model_dump(mode="json"), inputs=inputs, seconds=round(seconds, 2))
+    id = previous.made.id if previous else ""
+    return Made(by=BY, id=id, seed=seed, config=config.model_dump(mode="json"), inputs=inputs,
+                seconds=round(seconds, 2))
 
 
 def _digest(file: Path) -> str:
+    there = file.stat()
+    return _digest_of(file, there.st_mtime_ns, there.st_size)
+
+
+@cache
+def _digest_of(file: Path, changed: int, size: int) -> str:
     return "sha256:" + hashlib.sha256(file.read_bytes()).hexdigest()
 
 

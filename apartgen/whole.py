@@ -1,22 +1,18 @@
 """A whole apartment from a sentence: every stage in turn, going on where an earlier run was stopped."""
 
-import hashlib
-import logging
 from collections.abc import Iterator
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 from apartgen import outputs, planning
+from apartgen.kept import kept
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact, Made
 from apartgen.schemas.base import Record
-from apartgen.schemas.errors import ApartgenError, BadInput
-from apartgen.schemas.export import Export
-from apartgen.schemas.plan import Plan
+from apartgen.schemas.errors import ApartgenError
 from apartgen.steps import STEPS, WALKABLE, Step, lane, made
 
-log = logging.getLogger("apartgen")
 KINDS: dict[str, type[Record]] = {
     "plan": planning.PlanSettings, **{step.word: step.config for step in STEPS},
     "metrics": outputs.MetricsSettings, "export": outputs.ExportSettings,
@@ -46,19 +42,6 @@ def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record]) -> I
         raise short
 
 
-def _kept(file: Path, model: type[Any], wanted: Made) -> Artifact[Any] | None:
-    """The artifact of an earlier run, if it came about just as `wanted`."""
-    if not file.exists():
-        return None
-    try:
-        read = artifact.read(file, model)
-    except BadInput as error:
-        log.info("%s; making it again", error)
-        return None
-    same = read.made.model_copy(update={"seconds": wanted.seconds, "model": wanted.model}) == wanted
-    return read if same and read.kind == file.stem else None
-
-
 def _saved(body: Record, wanted: Made, began: float, file: Path) -> Artifact[Any]:
     text, settled = artifact.finish(body, wanted.model_copy(update={"seconds": round(perf_counter() - began, 2)}))
     artifact.write(text, file)
@@ -67,7 +50,7 @@ def _saved(body: Record, wanted: Made, began: float, file: Path) -> Artifact[Any
 
 def _planned(prompt: str, config: Any, seed: int, folder: Path) -> Artifact[Any]:
     wanted, began = made(seed, config), perf_counter()
-    old = _kept(folder / "plan.json", Plan, wanted)
+    old = kept(folder / "plan.json", "plan", wanted)
     if old is not None and old.body.prompt == prompt:
         return old
     drawn, used = planning.draw(prompt, config, seed)
@@ -77,7 +60,7 @@ def _planned(prompt: str, config: Any, seed: int, folder: Path) -> Artifact[Any]
 def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, folder: Path) -> Artifact[Any]:
     file, began = folder / f"{stage.word}.json", perf_counter()
     wanted = made(seed, config, previous, data=stage.data(config))
-    old = _kept(file, artifact.BODIES[stage.word], wanted)
+    old = kept(file, stage.word, wanted)
     if old is not None:
         return old
     outcome = next(iter(stage.advance([previous.body], config, [lane(seed, stage.word, previous.body)])))
@@ -88,19 +71,11 @@ def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, f
 
 def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> list[Path]:
     """The main file of every format."""
-    old = _kept(scene / "export.json", Export, made(seed, settings, home))
-    if old is not None and all(_intact(scene / file.path, file.sha256) for file in old.body.files):
-        files = old.body
-    else:
-        files = outputs.finished(home, settings, scene)
+    files = outputs.intact(home, settings, scene) or outputs.finished(home, settings, scene)
     return [scene / path for path in outputs.principal(files)]
-
-
-def _intact(file: Path, sha256: str) -> bool:
-    return file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() == sha256
 
 
 def _measured(home: Artifact[Any], settings: Any, seed: int, folder: Path) -> None:
     wanted, began = made(seed, settings, home), perf_counter()
-    if _kept(folder / "metrics.json", artifact.BODIES["metrics"], wanted) is None:
+    if kept(folder / "metrics.json", "metrics", wanted) is None:
         _saved(outputs.measure(home.body, settings), wanted, began, folder / "metrics.json")

@@ -13,6 +13,7 @@ from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.plan import Plan
 from apartgen_cli.console import fail, log, progress
+from apartgen_cli.inputs import Judge
 from apartgen_cli.streams import sources
 
 if TYPE_CHECKING:
@@ -71,15 +72,23 @@ def reader(trust: bool) -> Reader:
 
 def read_sound(name: str, model: type[Any], whole: bool = False) -> Artifact[Any]:
     """An artifact for a stage; BadInput, naming the first fault, where its plan or its furniture's places have any."""
-    read = artifact.read(name, model, whole)
+    return sound(artifact.read(name, model, whole), name)
+
+
+def judge(trust: bool) -> Judge:
+    """What a stage takes of what was read."""
+    return (lambda read, name: read) if trust else sound
+
+
+def sound(read: Artifact[Any], name: str) -> Artifact[Any]:
+    """The artifact; BadInput, naming the first fault, where its plan or its furniture's places have any."""
     if fault := _first_fault(read.body):
         raise BadInput(f"{name}: {fault}; --trust takes it as it is")
     return read
 
 
-def read_told(name: str, model: type[Any], whole: bool = False) -> Artifact[Any]:
-    """An artifact whose faults are only said."""
-    read = artifact.read(name, model, whole)
+def told(read: Artifact[Any], name: str) -> Artifact[Any]:
+    """The artifact; its first fault is said."""
     if fault := _first_fault(read.body):
         log.warning("%s: %s", name, fault)
     return read

@@ -35,9 +35,9 @@ def fail(message: str) -> None:
     print(f"apartgen: {message}", file=sys.stderr)
 
 
-def progress(items: Iterable[Item], what: str, total: int) -> Iterator[Item]:
-    """The items, with a bar while they come when there are several."""
-    if total < 2:
+def progress(items: Iterable[Item], what: str, total: int | None) -> Iterator[Item]:
+    """The items, with a bar while they come when there are several; `total` None: nobody knows how many."""
+    if total is not None and total < 2:
         yield from items
         return
     with watched(what, total) as report:
@@ -53,9 +53,24 @@ def watched(what: str, total: int | None) -> Iterator[Callable[..., None]]:
         yield lambda done, loss=None: None
         return
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        ProgressColumn,
+        Task,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+    from rich.text import Text
 
-    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    class Rate(ProgressColumn):
+        """How many an hour."""
+
+        def render(self, task: Task) -> Text:
+            return Text(f"{task.speed * 3600:,.0f}/h" if task.speed else "")
+
+    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn()
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(what, total=total)
 

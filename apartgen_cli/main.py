@@ -4,6 +4,7 @@ A command is a public module beside this one with a function `command() -> Calla
 so that help and the light commands start without the heavy packages.
 """
 
+import errno
 import importlib
 import os
 import signal
@@ -66,7 +67,7 @@ def _global(
 
 def application() -> Any:
     """The command group; help of every command is the first line of its module."""
-    app = typer.Typer(cls=Lazily, no_args_is_help=True, rich_markup_mode=MARKUP, add_completion=False,
+    app = typer.Typer(cls=Lazily, no_args_is_help=True, rich_markup_mode=MARKUP, add_completion=True,
                       context_settings={"help_option_names": ["-h", "--help"], "max_content_width": _WIDTH})
     app.callback()(_global)
     helps = registry.members("apartgen_cli")
@@ -81,8 +82,15 @@ def _placeholder() -> None:
 
 def main() -> None:
     """Run the command line; never returns."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # what is half done is cleared away, as after Ctrl-C
-    sys.exit(status(sys.argv[1:]))
+    ended: list[int] = []
+
+    def end(number: int, frame: Any) -> None:
+        ended.append(number)
+        raise KeyboardInterrupt  # what is half done is cleared away, as after Ctrl-C
+
+    signal.signal(signal.SIGTERM, end)
+    code = status(sys.argv[1:])
+    sys.exit(128 + ended[0] if ended and code == INTERRUPTED else code)
 
 
 def status(args: list[str]) -> int:
@@ -94,15 +102,25 @@ def status(args: list[str]) -> int:
     except ApartgenError as error:
         fail(str(error))
         return error.exit_code
-    except (BrokenPipeError, SystemExit):  # typer exits of itself only when a pipe is closed
-        # Whoever read the output has gone; leave nothing for the interpreter to flush.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return PIPE_CLOSED
+    except (BrokenPipeError, SystemExit) as error:  # typer exits when a pipe is closed, and after a completion
+        _forget_output()
+        return 0 if isinstance(error, SystemExit) and not error.code else PIPE_CLOSED
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EIO):
+            raise
+        fail(f"cannot write ({error.strerror}); make room, and run it again")
+        _forget_output()
+        return 2
     except Exception as error:
         return _usage(error)
     if code == INTERRUPTED:
         fail("interrupted; what was finished is kept")
     return code
+
+
+def _forget_output() -> None:
+    """Whoever read the output has gone, or it is full; leave nothing for the interpreter to flush."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _usage(error: Exception) -> int:

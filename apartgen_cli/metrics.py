@@ -17,12 +17,14 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics
 from apartgen.schemas.plan import Plan, Program
 from apartgen.steps import made
-from apartgen_cli.check import read_told
-from apartgen_cli.console import progress
+from apartgen_cli.check import judge, told
+from apartgen_cli.console import progress, say
 from apartgen_cli.drawn import asked
-from apartgen_cli.options import INPUTS, OUT, SPLIT, SPLITS
-from apartgen_cli.stage import about, opened, settled, written
-from apartgen_cli.streams import is_folder, sources, targets, whole_set
+from apartgen_cli.inputs import Inputs, Read, artifacts, inputs_of, named
+from apartgen_cli.options import FAILURES, INPUTS, OUT, RETRY, SPLIT, SPLITS
+from apartgen_cli.results import Results, results
+from apartgen_cli.streams import is_folder, targets, whole_set
+from apartgen_cli.tally import Tally
 
 METRIC = Annotated[list[str] | None, typer.Option(
     "--metric", help="A metric by name, any number of times; all by default.")]
@@ -51,66 +53,81 @@ class Reference(NamedTuple):
 
 def _run(inputs: INPUTS = None, out: OUT = None, metric: METRIC = None, against: AGAINST = None,
          table: TABLE = False, real: REAL = None, real_as: AS = None, split: SPLIT = None, splits: SPLITS = None,
-         inception_weights: INCEPTION = None) -> int:
-    names = sources(inputs)
+         inception_weights: INCEPTION = None, failures: FAILURES = None, retry: RETRY = None) -> int:
+    given = inputs_of(inputs, retry)
     settings = MetricsSettings(metric=metric or [], real_as=real_as, split=split, inception_weights=inception_weights)
     if real:
         if against:
             raise BadInput("--real and --against: sets are compared as wholes; give one of the two")
-        return _compared(names, real, splits, settings, table, out)
-    for option, given in (("--as", real_as), ("--split", split), ("--splits", splits),
+        return _compared(given, real, splits, settings, table, out)
+    for option, value in (("--as", real_as), ("--split", split), ("--splits", splits),
                           ("--inception-weights", inception_weights)):
-        if given:
-            raise BadInput(f"{option} {given}: only with --real, which says what the inputs are compared with")
+        if value:
+            raise BadInput(f"{option} {value}: only with --real, which says what the inputs are compared with")
     reference = _reference(against)
-    return (_tabled if table else _each)(names, settings, reference, out)
+    if table:
+        return _tabled(given, settings, reference, _sheet(out), failures or retry)
+    into = results("metrics", given.files, out, given.many)
+    return _each(given, settings, reference, into, failures or retry)
 
 
-def _each(names: list[str], settings: MetricsSettings, reference: Reference | None, out: str | None) -> int:
+def _each(given: Inputs, settings: MetricsSettings, reference: Reference | None, into: Results,
+          listing: Path | None) -> int:
     """An artifact for every input."""
-    places = dict(zip(names, targets("metrics", names, out)))
-    work, errors = opened([(name, name) for name in names], Plan, True, read_told)
-    for name, read in work:
-        began = perf_counter()
-        try:
-            values = measure(read.body, settings, reference.body if reference else None)
-        except ApartgenError as error:
-            errors.append(about(name, error, len(names)))
-            continue
-        record = made(read.made.seed, settings, read, perf_counter() - began)
-        if reference:
-            record.inputs["against"] = reference.digest
-        written(values, record, places[name])
-    return settled(errors, len(names))
+    return _measured(given, listing, lambda read: _one(read, settings, reference, into), into.close)
 
 
-def _tabled(names: list[str], settings: MetricsSettings, reference: Reference | None, out: str | None) -> int:
+def _one(read: Read, settings: MetricsSettings, reference: Reference | None, into: Results) -> None:
+    record = made(read.artifact.made.seed, settings, read.artifact)
+    if reference:
+        record.inputs["against"] = reference.digest
+    if into.found(read.name, "metrics", record):
+        return
+    began = perf_counter()
+    values = measure(read.artifact.body, settings, reference.body if reference else None)
+    into.put(read.name, values, record.model_copy(update={"seconds": round(perf_counter() - began, 2)}))
+
+
+def _tabled(given: Inputs, settings: MetricsSettings, reference: Reference | None, place: str,
+            listing: Path | None) -> int:
     """One table of all inputs that can be read and measured."""
     from apartgen.stages import metrics
 
-    place = _sheet(out)
-    work, errors = opened([(name, name) for name in names], Plan, True, read_told)
-    measured: list[Metrics] = []
-    for name, read in progress(work, "metrics", len(work)):
-        try:
-            measured.append(measure(read.body, settings, reference.body if reference else None))
-        except ApartgenError as error:
-            errors.append(about(name, error, len(names)))
-    if measured:
-        rows = metrics.table(measured, np.random.default_rng(SEED))
-        artifact.write(metrics.markdown(rows, SEED), place)
-    return settled(errors, len(names))
+    found: list[Metrics] = []
+
+    def write() -> None:
+        if found:
+            artifact.write(metrics.markdown(metrics.table(found, np.random.default_rng(SEED)), SEED), place)
+
+    return _measured(given, listing, lambda read: found.append(
+        measure(read.artifact.body, settings, reference.body if reference else None)), write)
+
+
+def _measured(given: Inputs, listing: Path | None, one: Callable[[Read], None], last: Callable[[], None]) -> int:
+    """`one` for every input that can be read, then the `last`; the exit status."""
+    with Tally(given.many, listing) as tally:
+        for read in progress(named(artifacts(given.items, Plan, True, told)), "metrics", given.total):
+            try:
+                if isinstance(read.outcome, ApartgenError):
+                    raise read.outcome
+                one(read)
+            except ApartgenError as error:
+                tally.failed(read, error)
+            else:
+                tally.done()
+        last()
+    return tally.status
 
 
 def _compared(
-    names: list[str], real: list[str], splits: Path | None, settings: MetricsSettings, table: bool, out: str | None
+    given: Inputs, real: list[str], splits: Path | None, settings: MetricsSettings, table: bool, out: str | None
 ) -> int:
     """One artifact, or table, of all inputs against all real apartments; any that cannot be read ends it."""
     from apartgen.stages import metrics
 
     place = _sheet(out) if table else targets("metrics", [STREAM], out)[0]
     began = perf_counter()
-    ours = [artifact.read(name, Layout) for name in names]
+    ours = [_readable(read) for read in artifacts(given.items, Layout, False, judge(trust=True))]
     theirs, digests, files = _real(real, settings, splits)
     inception = Path(settings.inception_weights) if settings.inception_weights else None
     values = metrics.compare([a.body for a in ours], theirs, settings.metric or None, inception)
@@ -120,8 +137,17 @@ def _compared(
     record = made(SEED, settings, seconds=perf_counter() - began,
                   data=files | ({"inception": inception} if inception else {}))
     record.inputs |= {f"generated {i}": a.digest for i, a in enumerate(ours, 1)} | digests
-    written(values, record, place)
+    text, _ = artifact.finish(values, record)
+    artifact.write(text, place)
+    if str(place) != STREAM:
+        say(f"wrote {place}")
     return 0
+
+
+def _readable(read: Read) -> artifact.Artifact[Layout]:
+    if isinstance(read.outcome, ApartgenError):
+        raise read.outcome
+    return read.outcome
 
 
 def _real(

@@ -23,6 +23,10 @@ OUT = Annotated[str | None, typer.Option("--out", "-o", help="A file, or with a 
 SEED = Annotated[int | None, typer.Option("--seed", min=0, help="Fixes everything drawn; the input's seed by default.")]
 CONFIG = Annotated[Path | None, typer.Option("--config", help="A TOML file with a table of settings for every stage.")]
 TRUST = Annotated[bool, typer.Option("--trust", help="Take inputs that the judge refuses, too.")]
+FAILURES = Annotated[Path | None, typer.Option(
+    "--failures", metavar="FILE", help="Write a list of what could not be done.")]
+RETRY = Annotated[Path | None, typer.Option(
+    "--retry", metavar="FILE", help="Do what such a list holds; it then holds what is still left.")]
 SPLIT = Annotated[str | None, typer.Option("--split", help="Only rooms of this part of a split data set (boxes).")]
 SPLITS = Annotated[Path | None, typer.Option(
     "--splits", metavar="FILE", help="The CSV of ROOM,PART that says which rooms --split means.")]

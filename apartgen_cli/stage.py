@@ -6,23 +6,38 @@ A command module names its step and how options are called; `make` chains the sa
 import logging
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
 
 import numpy as np
 
-from apartgen.schemas import artifact
-from apartgen.schemas.artifact import STREAM, Artifact, Made
+from apartgen.schemas.artifact import Artifact, Made
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError
 from apartgen.steps import Outcome, Step, lane, made
-from apartgen_cli.check import Reader, read_sound, reader
-from apartgen_cli.console import fail, log, progress, say
-from apartgen_cli.options import CONFIG, INPUTS, OUT, SEED, TRUST, configured, tables, with_options
-from apartgen_cli.streams import Target, sources, targets
+from apartgen_cli.check import Reader, judge, read_sound
+from apartgen_cli.console import fail, log, progress
+from apartgen_cli.inputs import Read, artifacts, inputs_of, named
+from apartgen_cli.options import (
+    CONFIG,
+    FAILURES,
+    INPUTS,
+    OUT,
+    RETRY,
+    SEED,
+    TRUST,
+    configured,
+    tables,
+    with_options,
+)
+from apartgen_cli.results import Results, results
+from apartgen_cli.tally import Tally
 
 Kept = TypeVar("Kept")
+AT_ONCE = 16
+"""Inputs that a stage is given together; so many are in memory."""
 
 
 @dataclass(frozen=True)
@@ -36,37 +51,84 @@ class Stage:
         """The stage as a command with an option for every described field of its configuration."""
 
         def run(inputs: INPUTS = None, out: OUT = None, seed: SEED = None, config: CONFIG = None,
-                trust: TRUST = False, *, given: Any) -> int:
+                trust: TRUST = False, failures: FAILURES = None, retry: RETRY = None, *, given: Any) -> int:
             settings = configured(self.step.config, given, tables(config).get(self.step.word), self.names)
-            return over(self.step, inputs, out, seed, settings, trust)
+            return over(self.step, inputs, out, seed, settings, trust, failures, retry)
 
         return with_options(run, self.step.config, self.names)
 
 
 def over(stage: Step, inputs: Sequence[str] | None, out: str | None, seed: int | None, config: Record,
-         trust: bool = False) -> int:
+         trust: bool = False, failures: Path | None = None, retry: Path | None = None) -> int:
     """Run a stage over all inputs; every result is written as soon as it is there. Returns the exit status."""
-    names = sources(inputs)
-    places = dict(zip(names, targets(stage.word, names, out)))
-    work, errors = opened([(name, name) for name in names], stage.takes, stage.rather is not None, reader(trust))
-    work = [(name, stage.taken(read) if stage.rather else read) for name, read in work]
-    used_seeds = [read.made.seed if seed is None else seed for _, read in work]
-    began = perf_counter()
-    outcomes = _told(stage, [(name, read.body) for name, read in work], config,
-                    [lane(s, stage.word, read.body) for s, (_, read) in zip(used_seeds, work)])
-    for (name, read), used, outcome in zip(work, used_seeds, progress(outcomes, stage.word, len(work))):
+    given = inputs_of(inputs, retry)
+    into = results(stage.word, given.files, out, given.many)
+    reads = named(artifacts(given.items, stage.takes, stage.rather is not None, judge(trust)))
+    with Tally(given.many, failures or retry) as tally:
+        run = _Run(stage, config, seed, into, tally)
+        for _ in progress(run.all(reads), stage.word, given.total):
+            pass
+        into.close()
+    return tally.status
+
+
+@dataclass
+class _Run:
+    """A stage over inputs, some at a time."""
+
+    stage: Step
+    config: Record
+    seed: int | None
+    results: Results
+    tally: Tally
+
+    def all(self, reads: Iterator[Read]) -> Iterator[None]:
+        """Everything that comes; gives something at every input that is done with."""
+        while some := list(islice(reads, AT_ONCE if self.tally.many else 1)):
+            wanted = [self._wanted(read) for read in some]
+            outcomes = self._outcomes([(read, record) for read, record in zip(some, wanted) if record])
+            for read, record in zip(some, wanted):
+                if record:
+                    self._settled(read, record, outcomes)
+                yield
+
+    def _wanted(self, read: Read) -> Made | None:
+        """How the result is to come about; None where it is there, or can't be."""
+        if isinstance(read.outcome, ApartgenError):
+            self.tally.failed(read, read.outcome)
+            return None
+        used = read.outcome.made.seed if self.seed is None else self.seed
+        wanted = made(used, self.config, read.outcome, data=self.stage.data(self.config))
+        found = self.results.found(read.name, self.stage.word, wanted, read.artifact.body.prompt)
+        if found is None:
+            return wanted
+        self._tallied(read, found.body)
+        return None
+
+    def _outcomes(self, work: list[tuple[Read, Made]]) -> Iterator[Outcome]:
+        homes = [(read.label, self.stage.taken(read.artifact).body if self.stage.rather else read.artifact.body)
+                 for read, _ in work]
+        lanes = [lane(record.seed, self.stage.word, home) for (_, record), (_, home) in zip(work, homes)]
+        return _told(self.stage, homes, self.config, lanes, self.tally.many)
+
+    def _settled(self, read: Read, record: Made, outcomes: Iterator[Outcome]) -> None:
+        began, outcome = perf_counter(), next(outcomes)
         if isinstance(outcome, ApartgenError):
-            errors.append(about(name, outcome, len(names)))
-            continue
-        written(outcome, made(used, config, read, perf_counter() - began, stage.data(config)), places[name])
-        if short := stage.missed(outcome, config):
-            errors.append(about(name, short, len(names)))
-        began = perf_counter()
-    return settled(errors, len(names))
+            self.tally.failed(read, outcome)
+            return
+        seconds = round(perf_counter() - began, 2)
+        self.results.put(read.name, outcome, record.model_copy(update={"seconds": seconds}))
+        self._tallied(read, outcome)
+
+    def _tallied(self, read: Read, body: Any) -> None:
+        if short := self.stage.missed(body, self.config):
+            self.tally.failed(read, short)
+        else:
+            self.tally.done()
 
 
 def _told(stage: Step, inputs: list[tuple[str, Any]], config: Record, rngs: list[np.random.Generator],
-          ) -> Iterator[Outcome]:
+          many: bool) -> Iterator[Outcome]:
     """What comes of every input; where there are several, what is said about one begins with its name.
 
     A message is about the body that its record bears, as of stages that do all at once, else about the next in turn.
@@ -78,7 +140,7 @@ def _told(stage: Step, inputs: list[tuple[str, Any]], config: Record, rngs: list
             record.msg, record.args = f"{name}: {record.getMessage()}", ()
         return True
 
-    if len(inputs) > 1:
+    if many:
         log.addFilter(named)
     try:
         outcomes = iter(stage.advance([body for _, body in inputs], config, rngs))
@@ -89,11 +151,6 @@ def _told(stage: Step, inputs: list[tuple[str, Any]], config: Record, rngs: list
             yield outcome
     finally:
         log.removeFilter(named)
-
-
-def about(name: str, error: ApartgenError, total: int) -> ApartgenError:
-    """The error with the name of its input, where there are several."""
-    return type(error)(f"{name}: {error}") if total > 1 else error
 
 
 def opened(pairs: Iterable[tuple[str, Kept]], model: type[Record], whole: bool = False, read: Reader = read_sound,
@@ -107,14 +164,6 @@ def opened(pairs: Iterable[tuple[str, Kept]], model: type[Record], whole: bool =
         except ApartgenError as error:
             errors.append(error)
     return work, errors
-
-
-def written(body: Record, made: Made, place: Target) -> None:
-    """Write one result."""
-    text, _ = artifact.finish(body, made)
-    artifact.write(text, place)
-    if str(place) != STREAM:
-        say(f"wrote {Path(place)}")
 
 
 def settled(errors: list[ApartgenError], total: int) -> int:

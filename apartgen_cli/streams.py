@@ -30,6 +30,8 @@ def targets(word: str, names: Sequence[str], out: str | None) -> list[Target]:
     if not is_folder(out):
         if len(names) > 1:
             raise BadInput(f"-o {out}: {len(names)} results need a folder; give -o {out}/")
+        if any(_same_file(name, Path(out)) for name in names):
+            raise BadInput(f"-o {out}: is the input and would be lost; give another file")
         return [Path(out)]
     places = [Path(out) / name for name in _distinct([_renamed(word, name) for name in names], names)]
     taken = {Path(name).resolve() for name in names if name != STREAM}
@@ -69,9 +71,24 @@ def made_folder(out: str) -> Path:
 def _to_stream(names: Sequence[str], out: str | None) -> list[Target]:
     if len(names) > 1:
         raise BadInput(f"{len(names)} inputs need a folder for their results; give -o FOLDER/")
+    not_to_terminal(out)
+    return [STREAM]
+
+
+def not_to_terminal(out: str | None) -> None:
+    """BadInput where nobody said where to write, and JSON would go to a person's screen."""
     if out is None and sys.stdout.isatty():
         raise BadInput("nowhere to write; give -o FILE, or pipe the output on")
-    return [STREAM]
+
+
+def _same_file(name: str, place: Path) -> bool:
+    """Whether an input is the file to be written, be it by a pipe's name."""
+    if name != STREAM:
+        return place.resolve() == Path(name).resolve()
+    try:
+        return place.is_file() and os.path.samestat(os.fstat(sys.stdin.fileno()), place.stat())
+    except (OSError, ValueError, AttributeError):
+        return False
 
 
 def _renamed(word: str, name: str) -> str:

@@ -6,12 +6,9 @@ A later kind can be read wherever an earlier one is asked for, because Plan ⊂ 
 deterministic: keys in the order of the types, numbers to 1e-6, one newline at the end.
 """
 
-import contextlib
 import hashlib
 import json
-import os
 import sys
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +16,7 @@ from typing import Any, Generic, TypeVar
 
 from pydantic import Field, ValidationError
 
-from apartgen.schemas import consistency
+from apartgen.schemas import consistency, files
 from apartgen.schemas.base import Number, Record
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export
@@ -52,6 +49,7 @@ class Made(Record):
     """How an artifact came about. `inputs` has the digest of every artifact it was made from, by kind."""
 
     by: str
+    id: str = Field("", description="what its request was told from others by, where its words are not enough")
     seed: int = Field(ge=0)
     config: dict[str, Any] = Field(default_factory=dict)
     inputs: dict[str, str] = Field(default_factory=dict)
@@ -132,7 +130,8 @@ def finish(body: Body, made: Made) -> tuple[str, Artifact[Body]]:
     Stages are handed what a file would hold, so that running them apart or together gives the same.
     """
     kind = kind_of(body)
-    record = {"apartgen": kind, "version": VERSION, "made": made.model_dump(mode="json", by_alias=True),
+    record = {"apartgen": kind, "version": VERSION,
+              "made": made.model_dump(mode="json", by_alias=True, exclude=set() if made.id else {"id"}),
               "body": body.model_dump(mode="json", by_alias=True)}
     text = _text(_rounded(record)) + "\n"
     try:
@@ -148,9 +147,14 @@ def write(text: str, target: str | Path) -> None:
         sys.stdout.flush()
         return
     try:
-        _replace(text.encode(), Path(target))
+        files.replace(text.encode(), Path(target))
     except OSError as error:
         raise BadInput(f"{target}: cannot be written ({error.strerror or error}); give another path with -o") from None
+
+
+def as_line(text: str) -> str:
+    """An artifact's text on one line."""
+    return json.dumps(json.loads(text), ensure_ascii=False, separators=(",", ":")) + "\n"
 
 
 def json_schema(kind: str) -> dict[str, Any]:
@@ -267,25 +271,3 @@ def _text(value: Any, indent: int = 0) -> str:
     rows = [inner + head + _text(item, indent + 1) for head, item in zip(heads, items)]
     opening, closing = "{}" if keyed else "[]"
     return opening + "\n" + ",\n".join(rows) + "\n" + pad + closing
-
-
-def _replace(data: bytes, target: Path) -> None:
-    target = target.resolve()
-    if target.exists() and not target.is_file():
-        with open(target, "wb") as device:  # a pipe or /dev/null is written to, not replaced
-            device.write(data)
-        return
-    handle, part = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(part, target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~mask)
-        os.replace(part, target)
-    except BaseException:
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(part)
-        raise

@@ -149,7 +149,11 @@ REFUSALS = {
     "endless prompt": (["plan", "room " * 9000], "characters"),
     "missing file": (["metrics", "nowhere.json"], "nowhere.json"),
     "several results, no folder": (["plan", "studio", "loft", "-o", "a.json"], "give -o a.json/"),
-    "several results, a pipe": (["plan", "studio", "loft"], "give -o FOLDER/"),
+    "a file where a sentence is expected": (["plan", "plan.json"], "--prompts"),
+    "an artifact where a sentence is expected": (["plan", '{"apartgen": "plan"}'], "JSON where a sentence"),
+    "sentences and a list of them": (["plan", "studio", "--prompts", "p.txt"], "give one of them"),
+    "the input as output": (["metrics", "PLAN", "-o", "plan.json"], "would be lost"),
+    "compressed output": (["plan", "studio", "-o", "a.jsonl.gz"], "not compressed"),
     "unknown kind": (["schema", "palace"], "walkable"),
     "unknown metric": (["metrics", "PLAN", "--metric", "beauty"], "beauty"),
     "unknown format": (["export", "PLAN", "--format", "papyrus", "-o", "x/"], "papyrus"),
@@ -275,7 +279,8 @@ def test_variants_are_different_plans(cli, tmp_path):
     assert cli("plan", "one-bedroom flat", "--variants", 3, "-o", f"{tmp_path}/").code == 0
     bodies = [json.loads((tmp_path / f"plan-{k}.json").read_text())["body"]["rooms"] for k in (1, 2, 3)]
     assert all(a != b for i, a in enumerate(bodies) for b in bodies[:i])
-    assert "folder" in refused(cli("plan", "studio", "--variants", 2))
+    lines = cli("plan", "one-bedroom flat", "--variants", 3).out.splitlines()
+    assert [json.loads(line)["body"]["rooms"] for line in lines] == bodies
 
 
 def test_a_failed_run_leaves_the_old_result(cli, plan, tmp_path):

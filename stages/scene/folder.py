@@ -2,7 +2,6 @@
 
 import os
 import shutil
-import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -31,8 +30,8 @@ def replaced(out: Path) -> Iterator[Path]:
 @contextmanager
 def _beside(out: Path) -> Iterator[Path]:
     out.parent.mkdir(parents=True, exist_ok=True)
-    # Its name is known before it is there, so that an interrupt at any moment leaves nothing.
-    work = Path(tempfile.mktemp(prefix=f".{out.name}.", dir=out.parent))
+    work = out.with_name(f".{out.name}.part")
+    _clear(work, out)
     try:
         work.mkdir(mode=0o700)
         fresh, old = work / "new", work / "old"
@@ -54,6 +53,13 @@ def listed(paths: Iterable[tuple[str, str]], by: str) -> str:
     """The text of `CONTENTS` for files (path, digest)."""
     lines = [f"{digest}  {path}\n" for path, digest in sorted(paths)]
     return f"# written by apartgen {by}, which replaces this folder\n" + "".join(lines)
+
+
+def _clear(work: Path, out: Path) -> None:
+    """Take away what a killed run left; the earlier export that it was about to replace gets its place back."""
+    if (work / "old").exists() and not out.exists():
+        os.rename(work / "old", out)
+    shutil.rmtree(work, ignore_errors=True)
 
 
 def _check(out: Path) -> None:
