@@ -21,15 +21,13 @@ def wedged(bodies: Sequence[Body]) -> dict[str, list[str]]:
     Colliders are taken as upright prisms over their shadows, which is exact for boxes and cylinders that stand.
     """
     solid = [body for body in bodies if any(link.colliders for link in body.links)]
-    bounds = [_bounds(body) for body in solid]
+    lo, hi = np.array([_bounds(body) for body in solid]).reshape(-1, 2, 3).transpose(1, 0, 2)
     shapes: dict[str, Shapes] = {}
     found: dict[str, list[str]] = {}
-    for body, (lo, hi) in zip(solid, bounds, strict=True):
-        if not body.free:
-            continue
-        for other, (low, high) in zip(solid, bounds, strict=True):
-            near = body is not other and bool((lo < high).all() and (low < hi).all())
-            if near and overlap(_of(body, shapes), _of(other, shapes)):
+    for k, body in enumerate(solid):
+        near = np.flatnonzero((lo[k] < hi).all(1) & (lo < hi[k]).all(1)) if body.free else ()
+        for other in (solid[int(j)] for j in near if j != k):
+            if overlap(_of(body, shapes), _of(other, shapes)):
                 found.setdefault(body.name, []).append(other.name)
     return found
 

@@ -20,7 +20,7 @@ from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.robot.wedged import wedged
 from apartgen.stages.scene import shell
 from apartgen.stages.space import polygons
-from apartgen.stages.things import placed
+from apartgen.stages.things import placed, small
 from apartgen.stages.things.asset import Asset, Link
 from apartgen.stages.things.body import Body, Light
 from apartgen.stages.things.carrying import told
@@ -87,7 +87,9 @@ class Scene:
 
 def _is_free(o: Furnishing) -> bool:
     """Whether it may be pushed about: it is light, and stands; a television on a wall does not."""
-    return o.category in TABLE and TABLE[o.category].loose and o.on not in (WALL, CEILING)
+    light = small.TABLE[o.category].fixed is False if o.category in small.TABLE else (
+        o.category in TABLE and TABLE[o.category].loose)
+    return light and o.on not in (WALL, CEILING)
 
 
 def _links(links: list[Link], category: str) -> list[Link]:
@@ -107,7 +109,7 @@ def _furnishings(home: Plan) -> list[Furnishing]:
     if isinstance(home, Layout) and home.objects:
         raise BadInput(
             "this layout has boxes but no assets, which this format needs; "
-            "run `apartgen retrieve` on it first, or export svg or png"
+            "run `apartgen retrieve` on it first, or export svg, png, dxf or ifc"
         )
     return []
 

@@ -41,6 +41,13 @@ class Small:
     wide: bool = False
 
     @property
+    def round(self) -> bool:
+        """Whether it is as deep as wide and looks alike from all sides."""
+        return self.min[0] == self.min[1] and self.max[0] == self.max[1] and all(
+            shape in ("turn", "pot") and len(numbers) < 3
+            for parts in self.styles.values() for shape, _, *numbers in parts)
+
+    @property
     def called(self) -> str:
         """Its name in sentences."""
         return self.name.replace("_", " ")

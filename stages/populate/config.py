@@ -1,0 +1,13 @@
+"""How much is put into a home."""
+
+from pydantic import Field
+
+from apartgen.schemas.base import Record
+
+
+class PopulateConfig(Record):
+    """Settings of the stage."""
+
+    density: float = Field(1.0, ge=0.0, le=4.0, description="how much there is of everything, 1 as people have it")
+    walls: bool = Field(True, description="pictures, clocks, hooks, switches and sockets on walls")
+    grasps: bool = Field(True, description="how a parallel gripper takes hold of each thing")

@@ -1,0 +1,238 @@
+"""What hangs on walls: pictures, clocks, hooks, switches beside doors, sockets."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.schemas.plan import Plan, Room
+from apartgen.schemas.retrieve import Furnishing, Retrieve
+from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.things import small
+from apartgen.stages.things.small import Design
+
+Array = NDArray[np.float64]
+
+NEAR = 0.12
+"""What is closer to a wall than this covers it, m."""
+PICTURES = {"living_room": (2, 4), "bedroom": (1, 3), "hallway": (1, 2), "study": (1, 2), "dining_room": (1, 2),
+            "kitchen": (0, 1), "bathroom": (0, 1)}
+"""How many hang in a room at least and at most."""
+EYE = 1.5
+"""Height of a picture's middle, m."""
+OVER = 0.18
+"""Between a piece of furniture and the picture above it, m."""
+SWITCH, SOCKET, COUNTER = 1.05, 0.30, 1.12
+"""Heights of switches, of sockets, and of sockets above worktops, m."""
+ASIDE = 0.15
+"""From the edge of a door to its switch, m."""
+_WALLED = ("living_room", "bedroom", "hallway", "study", "dining_room", "kitchen", "bathroom", "utility", "storage",
+           "closet")
+_UNDER = ("sofa", "corner_sofa", "double_bed", "single_bed", "sideboard", "console_table", "desk", "chest")
+"""Furniture that pictures are hung over."""
+_POWERED = ("tv_stand", "desk", "nightstand", "sofa", "console_table")
+"""Furniture that sockets are beside."""
+
+
+class Hung(NamedTuple):
+    """A thing on a wall: where its middle is, and its yaw."""
+
+    design: Design
+    center: tuple[float, float, float]
+    yaw: float
+
+
+class Face(NamedTuple):
+    """One wall of a room: its start, its direction, its normal into the room, its length, and what covers it:
+    rows (n, 4) of first, last, lowest and highest.
+    """
+
+    start: Array
+    along: Array
+    normal: Array
+    length: float
+    covered: list[tuple[float, float, float, float]]
+
+    def free(self, s: float, width: float, low: float, high: float, margin: float = 0.05) -> bool:
+        """Whether a rectangle of the wall is clear."""
+        first, last = s - width / 2 - margin, s + width / 2 + margin
+        if first < 0 or last > self.length:
+            return False
+        return not any(a < last and b > first and z0 < high + margin and z1 > low - margin
+                       for a, b, z0, z1 in self.covered)
+
+    def hang(self, design: Design, s: float, z: float) -> Hung:
+        """A thing with its middle at `s` along and at height `z`, which covers the wall from now on."""
+        d, w, h = design.size
+        self.covered.append((s - w / 2, s + w / 2, z - h / 2, z + h / 2))
+        x, y = self.start + s * self.along + (d / 2 + 0.0005) * self.normal
+        return Hung(design, (float(x), float(y), z), float(np.arctan2(self.normal[1], self.normal[0])))
+
+
+def hung(
+    home: Retrieve, room: Room, models: dict[str, list[Design]], density: float, rng: np.random.Generator
+) -> list[Hung]:
+    """All that hangs in a room; fittings first, since pictures find room elsewhere."""
+    if room.base not in _WALLED:
+        return []
+    here = [o for o in home.objects if o.room == room.id]
+    faces = _faces(home, room, here)
+    found = [*_switches(home, room, faces, models["light_switch"]), *_sockets(room, faces, here, models["socket"], rng)]
+    if room.base in ("kitchen", "living_room") and rng.random() < 0.6 * density:
+        found += _anywhere(faces, models["wall_clock"][0], 1.95, rng)
+    if room.base == "hallway" and not any(o.category == "coat_rack" for o in here):
+        found += _anywhere(faces, models["coat_hooks"][0], 1.65, rng)
+    if room.base == "bathroom" and rng.random() < 0.5 * density:
+        found += _anywhere(faces, models["coat_hooks"][0], 1.6, rng)
+    low, high = PICTURES.get(room.base, (0, 0))
+    count = int(density * rng.integers(low, high + 1) + 0.5)
+    return [*found, *_pictures(faces, here, models["picture"], count, rng)]
+
+
+def _faces(home: Retrieve, room: Room, here: Sequence[Furnishing]) -> list[Face]:
+    corners = np.asarray(room.polygon, float)
+    faces = []
+    for a, b in zip(corners, np.roll(corners, -1, axis=0)):
+        length = float(np.hypot(*(b - a)))
+        along = (b - a) / length
+        normal = np.array([-along[1], along[0]])
+        face = Face(a, along, normal, length, [])
+        face.covered.extend(_covered(face, home, room, here))
+        faces.append(face)
+    return faces
+
+
+def _covered(
+    face: Face, home: Plan, room: Room, here: Sequence[Furnishing]
+) -> Iterator[tuple[float, float, float, float]]:
+    for opening in home.openings:
+        if room.id in opening.rooms:
+            s, off = _seen(face, np.asarray(opening.segment, float))
+            if np.abs(off).max() < 0.45:
+                yield s.min() - 0.08, s.max() + 0.08, opening.sill, opening.head + 0.08
+            swing = polygons.swing(opening, home)
+            if not swing.is_empty:
+                yield from _strip(face, np.asarray(swing.exterior.coords), 0.0, opening.head)
+    for o in here:
+        low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
+        yield from _strip(face, boxes.corners(boxes.of([o]))[0], low, high)
+        c, s = np.cos(o.yaw), np.sin(o.yaw)
+        for joint in o.joints:
+            (x0, y0, z0), (x1, y1, z1) = sweeps.swept(joint)
+            local = np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
+            points = local @ np.array([[c, s], [-s, c]]) + o.center[:2]
+            yield from _strip(face, points, z0 + o.center[2], z1 + o.center[2])
+
+
+def _seen(face: Face, points: Array) -> tuple[Array, Array]:
+    """Points (n, 2) along a wall, and how far before it, m."""
+    return (points - face.start) @ face.along, (points - face.start) @ face.normal
+
+
+def _strip(face: Face, points: Array, low: float, high: float) -> Iterator[tuple[float, float, float, float]]:
+    s, off = _seen(face, points)
+    if off.min() < NEAR and off.max() > -0.05 and s.max() > 0 and s.min() < face.length:
+        yield float(s.min()), float(s.max()), low, high
+
+
+def _switches(home: Plan, room: Room, faces: Sequence[Face], models: Sequence[Design]) -> Iterator[Hung]:
+    """One beside every door into the room, on the side of its handle where there is room."""
+    own = [o for o in home.openings if o.kind in ("door", "entrance") and room.id in (o.into, *o.rooms[:1])]
+    own = own or [o for o in home.openings if o.kind in polygons.PASSAGES and room.id in o.rooms]
+    for opening in own[:2]:
+        ends = np.asarray(opening.segment, float)
+        for end, other in ((ends[1], ends[0]), (ends[0], ends[1]))[:: -1 if opening.hinge else 1]:
+            out = (end - other) / max(float(np.hypot(*(end - other))), 1e-9)
+            if found := _at(faces, end + (ASIDE + 0.04) * out, models[0], SWITCH):
+                yield found
+                break
+
+
+def _at(faces: Sequence[Face], point: Array, design: Design, z: float) -> Hung | None:
+    """A thing on the wall that a point is at, if it is free there."""
+    for face in faces:
+        s, off = _seen(face, point[None])
+        clear = face.free(float(s[0]), design.size[1], z - design.size[2] / 2, z + design.size[2] / 2, 0.01)
+        if abs(off[0]) < 0.3 and clear:
+            return face.hang(design, float(s[0]), z)
+    return None
+
+
+def _sockets(
+    room: Room, faces: Sequence[Face], here: Sequence[Furnishing], models: Sequence[Design], rng: np.random.Generator
+) -> Iterator[Hung]:
+    design = models[0]
+    if room.base in ("kitchen", "bathroom"):
+        yield from _anywhere(faces, design, COUNTER, rng)
+        if room.base == "kitchen":
+            yield from _anywhere(faces, design, COUNTER, rng)
+        return
+    wanted = [o for o in here if o.category in _POWERED][:2]
+    for o in wanted:
+        beside = np.array([[-o.size[0] / 2, side * (o.size[1] / 2 + 0.1)] for side in (1, -1)])
+        c, s = np.cos(o.yaw), np.sin(o.yaw)
+        for point in beside @ np.array([[c, s], [-s, c]]) + o.center[:2]:
+            if found := _at(faces, point, design, SOCKET):
+                yield found
+                break
+    if not wanted:
+        yield from _anywhere(faces, design, SOCKET, rng)
+
+
+def _anywhere(faces: Sequence[Face], design: Design, z: float, rng: np.random.Generator) -> Iterator[Hung]:
+    """A thing at some free place of that height, the longer walls the likelier."""
+    _, w, h = design.size
+    for k in rng.permutation(len(faces)):
+        face = faces[int(k)]
+        for s in rng.permutation(np.arange(w / 2 + 0.1, face.length - w / 2 - 0.1, 0.15)):
+            if face.free(float(s), w, z - h / 2, z + h / 2, 0.08):
+                yield face.hang(design, float(s), z)
+                return
+
+
+def _pictures(
+    faces: Sequence[Face], here: Sequence[Furnishing], models: Sequence[Design], count: int, rng: np.random.Generator
+) -> Iterator[Hung]:
+    """Over furniture that has a wall behind it, then in the middle of what is bare."""
+    places = [*_over(faces, here), *_bare(faces)]
+    for face, s, low in places:
+        if count <= 0:
+            return
+        for k in rng.permutation(len(models)):
+            design = models[int(k)]
+            _, w, h = design.size
+            z = max(EYE, low + OVER + h / 2)
+            if z + h / 2 < 2.25 and face.free(s, w, z - h / 2, z + h / 2, 0.12):
+                yield face.hang(design, s, z)
+                count -= 1
+                break
+
+
+def _over(faces: Sequence[Face], here: Sequence[Furnishing]) -> Iterator[tuple[Face, float, float]]:
+    for o in sorted(here, key=lambda o: (_UNDER.index(o.category) if o.category in _UNDER else 99, o.id)):
+        top = o.center[2] + o.size[2] / 2
+        if o.category in _UNDER and top < 1.3:
+            back = np.array([np.cos(o.yaw), np.sin(o.yaw)]) * -o.size[0] / 2 + o.center[:2]
+            for face in faces:
+                s, off = _seen(face, back[None])
+                if abs(off[0]) < 0.25 and 0 < s[0] < face.length:
+                    yield face, float(s[0]), top
+
+
+def _bare(faces: Sequence[Face]) -> Iterator[tuple[Face, float, float]]:
+    """Middles of the longest stretches that nothing covers at eye height, the longest first."""
+    found = []
+    for face in faces:
+        cuts = sorted((a, b) for a, b, z0, z1 in face.covered if z0 < EYE + 0.2 and z1 > EYE - 0.2)
+        at = 0.0
+        for a, b in [*cuts, (face.length, face.length)]:
+            if a - at > 0.6:
+                found.append((a - at, face, (a + at) / 2))
+            at = max(at, b)
+    for _, face, s in sorted(found, key=lambda row: -row[0]):
+        yield face, s, 0.0
+
+
+KINDS = tuple(name for name, kind in small.TABLE.items() if kind.fixed)
+"""What hangs."""

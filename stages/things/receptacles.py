@@ -1,0 +1,242 @@
+"""Where things can be put on and in a piece of furniture: its tops, its shelf boards, its drawers.
+
+Read off the collision pieces of an asset, so that it holds for made and for foreign furniture alike: every level face
+with room above it is cut into rectangles, and what stands above a rectangle says how high things on it may be.
+"""
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely.geometry import MultiPoint
+
+from apartgen.stages.things.asset import Array, Asset, Collider, Link
+from apartgen.stages.things.solids import corners
+
+Kind = Literal["top", "shelf", "inside", "drawer"]
+
+LEAST_SIDE = 0.06
+"""Narrower rectangles hold nothing, m."""
+LEAST_ROOM = 0.05
+"""What has less room above it is no place to put things, m."""
+LEVEL = 0.0015
+"""Faces that end no further below the highest are one level with it, m."""
+OPEN = 3.0
+"""Room above what has nothing over it, m."""
+EDGE = 0.008
+"""Things keep this far from the edge of a board, m."""
+SEAM = 0.007
+"""Half the gap between two boards that one thing may bridge, m."""
+_TICKS = 14
+_MANY = 36
+"""More lines than this along a side are thinned out."""
+_MOST = 6
+"""Rectangles that a level is cut into at most."""
+_HIGHEST_TOP = 2.0
+"""Higher tops are out of sight and reach, m."""
+
+
+class Receptacle(NamedTuple):
+    """A rectangle that things can stand on, in the asset's frame: x and y from `lo` to `hi`, at height `z`, with
+    `room` above it, m.
+
+    `part` is the joint of the drawer that it is in, or of the door before it; empty where it is open.
+    """
+
+    name: str
+    kind: Kind
+    lo: tuple[float, float]
+    hi: tuple[float, float]
+    z: float
+    room: float
+    part: str = ""
+
+    @property
+    def open(self) -> bool:
+        """Whether it can be reached with everything shut."""
+        return not self.part
+
+    def polygon(self) -> list[tuple[float, float]]:
+        """Its corners, counter-clockwise."""
+        (x0, y0), (x1, y1) = self.lo, self.hi
+        return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+class _Solids(NamedTuple):
+    """Collision pieces of an asset: least and greatest corners (n, 3), and which link each belongs to (n,)."""
+
+    lo: Array
+    hi: Array
+    link: NDArray[np.int64]
+    pieces: list[Collider]
+
+
+def receptacles(asset: Asset) -> list[Receptacle]:
+    """All that the asset offers, drawers first, then from below to above."""
+    solids = _solids(asset.links)
+    if not len(solids.lo):
+        return []
+    found: list[Receptacle] = []
+    for k, link in enumerate(asset.links):
+        if link.joint is None or (link.joint.type == "slide" and link.joint.axis[0] > 0.9):
+            found += _of_link(asset, k, solids)
+    return [place._replace(name=f"{place.kind}_{i}") for i, place in enumerate(found)]
+
+
+def _solids(links: Sequence[Link]) -> _Solids:
+    pieces = [(piece, k) for k, link in enumerate(links) for piece in link.colliders]
+    points = [corners(piece) for piece, _ in pieces]
+    lo, hi = (np.array([end(p, axis=0) for p in points]).reshape(-1, 3) for end in (np.min, np.max))
+    return _Solids(lo, hi, np.array([k for _, k in pieces], np.int64), [piece for piece, _ in pieces])
+
+
+def _of_link(asset: Asset, k: int, solids: _Solids) -> list[Receptacle]:
+    own = np.flatnonzero(solids.link == k)
+    tops = solids.hi[own, 2]
+    found = []
+    for z in _levels(tops):
+        at = own[(tops <= z) & (tops >= z - LEVEL)]
+        if (solids.hi[at, :2] - solids.lo[at, :2]).prod(1).max() < LEAST_SIDE**2:
+            continue
+        if z > _HIGHEST_TOP - asset.size[2] / 2:
+            continue
+        for lo, hi in _rectangles(at, z, solids):
+            place = _place(asset, k, lo, hi, z, solids)
+            if place.room >= LEAST_ROOM:
+                found.append(place)
+    return found
+
+
+def _levels(tops: Array) -> list[float]:
+    """The highest of every group of tops that are one level, from below."""
+    found: list[float] = []
+    for z in np.unique(tops)[::-1]:
+        if not found or z < found[-1] - LEVEL:
+            found.append(float(z))
+    return found[::-1]
+
+
+def _rectangles(at: NDArray[np.int64], z: float, solids: _Solids) -> list[tuple[Array, Array]]:
+    """Rectangles of the level made of the tops of pieces `at`, clear of all that stands there."""
+    wide = at[(solids.hi[at, :2] - solids.lo[at, :2]).min(1) > 2 * SEAM]
+    faces = [(solids.lo[i, :2] - SEAM, solids.hi[i, :2] + SEAM, _face(solids.pieces[i])) for i in wide]
+    faces = [face for face in faces if face[2] is not False]
+    over = (solids.lo[:, 2] < z + LEAST_ROOM) & (solids.hi[:, 2] > z + 0.002)
+    blocks = [(solids.lo[i, :2], solids.hi[i, :2]) for i in np.flatnonzero(over)]
+    if not faces:
+        return []
+    xs, ys = (_ticks([face[0][a] for face in faces] + [face[1][a] for face in faces]
+                     + [side[a] for block in blocks for side in block],
+                     min(face[0][a] for face in faces), max(face[1][a] for face in faces),
+                     any(face[2] is not None for face in faces)) for a in (0, 1))
+    free = np.zeros((len(xs) - 1, len(ys) - 1), bool)
+    for lo, hi, polygon in faces:
+        free |= _inside(xs, ys, lo, hi) if polygon is None else _within(xs, ys, polygon)
+    for lo, hi in blocks:
+        free &= ~_touched(xs, ys, lo, hi)
+    return list(_largest(free, xs, ys))
+
+
+def _face(piece: Collider) -> "shapely.Polygon | None | Literal[False]":
+    """The outline of a piece's top: None where it is the rectangle of its bounds, False where it has none."""
+    points = corners(piece)
+    top = points[points[:, 2] > points[:, 2].max() - 1e-3, :2]
+    if piece.kind == "box" and len(top) == 4:
+        sides = np.ptp(points[:, :2], axis=0)
+        if abs(float(sides.prod()) - _area(top)) < 1e-6:
+            return None
+    return MultiPoint(top).convex_hull if len(top) > 2 and _area(top) > LEAST_SIDE**2 else False
+
+
+def _area(points: Array) -> float:
+    return float(MultiPoint(points).convex_hull.area)
+
+
+def _ticks(values: list[float], least: float, most: float, fine: bool) -> Array:
+    inner = [v for v in values if least < v < most]
+    even = np.linspace(least, most, _TICKS) if fine else []
+    every = np.unique(np.round([least, most, *inner, *even], 5))
+    every = every[np.concatenate([[True], np.diff(every) > 5e-4])]
+    return every if len(every) <= _MANY else np.linspace(least, most, _MANY)
+
+
+def _inside(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
+    """Cells that a face covers wholly."""
+    return (((xs[:-1] > lo[0] - 6e-4) & (xs[1:] < hi[0] + 6e-4))[:, None]
+            & ((ys[:-1] > lo[1] - 6e-4) & (ys[1:] < hi[1] + 6e-4))[None])
+
+
+def _touched(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
+    """Cells that a block reaches into."""
+    return (((xs[1:] > lo[0] + 1e-4) & (xs[:-1] < hi[0] - 1e-4))[:, None]
+            & ((ys[1:] > lo[1] + 1e-4) & (ys[:-1] < hi[1] - 1e-4))[None])
+
+
+def _within(xs: Array, ys: Array, polygon: shapely.Polygon) -> NDArray[np.bool_]:
+    """Cells with all four corners in the polygon."""
+    shapely.prepare(polygon)
+    wide = polygon.buffer(1e-4)
+    at = shapely.contains_xy(wide, *np.meshgrid(xs, ys, indexing="ij"))
+    return np.asarray(at[:-1, :-1] & at[1:, :-1] & at[:-1, 1:] & at[1:, 1:])
+
+
+def _largest(free: NDArray[np.bool_], xs: Array, ys: Array) -> "list[tuple[Array, Array]]":
+    """The largest rectangles of free cells, one after another, without what is too narrow to use."""
+    found: list[tuple[Array, Array]] = []
+    while free.any() and len(found) < _MOST:
+        r0, r1, c0, c1 = _best(free, xs, ys)
+        free[r0:r1, c0:c1] = False
+        lo, hi = np.array([xs[r0], ys[c0]]) + EDGE, np.array([xs[r1], ys[c1]]) - EDGE
+        if (hi - lo).min() < LEAST_SIDE:
+            break
+        found.append((lo, hi))
+    return found
+
+
+def _best(free: NDArray[np.bool_], xs: Array, ys: Array) -> tuple[int, int, int, int]:
+    """The largest rectangle of free cells: rows and columns, half open."""
+    best, found = -1.0, (0, 1, 0, 1)
+    for r0 in range(len(free)):
+        run = np.ones(free.shape[1], bool)
+        for r1 in range(r0 + 1, len(free) + 1):
+            run = run & free[r1 - 1]
+            if not run.any():
+                break
+            edge = np.diff(np.concatenate([[0], run.astype(np.int8), [0]]))
+            starts, ends = np.flatnonzero(edge == 1), np.flatnonzero(edge == -1)
+            wide = ys[ends] - ys[starts]
+            c = int(wide.argmax())
+            area = float(wide[c] * (xs[r1] - xs[r0]))
+            if area > best:
+                best, found = area, (r0, r1, int(starts[c]), int(ends[c]))
+    return found
+
+
+def _place(asset: Asset, k: int, lo: Array, hi: Array, z: float, solids: _Solids) -> Receptacle:
+    joint = asset.links[k].joint
+    far = hi.copy()
+    if joint is not None:
+        far[0] += joint.range[1]
+    above = (solids.lo[:, 2] >= z + 0.01) & (solids.lo[:, :2] < far).all(1) & (solids.hi[:, :2] > lo).all(1)
+    if joint is not None:
+        above &= solids.link != k
+    room = float(solids.lo[above, 2].min() - z) if above.any() else OPEN
+    sides = tuple(map(float, lo.round(4))), tuple(map(float, hi.round(4)))
+    if joint is not None:
+        return Receptacle("", "drawer", *sides, z, room, joint.name)
+    door = _door(asset, lo, hi, z, room, solids)
+    kind: Kind = "inside" if door else "shelf" if room < OPEN else "top"
+    return Receptacle("", kind, *sides, z, room, door)
+
+
+def _door(asset: Asset, lo: Array, hi: Array, z: float, room: float, solids: _Solids) -> str:
+    """The joint of the first moving part that stands before a place, empty where none does."""
+    low, high = np.array([lo[1] + 0.03, z + 0.02]), np.array([hi[1] - 0.03, z + min(room, 0.3) - 0.02])
+    before = (solids.link > 0) & (solids.hi[:, 0] > hi[0] - 0.01)
+    before &= (solids.lo[:, 1:] < high).all(1) & (solids.hi[:, 1:] > low).all(1)
+    if not before.any():
+        return ""
+    joint = asset.links[int(solids.link[np.flatnonzero(before)[0]])].joint
+    return joint.name if joint is not None else ""

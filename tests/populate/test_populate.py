@@ -1,0 +1,157 @@
+"""What is put into a home: nothing in another thing, nothing in the air, nothing in the way, furniture as it was."""
+
+import numpy as np
+import pytest
+import shapely
+from inhabited import corners, furnished, library, lived_in, things
+
+from apartgen.schemas import carrying
+from apartgen.schemas.populate import Populate
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages import populate, seeds
+from apartgen.stages.populate import rules
+from apartgen.stages.robot.wedged import wedged
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.space import sweeps
+from apartgen.stages.things import small
+
+SEEDS = range(4)
+
+
+def test_the_table_names_only_what_there_is():
+    assert rules.unknown() == []
+    assert {"kitchen", "living_room", "bedroom", "bathroom", "hallway"} <= set(rules.table())
+    used = {name for lines in rules.table().values() for rule in lines for name in rule.put}
+    assert len(used) >= 60
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_furniture_is_as_it_was(seed):
+    before, after = furnished(), lived_in(seed)
+    assert after.objects[: len(before.objects)] == before.objects
+    assert after.walkable == before.walkable and isinstance(after, Populate) and not isinstance(after, Walkable)
+    assert len({o.id for o in after.objects}) == len(after.objects)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_nothing_stands_in_anything_else(seed):
+    home = lived_in(seed)
+    own = {o.id for o in things(home)}
+    assert not {name: others for name, others in wedged(Scene(home, library().load_asset, False).bodies).items()
+                if name in own}
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_every_thing_rests_on_what_it_says(seed):
+    home = lived_in(seed)
+    by_id = {o.id: o for o in home.objects}
+    for o in things(home):
+        low = o.center[2] - o.size[2] / 2
+        if o.on in carrying.BUILDING:
+            assert small.TABLE[o.category].fixed == (o.on == carrying.WALL)
+            assert o.on == carrying.WALL or low < 2e-3
+            continue
+        below = by_id[o.on]
+        assert below.room == o.room
+        if hasattr(below, "stage"):
+            assert below.in_ == o.in_ and below.category == o.category
+            top = below.center[2] + below.size[2] * (small.TABLE[below.category].pitch - 0.5)
+            assert low == pytest.approx(top, abs=2e-3)
+        else:
+            place = next(p for p in home.receptacles[below.id] if p.name == o.in_.receptacle)
+            assert o.in_.object == below.id
+            assert low == pytest.approx(below.center[2] + place.z, abs=2e-3)
+            assert o.size[2] < place.clearance
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_things_keep_within_the_outline_of_their_place(seed):
+    home = lived_in(seed)
+    by_id = {o.id: o for o in home.objects}
+    for o in things(home):
+        if o.in_ is None:
+            continue
+        owner = by_id[o.in_.object]
+        place = next(p for p in home.receptacles[owner.id] if p.name == o.in_.receptacle)
+        c, s = np.cos(owner.yaw), np.sin(owner.yaw)
+        outline = np.asarray(place.polygon) @ np.array([[c, s], [-s, c]]) + owner.center[:2]
+        seen = o.model_copy(update={"yaw": owner.yaw}) if small.TABLE[o.category].round else o
+        assert shapely.Polygon(outline).buffer(2e-3).contains(shapely.Polygon(corners(seen))), o.id
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_no_door_or_lid_meets_a_thing(seed):
+    home = lived_in(seed)
+    moving = [(o, joint) for o in furnished().objects for joint in o.joints if joint.type == "hinge"]
+    for thing in things(home):
+        inside = thing.in_.object if thing.in_ else ""
+        for owner, joint in moving:
+            if owner.room != thing.room or owner.id == inside and joint.part == "hinge_door":
+                continue
+            lo, hi = sweeps.swept(joint)
+            c, s = np.cos(owner.yaw), np.sin(owner.yaw)
+            seen = (corners(thing) - owner.center[:2]) @ np.array([[c, -s], [s, c]])
+            z = thing.center[2] - owner.center[2] + np.array([-0.5, 0.5]) * thing.size[2]
+            apart = (seen.min(0) > hi[:2] - 2e-3).any() or (seen.max(0) < lo[:2] + 2e-3).any()
+            assert apart or z[0] > hi[2] - 2e-3 or z[1] < lo[2] + 2e-3, (thing.id, owner.id, joint.name)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_what_hangs_is_on_a_wall_that_is_free_there(seed):
+    home = lived_in(seed)
+    rooms = {room.id: shapely.Polygon(room.polygon) for room in home.rooms}
+    hung = [o for o in things(home) if o.on == carrying.WALL]
+    assert {"light_switch", "socket", "picture"} <= {o.category for o in hung}
+    for o in hung:
+        outline = shapely.Polygon(corners(o))
+        assert rooms[o.room].buffer(1e-4).contains(outline)
+        back = corners(o)[[0, 3]]
+        assert max(rooms[o.room].exterior.distance(shapely.Point(point)) for point in back) < 2e-3
+        low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
+        for opening in (p for p in home.openings if o.room in p.rooms):
+            beside = shapely.LineString(opening.segment).buffer(0.4, cap_style="flat").distance(outline) > 0.03
+            assert beside or low > opening.head or high < opening.sill, (o.id, opening.id)
+        for other in (p for p in home.objects if p is not o and p.room == o.room):
+            over = low < other.center[2] + other.size[2] / 2 and high > other.center[2] - other.size[2] / 2
+            assert not over or shapely.Polygon(corners(other)).intersection(outline).area < 1e-6, (o.id, other.id)
+
+
+def test_the_same_seed_gives_the_same_and_another_another():
+    home = furnished()
+    lane = seeds.drawn(2, "populate", seeds.plan_digest(home))
+    assert populate.run(home, populate.PopulateConfig(), lane, library()) == lived_in(2)
+    assert things(lived_in(1)) != things(lived_in(2))
+
+
+def test_a_room_draws_from_a_lane_of_its_own():
+    home = furnished()
+    bare = home.model_copy(update={"objects": [o for o in home.objects if o.room != "kitchen_1"]})
+    lane = seeds.drawn(0, "populate", seeds.plan_digest(home))
+    without = things(populate.run(bare, populate.PopulateConfig(), lane, library()))
+    assert [o for o in things(lived_in(0)) if o.room != "kitchen_1"] == [o for o in without if o.room != "kitchen_1"]
+
+
+def test_density_says_how_much_there_is():
+    counts = [len(things(lived_in(0, density))) for density in (0.0, 0.5, 1.0, 2.0)]
+    assert counts == sorted(counts) and counts[3] > 1.3 * counts[2] > 1.6 * counts[1]
+    empty = lived_in(0, 0.0, False)
+    assert not things(empty)
+
+
+def test_a_retrieve_artifact_will_do():
+    from apartgen.schemas.retrieve import Retrieve
+
+    home = furnished()
+    plain = Retrieve(**{name: getattr(home, name) for name in Retrieve.model_fields})
+    lane = seeds.drawn(0, "populate", seeds.plan_digest(home))
+    made = populate.run(plain, populate.PopulateConfig(), lane, library())
+    assert made.walkable is None and things(made) == things(lived_in(0))
+
+
+def test_most_things_are_of_a_hands_size_and_free():
+    home = lived_in(0)
+    free = {body.id for body in Scene(home, library().load_asset, False).bodies if body.free}
+    hand = [o for o in things(home) if max(o.size) <= 0.4
+            and library().load_asset(o.asset.library, o.asset.id).links[0].mass <= 5]
+    assert len(hand) > 0.8 * len(things(home))
+    assert sum(o.id in free for o in hand) >= 0.9 * len(hand)
