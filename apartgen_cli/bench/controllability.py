@@ -1,10 +1,13 @@
-"""Table 2: how well plans follow prompts with a known room graph, read by the embedded reader."""
+"""Table 2: how well plans follow prompts with a known room graph; in a checkout, where the sentences are."""
 
+import importlib.util
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from apartgen.schemas.errors import BadInput
 from apartgen_cli.bench import _scenes
 
 PAPER = [{"S_node": 0.989, "S_constraint": 0.923, "S_edge": 0.954}]
@@ -20,14 +23,31 @@ SETTINGS = ["tune", "held"]
 SCENES, CHUNK = 600, 10
 DRAWN = ["S_node", "S_constraint", "S_constraint, stated", "S_edge"]
 FIGURES = [*DRAWN, "built"]
+SENTENCES = Path(__file__).parents[2] / "tests" / "sentences" / "__init__.py"
+
+
+def sentences() -> ModuleType:
+    """The sentences and their programmes, which are kept with the tests; BadInput in what is installed without them."""
+    spec = importlib.util.spec_from_file_location("sentences", SENTENCES)
+    if not SENTENCES.exists() or spec is None or spec.loader is None:
+        raise BadInput("controllability: its sentences are part of the repository, not of the package; "
+                       "run it in a checkout, installed with pip install -e .")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def settings() -> list[str]:
+    """The halves, where there are any."""
+    sentences()
+    return SETTINGS
 
 
 def trial(setting: str, seed: int, scenes: int, work: Path) -> list[dict[str, Any]]:
     """`scenes` prompts of a half from the first on, as far as it has them; a prompt without a plan scores 0."""
-    from apartgen.stages.plan.prompts import cases
     from apartgen_cli.bench._runner import SEEDS
 
-    chosen = cases(setting)
+    chosen = sentences().cases(setting)
     start = seed % SEEDS
     return [_scored(case) for case in chosen[start : start + scenes]]
 
@@ -74,6 +94,8 @@ def draw(rows: list[dict[str, Any]], axes: Any) -> None:
     for k, (name, colour) in enumerate(zip(DRAWN, _scenes.COLOURS)):
         shift = (k - (len(DRAWN) - 1) / 2) * width
         there = [(i, row[name]) for i, row in enumerate(rows) if name in row]
+        if not there:
+            continue
         value, low, high = np.array([found for _, found in there]).T
         at, least = np.array([i for i, _ in there]) + shift, min(least, *low)
         axes.errorbar(at, value, [value - low, high - value], fmt="o", capsize=3, color=colour, label=name)

@@ -83,7 +83,7 @@ def test_a_thousand_faults_in_fifty_homes(tmp_path, capsys, monkeypatch):
     """Twenty kinds and more in each of fifty flats, made from as many sentences."""
     import commandline
 
-    rows = [json.loads(line) for line in (ROOT / "stages/plan/prompts.jsonl").read_text().splitlines()]
+    rows = [json.loads(line) for line in (ROOT / "tests/sentences/sentences.jsonl").read_text().splitlines()]
     prompts = [row["prompt"] for row in rows if not row["prompt"].startswith("-")][::10]
     places = [f"{tmp_path}/{word}/" for word in ("plan", "layout", "retrieve", "walkable")]
     assert commandline.run(capsys, monkeypatch, "-q", "plan", *prompts, "--seed", 3, "-o", places[0]).code == 0

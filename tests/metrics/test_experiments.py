@@ -4,9 +4,10 @@ import re
 
 import pytest
 from matplotlib.figure import Figure
+from sentences import cases
 
-from apartgen.stages.plan.prompts import cases
-from apartgen_cli.bench import articulation, controllability
+from apartgen.schemas.errors import BadInput
+from apartgen_cli.bench import _runner, articulation, controllability
 from apartgen_cli.bench._compared import REAL
 
 
@@ -38,3 +39,15 @@ def test_rooms_as_the_furnisher_has_them_are_measured_like_the_others(setting, t
     first, second = articulation.trial(setting, 8, 2, tmp_path), articulation.trial(setting, 8, 2, tmp_path)
     assert first == second and len(first) == 2
     assert all({"Col_obj/ours", "R_out/ours", "R_reach/standing"} <= set(record) for record in first)
+
+
+def test_what_is_installed_without_its_sentences_says_so(monkeypatch, tmp_path):
+    monkeypatch.setattr(controllability, "SENTENCES", tmp_path / "sentences" / "__init__.py")
+    with pytest.raises(BadInput, match="in a checkout"):
+        _runner.jobs(controllability, 10, 0)
+
+
+def test_a_figure_of_few_prompts_leaves_out_what_none_of_them_gives():
+    axes = Figure().subplots()
+    controllability.draw([{"setting": "held", "S_node": [1.0, 0.9, 1.0]}], axes)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["S_node"]

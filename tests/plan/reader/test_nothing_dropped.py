@@ -5,9 +5,9 @@ import logging
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sentences import cases
 
 from apartgen.schemas.errors import BadInput, Unmet
-from apartgen.stages.plan.prompts import cases
 from apartgen.stages.plan.reader import read
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.lexemes import lexemes

@@ -1,5 +1,6 @@
 """What the embedded reader makes of sentences, case by case and as a whole."""
 
+import os
 import subprocess
 import sys
 import time
@@ -7,10 +8,10 @@ import time
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sentences import Case, cases
 
 from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.schemas.plan import AskedRoom, Program
-from apartgen.stages.plan.prompts import Case, cases
 from apartgen.stages.plan.reader import complete_program, read
 from apartgen.stages.space.graphs import constraint_satisfaction, edge_similarity, node_similarity, of_program
 
@@ -429,12 +430,13 @@ def test_reading_takes_less_than_fifty_milliseconds() -> None:
 
 def test_the_same_bytes_whatever_the_hash_seed() -> None:
     code = (
-        "from apartgen.stages.plan.reader import read; from apartgen.stages.plan.prompts import cases;"
+        "from apartgen.stages.plan.reader import read; from sentences import cases;"
         "print([read(c.prompt).model_dump_json() for c in cases('tune')[::4]])"
     )
     runs = [
         subprocess.run(
-            [sys.executable, "-c", code], env={"PYTHONHASHSEED": seed, "PYTHONPATH": "."}, capture_output=True
+            [sys.executable, "-c", code], capture_output=True,
+            env={"PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(("tests", "."))},
         )
         for seed in ("0", "1", "77")
     ]

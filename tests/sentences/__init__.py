@@ -1,6 +1,6 @@
 """The controllability benchmark: prompts with the programme an architect would write for them.
 
-`prompts.jsonl` is written by hand: 240 prompts in two halves before the reader was tuned, of which the `held` half is
+`sentences.jsonl` is written by hand: 240 prompts in two halves before the reader was tuned, of which the `held` half is
 for measuring only, and more that joined the `tune` half as the reader grew. What a prompt leaves open follows these
 rules:
 
@@ -49,7 +49,7 @@ class Case:
 
 def cases(half: str | None = None) -> list[Case]:
     """The benchmark, or its `tune` or `held` half."""
-    lines = (Path(__file__).parent / "prompts.jsonl").read_text(encoding="utf-8").splitlines()
+    lines = (Path(__file__).parent / "sentences.jsonl").read_text(encoding="utf-8").splitlines()
     rows = [json.loads(line) for line in lines]
     return [_case(row) for row in rows if half in (None, row["half"])]
 
