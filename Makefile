@@ -10,7 +10,7 @@ READY := .venv/.ready
 CONSUMERS := build/consumers
 TYPED := build/typed
 
-.PHONY: demo test acceptance consumers mutants lint types check docs lock clean
+.PHONY: demo test acceptance consumers mutants weights lint types check docs lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -31,6 +31,12 @@ consumers: $(CONSUMERS)/.ready
 # Hours: small faults in every stage, each tried against the tests that run it; goes on where it stopped.
 mutants: $(READY)
 	PYTHONPATH=tests nice $(BIN)/python -m mutants
+
+# An hour and a half of one core: the corpus and the weights of the layout model, as they are shipped.
+weights: $(READY)
+	$(BIN)/python docs/experiments/training/plans.py build/plans
+	$(BIN)/apartgen train corpus single_rooms furnisher=build/plans/ --rooms 3000 --times 2 -o build/corpus.npz
+	$(BIN)/apartgen train layout --corpus build/corpus.npz --steps 11000
 
 lint: $(READY)
 	$(BIN)/ruff check .

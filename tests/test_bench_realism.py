@@ -156,3 +156,29 @@ def test_a_trial_tells_of_every_furnished_room(tmp_path: Path, monkeypatch: pyte
     assert found[0]["whole"]["categories"] == ["sofa", "rug"] and found[0]["common"]["categories"] == ["sofa"]
     assert found[1]["faults"]["use"] == 0 and found[1]["lacks"]["number"] > 0
     assert json.loads(json.dumps(found)) == found
+
+
+def test_kinds_that_descriptions_do_not_tell_apart_are_one_and_rare_ones_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert len({_compared.coarse(name) for name in ("sideboard", "bookshelf", "display_cabinet")}) == 1
+    assert _compared.coarse("sofa") == _compared.coarse("corner_sofa") == "sofa" and _compared.coarse("tv") == "tv"
+    often = [handmade.home(handmade.thing("corner_sofa", 2, 1), handmade.thing("sideboard", 1, 2)) for _ in range(99)]
+    rooms = [*often, handmade.home(handmade.thing("rug", 2, 1))]
+    monkeypatch.setattr(_compared, "_read", lambda name, folder: rooms)
+    _compared.kinds.cache_clear()
+    found = _compared.kinds("ssr=once")
+    _compared.kinds.cache_clear()
+    assert found == {_compared.coarse("sofa"), _compared.coarse("sideboard")}, "one rug in a hundred rooms is no kind"
+
+
+def test_bare_floors_are_seen_without_their_things(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[list[str]] = []
+
+    def seen(rooms: Any, _: Any = None) -> list[dict[str, Any]]:
+        shown.append([o.category for _, things in rooms for o in things])
+        return [{"categories": []} for _ in rooms]
+
+    monkeypatch.setattr(_compared, "seen", seen)
+    monkeypatch.setattr(_compared, "kinds", lambda real: frozenset({"sofa"}))
+    (room,) = _lived_in.records(handmade.home(handmade.thing("corner_sofa", 2, 1), handmade.thing("rug", 2, 2)),
+                                "ssr=x", {})
+    assert shown == [["corner_sofa", "rug"], ["sofa"], []] and {"whole", "common", "bare"} <= set(room)
