@@ -18,6 +18,8 @@ HEAVY = {
     "torch": ("stages/layout/", "stages/retrieve/shape/", "stages/metrics/_networks"),
     "litellm": ("stages/plan/llm/",),
     "pxr": ("stages/export/usd", "stages/export/_usd"),
+    "ezdxf": ("stages/export/dxf", "stages/plan/imports/dxf"),
+    "ifcopenshell": ("stages/export/ifc", "stages/plan/imports/ifc"),
     "mujoco": ("stages/export/mjcf", "stages/export/_mjcf", "stages/embodied/", "stages/metrics/_physics"),
 }
 """Where a heavy package may be imported at all, at the top or inside a function."""

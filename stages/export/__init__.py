@@ -15,6 +15,8 @@ from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 from apartgen.stages.scene.scene import LoadAsset, Scene
 
 PACKAGE = "apartgen.stages.export"
+BARE = ("svg", "png", "dxf", "ifc")
+"""Formats that show boxes, not assets."""
 
 
 def formats() -> dict[str, str]:
@@ -38,7 +40,7 @@ def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset) -> Exp
             for name, writer in writers.items()
             for path in writer.write(scene, folder)
         ]
-        credits = scene.credits if any(name not in ("svg", "png") for name in writers) else []
+        credits = scene.credits if any(name not in BARE for name in writers) else []
         files.append(_credits(folder, credits))
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "export"))
     return Export(files=files, credits=credits)

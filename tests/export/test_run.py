@@ -17,7 +17,7 @@ from apartgen_cli.export import principal
 
 ROOT = Path(__file__).parents[2]
 FORMATS = list(export.formats())
-NEED_ASSETS = [name for name in FORMATS if name not in ("svg", "png")]
+NEED_ASSETS = [name for name in FORMATS if name not in export.BARE]
 
 
 @pytest.fixture(scope="module")

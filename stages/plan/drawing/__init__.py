@@ -53,13 +53,23 @@ class Thing:
 
 
 @dataclass(frozen=True)
+class Label:
+    """A text of the drawing, which names the room that it stands in."""
+
+    text: str
+    at: Point
+
+
+@dataclass(frozen=True)
 class Drawing:
-    """One storey. `walls` are the floors that walls stand on, over doors too; `outer` is how thick outside walls are.
+    """One storey. `walls` are the floors that walls stand on, over doors too; `outer` is how thick outside walls are,
+    where the walls do not show it.
 
     `said` is what the format left out or took for granted, in words for the user.
     """
 
     spaces: list[Space] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
     walls: list[Polygon] = field(default_factory=list)
     holes: list[Hole] = field(default_factory=list)
     things: list[Thing] = field(default_factory=list)

@@ -47,7 +47,7 @@ def _rooms(drawing: Drawing, drawn: Storey, config: PlanConfig, said: list[str])
     rooms = [Room(id=id, type=type, polygon=_ring(room.floor)) for (id, type), room in zip(kinds, drawn.rooms)]
     asked = [AskedRoom(id=room.id, type=room.type) for room in rooms]
     inner = min(max(drawn.inner or config.walls.inner, THIN), THICK)
-    walls = Walls(inner=inner, outer=min(max(drawing.outer or config.walls.outer, THIN), THICK))
+    walls = Walls(inner=inner, outer=min(max(drawing.outer or drawn.outer or config.walls.outer, THIN), THICK))
     height = drawing.height
     if height is None or not LOW <= height <= HIGH:
         told = "no height of the ceiling" if height is None else f"a ceiling at {height:.2f} m"
@@ -103,9 +103,11 @@ def _brought_near(drawing: Drawing, said: list[str]) -> Drawing:
         )
         for hole in drawing.holes
     ]
+    labels = [replace(label, at=(label.at[0] - x, label.at[1] - y)) for label in drawing.labels]
     things = [replace(t, middle=(t.middle[0] - x, t.middle[1] - y, t.middle[2])) for t in drawing.things]
     return replace(
         drawing,
+        labels=labels,
         holes=holes,
         things=things,
         walls=[translate(wall, -x, -y) for wall in drawing.walls],

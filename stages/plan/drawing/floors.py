@@ -4,14 +4,15 @@ from itertools import combinations
 from statistics import median
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 from shapely import Geometry
-from shapely.geometry import LineString, MultiLineString, Polygon
+from shapely.geometry import LineString, MultiLineString, Point, Polygon
 from shapely.validation import explain_validity
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.plan import faces
-from apartgen.stages.plan.drawing import Drawing, Hole, Space
+from apartgen.stages.plan.drawing import Drawing, Hole, Label, Space, names
 
 SMALLEST = 0.6
 """Floor of the smallest room, m²."""
@@ -21,6 +22,8 @@ FARTHEST = 0.7
 """Floors further apart stand in different buildings, m."""
 SLIVER = 0.06
 """Half the width of what is no part of a room, m."""
+NOTCH = 0.02
+"""What walls that end too late take of a room, m²."""
 CRACK = 0.08
 """Half the width of gaps between walls that are closed, m."""
 TOLD = 1.5
@@ -35,11 +38,12 @@ class Room(NamedTuple):
 
 
 class Storey(NamedTuple):
-    """Rooms, pairs of them (by place in the list) that nothing parts, and the usual thickness of inner walls."""
+    """Rooms, pairs of them (by place in the list) that nothing parts, and the usual thickness of walls."""
 
     rooms: list[Room]
     open: list[tuple[int, int]]
     inner: float | None
+    outer: float | None
 
 
 def storey(drawing: Drawing, inner: float, said: list[str]) -> Storey:
@@ -51,6 +55,7 @@ def storey(drawing: Drawing, inner: float, said: list[str]) -> Storey:
     spaces = [Space(space.name, _proper(space)) for space in drawing.spaces]
     spaces += _enclosed(walls, spaces, drawing.holes)
     rooms = [Room(space.name, floor) for space in spaces if (floor := _clear(space, walls, said)) is not None]
+    rooms = [room._replace(name=room.name or _label(room.floor, drawing.labels)) for room in rooms]
     if not rooms:
         raise BadInput("no room: neither outlines of rooms nor walls that enclose one; draw rooms, or close the walls")
     _check_overlaps(rooms)
@@ -66,7 +71,7 @@ def storey(drawing: Drawing, inner: float, said: list[str]) -> Storey:
         and _is_open(rooms[i].floor, rooms[j].floor, walls)
         and faces.between(parted[i].floor, parted[j].floor)
     ]
-    return Storey(parted, kept, _usual(rooms))
+    return Storey(parted, kept, _usual(rooms), _outside(rooms, walls))
 
 
 def at(shape: Geometry) -> str:
@@ -80,6 +85,31 @@ def _proper(space: Space) -> Polygon:
         where = explain_validity(space.floor)
         raise BadInput(f"room {space.name or 'without a name'}: its outline is no polygon ({where}); mend it there")
     return space.floor
+
+
+def _label(floor: Polygon, labels: list[Label]) -> str:
+    """The text in a room that speaks of a type of room, else any with letters in it."""
+    inside = [label.text for label in labels if floor.intersects(Point(label.at))]
+    worded = [text for text in inside if any(letter.isalpha() for letter in text)]
+    return next((text for text in worded if names.read(text)), worded[0] if worded else "")
+
+
+def _outside(rooms: list[Room], walls: Geometry) -> float | None:
+    """The usual thickness of the walls that have the open air behind them; None where walls have next to none."""
+    found = []
+    for room in rooms:
+        for face in faces.outside(room.floor, [other.floor for other in rooms if other is not room]):
+            start = face.start + 0.5 * face.length * face.along
+            ray = LineString([start + 0.01 * face.inward, start - face.inward])
+            first = [
+                part.length
+                for part in shapely.get_parts(ray.intersection(walls))
+                if part.distance(Point(start)) < TOUCH
+            ]
+            found += [(first[0], face.length)] if first and first[0] > TOUCH else []
+    found.sort()
+    total = np.cumsum([length for _, length in found])
+    return round(float(found[int(np.searchsorted(total, total[-1] / 2))][0]), 3) if found else None
 
 
 def _enclosed(walls: Geometry, spaces: list[Space], holes: list[Hole]) -> list[Space]:
@@ -112,8 +142,16 @@ def _clear(space: Space, walls: Geometry, said: list[str]) -> Polygon | None:
     for ring in floor.interiors:
         if Polygon(ring).area > 0.04:
             said.append(f"what stands free in {space.name or 'a room'} at {at(Polygon(ring))} is left out")
-    whole = Polygon(floor.exterior).simplify(1e-3)
+    whole = _mended(Polygon(floor.exterior)).simplify(1e-3)
     return _rounded(whole)
+
+
+def _mended(floor: Polygon) -> Polygon:
+    """The floor without the notches that ends of walls make which were drawn a little too far."""
+    closed = floor.buffer(SLIVER, join_style="mitre").buffer(-SLIVER, join_style="mitre").difference(floor)
+    notches = [part for part in shapely.get_parts(closed) if 1e-6 < part.area < NOTCH]
+    whole = shapely.union_all([floor, *(notch.buffer(1e-5, join_style="mitre") for notch in notches)])
+    return whole if isinstance(whole, Polygon) else floor
 
 
 def _check_overlaps(rooms: list[Room]) -> None:

@@ -16,6 +16,8 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.words import OTHER, category
 
 Array = NDArray[np.float64]
+LITTLE = 1e-3
+"""What reaches less into walls is left where it is, m²."""
 IN_WALL = 0.15
 """Furniture drawn so far into a wall is moved out of it, m."""
 IN_ROOM = 0.6
@@ -110,6 +112,8 @@ def _fitted(thing: Thing, name: str, floor: Polygon) -> Thing:
 
 def _inside(thing: Thing, floor: Polygon, most: float) -> Thing:
     """The thing moved by what it reaches into walls, where that is at `most` so much."""
+    if footprint(thing).difference(floor).area < LITTLE:
+        return thing
     x, y, z = thing.middle
     ring = np.asarray(orient(floor).exterior.coords)
     for a, b in zip(ring, ring[1:]):

@@ -1,4 +1,4 @@
-"""Walls from their axes: how far they reach at corners, and how thick those outside are."""
+"""Walls from their axes: how far they reach at corners."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -34,23 +34,3 @@ def bodies(axes: Sequence[Axis]) -> list[Polygon]:
             points[end] = points[end] + reach * step / max(float(np.hypot(*step)), 1e-9)
         out.append(LineString(points).buffer(axis.thickness / 2, cap_style="flat", join_style="mitre"))
     return out
-
-
-def outside(axes: Sequence[Axis]) -> float | None:
-    """The usual thickness of the walls that have the open air on a side; None without any."""
-    stand = bodies(axes)
-    whole = shapely.union_all(stand).buffer(JOINED).buffer(-JOINED)
-    rims = shapely.union_all(
-        [Polygon(part.exterior).exterior for part in shapely.get_parts(whole) if isinstance(part, Polygon)]
-    )
-    rim = rims.buffer(2 * JOINED)
-    held = [
-        (axis.thickness, body.exterior.intersection(rim).length)
-        for axis, body in zip(axes, stand)
-        if body.exterior.intersection(rim).length > 0.35 * body.exterior.length
-    ]
-    if not held:
-        return None
-    held.sort()
-    total = np.cumsum([length for _, length in held])
-    return held[int(np.searchsorted(total, total[-1] / 2))][0]

@@ -19,7 +19,7 @@ from apartgen.stages.things.categories import TABLE, by_word
 from apartgen.stages.things.words import OTHER, split
 
 Part = dict[str, Any]
-SHEET = 0.02
+SHEET = 0.004
 """Thickness given to walls, m."""
 
 

@@ -18,7 +18,7 @@ from apartgen.stages.plan.imports._walls import Axis, bodies
 
 Array = NDArray[np.float64]
 Part = dict[str, Any]
-SHEET = 0.02
+SHEET = 0.004
 """Thickness given to walls, which are scanned from inside and have none, m."""
 KINDS = {"doors": "door", "windows": "window", "openings": "opening"}
 OBJECTS = {

@@ -14,7 +14,7 @@ from shapely.geometry import Polygon
 from apartgen.schemas.base import Point
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.plan.drawing import Drawing, Hole, Space, Thing
-from apartgen.stages.plan.imports._walls import Axis, bodies, outside
+from apartgen.stages.plan.imports._walls import Axis, bodies
 from apartgen.stages.things.words import OTHER, category
 
 ENTRY = "Home.xml"
@@ -45,7 +45,7 @@ def read(name: str, data: bytes) -> Drawing:
     pieces = [piece for piece in _pieces(found) if piece.get("visible") != "false"]
     return Drawing(
         spaces=[_space(element) for element in found if element.tag == "room"],
-        walls=bodies(axes), outer=outside(axes) if axes else None, height=height or None, said=said,
+        walls=bodies(axes), height=height or None, said=said,
         holes=[_hole(piece) for piece in pieces if piece.tag == "doorOrWindow"],
         things=[_thing(piece) for piece in pieces if piece.tag in PIECES],
     )  # fmt: skip

@@ -1,14 +1,16 @@
 """Homes that come back from files of other programs as they were."""
 
 import logging
+from pathlib import Path
 
 import pytest
 from plan.imports import homes, writers
 
 from apartgen.schemas import consistency
 from apartgen.schemas.layout import Layout
-from apartgen.stages import check
+from apartgen.stages import check, export
 from apartgen.stages.plan import PlanConfig, imports
+from apartgen.stages.things.asset import Asset
 
 HOMES = [(name, seed) for seed in range(2) for name in homes.NAMES]
 WRITERS = {
@@ -39,11 +41,36 @@ def test_rooms_openings_and_furniture_come_back(format: str, name: str, seed: in
     assert kept.types or format == "roomplan"  # whose rooms are of five types
 
 
-@pytest.mark.parametrize("name, seed", HOMES[:4])
-def test_leaves_of_doors_turn_as_drawn(name: str, seed: int) -> None:
+def exported(format: str, home: Layout, folder: Path) -> tuple[str, bytes]:
+    """A file of a format that is exported, too."""
+    pytest.importorskip({"dxf": "ezdxf", "ifc": "ifcopenshell"}.get(format, "json"))
+
+    def box(library: str, id: str) -> Asset:
+        return Asset(library, id, id, "plain", (1, 1, 1), [], credit="")
+
+    export.run(home, [format], folder / "out", box)
+    (path,) = (folder / "out").glob(f"*.{format}")
+    return path.name, path.read_bytes()
+
+
+@pytest.mark.parametrize("name, seed", HOMES)
+@pytest.mark.parametrize("format", ["dxf", "ifc"])
+def test_exported_homes_come_back(format: str, name: str, seed: int, tmp_path: Path) -> None:
     home = homes.furnished(name, seed)
-    read = back("home.sh3d", writers.sh3d(home))
-    assert homes.leaves(home) == homes.leaves(read)
+    read = back(*exported(format, home, tmp_path))
+    assert isinstance(read, Layout) and check.quick(read) == []
+    kept = homes.compared(home, read)
+    assert kept.iou > 0.99 and kept.openings == [] and kept.types and kept.lost == []
+    assert kept.moved < 0.01 and kept.turned < 0.01
+    assert (read.height, read.walls) == (home.height, home.walls)
+
+
+@pytest.mark.parametrize("name, seed", HOMES[:4])
+@pytest.mark.parametrize("format", ["sh3d", "dxf", "ifc"])
+def test_leaves_of_doors_turn_as_drawn(format: str, name: str, seed: int, tmp_path: Path) -> None:
+    home = homes.furnished(name, seed)
+    file = ("home.sh3d", writers.sh3d(home)) if format == "sh3d" else exported(format, home, tmp_path)
+    assert homes.leaves(home) == homes.leaves(back(*file))
 
 
 @pytest.mark.parametrize("name, seed", HOMES[:4])
