@@ -45,6 +45,18 @@ def test_a_symbol_keeps_to_its_box(name):
         assert again == pytest.approx(drawn @ np.array([[c, s], [-s, c]]) + [1.0, -2.0], abs=1e-6)
 
 
+@pytest.mark.parametrize("name", ["sofa", "corner_sofa"])
+def test_cushions_lie_between_back_and_arms(name):
+    axes = blank()
+    _symbols.draw(Pen(axes), name, *TABLE[name].size[:2])
+    parts = [(patch.get_facecolor(), shapely.Polygon(points(axes, patch)).buffer(0)) for patch in axes.patches]
+    frame, *rest = parts
+    wood = [part for colour, part in rest if colour == frame[0]]
+    cushions = [part for colour, part in rest if colour != frame[0]]
+    assert len(wood) == (3 if name == "sofa" else 2) and len(cushions) >= 2
+    assert shapely.union_all(wood).intersection(shapely.union_all(cushions)).area < 0.02
+
+
 def test_what_hangs_lies_over_what_stands_and_rugs_below_all():
     things = {"rug": (1.0, 1.0), "coffee_table": (2.0, 0.5), "wardrobe": (3.0, 2.4), "ceiling_lamp": (1.0, 2.5)}
     home = h.home(*(h.thing(name, x, y, size=(0.4, 0.4, 0.02 if name == "rug" else 2.2 if name == "wardrobe" else 0.4),

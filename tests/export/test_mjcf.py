@@ -120,3 +120,9 @@ def test_a_chair_that_stands_a_little_in_the_wall_gains_no_energy(depth, tmp_pat
     export.run(home, ["mjcf"], tmp_path / "x", sample.load)
     found = physics.rest(mujoco.MjModel.from_xml_path(str(tmp_path / "x" / "mjcf" / "apartment.xml")), 0.3)
     assert found.energy < 0.1 and found.drift < 0.005, found
+
+
+def test_viewers_begin_at_the_middle_of_the_flat(flat):
+    """The sample's rooms reach from 0 to 9 m and from 0 to 6.4 m."""
+    model, _ = flat
+    assert model.stat.center == pytest.approx([4.5, 3.2, 1.0])

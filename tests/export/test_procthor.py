@@ -270,3 +270,9 @@ def test_thors_words_are_read_as_the_categories_they_are_written_for():
             continue
         room = next((r for r in row.rooms if r in procthor.ROOMS.values()), "living_room")
         assert procthor.category(kind, room, row.size) == NEXT_BEST.get(name, name)
+
+
+def test_what_a_robot_may_push_or_lift_is_not_kinematic(house):
+    """Of the sample's things a plant, a chair, a bin and the television; furniture, fixtures and lamps stay."""
+    free = {o["apartgen"]["category"] for o in house["objects"] if not o["kinematic"]}
+    assert free == {"plant", "chair", "bin", "tv"}

@@ -73,6 +73,13 @@ def test_sofa_table_and_television_are_in_line(rooms: Rooms) -> None:
     assert len(lines) >= 8 and np.mean(lines) >= 0.97
 
 
+def test_televisions_are_watched_from_a_fit_distance(rooms: Rooms) -> None:
+    """From the front of the sofa to the stand: 1.4 m at least, as a coffee table stands there; few rooms pass 3.6 m."""
+    pairs = [(of(home, "sofa", "corner_sofa")[0], tv) for home in rooms["living_room"] for tv in of(home, "tv_stand")]
+    ways = [seen(sofa, tv)[0] - sofa.size[0] / 2 - tv.size[0] / 2 for sofa, tv in pairs]
+    assert min(ways) > 1.3 and max(ways) < 3.8
+
+
 def test_a_television_stands_on_every_stand_and_on_nothing_else(rooms: Rooms) -> None:
     for home in rooms["living_room"] + rooms["bedroom"]:
         stands = of(home, "tv_stand", "chest")
@@ -157,6 +164,11 @@ def test_halls_have_a_place_for_coats_and_few_cabinets(rooms: Rooms) -> None:
     assert all(len(of(home, *cabinets)) <= 2 for home in rooms["hallway"])
 
 
+def test_some_halls_have_a_mirror_and_none_has_two(rooms: Rooms) -> None:
+    mirrors = [len(of(home, "mirror")) for home in rooms["hallway"]]
+    assert sum(mirrors) >= 3 and max(mirrors) == 1
+
+
 def test_fixtures_keep_their_clearances(rooms: Rooms) -> None:
     for home in rooms["bathroom"]:
         for o in of(home, "toilet", "vanity"):
@@ -200,3 +212,11 @@ def test_drawn_rooms_have_a_facade_and_doors_that_do_not_meet() -> None:
         windows = {at[o.id] for o in plan.openings if o.kind == "window"}
         inner = {at[o.id] for o in plan.openings if o.kind != "window"}
         assert len(windows) <= 3 and inner and not windows & inner
+
+
+@pytest.mark.parametrize("seed", [1, 5])
+@pytest.mark.filterwarnings("error")
+def test_single_and_bunk_beds_are_put_by_finite_likings(seed: int) -> None:
+    plan = single_rooms.draw(np.random.default_rng([9, seed]), "bedroom")
+    found = {o.category for o in furnisher.furnish(plan, np.random.default_rng([10, seed]))}
+    assert found & {"single_bed", "bunk_bed"}
