@@ -2,6 +2,7 @@
 
 from collections import Counter
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,8 @@ from shapely.geometry import LineString, Point, Polygon, box
 
 from apartgen.schemas.layout import Box, Layout
 from apartgen.stages.layout.datasets import furnisher, single_rooms
+from apartgen.stages.layout.datasets._furnish.group import Group
+from apartgen.stages.layout.datasets._furnish.space import Space
 
 SEEDS = range(16)
 LOW_UNITS = {"kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine"}
@@ -220,3 +223,23 @@ def test_single_and_bunk_beds_are_put_by_finite_likings(seed: int) -> None:
     plan = single_rooms.draw(np.random.default_rng([9, seed]), "bedroom")
     found = {o.category for o in furnisher.furnish(plan, np.random.default_rng([10, seed]))}
     assert found & {"single_bed", "bunk_bed"}
+
+
+def test_an_island_that_finds_no_place_is_tried_narrower(monkeypatch: pytest.MonkeyPatch) -> None:
+    widths: list[float] = []
+    put = Space.put
+
+    def refusing(space: Space, group: Group, *given: Any) -> int:
+        islands = [float(part.size[1]) for part in group.parts if part.name == "island"]
+        widths.extend(islands)
+        return -1 if islands else put(space, group, *given)
+
+    monkeypatch.setattr(Space, "put", refusing)
+    for seed in range(17, 99):  # large kitchens, of which one in ten tries to have an island
+        widths.clear()
+        plan = single_rooms.draw(np.random.default_rng([9, seed]), "kitchen")
+        furnisher.furnish(plan, np.random.default_rng([10, seed]))
+        if widths:
+            break
+    first = widths[: next((k for k, (a, b) in enumerate(pairwise(widths), 1) if b > a), len(widths))]
+    assert len(first) >= 4 and first[0] >= first[-1] and first[-1] <= 1.1
