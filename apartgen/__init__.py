@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from apartgen.schemas.layout import Layout
     from apartgen.schemas.metrics import Metrics
     from apartgen.schemas.plan import Plan
+    from apartgen.schemas.populate import Populate
     from apartgen.schemas.render import Render
     from apartgen.schemas.retrieve import Retrieve
     from apartgen.schemas.walkable import Walkable
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     """An apartment: what an earlier function gave, or the path of its file."""
 
 __version__ = "0.1.0"
-__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "render", "retrieve", "walkable"]
+__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "render", "retrieve", "walkable"]
 
 
 
@@ -70,6 +71,13 @@ def walkable(home: "Home", *, seed: int | None = None, **settings: Any) -> "Arti
     return _advanced(WALKABLE, home, seed, settings)
 
 
+def populate(home: "Home", *, seed: int | None = None, **settings: Any) -> "Artifact[Populate]":
+    """The home with the small things that people keep on and in their furniture, and what hangs on their walls."""
+    from apartgen.steps import POPULATE
+
+    return _advanced(POPULATE, home, seed, settings)
+
+
 def metrics(home: "Home", *, metric: Sequence[str] = ()) -> "Metrics":
     """The figures of one apartment; those of these names only, where some are named."""
     from apartgen.outputs import MetricsSettings, measure
@@ -104,8 +112,10 @@ def render(home: "Home", out: str | PathLike[str], *, seed: int | None = None, *
 
 
 def make(text: str, out: str | PathLike[str], *, seed: int = 0, formats: Sequence[str] | None = None,
-         settings: "dict[str, dict[str, Any]] | None" = None) -> "Artifact[Walkable]":
-    """All of it, into the folder `out`, going on where an earlier run was stopped; `settings` by stage."""
+         populate: bool = True, settings: "dict[str, dict[str, Any]] | None" = None) -> "Artifact[Walkable | Populate]":
+    """All of it, into the folder `out`, going on where an earlier run was stopped; `settings` by stage. With `populate`
+    small things are put into the home.
+    """
     from apartgen import whole
     from apartgen.planning import checked
     from apartgen.settings import by_stage
@@ -113,9 +123,11 @@ def make(text: str, out: str | PathLike[str], *, seed: int = 0, formats: Sequenc
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     chosen = by_stage(settings or {}, list(formats or whole.DEFAULT_FORMATS))
+    if not populate:
+        del chosen["populate"]
     for _ in whole.make(checked(text), folder, seed, chosen):
         pass
-    return load(folder / "walkable.json")
+    return load(folder / ("populate.json" if populate else "walkable.json"))
 
 
 def _advanced(step: "Step", home: Any, seed: int | None, settings: dict[str, Any]) -> "Artifact[Any]":

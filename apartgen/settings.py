@@ -74,7 +74,8 @@ def by_stage(settings: Mapping[str, Mapping[str, Any]], formats: list[str]) -> d
         if word not in KINDS:
             raise BadInput(f"settings of {word!r} are unknown; there are: {', '.join(KINDS)}")
     libraries = {"libraries": settings.get("retrieve", {}).get("libraries", [])}
-    given: dict[str, dict[str, Any]] = {"walkable": libraries, "export": libraries | {"format": formats}}
+    given: dict[str, dict[str, Any]] = {"walkable": libraries, "populate": libraries,
+                                        "export": libraries | {"format": formats}}
     return {word: configured(kind, given.get(word, {}) | dict(settings.get(word, {}))) for word, kind in KINDS.items()}
 
 

@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,15 +11,17 @@ import numpy as np
 from pydantic import Field
 
 from apartgen import __version__
-from apartgen.schemas.artifact import Artifact, Made, accepted
+from apartgen.schemas.artifact import Artifact, Made, kind_of
 from apartgen.schemas.base import Record
-from apartgen.schemas.errors import ApartgenError, Unmet
+from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.populate import Populate, without_things
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import layout, seeds
 from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.populate.config import PopulateConfig
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.walkable.config import WalkableConfig
 
@@ -37,7 +39,8 @@ class Step:
 
     `advance(bodies, config, rngs)` gives, for each body and in order, the next body or the error that prevents it.
     `missed(body, config)` says what a result that is written all the same falls short of. `data(config)` names the
-    files, beside the input, that a result hangs on. Of a file that is a `rather` already, this is what is taken.
+    files, beside the input, that a result hangs on. Of a file that is a `rather` already, this is what is taken; one
+    of a kind that it `refuses` is not taken at all.
     """
 
     word: str
@@ -47,11 +50,23 @@ class Step:
     missed: Callable[[Any, Any], Unmet | None] = lambda body, config: None
     data: Callable[[Any], Mapping[str, Path]] = lambda config: {}
     rather: type[Record] | None = None
+    refuses: str = ""
 
     def taken(self, read: Artifact[Any]) -> Artifact[Any]:
-        """What the stage takes of an artifact that was read whole."""
-        later = self.rather is not None and read.kind in accepted(self.rather)
+        """What the stage takes of an artifact that was read whole; BadInput for one that it refuses."""
+        if fault := self.refused(read.kind):
+            raise fault
+        home = without_things(read.body)
+        read = replace(read, body=home, kind=kind_of(home))
+        later = self.rather is not None and isinstance(home, self.rather)
         return read.taken_as(self.rather if later and self.rather else self.takes)
+
+    def refused(self, kind: str) -> BadInput | None:
+        """Why the stage does not take a file of that kind, where it does not."""
+        if kind != self.refuses:
+            return None
+        return BadInput(f"a {kind} artifact: what stands in it would be left in the air; run `apartgen {self.word}` on "
+                        f"the artifact that it was made from, then `apartgen {kind}`")
 
 
 def each(step: Callable[[Any, Any, np.random.Generator], Record]) -> Advance:
@@ -166,9 +181,23 @@ def _as_retrieved(config: WalkableSettings) -> RetrieveConfig:
     return RetrieveConfig(libraries=config.libraries)
 
 
+class PopulateSettings(PopulateConfig):
+    """The stage's settings, and where the furniture's models are found."""
+
+    libraries: list[str] = Field(default_factory=list, description="folders of indexed asset libraries")
+
+
+def fill(home: Retrieve, config: PopulateSettings, rng: np.random.Generator) -> Populate:
+    """One apartment with its small things; BadInput where a library of its assets is not open."""
+    from apartgen.stages import populate, retrieve
+
+    return populate.run(home, config, rng, retrieve.open_libraries(RetrieveConfig(libraries=config.libraries)))
+
+
 LAYOUT = Step("layout", Plan, LayoutConfig, furnish, data=weights, rather=Layout)
 RETRIEVE = Step("retrieve", Layout, RetrieveConfig, each(match), data=libraries)
 WALKABLE = Step("walkable", Retrieve, WalkableSettings, each(clear), missed,
-                lambda config: libraries(_as_retrieved(config)))
-STEPS = (LAYOUT, RETRIEVE, WALKABLE)
+                lambda config: libraries(_as_retrieved(config)), refuses="populate")
+POPULATE = Step("populate", Retrieve, PopulateSettings, each(fill), rather=Walkable)
+STEPS = (LAYOUT, RETRIEVE, WALKABLE, POPULATE)
 """The stages after the plan, in order."""

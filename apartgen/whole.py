@@ -11,6 +11,7 @@ from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact, Made
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError
+from apartgen.schemas.populate import without_things
 from apartgen.steps import STEPS, WALKABLE, Step, lane, made
 
 KINDS: dict[str, type[Record]] = {
@@ -25,20 +26,21 @@ PICTURES = (".svg", ".png")
 
 
 def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record]) -> Iterator[Path]:
-    """Every stage in turn; yields each file, made now or found as an earlier run left it, the pictures last.
+    """Every stage that there are settings for in turn; yields each file, made now or found as an earlier run left it,
+    the pictures last.
 
     Raises Unmet at the end where the walkable target was missed and the home asked for all the same.
     """
     home = _planned(prompt, settings["plan"], seed, folder)
     yield folder / "plan.json"
-    for stage in STEPS:
+    for stage in (stage for stage in STEPS if stage.word in settings):
         home = _advanced(stage, home, settings[stage.word], seed, folder)
         yield folder / f"{stage.word}.json"
     _measured(home, settings["metrics"], seed, folder)
     yield folder / "metrics.json"
     files = _exported(home, settings["export"], seed, folder / SCENE)
     yield from sorted(files, key=lambda file: file.suffix in PICTURES and 1 + PICTURES.index(file.suffix))
-    if short := WALKABLE.missed(home.body, settings["walkable"]):
+    if short := WALKABLE.missed(without_things(home.body), settings["walkable"]):
         raise short
 
 
@@ -63,7 +65,8 @@ def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, f
     old = kept(file, stage.word, wanted)
     if old is not None:
         return old
-    outcome = next(iter(stage.advance([previous.body], config, [lane(seed, stage.word, previous.body)])))
+    body = stage.taken(previous).body
+    outcome = next(iter(stage.advance([body], config, [lane(seed, stage.word, body)])))
     if isinstance(outcome, ApartgenError):
         raise outcome
     return _saved(outcome, wanted, began, file)

@@ -19,8 +19,8 @@ from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import registry
 from apartgen_cli.console import fail, listen
 
-WORDS = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "render", "check", "make", "train", "assets",
-         "bench", "schema")
+WORDS = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "render", "check", "make",
+         "train", "assets", "bench", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141
 MARKUP: Literal["markdown"] = "markdown"
@@ -59,8 +59,8 @@ def _global(
 ) -> None:
     """From a sentence to a furnished, simulation-ready apartment.
 
-    Every stage reads the JSON of the one before and writes its own: plan, layout, retrieve, walkable; then export and
-    metrics. `make` does all of it.
+    Every stage reads the JSON of the one before and writes its own: plan, layout, retrieve, walkable, populate; then
+    export and metrics. `make` does all of it.
     """
     listen(quiet)
 

@@ -19,6 +19,7 @@ FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; w
 SEED = Annotated[int, typer.Option("--seed", min=0, help="Fixes everything drawn.")]
 FORMAT = Annotated[list[str] | None, typer.Option(
     "--format", help=f"Any number of times; of {', '.join(FORMATS)}. [default: {', '.join(DEFAULT_FORMATS)}]")]
+POPULATE = Annotated[bool, typer.Option("--populate/--no-populate", help="Put small things into the home.")]
 LLM = Annotated[str | None, typer.Option("--llm", help="Language model that reads the prompt, by its litellm name.")]
 
 
@@ -28,14 +29,16 @@ def settings(file: Path | None, formats: list[str], llm: str | None) -> dict[str
     # What one stage took from a library, the later ones look up there.
     libraries = {"libraries": table.get("retrieve", {}).get("libraries", [])}
     given: dict[str, dict[str, Any]] = {"plan": {"llm": llm} if llm else {}, "walkable": libraries,
-                                        "export": libraries | {"format": formats}}
+                                        "populate": libraries, "export": libraries | {"format": formats}}
     return {word: configured(kind, given.get(word, {}), table.get(word)) for word, kind in KINDS.items()}
 
 
 def _run(prompt: PROMPT, out: FOLDER, seed: SEED = 0, format: FORMAT = None, llm: LLM = None,
-         config: CONFIG = None) -> None:
+         config: CONFIG = None, populate: POPULATE = True) -> None:
     """Make a whole apartment; a run that was stopped, or whose settings changed in part, goes on where it can."""
     chosen = settings(config, format or list(DEFAULT_FORMATS), llm)
+    if not populate:
+        del chosen["populate"]
     for file in make(checked(prompt), made_folder(out), seed, chosen):
         say(str(file))
 

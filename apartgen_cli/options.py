@@ -16,7 +16,8 @@ from apartgen.schemas.errors import BadInput
 
 Config = TypeVar("Config", bound=BaseModel)
 Names = Mapping[str, str]
-TABLES = ("plan", "layout", "retrieve", "walkable", "export", "metrics", "render", "train-layout", "train-shape")
+TABLES = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "render", "train-layout",
+          "train-shape")
 """What a settings file may hold: one for every command that has settings."""
 
 OUT = Annotated[str | None, typer.Option("--out", "-o", help="A file, or with a slash at its end a folder.")]

@@ -97,6 +97,9 @@ class _Run:
         if isinstance(read.outcome, ApartgenError):
             self.tally.failed(read, read.outcome)
             return None
+        if fault := self.stage.refused(read.outcome.kind):
+            self.tally.failed(read, fault)
+            return None
         used = read.outcome.made.seed if self.seed is None else self.seed
         wanted = made(used, self.config, read.outcome, data=self.stage.data(self.config))
         found = self.results.found(read.name, self.stage.word, wanted, read.artifact.body.prompt)

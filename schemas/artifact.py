@@ -2,7 +2,8 @@
 
     {"apartgen": kind, "version": n, "made": {by, seed, config, inputs, seconds}, "body": {…}}
 
-A later kind can be read wherever an earlier one is asked for, because Plan ⊂ Layout ⊂ Retrieve ⊂ Walkable. Text is
+A later kind can be read wherever an earlier one is asked for, because Plan ⊂ Layout ⊂ Retrieve ⊂ Walkable; of a
+populated home that is its furniture. Text is
 deterministic: keys in the order of the types, numbers to 1e-6, one newline at the end.
 """
 
@@ -24,13 +25,15 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics
 from apartgen.schemas.migrations import VERSION, migrate
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.populate import KIND as POPULATE
+from apartgen.schemas.populate import Populate, furniture_only
 from apartgen.schemas.render import Render
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.schemas.walkable import Walkable
 
 BODIES: dict[str, type[Record]] = {
-    "plan": Plan, "layout": Layout, "retrieve": Retrieve, "walkable": Walkable, "export": Export, "metrics": Metrics,
-    "render": Render,
+    "plan": Plan, "layout": Layout, "retrieve": Retrieve, "walkable": Walkable, "populate": Populate,
+    "export": Export, "metrics": Metrics, "render": Render,
 }
 """The body type of every kind of artifact, in the order of the stages."""
 DECIMALS = 6
@@ -114,6 +117,8 @@ def parse(data: bytes, name: str, model: type[Body], whole: bool = False) -> Art
     digest = _digest(raw)
     raw = migrate(raw, name)
     asked = BODIES[kind] if whole else model
+    if kind == POPULATE and not issubclass(asked, Populate):
+        raw = raw | {"body": furniture_only(raw.get("body"))}
     try:
         text = json.dumps(raw)
         envelope = Envelope[asked].model_validate_json(text, strict=True)  # type: ignore[valid-type]

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
 from apartgen.schemas.base import Number, Point, Record, Vector
 from apartgen.schemas.retrieve import Furnishing, Retrieve
@@ -38,6 +38,11 @@ class Thing(Furnishing):
 
     model_config = Furnishing.model_config | {"populate_by_name": True}
 
+    @model_serializer(mode="wrap")
+    def _short(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """A home has hundreds: what is empty is left out."""
+        return {name: value for name, value in handler(self).items() if value not in ([], None)}
+
 
 class Receptacle(Record):
     """Where things can be put on an object or in it: an outline in the object's frame at height `z`, and the clearance
@@ -56,14 +61,16 @@ class Populate(Retrieve):
     """Body of a `populate` artifact; `walkable` is that of the file it was made from, where there was one."""
 
     walkable: Report | None = None
-    objects: list[Annotated[Thing | Furnishing, Field(union_mode="left_to_right")]] = Field(  # type: ignore[assignment]
+    objects: list[Annotated[Thing | Furnishing, Field(union_mode="left_to_right")]] = Field(
         default_factory=list)
     receptacles: dict[str, list[Receptacle]] = Field(default_factory=dict, description="by object")
     states: dict[str, dict[str, bool | Number]] = Field(default_factory=dict, description="by object")
 
 
-def furniture_only(raw: dict[str, Any]) -> dict[str, Any]:
+def furniture_only(raw: Any) -> Any:
     """The body of a populated home's JSON without its small things, as a home that was not populated has it."""
+    if not isinstance(raw, dict):
+        return raw
     kept = {name: value for name, value in raw.items() if name not in ("receptacles", "states")}
     objects = raw.get("objects")
     if isinstance(objects, list):

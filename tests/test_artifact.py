@@ -19,11 +19,18 @@ from apartgen.schemas.export import Export, File
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics, Value
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.populate import Populate, Receptacle, Thing, without_things
 from apartgen.schemas.render import Instance, Render
 from apartgen.schemas.retrieve import Joint, Retrieve
 from apartgen.schemas.walkable import Replaced, Report, Walkable
 
 MADE = Made(by="apartgen 0.1.0", seed=7, config={"steps": 20}, inputs={"plan": "sha256:00"}, seconds=0.41)
+
+THING = Thing.model_validate({
+    "id": "mug_1", "stage": "populate", "room": handmade.LIVING, "category": "mug", "center": (1, 2, 0.9),
+    "size": (0.12, 0.08, 0.09), "yaw": 0.5, "on": "floor", "in": {"object": "sofa_1", "receptacle": "top_0"},
+    "asset": {"library": "parametric", "id": "mug/straight/120x80x90/1"},
+    "grasps": [{"at": (0, 0, 0), "approach": (0, 0, -1), "close": (0, 1, 0), "width": 0.08}]})
 
 
 def walkable() -> Walkable:
@@ -36,6 +43,13 @@ def walkable() -> Walkable:
     return Walkable(**handmade.plan().model_dump(), objects=things, walkable=report)
 
 
+def populated(home: Walkable) -> Populate:
+    place = Receptacle(name="top_0", kind="top", polygon=[(0, 0), (1, 0), (1, 1)], z=0.2, clearance=3.0)
+    fields = {name: getattr(home, name) for name in Walkable.model_fields}
+    return Populate(**fields | {"objects": [*home.objects, THING]}, receptacles={"sofa_1": [place]},
+                    states={"lamp_1": {"on": True}})
+
+
 def every() -> dict[str, object]:
     home = walkable()
     return {
@@ -44,6 +58,7 @@ def every() -> dict[str, object]:
         "retrieve": Retrieve.model_validate(home.model_dump(by_alias=True)),
         "export": Export(files=[File(path="a/b.glb", format="glb", sha256="0" * 64)]),
         "render": Render(labels={"wall": 1}, instances=[Instance(number=1, id="walls", category="wall", label=1)]),
+        "populate": populated(home),
         "metrics": Metrics(values=[Value(name="R_acoll", value=None), Value(name="R_out", value=0.5, of="bedroom_1")]),
     }
 
@@ -183,9 +198,18 @@ def test_any_changed_value_is_read_or_refused(path, junk):
         assert str(error).count("\n") <= 1
 
 
+def test_a_populated_home_read_as_an_earlier_kind_is_its_furniture():
+    text, _ = finish(populated(walkable()), MADE)
+    for kind in (Retrieve, Layout):
+        assert [o.id for o in parse(text.encode(), "file", kind).body.objects] == [o.id for o in walkable().objects]
+    whole = parse(text.encode(), "file", Plan, whole=True).body
+    assert isinstance(whole, Populate) and whole.objects[-1] == THING
+    assert without_things(whole) == parse(finish(walkable(), MADE)[0].encode(), "file", Walkable).body
+
+
 def test_of_two_kinds_the_wrong_one_is_named():
     text, _ = finish(handmade.plan(), MADE)
-    with pytest.raises(BadInput, match="a plan artifact where layout or retrieve or walkable is needed"):
+    with pytest.raises(BadInput, match="a plan artifact where layout or retrieve or walkable or populate is needed"):
         parse(text.encode(), "file", Layout)
 
 

@@ -13,6 +13,9 @@ from apartgen.schemas import artifact
 from apartgen.schemas.artifact import BODIES
 from apartgen.schemas.migrations import VERSION
 
+SINCE = {"populate": 2, "render": 3}
+"""The first version of which there is a file of a kind, where that is not the first; pictures came during the second.
+"""
 FILES = sorted((Path(__file__).parent / "golden").glob("v*/*.json"))
 
 
@@ -28,7 +31,8 @@ def lost(old, new, path: str = "") -> list[str]:
 
 def test_every_version_has_a_file_of_every_kind():
     found = {(file.parent.name, file.stem) for file in FILES}
-    assert found == {(f"v{version}", kind) for version in range(1, VERSION + 1) for kind in BODIES}
+    assert found == {(f"v{version}", kind) for version in range(1, VERSION + 1) for kind in BODIES
+                     if version >= SINCE.get(kind, 1)}
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}-{file.stem}")
@@ -48,7 +52,11 @@ def test_nothing_of_the_present_version_is_lost(file):
 @pytest.mark.parametrize("version", range(1, VERSION + 1))
 def test_a_chain_of_files_hangs_together(version):
     folder = Path(__file__).parent / "golden" / f"v{version}"
-    read = {kind: artifact.read(folder / f"{kind}.json", BODIES[kind]) for kind in BODIES}
-    for kind, source in (("layout", "plan"), ("retrieve", "layout"), ("walkable", "retrieve"), ("metrics", "walkable"),
-                         ("export", "walkable")):
+    kinds = [kind for kind in BODIES if version >= SINCE.get(kind, 1)]
+    read = {kind: artifact.read(folder / f"{kind}.json", BODIES[kind]) for kind in kinds}
+    made_from = {"layout": "plan", "retrieve": "layout", "walkable": "retrieve", "populate": "walkable",
+                 "metrics": "walkable", "export": "walkable"}
+    for kind, source in made_from.items():
+        if kind not in kinds:
+            continue
         assert read[kind].made.inputs[source] == read[source].digest

@@ -10,6 +10,7 @@ from itertools import chain, islice
 from apartgen.schemas import consistency
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.populate import without_things
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages.check import building, furniture, opening, robot
 from apartgen.stages.check.fault import WHAT, Fault
@@ -26,9 +27,9 @@ def run(home: Plan, strict: bool = False) -> list[Fault]:
     """All faults of an apartment, and what is worth a note; it is certified when none of them refuses.
 
     Whether all opens and is reached is for the walkable stage to see to: where it was never run, that is noted only.
-    With `strict` whatever is noted refuses.
+    With `strict` whatever is noted refuses. Small things are looked at only for whether their file hangs together.
     """
-    every = iter(_inconsistent(home) or _all(home))
+    every = iter(_inconsistent(home) or _all(without_things(home)))
     found = list(islice(every, MOST))
     if not any(fault.refuses for fault in found):
         found += islice((fault for fault in every if fault.refuses), 1)
@@ -51,6 +52,7 @@ def quick(home: Plan) -> list[Fault]:
     """
     if found := _inconsistent(home):
         return found
+    home = without_things(home)
     site = building.site(home)
     placed = furniture.placed(home, site) if isinstance(home, Layout) else []
     clear = (fault for fault in placed if fault.code == "size" or (fault.value or 0.0) > CLEAR)

@@ -16,6 +16,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Metrics, Value
 from apartgen.schemas.plan import Plan, Program
+from apartgen.schemas.populate import without_things
 from apartgen.stages import registry
 from apartgen.stages.metrics import _networks, _seen, _sets
 from apartgen.stages.metrics._beside import beside
@@ -31,11 +32,12 @@ def names() -> dict[str, str]:
 
 
 def run(home: Plan, names: Sequence[str] | None = None, against: Plan | Program | None = None) -> Metrics:
-    """Measure one apartment by the named metrics, all that apply by default.
+    """Measure one apartment's furniture by the named metrics, all that apply by default.
 
     `against` is the programme or plan the rooms are compared with, the apartment's own programme by default.
     Raises BadInput for an unknown metric, and for a named one that needs what the artifact does not hold.
     """
+    home = without_things(home)
     return Metrics(values=[value for name in _chosen(home, names) for value in _measure(name, home, against)])
 
 

@@ -70,7 +70,7 @@ class Board:
     def _free(self, spots: Array, half: Array, h: float) -> NDArray[np.bool_]:
         low = self.blocks[self.blocks[:, 4] < h + HEADROOM]
         apart = (spots[:, None] + half <= low[None, :, :2] + 1e-9) | (spots[:, None] - half >= low[None, :, 2:4] - 1e-9)
-        return np.asarray(apart.any(2).all(1))
+        return np.asarray(np.all(np.any(apart, axis=2), axis=1))
 
     def _cost(self, spots: Array, where: str) -> Array:
         lo, hi = np.asarray(self.place.lo), np.asarray(self.place.hi)

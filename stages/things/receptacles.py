@@ -156,7 +156,7 @@ def _area(points: Array) -> float:
 
 def _ticks(values: list[float], least: float, most: float, fine: bool) -> Array:
     inner = [v for v in values if least < v < most]
-    even = np.linspace(least, most, _TICKS) if fine else []
+    even: list[float] = np.linspace(least, most, _TICKS).tolist() if fine else []
     every = np.unique(np.round([least, most, *inner, *even], 5))
     every = every[np.concatenate([[True], np.diff(every) > 5e-4])]
     return every if len(every) <= _MANY else np.linspace(least, most, _MANY)
@@ -164,14 +164,14 @@ def _ticks(values: list[float], least: float, most: float, fine: bool) -> Array:
 
 def _inside(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
     """Cells that a face covers wholly."""
-    return (((xs[:-1] > lo[0] - 6e-4) & (xs[1:] < hi[0] + 6e-4))[:, None]
-            & ((ys[:-1] > lo[1] - 6e-4) & (ys[1:] < hi[1] + 6e-4))[None])
+    along, across = (xs[:-1] > lo[0] - 6e-4) & (xs[1:] < hi[0] + 6e-4), (ys[:-1] > lo[1] - 6e-4) & (ys[1:] < hi[1] + 6e-4)
+    return np.asarray(along[:, None] & across[None])
 
 
 def _touched(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
     """Cells that a block reaches into."""
-    return (((xs[1:] > lo[0] + 1e-4) & (xs[:-1] < hi[0] - 1e-4))[:, None]
-            & ((ys[1:] > lo[1] + 1e-4) & (ys[:-1] < hi[1] - 1e-4))[None])
+    along, across = (xs[1:] > lo[0] + 1e-4) & (xs[:-1] < hi[0] - 1e-4), (ys[1:] > lo[1] + 1e-4) & (ys[:-1] < hi[1] - 1e-4)
+    return np.asarray(along[:, None] & across[None])
 
 
 def _within(xs: Array, ys: Array, polygon: shapely.Polygon) -> NDArray[np.bool_]:
@@ -223,12 +223,12 @@ def _place(asset: Asset, k: int, lo: Array, hi: Array, z: float, solids: _Solids
     if joint is not None:
         above &= solids.link != k
     room = float(solids.lo[above, 2].min() - z) if above.any() else OPEN
-    sides = tuple(map(float, lo.round(4))), tuple(map(float, hi.round(4)))
+    (x0, y0), (x1, y1) = lo.round(4).tolist(), hi.round(4).tolist()
     if joint is not None:
-        return Receptacle("", "drawer", *sides, z, room, joint.name)
+        return Receptacle("", "drawer", (x0, y0), (x1, y1), z, room, joint.name)
     door = _door(asset, lo, hi, z, room, solids)
     kind: Kind = "inside" if door else "shelf" if room < OPEN else "top"
-    return Receptacle("", kind, *sides, z, room, door)
+    return Receptacle("", kind, (x0, y0), (x1, y1), z, room, door)
 
 
 def _door(asset: Asset, lo: Array, hi: Array, z: float, room: float, solids: _Solids) -> str:
