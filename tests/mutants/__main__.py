@@ -179,7 +179,8 @@ def main() -> None:
     running.ready()
     draw = list(drawn(work, asked.many, asked.seed))
     seen, kernels = at / f"seen.{asked.many}.{asked.seed}", covered.kernels(ROOT, work, at / "kernels")
-    covered.measure(work, seen, kernels, sorted({change.file for _, some in draw for change in some}))
+    telling = covered.Seen(work, seen).telling
+    covered.measure(work, seen, kernels, sorted({file for _, some in draw for one in some for file in telling(one)}))
     bench = Bench(work, covered.Seen(work, seen), kernels, at / "results.jsonl", asked.budget)
     lines = bench.results.read_text(encoding="utf-8").splitlines() if bench.results.exists() else []
     known = {(one["file"], one["start"], one["new"]): one for one in map(json.loads, lines)}

@@ -121,6 +121,13 @@ class Seen:
         files = {test.partition("::")[0] for test in direct}
         return direct, {test for file in files for test in self._files[file]} - direct
 
+    def telling(self, change: Change) -> set[str]:
+        """Files to watch, so that one may tell who runs a change: what is compiled or imported tells by its callers."""
+        if change.function and not change.compiled:
+            return {change.file}
+        names = set() if change.compiled else _named(self._trees[change.file], change)
+        return {change.file, *(file for file, _ in self._mentions(change.file, names))}
+
     def compiled_with(self, file: str) -> Iterator[str]:
         """Files with compiled functions that import a file, or what imports it."""
         found, open_ = {file}, [file]
