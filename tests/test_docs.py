@@ -16,7 +16,8 @@ from apartgen_cli.main import WORDS
 
 ROOT = Path(__file__).parent.parent
 DOCUMENTS = ("README.md", "docs/commands.md")
-GROUPS = {"train": ("corpus", "layout", "shape"), "assets": ("index", "check", "list", "show", "preview")}
+GROUPS = {"dataset": ("build", "verify", "stats", "split", "merge", "export", "rebuild"),
+          "train": ("corpus", "layout", "shape"), "assets": ("index", "check", "list", "show", "preview")}
 QUOTE = re.compile(r"(<!-- help: (?P<line>[^>]*?) -->\n```text\n)(?P<text>.*?)(```\n)", re.DOTALL)
 MAP = re.compile(r"(<!-- map -->\n```mermaid\n)(.*?)(```\n)", re.DOTALL)
 

@@ -1,0 +1,84 @@
+"""Makes a data set: every request in turn on all cores, going on where an earlier run ended."""
+
+import os
+from collections.abc import Callable, Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from apartgen import settings
+from apartgen.dataset import finish, pool
+from apartgen.dataset.home import Asked, Done, Settings, home, row_of
+from apartgen.dataset.source import Source
+from apartgen.dataset.store import PER_SHARD, Row, Store, Writer
+from apartgen.requests import Request
+from apartgen.schemas.errors import BadInput
+from apartgen.steps import BY, STEPS
+
+Report = Callable[[Row], None]
+
+
+def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None = None, workers: int | None = None,
+          per_shard: int = PER_SHARD, report: Report = lambda row: None) -> Store:
+    """The data set of all requests of the source; `report` gets the row of every home that is made.
+
+    BadInput where the folder holds another data set.
+    """
+    settings.by_stage(given or {}, ["svg"])
+    store = Store(folder)
+    _begun(store, source, {"apartgen_dataset": 1, "by": BY, "seed": seed, "per_shard": per_shard,
+                           "stages": ["plan", *(step.word for step in STEPS)],
+                           "settings": {word: dict(table) for word, table in (given or {}).items()}})
+    writer = Writer(store, per_shard)
+    try:
+        before = writer.count
+        work = (Asked(one, seed if one.seed is None else one.seed, given or {})
+                for one in islice(source.requests(), before, None))
+        for done in pool.results(home, work, workers or os.cpu_count() or 1, _lost):
+            report(writer.add(done))
+    finally:
+        writer.close()
+    if writer.count != before or not finish.is_finished(store):
+        finish.finish(store)
+    return store
+
+
+def _lost(asked: Asked) -> Done:
+    """The row of a home whose worker was killed, twice."""
+    why = "its process ended without an answer, twice: killed, or out of memory"
+    return Done(b"", row_of(asked) | {"error": why, "status": 1, "seconds": {}})
+
+
+def _begun(store: Store, source: Source, about: dict[str, Any]) -> None:
+    about |= {"source": source.about(), "count": source.count}
+    store.folder.mkdir(parents=True, exist_ok=True)
+    if not (store.folder / "dataset.json").exists():
+        if any(store.folder.iterdir()):
+            raise BadInput(f"{store.folder}: holds files that are no data set's; give an empty or a new folder")
+        store.describe(about)
+        return
+    old = store.about()
+    for name in about:
+        if name != "count" and old.get(name) != about[name]:
+            raise BadInput(f"{store.folder}: is a data set of another {name}; give another folder, or ask for the same")
+    if old["count"] > about["count"]:
+        raise BadInput(f"{store.folder}: is to have {old['count']} homes already; ask for as many or more")
+    store.describe(old | {"count": about["count"]})
+
+
+def again(row: Row, about: dict[str, Any]) -> Done:
+    """One home of a data set, made anew from its row."""
+    request = Request(row["prompt"], row.get("request", ""), None, row.get("settings", {}), row["id"])
+    return home(Asked(request, row["seed"], about["settings"]))
+
+
+def selected(store: Store, ids: list[str], split: str | None = None) -> Iterator[Row]:
+    """The rows of homes by id, or of a part of the split; of all that were made, where neither is named."""
+    left = set(ids)
+    for row in store.rows():
+        if "shard" in row and (row["id"] in left if ids else True) and split in (None, row.get("split")):
+            left.discard(row["id"])
+            yield row
+    if left:
+        more = f", nor {len(left) - 1} more of those named" if len(left) > 1 else ""
+        raise BadInput(f"{store.folder}: has no home {min(left)!r}{more}")

@@ -1,0 +1,131 @@
+"""One home of a data set: its request through every stage, and the row that the manifest has of it."""
+
+import logging
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from time import perf_counter
+from typing import Any, NamedTuple
+
+from apartgen import outputs, planning, settings
+from apartgen.dataset import shape
+from apartgen.requests import Request
+from apartgen.schemas import artifact
+from apartgen.schemas.artifact import Artifact
+from apartgen.schemas.base import Record
+from apartgen.schemas.errors import ApartgenError
+from apartgen.stages import check
+from apartgen.steps import STEPS, Step, lane, made
+
+log = logging.getLogger("apartgen")
+Settings = Mapping[str, Mapping[str, Any]]
+
+
+class Asked(NamedTuple):
+    """What a worker is given: a request with its seed, and the settings of the whole data set."""
+
+    request: Request
+    seed: int
+    settings: Settings
+
+
+class Done(NamedTuple):
+    """What a worker gives: the line of the artifact, empty where there is none, and the manifest's row."""
+
+    line: bytes
+    row: dict[str, Any]
+
+
+def home(asked: Asked) -> Done:
+    """A home, or why there is none. It hangs on its request, its seed and the settings alone."""
+    began = perf_counter()
+    row = row_of(asked)
+    seconds: dict[str, float] = {}
+    try:
+        with _heard() as said:
+            read, digests = _made(asked, seconds)
+        row |= {"said": said} if said else {}
+        row |= {"kind": read.kind, "by": read.made.by, "digests": digests, **_judged(read, seconds)}
+        line = artifact.as_line(artifact.finish(read.body, read.made)[0]).encode()
+    except ApartgenError as error:
+        line = b""
+        row |= {"error": str(error), "status": error.exit_code}
+    return Done(line, row | {"seconds": seconds | {"all": round(perf_counter() - began, 3)}})
+
+
+@contextmanager
+def _heard() -> Iterator[list[str]]:
+    """What stages have to say of a home, which the manifest keeps in place of a screen."""
+    said: list[str] = []
+    handler = logging.Handler()
+    handler.emit = lambda record: said.append(record.getMessage())  # type: ignore[method-assign]
+    before = log.handlers, log.propagate, log.level
+    log.handlers, log.propagate = [handler], False
+    log.setLevel(logging.INFO)
+    try:
+        yield said
+    finally:
+        log.handlers, log.propagate = before[:2]
+        log.setLevel(before[2])
+
+
+def row_of(asked: Asked) -> dict[str, Any]:
+    """What the manifest says of a request; `request` is what it draws by, where that is not its words."""
+    one = asked.request
+    row = {"id": one.name, "request": one.id, "prompt": one.prompt, "seed": asked.seed, "settings": dict(one.settings)}
+    return {name: value for name, value in row.items() if value not in ("", {})}
+
+
+def _made(asked: Asked, seconds: dict[str, float]) -> tuple[Artifact[Any], dict[str, str]]:
+    configs = settings.by_stage(_over(asked.settings, asked.request.settings), ["svg"])
+    began = perf_counter()
+    read = _plan(asked, configs["plan"])
+    digests, began = {"plan": read.digest}, _lap(seconds, "plan", began)
+    for step in STEPS:
+        read = _next(step, read, configs[step.word], asked.seed)
+        digests[step.word], began = read.digest, _lap(seconds, step.word, began)
+    return read, digests | {f"{step.word} {name}": digest for step in STEPS
+                            for name, digest in _data(step, configs[step.word]).items()}
+
+
+def _plan(asked: Asked, config: Any) -> Artifact[Any]:
+    # One thread: the cores are the workers', and the plan does not depend on it.
+    drawn, used = planning.draw(asked.request.prompt, config.model_copy(update={"processes": 1}), asked.seed,
+                                asked.request.id)
+    record = made(asked.seed, config).model_copy(update={"id": asked.request.id, "model": used})
+    return artifact.finish(drawn, record)[1]
+
+
+def _next(step: Step, read: Artifact[Any], config: Record, seed: int) -> Artifact[Any]:
+    outcome = next(iter(step.advance([step.taken(read).body], config, [lane(seed, step.word, read.body)])))
+    if isinstance(outcome, ApartgenError):
+        raise type(outcome)(f"{step.word}: {outcome}")
+    return artifact.finish(outcome, made(seed, config, read, data=step.data(config)))[1]
+
+
+def _data(step: Step, config: Record) -> dict[str, str]:
+    """Digests of the files that a stage hangs on, such as weights."""
+    return made(0, config, data=step.data(config)).inputs
+
+
+def _over(settings: Settings, own: Settings) -> dict[str, dict[str, Any]]:
+    """The settings of the data set, with what a request says of its own home."""
+    return {word: {**settings.get(word, {}), **own.get(word, {})} for word in {*settings, *own}}
+
+
+def _judged(read: Artifact[Any], seconds: dict[str, float]) -> dict[str, Any]:
+    """What the judge, the metrics and the shape of a home say."""
+    began = perf_counter()
+    faults = check.run(read.body)
+    began = _lap(seconds, "check", began)
+    refusing = [str(fault) for fault in faults if fault.refuses]
+    values = outputs.measure(read.body, outputs.MetricsSettings()).values
+    _lap(seconds, "metrics", began)
+    return {"certified": not refusing, "faults": refusing[:3], "notes": len(faults) - len(refusing),
+            "metrics": {value.name: value.value for value in values if value.of == "apartment"},
+            **shape.of(read.body)}
+
+
+def _lap(seconds: dict[str, float], word: str, began: float) -> float:
+    now = perf_counter()
+    seconds[word] = round(now - began, 3)
+    return now

@@ -1,0 +1,101 @@
+"""Warm workers on the cores of one machine: results in the order of the work, few at a time, whoever dies."""
+
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from itertools import islice
+from typing import TypeVar
+
+Work = TypeVar("Work")
+Result = TypeVar("Result")
+AHEAD = 8
+"""Pieces of work a worker that are under way, or done before their turn."""
+_THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+
+def results(function: Callable[[Work], Result], work: Iterable[Work], workers: int,
+            lost: Callable[[Work], Result]) -> Iterator[Result]:
+    """What the function gives for each piece of work, in order; `lost(piece)` for one that its worker does not survive.
+
+    Workers load what they need once. Work and results can be pickled.
+    """
+    if workers == 1:
+        yield from map(function, work)
+        return
+    pieces, pool = iter(work), _started(workers)
+    waiting: deque[tuple[Work, Future[Result] | None]] = deque()
+    try:
+        while True:
+            fresh = islice(pieces, workers * AHEAD - len(waiting))
+            waiting.extend((piece, _submitted(pool, function, piece)) for piece in fresh)
+            if not waiting:
+                return
+            piece, future = waiting.popleft()
+            try:
+                result = _of(future)
+            except BrokenProcessPool:
+                # Whose piece it was is not told, so the first is done alone and the others again; so at every death
+                # one piece more is done with.
+                pool.shutdown(wait=False, cancel_futures=True)
+                result = _alone(function, piece, lost)
+                pool = _started(workers)
+                waiting = deque((piece, old if _is_done(old) else _submitted(pool, function, piece))
+                                for piece, old in waiting)
+            yield result
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _submitted(pool: ProcessPoolExecutor, function: Callable[[Work], Result], piece: Work) -> Future[Result] | None:
+    try:
+        return pool.submit(function, piece)
+    except BrokenProcessPool:
+        return None
+
+
+def _of(future: Future[Result] | None) -> Result:
+    if future is None:
+        raise BrokenProcessPool
+    return future.result()
+
+
+def _is_done(future: Future[Result] | None) -> bool:
+    return future is not None and future.done() and not isinstance(future.exception(), BrokenProcessPool)
+
+
+def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result]) -> Result:
+    pool = _started(1)
+    try:
+        return pool.submit(function, piece).result()
+    except BrokenProcessPool:
+        return lost(piece)
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _started(workers: int) -> ProcessPoolExecutor:
+    for name in _THREADS:
+        os.environ.setdefault(name, "1")
+    context = multiprocessing.get_context("forkserver" if sys.platform == "linux" else "spawn")
+    if sys.platform == "linux":
+        context.set_forkserver_preload(["apartgen.dataset.home"])
+    return ProcessPoolExecutor(workers, context, _settle)
+
+
+def _settle() -> None:
+    """A worker is interrupted by nobody, and ends when who started it has ended, however that was."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

@@ -1,0 +1,80 @@
+"""What a data set is on the disk: nothing is lost, torn or there twice, wherever a run ended."""
+
+import gzip
+import json
+import os
+from functools import partial
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from apartgen.dataset import pool
+from apartgen.dataset.home import Done
+from apartgen.dataset.store import HOMES, MANIFEST, Store, Writer
+from apartgen.schemas.errors import BadInput
+
+COUNT, PER_SHARD = 7, 3
+
+
+def done(i: int) -> Done:
+    line = b"" if i == 4 else json.dumps({"home": i, "filling": "x" * (i * 37 % 50)}).encode() + b"\n"
+    return Done(line, {"id": str(i)} | ({"error": "no room"} if i == 4 else {}))
+
+
+def filled(folder, count: int = COUNT) -> None:
+    writer = Writer(Store(folder), PER_SHARD)
+    for i in range(writer.count, count):
+        writer.add(done(i))
+    writer.close()
+
+
+def contents(folder) -> dict[str, bytes]:
+    return {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
+@given(kept=st.integers(0, COUNT), torn=st.integers(0, 400), ahead=st.integers(0, 400))
+@settings(max_examples=60, deadline=None)
+def test_wherever_a_run_ended_the_next_gives_the_same_bytes(tmp_path_factory, kept, torn, ahead):
+    """A run may end behind any byte of a shard, or of a row whose home is written."""
+    whole, folder = tmp_path_factory.mktemp("whole"), tmp_path_factory.mktemp("cut")
+    filled(whole)
+    filled(folder, kept)
+    if kept < COUNT:
+        after = tmp_path_factory.mktemp("after")
+        filled(after, kept + 1)
+        home_written = False
+        for name, data in contents(after).items():
+            before = contents(folder).get(name, b"")
+            if name != MANIFEST and len(data) > len(before):
+                (folder / name).write_bytes(data[:min(len(before) + ahead, len(data))])
+                home_written = len(before) + ahead >= len(data)
+        if home_written or kept == 4:
+            before = contents(folder).get(MANIFEST, b"")
+            data = contents(after)[MANIFEST]
+            (folder / MANIFEST).write_bytes(data[:min(len(before) + torn, len(data))])
+    filled(folder)
+    assert contents(folder) == contents(whole)
+
+
+def test_homes_are_read_by_row_and_shards_by_any_reader_of_gzip(tmp_path):
+    filled(tmp_path)
+    store = Store(tmp_path)
+    assert [json.loads(store.line(row))["home"] for row in store.rows() if "shard" in row] == [0, 1, 2, 3, 5, 6]
+    shards = sorted((tmp_path / HOMES).iterdir())
+    assert [json.loads(line)["home"] for file in shards for line in gzip.open(file)] == [0, 1, 2, 3, 5, 6]
+    assert [file.name for file in shards] == ["00000.jsonl.gz", "00001.jsonl.gz", "00002.jsonl.gz"]
+
+
+def test_a_shard_that_lost_bytes_is_not_written_on(tmp_path):
+    filled(tmp_path)
+    os.truncate(tmp_path / HOMES / "00000.jsonl.gz", 20)
+    with pytest.raises(BadInput, match=r"00000\.jsonl\.gz: \d+ bytes are missing"):
+        Writer(Store(tmp_path), PER_SHARD)
+
+
+def test_a_piece_that_kills_its_worker_is_lost_alone_and_in_its_place():
+    pieces = [f"{i} * {i}" for i in range(12)]
+    pieces[0] = pieces[5] = "__import__('os')._exit(3)"
+    found = list(pool.results(eval, pieces, 2, partial(str.__add__, "lost ")))
+    assert found == [f"lost {pieces[i]}" if i in (0, 5) else i * i for i in range(12)]
