@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from apartgen.schemas.metrics import Metrics
     from apartgen.schemas.plan import Plan
     from apartgen.schemas.populate import Populate
+    from apartgen.schemas.qa import Question
     from apartgen.schemas.render import Render
     from apartgen.schemas.retrieve import Retrieve
     from apartgen.schemas.walkable import Walkable
@@ -32,7 +33,8 @@ if TYPE_CHECKING:
     """An apartment: what an earlier function gave, or the path of its file."""
 
 __version__ = "0.1.0"
-__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "render", "retrieve", "walkable"]
+__all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "qa", "render", "retrieve",
+           "walkable"]
 
 
 
@@ -109,6 +111,14 @@ def render(home: "Home", out: str | PathLike[str], *, seed: int | None = None, *
     from apartgen.viewing import RenderSettings, rendered
 
     return rendered(opened(home), configured(RenderSettings, settings), seed, Path(out))
+
+
+def qa(home: "Home", out: str | PathLike[str], *, seed: int | None = None, **settings: Any) -> "list[Question]":
+    """Write questions about a home, a line of JSON each, and the pictures that answer them into the folder beside."""
+    from apartgen.settings import configured, opened
+    from apartgen.viewing import QaSettings, questioned
+
+    return questioned(opened(home), configured(QaSettings, settings), seed, Path(out))
 
 
 def make(text: str, out: str | PathLike[str], *, seed: int = 0, formats: Sequence[str] | None = None,

@@ -2,15 +2,17 @@
 
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 from pydantic import Field
 
 from apartgen.outputs import opened_libraries
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact
-from apartgen.schemas.plan import Plan
+from apartgen.schemas.qa import Question
 from apartgen.schemas.render import Render
-from apartgen.stages import render
+from apartgen.stages import qa, render
+from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.render.config import RenderConfig
 from apartgen.steps import lane, made
 
@@ -23,11 +25,29 @@ class RenderSettings(RenderConfig):
     libraries: list[str] = Field(default_factory=list, description="folders of indexed asset libraries in use")
 
 
-def rendered(read: Artifact[Plan], settings: RenderSettings, seed: int | None, folder: Path) -> Render:
+def rendered(read: Artifact[Any], settings: RenderSettings, seed: int | None, folder: Path) -> Render:
     """Write the pictures of one apartment and the list of them, views.json."""
     began, used = perf_counter(), read.made.seed if seed is None else seed
     rng = lane(used, "render", read.body)
     found = render.run(read.body, settings, rng, folder, opened_libraries(*settings.libraries).load_asset)
     text, _ = artifact.finish(found, made(used, settings, read, perf_counter() - began))
     artifact.write(text, folder / VIEWS)
+    return found
+
+
+class QaSettings(QaConfig):
+    """What is asked, of which views, and where assets are found."""
+
+    views: int = Field(12, ge=1, le=200, description="views at the height of eyes")
+    frames: int = Field(16, ge=2, le=2000, description="frames along the robot's way")
+    libraries: list[str] = Field(default_factory=list, description="folders of indexed asset libraries in use")
+
+
+def questioned(read: Artifact[Any], settings: QaSettings, seed: int | None, out: Path) -> list[Question]:
+    """Write questions about one apartment, a line each, and their pictures into the folder beside them."""
+    folder, used = out.with_suffix(""), read.made.seed if seed is None else seed
+    looks = RenderSettings(views=settings.views, frames=settings.frames, points=0, libraries=settings.libraries)
+    seen = rendered(read, looks, used, folder)
+    found = qa.run(read.body, seen, settings, lane(used, "qa", read.body))
+    artifact.write(qa.lines(found, folder.name), out)
     return found

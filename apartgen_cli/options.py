@@ -16,7 +16,7 @@ from apartgen.schemas.errors import BadInput
 
 Config = TypeVar("Config", bound=BaseModel)
 Names = Mapping[str, str]
-TABLES = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "render", "train-layout",
+TABLES = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "render", "qa", "train-layout",
           "train-shape")
 """What a settings file may hold: one for every command that has settings."""
 

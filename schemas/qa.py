@@ -1,0 +1,26 @@
+"""Questions about a home with their answers."""
+
+from typing import Any, Literal
+
+from pydantic import Field
+
+from apartgen.schemas.base import Record
+
+Difficulty = Literal["easy", "medium", "hard"]
+
+
+class Question(Record):
+    """One question of several answers; `answer` is the letter of `value` among `options`.
+
+    `images` are names of views. `evidence` names the things that the answer is worked out from, and the numbers.
+    """
+
+    id: str
+    kind: str
+    text: str
+    options: list[str] = Field(min_length=2, max_length=26)
+    answer: str
+    value: str
+    images: list[str] = Field(min_length=1)
+    difficulty: Difficulty
+    evidence: dict[str, Any] = Field(default_factory=dict)

@@ -1,0 +1,176 @@
+"""What is known of a home and its pictures: names that mean one thing only, what each view shows, distances."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import hypot
+
+from shapely.geometry import Polygon
+
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import Opening, Room
+from apartgen.schemas.render import Render, View
+from apartgen.stages.space import boxes, polygons
+from apartgen.stages.things.categories import TABLE
+
+CLEARLY = 0.004
+"""Share of a picture that a thing must cover to be asked about."""
+ABOVE = "above"
+
+
+def spoken(category: str) -> str:
+    """A category's name in sentences."""
+    return TABLE[category].called if category in TABLE else category.replace("_", " ")
+
+
+def one(category: str) -> str:
+    """A thing of a category in sentences."""
+    name = spoken(category)
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
+
+
+@dataclass(frozen=True)
+class Facts:
+    """A furnished home, and views of it."""
+
+    home: Layout
+    render: Render
+
+    @cached_property
+    def objects(self) -> dict[str, Box]:
+        """Objects by id."""
+        return {o.id: o for o in self.home.objects}
+
+    @cached_property
+    def rooms(self) -> dict[str, Room]:
+        """Rooms by id."""
+        return {room.id: room for room in self.home.rooms}
+
+    @cached_property
+    def views(self) -> dict[str, View]:
+        """Views by name."""
+        return {view.name: view for view in self.render.views}
+
+    @cached_property
+    def shares(self) -> dict[str, dict[str, float]]:
+        """By view, the share of the picture that each object, door and window covers."""
+        ids = {thing.number: thing.id for thing in self.render.instances}
+        return {name: {ids[part.number]: part.pixels / view.width / view.height for part in view.visible}
+                for name, view in self.views.items()}
+
+    @cached_property
+    def eyes(self) -> list[View]:
+        """Views at the height of eyes."""
+        return [view for view in self.render.views if view.kind == "eye"]
+
+    def clear(self, view: str) -> list[Box]:
+        """Objects that a view shows clearly."""
+        return [self.objects[id] for id, share in self.shares[view].items() if share > CLEARLY and id in self.objects]
+
+    def alone(self, view: str) -> dict[str, Box]:
+        """Those of them that nothing else of their kind is seen beside, by their name in that picture."""
+        shown = Counter(self.objects[id].category for id in self.shares[view] if id in self.objects)
+        return {f"the {spoken(o.category)}": o for o in self.clear(view) if shown[o.category] == 1}
+
+    @cached_property
+    def room_names(self) -> dict[str, str]:
+        """Rooms that can be spoken of: the only one of their type, or the only one of it with something."""
+        types = Counter(room.type for room in self.home.rooms)
+        found = {room.id: f"the {room.type.replace('_', ' ')}" for room in self.home.rooms if types[room.type] == 1}
+        held = Counter((self.rooms[room].type, category) for room, category in
+                       {(o.room, o.category) for o in self.home.objects if o.room in self.rooms})
+        for o in sorted(self.home.objects, key=lambda o: o.id):
+            room = self.rooms.get(o.room)
+            if room and room.id not in found and held[room.type, o.category] == 1 and self._large(o):
+                found[room.id] = f"the {room.type.replace('_', ' ')} with {one(o.category)}"
+        return found
+
+    def _large(self, o: Box) -> bool:
+        """Whether it is something that a room is known by."""
+        return o.category in TABLE and TABLE[o.category].place == "floor" and max(o.size) > 0.7
+
+    @cached_property
+    def names(self) -> dict[str, str]:
+        """Objects that can be spoken of: the only one of their kind in the home, or in a room that can be."""
+        whole = Counter(o.category for o in self.home.objects)
+        inside = Counter((o.room, o.category) for o in self.home.objects)
+        found = {}
+        for o in self.home.objects:
+            if whole[o.category] == 1:
+                found[o.id] = f"the {spoken(o.category)}"
+            elif inside[o.room, o.category] == 1 and o.room in self.room_names:
+                room = self.room_names[o.room]
+                if f"with {one(o.category)}" not in room:
+                    found[o.id] = f"the {spoken(o.category)} in {room}"
+        return found
+
+    def named_in(self, room: str) -> list[str]:
+        """Ids of what can be spoken of in a room."""
+        return [id for id in self.names if self.objects[id].room == room]
+
+    def pictures(self, ids: Iterable[str], most: int = 4, least: float = CLEARLY) -> list[str]:
+        """Fewest views, eyes before others, that show all of these; none where that takes more than `most`."""
+        left, chosen = set(ids), list[str]()
+        usable = [view.name for view in self.render.views if view.kind in ("eye", "panorama")]
+        floor = {name: least if self.views[name].kind == "eye" else least / 4 for name in usable}
+        while left and len(chosen) < most:
+            shown = {name: {id for id in left if self.shares[name].get(id, 0) > floor[name]} for name in usable}
+            best = max(usable, key=lambda name: len(shown[name]), default="")
+            if not best or not shown[best]:
+                return []
+            chosen.append(best)
+            left -= shown[best]
+        return chosen if not left else []
+
+    def room_pictures(self, room: str) -> list[str]:
+        """The panorama of a room."""
+        return [view.name for view in self.render.views if view.kind == "panorama" and view.room == room]
+
+    def above(self) -> list[str]:
+        """The view from above."""
+        return [view.name for view in self.render.views if view.kind == ABOVE]
+
+    def print(self, id: str) -> Polygon:
+        """An object's footprint."""
+        return boxes.footprints(boxes.of([self.objects[id]]))[0]
+
+    def apart(self, a: str, b: str) -> float:
+        """Distance between the nearest points of two objects' boxes, m."""
+        flat = float(self.print(a).distance(self.print(b)))
+        one, other = self.objects[a], self.objects[b]
+        up = abs(one.center[2] - other.center[2]) - (one.size[2] + other.size[2]) / 2
+        return hypot(flat, max(0.0, up))
+
+    def passages(self, room: str) -> list[Opening]:
+        """Doors and openings of a room."""
+        return [o for o in self.home.openings if room in o.rooms and o.kind in polygons.PASSAGES]
+
+    def way(self, start: str, end: str) -> list[Opening] | None:
+        """Doors and openings of the only way with fewest of them between two rooms; None where there are several."""
+        ways: list[tuple[str, list[Opening]]] = [(start, [])]
+        seen = {start}
+        while ways:
+            done = [way for room, way in ways if room == end]
+            if done:
+                return done[0] if len(done) == 1 else None
+            following = [(next(r for r in o.rooms if r != room), [*way, o]) for room, way in ways
+                         for o in self.passages(room) if len(o.rooms) == 2]
+            ways = [(room, way) for room, way in following if room not in seen]
+            seen |= {room for room, _ in ways}
+        return None
+
+
+def metres(value: float) -> str:
+    """A length as it is said."""
+    return f"{value:.1f} m"
+
+
+def centimetres(value: float) -> str:
+    """A length below a metre or so as it is said."""
+    return f"{5 * round(value * 20)} cm"
+
+
+def far_enough(values: Sequence[float], value: float, ratio: float = 1.25, least: float = 0.15) -> bool:
+    """Whether a number can be told from others by eye."""
+    return all(max(v, value) > ratio * min(v, value) and abs(v - value) > least for v in values)

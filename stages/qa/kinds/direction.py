@@ -1,0 +1,34 @@
+"""Where a thing is to somebody who stands by one and faces another."""
+
+from itertools import permutations
+from math import atan2, degrees, dist
+
+import numpy as np
+
+from apartgen.stages.qa.drafts import Draft, shared
+from apartgen.stages.qa.facts import Facts
+
+NEAREST = 0.8
+"""Things nearer to where one stands have no clear direction, m."""
+SLACK = 12.0
+"""What is nearer to a border between quarters is not asked for, degrees."""
+QUARTERS = ("ahead to the left", "behind to the left", "behind to the right", "ahead to the right")
+MANY = 400
+
+
+def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
+    """By the middles of three things of one room."""
+    triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
+    drafts = []
+    for k in rng.permutation(len(triples))[:MANY]:
+        at, to, of = triples[k]
+        here, there, where = (facts.objects[id].center[:2] for id in triples[k])
+        if dist(here, there) < NEAREST or dist(here, where) < NEAREST:
+            continue
+        angle = degrees(atan2(where[1] - here[1], where[0] - here[0]) - atan2(there[1] - here[1], there[0] - here[0]))
+        quarter, rest = divmod(angle % 360, 90)
+        if SLACK < rest < 90 - SLACK and (images := facts.pictures((at, to, of), 3)):
+            names = facts.names
+            text = f"You stand by {names[at]} and face {names[to]}. Where is {names[of]}?"
+            drafts.append(Draft(text, QUARTERS[int(quarter)], images, {"at": at, "facing": to, "of": of}, hard=2))
+    return shared(drafts, rng, most)

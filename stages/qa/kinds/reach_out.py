@@ -1,0 +1,24 @@
+"""How far a thing comes forward once a part is fully open."""
+
+import numpy as np
+
+from apartgen.schemas.retrieve import Furnishing
+from apartgen.stages.qa.drafts import Draft, shared
+from apartgen.stages.qa.facts import Facts, centimetres
+from apartgen.stages.space import sweeps
+
+LEAST = 0.1
+
+
+def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
+    """Measured from its closed front to the foremost point of any of its parts, each opened as far as it goes."""
+    drafts = []
+    for id, name in facts.names.items():
+        o = facts.objects[id]
+        joints = [joint for joint in o.joints if joint.extent] if isinstance(o, Furnishing) else []
+        out = max((float(sweeps.moved(joint, joint.range[1])[1][0]) for joint in joints), default=0.0) - o.size[0] / 2
+        if out > LEAST and (images := facts.pictures([id], 1, 0.008)):
+            text = f"All parts of {name} are fully opened. How far do they stand out before its closed front?"
+            evidence = {"object": id, "metres": round(out, 3)}
+            drafts.append(Draft(text, centimetres(out), images, evidence, number=out, hard=1))
+    return shared(drafts, rng, most)

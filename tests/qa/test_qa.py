@@ -1,0 +1,358 @@
+"""Every answer worked out anew from the artifact and the pictures, by other means; letters and answers are even."""
+
+import json
+from collections import Counter, defaultdict
+from math import atan2, cos, degrees, hypot, sin
+from pathlib import Path
+from types import SimpleNamespace
+
+import networkx
+import numpy as np
+import pytest
+from PIL import Image
+
+from apartgen.outputs import opened_libraries
+from apartgen.schemas import artifact
+from apartgen.schemas.walkable import Walkable
+from apartgen.stages import qa, render, seeds
+from apartgen.stages.qa.config import QaConfig
+from apartgen.stages.qa.drafts import Draft, asked, balanced, shared
+from apartgen.stages.render.config import RenderConfig
+from apartgen.stages.things.categories import TABLE
+
+HOME = Path(__file__).parent.parent / "golden/v2/walkable.json"
+
+
+@pytest.fixture(scope="module")
+def seen(tmp_path_factory):
+    out = tmp_path_factory.mktemp("views") / "views"
+    home = artifact.read(HOME, Walkable).body
+    config = RenderConfig(width=200, height=150, views=12, frames=16, points=0)
+    return home, render.run(home, config, seeds.drawn(3, "views"), out, opened_libraries().load_asset), out
+
+
+@pytest.fixture(scope="module")
+def asked_of(seen):
+    home, views, _ = seen
+    return [one for seed in range(4) for one in qa.run(home, views, QaConfig(), seeds.drawn(seed, "qa"))]
+
+
+class Anew:
+    """The home and its pictures, and answers to questions by kind, worked out without the stage's code."""
+
+    def __init__(self, home, views, out):
+        self.home, self.views, self.out = home, {v.name: v for v in views.views}, out
+        self.objects = {o.id: o for o in home.objects}
+        self.rooms = {r.id: r for r in home.rooms}
+        self.numbers = {thing.id: thing.number for thing in views.instances if thing.box}
+
+    def corners(self, o):
+        c, s = cos(o.yaw), sin(o.yaw)
+        d, w = o.size[0] / 2, o.size[1] / 2
+        own = ((d, w), (-d, w), (-d, -w), (d, -w))
+        return [(o.center[0] + c * x - s * y, o.center[1] + s * x + c * y) for x, y in own]
+
+    def flat(self, a, b):
+        """Distance of two rectangles: every corner against every side, both ways; 0 where one has a corner within."""
+        one, other = self.corners(a), self.corners(b)
+        if any(self.holds(b, p) for p in one) or any(self.holds(a, p) for p in other):
+            return 0.0
+        pairs = [(p, q[k], q[k - 1]) for points, q in ((one, other), (other, one)) for p in points for k in range(4)]
+        return min(self.to_side(*pair) for pair in pairs)
+
+    @staticmethod
+    def to_side(p, a, b):
+        ax, ay, bx, by = *a, *b
+        t = ((p[0] - ax) * (bx - ax) + (p[1] - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2)
+        t = min(1, max(0, t))
+        return hypot(p[0] - ax - t * (bx - ax), p[1] - ay - t * (by - ay))
+
+    @staticmethod
+    def holds(o, p):
+        x, y = p[0] - o.center[0], p[1] - o.center[1]
+        u, v = x * cos(o.yaw) + y * sin(o.yaw), y * cos(o.yaw) - x * sin(o.yaw)
+        return abs(u) <= o.size[0] / 2 and abs(v) <= o.size[1] / 2
+
+    def apart(self, a, b):
+        low = max(o.center[2] - o.size[2] / 2 for o in (a, b))
+        high = min(o.center[2] + o.size[2] / 2 for o in (a, b))
+        return hypot(self.flat(a, b), max(0.0, low - high))
+
+    def inside(self, room, x, y):
+        """Even-odd."""
+        points, found = self.rooms[room].polygon, False
+        for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]]):
+            if (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax):
+                found = not found
+        return found
+
+    def ahead(self, o):
+        """First thing met on lines ahead of the whole front, and how far, by steps of half a centimetre."""
+        best, met = 12.0, ""
+        solid = [p for p in self.home.objects if p.id != o.id and p.room == o.room
+                 and p.center[2] + p.size[2] / 2 > max(o.center[2] - o.size[2] / 2, 0.1)
+                 and p.center[2] - p.size[2] / 2 < o.center[2] + o.size[2] / 2]
+        for v in np.linspace(-o.size[1] / 2 + 0.02, o.size[1] / 2 - 0.02, 61):
+            for u in np.arange(0.002, best, 0.005):
+                x = o.center[0] + cos(o.yaw) * (o.size[0] / 2 + u) - sin(o.yaw) * v
+                y = o.center[1] + sin(o.yaw) * (o.size[0] / 2 + u) + cos(o.yaw) * v
+                hit = next((p.id for p in solid if self.holds(p, (x, y))), None)
+                if hit is None and self.inside(o.room, x, y):
+                    continue
+                if u < best:
+                    best, met = u, hit or ""
+                break
+        return best, met
+
+    def image(self, view):
+        return np.asarray(Image.open(self.out / f"{view}.instance.png"))
+
+    def share(self, view, id):
+        return float((self.image(view) == self.numbers[id]).mean())
+
+    def graph(self):
+        found = networkx.MultiGraph()
+        found.add_nodes_from(self.rooms)
+        found.add_edges_from((*o.rooms, o.id) for o in self.home.openings if o.kind != "window" and len(o.rooms) == 2)
+        return found
+
+    def count(self, q):
+        wanted = (q.evidence["room"], q.evidence["category"])
+        return str(sum((o.room, o.category) == wanted for o in self.home.objects))
+
+    def absolute_distance(self, q):
+        a, b = (self.objects[id] for id in q.evidence["objects"])
+        return f"{self.apart(a, b):.1f} m"
+
+    def relative_distance(self, q):
+        anchor = self.objects[q.evidence["to"]]
+        return min(q.evidence["objects"], key=lambda id: self.apart(anchor, self.objects[id]))
+
+    def direction(self, q):
+        here, there, of = (np.array(self.objects[q.evidence[k]].center[:2]) for k in ("at", "facing", "of"))
+        ahead, way = there - here, of - here
+        side = "left" if ahead[0] * way[1] - ahead[1] * way[0] > 0 else "right"
+        return f"{'ahead' if ahead @ way > 0 else 'behind'} to the {side}"
+
+    def object_size(self, q):
+        return f"{5 * round(max(self.objects[q.evidence['object']].size) / 0.05)} cm"
+
+    def room_size(self, q):
+        points = np.array(self.rooms[q.evidence["room"]].polygon)
+        x, y = points.T
+        return f"{abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2:.0f} m²"
+
+    def route(self, q):
+        openings = {o.id: o for o in self.home.openings}
+        entrance = next(o for o in self.home.openings if o.kind == "entrance")
+        o = self.objects[q.evidence["object"]]
+        way = [entrance, *(openings[id] for id in q.evidence["doors"])]
+        assert networkx.shortest_path_length(self.graph(), entrance.rooms[0], o.room) == len(way) - 1
+        goals = [np.mean(w.segment, axis=0) for w in way[1:]] + [np.array(o.center[:2])]
+        room, words = None, []
+        for opening, goal in zip(way, goals):
+            room = opening.rooms[0] if room is None else next(r for r in opening.rooms if r != room)
+            a, b = np.array(opening.segment)
+            normal = np.array([-(b - a)[1], (b - a)[0]]) / np.linalg.norm(b - a)
+            if not self.inside(room, *((a + b) / 2 + 0.25 * normal)):
+                normal = -normal
+            assert self.inside(room, *((a + b) / 2 + 0.25 * normal))
+            way_ = goal - (a + b) / 2
+            angle = degrees(atan2(normal[0] * way_[1] - normal[1] * way_[0], normal @ way_))
+            words.append("straight on" if abs(angle) < 40 else "left" if angle > 0 else "right")
+        return ", ".join(words)
+
+    def appearance_order(self, q):
+        first = {id: next(k for k, view in enumerate(q.images) if self.share(view, id) > 0.006)
+                 for id in q.evidence["order"]}
+        assert len(set(first.values())) == 4
+        return sorted(first, key=first.get)
+
+    def parts(self, q):
+        return str(len(self.objects[q.evidence["object"]].joints))
+
+    def mechanism(self, q):
+        ways = set()
+        for j in self.objects[q.evidence["object"]].joints:
+            ways.add("slide" if j.type == "slide" else
+                     f"turn about {'an upright' if abs(j.axis[2]) > 0.7 else 'a level'} hinge")
+        return " and ".join(sorted(ways)) or "nothing of it moves"
+
+    def reach_out(self, q):
+        o = self.objects[q.evidence["object"]]
+        far = 0.0
+        for j in (j for j in o.joints if j.extent):
+            for x in (j.extent[0][0], j.extent[1][0]):
+                for y in (j.extent[0][1], j.extent[1][1]):
+                    for z in (j.extent[0][2], j.extent[1][2]):
+                        p, axis = np.array([x, y, z]), np.array(j.axis) / np.linalg.norm(j.axis)
+                        if j.type == "slide":
+                            p = p + axis * j.range[1]
+                        else:
+                            arm, c, s = p - j.origin, cos(j.range[1]), sin(j.range[1])
+                            p = j.origin + arm * c + np.cross(axis, arm) * s + axis * (axis @ arm) * (1 - c)
+                        far = max(far, p[0] - o.size[0] / 2)
+        return f"{5 * round(far / 0.05)} cm"
+
+    def clearance(self, q):
+        far, met = self.ahead(self.objects[q.evidence["object"]])
+        assert met == q.evidence["met"] and abs(far - q.evidence["metres"]) < 0.03
+        return f"{q.evidence['metres']:.1f} m"
+
+    def in_front(self, q):
+        return self.ahead(self.objects[q.evidence["object"]])[1]
+
+    def doors_between(self, q):
+        a, b = (self.objects[id].room for id in q.evidence["objects"])
+        ways = list(networkx.all_shortest_paths(self.graph(), a, b))
+        assert len(ways) == 1 or a == b
+        return str(len(ways[0]) - 1)
+
+    def doors(self, q):
+        return str(sum(q.evidence["room"] in o.rooms and o.kind != "window" for o in self.home.openings))
+
+    def windows(self, q):
+        return str(sum(q.evidence["room"] in o.rooms and o.kind == "window" for o in self.home.openings))
+
+    def lamps(self, q):
+        return str(sum(o.room == q.evidence["room"] and "lamp" in o.category for o in self.home.objects))
+
+    def carried(self, q):
+        on = self.objects[q.evidence["object"]].on
+        return f"the {on}" if on in ("floor", "wall", "ceiling") else on
+
+    def seen(self, q):
+        shown = {o.category for o in self.home.objects if self.share(q.evidence["view"], o.id) > 0}
+        here = [w for w in q.options if any(w.split(" ", 1)[1] == TABLE[c].called for c in shown)]
+        assert len(here) == 1
+        return here[0]
+
+    def left_of(self, q):
+        image = self.image(q.evidence["view"])
+
+        def middle(id):
+            columns = np.nonzero((image == self.numbers[id]).any(0))[0]
+            return columns.min() + columns.max()
+
+        return min(q.evidence["objects"], key=middle)
+
+    def nearer(self, q):
+        eye = np.array(self.views[q.evidence["view"]].pose)[:3, 3]
+
+        def far(id):
+            o = self.objects[id]
+            x, y = eye[:2] - o.center[:2]
+            local = np.array([x * cos(o.yaw) + y * sin(o.yaw), y * cos(o.yaw) - x * sin(o.yaw), eye[2] - o.center[2]])
+            return np.linalg.norm(np.maximum(np.abs(local) - np.array(o.size) / 2, 0))
+
+        return min(q.evidence["objects"], key=far)
+
+    def taller(self, q):
+        return max(q.evidence["objects"], key=lambda id: self.objects[id].size[2])
+
+    def where(self, q):
+        x, y = np.array(self.views[q.evidence["view"]].pose)[:2, 3]
+        return next(room.type.replace("_", " ") for room in self.home.rooms if self.inside(room.id, x, y))
+
+    def turn(self, q):
+        a, b = (np.array(self.views[name].pose)[:2, 2] for name in q.evidence["views"])
+        return "to the left" if a[0] * b[1] - a[1] * b[0] > 0 else "to the right"
+
+    def gap(self, q):
+        a, b = (self.objects[id] for id in q.evidence["objects"])
+        return "yes" if self.flat(a, b) > 0.5 else "no"
+
+
+def named(anew, value, options):
+    """What an id or some are called among the options: the only one that names all their kinds, in order."""
+    ids = [value] if isinstance(value, str) else value
+    words = [TABLE[anew.objects[id].category].called for id in ids]
+    fit = [option for option in options if len(parts := option.split(", ")) == len(words)
+           and all(part == f"the {word}" or part.startswith(f"the {word} in ") for part, word in zip(parts, words))]
+    return fit
+
+
+@pytest.mark.parametrize("kind", sorted(set(qa.every_kind()) - {"inside"}))
+def test_answers_worked_out_anew_are_the_same(seen, asked_of, kind):
+    anew = Anew(*seen)
+    for question in (one for one in asked_of if one.kind == kind):
+        value = getattr(anew, kind)(question)
+        known = not isinstance(value, str) or value in anew.objects
+        found = named(anew, value, question.options) if known else [value]
+        assert question.value in found, (question, value)
+        assert question.options[ord(question.answer) - 65] == question.value
+
+
+def test_what_is_inside_is_asked_of_what_has_something(seen):
+    home, views, _ = seen
+    holders = ["bookshelf", "nightstand", "chest", "wardrobe", "sideboard", "tv_stand", "desk", "fridge", "sofa"]
+    firsts = {o.category: o for o in reversed(home.objects)}
+    chosen = [firsts[category] for category in holders if category in firsts]
+    put = [SimpleNamespace(**(vars(o) | {"id": f"in_{o.id}", "category": kind, "in_": SimpleNamespace(object=o.id)}))
+           for o, kind in zip(chosen, ("book", "cup", "towel", "plate", "pan", "fork", "lamp"))]
+    stuffed = home.model_copy(update={"objects": [*home.objects, *put]})
+    found = qa.run(stuffed, views, QaConfig(kind=["inside"], each=12), seeds.drawn(0, "qa"))
+    inside = {o.in_.object: o.category for o in put}
+    assert found and all(one.value == inside[one.evidence["object"]] for one in found)
+
+
+def test_there_are_many_of_many_kinds(seen):
+    home, views, _ = seen
+    found = qa.run(home, views, QaConfig(), seeds.drawn(0, "qa"))
+    assert len(found) >= 60 and len({one.kind for one in found}) >= 15
+
+
+def test_what_is_asked_about_is_in_the_pictures(seen, asked_of):
+    anew = Anew(*seen)
+    for one in asked_of:
+        ids = [v for value in one.evidence.values() for v in (value if isinstance(value, list) else [value])
+               if v in anew.objects]
+        for id in ids:
+            assert any(anew.share(view, id) > 0 for view in one.images), (one, id)
+
+
+def test_options_differ_and_letters_are_even(asked_of):
+    for one in asked_of:
+        assert len(set(one.options)) == len(one.options)
+    kinds = defaultdict(Counter)
+    for one in asked_of:
+        kinds[one.kind, len(one.options)][one.answer] += 1
+    right = sum(counts.most_common(1)[0][1] for counts in kinds.values())
+    chance = sum(sum(counts.values()) / n for (_, n), counts in kinds.items())
+    assert right / len(asked_of) <= chance / len(asked_of) + 0.09  # few of each kind: the largest of some draws
+
+
+def test_the_same_seed_asks_the_same(seen):
+    home, views, _ = seen
+    first, again = (qa.lines(qa.run(home, views, QaConfig(), seeds.drawn(5, "qa")), "x") for _ in range(2))
+    assert first == again
+
+
+def test_lines_are_what_fine_tuning_reads(seen, asked_of):
+    for row, one in zip(qa.lines(asked_of, "pictures").splitlines(), asked_of):
+        line = json.loads(row)
+        user, assistant = line["messages"]
+        assert (user["role"], assistant["role"], assistant["content"]) == ("user", "assistant", one.answer)
+        assert user["content"].count("<image>") == len(line["images"])
+        assert all((seen[2] / Path(path).name).is_file() for path in line["images"])
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_shared_answers_are_right_once_each(seed):
+    rng = np.random.default_rng(seed)
+    drafts = [Draft(f"q{k}", str(v), ["i"], {}) for k, v in enumerate(rng.integers(0, 6, 30))]
+    found = asked("x", shared(drafts, rng, 8), rng)
+    groups = defaultdict(list)
+    for one in found:
+        groups[tuple(sorted(one.options))].append(one.value)
+    assert found and all(Counter(options) == Counter(set(values)) and len(set(Counter(values).values())) == 1
+                         for options, values in groups.items())
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_balanced_answers_are_as_many_of_each(seed):
+    rng = np.random.default_rng(seed)
+    drafts = [Draft(f"q{k}", answer, ["i"], {}, ("no" if answer == "yes" else "yes",))
+              for k, answer in enumerate(rng.choice(["yes", "no"], 20, p=[0.8, 0.2]))]
+    counts = Counter(draft.answer for draft in balanced(drafts, rng, 6))
+    assert not counts or counts["yes"] == counts["no"] > 0
