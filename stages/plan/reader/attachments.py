@@ -230,8 +230,7 @@ def _each_after(items: list[Item], k: int) -> bool:
 
 
 def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare: str) -> bool:
-    phrase = item.room
-    assert phrase is not None
+    assert (phrase := item.room) is not None
     kind = owner.type or "bedroom"
     if phrase.headline or kind not in OWNED_BY.get(phrase.type, ()):
         return False
@@ -244,24 +243,26 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     if phrase.type == "bathroom":
         own = bool(phrase.labels & {"ensuite", "own"}) or ("suite" in owner.labels and bare == "(")
         own = own and not phrase.labels & {"family", "half"}
-        lone = (
-            first
-            and not bare
-            and phrase.count in (None, 1)
-            and not phrase.labels & {"family", "half"}
-            and not _listed(after)
-        )
-        return own or lone or (not bare and _dressed(owner)) or (first and _each_follows(after))
+        lone = first and not bare and phrase.count in (None, 1) and not _listed(after)
+        lone = lone and not phrase.labels & _not_own(owner)
+        theirs = first and (not owner.type or _each_follows(after))
+        return own or lone or theirs or (not bare and _dressed(owner))
     if phrase.type in ("kitchen", "dining_room"):
         after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
         fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
         return after_one and fits and not bare and phrase.count is None
     suite = bool(owner.owned) or "suite" in owner.labels
-    listed = bare == "(" and suite and not owner.plural  # "master (en suite, balcony)"
+    listed = bare == "(" and suite and not owner.plural
     if not first and after and after[0].kind in ("link", "front"):
-        return False  # "…, and a second balcony off the living room"
+        return False
     alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)
     return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
+
+
+def _not_own(owner: RoomPhrase) -> set[str]:
+    """Traits of bathrooms that are not one room's own; one bedroom may have a half bath."""
+    one = owner.type == "bedroom" and not owner.plural and owner.quantifier in ("a", "the")
+    return {"family"} if one else {"family", "half"}
 
 
 def _dressed(owner: RoomPhrase) -> bool:

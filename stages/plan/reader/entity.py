@@ -6,6 +6,8 @@ DISTINCT = (
     "master",
     "guest",
     "kids",
+    "relative",
+    "staff",
     "small",
     "double",
     "ensuite",

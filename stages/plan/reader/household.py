@@ -11,6 +11,9 @@ from apartgen.stages.plan.reader.traits import lay
 ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 """Rooms a home has: no additional one is still one."""
 
+BOXES = ("box room", "boxroom")
+"""A small bedroom, or in a flat of one bedroom a place for boxes."""
+
 
 def _index(ordinal: int) -> int:
     """Of `first`, `second`, `last` (-1) in a list."""
@@ -90,6 +93,12 @@ class Household:
             return self._halls(phrase)
         if phrase.headline and phrase.count is not None:
             return self._headline(phrase)
+        if phrase.text in BOXES and self.totals.get("bedroom") == 1:
+            phrase.type, phrase.labels = "storage", set()  # "1-bed flat with a box room": no second place to sleep
+            return self.add("storage")
+        who = phrase.labels & {"kids", "guest"}
+        if phrase.ordinals and who and phrase.type not in self.totals:
+            return self._among(phrase.type, who, phrase.ordinals)
         if phrase.ordinals:
             self._ensure(phrase.type, max(1, *phrase.ordinals))
             return [self.of(phrase.type)[_index(n)] for n in phrase.ordinals]
@@ -99,6 +108,12 @@ class Household:
         if labels:
             return self._labelled(phrase, labels)
         return self._plain(phrase)
+
+    def _among(self, kind: str, labels: set[str], ordinals: tuple[int, ...]) -> list[Entity]:
+        """`a second children's bedroom`: the second of those."""
+        known = [e for e in self.of(kind) if labels & e.labels]
+        known += self.add(kind, max(ordinals) - len(known))
+        return [known[_index(n)] for n in ordinals]
 
     def _halls(self, phrase: RoomPhrase) -> list[Entity]:
         """Chinese counts of halls: the first is the living room, the second the dining room."""
@@ -208,7 +223,7 @@ class Household:
 
     def _among_known(self, phrase: RoomPhrase, labels: set[str], free: list[Entity], total: bool) -> bool:
         """Whether a labelled room is one of those counted before: `three bedrooms, master with ensuite`."""
-        if phrase.quantifier == "another" or ("half" in labels and not phrase.subset):
+        if phrase.quantifier == "another" or "staff" in labels or ("half" in labels and not phrase.subset):
             return False
         bare = phrase.quantifier == "" and phrase.count is None and (phrase.text == "master" or bool(phrase.owned))
         attribute = "master" in labels and bare and len([e for e in free if e.counted]) > 1

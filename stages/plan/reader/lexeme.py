@@ -10,7 +10,7 @@ class Lexeme:
     """A phrase with its readings. `joined` says that a hyphen ties it to the lexeme before.
 
     Beyond the lexicon's kinds: `mark`, `unknown`, `area` (m² in `values`, metres in `sides`), `share`, `shorthand`.
-    `slips` are words misspelled, with those they were read as.
+    `bounds` are an area's limits, `slips` words misspelled, with those they were read as.
     """
 
     kind: str
@@ -23,6 +23,7 @@ class Lexeme:
     others: tuple[Entry, ...] = ()
     parts: tuple[tuple[str, float], ...] = field(default=())
     sides: tuple[float, ...] = ()
+    bounds: tuple[tuple[str, float], ...] = ()
     slips: tuple[tuple[str, str], ...] = ()
 
     @property

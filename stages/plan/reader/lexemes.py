@@ -10,7 +10,7 @@ from apartgen.stages.plan.reader.lexicon import Lexicon
 from apartgen.stages.plan.reader.spelling import correct, split
 from apartgen.stages.plan.reader.tokens import Token
 
-ABBREVIATED = ("sq", "approx", "ca", "incl", "no", "apt", "ft", "env")
+ABBREVIATED = ("sq", "approx", "ca", "incl", "no", "apt", "ft", "env", "max", "min")
 """A full stop after these ends no sentence."""
 
 
@@ -64,6 +64,8 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
     if first.kind == "number" and not _starts_phrase(tokens, i, lexicon):
         return Lexeme("number", first.text, first.text, values=(first.value,), glued=first.glued), i + 1
     found = _longest(tokens, i, lexicon, {})
+    if found and found[0].kind == "fraction" and _half_bath(tokens, i, lexicon):
+        return Lexeme("determiner", "a", first.text), i + 1
     if found:
         slips = _slips(tokens, found[1], lexicon)
         return slips and _longest(tokens, i, lexicon, slips) or found
@@ -76,6 +78,13 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
     if first.text == "." and i and tokens[i - 1].text in ABBREVIATED and i + 1 < len(tokens):
         return Lexeme("stop", "", "."), i + 1
     return Lexeme("mark", "." if first.text in "\n;!?." else first.text, first.text, glued=first.glued), i + 1
+
+
+def _half_bath(tokens: list[Token], i: int, lexicon: Lexicon) -> bool:
+    """`a half bath`, but not `one and a half baths`."""
+    room = _longest(tokens, i + 1, lexicon, {}) if tokens[i].text == "a" else None
+    number = i > 1 and tokens[i - 1].text == "and"
+    return room is not None and room[0].kind == "room" and room[1] > i + 2 and not (number and room[0].plural)
 
 
 def _slips(tokens: list[Token], j: int, lexicon: Lexicon) -> dict[int, str]:

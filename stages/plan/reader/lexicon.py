@@ -18,7 +18,8 @@ NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
     "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
-    "only", "style", "shape", "side_role", "side", "place", "furniture", "furniture_count", "graph", "main_rooms",
+    "only", "style", "shape", "side_role", "side", "beside", "place", "bound", "use",
+    "furniture", "furniture_count", "graph", "main_rooms",
     "compound", "sum", "give", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""

@@ -4,6 +4,8 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 
+LARGE = 40.0
+"""Area, m², that no room has of which several are alike."""
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""
 
@@ -76,10 +78,15 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
             and (phrase.headline or 5 * sense()["area"].get(phrase.type, 12.0) < phrase.areas[0] <= MOST)
         ):
             said.total_area, phrase.areas = phrase.areas[0], ()
+            said.asked += [Asked(kind, [], "", f"{limit:g}", item.text) for kind, limit in phrase.bounds]
+            phrase.bounds = ()
         if item.kind == "fraction":
             item = Item("share", "", item.text, values=item.values)
         if item.kind not in ("area", "share"):
             out.append(item)
+            continue
+        if item.kind == "area" and k and _of_rooms(items[k - 1], item):
+            said.main_area = item.values[0]
             continue
         owners = _corrected(items, k)
         if not owners:
@@ -104,6 +111,7 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
             owner.together = together or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
             if item.kind == "area":
                 owner.sides = owner.sides if owner.areas else item.sides
+                owner.bounds = owner.bounds if owner.areas else item.bounds
                 owner.areas = owner.areas or item.values
             else:
                 owner.share = item.values[0]
@@ -114,11 +122,17 @@ def _of_home(item: Item, said: Said) -> None:
     """The first area that no room takes is the flat's, others are not understood."""
     if item.sides:
         said.asked.append(Asked("dimension", [], "", f"{item.sides[0]:g} x {item.sides[1]:g}", item.text))
+    said.asked += [Asked(kind, [], "", f"{limit:g}", item.text) for kind, limit in item.bounds]
     said.unread += [f"{more:g} m²" for more in item.values[1:]]
     if said.total_area is None:
         said.total_area = item.values[0]
     elif abs(said.total_area - item.values[0]) > 0.02 * said.total_area:
         said.unread.append(item.text)
+
+
+def _of_rooms(rooms: Item, area: Item) -> bool:
+    """`five rooms of 14 m² each`, which is no area of the flat."""
+    return rooms.kind == "main_rooms" and rooms.number > 1 and area.values[0] < LARGE
 
 
 def _corrected(items: list[Item], k: int) -> list[RoomPhrase]:

@@ -12,7 +12,8 @@ class RoomPhrase:
     """A mention of rooms. `type` is "" for an elliptical one ("one of them") until it is resolved.
 
     `among` are the rooms an elliptical phrase speaks of where the sentence says so, `excluded` those it leaves out.
-    `quantifier` is the determiner's value; `area` has one value, or one per room, in m², `sides` length and width in m.
+    `quantifier` is the determiner's value; `area` has one value, or one per room, in m², `sides` length and width in m,
+    `bounds` limits of the area.
     """
 
     type: str = ""
@@ -23,6 +24,7 @@ class RoomPhrase:
     plural: bool = False
     areas: tuple[float, ...] = ()
     sides: tuple[float, ...] = ()
+    bounds: tuple[tuple[str, float], ...] = ()
     share: float | None = None
     factor: float = 1.0
     negated: bool = False
@@ -57,6 +59,7 @@ class Item:
     joined: bool = False
     form: str = ""
     sides: tuple[float, ...] = ()
+    bounds: tuple[tuple[str, float], ...] = ()
 
 
 def is_mark(item: Item, marks: str) -> bool:

@@ -49,8 +49,8 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
     banned = {kind for kind, label in home.banned if not label}
     if said.dwelling == "studio" and not home.of("bedroom"):
         banned.add("bedroom")
-    if said.main_rooms and not home.totals.get("bedroom") and not home.of("bedroom"):
-        others = len(home.of("dining_room")) + len(home.of("study"))
+    if said.main_rooms and not home.totals.get("bedroom") and all(_of_many(e) for e in home.of("bedroom")):
+        others = len(home.of("dining_room")) + len(home.of("study")) + len(home.of("bedroom"))
         home.add("bedroom", max(said.main_rooms - 1 - others, 0))
         if said.main_rooms == 1:
             said.dwelling = "studio"
@@ -60,6 +60,8 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
     for kind in data["always"]:
         if kind not in banned and not (home.of(kind) and kind != "bathroom"):
             _add_missing(kind, home, data)
+    for room in [*home.of("bedroom"), *home.of("living_room")]:
+        room.area = room.area or said.main_area
     if (
         home.of("bedroom")
         and "hallway" not in banned
@@ -69,6 +71,11 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
         home.add("hallway")
     if not home.of("bedroom"):
         _studio(said, home)
+
+
+def _of_many(bedroom: Entity) -> bool:
+    """Whether it may be one of several nobody counted: `a three-room flat, the bedroom to the east`."""
+    return not bedroom.counted and (bedroom.vague or "master" in bedroom.labels)
 
 
 def _around_living(said: Said, home: Household, doors: Doors) -> bool:

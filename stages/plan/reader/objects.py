@@ -14,6 +14,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         end = following.subject[1] if following.shared or led else following.subject[0]
         end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
     out: list[RoomPhrase] = []
+    if p.kind == "open" and items[p.at + 1 : p.at + 2] and items[p.at + 1].value == "it":
+        return out  # "a kitchen open to it, and two bedrooms off …"
     for j in range(p.at + 1, min(end, len(items))):
         item = items[j]
         phrase = item.room

@@ -18,7 +18,8 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             x.room and (x.joined or not x.room.quantifier) and items[k].room or is_mark(x, "/")
             for k, x in enumerate(items[i + 1 : end], i)
         )
-        closing = end + (end < len(items) and items[end].kind == "copula" and len(group) > 1)
+        within = end < len(items) and (items[end].kind == "copula" or items[end].value == "in")
+        closing = end + (within and len(group) > 1)
         after = closing < len(items) and items[closing].kind == "open"
         _one_space(items, i)
         if len(group) == 1 and after:
@@ -107,7 +108,8 @@ def _separator(item: Item) -> bool:
 
 def _open_after(items: list[Item], j: int) -> bool:
     kinds = [i.kind for i in items[j + 1 : j + 3]]
-    return kinds[:1] == ["open"] or kinds == ["copula", "open"]
+    within = kinds == ["with", "open"] and items[j + 1].value == "in"  # "living and kitchen in one open space"
+    return kinds[:1] == ["open"] or kinds == ["copula", "open"] or within
 
 
 def chain(group: list[RoomPhrase]) -> list[Statement]:

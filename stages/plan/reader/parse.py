@@ -17,6 +17,7 @@ from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, s
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.unread import limits
+from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
@@ -32,7 +33,7 @@ def parse(prompt: str) -> Said:
     said = Said(unread=list(phraser.unread), about=whole, prompt=prompt, beyond=limits(folded))
     said.corrected = [slip for word in words for slip in word.slips]
     _whole(phraser.items, said)
-    phraser.items = positions(phraser.items, said)
+    phraser.items = positions(uses(phraser.items, said), said)
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []
@@ -40,13 +41,15 @@ def parse(prompt: str) -> Said:
     said.graph = said.graph or lists_doors(phraser.items)
     items = between_pairs(beyond_usual(phraser.items, rooms_of(phraser.items)))
     for sentence in sentences(door_pairs(items) if said.graph else items):
-        sentence = unfolded(sentence)
+        sentence = sharers(unfolded(sentence))
+        for_whom(sentence, last)
         bind(sentence, last, listed)
         listed = [*listed, *sentence] if says_what_is_there(sentence) else []
         last = [*last, *sentence]
         trail = place(said.statements[known:])
         known = len(said.statements)
         before = _sentence(sentence, said, before, trail)
+    said.rooms += [room for room in said.seen_from if room not in said.rooms]
     return said
 
 

@@ -35,7 +35,8 @@ class Pending:
         phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
         phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
         phrase.count = self.number or None
-        phrase.areas, phrase.sides = (self.area.values, self.area.sides) if self.area else ((), ())
+        if self.area:
+            phrase.areas, phrase.sides, phrase.bounds = self.area.values, self.area.sides, self.area.bounds
         if kind == "bathroom" and "own" in phrase.labels:
             phrase.labels.add("ensuite")
         if phrase.quantifier == "both" and _both(self.texts) and not word.plural:

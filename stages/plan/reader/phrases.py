@@ -215,6 +215,8 @@ class Phraser:
             self.unread.append(f"no {word.text}")
         elif p.number is not None and p.quantifier not in PARTITIVE:
             self.items.append(Item("main_rooms", "", word.text, number=p.number))
+            if p.number % 1:
+                self.unread.append("half room")
         elif p.quantifier in ("all", "each", "other") or word.value == "everything":
             quantifier = p.quantifier or ("other" if "else" in word.text else "all")
             phrase = RoomPhrase("any", quantifier=quantifier, plural=True, text=word.text)
@@ -223,7 +225,7 @@ class Phraser:
     def _dwelling(self, word: Lexeme) -> None:
         p = self.pending
         if p.area:
-            self.items.append(Item("area", "total", p.area.text, values=p.area.values, sides=p.area.sides))
+            self.items.append(_area("total", p.area))
         if p.factor != 1.0:
             self.items.append(Item("flat_size", "", word.text, number=p.factor))
         self.items.append(Item("dwelling", word.value, word.text, joined=word.joined, number=p.number or 1))
@@ -249,7 +251,7 @@ class Phraser:
         else:
             value, _, form = (word.value, "", "") if word.kind in ("compare", "mark") else word.value.partition(".")
             number = word.values[0] if word.values else 1.0
-            traits = (number, word.values, word.joined, form, word.sides)
+            traits = (number, word.values, word.joined, form, word.sides, word.bounds)
             self.items.append(Item(word.kind, value, word.text, None, *traits))
 
     def _in_hall(self) -> bool:
@@ -282,9 +284,16 @@ class Phraser:
             self.items.append(Item("open", "", "open"))
         elif p.number not in (None, 1):
             self.unread.append(text)
+        elif p.texts[-1] == "snug" and p.quantifier:
+            small = RoomPhrase("living_room", {"small"}, quantifier=p.quantifier, factor=p.factor, text="snug")
+            self.items.append(Item("room", small.type, small.text, small))
         elif p.factor != 1.0:
             self.items.append(Item("size", "", p.texts[-1], number=p.factor))
         elif p.labels or p.ordinals:
             self.unread.append(text)
         if p.area:
-            self.items.append(Item("area", "", p.area.text, values=p.area.values, sides=p.area.sides))
+            self.items.append(_area("", p.area))
+
+
+def _area(value: str, area: Lexeme) -> Item:
+    return Item("area", value, area.text, values=area.values, sides=area.sides, bounds=area.bounds)

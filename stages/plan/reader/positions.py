@@ -25,28 +25,71 @@ def role_of(items: list[Item], k: int) -> str:
 def positions(items: list[Item], said: Said) -> list[Item]:
     """Adds what is asked of places to `said`; returns the items without the words that say only that."""
     out: list[Item] = []
-    for k, item in enumerate(items):
-        room = _known(_room(items, k), items)
+    k = 0
+    while k < len(items):
+        item = items[k]
         text = item.text.replace(" - ", "-")
+        if _beside(items, k):
+            _seen_from(items, k, said)
+            k += 2
+            continue
         if item.kind == "place" or (item.kind == "side" and not role_of(items, k)):
-            if room is None:
-                said.unread.append(text)
-            else:
-                said.asked.append(_placed(item, room, text))
-        elif _at_entrance(items, k) and room is not None:
+            rooms = [_known(room, items) for room in _rooms(items, k)]
+            said.asked += [_placed(item, room, text) for room in rooms]
+            said.unread += [] if rooms else [text]
+        elif _at_entrance(items, k, said) and (rooms := _rooms(items, k)):
             link = out.pop()
             if k + 1 < len(items) and items[k + 1].kind == "conjunction":
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
             kind = "apart" if link.value == "apart" else "near"
-            said.asked.append(Asked(kind, [room], "entrance", "", f"{room.text} {link.text} {text}"))
-        if item.kind != "place":
+            said.asked += [
+                Asked(kind, [_known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
+            ]
+            k += 1
+            continue
+        if item.kind not in ("place", "beside"):
             out.append(item)
+        k += 1
     return out
 
 
-def _known(room: RoomPhrase | None, items: list[Item]) -> RoomPhrase | None:
+def _side(item: Item) -> str:
+    """`left` of `to the left of`, which may also begin a sentence of doors: `on the left of the hall are …`."""
+    if item.kind == "beside":
+        return item.value
+    words = item.text.split() if item.kind == "front" else []
+    return next((w for w in words if w in ("left", "right")), "")
+
+
+def _beside(items: list[Item], k: int) -> bool:
+    """`the kitchen is to the left of the lounge`."""
+    if not _side(items[k]) or k == 0 or k + 1 >= len(items) or not _rooms(items, k):
+        return False
+    other = items[k + 1].room
+    verb = k + 2 < len(items) and items[k + 2].kind in ("reach", "copula", "link")
+    return (other is not None and not (items[k].kind == "front" and verb)) or items[k + 1].value in ("it", "entrance")
+
+
+def _seen_from(items: list[Item], k: int, said: Said) -> None:
+    """Adds the place of a room as seen from another one, or from the entrance."""
+    rooms, other = _rooms(items, k), items[k + 1].room
+    if other is None and items[k + 1].value == "it":
+        other = next((r for i in reversed(items[:k]) if (r := i.room) is not None and r not in rooms), None)
+    to: list[RoomPhrase] | str = "entrance" if items[k + 1].value == "entrance" else [other] if other else ""
+    if other is not None and items[k + 1].room is not None:
+        said.seen_from.append(_known(other, items))
+    if not to:
+        said.unread.append(items[k].text)
+        return
+    text = f"{items[k].text} {items[k + 1].text}"
+    said.asked += [
+        Asked("position", [_known(room, items)], to, _side(items[k]), f"{room.text} {text}") for room in rooms
+    ]
+
+
+def _known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
     """`kitchen near the entrance` speaks of the kitchen named before."""
-    if room is not None and room.quantifier == "" and room.count is None and not room.labels and not room.plural:
+    if room.quantifier == "" and room.count is None and not room.labels and not room.plural:
         earlier = next(i.room for i in items if i.room is not None and i.room.type == room.type)
         room.quantifier = "the" if earlier is not room else ""
     return room
@@ -57,24 +100,37 @@ def _placed(item: Item, room: RoomPhrase, text: str) -> Asked:
     return Asked(kind, [room], "", item.value, f"{room.text} {text}")
 
 
-def _at_entrance(items: list[Item], k: int) -> bool:
-    """`near the front door`, not of an entrance whose own side is said."""
+def _at_entrance(items: list[Item], k: int, said: Said) -> bool:
+    """`near the front door`, not of an entrance whose own side is said; `close to it` where that is the entrance."""
     near = k > 0 and items[k - 1].kind == "link" and items[k - 1].value in ("near", "apart")
-    return near and items[k].kind == "side_role" and items[k].value == "entrance"
+    it = items[k].value == "it" and bool(said.asked) and said.asked[-1].to == "entrance"
+    return near and (it or (items[k].kind == "side_role" and items[k].value == "entrance"))
 
 
-def _room(items: list[Item], k: int) -> RoomPhrase | None:
-    """The room whose place `items[k]` is: `south-facing lounge`, `on the left the bath`, `the kitchen at the back`."""
-    if items[k].kind not in ("place", "side", "side_role"):
-        return None
+def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
+    """The rooms whose place `items[k]` is: `south-facing lounge`, `on the left the bath`, `the kitchen at the back`."""
+    if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun"):
+        return []
     opens = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary")
     after = k + 1
     while opens and after < len(items) and items[after].kind in ("reach", "copula"):
         after += 1
     following = items[after].room if after < len(items) else None
     if following is not None and (opens or items[k].kind == "side"):
-        return following
+        return [following]
     for j in range(k - 1, -1, -1):
         if is_mark(items[j], ".") or items[j].room is not None:
-            return items[j].room
-    return following
+            return _pair(items, j, k)
+    return [following] if following else []
+
+
+def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
+    """The room at `j`, with the one before it where `and` joins just these two: `bath and bedroom at the back`."""
+    last = items[j].room
+    first = items[j - 2].room if j > 1 and items[j - 1].kind == "conjunction" else None
+    if last is None or first is None:
+        return [last] if last else []
+    listed = j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
+    single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
+    alike = (first.quantifier == "the") == (last.quantifier == "the")
+    return [first, last] if alike and not listed and not single else [last]

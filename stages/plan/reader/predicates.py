@@ -38,7 +38,7 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
             out.append(Predicate(k, "door", "part", negated))
         elif item.kind == "front" and _between_rooms(items, k) and _verb(items, k + 2):
             out.append(Predicate(k, "door", "part", negated))  # "a corridor behind the living room leads to"
-        elif item.text == "behind" and _between_rooms(items, k) and _new(items[k - 1]) and not _new(items[k + 1]):
+        elif item.text == "behind" and _between_rooms(items, k) and _new(items[k - 1], "") and not _new(items[k + 1]):
             out.append(Predicate(k, "door", "part", negated))
         elif item.kind == "front" and out and _between_rooms(items, k) and new_clause(items, k - 2):
             out.append(Predicate(k, "gap", "part", negated))
@@ -108,8 +108,8 @@ def _between_rooms(items: list[Item], k: int) -> bool:
     return 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
 
 
-def _new(item: Item) -> bool:
-    return item.room is not None and item.room.quantifier == "a"
+def _new(item: Item, *also: str) -> bool:
+    return item.room is not None and item.room.quantifier in ("a", *also)
 
 
 def new_clause(items: list[Item], k: int) -> bool:

@@ -1,7 +1,9 @@
 """Numbers with their units: areas, shares, counts of listings."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.bounds import bounded
 from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
@@ -28,7 +30,7 @@ JOINTS = {
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _listing(_bare(_areas(_by_percent(_shares(_numbers(words))))))
+    return _listing(_bare(bounded(_areas(_by_percent(_shares(_numbers(words)))))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
@@ -153,8 +155,14 @@ def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
         return replace(_made([a * b], words, i, end), sides=(a, b)), end
     if unit not in SQUARE_METRES:
         return None, i
+    numbers = [n * SQUARE_METRES[unit] for n in numbers]
+    between = joints == ["-"] and numbers[0] < numbers[1]
     values = [sum(numbers) / 2] if joints == ["-"] else numbers
-    return _made([v * SQUARE_METRES[unit] for v in values], words, i, j + 1), j + 1
+    return replace(_made(values, words, i, j + 1), bounds=_range(numbers) if between else ()), j + 1
+
+
+def _range(values: Sequence[float]) -> tuple[tuple[str, float], ...]:
+    return (("at_least", min(values)), ("at_most", max(values)))
 
 
 def _numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str], int]:
@@ -192,7 +200,7 @@ def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
         ):
             out[-2:] = [replace(last, values=last.values + word.values)]
         elif word.kind == "area" and len(word.values) == 2 and out and out[-1].text == "between":
-            out[-1] = replace(word, values=(sum(word.values) / 2,))
+            out[-1] = replace(word, values=(sum(word.values) / 2,), bounds=_range(word.values))
         else:
             out.append(word)
     return out

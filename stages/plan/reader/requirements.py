@@ -16,7 +16,7 @@ BESIDE = ("next to", "adjacent to", "beside", "alongside", "next door to", "clos
 def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requirement]:
     """One requirement for each room, or pair of rooms, something is asked of."""
     found: list[tuple[str, str, str | None, str | None, str]] = []
-    for wish in [*said.asked, *_dimensions(said), *_neighbours(said.statements)]:
+    for wish in [*said.asked, *_dimensions(said), *_limits(said), *_neighbours(said.statements)]:
         others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
         of = [ids[id(e)] for e in entities(wish.of, home)] if wish.of else ["home"]
         rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
@@ -33,6 +33,13 @@ def _dimensions(said: Said) -> Iterator[Asked]:
             if phrase.sides:
                 a, b = (f"{side:.2f}".rstrip("0").rstrip(".") for side in phrase.sides)
                 yield Asked("dimension", [phrase], "", f"{a} x {b}", f"{phrase.text} {a} x {b} m")
+
+
+def _limits(said: Said) -> Iterator[Asked]:
+    for room in said.rooms:
+        for phrase in (room, *room.owned):
+            for kind, limit in phrase.bounds:
+                yield Asked(kind, [phrase], "", f"{limit:g}", f"{phrase.text} {kind.replace('_', ' ')} {limit:g} m²")
 
 
 def _neighbours(statements: list[Statement]) -> Iterator[Asked]:

@@ -41,12 +41,14 @@ class Said:
     flat_size: float = 1.0
     dwelling: str = ""
     main_rooms: int | None = None
+    main_area: float | None = None
     only: bool = False
     graph: bool = False
     styles: list[str] = field(default_factory=list)
     shape: str = ""
     sides: list[tuple[str, str]] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
+    seen_from: list[RoomPhrase] = field(default_factory=list)
     asked: list[Asked] = field(default_factory=list)
     corrected: list[tuple[str, str]] = field(default_factory=list)
     beyond: list[tuple[str, str]] = field(default_factory=list)

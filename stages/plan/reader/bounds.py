@@ -1,0 +1,54 @@
+"""Areas with limits: `at least 12 m²`, `no larger than 20 m²`, `between 50 and 55 m²`."""
+
+from dataclasses import replace
+
+from apartgen.stages.plan.reader.lexeme import Lexeme
+
+BETWEEN = ("area_word", "stop")
+"""What may stand between a limit and its area: `minimum area of 12 m²`."""
+
+
+def bounded(words: list[Lexeme]) -> list[Lexeme]:
+    """Limits joined to the areas that they are said of; `no larger than the bedroom` compares, others are unread."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        word = _read_as_bound(words, i)
+        j = _area_after(words, i + 1) if word.kind == "bound" else i
+        if word.kind != "bound":
+            out.append(word)
+        elif j > i:
+            out += [w for w in words[i + 1 : j] if w.value == "total"]
+            out.append(_limited(words[j], word.value))
+            i = j
+        elif out and out[-1].kind == "area" and word.text.startswith(("or ", "and ", "min", "max", "upwards")):
+            out[-1] = _limited(out[-1], word.value)
+        elif _room_after(words, i + 1) and word.text.endswith("than"):
+            out.append(replace(word, kind="compare", value="1.0", values=(1.0,)))
+        else:
+            out.append(replace(word, kind="stop", value="word"))
+        i += 1
+    return out
+
+
+def _limited(area: Lexeme, kind: str) -> Lexeme:
+    return replace(area, bounds=tuple((kind, value) for value in area.values[:1]))
+
+
+def _read_as_bound(words: list[Lexeme], i: int) -> Lexeme:
+    """`below 60 m²`, though `below` is also a place."""
+    other = words[i].reading("bound")
+    follows = i + 1 < len(words) and words[i + 1].kind in ("area", "number")
+    return replace(words[i], kind="bound", value=other.value) if other is not None and follows else words[i]
+
+
+def _area_after(words: list[Lexeme], j: int) -> int:
+    """Where the area stands that a limit before `j` is said of, `j - 1` where there is none."""
+    k = j
+    while k < len(words) and k < j + 4 and words[k].kind in BETWEEN and words[k].value != "word":
+        k += 1
+    return k if k < len(words) and words[k].kind == "area" else j - 1
+
+
+def _room_after(words: list[Lexeme], j: int) -> bool:
+    return any(w.kind == "room" for w in words[j : j + 3])

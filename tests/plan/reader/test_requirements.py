@@ -1,0 +1,84 @@
+"""Places, limits and uses that a prompt asks for become typed requirements of the right rooms."""
+
+import pytest
+
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.reader import read
+
+SIDES = ("left", "right", "north", "south", "east", "west")
+
+
+def asked(program: Program) -> set[tuple[str, str, str | None, str | None]]:
+    return {(r.kind, r.of, r.to, None if r.value is None else str(r.value)) for r in program.requirements}
+
+
+@pytest.mark.parametrize("side", SIDES)
+@pytest.mark.parametrize("way", ["is to the {} of", "is on the {} side of", "lies {} of"])
+def test_a_room_beside_another(side: str, way: str) -> None:
+    program = read(f"One-bedroom flat. The kitchen {way.format(side)} the living room.")
+    assert ("position", "kitchen_1", "living_room_1", side) in asked(program)
+    assert not program.unread
+
+
+@pytest.mark.parametrize(
+    ("words", "kind"),
+    [("at least", "at_least"), ("no smaller than", "at_least"), ("minimum", "at_least"), ("at most", "at_most"),
+     ("no larger than", "at_most"), ("not more than", "at_most"), ("up to", "at_most"), ("max.", "at_most")],
+)  # fmt: skip
+@pytest.mark.parametrize("room", ["kitchen", "bathroom", "living_room"])
+def test_limits_of_areas(words: str, kind: str, room: str) -> None:
+    program = read(f"One-bedroom flat, the {room.replace('_', ' ')} {words} 12 m².")
+    assert asked(program) == {(kind, f"{room}_1", None, "12")}
+    assert next(r.area for r in program.rooms if r.id == f"{room}_1") == pytest.approx(12, rel=0.01)
+
+
+@pytest.mark.parametrize(("text", "low", "high"), [("between 50 and 55 m²", 50, 55), ("60 to 70 m²", 60, 70)])
+def test_ranges_limit_the_home(text: str, low: float, high: float) -> None:
+    program = read(f"A one-bedroom flat of {text}.")
+    assert asked(program) == {("at_least", "home", None, f"{low}"), ("at_most", "home", None, f"{high}")}
+    assert program.total_area == pytest.approx((low + high) / 2)
+
+
+@pytest.mark.parametrize(
+    "verb", ["that serves as", "which also serves as", "doubling as", "used as", "that doubles as"]
+)
+def test_one_room_with_two_uses_is_one_room(verb: str) -> None:
+    program = read(f"Two bedrooms, a lounge, a kitchen, a bathroom and a dining room {verb} a study.")
+    assert [r.type for r in program.rooms].count("study") == 0
+    assert ("use", "dining_room_1", None, "study") in asked(program)
+
+
+@pytest.mark.parametrize("pair", [("bedroom", "bathroom"), ("kitchen", "study")])
+def test_two_rooms_joined_by_and_lie_together(pair: tuple[str, str]) -> None:
+    program = read(f"A lounge on the left, and a {pair[0]} and a {pair[1]} at the back.")
+    assert {("position", f"{room}_1", None, "back") for room in pair} <= asked(program)
+    assert ("position", "living_room_1", None, "left") in asked(program)
+
+
+def test_it_may_be_the_entrance() -> None:
+    program = read("A bedroom far from the entrance, a kitchen close to it, a living room and a bathroom.")
+    assert asked(program) == {("apart", "bedroom_1", "entrance", None), ("near", "kitchen_1", "entrance", None)}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "bedrooms"),
+    [
+        ("Two bedrooms for the children, one for us, a lounge, a kitchen.", 3),
+        ("Two bedrooms, one for the children, a lounge, a kitchen.", 2),
+        ("Three bedrooms; our twins share one, and the third is a guest room. A lounge and a kitchen.", 3),
+        ("A parents' bedroom, a children's bedroom, a second children's bedroom, a lounge, a kitchen.", 3),
+        ("Two-bedroom flat, our son's room next to grandmother's room.", 2),
+        ("Two-bedroom flat with a maid's room.", 3),
+        ("A flat of five rooms of 14 m² each, a kitchen and a bathroom.", 4),
+        ("Dreizimmerwohnung, das Schlafzimmer nach Osten.", 2),
+    ],
+)
+def test_bedrooms_are_counted_once(prompt: str, bedrooms: int) -> None:
+    program = read(prompt)
+    assert [r.type for r in program.rooms].count("bedroom") == bedrooms, program.unread
+
+
+def test_areas_of_each_room_are_not_the_flats() -> None:
+    program = read("A flat of five rooms of 14 m² each, a kitchen and a bathroom.")
+    assert program.total_area is None
+    assert {r.area for r in program.rooms if r.type in ("living_room", "bedroom")} == {14.0}
