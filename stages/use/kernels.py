@@ -1,18 +1,29 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """How much of a rectangle of floor is free, compiled.
 
 Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
 """
 
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
+F = TypeVar("F", bound=Callable[..., Any])
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 ACROSS = 6
 """Points a side at which a rectangle is looked at."""
 
 
-@njit("boolean(float64,float64,float64[:,:],float64[:,:])", cache=True, error_model="numpy")
-def within(x, y, start, end):
+def compiled(signature: str) -> Callable[[F], F]:
+    """Compiled when first imported, and kept in numba's cache."""
+    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
+
+
+@compiled("boolean(float64,float64,float64[:,:],float64[:,:])")
+def within(x: float, y: float, start: Floats, end: Floats) -> bool:
     """Whether a point lies in the polygon of sides (w, 2) to (w, 2); even-odd."""
     inside = False
     for k in range(len(start)):
@@ -23,9 +34,8 @@ def within(x, y, start, end):
     return inside
 
 
-@njit("float64(float64[:],float64[:],float64[:,:],float64[:,:],float64[:,:],boolean[:])", cache=True,
-      error_model="numpy")
-def free(frame, zone, start, end, things, counts):
+@compiled("float64(float64[:],float64[:],float64[:,:],float64[:,:],float64[:,:],boolean[:])")
+def free(frame: Floats, zone: Floats, start: Floats, end: Floats, things: Floats, counts: Flags) -> float:
     """Share of a rectangle that lies in the room and in none of the things that count.
 
     `frame` (x, y, cos, sin) · `zone` (least and most ahead, least and most to the left) in it · things (n, 6) rows of
