@@ -82,11 +82,16 @@ def equivalent(change: Change, source: bytes) -> bool:
 
 
 def ordered(bench: Bench, change: Change) -> list[str]:
-    """Tests for a change, those of its own stage and quick ones first, files kept together, within the budget."""
-    own = f"tests/{change.file.split('/')[1]}"
+    """Tests for a change, files kept together, within the budget.
+
+    First those of files named as its own, those of its stage, and quick ones.
+    """
+    own, path = f"tests/{change.file.split('/')[1]}", Path(change.file)
+    name = (path.parent.name if path.stem == "__init__" else path.stem).strip("_")
     chosen: list[str] = []
     for group in bench.seen.tests(change):
         cost = {test: bench.seen.cost[test] * (1 if test.startswith(own) else 3) for test in group}
+        cost |= {test: cost[test] / 10 for test in group if name in test.partition("::")[0].rpartition("/")[2]}
         quick = sorted(cost, key=lambda test: (cost[test], test))
         files = list(dict.fromkeys(test.partition("::")[0] for test in quick))
         chosen += sorted(quick, key=lambda test: files.index(test.partition("::")[0]))
