@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     Home = Artifact[Any] | str | PathLike[str]
     """An apartment: what an earlier function gave, or the path of its file."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "qa", "render", "retrieve",
            "walkable"]
 
