@@ -1,11 +1,15 @@
 """Registries list their members without importing them, and load one by name."""
 
+import re
 import sys
+from types import ModuleType
+from typing import Protocol
 
 import pytest
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages import registry
+from apartgen.stages.registry import contract
 
 
 @pytest.fixture
@@ -40,3 +44,37 @@ def test_an_unknown_name_says_which_there_are(package):
         registry.load(package, "cap")
     with pytest.raises(BadInput):
         registry.load(package, "_private")
+
+
+class Doubles(Protocol):
+    """A contract of one function."""
+
+    def double(self, number: int) -> int:
+        """Twice as much."""
+
+
+def inner_fault(number: int) -> int:
+    raise ZeroDivisionError("inside")
+
+
+def test_a_guarded_member_is_itself_until_it_fails() -> None:
+    member = ModuleType("stranger", "Doubles numbers.")
+    vars(member).update(double=lambda number: 2 * number, OTHER="stays")
+    guard = contract.guarded(member, (Doubles,), str)
+    assert (guard.__name__, guard.__doc__, guard.OTHER, guard.double(4)) == ("stranger", "Doubles numbers.", "stays", 8)
+
+
+def test_a_fault_is_told_with_the_line_that_raised_it() -> None:
+    """Not with a line on the way there."""
+    member = ModuleType("stranger")
+    vars(member)["double"] = lambda number: inner_fault(inner_fault(number))
+    line = inner_fault.__code__.co_firstlineno + 1
+    with pytest.raises(BadInput, match=rf"theirs: .*ZeroDivisionError: inside \({re.escape(__file__)}:{line}\)"):
+        contract.guarded(member, (Doubles,), "theirs: {}".format).double(1)
+
+
+def test_what_gives_another_type_is_told() -> None:
+    member = ModuleType("stranger")
+    vars(member)["double"] = str
+    with pytest.raises(BadInput, match="gave a str, not a int"):
+        contract.guarded(member, (Doubles,), str).double(1)
