@@ -145,6 +145,15 @@ def _definite_pair(items: list[Item], k: int) -> bool:
     return len(around) == 2 and all(r is not None and r.quantifier == "the" for r in around)
 
 
+def _one_each(items: list[Item], k: int) -> bool:
+    before = [i for i in items[:k] if i.kind != "side"]
+    around = [i.room for i in (*before[-1:], *items[k + 1 : k + 3])]
+    if len(around) < 3 or any(r is None for r in around):
+        return False
+    many, one, each = (r for r in around if r is not None)
+    return many.plural and one.count == 1 and each.type == "" and each.quantifier == "each"
+
+
 def unfolded(items: list[Item]) -> list[Item]:
     """Short forms written out: `a bathroom between them`, `the other to …`, `connects the hall with the lounge`."""
     out: list[Item] = []
@@ -162,6 +171,10 @@ def unfolded(items: list[Item]) -> list[Item]:
         elif item.kind == "link" and item.text.startswith("one ") and _is_other(out):  # "the other one from the hall"
             way = item.text.split()[-1]
             out.append(Item("front", "from", way) if way == "from" else Item("link", "to", way))
+        elif item.value == "to" and k + 1 < len(items) and items[k + 1].value == "has":
+            continue  # "the master to have an en suite"
+        elif is_mark(item, ",") and _one_each(items, k):
+            out.append(Item("with", "with", "with"))  # "two bedrooms, one bath each"
         elif item.kind == "link" and item.text.startswith("the other "):
             told = any(i.text.split()[0] in ("one", "another") for i in links)
             other = RoomPhrase("", quantifier="other", text="the other")

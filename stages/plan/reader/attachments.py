@@ -126,6 +126,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
 def _inside(before: list[Item], item: Item, after: list[Item]) -> bool:
     """`a kitchenette in the living room`, `through a vestibule into the lounge`."""
     inner, outer = (before or [item])[-1].room, (after or [item])[0].room
+    if item.text == "for" and after and after[0].kind == "mark":
+        return True  # "a bedroom for my sister, an office"
     if item.value != "in" or inner is None or outer is None:
         return False
     return outer.type in OWNED_BY.get(inner.type, ()) or (len(before) > 1 and before[-2].kind == "front")
@@ -243,7 +245,7 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     if phrase.type == "bathroom":
         own = bool(phrase.labels & {"ensuite", "own"}) or ("suite" in owner.labels and bare == "(")
         own = own and not phrase.labels & {"family", "half"}
-        lone = first and not bare and phrase.count in (None, 1) and not _listed(after)
+        lone = first and not bare and phrase.count in (None, 1) and not any(is_mark(i, ",") for i in after)
         lone = lone and not phrase.labels & _not_own(owner)
         theirs = first and (not owner.type or _each_follows(after))
         return own or lone or theirs or (not bare and _dressed(owner))
@@ -268,10 +270,6 @@ def _not_own(owner: RoomPhrase) -> set[str]:
 def _dressed(owner: RoomPhrase) -> bool:
     """`each with dressing room and bathroom`."""
     return owner.quantifier == "each" and [o.type for o in owner.owned] == ["closet"]
-
-
-def _listed(after: list[Item]) -> bool:
-    return bool(after) and is_mark(after[0], ",")
 
 
 def _each_follows(after: list[Item]) -> bool:

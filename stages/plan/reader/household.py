@@ -59,7 +59,7 @@ class Household:
         excluded = [e for p in phrase.excluded for e in self.refs[id(p)]]
         found = [e for e in self._find(phrase) if e not in excluded]
         for entity in self.rooms[before:]:
-            named = phrase.quantifier == "" and id(phrase) in self.mentions
+            named = phrase.quantifier == "" and (id(phrase) in self.mentions or phrase.plural)
             entity.name = phrase.text
             entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
         lay(phrase, found)

@@ -13,6 +13,11 @@ def intended(items: list[Item]) -> list[Item]:
         bath = phrase is not None and phrase.type == "bathroom" and phrase.count in (None, 1)
         one = of_baths and phrase is not None and phrase.type == "" and phrase.count == 1
         user = items[k + 2].room if k + 2 < len(items) and items[k + 1].text == "for" else None
+        if _for_guests(phrase, items, k, [i.room for i in out if i.room is not None]):
+            phrase.labels.add("guest")  # type: ignore[union-attr]
+            out.append(items[k])
+            k += 1
+            continue
         if phrase is None or not (bath or one) or k + 1 >= len(items) or items[k + 1].text != "for":
             out.append(items[k])
             k += 1
@@ -32,6 +37,14 @@ def intended(items: list[Item]) -> list[Item]:
             out.append(items[k])
             k += 1
     return out
+
+
+def _for_guests(one: RoomPhrase | None, items: list[Item], k: int, before: list[RoomPhrase]) -> bool:
+    """`two bathrooms (one for guests)`."""
+    counted = bool(before) and before[-1].type == "bathroom" and (before[-1].count or 1) > 1
+    whom = items[k + 1 : k + 3]
+    last = len(whom) == 1 or (len(whom) == 2 and whom[1].kind == "mark")
+    return one is not None and one.type == "" and one.count == 1 and counted and last and whom[0].text == "for"
 
 
 def beyond_usual(items: list[Item], rest: list[RoomPhrase]) -> list[Item]:

@@ -51,6 +51,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
         return True  # "a hall into which the lounge, the kitchen and the study open"
     if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
         return False
+    if p.kind == "share" and is_mark(items[j - 1], ","):
+        return False
     if p.kind == "between":
         return len(out) < 2 or items[j - 1].kind == "conjunction"
     if p.kind == "open" and phrase.type not in OPEN_TYPES:

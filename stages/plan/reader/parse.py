@@ -9,6 +9,7 @@ from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
+from apartgen.stages.plan.reader.orders import orders
 from apartgen.stages.plan.reader.phrases import Phraser
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.quantities import quantities
@@ -33,7 +34,7 @@ def parse(prompt: str) -> Said:
     said = Said(unread=list(phraser.unread), about=whole, prompt=prompt, beyond=limits(folded))
     said.corrected = [slip for word in words for slip in word.slips]
     _whole(phraser.items, said)
-    phraser.items = positions(uses(phraser.items, said), said)
+    phraser.items = positions(orders(uses(phraser.items, said), said), said)
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []
@@ -58,7 +59,7 @@ def _whole(items: list[Item], said: Said) -> None:
     for k, item in enumerate(items):
         match item.kind:
             case "only":
-                said.only = said.only or item.value == "only" or _lists_home(items[k:])
+                said.only = said.only or item.value == "only" or (_alone(items[:k]) and _lists_home(items[k:]))
             case "graph":
                 said.graph = True
             case "style":
@@ -83,6 +84,12 @@ def _of_room(after: list[Item]) -> bool:
     """`an L-shaped living room` says nothing of the flat's outline."""
     room = after[0].room if after else None
     return room is not None and not room.headline and all(i.kind != "dwelling" for i in after)
+
+
+def _alone(before: list[Item]) -> bool:
+    """`five bedrooms, but only two bathrooms` limits the bathrooms."""
+    start = max((k + 1 for k, i in enumerate(before) if is_mark(i, ".")), default=0)
+    return not rooms_of(before[start:])
 
 
 def _lists_home(after: list[Item]) -> bool:

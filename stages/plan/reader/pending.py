@@ -45,6 +45,12 @@ class Pending:
         phrase.headline = counted and self.number is not None
         return phrase
 
+    def snug(self) -> RoomPhrase | None:
+        """`a snug`: a small room to sit in."""
+        if self.texts[-1] != "snug" or not self.quantifier:
+            return None
+        return RoomPhrase("living_room", {"small"}, quantifier=self.quantifier, factor=self.factor, text="snug")
+
     def elliptical(self, known: bool, following: Lexeme | None) -> RoomPhrase | None:
         """A room without a noun, `known` when one was named before: `one of them`, `the largest`, `its own`."""
         if "own" in self.labels and self.number is None:
@@ -76,6 +82,8 @@ def noun_ahead(words: list[Lexeme], i: int) -> bool:
 def counts_next(words: list[Lexeme], j: int) -> bool:
     """Whether the number belongs to what follows it."""
     k = j + 1
+    if words[j - 1].text == "bedroom" and k < len(words) and words[k].value == "bathroom:ensuite":
+        return False  # "bedroom 2 en-suite"
     return noun_ahead(words, k) or (
         k < len(words)
         and (words[k].kind in ("unit", "furniture", "furniture_count", "main_rooms") or words[k].text in ("%", "x"))

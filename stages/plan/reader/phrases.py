@@ -5,6 +5,7 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import Lexicon
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
+from apartgen.stages.plan.reader.orders import extreme
 from apartgen.stages.plan.reader.pending import Pending, noun_ahead, trailing_number
 
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
@@ -213,6 +214,8 @@ class Phraser:
         p, self.pending = self.pending, Pending()
         if p.negated:
             self.unread.append(f"no {word.text}")
+        elif (most := extreme(p.texts)) and not word.plural:
+            self.items.append(Item("extreme", most, f"{p.texts[-1]} {word.text}"))
         elif p.number is not None and p.quantifier not in PARTITIVE:
             self.items.append(Item("main_rooms", "", word.text, number=p.number))
             if p.number % 1:
@@ -278,15 +281,13 @@ class Phraser:
             return
         known = any(i.room and i.room.type for i in self.items)
         phrase = p.elliptical(known, following)
+        phrase = p.snug() if phrase is None else phrase
         if phrase is not None:
             self.items.append(Item("room", phrase.type, text, phrase))
         elif "open" in p.labels:
             self.items.append(Item("open", "", "open"))
         elif p.number not in (None, 1):
             self.unread.append(text)
-        elif p.texts[-1] == "snug" and p.quantifier:
-            small = RoomPhrase("living_room", {"small"}, quantifier=p.quantifier, factor=p.factor, text="snug")
-            self.items.append(Item("room", small.type, small.text, small))
         elif p.factor != 1.0:
             self.items.append(Item("size", "", p.texts[-1], number=p.factor))
         elif p.labels or p.ordinals:

@@ -128,6 +128,8 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     """The room at `j`, with the one before it where `and` joins just these two: `bath and bedroom at the back`."""
     last = items[j].room
     first = items[j - 2].room if j > 1 and items[j - 1].kind == "conjunction" else None
+    if items[j].joined and j and items[j - 1].room is not None:
+        return [room for i in items[j - 1 : j + 1] if (room := i.room)]  # "living-kitchen"
     if last is None or first is None:
         return [last] if last else []
     listed = j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None

@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
+SPANS = ("long", "wide", "deep", "in length", "in width", "broad", "lang", "breit", "tief")
 METRES = {"m": 1.0, "ft": 0.3048, "cm": 0.01}
 
 NONE = ("none", "no", "0", "zero", "nil")
@@ -147,6 +148,8 @@ def _areas(words: list[Lexeme]) -> list[Lexeme]:
 
 def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
     """`12 m²`, `10-12 m²`, `12 and 14 m²`, `3 x 4 m`, `3m x 4m`, `10 by 12 ft`."""
+    if (found := _long_and_wide(words, i)) is not None:
+        return found
     numbers, joints, j = _numbers_joined(words, i)
     unit = words[j].value if numbers and j < len(words) and words[j].kind == "unit" else ""
     if "x" in joints and len(numbers) == 2 and unit not in SQUARE_METRES:
@@ -159,6 +162,19 @@ def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
     between = joints == ["-"] and numbers[0] < numbers[1]
     values = [sum(numbers) / 2] if joints == ["-"] else numbers
     return replace(_made(values, words, i, j + 1), bounds=_range(numbers) if between else ()), j + 1
+
+
+def _long_and_wide(words: list[Lexeme], i: int) -> tuple[Lexeme, int] | None:
+    """`5 m long and 4 m wide`."""
+    size = words[i : i + 7]
+    if len(size) > 3 and size[3].text not in ("and", "x", "by", ",", "und", "et", "y"):
+        size.insert(3, size[2])
+    measures = [(size[k], size[k + 1], size[k + 2]) for k in (0, 4)] if len(size) >= 7 else []
+    if not measures or any(n.kind != "number" or u.value not in METRES or w.text not in SPANS for n, u, w in measures):
+        return None
+    a, b = (n.number * METRES[u.value] for n, u, _ in measures)
+    end = i + (7 if size[3] is words[i + 3] else 6)
+    return replace(_made([a * b], words, i, end), sides=(a, b)), end
 
 
 def _range(values: Sequence[float]) -> tuple[tuple[str, float], ...]:

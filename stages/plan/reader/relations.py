@@ -72,7 +72,11 @@ def _closes_list(items: list[Item], p: Predicate) -> bool:
     start = p.subject[0]
     before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
     new = [i.room for i in items[start : p.subject[1]] if i.room is not None]
-    return before is not None and all(r.quantifier == "a" for r in (before, *new)) and p.kind == "door"
+    return before is not None and p.kind == "door" and _alike((before, *new))
+
+
+def _alike(rooms: tuple[RoomPhrase, ...]) -> bool:
+    return all(r.quantifier == "a" for r in rooms) or all(r.quantifier == "" and not r.count for r in rooms)
 
 
 def _onward(item: Item) -> bool:
@@ -159,7 +163,10 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     relative = any(i.kind == "relative" for i in between) or p.form == "which"
     if relative or p.form == "part":
         near = rooms[-1] == p.at - 1 or relative or is_mark(items[p.at - 1], ",)")
-        p.subject = (_and_group(items, rooms[-1], start, whole=p.kind == "share"), rooms[-1] + 1)
+        p.subject = (
+            _and_group(items, rooms[-1], start, whole=p.kind == "share" and not _plural(items[rooms[-1]])),
+            rooms[-1] + 1,
+        )
         both = relative and p.form == "p" and not _plural(items[rooms[-1]])
         crowded = last is not None and not both and p.kind != "share" and p.subject[0] == rooms[0] and len(rooms) > 1
         if last is not None and is_mark(items[p.subject[0] - 1], ",") and len(rooms) > 1 and not relative:

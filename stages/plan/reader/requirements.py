@@ -10,6 +10,8 @@ from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 
 OPPOSITE = ("opposite", "across from")
 FAR = ("away from", "far from")
+LARGER, SMALLER = (1.15, 1.3, 1.6), (0.9, 0.75, 0.6)
+"""Ratios that stand for words like `larger than`, which say no number."""
 BESIDE = ("next to", "adjacent to", "beside", "alongside", "next door to", "close to", "near", "near to", "by")
 
 
@@ -51,6 +53,9 @@ def _neighbours(statements: list[Statement]) -> Iterator[Asked]:
             kind = "opposite" if words in OPPOSITE else "adjacent"
         elif s.kind == "not" and (words in FAR or (denied and words in BESIDE)):
             kind = "apart"
+        if s.kind == "compare" and s.number in LARGER + SMALLER:
+            kind = "order"
         if kind:
+            value = ("larger" if s.number > 1 else "smaller") if kind == "order" else ""
             names = [" and ".join(p.text for p in phrases) for phrases in (s.left, s.right)]
-            yield Asked(kind, s.left, s.right, "", f"{names[0]} {s.relation} {names[1]}")
+            yield Asked(kind, s.left, s.right, value, f"{names[0]} {s.relation or value} {names[1]}")

@@ -17,6 +17,9 @@ def uses(items: list[Item], said: Said) -> list[Item]:
             end = _listed(items, k + 1)
             _used(room, items[k:end], said)
             k = end
+        elif _either(items, k):
+            _used(items[k + 2].room, [Item("use", "", "/"), items[k]], said)
+            k += 2
         elif _is_a(items, k, [r for r in rooms if r.type]):
             out = [*out, items[k]]
             _same(items[k].room, items[k + 2].room)
@@ -44,6 +47,12 @@ def _used(room: RoomPhrase | None, items: list[Item], said: Said) -> None:
         assert room is not None
         room.labels |= other.labels & {"guest", "kids"} if other.type == room.type or not room.type else set()
         said.asked.append(Asked("use", [room], "", other.type, f"{room.text} {items[0].text} {other.text}"))
+
+
+def _either(items: list[Item], k: int) -> bool:
+    """`study/bedroom two` is one room."""
+    kinds = [i.room.type if i.room is not None else i.value for i in items[k : k + 3]]
+    return kinds == ["study", "/", "bedroom"]
 
 
 def _is_a(items: list[Item], k: int, before: list[RoomPhrase]) -> bool:

@@ -82,3 +82,38 @@ def test_areas_of_each_room_are_not_the_flats() -> None:
     program = read("A flat of five rooms of 14 m² each, a kitchen and a bathroom.")
     assert program.total_area is None
     assert {r.area for r in program.rooms if r.type in ("living_room", "bedroom")} == {14.0}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "row"),
+    [
+        ("Two bedrooms, the kitchen should be the smallest room.", ("order", "kitchen_1", None, "smallest")),
+        ("Two bedrooms. The largest room is the kitchen.", ("order", "kitchen_1", None, "largest")),
+        ("One bedroom, a kitchen larger than the bathroom.", ("order", "kitchen_1", "bathroom_1", "larger")),
+        ("One bedroom, the kitchen is smaller than the bedroom.", ("order", "kitchen_1", "bedroom_1", "smaller")),
+    ],
+)
+def test_orders_by_area(prompt: str, row: tuple[str, str, str | None, str]) -> None:
+    assert row in asked(read(prompt))
+
+
+def test_the_largest_room_with_an_area_is_the_living_room() -> None:
+    program = read("Three rooms and a kitchen, the biggest room being 25 m².")
+    assert next(r.area for r in program.rooms if r.type == "living_room") == 25.0
+    assert program.total_area is None
+
+
+def test_what_is_denied_of_both_rooms_is_apart() -> None:
+    program = read("Two bedrooms, neither of which should be next to the kitchen.")
+    assert asked(program) == {("apart", f"bedroom_{n}", "kitchen_1", None) for n in (1, 2)}
+
+
+@pytest.mark.parametrize("unit", ["m", "metres"])
+def test_length_and_width(unit: str) -> None:
+    program = read(f"One-bedroom flat, the living room is 5 {unit} long and 4 {unit} wide.")
+    assert asked(program) == {("dimension", "living_room_1", None, "5 x 4")}
+
+
+def test_only_before_two_rooms_of_a_longer_list_leaves_the_home_open() -> None:
+    program = read("We need five bedrooms, but only two bathrooms, and all bedrooms should be at least 10 m².")
+    assert {"living_room", "kitchen", "hallway"} <= {r.type for r in program.rooms} and not program.complete

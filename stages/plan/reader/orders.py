@@ -1,0 +1,55 @@
+"""Which room is the largest or the smallest: `the living room should be the largest room`."""
+
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.statements import Asked, Said
+
+LARGEST = ("largest", "biggest", "greatest")
+SMALLEST = ("smallest", "tiniest")
+BETWEEN = ("copula", "relative", "area_word", "with")
+"""What may stand between `the largest room` and its area."""
+
+
+def extreme(texts: list[str]) -> str:
+    """`largest` or `smallest`, as a noun's modifiers say; else ""."""
+    return "largest" if set(texts) & set(LARGEST) else "smallest" if set(texts) & set(SMALLEST) else ""
+
+
+def orders(items: list[Item], said: Said) -> list[Item]:
+    """Adds which room is to be the largest or the smallest; `the largest room: 25 m²` speaks of the living room."""
+    out: list[Item] = []
+    skip = 0
+    for k, item in enumerate(items):
+        if skip:
+            skip -= 1
+        elif item.kind != "extreme":
+            out.append(item)
+        elif (last := _before(out)) is not None:
+            said.asked.append(Asked("order", [last], "", item.value, f"{last.text} {item.text}"))
+        elif (ahead := _after(items, k)) is not None:
+            said.asked.append(Asked("order", [ahead], "", item.value, f"{item.text} {ahead.text}"))
+            skip = 1  # the copula
+        elif item.value == "largest" and _has_area(items, k):
+            living = RoomPhrase("living_room", quantifier="the", text=item.text)
+            out.append(Item("room", living.type, living.text, living))
+        else:
+            said.unread.append(item.text)
+    return out
+
+
+def _before(out: list[Item]) -> RoomPhrase | None:
+    """The room of `X is the largest room`; takes the copula away."""
+    near = out[-2:] if out and out[-1].kind == "copula" else out[-1:]
+    if not near or near[0].room is None:
+        return None
+    del out[len(out) - len(near) + 1 :]
+    return near[0].room
+
+
+def _after(items: list[Item], k: int) -> RoomPhrase | None:
+    copula = k + 2 < len(items) and items[k + 1].kind == "copula"
+    return items[k + 2].room if copula else None
+
+
+def _has_area(items: list[Item], k: int) -> bool:
+    rest = [i.kind for i in items[k + 1 : k + 4] if i.kind not in BETWEEN]
+    return rest[:1] == ["area"]
