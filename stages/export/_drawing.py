@@ -13,6 +13,7 @@ from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.schemas.populate import without_things
 from apartgen.schemas.retrieve import Furnishing, Joint
 from apartgen.stages.export import _symbols
 from apartgen.stages.export._pen import FAINT, INK, PAPER, Pen
@@ -37,7 +38,8 @@ SWEPT = "#c0683c"
 
 
 def figure(home: Plan) -> Figure:
-    """One sheet with the whole apartment, to scale, north up."""
+    """One sheet with the whole apartment, to scale, north up; small things are left out."""
+    home = without_things(home)
     x0, y0, x1, y1 = polygons.shell(home).bounds
     x0, y0, x1, y1 = x0 - MARGIN, y0 - MARGIN, x1 + MARGIN, y1 + 0.9 * MARGIN
     inch = min(INCH * 1.4, LARGEST / max(x1 - x0, y1 - y0))

@@ -163,9 +163,10 @@ def _sockets(
     room: Room, faces: Sequence[Face], here: Sequence[Furnishing], models: Sequence[Design], rng: np.random.Generator
 ) -> Iterator[Hung]:
     design = models[0]
-    if room.base in ("kitchen", "bathroom"):
-        yield from _anywhere(faces, design, COUNTER, rng)
-        if room.base == "kitchen":
+    if room.base == "bathroom":
+        return
+    if room.base == "kitchen":
+        for _ in range(2):
             yield from _anywhere(faces, design, COUNTER, rng)
         return
     wanted = [o for o in here if o.category in _POWERED][:2]
