@@ -14,6 +14,10 @@ from shapely.geometry import Polygon
 from apartgen.schemas.plan import Envelope, Side
 
 Array = NDArray[np.float64]
+STEP = 2.2
+"""A wall that slants further is straightened in steps, m."""
+LOST = 0.06
+"""Share of its area by which an outline may change when its walls are straightened."""
 SIDES: tuple[Side, ...] = ("south", "east", "north", "west")
 OPPOSITE: dict[Side, Side] = {"south": "north", "north": "south", "east": "west", "west": "east"}
 
@@ -49,7 +53,7 @@ def entrance_sides(envelope: Envelope) -> list[Side]:
 
 
 def given(envelope: Envelope, inner: float) -> Outline:
-    """The outline that the envelope gives as clear floor. Slanting walls become steps of equal area."""
+    """The outline that the envelope gives as clear floor, straightened."""
     return taken_apart(gross(envelope, inner), envelope, (1.0, 1.0))
 
 
@@ -60,27 +64,48 @@ def gross(envelope: Envelope, inner: float) -> Polygon:
 
 def taken_apart(polygon: Polygon, envelope: Envelope, stretch: tuple[float, float]) -> Outline:
     """Blocks and edges of a gross outline that may be stretched between two factors."""
-    ring = [(x, y) for x, y in shapely.geometry.polygon.orient(polygon).exterior.coords]
-    slants = [np.abs(np.subtract(b, a)) for a, b in pairwise(ring) if min(np.abs(np.subtract(b, a))) > 1e-6]
-    flat = sum(d[0] for d in slants) > sum(d[1] for d in slants)  # slabs across the steeper slants
-    rows = blocks(shapely.transform(polygon, lambda xy: xy[:, ::-1]) if flat else polygon)
-    rows = rows[:, [1, 0, 3, 2]] if flat else rows
+    upright = straightened(polygon)
     entrances = entrance_sides(envelope)
-    cuts = [_split(start, end, ring, flat) for start, end in pairwise(ring)]
-    edges = [_edge(a, b, envelope, entrances) for points in cuts for a, b in pairwise(points)]
-    return Outline(rows, np.array(edges, float).reshape(-1, 6), stretch)
+    edges = [_edge(a, b, envelope, entrances) for a, b in pairwise(upright.exterior.coords)]
+    return Outline(blocks(upright), np.array(edges, float).reshape(-1, 6), stretch)
 
 
-def _split(
-    a: tuple[float, float], b: tuple[float, float], ring: list[tuple[float, float]], flat: bool
-) -> list[tuple[float, float]]:
-    """A slanting edge cut where the slabs meet; others whole."""
-    if min(abs(b[0] - a[0]), abs(b[1] - a[1])) < 1e-6:
-        return [a, b]
-    axis = 0 if flat else 1
-    lines = {p[axis] for p in ring if min(a[axis], b[axis]) < p[axis] - 1e-6 and p[axis] + 1e-6 < max(a[axis], b[axis])}
-    shares = sorted((line - a[axis]) / (b[axis] - a[axis]) for line in lines)
-    return [a, *((a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])) for s in shares), b]
+def straightened(polygon: Polygon) -> Polygon:
+    """The outline with slanting walls at their mean place, in steps where they slant far; the same where none does."""
+    ring = np.asarray(shapely.geometry.polygon.orient(polygon).exterior.coords)
+    walls = [wall for a, b in pairwise(ring) for wall in _steps(a, b)]
+    corners: list[tuple[float, float]] = []
+    for before, after in zip([walls[-1], *walls[:-1]], walls):
+        if before.level == after.level:
+            turn = after.start[0] if after.level else after.start[1]
+            corners += [_corner(before.at, turn, before.level), _corner(after.at, turn, before.level)]
+        else:
+            level, upright = (before, after) if before.level else (after, before)
+            corners.append((upright.at, level.at))
+    out = Polygon(corners).simplify(1e-9)
+    kept = isinstance(out, Polygon) and out.is_valid and abs(out.area / polygon.area - 1) < LOST
+    return shapely.geometry.polygon.orient(out if kept else polygon)
+
+
+class _Wall(NamedTuple):
+    """A straightened wall: whether it runs along x, where across, and where it begins."""
+
+    level: bool
+    at: float
+    start: tuple[float, float]
+
+
+def _steps(a: Array, b: Array) -> list[_Wall]:
+    level = bool(abs(b[0] - a[0]) >= abs(b[1] - a[1]))
+    across = 1 if level else 0
+    many = max(1, int(np.ceil(abs(b[across] - a[across]) / STEP)))
+    starts = [a + k / many * (b - a) for k in range(many)]
+    half = 0.5 * (b - a) / many
+    return [_Wall(level, float(start[across] + half[across]), (float(start[0]), float(start[1]))) for start in starts]
+
+
+def _corner(at: float, turn: float, level: bool) -> tuple[float, float]:
+    return (turn, at) if level else (at, turn)
 
 
 def _edge(

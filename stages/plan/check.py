@@ -2,11 +2,15 @@
 
 from collections import deque
 from collections.abc import Mapping
+from itertools import pairwise
+from math import dist
 
 from shapely.geometry import Polygon
+from shapely.geometry.polygon import orient
 
 from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.schemas.plan import AskedRoom, Program
+from apartgen.stages.plan.blocks import facing
 from apartgen.stages.plan.standards import STANDARDS
 from apartgen.stages.plan.weights import WEIGHTS
 
@@ -100,12 +104,28 @@ def _check_envelope(program: Program) -> None:
             f"{len(program.rooms)} rooms need at least {least:.0f} m² by the least areas of their types, but the "
             f"outline holds {outline.area:.1f} m²: ask for fewer rooms or a larger outline"
         )
+    _check_daylight(program, outline)
     for room in program.rooms:
         if outline.buffer(-0.5 * min(STANDARDS[room.base].width, 0.9 * STANDARDS[room.base].area ** 0.5)).is_empty:
             raise Unmet(
                 f"the outline is nowhere wide enough for {room.id}, which needs {STANDARDS[room.base].width:g} m: "
                 "ask for a wider outline"
             )
+
+
+def _check_daylight(program: Program, outline: Polygon) -> None:
+    """Whether the façades are long enough for the windows of all rooms that need one."""
+    joined = {room for pair in program.open_links for room in pair}
+    lit = [r for r in program.rooms if STANDARDS[r.base].lit and not (r.base == "kitchen" and r.id in joined)]
+    needed = sum(STANDARDS[room.base].face for room in lit)
+    ring = list(orient(outline).exterior.coords)
+    walls = [(dist(a, b), facing(b[0] - a[0], b[1] - a[1])) for a, b in pairwise(ring)]
+    light = sum(length for length, side in walls if side not in program.envelope.party_walls)
+    if needed > light:
+        raise Unmet(
+            f"{len(lit)} rooms need {needed:.1f} m of outside wall for their windows, but the outline has "
+            f"{light:.1f} m beside its party walls: ask for fewer rooms, an open kitchen or another side with windows"
+        )
 
 
 def _check_ways(program: Program) -> None:

@@ -18,6 +18,7 @@ from apartgen.stages.plan.blocks import Outline, given, gross
 from apartgen.stages.plan.check import check
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.contradict import lacks, told
+from apartgen.stages.plan.fitting import fitted
 from apartgen.stages.plan.judge import faults
 from apartgen.stages.plan.outline import draw, ring
 from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, whim
@@ -63,7 +64,8 @@ def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng
     missed = tuple(lacks(program, p, z)) if lack > EPS else ()
     leaves = len(best.share) - 1
     if program.envelope.outline is not None:
-        return Run(float(cost), lack, _to_the_edge(z.box[:leaves, :4]), best.nodes[:leaves, 0], missed)
+        boxes = z.box[:leaves, :4] if lack > EPS else fitted(best, z.box, gross(program.envelope, config.walls.inner))
+        return Run(float(cost), lack, _to_the_edge(boxes), best.nodes[:leaves, 0], missed)
     count = int(z.seq[-1])
     return Run(float(cost), lack, np.round(z.piece[:count], 2), z.owner[:count].copy(), missed)
 

@@ -4,13 +4,16 @@ import numpy as np
 import pytest
 import shapely
 from plan.flats import within
-from shapely.affinity import rotate
+from shapely.affinity import rotate, scale
 from shapely.geometry import Polygon, box
 
+from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Envelope
 from apartgen.stages.plan import PlanConfig, build, validate
-from apartgen.stages.plan.blocks import blocks, entrance_sides, taken_apart
+from apartgen.stages.plan.blocks import blocks, entrance_sides, straightened, taken_apart
+from apartgen.stages.plan.fitting import fitted
 from apartgen.stages.plan.outline import draw
+from apartgen.stages.plan.slicing import Tree
 from apartgen.stages.plan.study import archetypes
 from apartgen.stages.plan.turn import askew
 from apartgen.stages.space import polygons
@@ -64,3 +67,67 @@ def test_given_outlines_are_filled(points: list[tuple[float, float]], degrees: f
     filled = shapely.union_all(list(polygons.floors(plan).values())).buffer(0.051, join_style="mitre")
     assert outline.difference(filled).area < 0.01
     assert all(outline.buffer(0.002).covers(polygons.floor(room)) for room in plan.rooms)
+
+
+def quadrilateral(seed: int) -> Polygon:
+    """Four walls of which two slant."""
+    rng = np.random.default_rng([11, seed])
+    (w, h), (a, b) = rng.uniform((8.5, 7.0), (11.0, 9.5)), rng.uniform(0.4, 2.0, 2)
+    return Polygon([(0, 0), (w, 0), (w - a, h), (0, h - b / 2)])
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_slanting_walls_are_straightened_without_losing_much(seed: int) -> None:
+    for outline in (quadrilateral(seed), rotate(quadrilateral(seed), 0.02, origin=(0, 0)), Polygon(SLANTED)):
+        found = straightened(outline)
+        steps = np.abs(np.diff(shapely.get_coordinates(found.exterior), axis=0))
+        assert steps.min(axis=1).max() < 1e-9 and found.is_valid
+        assert found.area == pytest.approx(outline.area, rel=0.06)
+        assert found.symmetric_difference(outline).area < 0.16 * outline.area
+    assert straightened(Polygon(L_SHAPE)).equals(Polygon(L_SHAPE))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_cuts_share_a_slanting_outline_as_asked(seed: int) -> None:
+    """Three rooms, cut one after another: the first takes a share, the others share the rest."""
+    rng = np.random.default_rng(seed)
+    outline, wanted = quadrilateral(seed), rng.uniform(1, 3, 3)
+    nodes = np.zeros((6, 3), np.int64)
+    nodes[3], nodes[4], nodes[5, 0] = (0, 4, 1), (1, 2, 0), 3
+    boxes = np.zeros((5, 5))
+    boxes[:, 4] = [*wanted, wanted.sum(), wanted[1:].sum()]
+    leaves = fitted(Tree(nodes, np.array([*wanted, 1.0])), boxes, outline)
+    areas = [shapely.clip_by_rect(outline, *leaf).area for leaf in leaves]
+    assert areas == pytest.approx(list(wanted / wanted.sum() * outline.area), rel=0.03)
+
+
+SHAPES = {
+    "L": [(0, 0), (12, 0), (12, 5), (7, 5), (7, 9), (0, 9)],
+    "U": [(0, 0), (12, 0), (12, 9), (9, 9), (9, 6), (3.2, 6), (3.2, 9), (0, 9)],
+    "T": [(3, 0), (9, 0), (9, 4), (12, 4), (12, 9), (0, 9), (0, 4), (3, 4)],
+    "skewed": list(quadrilateral(1).exterior.coords)[:-1],
+    "corner cut off": [(0, 0), (10, 0), (10, 5), (7, 8), (0, 8)],
+}
+
+
+@pytest.mark.parametrize("shape, seed", list(zip(SHAPES, range(5))))
+def test_outlines_of_many_shapes_are_filled(shape: str, seed: int) -> None:
+    program = archetypes()["two_bedroom"]
+    outline = Polygon(SHAPES[shape])
+    large = (1.06 * sum(room.area or 0 for room in program.rooms) / outline.area) ** 0.5
+    outline = scale(outline, large, large, origin=(0, 0))
+    ring = [(round(x, 3), round(y, 3)) for x, y in outline.exterior.coords[:-1]]
+    plan = build(within(program, outline=ring), PlanConfig(processes=1), np.random.default_rng(seed))
+    assert validate(plan) == []
+    filled = shapely.union_all(list(polygons.floors(plan).values())).buffer(0.051, join_style="mitre")
+    assert outline.difference(filled).area < 0.01
+
+
+def test_a_long_flat_between_two_neighbours_is_planned_or_refused() -> None:
+    slab = {"outline": [(0, 0), (6, 0), (6, 15), (0, 15)], "party_walls": ["east", "west"]}
+    plan = build(within(archetypes()["one_bedroom_open"], **slab), PlanConfig(), np.random.default_rng(0))
+    assert all(y < 0 or y > 15 for o in plan.openings if o.kind == "window" for _, y in o.segment)
+    deep = {"outline": [(0, 0), (4, 0), (4, 36), (0, 36)], "party_walls": ["east", "west", "north"]}
+    many = within(archetypes()["four_bedroom"], **deep)
+    with pytest.raises(Unmet, match="outside wall for their windows, but the outline has 4.0 m"):
+        build(many, PlanConfig(), np.random.default_rng(0))
