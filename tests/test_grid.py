@@ -63,3 +63,13 @@ def test_the_second_part_may_be_the_largest() -> None:
     assert grid.from_seeds(free, seeds).sum() == 6
     assert not grid.from_seeds(free, ~free).any()
     assert not grid.largest(np.zeros((3, 3), bool)).any()
+
+
+def test_without_a_radius_the_shade_is_the_cells_whose_middles_lie_in_the_footprint() -> None:
+    """Cells of half a metre: of a box of 1.1 by .6 m about the middle of a cell, three by one; turned, one by three."""
+    cells = grid.Grid((0.0, 0.0), (8, 8), 0.5)
+    for yaw, shape in ((0.0, (1, 3)), (np.pi / 2, (3, 1))):
+        box = Boxes(np.array([[1.75, 1.75, 0.0]]), np.array([[1.1, 0.6, 1.0]]), np.array([yaw]))
+        found = np.argwhere(grid.near(box, cells, 0.0) > 0)
+        assert tuple(np.ptp(found, axis=0) + 1) == shape and len(found) == 3
+        assert found.mean(0).tolist() == [3.0, 3.0]

@@ -8,6 +8,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.stages.retrieve import RetrieveConfig, run
+from apartgen.stages.retrieve.matching import placing
 from apartgen.stages.space import boxes
 from apartgen.stages.things import tops
 from apartgen.stages.things.categories import CATEGORIES, TABLE
@@ -208,3 +209,16 @@ def test_a_television_said_to_hang_stays_on_the_wall_and_any_other_finds_its_sta
         stand, tv = retrieve(layout.model_copy(update={"objects": [stand, tv]}), libraries).objects
         assert tv.on == (stand.id if carrier == "stand" else carrier)
         assert (abs(tv.center[2] - 1.3) < 0.1) == (carrier == "wall")
+
+
+def test_what_outgrew_its_box_goes_to_the_nearest_place_there_is() -> None:
+    """4 cm in the wall behind it: 5 cm forward will do; 8 cm in a neighbour as well: 10 cm aside, too."""
+    site = placing.Site(Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), Polygon())
+    deep = boxes.Boxes(np.array([[0.46, 2.0, 0.5]]), np.array([[1.0, 1.0, 1.0]]), np.zeros(1))
+    nothing = placing.Others(deep.take(np.zeros(1, bool)), np.zeros(0))
+    found = placing.grown(deep, deep, site, nothing)
+    assert found is not None and found.center[0] == pytest.approx([0.51, 2.0, 0.5])
+    beside = placing.Others(boxes.Boxes(np.array([[0.5, 3.0, 0.5]]), np.ones((1, 3)), np.zeros(1)), np.array([0.01]))
+    close = deep._replace(center=np.array([[0.46, 2.08, 0.5]]))
+    moved = placing.grown(close, close, site, beside)
+    assert moved is not None and moved.center[0] == pytest.approx([0.51, 1.98, 0.5])

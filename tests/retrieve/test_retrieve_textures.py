@@ -15,6 +15,7 @@ from apartgen.schemas.retrieve import Retrieve
 from apartgen.stages.retrieve import build, folder, simobjects
 from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
 from apartgen.stages.retrieve.matching.textures import FOLDER
+from apartgen.stages.retrieve.reading import obj
 from apartgen.stages.retrieve.reading.images import encoded, linear
 
 RED, GREEN, BLUE, WHITE = (200, 30, 30), (30, 160, 40), (40, 60, 190), (250, 250, 250)
@@ -287,3 +288,10 @@ def test_a_foreign_file_round_trips_through_our_own_export(home, tmp_path):
     skins = [m.material for s in again for link in s.load().links for m in link.visuals if m.material.name == "skin"]
     assert skins and skins[0].texture.startswith("data:image")
     assert base64.b64decode(skins[0].texture.partition(",")[2])[:4] == b"\x89PNG"
+
+
+@pytest.mark.parametrize("rest, name", [
+    ("oak.png", "oak.png"), ("-s 2 2 1 oak light.png", "oak light.png"), ("-clamp on -odd.png", "-odd.png"), ("", ""),
+])
+def test_the_file_of_a_map_is_what_its_options_leave(rest, name):
+    assert obj._named(rest) == name
