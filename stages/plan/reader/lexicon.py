@@ -3,6 +3,7 @@
 import itertools
 import re
 import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
@@ -26,6 +27,9 @@ PRIORITY = (
 
 _RANK = {kind: k for k, kind in enumerate(PRIORITY)}
 _PLAIN = re.compile(r"[a-z -]+")
+_WORD = re.compile(r"[^\W\d_]+(?:'[^\W\d_]+)*")
+_PATTERN = re.compile(r"[a-z -]*(?:(?:(?<= )|(?<!.)){[a-z, -]*}(?= |$)[a-z -]*)*")
+"""Patterns whose braces stand between whole words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,25 +41,94 @@ class Entry:
     plural: bool = False
 
 
+class Entries:
+    """Readings by phrase; patterns are expanded when a phrase with their first word is asked for."""
+
+    def __init__(self) -> None:
+        self._found: dict[Phrase, dict[str, Entry]] = {}
+        self._waiting: dict[str, list[tuple[str, str, str]]] = {}
+
+    def add(self, words: Phrase, entry: Entry) -> None:
+        """One reading more; the first of a kind counts."""
+        self._found.setdefault(words, {}).setdefault(entry.kind, entry)
+
+    def wait(self, kind: str, value: str, pattern: str) -> None:
+        """A pattern to be expanded later."""
+        for first in first_words(pattern):
+            self._waiting.setdefault(first, []).append((kind, value, pattern))
+
+    def get(self, words: Phrase) -> tuple[Entry, ...] | None:
+        """All readings of a phrase, the likeliest first."""
+        self._expand(words[0])
+        readings = self._found.get(words)
+        return _ranked(readings) if readings else None
+
+    def __contains__(self, words: Phrase) -> bool:
+        self._expand(words[0])
+        return words in self._found
+
+    def items(self) -> Iterator[tuple[Phrase, tuple[Entry, ...]]]:
+        """Every phrase with its readings."""
+        for first in list(self._waiting):
+            self._expand(first)
+        for words, readings in self._found.items():
+            yield words, _ranked(readings)
+
+    def words(self) -> Iterator[tuple[str, str]]:
+        """Every word with a kind of phrase that has it."""
+        for words, readings in self._found.items():
+            best = _ranked(readings)[0].kind
+            yield from ((word, best) for word in words)
+        for rows in self._waiting.values():
+            for kind, _, pattern in rows:
+                yield from ((word, kind) for word in _WORD.findall(pattern))
+
+    def _expand(self, first: str) -> None:
+        for kind, value, pattern in self._waiting.pop(first, ()):
+            entry = Entry(kind, value)
+            for text in expand(pattern):
+                words = phrase(text)
+                if words[:1] == (first,):
+                    self.add(words, entry)
+
+
 @dataclass(frozen=True)
 class Lexicon:
     """All readings of every phrase, `longest` words at most."""
 
-    entries: dict[Phrase, tuple[Entry, ...]]
+    entries: Entries
     also_object: dict[str, str]
     suffixes: dict[str, Entry]
     longest: int
 
     @cached_property
     def words(self) -> frozenset[str]:
-        """Words worth a spelling correction; most prompts never ask for them."""
+        """Words worth a spelling correction; an abbreviation is nobody's slip."""
         return frozenset(
-            w
-            for p, es in self.entries.items()
-            if es[0].kind not in ("stop", "reach")
-            for w in p
-            if len(w) >= 5 and w.isascii() and not w.endswith("rm")  # an abbreviation is nobody's slip
+            word
+            for word, kind in self.entries.words()
+            if kind not in ("stop", "reach") and len(word) >= 5 and word.isascii() and not word.endswith("rm")
         )
+
+
+def first_words(pattern: str) -> set[str]:
+    """The words that the phrases of a pattern begin with."""
+    if not _PATTERN.fullmatch(pattern):
+        return {words[0] for text in expand(pattern) if (words := phrase(text))}
+    head, brace, rest = pattern.partition("{")
+    if head or not brace:
+        return set(head.replace("-", " ").split()[:1])
+    options, _, after = rest.partition("}")
+    parts = [option.replace("-", " ").split() for option in options.split(",")]
+    return {part[0] for part in parts if part} | (first_words(after.strip()) if [] in parts else set())
+
+
+def most_words(pattern: str) -> int:
+    """No phrase of a pattern has more words."""
+    if "{" not in pattern:
+        return len(pattern.replace("-", " ").split())
+    parts = [part.split(",") for part in pattern.replace("-", " ").replace("{", "}").split("}")]
+    return sum(max(len(option.split()) for option in part) for part in parts)
 
 
 def expand(pattern: str) -> list[str]:
@@ -91,34 +164,47 @@ def plural(words: Phrase) -> Phrase:
 @cache
 def read_lexicon() -> Lexicon:
     """Read every language file once."""
-    found: dict[Phrase, dict[str, Entry]] = {}
+    found = Entries()
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
-    _add_group(found, "room", _newcomers())
+    longest = _add_group(found, "room", _newcomers())
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
         table = tomllib.loads(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
         for name, ends in table.pop("suffix", {}).items():
             suffixes |= {end: Entry(*name.split("/")) for end in ends}
-        for kind, group in table.items():
-            _add_group(found, kind, group)
-    _add_group(found, "furniture", _furniture())
-    ranked = {p: tuple(es.values() if len(es) == 1 else sorted(es.values(), key=_rank)) for p, es in found.items()}
-    return Lexicon(ranked, also_object, suffixes, max(map(len, ranked)))
+        longest = max([longest, *(_add_group(found, kind, group) for kind, group in table.items())])
+    longest = max(longest, _add_group(found, "furniture", _furniture()))
+    return Lexicon(found, also_object, suffixes, longest)
 
 
-def _rank(entry: Entry) -> int:
-    return _RANK[entry.kind]
+def _ranked(readings: dict[str, Entry]) -> tuple[Entry, ...]:
+    """The likeliest first; a kind that shares no phrase with others has no rank."""
+    if len(readings) == 1:
+        return tuple(readings.values())
+    return tuple(sorted(readings.values(), key=lambda entry: _RANK[entry.kind]))
 
 
-def _add_group(found: dict[Phrase, dict[str, Entry]], kind: str, group: dict[str, list[str]]) -> None:
+def _add_group(found: Entries, kind: str, group: dict[str, list[str]]) -> int:
+    """Add the phrases of a kind; nouns at once, for their plurals. Returns the most words one may have."""
+    longest = 1
     for value, patterns in group.items():
-        one, several = Entry(kind, value), Entry(kind, value, plural=True)
-        for text in itertools.chain.from_iterable(map(expand, patterns)):
-            words = phrase(text)
-            found.setdefault(words, {}).setdefault(kind, one)
-            if kind in NOUNS and words[-1].isascii():
-                found.setdefault(plural(words), {}).setdefault(kind, several)
+        longest = max([longest, *map(most_words, patterns)])
+        for pattern in patterns:
+            if kind in NOUNS:
+                _add_nouns(found, kind, value, pattern)
+            else:
+                found.wait(kind, value, pattern)
+    return longest
+
+
+def _add_nouns(found: Entries, kind: str, value: str, pattern: str) -> None:
+    one, several = Entry(kind, value), Entry(kind, value, plural=True)
+    for text in expand(pattern):
+        words = phrase(text)
+        found.add(words, one)
+        if words[-1].isascii():
+            found.add(plural(words), several)
 
 
 def _newcomers() -> dict[str, list[str]]:
