@@ -205,3 +205,13 @@ def test_loose_things_stand_by_themselves(category):
 def test_no_collision_piece_is_flat(category):
     pieces = [(asset.id, c) for asset in built(category) for link in asset.links for c in link.colliders]
     assert not [id for id, c in pieces if c.kind != "hull" and np.min(c.size) < 1e-4]
+
+
+@pytest.mark.parametrize("tall, shelves", [(0.2, 2), (0.3, 2), (0.6, 3)])
+def test_a_set_of_open_boxes_has_two_sides_of_its_height_and_a_board_for_each_level(tall, shelves):
+    """Boards of 3 cm, levels of about 30."""
+    pieces = np.array([piece.size for link in furniture.build("wall_shelf", "box", (0.2, 0.8, tall), 0).links
+                       for piece in link.colliders])
+    upright = np.isclose(pieces, [0.2, 0.03, tall]).all(1)
+    lying = np.isclose(pieces, [0.199, 0.74, 0.03]).all(1)
+    assert (upright.sum(), lying.sum(), len(pieces)) == (2, shelves, 2 + shelves)
