@@ -88,11 +88,14 @@ def ordered(bench: Bench, change: Change) -> list[str]:
     """
     own, path = f"tests/{change.file.split('/')[1]}", Path(change.file)
     name = (path.parent.name if path.stem == "__init__" else path.stem).strip("_")
+
+    def near(test: str) -> tuple[bool, bool, float, str]:
+        named = name in test.partition("::")[0].rpartition("/")[2]
+        return not named, not test.startswith(own), bench.seen.cost[test], test
+
     chosen: list[str] = []
     for group in bench.seen.tests(change):
-        cost = {test: bench.seen.cost[test] * (1 if test.startswith(own) else 3) for test in group}
-        cost |= {test: cost[test] / 10 for test in group if name in test.partition("::")[0].rpartition("/")[2]}
-        quick = sorted(cost, key=lambda test: (cost[test], test))
+        quick = sorted(group, key=near)
         files = list(dict.fromkeys(test.partition("::")[0] for test in quick))
         chosen += sorted(quick, key=lambda test: files.index(test.partition("::")[0]))
     spent = accumulate(bench.seen.cost[test] for test in chosen)
