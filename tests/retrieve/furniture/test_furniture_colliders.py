@@ -6,6 +6,7 @@ import trimesh
 from scipy.spatial import ConvexHull
 
 from apartgen.stages.retrieve import furniture
+from apartgen.stages.retrieve.furniture import body
 from apartgen.stages.things import categories
 
 CLOSE = 0.0055
@@ -72,3 +73,10 @@ def test_what_is_seen_is_felt_and_the_other_way_round(category):
 def test_mirrors_of_every_proportion_are_felt_where_they_are_seen(style, size):
     seen, felt = deviations(furniture.build("mirror", style, size, 0).links[0])
     assert max(seen.max(), felt.max()) <= CLOSE
+
+
+def test_a_turned_profile_is_told_in_its_fewest_straight_stretches():
+    """Radius and height: a cylinder of five rings, then a cone of three; a rim that goes in at one height is none."""
+    profile = [(0.1, 0.0), (0.1, 0.1), (0.1, 0.15), (0.1, 0.3), (0.1, 0.4), (0.15, 0.5), (0.2, 0.6), (0.05, 0.6)]
+    found = [(tuple(low), tuple(high)) for low, high in body._frusta(np.array(profile))]
+    assert found == [((0.1, 0.0), (0.1, 0.4)), ((0.1, 0.4), (0.2, 0.6))]
