@@ -8,7 +8,7 @@ import numpy as np
 from apartgen.schemas import populate
 from apartgen.schemas.carrying import FLOOR, WALL
 from apartgen.schemas.plan import Room
-from apartgen.schemas.populate import Inside, Populate, Thing
+from apartgen.schemas.populate import Grasp, Inside, Populate, Thing
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import seeds
@@ -20,6 +20,7 @@ from apartgen.stages.populate.rules import Rule
 from apartgen.stages.things import categories, small
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.carrying import told
+from apartgen.stages.things.grasps import Hold, holds
 from apartgen.stages.things.receptacles import Receptacle
 from apartgen.stages.things.small import Design
 from apartgen.stages.use import household
@@ -57,7 +58,19 @@ def populated(previous: Retrieve, config: PopulateConfig, rng: np.random.Generat
         here = boards(before, room.id, offered, hung, library.load_asset)
         groups = furnished(here, rules.table().get(room.base, ()), home, seeds.lane(rng, room.id))
         things += [*_recorded(room.id, groups, names), *hung]
-    return _body(before, things, offered)
+    return _body(before, _held(things, library) if config.grasps else things, offered)
+
+
+def _held(things: list[Thing], library: Library) -> list[Thing]:
+    """The things, each that is free with how a gripper takes hold of it; those of one model alike."""
+    models = {o.asset.id for o in things if o.on != WALL}
+    known = {id: [_grasp(hold) for hold in holds(library.load_asset(LIBRARY, id).links[0])] for id in sorted(models)}
+    return [o.model_copy(update={"grasps": known.get(o.asset.id, [])}) for o in things]
+
+
+def _grasp(hold: Hold) -> Grasp:
+    at, approach, close = (tuple(round(float(v), 4) + 0.0 for v in vector) for vector in hold[:3])
+    return Grasp(at=at, approach=approach, close=close, width=round(hold.width, 4))
 
 
 def _hung(before: Retrieve, room: Room, home: Home, names: "_Names", rng: np.random.Generator) -> list[Thing]:

@@ -164,13 +164,15 @@ def _ticks(values: list[float], least: float, most: float, fine: bool) -> Array:
 
 def _inside(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
     """Cells that a face covers wholly."""
-    along, across = (xs[:-1] > lo[0] - 6e-4) & (xs[1:] < hi[0] + 6e-4), (ys[:-1] > lo[1] - 6e-4) & (ys[1:] < hi[1] + 6e-4)
+    along = (xs[:-1] > lo[0] - 6e-4) & (xs[1:] < hi[0] + 6e-4)
+    across = (ys[:-1] > lo[1] - 6e-4) & (ys[1:] < hi[1] + 6e-4)
     return np.asarray(along[:, None] & across[None])
 
 
 def _touched(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
     """Cells that a block reaches into."""
-    along, across = (xs[1:] > lo[0] + 1e-4) & (xs[:-1] < hi[0] - 1e-4), (ys[1:] > lo[1] + 1e-4) & (ys[:-1] < hi[1] - 1e-4)
+    along = (xs[1:] > lo[0] + 1e-4) & (xs[:-1] < hi[0] - 1e-4)
+    across = (ys[1:] > lo[1] + 1e-4) & (ys[:-1] < hi[1] - 1e-4)
     return np.asarray(along[:, None] & across[None])
 
 
