@@ -1,0 +1,18 @@
+"""What `it` stands for where rooms open onto it."""
+
+import pytest
+
+from apartgen.stages.plan.reader import read
+
+
+@pytest.mark.parametrize("text, hub, others", [
+    ("The living room is the centre of the flat: the kitchen, the study, the balcony and a short corridor all open "
+     "onto it. The corridor ends in two bedrooms and a bathroom.", "living_room_1",
+     {"kitchen_1", "study_1", "balcony_1", "hallway_1"}),
+    ("Kitchen in the middle: to its left the dining room, to its right the living room, both open to it. Hall with two "
+     "bedrooms and a bathroom off the living room.", "kitchen_1", {"dining_room_1", "living_room_1"}),
+])
+def test_rooms_open_onto_it(text: str, hub: str, others: set[str]) -> None:
+    program = read(text)
+    pairs = {frozenset(pair) for pair in [*program.links, *program.open_links]}
+    assert {next(iter(pair - {hub})) for pair in pairs if hub in pair} >= others
