@@ -16,3 +16,12 @@ def test_rooms_open_onto_it(text: str, hub: str, others: set[str]) -> None:
     program = read(text)
     pairs = {frozenset(pair) for pair in [*program.links, *program.open_links]}
     assert {next(iter(pair - {hub})) for pair in pairs if hub in pair} >= others
+
+
+@pytest.mark.parametrize("text, room, owner", [
+    ("Living room, kitchen, bathroom, bedroom. A study behind the kitchen.", "study_1", "kitchen_1"),
+    ("A flat with a living room and a kitchen, and a study behind the living room.", "study_1", "living_room_1"),
+    ("Two-bedroom flat. There is a storage room behind the kitchen.", "storage_1", "kitchen_1"),
+])
+def test_a_room_behind_another_is_entered_from_it(text: str, room: str, owner: str) -> None:
+    assert [set(pair) - {room} for pair in read(text).links if room in pair] == [{owner}]
