@@ -19,6 +19,8 @@ STEP = 0.3
 WIDTHS = (0.9, 0.8, 0.7)
 """Of doors that are put in, the first that finds room, m."""
 GIVE = 0.02
+WIDEST = 1.35
+"""Doors wider than this have two leaves or slide, m; they stand open without one."""
 Hinge = Literal[0, 1]
 
 
@@ -33,6 +35,8 @@ def hung(door: Opening, plan: Plan, drawn: Way | None, standing: list[Polygon]) 
     """The door with a leaf: as drawn where that has room, else the first way that meets neither walls nor other leaves,
     nor if it can be what is `standing` there; without a leaf where none has room.
     """
+    if drawn is None and polygons.width(door) > WIDEST:
+        return door.model_copy(update={"into": None})
     ways = [Way(hinge, room) for room in door.rooms for hinge in (0, 1)]
     turned = [_as(door, way) for way in ([drawn, *ways] if drawn else ways)]
     fits = [leaf for leaf in turned if _inside(leaf, plan) and not _meets(leaf, plan)]
