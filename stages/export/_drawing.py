@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
-from shapely import Geometry
+from shapely import Geometry, affinity
 from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box, Layout
@@ -16,15 +16,18 @@ from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.schemas.populate import without_things
 from apartgen.schemas.retrieve import Furnishing, Joint
 from apartgen.stages.export import _symbols
+from apartgen.stages.export._labels import LEADING, Label, extent, labels, radius, size_of, title
 from apartgen.stages.export._pen import FAINT, INK, PAPER, Pen
 from apartgen.stages.scene import shell
-from apartgen.stages.space import boxes, polygons
+from apartgen.stages.space import polygons
 from apartgen.stages.things.categories import TABLE, fitted_ovens
 
 INCH = 0.72
 """Inches of paper to a metre, before the sheet is fitted."""
 LARGEST = 13.0  # inches, longer side of the plan
 MARGIN = 1.1  # m about the outer walls, for dimensions and the scale bar
+LIST = 1.75  # inches beside the plan for the list of rooms
+ROW = 11.0  # points from row to row of it
 CHARACTER = 0.06  # m of the plan that a character of the sentence takes
 POCHE, PARAPET = "#2f2d2b", "#d5d1ca"
 TINTS = {
@@ -41,8 +44,10 @@ def figure(home: Plan) -> Figure:
     """One sheet with the whole apartment, to scale, north up; small things are left out."""
     home = without_things(home)
     x0, y0, x1, y1 = polygons.shell(home).bounds
-    x0, y0, x1, y1 = x0 - MARGIN, y0 - MARGIN, x1 + MARGIN, y1 + 0.9 * MARGIN
+    x0, y0, x1, y1 = x0 - MARGIN, y0 - MARGIN, x1 + 0.4 * MARGIN, y1 + 0.9 * MARGIN
     inch = min(INCH * 1.4, LARGEST / max(x1 - x0, y1 - y0))
+    y0 = min(y0, y1 - (len(home.rooms) + 2) * ROW / 72 / inch)
+    edge, x1 = x1, x1 + LIST / inch
     sheet = Figure(figsize=((x1 - x0) * inch, (y1 - y0) * inch), facecolor=PAPER)
     axes = sheet.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set_xlim(x0, x1)
@@ -50,32 +55,33 @@ def figure(home: Plan) -> Figure:
     axes.axis("off")
     _rooms(axes, home)
     objects = home.objects if isinstance(home, Layout) else []
-    _furniture(axes, objects)
-    _fill(axes, polygons.walls(home), POCHE, 5.0)
-    _fill(axes, polygons.walls(home).intersection(shell.low(home)), PARAPET, 5.1, INK, 0.5)
+    moving = _furniture(axes, objects)
+    _fill(axes, polygons.walls(home), POCHE, 5.0, name="walls/wall")
+    _fill(axes, polygons.walls(home).intersection(shell.low(home)), PARAPET, 5.1, INK, 0.5, "walls/parapet")
     for opening in (o for o in home.openings if not shell.in_parapet(o, home)):
         _opening(axes, home, opening)
-    _names(axes, home, objects, inch)
     _frame(axes, home)
+    _names(axes, home, labels(home, objects, moving, inch), inch)
+    _list(axes, home, edge, polygons.shell(home).bounds[3], inch)
     return sheet
 
 
 def _fill(
-    axes: Axes, area: Geometry, color: str, order: float, ink: str = "none", width: float = 0.0
+    axes: Axes, area: Geometry, color: str, order: float, ink: str = "none", width: float = 0.0, name: str = ""
 ) -> PathPatch | None:
     rings = [shapely.get_coordinates(ring) for ring in shapely.get_rings(shapely.get_parts(area))]
     if not rings:
         return None
     path = Path.make_compound_path(*(Path(ring, closed=True) for ring in rings))
-    patch = PathPatch(path, facecolor=color, edgecolor=ink, linewidth=width, zorder=order)
+    patch = PathPatch(path, facecolor=color, edgecolor=ink, linewidth=width, zorder=order, gid=name or None)
     axes.add_patch(patch)
     return patch
 
 
 def _rooms(axes: Axes, home: Plan) -> None:
-    _fill(axes, polygons.free_floor(home), "#faf8f4", 0.5)
+    _fill(axes, polygons.free_floor(home), "#faf8f4", 0.5, name="rooms/floor")
     for room in home.rooms:
-        patch = _fill(axes, polygons.floor(room), TINTS[room.base], 0.6)
+        patch = _fill(axes, polygons.floor(room), TINTS[room.base], 0.6, name=f"rooms/{room.id}")
         if patch is not None and room.base in TILED:
             _tiles(axes, room, patch, TILED[room.base])
 
@@ -86,7 +92,7 @@ def _tiles(axes: Axes, room: Room, clip: PathPatch, pitch: float) -> None:
     if room.base != "balcony":
         lines += [((x0, x1), (y, y)) for y in np.arange(y0 + pitch, y1, pitch)]
     for xs, ys in lines:
-        (line,) = axes.plot(xs, ys, color="#dcdfdf", linewidth=0.35, zorder=0.7)
+        (line,) = axes.plot(xs, ys, color="#dcdfdf", linewidth=0.35, zorder=0.7, gid=f"rooms/tiles_{room.id}")
         line.set_clip_path(clip)
 
 
@@ -99,22 +105,24 @@ def _layer(o: Box) -> float:
     return 4.6 if above else 2.0 + top / 1.2
 
 
-def _furniture(axes: Axes, objects: Sequence[Box]) -> None:
-    fitted = fitted_ovens(objects)
+def _furniture(axes: Axes, objects: Sequence[Box]) -> Geometry:
+    """Symbols of all objects; returns the floor that their open parts take."""
+    fitted, swept = fitted_ovens(objects), []
     for o in objects:
-        pen = Pen(axes, o.center[0], o.center[1], o.yaw, _layer(o))
+        pen = Pen(axes, o.center[0], o.center[1], o.yaw, _layer(o), f"furniture/{o.id}")
         _symbols.draw(pen, "fitted_oven" if o.id in fitted else o.category, o.size[0], o.size[1])
         for joint in o.joints if isinstance(o, Furnishing) else []:
-            _swept(Pen(axes, o.center[0], o.center[1], o.yaw, 4.8), joint)
+            area = _swept(Pen(axes, o.center[0], o.center[1], o.yaw, 4.8, f"sweeps/{o.id}_{joint.name}"), joint)
+            swept.append(affinity.translate(affinity.rotate(area, o.yaw, (0, 0), use_radians=True), *o.center[:2]))
+    return unary_union(swept)
 
 
-def _swept(pen: Pen, joint: Joint) -> None:
+def _swept(pen: Pen, joint: Joint) -> Geometry:
     """What a leaf turns through, or how far a drawer or flap comes out, dashed."""
-    if joint.extent is None:
-        return
-    outline = _swept_area(joint)
+    outline = _swept_area(joint) if joint.extent is not None else shapely.Polygon()
     if outline.geom_type == "Polygon" and outline.area > 0.01:
         pen.shape(shapely.get_coordinates(outline.exterior), None, SWEPT, 0.45, True)
+    return outline
 
 
 def _swept_area(joint: Joint) -> Geometry:
@@ -141,11 +149,12 @@ def _opening(axes: Axes, home: Plan, opening: Opening) -> None:
         return
     turn = polygons.hinge(opening, home)
     if turn is not None:
-        _fill(axes, polygons.leaf(opening, home), PAPER, 5.6, INK, 0.7)
+        _fill(axes, polygons.leaf(opening, home), PAPER, 5.6, INK, 0.7, f"openings/{opening.id}")
         angle = np.degrees(np.arctan2(turn.shut[1], turn.shut[0]))
         other = np.degrees(np.arctan2(turn.opened[1], turn.opened[0]))
         start, end = (angle, other) if (other - angle) % 360 < 180 else (other, angle)
-        Pen(axes, float(turn.pivot[0]), float(turn.pivot[1]), order=5.5).arc(0, 0, turn.width, start, end, INK, 0.5)
+        pen = Pen(axes, float(turn.pivot[0]), float(turn.pivot[1]), 0.0, 5.6, f"openings/{opening.id}")
+        pen.arc(0, 0, turn.width, start, end, INK, 0.5)
     if opening.kind == "entrance":
         _entrance(axes, home, opening)
 
@@ -155,8 +164,8 @@ def _window(axes: Axes, home: Plan, opening: Opening) -> None:
     a, b = np.asarray(opening.segment, float)
     for lo, hi in ((-reach, reach), (-0.2 * reach, 0.2 * reach)):
         corners = np.array([a + lo * normal, b + lo * normal, b + hi * normal, a + hi * normal])
-        Pen(axes, order=5.2).shape(corners, PAPER, INK, 0.7 if hi == reach else 0.5)
-    Pen(axes, order=5.3).line(tuple(a), tuple(b), ink=INK, width=0.4)
+        Pen(axes, order=5.2, name=f"windows/{opening.id}").shape(corners, PAPER, INK, 0.7 if hi == reach else 0.5)
+    Pen(axes, order=5.2, name=f"windows/{opening.id}").line(tuple(a), tuple(b), ink=INK, width=0.4)
 
 
 def _entrance(axes: Axes, home: Plan, opening: Opening) -> None:
@@ -164,42 +173,36 @@ def _entrance(axes: Axes, home: Plan, opening: Opening) -> None:
     middle = np.mean(np.asarray(opening.segment, float), axis=0)
     tip = middle - (reach + 0.06) * normal
     side = np.array([-normal[1], normal[0]])
-    Pen(axes, order=6).shape([tip, tip - 0.26 * normal + 0.15 * side, tip - 0.26 * normal - 0.15 * side], POCHE, POCHE)
+    corners = [tip, tip - 0.26 * normal + 0.15 * side, tip - 0.26 * normal - 0.15 * side]
+    Pen(axes, order=5.6, name=f"openings/{opening.id}").shape(corners, POCHE, POCHE)
 
 
-def _title(room: Room) -> str:
-    return room.type.replace("_", " ").title()
+def _names(axes: Axes, home: Plan, found: Sequence[Label], inch: float) -> None:
+    """Each room's number, name and area on free floor; a number alone where they do not fit."""
+    kinds = {room.id: room.base for room in home.rooms}
+    for label in found:
+        name = f"labels/label_{label.room}"
+        if label.alone:
+            Pen(axes, order=8.0, name=name).oval(label.x, label.y, radius(inch), radius(inch), PAPER, INK, width=0.5)
+        _, height = extent(label.lines, inch)
+        at = height / 2
+        for text, size in label.lines:
+            at -= LEADING * size / 72 / inch / 2
+            x, y = (label.x - at, label.y) if label.turned else (label.x, label.y + at)
+            ink = "#222222" if text != label.lines[-1][0] or label.alone else "#555555"
+            halo = {"boxstyle": "square,pad=0.02", "facecolor": TINTS[kinds[label.room]], "edgecolor": "none"}
+            axes.text(x, y, text, fontsize=size, color=ink, ha="center", va="center", zorder=8, gid=name,
+                      rotation=90 if label.turned else 0, bbox=None if label.alone else halo)
+            at -= LEADING * size / 72 / inch / 2
 
 
-def _names(axes: Axes, home: Plan, objects: Sequence[Box], inch: float) -> None:
-    """Each room's name and area where they cover least furniture."""
-    solid = [o for o in objects if o.category in TABLE and TABLE[o.category].place in ("floor", "top")]
-    prints = unary_union(list(boxes.footprints(boxes.of(solid)))) if solid else shapely.Polygon()
-    swings = unary_union([polygons.swing(o, home) for o in home.openings])
-    for room in home.rooms:
-        floor = polygons.floor(room)
-        name, area = _title(room), f"{floor.area:.1f} m²"
-        size = min(12.0, max(6.5, 2.4 * np.sqrt(floor.area) * inch))
-        width, height = 0.62 * size * max(len(name), len(area)) / 72 / inch, 2.7 * size / 72 / inch
-        x, y = _spot(floor, prints, swings, width, height)
-        halo = {"boxstyle": "round,pad=0.15", "facecolor": TINTS[room.base], "edgecolor": "none", "alpha": 0.82}
-        axes.text(x, y + 0.02, name, fontsize=size, color="#222222", ha="center", va="bottom", zorder=8, bbox=halo)
-        axes.text(x, y, area, fontsize=0.85 * size, color="#555555", ha="center", va="top", zorder=8)
-
-
-def _spot(floor: Geometry, prints: Geometry, swings: Geometry, width: float, height: float) -> tuple[float, float]:
-    """Where a label hides least, near the middle among equals."""
-    x0, y0, x1, y1 = floor.bounds
-    grid = np.meshgrid(np.arange(x0 + 0.1, x1, 0.12), np.arange(y0 + 0.1, y1, 0.12))
-    xs, ys = grid[0].ravel(), grid[1].ravel()
-    labels = shapely.box(xs - width / 2, ys - height / 2, xs + width / 2, ys + height / 2)
-    outside = shapely.area(labels) - shapely.area(shapely.intersection(labels, floor))
-    hidden = shapely.area(shapely.intersection(labels, prints))
-    hidden += 0.3 * shapely.area(shapely.intersection(labels, swings))
-    middle = floor.centroid
-    cost = 20 * outside + 4 * hidden + 0.05 * np.hypot(xs - middle.x, ys - middle.y)
-    k = int(np.argmin(cost))
-    return float(xs[k]), float(ys[k])
+def _list(axes: Axes, home: Plan, left: float, top: float, inch: float) -> None:
+    """Numbers, names and areas of all rooms beside the plan."""
+    step = ROW / 72 / inch
+    for k, room in enumerate(home.rooms):
+        y, name = top - k * step, f"list/list_{room.id}"
+        for x, text, side in ((0.22, str(k + 1), "right"), (0.32, title(room), "left"), (1.6, size_of(room), "right")):
+            axes.text(left + x / inch, y, text, fontsize=6.5, color=INK, ha=side, va="center", zorder=8, gid=name)
 
 
 def _frame(axes: Axes, home: Plan) -> None:
@@ -207,12 +210,12 @@ def _frame(axes: Axes, home: Plan) -> None:
     x0, y0, x1, y1 = polygons.shell(home).bounds
     _dimension(axes, (x0, y1 + 0.45), (x1, y1 + 0.45))
     _dimension(axes, (x0 - 0.45, y0), (x0 - 0.45, y1))
-    pen = Pen(axes, x0, y0 - 0.75, 0.0, 6)
+    pen = Pen(axes, x0, y0 - 0.75, 0.0, 6, "frame/scale")
     for k in range(4):
         pen.rect(k, k + 1, 0, 0.07, POCHE if k % 2 == 0 else PAPER, width=0.5)
     for k in range(5):
         pen.word(k, -0.13, f"{k}" if k < 4 else "4 m", 6, INK)
-    north = Pen(axes, x1 - 0.2, y0 - 0.68, 0.0, 6)
+    north = Pen(axes, x1 - 0.2, y0 - 0.68, 0.0, 6, "frame/north")
     north.shape([(0, 0.28), (0.11, -0.22), (0, -0.12)], POCHE, POCHE)
     north.shape([(0, 0.28), (-0.11, -0.22), (0, -0.12)], PAPER, POCHE)
     north.word(0, 0.4, "N", 6.5, INK)
@@ -220,7 +223,8 @@ def _frame(axes: Axes, home: Plan) -> None:
     # The sentence ends before it meets the scale bar.
     room = int((x1 - x0 - 5.0) / CHARACTER) - 10
     note = f"{_shortened(home.prompt, room)}  ·  {area:.0f} m²" if home.prompt and room > 8 else f"{area:.0f} m²"
-    axes.text(x1 - 0.55, y0 - 0.72, note, fontsize=7, color="#555555", ha="right", va="center", zorder=6)
+    axes.text(x1 - 0.55, y0 - 0.72, note, fontsize=7, color="#555555", ha="right", va="center", zorder=6,
+              gid="frame/note")
 
 
 def _shortened(text: str, most: int) -> str:
@@ -229,7 +233,7 @@ def _shortened(text: str, most: int) -> str:
 
 def _dimension(axes: Axes, a: tuple[float, float], b: tuple[float, float]) -> None:
     """A dimension line with ticks and its length in metres."""
-    pen = Pen(axes, order=6)
+    pen = Pen(axes, order=6, name="frame/dimensions")
     pen.line(a, b, ink=FAINT)
     for x, y in (a, b):
         pen.line((x - 0.07, y - 0.07), (x + 0.07, y + 0.07), ink=INK, width=0.9)
@@ -237,4 +241,5 @@ def _dimension(axes: Axes, a: tuple[float, float], b: tuple[float, float]) -> No
     length = max(abs(b[0] - a[0]), abs(b[1] - a[1]))
     at = ((a[0] + b[0]) / 2, a[1] + 0.14) if along else (a[0] - 0.14, (a[1] + b[1]) / 2)
     turn = 0 if along else 90
-    axes.text(*at, f"{length:.2f}", fontsize=6.5, color=INK, ha="center", va="center", rotation=turn, zorder=6)
+    axes.text(*at, f"{length:.2f}", fontsize=6.5, color=INK, ha="center", va="center", rotation=turn, zorder=6,
+              gid="frame/dimensions")

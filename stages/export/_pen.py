@@ -23,18 +23,22 @@ DASHES = (0, (4, 3))
 
 @dataclass(frozen=True)
 class Pen:
-    """Draws on `axes` about an object's centre; +x is its front, +y its left."""
+    """Draws on `axes` about an object's centre; +x is its front, +y its left. `name` says what is drawn, as
+    LAYER/THING.
+    """
 
     axes: Axes
     x: float = 0.0
     y: float = 0.0
     yaw: float = 0.0
     order: float = 3.0
+    name: str | None = None
 
     def _place(self, patch: Patch) -> None:
         turn = Affine2D().rotate(self.yaw).translate(self.x, self.y)
         patch.set_transform(turn + self.axes.transData)
         patch.set_zorder(self.order)
+        patch.set_gid(self.name)
         self.axes.add_patch(patch)
 
     def _style(self, fill: str | None, ink: str, width: float, dashed: bool) -> dict[str, Any]:
@@ -77,4 +81,4 @@ class Pen:
         """Small text, upright on the page."""
         c, s = np.cos(self.yaw), np.sin(self.yaw)
         self.axes.text(self.x + c * x - s * y, self.y + s * x + c * y, text, fontsize=size, color=ink, ha="center",
-                       va="center", zorder=self.order)
+                       va="center", zorder=self.order, gid=self.name)
