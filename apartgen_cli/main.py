@@ -20,7 +20,7 @@ from apartgen.stages import registry
 from apartgen_cli.console import fail, listen
 
 WORDS = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "render", "qa", "check",
-         "make", "dataset", "train", "assets", "bench", "schema")
+         "make", "dataset", "serve", "train", "assets", "bench", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141
 MARKUP: Literal["markdown"] = "markdown"
