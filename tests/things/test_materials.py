@@ -58,3 +58,11 @@ def test_every_material_may_be_weighed_and_seen_through_only_where_it_is_glass()
         assert 20 <= materials.density(name) <= 9000 and 0 <= material.metalness <= 1 and 0 < material.roughness <= 1
         assert (material.color[3] < 1) == (name in ("glass", "smoked_glass", "sheer"))
         assert materials.span(name) > 0 and (material.texture is None or materials.span(name) < 5)
+
+
+@pytest.mark.parametrize("name", PALETTE)
+def test_a_material_is_one_that_viewers_take(name: str) -> None:
+    """glTF and USD: colour, roughness and metalness from 0 to 1; what is solid weighs 20 kg to 9 t a cubic metre."""
+    one = PALETTE[name]
+    assert all(0 <= part <= 1 for part in (*one.color, one.roughness, one.metalness))
+    assert 20 <= materials.density(name) <= 9000
