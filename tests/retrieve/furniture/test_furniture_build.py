@@ -1,5 +1,7 @@
 """Every category and style at many sizes: the box is met, shapes are closed, open parts stay where they may."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import shapely
@@ -7,6 +9,7 @@ import trimesh
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.retrieve import furniture, parametric
+from apartgen.stages.retrieve.furniture import sofas
 from apartgen.stages.space import sweeps
 from apartgen.stages.things import body, categories
 
@@ -215,3 +218,14 @@ def test_a_set_of_open_boxes_has_two_sides_of_its_height_and_a_board_for_each_le
     upright = np.isclose(pieces, [0.2, 0.03, tall]).all(1)
     lying = np.isclose(pieces, [0.199, 0.74, 0.03]).all(1)
     assert (upright.sum(), lying.sum(), len(pieces)) == (2, shelves, 2 + shelves)
+
+
+@pytest.mark.parametrize("wide", [0.5, 0.9, 1.8])
+def test_tufts_cover_a_back_without_gaps(wide):
+    drawn = []
+    kit = SimpleNamespace(base=SimpleNamespace(pillow=lambda cover, x, y, z, *rest: drawn.append((*y, *z))))
+    sofas._tufts(kit, "linen", 0.0, (-wide / 2, wide / 2), (0.4, 0.8))
+    tufts = [shapely.box(y0, z0, y1, z1) for y0, y1, z0, z1 in drawn]
+    back = shapely.box(-wide / 2, 0.4, wide / 2, 0.8)
+    assert shapely.union_all(tufts).symmetric_difference(back).area < 1e-9
+    assert sum(one.area for one in tufts) == pytest.approx(back.area), "none lies on another"
