@@ -3,10 +3,16 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from shapely.geometry import Polygon
+
 from apartgen.schemas.plan import AskedRoom, Program
 from apartgen.stages.plan.check import check, entrance_room, links
 from apartgen.stages.plan.problem import Slack
 
+INNER = 1.05
+"""Area within an outline over that of its rooms, because of the walls between."""
+MISFIT = 1.17
+"""Factor by which an outline may be larger or smaller than what the rooms take."""
 LOOSE = 0.19
 """Part by which areas may differ where they cannot differ less, before that is told."""
 
@@ -23,9 +29,10 @@ class Step:
 
 def ladder(program: Program) -> Iterator[Step]:
     """Rungs from nothing given up to as much as may be."""
-    yield Step(program, Slack())
-    yield Step(program, Slack(area=LOOSE))
-    said = ["areas may differ from what was asked by up to 30 %"]
+    said = misfit(program)
+    yield Step(program, Slack(), tuple(said))
+    yield Step(program, Slack(area=LOOSE), tuple(said))
+    said.append("areas may differ from what was asked by up to 30 %")
     yield Step(program, Slack(area=0.3), tuple(said))
     said.append("rooms may be half as long again for their width as they should")
     slack = Slack(area=0.3, aspect=1.5)
@@ -47,6 +54,18 @@ def ladder(program: Program) -> Iterator[Step]:
         program = program.model_copy(update={"links": kept})
         said.append(f"{dropped[0]} and {dropped[1]} are not linked")
         yield Step(program, slack, tuple(said), True)
+
+
+def misfit(program: Program) -> list[str]:
+    """What to say where a given outline is not as large as the rooms asked for, so that they get shares of it."""
+    outline = program.envelope.outline
+    if outline is None or any(room.area is None for room in program.rooms):
+        return []
+    wanted = INNER * sum(room.area or 0.0 for room in program.rooms)
+    given = float(Polygon(outline).area)
+    if 1 / MISFIT < given / wanted < MISFIT:
+        return []
+    return [f"the outline has {given:.0f} m² where the rooms asked for take {wanted:.0f} m²: areas are shares of it"]
 
 
 def with_hallway(program: Program) -> Program | None:

@@ -34,6 +34,8 @@ SPREAD = 6.0
 CHOICE = 24
 """Rooms in all the arrangements to choose from: one of a large flat is as good as several of a small one."""
 BEYOND = 5.0
+TRIED = 72
+"""Arrangements that take no doors or windows after which a step is given up, within a given outline."""
 PATIENCE = 6
 """Waves of runs on one whim; it is dropped after the first where none is valid."""
 
@@ -134,7 +136,8 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
-        for failed in range(-(-config.whims // 2) if step.given_up else config.whims):
+        tried = 0
+        for failed in range(-(-config.whims // 2) if step.slack != Slack() and step.given_up else config.whims):
             valid: list[Run] = []
             wanted = whim(step.program, config.walls, failed, rng)
             asked = _with_envelope(step.program, wanted.envelope)
@@ -143,11 +146,14 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
                 if not valid or len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
                     break
+            tried += len(valid)
             plan = _first(asked, valid, config, step.given_up, rng)
             if plan is not None:
                 for line in step.given_up:
                     log.warning("plan: %s", line)
                 return _turned_back(plan, angle, envelope)
+            if tried >= TRIED and envelope.outline is not None:
+                break
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
 
 

@@ -123,6 +123,17 @@ def test_outlines_of_many_shapes_are_filled(shape: str, seed: int) -> None:
     assert outline.difference(filled).area < 0.01
 
 
+def test_rooms_take_shares_of_an_outline_that_is_larger_than_they_are() -> None:
+    program, outline = archetypes()["two_bedroom"], Polygon(SHAPES["L"])
+    plan = build(within(program, outline=SHAPES["L"]), PlanConfig(processes=1), np.random.default_rng(0))
+    assert plan.relaxed == ["the outline has 88 m² where the rooms asked for take 74 m²: areas are shares of it"]
+    asked = {room.id: room.area or 0.0 for room in program.rooms}
+    factor = sum(floor.area for floor in polygons.floors(plan).values()) / sum(asked.values())
+    assert 1.1 < factor < outline.area / sum(asked.values())
+    for id, floor in polygons.floors(plan).items():
+        assert floor.area == pytest.approx(factor * asked[id], rel=0.5 if id == "hallway_1" else 0.2)
+
+
 def test_a_long_flat_between_two_neighbours_is_planned_or_refused() -> None:
     slab = {"outline": [(0, 0), (6, 0), (6, 15), (0, 15)], "party_walls": ["east", "west"]}
     plan = build(within(archetypes()["one_bedroom_open"], **slab), PlanConfig(), np.random.default_rng(0))
