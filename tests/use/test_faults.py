@@ -1,6 +1,7 @@
 """Faults of use: by hand, by name, under every symmetry, and rooms put out of order."""
 
 import ast
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from lived_in import EAST, NORTH, ROOMS, SOUTH, WEST, room, thing
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages import use
+from apartgen.stages.use.site import Hole
 
 
 def names(place: use.Furnished) -> set[str]:
@@ -172,3 +174,17 @@ def test_plans_say_who_lives_there() -> None:
                           ((("living_room_1", 10.0), little), "kitchen_2")):
         assert eats_in(home(*chosen)) == where
         assert [use.site(home(*chosen), id).meals for id, _ in chosen] == [id == where for id, _ in chosen]
+
+
+@pytest.mark.parametrize("name, x, size, dark", [
+    ("wardrobe", 2.5, (0.6, 1.3, 2.1), True), ("wardrobe", 3.8, (0.6, 1.3, 2.1), False),
+    ("wardrobe", 2.0, (0.6, 0.4, 2.1), False), ("wardrobe", 2.2, (0.6, 0.8, 2.1), True),
+    ("chest", 2.5, (0.5, 1.2, 0.85), False),
+])
+def test_tall_things_take_no_more_than_a_quarter_of_a_windows_light(
+        name: str, x: float, size: tuple[float, float, float], dark: bool) -> None:
+    """A window a metre wide in the south wall, from 2 to 3 m."""
+    window = Hole("window_1", "window", (2.0, 0.0), (3.0, 0.0), 0.9, 2.2, False, 0)
+    site = replace(use.alone(Room(id="r_1", type="bedroom", polygon=[(0, 0), (5, 0), (5, 4), (0, 4)])), holes=(window,))
+    place = use.Furnished(site, [thing(name, x, size[0] / 2 + 0.01, NORTH, size)])
+    assert ("tall before a window" in names(place)) is dark
