@@ -18,6 +18,7 @@ from apartgen.stages.plan.slicing import Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
+from apartgen.stages.plan.wishes import wishes
 
 WET, WHIM, MEALS, COOK = 2, 6, 24, 24
 """What it counts that wet rooms, rooms of a draw, kitchen and dining room, kitchen and living room are near one
@@ -104,6 +105,7 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
         order=_ways(program, index),
         blocks=outline.blocks,
         edges=outline.edges,
+        wishes=wishes(program),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
         limits=np.array([*outline.stretch, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
     )

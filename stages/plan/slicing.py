@@ -54,6 +54,7 @@ class Problem(NamedTuple):
     order: Ints  # (n, 3) rooms breadth first from the entrance, the room before each and their link, -1 at the start
     blocks: Floats  # (k, 4) x0 y0 x1 y1, disjoint, together the outline
     edges: Floats  # (e, 6) axis (0: x is constant), coordinate, lo, hi, window allowed, entrance allowed
+    wishes: Floats  # (v, 6) kind, room, other room, x, y, what it counts; see `wished`
     weights: Floats  # (15,) by TERMS
     limits: Floats  # (5,) by LIMITS
 

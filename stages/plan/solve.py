@@ -20,6 +20,7 @@ from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.contradict import lacks, told
 from apartgen.stages.plan.fitting import fitted
 from apartgen.stages.plan.judge import faults
+from apartgen.stages.plan.met import judged, unmet
 from apartgen.stages.plan.outline import draw, ring
 from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, whim
 from apartgen.stages.plan.relax import ladder
@@ -151,7 +152,7 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             if plan is not None:
                 for line in step.given_up:
                     log.warning("plan: %s", line)
-                return _turned_back(plan, angle, envelope)
+                return judged(_turned_back(plan, angle, envelope))
             if tried >= TRIED and envelope.outline is not None:
                 break
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
@@ -181,7 +182,13 @@ def _turned_back(plan: Plan, angle: float, given: Envelope) -> Plan:
 def _first(
     program: Program, runs: list[Run], config: PlanConfig, given_up: tuple[str, ...], rng: Generator
 ) -> Plan | None:
-    """The first run that takes doors and windows, as a plan: cheap ones first, near ties by lot."""
+    """The run that meets most of what is asked for and takes doors and windows, as a plan: cheap ones first."""
     keys = [run.cost + SPREAD * rng.random() for run in runs]
     plans = (finish(program, runs[i], config, given_up) for i in np.argsort(keys))
-    return next((plan for plan in plans if plan is not None), None)
+    best: Plan | None = None
+    for plan in plans:
+        seen = plan and judged(plan)
+        best = seen if seen is not None and (best is None or unmet(seen) < unmet(best)) else best
+        if best is not None and unmet(best) == 0:
+            break
+    return best

@@ -11,6 +11,7 @@ from numpy.random import Generator
 from apartgen.schemas.plan import Envelope, Program, Side
 from apartgen.stages.plan.blocks import OPPOSITE, SIDES
 from apartgen.stages.plan.standards import STANDARDS
+from apartgen.stages.plan.wishes import sunny
 
 USUAL = (0.2, 0.5, 0.3)
 """Shares of flats with one, two and three façades, where their rooms allow it."""
@@ -45,8 +46,8 @@ def surrounded(program: Program, aspect: float, gross: float, failed: int, rng: 
         free = _sides(envelope, number, rng)
         if sum(long if side in ("south", "north") else gross / long for side in free) >= needed:
             break
-    party = [side for side in SIDES if side not in free]
-    return envelope.model_copy(update={"party_walls": party, "facades": len(free)})
+    party = [side for side in SIDES if side not in {*free, *sunny(program)}]
+    return envelope.model_copy(update={"party_walls": party, "facades": len(SIDES) - len(party)})
 
 
 def front(program: Program) -> float:

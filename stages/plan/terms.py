@@ -54,6 +54,7 @@ from apartgen.stages.plan.slicing import (
     lay,
     once,
 )
+from apartgen.stages.plan.wished import gap, wished
 
 LACK = 60.0
 ALONE, RISER = 5.0, 1.0
@@ -144,14 +145,6 @@ def _shape(p, z):  # terms and lacks of each room's own form
 
 
 @inner
-def _gap(a, b):  # distance between two rooms' bounding boxes, Manhattan
-    gap = 0.0
-    for low, high in ((R_X0, R_X1), (R_Y0, R_Y1)):
-        gap += max(0.0, max(a[low], b[low]) - min(a[high], b[high]))
-    return gap
-
-
-@inner
 def _walls(p, z):  # longest straight wall between linked rooms, its middle or else that between the rooms
     for k in range(p.links.shape[0]):
         r, o = p.links[k, 0], p.links[k, 1]
@@ -171,7 +164,7 @@ def _walls(p, z):  # longest straight wall between linked rooms, its middle or e
             i = z.before[i]
         z.terms[LACKING] += max(0.0, p.limits[L_LINK] - wall[0])
         if wall[0] == 0.0:
-            z.terms[LACKING] += 0.3 * _gap(room, other)
+            z.terms[LACKING] += 0.3 * gap(room, other)
 
 
 @inner
@@ -233,7 +226,7 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
     terms[OUTER], terms[FUNCTION] = away * away * n, unlived * unlived * n
     for i in range(p.near.shape[0]):
         near = p.near[i]
-        terms[NEAR] += near[2] * min(_gap(z.room[near[0]], z.room[near[1]]), 6.0)
+        terms[NEAR] += near[2] * min(gap(z.room[near[0]], z.room[near[1]]), 6.0)
     ex, ey, lived = z.entry[0], z.entry[1], -1
     for i in range(n):
         if p.spec[i, S_PRIVATE] < 0:
@@ -296,5 +289,6 @@ def evaluate(p, t, z, bar):
     cost = _weighed(p.weights, z.terms)
     if cost > bar:
         return cost
-    _lines(p, z.box[t.nodes[t.nodes.shape[0] - 1, 0]], z, count)
-    return _weighed(p.weights, z.terms)
+    root = z.box[t.nodes[t.nodes.shape[0] - 1, 0]]
+    _lines(p, root, z, count)
+    return _weighed(p.weights, z.terms) + wished(p, z, root)

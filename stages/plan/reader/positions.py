@@ -132,7 +132,8 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
         return [room for i in items[j - 1 : j + 1] if (room := i.room)]  # "living-kitchen"
     if last is None or first is None:
         return [last] if last else []
-    listed = j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
+    told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
+    listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
     single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
     alike = (first.quantifier == "the") == (last.quantifier == "the")
     return [first, last] if alike and not listed and not single else [last]

@@ -1,0 +1,101 @@
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+"""What an arrangement lacks of the places, neighbours and lengths asked for, compiled.
+
+A wish is a row: what kind it is, a room, another one, a direction or two lengths, and what it counts.
+"""
+
+from apartgen.stages.plan.slicing import EPS, L_WALL, R_X0, R_X1, R_Y0, R_Y1, inner
+
+PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS = range(8)
+REACH, WALL = 1.5, 1.0
+"""Distance from the entrance that is near, and wall that neighbours share, m."""
+ASIDE, MIDDLE = 0.15, 0.2
+"""Half extents of the home that a room's middle lies off its middle at a side, and at most in the centre."""
+
+
+@inner
+def gap(a, b):  # distance between two rooms' bounding boxes, Manhattan
+    total = 0.0
+    for low, high in ((R_X0, R_X1), (R_Y0, R_Y1)):
+        total += max(0.0, max(a[low], b[low]) - min(a[high], b[high]))
+    return total
+
+
+@inner
+def _shared(p, z, r, o):  # longest straight wall between two rooms
+    longest, i = 0.0, z.last[r]
+    while i >= 0:
+        a, j = z.piece[i], z.last[o]
+        while j >= 0:
+            b = z.piece[j]
+            x, y = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+            if x >= -EPS and y >= -EPS:
+                longest = max(longest, max(x, y))
+            j = z.before[j]
+        i = z.before[i]
+    return longest
+
+
+@inner
+def _placed(room, box, axis, along):  # how far a room is from a side of the home, in half extents of it
+    half, middle = 0.5 * (box[axis + 2] - box[axis]), 0.5 * (box[axis + 2] + box[axis])
+    lo, hi = room[R_X0 + axis], room[R_X0 + axis + 2]
+    off = along * (0.5 * (lo + hi) - middle) / half
+    gap = (box[axis + 2] - hi if along > 0 else lo - box[axis]) / half
+    return max(gap, 0.0) + max(0.0, ASIDE - off)
+
+
+@inner
+def _off_centre(room, box, axis):
+    half, middle = 0.5 * (box[axis + 2] - box[axis]), 0.5 * (box[axis + 2] + box[axis])
+    return max(0.0, abs(0.5 * (room[R_X0 + axis] + room[R_X0 + axis + 2]) - middle) / half - MIDDLE)
+
+
+@inner
+def _beside(a, b, axis, along):  # metres that room `a` lacks of lying in a direction of room `b`
+    away = along * 0.5 * (a[R_X0 + axis] + a[R_X0 + axis + 2] - b[R_X0 + axis] - b[R_X0 + axis + 2])
+    half = 0.25 * (a[R_X0 + axis + 2] - a[R_X0 + axis] + b[R_X0 + axis + 2] - b[R_X0 + axis])
+    return max(0.0, half - away)
+
+
+@inner
+def _from_entrance(room, entry):  # Manhattan
+    x = max(0.0, room[R_X0] - entry[0], entry[0] - room[R_X1])
+    return x + max(0.0, room[R_Y0] - entry[1], entry[1] - room[R_Y1])
+
+
+@inner
+def _lengths(p, room, a, b):  # metres that a room's extents differ from two lengths, either way round
+    w, h = room[R_X1] - room[R_X0] - p.limits[L_WALL], room[R_Y1] - room[R_Y0] - p.limits[L_WALL]
+    return min(abs(w - a) + abs(h - b), abs(w - b) + abs(h - a))
+
+
+@inner
+def wished(p, z, box):
+    """What the state in `z` lacks of the wishes, `box` being the home's."""
+    total = 0.0
+    for k in range(p.wishes.shape[0]):
+        wish = p.wishes[k]
+        kind, r, o = int(wish[0]), int(wish[1]), int(wish[2])
+        room, x, y, lack = z.room[r], wish[3], wish[4], 0.0
+        if kind == PLACE:
+            lack += _placed(room, box, 0, x) if x != 0.0 else 0.0
+            lack += _placed(room, box, 1, y) if y != 0.0 else 0.0
+        elif kind == CENTRE:
+            lack = _off_centre(room, box, 0) + _off_centre(room, box, 1)
+        elif kind == BESIDE:
+            lack += _beside(room, z.room[o], 0, x) if x != 0.0 else 0.0
+            lack += _beside(room, z.room[o], 1, y) if y != 0.0 else 0.0
+        elif kind == NEAR_ENTRANCE:
+            lack = max(0.0, _from_entrance(room, z.entry) - REACH)
+        elif kind == FAR_FROM_ENTRANCE:
+            far = 0.35 * (box[2] - box[0] + box[3] - box[1])
+            lack = max(0.0, far - _from_entrance(room, z.entry))
+        elif kind == ADJACENT:
+            lack = max(0.0, WALL - _shared(p, z, r, o)) + gap(room, z.room[o])
+        elif kind == APART:
+            lack = min(_shared(p, z, r, o), 2.0)
+        else:
+            lack = _lengths(p, room, x, y)
+        total += wish[5] * lack
+    return total
