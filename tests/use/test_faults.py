@@ -188,3 +188,10 @@ def test_tall_things_take_no_more_than_a_quarter_of_a_windows_light(
     site = replace(use.alone(Room(id="r_1", type="bedroom", polygon=[(0, 0), (5, 0), (5, 4), (0, 4)])), holes=(window,))
     place = use.Furnished(site, [thing(name, x, size[0] / 2 + 0.01, NORTH, size)])
     assert ("tall before a window" in names(place)) is dark
+
+
+def test_one_of_several_beside_is_beside_and_none_is_not() -> None:
+    place = room("living_room", 5.0, 4.0, thing("sofa", 2.5, 0.47, NORTH), thing("side_table", 3.9, 0.4),
+                 thing("side_table", 0.5, 3.5), thing("plant", 4.7, 3.7))
+    assert place.beside(0, frozenset({"side_table"}), 0.5) and place.beside(0, frozenset({"side_table", "plant"}), 0.5)
+    assert not place.beside(0, frozenset({"plant"}), 0.5) and not place.beside(0, frozenset({"armchair"}), 0.5)
