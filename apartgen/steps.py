@@ -194,10 +194,16 @@ def fill(home: Retrieve, config: PopulateSettings, rng: np.random.Generator) -> 
     return populate.run(home, config, rng, retrieve.open_libraries(RetrieveConfig(libraries=config.libraries)))
 
 
+def tables(config: PopulateSettings) -> dict[str, Path]:
+    """The table of every library that furniture is from."""
+    every = libraries(RetrieveConfig(libraries=config.libraries))
+    return {folder: every[folder] for folder in config.libraries}
+
+
 LAYOUT = Step("layout", Plan, LayoutConfig, furnish, data=weights, rather=Layout)
 RETRIEVE = Step("retrieve", Layout, RetrieveConfig, each(match), data=libraries)
 WALKABLE = Step("walkable", Retrieve, WalkableSettings, each(clear), missed,
                 lambda config: libraries(_as_retrieved(config)), refuses="populate")
-POPULATE = Step("populate", Retrieve, PopulateSettings, each(fill), rather=Walkable)
+POPULATE = Step("populate", Retrieve, PopulateSettings, each(fill), data=tables, rather=Walkable)
 STEPS = (LAYOUT, RETRIEVE, WALKABLE, POPULATE)
 """The stages after the plan, in order."""
