@@ -17,6 +17,7 @@ from apartgen.schemas.walkable import Walkable
 from apartgen.stages import qa, render, seeds
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.drafts import Draft, asked, balanced, shared
+from apartgen.stages.qa.facts import Facts
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.things.categories import TABLE
 
@@ -283,17 +284,27 @@ def test_answers_worked_out_anew_are_the_same(seen, asked_of, kind):
         assert question.options[ord(question.answer) - 65] == question.value
 
 
-def test_what_is_inside_is_asked_of_what_has_something(seen):
+def test_what_is_inside_is_asked_where_all_of_it_is_seen(seen):
+    """Things that a view shows side by side are said to hold one another."""
     home, views, _ = seen
-    holders = ["bookshelf", "nightstand", "chest", "wardrobe", "sideboard", "tv_stand", "desk", "fridge", "sofa"]
-    firsts = {o.category: o for o in reversed(home.objects)}
-    chosen = [firsts[category] for category in holders if category in firsts]
-    put = [SimpleNamespace(**(vars(o) | {"id": f"in_{o.id}", "category": kind, "in_": SimpleNamespace(object=o.id)}))
-           for o, kind in zip(chosen, ("book", "cup", "towel", "plate", "pan", "fork", "lamp"))]
-    stuffed = home.model_copy(update={"objects": [*home.objects, *put]})
+    facts, holders = Facts(home, views), {}
+    for view in facts.eyes:
+        clear = [o for o in facts.clear(view.name) if o.id in facts.names and o.id not in {*holders, *holders.values()}]
+        holders |= {held.id: holder.id for holder, held in zip(clear[::2], clear[1::2])}
+    put = [SimpleNamespace(**(vars(o) | {"in_": SimpleNamespace(object=holders[o.id])})) if o.id in holders else o
+           for o in home.objects]
+    stuffed = home.model_copy(update={"objects": put})
     found = qa.run(stuffed, views, QaConfig(kind=["inside"], each=12), seeds.drawn(0, "qa"))
-    inside = {o.in_.object: o.category for o in put}
-    assert found and all(one.value == inside[one.evidence["object"]] for one in found)
+    numbers = {thing.id: thing.number for thing in views.instances}
+    shown = {view.name: {part.number for part in view.visible} for view in views.views}
+    for one in found:
+        held = [o for o in home.objects if holders.get(o.id) == one.evidence["object"]]
+        assert one.value == ", ".join(sorted({TABLE[o.category].called for o in held}))
+        assert all(any(numbers[o.id] in shown[name] for name in one.images) for o in held)
+    gone = {numbers[id] for id in holders}
+    hidden = views.model_copy(update={"views": [view.model_copy(update={
+        "visible": [part for part in view.visible if part.number not in gone]}) for view in views.views]})
+    assert found and not qa.run(stuffed, hidden, QaConfig(kind=["inside"]), seeds.drawn(0, "qa"))
 
 
 def test_there_are_many_of_many_kinds(seen):
