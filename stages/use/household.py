@@ -1,4 +1,6 @@
-"""How many people a home is for, read off its plan."""
+"""Who lives in a home, as its plan tells: how many sleep there, which room is for what."""
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,9 +28,42 @@ def sleepers(plan: Plan) -> int | None:
 def eats_in(plan: Plan) -> str | None:
     """The room where a home has its meals: a dining room, else a kitchen with floor for a table, else a living room;
     None for a room by itself."""
+    return None if len(plan.rooms) == 1 else _first(plan, PLACES)
+
+
+class Duties(NamedTuple):
+    """What a room is for beside what its type says, 1, 0, or -1 where that is open: meals are eaten there, somebody
+    sleeps there for want of a bedroom, clothes are washed there, it is the largest bedroom."""
+
+    eats: int
+    sleeps: int
+    washes: int
+    main: int
+
+
+OPEN = Duties(-1, -1, -1, -1)
+WASHING = (("utility", 0.0), ("bathroom", 4.6), ("kitchen", 0.0), ("bathroom", 0.0))
+"""Where clothes are washed, the likeliest first, with the floor that takes, m²."""
+
+
+def washes_in(plan: Plan) -> str | None:
+    """The room with the washing machine, None where there is no place for one."""
+    return _first(plan, WASHING)
+
+
+def duties(plan: Plan, room: Room) -> Duties:
+    """What one room of a home is for; all is open of a room by itself."""
     if len(plan.rooms) == 1:
-        return None
-    for kind, least in PLACES:
+        return OPEN
+    beds = [other for other in plan.rooms if other.base == "bedroom"]
+    apart = room.base == "living_room" and any(other.base == "dining_room" for other in plan.rooms)
+    return Duties(-1 if apart else int(eats_in(plan) == room.id), int(not beds and room.base == "living_room"),
+                  int(washes_in(plan) == room.id), int(bool(beds) and room.id == max(beds, key=_area).id))
+
+
+def _first(plan: Plan, places: tuple[tuple[str, float], ...]) -> str | None:
+    """The largest room of the first kind of which one has the floor."""
+    for kind, least in places:
         fitting = [room for room in plan.rooms if room.base == kind and _area(room) >= least]
         if fitting:
             return max(fitting, key=_area).id

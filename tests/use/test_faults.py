@@ -195,3 +195,25 @@ def test_one_of_several_beside_is_beside_and_none_is_not() -> None:
                  thing("side_table", 0.5, 3.5), thing("plant", 4.7, 3.7))
     assert place.beside(0, frozenset({"side_table"}), 0.5) and place.beside(0, frozenset({"side_table", "plant"}), 0.5)
     assert not place.beside(0, frozenset({"plant"}), 0.5) and not place.beside(0, frozenset({"armchair"}), 0.5)
+
+
+def test_rooms_are_told_what_they_are_for() -> None:
+    import handmade
+
+    from apartgen.stages.use.household import OPEN, duties
+
+    def told(*chosen: tuple[str, float]) -> dict[str, tuple[int, ...]]:
+        polygons = [{"id": id, "type": id[:-2], "polygon": handmade.rectangle(20 * k, 0, area / 2, 2)}
+                    for k, (id, area) in enumerate(chosen)]
+        plan = Plan.model_validate({**handmade.plan().model_dump(), "rooms": polygons, "openings": []})
+        return {room.id: tuple(duties(plan, room)) for room in plan.rooms}
+
+    home = told(("living_room_1", 20.0), ("kitchen_1", 8.0), ("bedroom_1", 12.0), ("bedroom_2", 9.0),
+                ("bathroom_1", 5.0))
+    assert home == {"living_room_1": (1, 0, 0, 0), "kitchen_1": (0, 0, 0, 0), "bedroom_1": (0, 0, 0, 1),
+                    "bedroom_2": (0, 0, 0, 0), "bathroom_1": (0, 0, 1, 0)}
+    studio = told(("living_room_1", 22.0), ("kitchen_1", 7.0))
+    assert studio == {"living_room_1": (1, 1, 0, 0), "kitchen_1": (0, 0, 1, 0)}
+    apart = told(("living_room_1", 22.0), ("dining_room_1", 9.0), ("bedroom_1", 12.0))
+    assert apart["living_room_1"][0] == -1 and apart["dining_room_1"][0] == 1
+    assert told(("bedroom_1", 12.0)) == {"bedroom_1": tuple(OPEN)}

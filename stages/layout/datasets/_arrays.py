@@ -12,14 +12,14 @@ from apartgen.schemas.plan import Room
 from apartgen.stages.layout.datasets._furnish.rooms import ESSENTIAL
 from apartgen.stages.layout.rooms import MAX_CORNERS, of_plan
 from apartgen.stages.things.categories import CATEGORIES, TABLE, stand_in
-from apartgen.stages.use.household import sleepers
+from apartgen.stages.use.household import duties, sleepers
 
 SLOTS = 24
 STYLES = 8
 FORMAT = {
     "category": np.int16, "center": np.float32, "size": np.float32, "yaw": np.float32, "polygon": np.float32,
     "room_type": np.int8, "height": np.float32, "openings": np.float32, "style": np.int16, "source": np.int8,
-    "sleepers": np.int8,
+    "sleepers": np.int8, "duties": np.int8,
 }
 KEEP = {"floor": 0, "wall": 1, "top": 2, "flat": 3, "ceiling": 3}
 """What goes first, the highest number, where a room holds more than its slots."""
@@ -27,8 +27,8 @@ KEEP = {"floor": 0, "wall": 1, "top": 2, "flat": 3, "ceiling": 3}
 
 def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, NDArray[np.generic]]:
     """One row for every furnished room of a home: category (n, 24) -1 where empty, center, size (n, 24, 3), yaw
-    (n, 24), polygon (n, 32, 2), openings (n, 20, 7), room_type, height, style, source, sleepers in the home or -1 (n,).
-    Order of objects random."""
+    (n, 24), polygon (n, 32, 2), openings (n, 20, 7), room_type, height, style, source, sleepers in the home or -1 (n,),
+    duties (n, 4) of the room. Order of objects random."""
     rooms = of_plan(home)
     n = len(rooms)
     category = np.full((n, SLOTS), -1)
@@ -44,6 +44,7 @@ def rows(home: Layout, rng: np.random.Generator, source: int = 0) -> dict[str, N
         "polygon": rooms.polygon, "room_type": rooms.type, "height": rooms.height, "openings": rooms.openings,
         "style": rng.integers(0, STYLES, n), "source": np.full(n, source),
         "sleepers": np.full(n, -1 if (people := sleepers(home)) is None else people),
+        "duties": np.array([duties(home, room) for room in home.rooms]).reshape(n, 4),
     }
     some = np.array([_worth(room, home.objects) for room in home.rooms], bool)
     return {name: np.asarray(data[name], kind)[some] for name, kind in FORMAT.items()}

@@ -15,8 +15,11 @@ from apartgen.stages.layout.config import N_MAX
 from apartgen.stages.layout.relations.network import SHUT_OUT
 from apartgen.stages.layout.relations.shape import Shape
 from apartgen.stages.layout.relations.tokens import DOOR, ENTRANCE, OPENING, WALL, WINDOW, Array, Ints
+from apartgen.stages.use.household import OPEN
 
-FACTS = 12
+FACTS = 12 + 2 * len(OPEN)
+UP_TO = 6
+"""Counts are told by whether they reach 1 … so many."""
 UNKNOWN = -1
 ASKED, SILENT, COUNTED = 0.6, 0.5, 0.4
 """While training: share of categories that may be told, of rooms that tell none, of rooms that tell their count."""
@@ -29,30 +32,36 @@ class Contents(nn.Module):
         super().__init__()
         w = shape.width
         self.room_type, self.facts = nn.Embedding(types, w), nn.Linear(FACTS, w)
-        self.so_far, self.wanted = nn.Linear(2 * categories, w), nn.Linear(2 * categories, w)
+        self.so_far, self.wanted = nn.Linear(UP_TO * categories, w), nn.Linear((UP_TO + 1) * categories, w)
         self.left = nn.Embedding(N_MAX + 2, w)
         self.mix = nn.Sequential(
             nn.GELU(approximate="tanh"), nn.Linear(w, 2 * w), nn.GELU(approximate="tanh"), nn.Linear(2 * w, w),
             nn.GELU(approximate="tanh"), nn.Linear(w, categories + 1))
 
     def forward(self, type: Tensor, facts: Tensor, so_far: Tensor, left: Tensor, wanted: Tensor) -> Tensor:
-        """Logits (..., C + 1): room types (...,), facts (..., 12), counts so far (..., C), objects left (...,) -1 when
-        not known, counts still wanted (..., C) -1 when not known."""
+        """Logits (..., C + 1): room types (...,), facts (..., FACTS), counts so far (..., C), objects left (...,) or
+        -1, counts still wanted (..., C) or -1."""
         x = self.room_type(type) + self.facts(facts)
-        x = x + self.so_far(torch.cat([so_far / 3, (so_far > 0).float()], -1))
-        x = x + self.wanted(torch.cat([wanted.clamp_min(0) / 3, (wanted >= 0).float()], -1))
+        x = x + self.so_far(_reached(so_far, 1)) + self.wanted(_reached(wanted, 0))
         found: Tensor = self.mix(x + self.left(torch.where(left < 0, N_MAX + 1, left.clamp_max(N_MAX))))
         return found.float()
 
 
-def facts(boxes: Array, kind: Ints, area: float, sleepers: int) -> NDArray[np.float32]:
-    """What of a room tells its contents, (12,): tokens' boxes (T, 7) and kinds (T,)."""
+def _reached(counts: Tensor, least: int) -> Tensor:
+    """Which of `least` … UP_TO counts (..., C) reach, (..., (UP_TO + 1 - least) * C)."""
+    steps = torch.arange(least, UP_TO + 1, dtype=counts.dtype)
+    return (counts[..., None] >= steps).float().flatten(-2)
+
+
+def facts(boxes: Array, kind: Ints, area: float, sleepers: int, duties: Sequence[int]) -> NDArray[np.float32]:
+    """What of a room tells its contents, (FACTS,): tokens' boxes (T, 7) and kinds (T,), its duties (4,)."""
     long, short = max(boxes[0, 3:5]), min(boxes[0, 3:5])
     width = {k: boxes[kind == k, 4] for k in (WALL, DOOR, OPENING, ENTRANCE, WINDOW)}
     return np.array([
         np.log(area), long / 3, short / 3, area / max(long * short, 1e-6), len(width[WALL]) / 4, len(width[DOOR]) / 2,
         len(width[OPENING]), len(width[ENTRANCE]), len(width[WINDOW]) / 2, width[WINDOW].sum() / 3,
         max(sleepers, 0) / 3, float(sleepers >= 0),
+        *(float(v > 0) for v in duties), *(float(v >= 0) for v in duties),
     ], np.float32)
 
 
@@ -81,7 +90,8 @@ def allowed(so_far: Ints, last: int, left: int, wanted: Ints, rules: Rules) -> N
     if bounds:
         may &= rank <= min(bounds)
     open_ = [group for group in lacking if not due[list(group)].any()]
-    if left >= 0 and left <= int(wanted[due].sum()) + len(open_):
+    most = N_MAX - int(so_far.sum())
+    if (most if left < 0 else min(left, most)) <= int(wanted[due].sum()) + len(open_):
         needed = due.copy()
         needed[[c for group in open_ for c in group]] = True
         may &= needed if (may & needed).any() else True

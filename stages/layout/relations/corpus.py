@@ -10,13 +10,14 @@ from apartgen.stages.layout.corpus import Corpus, read_corpus
 from apartgen.stages.layout.relations import order, references
 from apartgen.stages.layout.relations.tokens import ASKING, OBJECT, Array, Ints, shell
 from apartgen.stages.things.categories import CATEGORIES
+from apartgen.stages.use.household import OPEN
 
 
 @dataclass
 class Furnished:
     """One room: tokens of the shell, then objects in functional order. boxes (T, 7), kind (T,), swing (T, 2), category
     (T,) -1 for the shell; length (n, T) of each object's description from each token; type, sleepers of its home, -1
-    unknown, floor area; deep (T,) behind walls."""
+    unknown, floor area; deep (T,) behind walls; duties (4,) of the room."""
 
     boxes: Array
     kind: Ints
@@ -27,6 +28,7 @@ class Furnished:
     sleepers: int
     area: float
     deep: Array
+    duties: Ints
 
     @property
     def n(self) -> int:
@@ -41,8 +43,10 @@ class Furnished:
 
 def read(path: Path) -> list[Furnished]:
     """The rooms of a corpus file; BadInput where there is none."""
-    corpus, sleepers = read_corpus(path), _sleepers(path)
-    rooms = [_tokens(corpus, i, sleepers) for i in range(len(corpus))]
+    corpus = read_corpus(path)
+    n = len(corpus)
+    sleepers, duties = _told(path, "sleepers", (n,)), _told(path, "duties", (n, len(OPEN)))
+    rooms = [_tokens(corpus, i, int(sleepers[i]), duties[i]) for i in range(n)]
     kinds = ASKING + len(CATEGORIES)
     found, earlier, row = [], [], 0
     for room in rooms:
@@ -62,12 +66,13 @@ def read(path: Path) -> list[Furnished]:
     return rooms
 
 
-def _sleepers(path: Path) -> Ints | None:
+def _told(path: Path, name: str, shape: tuple[int, ...]) -> Ints:
+    """What a corpus says of its rooms' homes, -1 where it does not."""
     with np.load(path, allow_pickle=False) as file:
-        return file["sleepers"].astype(np.int64) if "sleepers" in file else None
+        return file[name].astype(np.int64) if name in file else np.full(shape, -1)
 
 
-def _tokens(corpus: Corpus, i: int, sleepers: Ints | None) -> Furnished:
+def _tokens(corpus: Corpus, i: int, sleepers: int, duties: Ints) -> Furnished:
     base = shell(corpus.rooms, i)
     there = np.flatnonzero(corpus.category[i] >= 0)
     category, center, size = corpus.category[i][there], corpus.center[i][there], corpus.size[i][there]
@@ -79,8 +84,8 @@ def _tokens(corpus: Corpus, i: int, sleepers: Ints | None) -> Furnished:
         np.concatenate([base.boxes, boxes[place]]), np.concatenate([base.kind, np.full(n, OBJECT)]),
         np.concatenate([base.swing, np.zeros((n, 2), np.float32)]),
         np.concatenate([np.full(s, -1), category[place]]), np.zeros((n, s + n), np.float32),
-        int(corpus.rooms.type[i]), -1 if sleepers is None else int(sleepers[i]), float(corpus.rooms.area[i]),
-        np.concatenate([base.deep, np.zeros(n, np.float32)]),
+        int(corpus.rooms.type[i]), sleepers, float(corpus.rooms.area[i]),
+        np.concatenate([base.deep, np.zeros(n, np.float32)]), duties,
     )
 
 

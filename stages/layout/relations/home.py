@@ -27,7 +27,7 @@ from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
-from apartgen.stages.use.household import sleepers
+from apartgen.stages.use.household import duties, sleepers
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
@@ -138,7 +138,7 @@ def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room:
         count = max(0, count - len(task.given) - len(likes))
     told = sleepers(plan)
     facts = contents.facts(task.speaker.shell.boxes, task.speaker.shell.kind, float(arrays.area[i]),
-                           -1 if told is None else told)
+                           -1 if told is None else told, duties(plan, room))
     model, type_ = task.speaker.model.contents, task.speaker.type
     drawn = contents.draw(model, type_, facts, count, wanted, rules.drawn, rngs, there)
     return [likes + [known.categories[c] for c in one] for one in drawn]

@@ -30,6 +30,12 @@ def _rules() -> tuple[Ints, NDArray[np.bool_], float]:
     return np.array([order[name] for name in CATEGORIES]), run, float(table["touching"])
 
 
+@cache
+def runs() -> frozenset[str]:
+    """Which categories come in runs."""
+    return frozenset(name for name, units in zip(CATEGORIES, _rules()[1], strict=True) if units)
+
+
 def built() -> NDArray[np.bool_]:
     """Which categories come with the building, (C,)."""
     table = tomllib.loads((Path(__file__).parent / "order.toml").read_text())

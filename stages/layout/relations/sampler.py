@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.layout.relations import runs
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -26,6 +27,8 @@ CUT = 0.25
 """What an object may cut off of the floor, in metres of way."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
+RUN = 0.02
+"""Weight of all places together that continue a run, where the model's candidates weigh 1."""
 APART = np.array([1.0, np.e, np.pi, np.sqrt(7), np.sqrt(11), np.sqrt(13), np.sqrt(17)])
 """Numbers of which no candidates have the same sum."""
 Floats = NDArray[np.floating[Any]]
@@ -103,12 +106,13 @@ class Sampler:
             p.furniture.add(name, found)
         return p
 
-    def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> Array | None:
+    def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         boxes, weight = _merged(boxes, weight)
-        price = there.prices(name, boxes)
+        boxes, weight = self._continued(there, name, boxes, weight)
+        price = there.prices(name, boxes, loose)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
         for _ in range(LOOKS):
             if weight.sum() <= 0:
@@ -118,6 +122,13 @@ class Sampler:
                 return np.asarray(boxes[k])
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
         return None
+
+    def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:
+        """Candidates with those that continue a run, which count little beside what the model says."""
+        more = runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell)
+        if self.places != "model" or not len(more):
+            return boxes, weight
+        return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), RUN * weight.sum() / len(more)))
 
     def _draw(self, weight: Floats) -> int:
         total = weight.cumsum()
@@ -130,7 +141,7 @@ class Sampler:
             start = np.zeros((600, 7), np.float32)
             start[:, 3:5], start[:, 6] = size[:2], size[2]
             boxes = self._anywhere(p.furniture, name, start)
-            found = self._chosen(p.furniture, name, boxes, np.full(len(boxes), 1 / len(boxes)))
+            found = self._chosen(p.furniture, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True)
             if found is not None:
                 p.notes.append(f"no place for the {name} where such things stand; put where it fits")
                 return found

@@ -10,6 +10,8 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
+from apartgen.stages.layout.relations import order, runs
+from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
@@ -25,6 +27,14 @@ OFF_WALL = 0.06
 """What hangs has its back no farther from a wall, m."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
+APART = 6.0
+"""Price of a hood that is not above what cooks, and where nothing better is left of a unit apart from its run."""
+HOOD = (1.5, 2.1)
+"""Between these heights a hood hangs, m."""
+ABOVE = 0.25
+"""A hood is above what is no farther from its middle, m."""
+ASKEW = np.cos(np.pi / 4)
+"""A seat that is drawn under a table looks at it within this cosine."""
 Floats = NDArray[np.float64]
 
 
@@ -72,8 +82,8 @@ class Furniture:
         one = upright(box[None])
         self.upright, self.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
 
-    def prices(self, name: str, boxes: Array) -> Floats:
-        """What candidates (n, 7) for an object break: φ of articulation, collisions, walls and openings, (n,)."""
+    def prices(self, name: str, boxes: Array, loose: bool = False) -> Floats:
+        """What candidates (n, 7) for an object break: φ of articulation, collisions, walls, openings, runs, (n,)."""
         found, kind = upright(boxes), TABLE[name]
         total = np.zeros(found.n)
         if kind.place == "top":
@@ -87,7 +97,43 @@ class Furniture:
         others = kernels.Others(self.upright, self.grown, soft, tucked > 0, tucked)
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
-        return total + broken
+        return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose)
+
+    def _sideways(self, found: Boxes, tucked: Floats) -> Floats:
+        """A seat is drawn under a table forwards only."""
+        total = np.zeros(found.n)
+        for k in np.flatnonzero(tucked > 0) if found.n else ():
+            host = self.upright.take(np.array([k]))
+            x, y = local(found.center[:, :2], host.center[0, :2], float(host.yaw[0]))
+            turn = found.yaw - host.yaw[0]
+            end = np.abs(x) - host.size[0, 0] / 2 > np.abs(y) - host.size[0, 1] / 2
+            ahead = -np.where(end, np.sign(x) * np.cos(turn), np.sign(y) * np.sin(turn))
+            inward = -(x * np.cos(turn) + y * np.sin(turn)) / np.maximum(np.hypot(x, y), 1e-9)
+            away = np.maximum(ahead, inward) < ASKEW
+            total += np.where(away & (penetration(found, host)[:, 0] > SLACK), 2 * BROKEN, 0.0)
+        return total
+
+    def in_run(self, name: str, boxes: Array, loose: bool = False) -> Floats:
+        """Units of a run stand side by side at walls, or round a corner; a hood hangs above what cooks."""
+        if name == "hood":
+            heat = [box for o, box in zip(self.names, self.boxes, strict=True) if TABLE[o].is_for("cook")]
+            near = [np.hypot(*(boxes[:, :2] - box[:2]).T) < ABOVE for box in heat]
+            return np.where(np.any(near, axis=0), 0.0, APART) if near else np.zeros(len(boxes))
+        if name not in order.runs():
+            return np.zeros(len(boxes))
+        away = self.space.behind(upright(boxes)) > OFF_WALL
+        alone = ~runs.touching(name, boxes, self.names, self.boxes)
+        total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
+        return total + (np.where(self._lit(boxes), APART, 0.0) if TABLE[name].is_for("cook") else 0.0)
+
+    def _lit(self, boxes: Array) -> NDArray[np.bool_]:
+        """Above which candidates a hood would hang before a window."""
+        above = boxes.copy()
+        above[:, 5:] = HOOD
+        windows = self.space.zones.take(self.space.window)
+        if not windows.n:
+            return np.zeros(len(boxes), bool)
+        return np.asarray((penetration(upright(above), windows) > SLACK).any(1))
 
     def shuts(self, name: str, box: Array) -> float:
         """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach."""

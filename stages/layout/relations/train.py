@@ -62,15 +62,17 @@ def step_losses(model: weights.Model, rooms: list[Furnished], objects: int, rng:
     of = learning.batch(rooms, len(CATEGORIES), rng)
     rows, which = np.nonzero(of.said)
     some = np.sort(rng.choice(len(rows), size=min(objects, len(rows)), replace=False))
-    held = [(room.type, contents.facts(room.boxes, room.kind, room.area, _told(room, rng)), _counts(room))
-            for room in rooms]
+    held = [(room.type, _facts(room, rng), _counts(room)) for room in rooms]
     return learning.scene_losses(model.places, of) | learning.frame_losses(
         model.places, of, rows[some], which[some], hung) | {
         "contents": contents.loss(model.contents, held, order.ranks(), rng)}
 
 
-def _told(room: Furnished, rng: np.random.Generator) -> int:
-    return room.sleepers if rng.random() > learning.UNTOLD else -1
+def _facts(room: Furnished, rng: np.random.Generator) -> NDArray[np.float32]:
+    """What its contents are told of a room, in some without who lives there and what it is for."""
+    told = rng.random(1 + len(room.duties)) > learning.UNTOLD
+    people, *duties = np.where(told, [room.sleepers, *room.duties], -1).tolist()
+    return contents.facts(room.boxes, room.kind, room.area, people, duties)
 
 
 def _counts(room: Furnished) -> Ints:

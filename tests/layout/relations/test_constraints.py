@@ -10,12 +10,14 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import AskedObjects, Plan
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.datasets import single_rooms
+from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.layout.projection.space import outside, space_of
-from apartgen.stages.layout.relations import weights
+from apartgen.stages.layout.relations import order, runs, weights
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.layout.relations.home import furnished
 from apartgen.stages.layout.relations.shape import Shape
-from apartgen.stages.layout.relations.standing import tuck
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture, tuck
+from apartgen.stages.layout.relations.tokens import shell
 from apartgen.stages.layout.rooms import of_plan
 from apartgen.stages.space import boxes
 from apartgen.stages.things.categories import TABLE
@@ -99,3 +101,84 @@ def test_given_objects_stay_as_they_are(ignorant: str) -> None:
 def test_a_room_hangs_on_its_seed_alone(ignorant: str) -> None:
     one, two, other = (made(ignorant, plan(1), seed)[0] for seed in (4, 4, 5))
     assert one == two != other
+
+
+def furniture(*things: tuple[str, tuple[float, ...]]) -> Furniture:
+    """An empty room of 6 × 6 m about its middle with a few things (x, y, yaw, depth, width, low, high)."""
+    room = Plan.model_validate({
+        "prompt": "", "program": {"rooms": [{"id": "kitchen_1", "type": "kitchen"}]}, "height": 2.6, "openings": [],
+        "rooms": [{"id": "kitchen_1", "type": "kitchen", "polygon": [[0, 0], [6, 0], [6, 6], [0, 6]]}]})
+    there = Furniture(space_of(of_plan(room), 0))
+    for name, box in things:
+        there.add(name, np.array(box, np.float32))
+    return there
+
+
+def price(there: Furniture, name: str, *box: float) -> float:
+    return float(there.prices(name, np.array([box], np.float32))[0])
+
+
+@pytest.mark.parametrize("category, size", [("dining_table", (0.9, 1.6)), ("desk", (0.7, 1.4))])
+def test_a_seat_is_drawn_under_a_table_forwards_only(category: str, size: tuple[float, float]) -> None:
+    there = furniture((category, (0.0, 0.0, 0.0, *size, 0.0, 0.75)))
+    x = size[0] / 2 + 0.1
+    assert price(there, "chair", x, 0.2, np.pi, 0.5, 0.45, 0.0, 0.9) < BROKEN, "facing the table"
+    for yaw in (0.0, np.pi / 2, -np.pi / 2):
+        assert price(there, "chair", x, 0.2, yaw, 0.5, 0.45, 0.0, 0.9) >= BROKEN
+    assert price(there, "chair", 0.0, size[1] / 2 + 0.1, -np.pi / 2, 0.5, 0.45, 0.0, 0.9) < BROKEN, "at its end"
+    assert price(there, "chair", x + 0.5, 0.2, np.pi / 2, 0.5, 0.45, 0.0, 0.9) < BROKEN, "apart it may look anywhere"
+
+
+def test_units_of_a_run_stand_side_by_side() -> None:
+    base = (-2.695, 0.0, 0.0, 0.6, 0.6, 0.0, 0.9)
+    there = furniture(("kitchen_base", base))
+    flush = price(there, "hob", -2.695, 0.6, 0.0, 0.6, 0.6, 0.0, 0.9)
+    apart = price(there, "hob", -2.695, 0.9, 0.0, 0.6, 0.6, 0.0, 0.9)
+    turned = price(there, "hob", -2.695, 0.605, np.pi, 0.6, 0.6, 0.0, 0.9)
+    assert flush < min(apart, turned)
+    assert price(there, "sofa", 1.0, 0.0, 0.0, 0.9, 2.0, 0.0, 0.8) == 0, "others need no neighbour"
+
+
+def test_a_hood_hangs_above_what_cooks() -> None:
+    there = furniture(("hob", (-2.695, 0.0, 0.0, 0.6, 0.6, 0.0, 0.9)))
+    over = price(there, "hood", -2.745, 0.0, 0.0, 0.5, 0.6, 1.6, 2.2)
+    assert over < price(there, "hood", -2.745, 1.0, 0.0, 0.5, 0.6, 1.6, 2.2)
+
+
+def test_units_of_furnished_kitchens_are_in_their_runs_round_corners_too() -> None:
+    wished = []
+    for seed in range(12):
+        rng = np.random.default_rng([5, seed])
+        home = single_rooms.draw(rng, "kitchen")
+        units = [o for o in furnish(home, rng) if o.category in order.runs()]
+        rows = [(o.category, (*o.center[:2], o.yaw, *o.size[:2], 0.0, o.size[2])) for o in units]
+        for k, (name, row) in enumerate(rows):
+            others = rows[:k] + rows[k + 1 :]
+            there = np.array([row for _, row in others], np.float32).reshape(-1, 7)
+            wished.append(runs.touching(name, np.array([row], np.float32), [other for other, _ in others], there)[0])
+    assert len(wished) > 50 and np.mean(wished) > 0.9
+
+
+def test_places_that_continue_a_run_are_flush_with_it() -> None:
+    there = furniture(("kitchen_base", (-2.695, -2.08, 0.0, 0.6, 0.6, 0.0, 0.9)))
+    room = Plan.model_validate({
+        "prompt": "", "program": {"rooms": [{"id": "kitchen_1", "type": "kitchen"}]}, "height": 2.6, "openings": [],
+        "rooms": [{"id": "kitchen_1", "type": "kitchen", "polygon": [[0, 0], [6, 0], [6, 6], [0, 6]]}]})
+    said = np.array([[1.0, 1.0, 0.3, 0.6, 0.6, 0.0, 0.9], [2.0, 1.0, 0.3, 0.6, 0.8, 0.0, 0.9]], np.float32)
+    found = runs.further("hob", said, there.names, there.boxes, shell(of_plan(room), 0))
+    assert runs.touching("hob", found, there.names, there.boxes).sum() >= 4, "both sides, in both sizes, and the corner"
+    assert {tuple(np.round(size, 2)) for size in found[:, 3:5].tolist()} == {(0.6, 0.6), (0.6, 0.8)}
+    assert any(abs(box[2] - np.pi / 2) < 0.01 and abs(box[1] + 2.695) < 0.01 for box in found), "round the corner"
+    assert not len(runs.further("sofa", said, there.names, there.boxes, shell(of_plan(room), 0)))
+
+
+def test_what_cooks_stands_rather_beside_a_window_than_before_it() -> None:
+    room = Plan.model_validate({
+        "prompt": "", "program": {"rooms": [{"id": "kitchen_1", "type": "kitchen"}]}, "height": 2.6,
+        "openings": [{"id": "window_1", "kind": "window", "rooms": ["kitchen_1"], "segment": [[-0.15, 4], [-0.15, 2]],
+                      "sill": 0.95, "head": 2.2}],
+        "rooms": [{"id": "kitchen_1", "type": "kitchen", "polygon": [[0, 0], [6, 0], [6, 6], [0, 6]]}]})
+    there = Furniture(space_of(of_plan(room), 0))
+    before, beside = ((-2.695, y, 0.0, 0.6, 0.6, 0.0, 0.9) for y in (0.0, 2.0))
+    assert price(there, "hob", *beside) < price(there, "hob", *before) < BROKEN
+    assert price(there, "kitchen_sink", *beside) == price(there, "kitchen_sink", *before)

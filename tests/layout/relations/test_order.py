@@ -55,7 +55,7 @@ def describe_from(own: np.ndarray, reference: np.ndarray, kind: int) -> describe
 
 
 def test_what_stands_on_something_is_described_from_it(rooms: list[corpus.Furnished]) -> None:
-    seen = 0
+    seen, by = 0, list[bool]()
     for room in rooms:
         found, _ = corpus.earlier(room, np.arange(room.n))
         for i, k in enumerate(found):
@@ -65,8 +65,8 @@ def test_what_stands_on_something_is_described_from_it(rooms: list[corpus.Furnis
                 assert room.kind[k] == OBJECT
                 assert room.boxes[room.shell + i, 5] == pytest.approx(float(room.boxes[k, 6]), abs=0.02)
             if name == "sofa":
-                assert room.kind[k] >= WALL
-    assert seen > 10
+                by.append(room.kind[k] >= WALL)
+    assert seen > 10 and np.mean(by) > 0.9, "a sofa that stands free may be told from the room"
 
 
 def test_given_objects_come_first_and_are_no_ones_later_reference(rooms: list[corpus.Furnished]) -> None:

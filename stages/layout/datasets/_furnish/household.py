@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from numpy.random import Generator
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.layout.meals import table_of
-from apartgen.stages.use.household import sleepers
+from apartgen.stages.use.household import duties, sleepers, washes_in
 
 
 @dataclass(frozen=True)
@@ -25,34 +24,19 @@ class Household:
     coats: bool = True
 
 
-def area(room: Room) -> float:
-    """Floor area, m²."""
-    return float(shapely.Polygon(room.polygon).area)
-
-
 def of_room(plan: Plan, room: Room, rng: Generator) -> Household:
     """What furnishing `room` needs to know."""
     if len(plan.rooms) == 1:
         return Household(sleepers=int(rng.choice([1, 2, 2, 3, 4, 4, 5])), main=bool(rng.random() < 0.6))
-    bedrooms = [other for other in plan.rooms if other.base == "bedroom"]
-    table, washing = table_of(plan), _laundry(plan)
+    table, of = table_of(plan), duties(plan, room)
     open_question = room.base == "living_room" and table is None
     return Household(
         sleepers=sleepers(plan) or 2,
-        main=bool(bedrooms) and room.id == max(bedrooms, key=area).id,
+        main=of.main == 1,
         table=None if open_question else table is not None and table[0] == room.id,
-        bed=not bedrooms and room.base == "living_room",
-        laundry=washing is None or washing == room.id,
+        bed=of.sleeps == 1,
+        laundry=of.washes == 1 or washes_in(plan) is None,
     )
-
-
-def _laundry(plan: Plan) -> str | None:
-    """The room with the washing machine: a utility room, else a large bathroom, else the kitchen."""
-    for kind, least in (("utility", 0.0), ("bathroom", 4.6), ("kitchen", 0.0), ("bathroom", 0.0)):
-        some = [room for room in plan.rooms if room.base == kind and area(room) >= least]
-        if some:
-            return max(some, key=area).id
-    return None
 
 
 def one_of(rng: Generator, *some: str) -> str:

@@ -1,0 +1,88 @@
+"""Runs of units, in kitchens and where clothes are washed: side by side along a wall, round a corner, gap by gap flush.
+
+What continues a run is known exactly, so that it is among the candidates of every further unit, with little weight
+where the model itself says it.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.relations import order
+from apartgen.stages.layout.relations.tokens import WALL, Array, Shell
+
+FLUSH, CORNER = 0.02, 0.66
+"""Gap between units side by side, and from a corner to the nearer edge of the first unit round it, m."""
+IN_LINE = 0.05
+"""How far backs of neighbours may be off one line, m."""
+OFF, BETWEEN = 0.005, 0.003
+"""From a wall to a unit's back, and between units, m."""
+WIDTHS = 3
+"""Sizes that are tried, the likeliest of what the model says."""
+
+
+def local(xy: Array, at: Array, yaw: float) -> tuple[Array, Array]:
+    """Points (n, 2) in the frame of a place."""
+    offset = xy - at
+    c, s = np.cos(yaw), np.sin(yaw)
+    return offset[:, 0] * c + offset[:, 1] * s, offset[:, 1] * c - offset[:, 0] * s
+
+
+def beside(boxes: Array, box: Array) -> NDArray[np.bool_]:
+    """Which candidates (n, 7) are flush with a unit: side by side with backs in line, or round the corner from it."""
+    x, y = local(boxes[:, :2], box[:2], float(box[2]))
+    turn = boxes[:, 2] - box[2]
+    alike, across = np.cos(turn) > 0.99, np.abs(np.cos(turn)) < 0.01
+    backs = np.abs((x - boxes[:, 3] / 2) - (-box[3] / 2)) < IN_LINE
+    in_line = alike & backs & (np.abs(np.abs(y) - (box[4] + boxes[:, 4]) / 2) < FLUSH)
+    behind = np.abs(x + box[3] / 2) < boxes[:, 4] / 2 + CORNER
+    aside = np.abs(np.abs(y) - (box[4] + boxes[:, 3]) / 2) < 2 * FLUSH
+    ahead = np.abs(x - (box[3] + boxes[:, 4]) / 2) < FLUSH
+    within = np.abs(np.abs(y) - (box[4] - boxes[:, 3]) / 2) < CORNER
+    return np.asarray(in_line | across & (aside & behind | ahead & within))
+
+
+def units(names: list[str], boxes: Array) -> Array:
+    """Those boxes (m, 7) that are of units."""
+    return boxes[[name in order.runs() for name in names]]
+
+
+def touching(name: str, boxes: Array, names: list[str], there: Array) -> NDArray[np.bool_]:
+    """Which candidates (n, 7) for a unit are flush with another one; all of the first unit, and of what is no unit."""
+    some = units(names, there) if name in order.runs() else there[:0]
+    found = np.full(len(boxes), not len(some))
+    for box in some:
+        found |= beside(boxes, box)
+    return found
+
+
+def further(name: str, boxes: Array, names: list[str], there: Array, shell: Shell) -> Array:
+    """Places (m, 7) at which a unit continues the run, in sizes of the candidates (n, 7)."""
+    some = units(names, there) if name in order.runs() else there[:0]
+    if not len(some):
+        return boxes[:0]
+    sizes, counts = np.unique(np.round(boxes[:, 3:], 3), axis=0, return_counts=True)
+    walls = shell.boxes[shell.kind == WALL]
+    out = [place for size in sizes[np.argsort(-counts, kind="stable")[:WIDTHS]] for box in some
+           for place in (*_sides(box, size), *_corners(box, size, walls))]
+    return np.array(out, np.float32).reshape(-1, 7)
+
+
+def _sides(box: Array, size: Array) -> list[Array]:
+    """To the left and to the right of a unit, backs in line."""
+    c, s = np.cos(box[2]), np.sin(box[2])
+    x, y = (size[0] - box[3]) / 2, (box[4] + size[1]) / 2 + BETWEEN
+    return [np.concatenate([[box[0] + c * x - s * v, box[1] + s * x + c * v, box[2]], size]) for v in (y, -y)]
+
+
+def _corners(box: Array, size: Array, walls: Array) -> list[Array]:
+    """Round a corner: with the back to a wall that meets the unit's at a right angle, beginning where its front is."""
+    heading = np.array([np.cos(box[2]), np.sin(box[2])])
+    out = []
+    for wall in walls:
+        normal = np.array([np.cos(wall[2]), np.sin(wall[2])])
+        if abs(float(normal @ heading)) > 0.01:
+            continue
+        ahead = float(box[:2] @ heading) + (box[3] + size[1]) / 2 + BETWEEN
+        xy = ahead * heading + (float(wall[:2] @ normal) + size[0] / 2 + OFF) * normal
+        out.append(np.concatenate([xy, [wall[2]], size]))
+    return out
