@@ -93,7 +93,7 @@ class LayoutConfig(Record):
         "exact", description="exact by construction, the paper's late BCE (Eq. 3), or left to the model"
     )
     projection: bool = Field(
-        True, description="place what was sampled anew, one object after another, where nothing is broken: about a half "
+        True, description="place what was sampled anew, one object after another, where nothing is broken: about half "
                           "ends more than .5 m away; what finds no place is made smaller or left out (diffusion)")
     weights: str | None = Field(None, description="a weights file other than the shipped one")
     batch: int = Field(48, ge=1, description="rooms of a home denoised at once")
