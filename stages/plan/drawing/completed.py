@@ -14,6 +14,8 @@ from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.drawing import Drawing, furniture, types, ways
 from apartgen.stages.plan.drawing.floors import Storey, storey
 
+EARTH, LARGEST = 1e8, 30.0
+"""No coordinate is larger, and no piece of furniture, m."""
 FAR = 500.0
 """Drawings that lie further from their origin are brought there, m."""
 MOST = 40
@@ -30,7 +32,7 @@ def plan_of(drawing: Drawing, config: PlanConfig) -> tuple[Plan, list[str]]:
     BadInput for a drawing that is no floor plan, Unmet where a room can have no door.
     """
     said = list(drawing.said)
-    drawing = _brought_near(drawing, said)
+    drawing = _brought_near(_measured(drawing, said), said)
     drawn = storey(drawing, config.walls.inner, said)
     if len(drawn.rooms) > MOST:
         raise BadInput(f"{len(drawn.rooms)} rooms; a plan has at most {MOST}: give a part of the building")
@@ -78,6 +80,29 @@ def _asked(plan: Plan) -> Plan:
 
 def _ring(floor: Polygon) -> list[Point]:
     return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in floor.exterior.coords[:-1]]
+
+
+def _measured(drawing: Drawing, said: list[str]) -> Drawing:
+    """The drawing without furniture and holes that have no size or no place. BadInput for rooms and walls so."""
+    spaces = [space for space in drawing.spaces if not space.floor.is_empty]
+    walls = [wall for wall in drawing.walls if not wall.is_empty]
+    for shape in (*(space.floor for space in spaces), *walls):
+        if not np.isfinite(shape.bounds).all() or np.abs(shape.bounds).max() > EARTH:
+            raise BadInput(f"a room or wall at {shape.bounds[:2]} has no place on earth; mend its coordinates")
+    things = [
+        thing
+        for thing in drawing.things
+        if _sound(*thing.middle, *thing.size, thing.yaw) and min(thing.size) > 0 and max(thing.size) < LARGEST
+    ]
+    holes = [hole for hole in drawing.holes if _sound(*hole.ends[0], *hole.ends[1], hole.sill or 0.0, hole.head or 0.0)]
+    lost = len(drawing.things) - len(things) + len(drawing.holes) - len(holes)
+    if lost:
+        said.append(f"{lost} openings or pieces of furniture have no size or no place: left out")
+    return replace(drawing, spaces=spaces, walls=walls, things=things, holes=holes)
+
+
+def _sound(*numbers: float) -> bool:
+    return bool(np.isfinite(numbers).all() and np.abs(numbers).max() < EARTH)
 
 
 def _brought_near(drawing: Drawing, said: list[str]) -> Drawing:

@@ -1,11 +1,15 @@
 """Floor plans of other programs, one file a format: walls, openings, names of rooms, and furniture if there is any."""
 
 import logging
+from types import ModuleType
 
-from apartgen.schemas.errors import ApartgenError
+from shapely.errors import ShapelyError
+
+from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
 from apartgen.stages.plan.config import PlanConfig
+from apartgen.stages.plan.drawing import Drawing
 
 PACKAGE = "apartgen.stages.plan.imports"
 log = logging.getLogger("apartgen")
@@ -14,6 +18,18 @@ log = logging.getLogger("apartgen")
 def formats() -> dict[str, str]:
     """Every format's name and what it is."""
     return registry.members(PACKAGE)
+
+
+def _drawing(member: ModuleType, name: str, data: bytes) -> Drawing:
+    """What a format reads; whatever its parser stumbles over is the file's fault."""
+    try:
+        drawing: Drawing = member.read(name, data)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, ShapelyError) as error:
+        kind = member.__name__.rpartition(".")[2]
+        raise BadInput(
+            f"broken where {kind} does not allow it ({type(error).__name__}: {error}); save it again"
+        ) from error
+    return drawing
 
 
 def read(name: str, data: bytes, config: PlanConfig) -> Plan | None:
@@ -27,7 +43,7 @@ def read(name: str, data: bytes, config: PlanConfig) -> Plan | None:
     from apartgen.stages.plan.drawing.completed import plan_of
 
     try:
-        plan, said = plan_of(member.read(name, data), config)
+        plan, said = plan_of(_drawing(member, name, data), config)
     except ApartgenError as error:
         raise type(error)(f"{name}: {error}") from error
     for remark in said:

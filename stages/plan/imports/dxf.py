@@ -234,7 +234,8 @@ class _Sheet:
     def _hole(
         self, put: Entity | None, kind: Any, a: Array, b: Array, hinge: Array | None = None, swung: Array | None = None
     ) -> Hole:
-        told = {attrib.dxf.tag: attrib.dxf.text for attrib in put.attribs} if put is not None else {}
+        attached = [attrib for attrib in put.attribs if hasattr(attrib, "dxf")] if put is not None else []
+        told = {attrib.dxf.tag: attrib.dxf.text for attrib in attached}
 
         def number(tag: str) -> float | None:
             return float(told[tag]) if re.fullmatch(r"-?\d+(\.\d+)?", told.get(tag, "")) else None

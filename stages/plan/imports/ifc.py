@@ -159,7 +159,7 @@ class _Model:
 
     def solid(self, part: Entity, said: list[str]) -> Solid | None:
         """The body of an element; None where it has none that can be made."""
-        if part.Representation is None:
+        if part is None or part.Representation is None:
             return None
         try:
             shape = self._ifc.geom.create_shape(self._settings, part)

@@ -3,16 +3,19 @@
 import io
 import json
 import logging
+import re
 import zipfile
+from pathlib import Path
 
 import numpy as np
 import pytest
 from plan.imports import homes, writers
 from shapely.geometry import Polygon
 
-from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas import consistency
+from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 from apartgen.schemas.layout import Layout
-from apartgen.stages import check
+from apartgen.stages import check, registry
 from apartgen.stages.plan import PlanConfig, imports
 
 
@@ -132,6 +135,53 @@ def test_a_scan_without_floors_has_the_rooms_that_its_walls_enclose() -> None:
     assert plan is not None and len(plan.rooms) == len(home.rooms) and check.quick(plan) == []
     given, found = (sum(Polygon(r.polygon).area for r in p.rooms) for p in (home, plan))
     assert found == pytest.approx(given, rel=0.02)
+
+
+def spoilt(data: bytes, rng: np.random.Generator) -> bytes:
+    """The file cut off, with letters changed, or with other numbers in it."""
+    kind = int(rng.integers(3))
+    if kind == 0:
+        return data[: int(rng.integers(len(data)))]
+    text = bytearray(data)
+    if kind == 1:
+        for at in rng.integers(len(text), size=3):
+            text[at] = int(rng.integers(32, 126))
+        return bytes(text)
+    numbers = list(re.finditer(rb"-?\d+\.?\d*", data))
+    for k in rng.integers(len(numbers), size=4):
+        lo, hi = numbers[k].span()
+        text[lo:hi] = bytes(rng.choice([b"0", b"-1", b"1e9", b"nan", b"3"]))[: hi - lo].ljust(hi - lo)
+    return bytes(text)
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("format", ["sh3d", "roomplan", "procthor", "dxf", "ifc"])
+def test_broken_files_are_errors_and_nothing_else(format: str, seed: int, tmp_path: Path) -> None:
+    home, rng = homes.furnished("studio", 0), np.random.default_rng([5, seed])
+    if format in ("dxf", "ifc"):
+        pytest.importorskip({"dxf": "ezdxf", "ifc": "ifcopenshell"}[format])
+        from apartgen.stages.scene.scene import Scene
+
+        (path,) = registry.load("apartgen.stages.export", format).write(Scene(home, lambda *_: None), tmp_path)
+        name, data = path.name, spoilt(path.read_bytes(), rng)
+    elif format == "sh3d":
+        with zipfile.ZipFile(io.BytesIO(writers.sh3d(home))) as archive:
+            xml = archive.read("Home.xml")
+        out = io.BytesIO()
+        with zipfile.ZipFile(out, "w") as archive:
+            archive.writestr("Home.xml", spoilt(xml, rng))
+        name, data = "home.sh3d", out.getvalue()
+    else:
+        name, data = (
+            "home.json",
+            spoilt({"roomplan": writers.roomplan, "procthor": writers.procthor}[format](home), rng),
+        )
+    try:
+        plan = imports.read(name, data, PlanConfig())
+    except ApartgenError as error:
+        assert str(error).startswith(f"{name}: ")
+    else:
+        assert plan is None or not list(consistency.faults(plan))
 
 
 def test_other_files_are_left_to_others() -> None:
