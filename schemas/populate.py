@@ -50,7 +50,7 @@ class Receptacle(Record):
     """
 
     name: str
-    kind: Literal["top", "shelf", "inside", "drawer"]
+    kind: Literal["top", "shelf", "inside", "drawer", "basin"]
     polygon: list[Point]
     z: Number
     clearance: Number

@@ -19,6 +19,8 @@ NEAR = 0.12
 PICTURES = {"living_room": (2, 4), "bedroom": (1, 3), "hallway": (1, 2), "study": (1, 2), "dining_room": (1, 2),
             "kitchen": (0, 1), "bathroom": (0, 1)}
 """How many hang in a room at least and at most."""
+WIDEST = {"bathroom": 0.5, "kitchen": 0.7, "hallway": 0.8}
+"""Pictures are no wider in a room of this type, m."""
 EYE = 1.5
 """Height of a picture's middle, m."""
 OVER = 0.18
@@ -87,7 +89,8 @@ def hung(
         found += _anywhere(faces, models["coat_hooks"][0], 1.6, rng)
     low, high = PICTURES.get(room.base, (0, 0))
     count = int(density * rng.integers(low, high + 1) + 0.5)
-    return [*found, *_pictures(faces, here, models["picture"], count, rng)]
+    pictures = [design for design in models["picture"] if design.size[1] <= WIDEST.get(room.base, np.inf)]
+    return [*found, *_pictures(faces, here, pictures, count, rng)]
 
 
 def _faces(home: Retrieve, room: Room, here: Sequence[Furnishing]) -> list[Face]:
@@ -167,7 +170,7 @@ def _sockets(
         return
     if room.base == "kitchen":
         for _ in range(2):
-            yield from _anywhere(faces, design, COUNTER, rng)
+            yield from _above_worktops(faces, design, rng)
         return
     wanted = [o for o in here if o.category in _POWERED][:2]
     for o in wanted:
@@ -179,6 +182,18 @@ def _sockets(
                 break
     if not wanted:
         yield from _anywhere(faces, design, SOCKET, rng)
+
+
+def _above_worktops(faces: Sequence[Face], design: Design, rng: np.random.Generator) -> Iterator[Hung]:
+    """A thing above furniture that is as high as a worktop."""
+    _, w, h = design.size
+    places = [(face, s) for face in faces for a, b, _, top in face.covered if 0.8 < top < 1.0
+              for s in np.arange(a + w, b - w, 0.1)]
+    for k in rng.permutation(len(places)):
+        face, s = places[int(k)]
+        if face.free(float(s), w, COUNTER - h / 2, COUNTER + h / 2, 0.03):
+            yield face.hang(design, float(s), COUNTER)
+            return
 
 
 def _anywhere(faces: Sequence[Face], design: Design, z: float, rng: np.random.Generator) -> Iterator[Hung]:

@@ -15,7 +15,7 @@ from shapely.geometry import MultiPoint
 from apartgen.stages.things.asset import Array, Asset, Collider, Link
 from apartgen.stages.things.solids import corners
 
-Kind = Literal["top", "shelf", "inside", "drawer"]
+Kind = Literal["top", "shelf", "inside", "drawer", "basin"]
 
 LEAST_SIDE = 0.06
 """Narrower rectangles hold nothing, m."""
@@ -29,6 +29,8 @@ EDGE = 0.008
 """Things keep this far from the edge of a board, m."""
 SEAM = 0.007
 """Half the gap between two boards that one thing may bridge, m."""
+RIM, BESIDE = 0.04, 0.08
+"""What rises so far above a face, so near to at least three of its sides, makes a basin of it, m."""
 _TICKS = 14
 _MANY = 36
 """More lines than this along a side are thinned out."""
@@ -229,8 +231,20 @@ def _place(asset: Asset, k: int, lo: Array, hi: Array, z: float, solids: _Solids
     if joint is not None:
         return Receptacle("", "drawer", (x0, y0), (x1, y1), z, room, joint.name)
     door = _door(asset, lo, hi, z, room, solids)
-    kind: Kind = "inside" if door else "shelf" if room < OPEN else "top"
+    kind: Kind = "inside" if door else "shelf" if room < OPEN else "basin" if _sunk(lo, hi, z, solids) else "top"
     return Receptacle("", kind, (x0, y0), (x1, y1), z, room, door)
+
+
+def _sunk(lo: Array, hi: Array, z: float, solids: _Solids) -> bool:
+    """Whether a face is the bottom of a basin."""
+    high = (solids.hi[:, 2] > z + RIM) & (solids.lo[:, 2] < z + RIM)
+    low_side, high_side = solids.lo[high, :2], solids.hi[high, :2]
+    sides = 0
+    for a in (0, 1):
+        along = (low_side[:, 1 - a] < hi[1 - a]) & (high_side[:, 1 - a] > lo[1 - a])
+        for near in (np.abs(high_side[:, a] - lo[a]), np.abs(low_side[:, a] - hi[a])):
+            sides += bool((along & (near < BESIDE)).any())
+    return sides >= 3
 
 
 def _door(asset: Asset, lo: Array, hi: Array, z: float, room: float, solids: _Solids) -> str:

@@ -46,6 +46,13 @@ def test_what_stands_on_a_top_divides_it():
     assert np.allclose(sides, [(-0.5 + INSET, -0.1 - EDGE), (0.1 + EDGE, 0.5 - INSET)], atol=1e-4)
 
 
+def test_the_bottom_of_a_sink_is_no_top():
+    walls = [((-0.3, -0.5, 0.4), (-0.28, 0.5, 0.55)), ((0.28, -0.5, 0.4), (0.3, 0.5, 0.55)),
+             ((-0.28, -0.5, 0.4), (0.28, -0.48, 0.55)), ((-0.28, 0.48, 0.4), (0.28, 0.5, 0.55))]
+    assert [place.kind for place in receptacles(asset(base(TOP, *walls)))] == ["basin"]
+    assert [place.kind for place in receptacles(asset(base(TOP, *walls[:2])))] == ["top"]
+
+
 def test_a_shelf_is_open_and_a_cupboard_is_behind_its_door():
     shelf = receptacles(asset(base(*SIDES, BOTTOM, TOP)))
     assert [(place.kind, round(place.room, 3)) for place in shelf] == [("shelf", 0.76), ("top", OPEN)]
