@@ -11,12 +11,12 @@ from apartgen.schemas.base import Record
 from apartgen.whole import DEFAULT_FORMATS, KINDS, make
 from apartgen_cli.console import say
 from apartgen_cli.export import FORMATS
-from apartgen_cli.options import CONFIG, configured, tables
+from apartgen_cli.options import CONFIG, checked_seed, configured, tables
 from apartgen_cli.streams import made_folder
 
 PROMPT = Annotated[str, typer.Argument(metavar="PROMPT", help='What is wanted, e.g. "two-bedroom flat".')]
 FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; what is already there goes on from.")]
-SEED = Annotated[int, typer.Option("--seed", min=0, help="Fixes everything drawn.")]
+SEED = Annotated[int, typer.Option("--seed", min=0, callback=checked_seed, help="Fixes everything drawn.")]
 FORMAT = Annotated[list[str] | None, typer.Option(
     "--format", help=f"Any number of times; of {', '.join(FORMATS)}. [default: {', '.join(DEFAULT_FORMATS)}]")]
 POPULATE = Annotated[bool, typer.Option("--populate/--no-populate", help="Put small things into the home.")]

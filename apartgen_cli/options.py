@@ -12,6 +12,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from apartgen import settings
+from apartgen.requests import LARGEST_SEED
 from apartgen.schemas.errors import BadInput
 
 Config = TypeVar("Config", bound=BaseModel)
@@ -20,8 +21,17 @@ TABLES = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metri
           "train-shape")
 """What a settings file may hold: one for every command that has settings."""
 
+
+def checked_seed(value: int | None) -> int | None:
+    """A seed that every reader of JSON and of tables takes."""
+    if value is not None and value > LARGEST_SEED:
+        raise BadInput(f"--seed: at most {LARGEST_SEED}, which is 2^63 - 1")
+    return value
+
+
 OUT = Annotated[str | None, typer.Option("--out", "-o", help="A file, or with a slash at its end a folder.")]
-SEED = Annotated[int | None, typer.Option("--seed", min=0, help="Fixes everything drawn; the input's seed by default.")]
+SEED = Annotated[int | None, typer.Option(
+    "--seed", min=0, callback=checked_seed, help="Fixes everything drawn; the input's seed by default.")]
 CONFIG = Annotated[Path | None, typer.Option("--config", help="A TOML file with a table of settings for every stage.")]
 TRUST = Annotated[bool, typer.Option("--trust", help="Take inputs that the judge refuses, too.")]
 FAILURES = Annotated[Path | None, typer.Option(

@@ -4,12 +4,12 @@ The rules of building (doors wide enough, rooms reachable) are the plan stage's;
 artifact relies on.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from math import hypot
 from typing import NamedTuple
 
-from apartgen.schemas.base import Polygon, Record
+from apartgen.schemas.base import Point, Polygon, Record
 from apartgen.schemas.carrying import BUILDING
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Opening, Plan, Program
@@ -17,6 +17,8 @@ from apartgen.schemas.retrieve import Retrieve
 
 FARTHEST = 1000.0
 """Coordinates beyond this are hardly metres."""
+WIDEST, HIGHEST = 250.0, 20.0
+"""No home is wider, and no room higher, m."""
 _LEAST = 1e-3  # m, the least length of a side
 
 
@@ -34,6 +36,8 @@ def faults(body: Record) -> Iterator[Fault]:
     if isinstance(body, Plan):
         yield from _program(body.program)
         yield from _rooms(body)
+        if body.height > HIGHEST:
+            yield Fault("height", f"{body.height:g} m; rooms are at most {HIGHEST:g} m high")
         for name in body.finishes:
             yield from _known(name, {room.id for room in body.rooms}, "finishes")
         yield from _openings(body)
@@ -85,12 +89,13 @@ def _rooms(plan: Plan) -> Iterator[Fault]:
         elif asked[room.id] != room.type:
             yield Fault(f"rooms[{i}].type", f"{room.type!r}, but program.rooms has {asked[room.id]!r} for {room.id!r}")
         yield from _outline(room.polygon, f"rooms[{i}].polygon")
+    if plan.rooms and (wrong := too_wide([point for room in plan.rooms for point in room.polygon])):
+        yield Fault("rooms", wrong)
 
 
 def _outline(polygon: Polygon, where: str) -> Iterator[Fault]:
-    far = max(max(abs(x), abs(y)) for x, y in polygon)
-    if far > FARTHEST:
-        yield Fault(where, f"reaches {far:g} m from the origin, over {FARTHEST:g}; coordinates are metres")
+    if wrong := too_wide(polygon):
+        yield Fault(where, wrong)
         return
     ends = [*polygon, polygon[0]]
     short = min(hypot(bx - ax, by - ay) for (ax, ay), (bx, by) in pairwise(ends))
@@ -103,6 +108,15 @@ def _outline(polygon: Polygon, where: str) -> Iterator[Fault]:
         yield Fault(where, "crosses or touches itself; give the corners in their order around the outline")
     elif not shapely.is_ccw(shapely.LinearRing(polygon)):
         yield Fault(where, "runs clockwise; list the corners counter-clockwise")
+
+
+def too_wide(points: Sequence[Point]) -> str:
+    """What is wrong with points that lie further apart, or further away, than those of a home; or nothing."""
+    far = max(max(abs(x), abs(y)) for x, y in points)
+    if far > FARTHEST:
+        return f"reaches {far:g} m from the origin, over {FARTHEST:g}; coordinates are metres"
+    span = max(max(values) - min(values) for values in zip(*points))
+    return f"is {span:g} m wide, over {WIDEST:g}; coordinates are metres" if span > WIDEST else ""
 
 
 def _openings(plan: Plan) -> Iterator[Fault]:

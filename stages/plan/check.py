@@ -8,11 +8,15 @@ from math import dist
 from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
+from apartgen.schemas.consistency import too_wide
 from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.schemas.plan import AskedRoom, Program
 from apartgen.stages.plan.blocks import facing
 from apartgen.stages.plan.standards import STANDARDS
 from apartgen.stages.plan.weights import WEIGHTS
+
+LEAST, LARGEST = 0.5, 2000.0
+"""m² of a room, and of a flat."""
 
 THROUGH = ("hallway", "living_room", "dining_room", "kitchen")
 """Rooms that lead to other rooms; bedrooms and bathrooms lead to what belongs to them only."""
@@ -64,6 +68,9 @@ def _check_areas(program: Program) -> None:
     asked = sum(room.area or STANDARDS[room.base].area for room in program.rooms)
     least = sum(STANDARDS[room.base].area for room in program.rooms)
     total = program.total_area
+    for name, area in [*((room.id, room.area) for room in program.rooms), ("the flat", total)]:
+        if area is not None and not LEAST <= area <= LARGEST:
+            raise BadInput(f"program: {area:g} m² for {name} is out of range; give {LEAST:g} to {LARGEST:g} m²")
     if total is None:
         return
     if all(room.area for room in program.rooms) and asked > total * 1.15:
@@ -95,7 +102,11 @@ def _check_envelope(program: Program) -> None:
         raise Unmet(f"{lit[0]} needs a window, but all four sides are party walls: leave one side free")
     if program.envelope.outline is None:
         return
+    if wrong := too_wide(program.envelope.outline):
+        raise BadInput(f"program.envelope.outline: {wrong}")
     outline = Polygon(program.envelope.outline)
+    if outline.area > LARGEST:
+        raise BadInput(f"program.envelope.outline: has {outline.area:.0f} m²; a flat has at most {LARGEST:.0f}")
     if not outline.is_valid:
         raise BadInput("program.envelope.outline: it crosses itself; give its corners in order around the flat")
     least = sum(STANDARDS[room.base].area for room in program.rooms)

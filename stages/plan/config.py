@@ -15,6 +15,6 @@ class PlanConfig(Record):
     enough: int = Field(default=6, ge=1, le=64, description="valid arrangements to choose from before stopping")
     proposals: int = Field(default=800, ge=10, le=100_000, description="proposals of a run, per rectangle of the plan")
     processes: int = Field(default=2, ge=1, le=64, description="annealing threads; the plan does not depend on it")
-    height: Positive = Field(default=2.6, description="ceiling height, m")
+    height: Positive = Field(default=2.6, le=20, description="ceiling height, m")
     walls: Walls = Walls()
     candidates: int = Field(default=4, ge=1, le=64, description="plans drawn for each variant wanted")

@@ -6,6 +6,7 @@ from itertools import combinations
 from shapely.geometry import Polygon
 
 from apartgen.schemas.base import RoomType
+from apartgen.schemas.consistency import too_wide
 from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.schemas.plan import AskedRoom, Link, Plan, Program, Room
 from apartgen.stages.plan import doors, faces, windows
@@ -44,6 +45,8 @@ def built(rooms: list[Room], config: PlanConfig, program: Program | None) -> Pla
 
 def inset(rooms: list[Room], inner: float) -> Floors:
     """Clear floors: a room closer to another than a wall gives way all around by half of what lacks."""
+    if wrong := too_wide([point for room in rooms for point in room.polygon]):
+        raise BadInput(f"rooms: what they cover {wrong}")
     shapes = {room.id: Polygon(room.polygon) for room in rooms}
     for name, shape in shapes.items():
         if not shape.is_valid or shape.area < 0.5:
