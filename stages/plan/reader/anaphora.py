@@ -171,6 +171,8 @@ def unfolded(items: list[Item]) -> list[Item]:
         elif item.kind == "link" and item.text.startswith("one ") and _is_other(out):  # "the other one from the hall"
             way = item.text.split()[-1]
             out.append(Item("front", "from", way) if way == "from" else Item("link", "to", way))
+        elif item.kind == "front" and [i.kind for i in items[max(k - 2, 0) : k]] == ["relative", "reach"]:
+            out[-2:] = [Item("link", "door", "reached from")]  # "a utility room that you reach from the kitchen"
         elif item.value == "to" and k + 1 < len(items) and items[k + 1].value == "has":
             continue  # "the master to have an en suite"
         elif is_mark(item, ",") and _one_each(items, k):

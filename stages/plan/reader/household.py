@@ -199,10 +199,13 @@ class Household:
         return found
 
     def _labelled(self, phrase: RoomPhrase, labels: set[str]) -> list[Entity]:
-        count = int(phrase.count or (2 if phrase.plural else 1))
+        several = len(self.of("bedroom")) if "ensuite" in labels else 0  # "a house with attached bathrooms"
+        count = int(phrase.count or (max(2, several) if phrase.plural else 1))
         known = [e for e in self.of(phrase.type) if labels & e.labels]
         if known and (phrase.quantifier in ("the", "") or id(phrase) in self.mentions) and phrase.count is None:
             return known
+        if known and phrase.count and all(e.vague for e in known):
+            return known[:count] + self.add(phrase.type, count - len(known), labels=set(labels))
         if labels == {"size"} or labels == {"family"}:
             free = [e for e in self.of(phrase.type) if not e.picked and not e.labels & set(DISTINCT)]
             if free and (phrase.quantifier == "the" or id(phrase) in self.mentions):

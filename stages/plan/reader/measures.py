@@ -248,7 +248,7 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         if item.number == -1 and before:
             clause = _clause(out)
             found.append(Statement("equal", clause, clause))
-        elif before and after:
+        elif before and after and not (" that " in item.text and len(before) > 1):
             if after[0].quantifier == "a":
                 after[0].quantifier = "the"  # "three times as large as a bedroom" asks for no further one
             found.append(Statement("compare", before[-1:], after[:1], item.number))

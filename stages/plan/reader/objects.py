@@ -13,6 +13,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         # "from which a passage leads to …"
         end = following.subject[1] if following.shared or led else following.subject[0]
         end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
+        if p.kind == "near" and following.form == "part" and following.subject[0] > p.at + 1:
+            end = following.subject[0]  # "a bath near the hall and a kitchen open to the lounge"
     out: list[RoomPhrase] = []
     if p.kind == "open" and items[p.at + 1 : p.at + 2] and items[p.at + 1].value == "it":
         return out  # "a kitchen open to it, and two bedrooms off …"

@@ -38,11 +38,13 @@ def orders(items: list[Item], said: Said) -> list[Item]:
 
 def _before(out: list[Item]) -> RoomPhrase | None:
     """The room of `X is the largest room`; takes the copula away."""
-    near = out[-2:] if out and out[-1].kind == "copula" else out[-1:]
-    if not near or near[0].room is None:
-        return None
-    del out[len(out) - len(near) + 1 :]
-    return near[0].room
+    said = len(out)
+    while said and (out[said - 1].kind == "copula" or out[said - 1].value == "to"):
+        said -= 1  # "is", "to be"
+    last = out[said - 1].room if said else None
+    if last is not None:
+        del out[said:]
+    return last
 
 
 def _after(items: list[Item], k: int) -> RoomPhrase | None:

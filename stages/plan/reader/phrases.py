@@ -206,11 +206,12 @@ class Phraser:
             self.items.append(Item(kind, "", word.text, number=p.number or 0))
             self.pending = Pending()
         else:
+            thing = word.kind == "unknown" and p.quantifier in ("a", "the")
             self._flush(word)
             self._plain(word, following)
+            self.items += [Item("thing", "", word.text)] * thing
 
-    def _main_rooms(self, word: Lexeme) -> None:
-        """`3-room flat` counts living and sleeping rooms; `every room` means all others."""
+    def _main_rooms(self, word: Lexeme) -> None:  # `3-room flat`: living and sleeping rooms; `every room`: all others
         p, self.pending = self.pending, Pending()
         if p.negated:
             self.unread.append(f"no {word.text}")
@@ -241,11 +242,9 @@ class Phraser:
         elif word.kind == "graph" and word.text == "links" and self._verb_follows(following):
             self.items.append(Item("link", "door", word.text, form="s"))
         elif word.kind == "shorthand":
-            phrases = [
-                RoomPhrase(kind, count=n or None, headline=n > 0, negated=n == 0, text=word.text)
-                for kind, n in word.parts
-            ]
-            self.items += [Item("room", phrase.type, word.text, phrase) for phrase in phrases]
+            for kind, n in word.parts:
+                phrase = RoomPhrase(kind, count=n or None, headline=n > 0, negated=n == 0, text=word.text)
+                self.items.append(Item("room", kind, word.text, phrase))
         elif word.kind == "compound":
             self.items.append(Item("main_rooms", "", word.text, number=float(word.value)))
             self.items.append(Item("dwelling", "flat", word.text))

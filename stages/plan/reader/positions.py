@@ -47,7 +47,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             ]
             k += 1
             continue
-        if item.kind not in ("place", "beside"):
+        if item.kind not in ("place", "beside", "thing"):
             out.append(item)
         k += 1
     return out
@@ -103,8 +103,16 @@ def _placed(item: Item, room: RoomPhrase, text: str) -> Asked:
 def _at_entrance(items: list[Item], k: int, said: Said) -> bool:
     """`near the front door`, not of an entrance whose own side is said; `close to it` where that is the entrance."""
     near = k > 0 and items[k - 1].kind == "link" and items[k - 1].value in ("near", "apart")
-    it = items[k].value == "it" and bool(said.asked) and said.asked[-1].to == "entrance"
+    told = bool(said.asked) and said.asked[-1].to == "entrance"
+    it = items[k].value == "it" and (told or _of_entrance(items[:k]))
     return near and (it or (items[k].kind == "side_role" and items[k].value == "entrance"))
+
+
+def _of_entrance(before: list[Item]) -> bool:
+    """Whether the sentence before speaks of the entrance alone: `The entrance is in the south. …`."""
+    stops = [k for k, i in enumerate(before) if is_mark(i, ".")][-2:]
+    last = before[stops[0] + 1 if len(stops) > 1 else 0 : stops[-1]] if stops else []
+    return any(i.value == "entrance" for i in last) and all(i.room is None for i in last)
 
 
 def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
@@ -119,6 +127,8 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     if following is not None and (opens or items[k].kind == "side"):
         return [following]
     for j in range(k - 1, -1, -1):
+        if items[j].kind == "thing" and items[k].kind in ("beside", "front"):
+            return []  # "a mezzanine above the living room"
         if is_mark(items[j], ".") or items[j].room is not None:
             return _pair(items, j, k)
     return [following] if following else []

@@ -139,7 +139,7 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
     first, *onto = items[p.at].text.split()
-    if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link":
+    if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link" and p.kind != "near":
         head = next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
         p.subject = last.subject if last else (0, 0) if head is None else (head, head + 1)
         return  # "the kitchen has two doors, one to the hall and one to the lounge"

@@ -117,3 +117,25 @@ def test_length_and_width(unit: str) -> None:
 def test_only_before_two_rooms_of_a_longer_list_leaves_the_home_open() -> None:
     program = read("We need five bedrooms, but only two bathrooms, and all bedrooms should be at least 10 m².")
     assert {"living_room", "kitchen", "hallway"} <= {r.type for r in program.rooms} and not program.complete
+
+
+@pytest.mark.parametrize("verb", ["must not have", "should not include", "need not have"])
+def test_what_a_flat_must_not_have(verb: str) -> None:
+    program = read(f"The flat {verb} a dining room or a balcony. Three bedrooms, two baths.")
+    assert not {"dining_room", "balcony"} & {r.type for r in program.rooms}
+
+
+def test_a_place_of_what_is_no_room_is_nobodys() -> None:
+    program = read("A two-bedroom flat with a mezzanine above the living room.")
+    assert not program.requirements and any(word.startswith("mezzanine") for word in program.unread)
+
+
+def test_a_room_one_reaches_from_another_opens_off_it() -> None:
+    program = read("A utility room that you reach from the kitchen. Three bedrooms, one bathroom.")
+    assert ("kitchen_1", "utility_1") in program.links and ("hallway_1", "utility_1") not in program.links
+
+
+def test_it_is_the_entrance_of_the_sentence_before() -> None:
+    program = read("The entrance is on the south side. The kitchen is next to it. Two bedrooms.")
+    assert ("near", "kitchen_1", "entrance", None) in asked(program)
+    assert program.envelope.entrance == "south"
