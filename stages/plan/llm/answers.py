@@ -1,6 +1,8 @@
 """What a model is told, and how its reply becomes a programme or a nameable problem."""
 
 import json
+import re
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -8,7 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from apartgen.schemas.base import Record
-from apartgen.schemas.plan import Program
+from apartgen.schemas.plan import Program, Requirement
 from apartgen.schemas.rooms import kinds
 from apartgen.stages.plan.llm.model import Answer
 from apartgen.stages.things.categories import TABLE
@@ -18,6 +20,18 @@ TERMS = (
     "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou",
 )  # fmt: skip
 """The solver's reward terms."""
+
+
+PLACES = (
+    "north", "south", "east", "west", "north_east", "north_west", "south_east", "south_west", "left", "right", "top",
+    "bottom", "front", "back", "centre", "corner",
+)  # fmt: skip
+KINDS: dict[str, tuple[str, ...]] = {
+    "position": PLACES, "orientation": PLACES[:8], "adjacent": (), "apart": (), "near": (), "opposite": (),
+    "order": ("larger", "smaller", "largest", "smallest"), "dimension": ("<length> x <width>",),
+    "at_least": ("<m²>",), "at_most": ("<m²>",), "use": ("<type of room>",),
+}  # fmt: skip
+"""Kinds of requirements and their values; those without have another room or the entrance in `to`."""
 
 
 class Reply(Record):
@@ -40,6 +54,7 @@ def instructions() -> str:
     """The system prompt: `prompt.md` with the vocabulary filled in."""
     text = (Path(__file__).parent / "prompt.md").read_text(encoding="utf-8")
     text = text.replace("{types}", ", ".join(kinds()))
+    text = text.replace("{requirements}", "; ".join(f"{kind} {' | '.join(v)}".strip() for kind, v in KINDS.items()))
     return text.replace("{categories}", ", ".join(TABLE)).replace("{terms}", ", ".join(TERMS))
 
 
@@ -60,8 +75,12 @@ def programme(answer: Answer) -> Program:
     if not answer.text.strip():
         raise Broken("the reply is empty")
     raw = _object(answer)
+    raw = raw if "program" in raw or "refusal" in raw else {"program": raw}
+    strange = sorted(set(raw["program"]) - set(Program.model_fields)) if isinstance(raw.get("program"), dict) else []
+    if strange:
+        raise Broken(f"program has no field {', '.join(strange)}; what no field can say belongs into unread")
     try:
-        reply = Reply.model_validate(raw if "program" in raw or "refusal" in raw else {"program": raw})
+        reply = Reply.model_validate(raw)
     except ValidationError as e:
         raise Broken(_first_errors(e)) from e
     if reply.program is None:
@@ -69,7 +88,8 @@ def programme(answer: Answer) -> Program:
     problems = faults(reply.program)
     if problems:
         raise Broken("; ".join(problems[:6]))
-    return reply.program
+    asked = [r.model_copy(update={"met": None}) for r in reply.program.requirements]
+    return reply.program.model_copy(update={"requirements": asked})
 
 
 def faults(program: Program) -> list[str]:
@@ -88,6 +108,7 @@ def faults(program: Program) -> list[str]:
     named += [("objects", o.room) for o in program.objects] + [("counts", i) for i in program.counts]
     named += [("private_to", r.private_to) for r in program.rooms if r.private_to]
     out += [f"{where} names {i}, which is not in rooms" for where, i in dict.fromkeys(named) if i not in known]
+    out += [fault for r in program.requirements for fault in _requirement(r, known)]
     out += [f"links joins {a} to itself" for a, b in program.links if a == b]
     out += [
         f"objects names the unknown category {c}"
@@ -100,6 +121,23 @@ def faults(program: Program) -> list[str]:
     return out
 
 
+def _requirement(asked: Requirement, known: set[str]) -> Iterator[str]:
+    """What is wrong with one requirement."""
+    where, value = f"requirement {asked.id}", str(asked.value)
+    if asked.kind not in KINDS:
+        yield f"{where} is of the unknown kind {asked.kind}"
+        return
+    if asked.of not in known | {"home"}:
+        yield f"{where} is of {asked.of}, which is not in rooms"
+    if asked.to is not None and asked.to not in known | {"entrance"}:
+        yield f"{where} names {asked.to}, which is not in rooms"
+    values = KINDS[asked.kind]
+    shape = {"<length> x <width>": r"\d+(\.\d+)? x \d+(\.\d+)?", "<m²>": r"\d+(\.\d+)?", "<type of room>": "[a-z_]+"}
+    fits = not values or value in values or any(re.fullmatch(shape.get(v, "(?!)"), value) for v in values)
+    if not fits or (not values and asked.to is None):
+        yield f"{where} of kind {asked.kind} needs {' | '.join(values) or 'another room'}, not {value}"
+
+
 def _object(answer: Answer) -> dict[str, Any]:
     """The first JSON object in the reply's text, which may stand in prose or a code block."""
     start = answer.text.find("{")
@@ -110,7 +148,7 @@ def _object(answer: Answer) -> dict[str, Any]:
             Declined(_line(answer.text)) if _sounds_declining(answer.text) else Broken("the reply holds no JSON object")
         )
     try:
-        raw, _ = json.JSONDecoder().raw_decode(answer.text[start:])
+        raw = _decoded(answer.text, start)
     except json.JSONDecodeError as e:
         why = (
             "the reply was cut off; be brief, leave out whitespace"
@@ -120,6 +158,13 @@ def _object(answer: Answer) -> dict[str, Any]:
         raise Broken(why) from e
     except RecursionError as e:
         raise Broken("the JSON is nested too deep") from e
+    return raw
+
+
+def _decoded(text: str, start: int) -> dict[str, Any]:
+    """The first object that is a reply, as models think aloud in braces, too; else the one at `start`."""
+    found = [m.start() for m in re.finditer(r"\{(?=\s*\"(?:program|refusal|rooms)\")", text)]
+    raw, _ = json.JSONDecoder().raw_decode(text[found[0] if found else start :])
     return dict(raw)
 
 
