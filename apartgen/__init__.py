@@ -15,6 +15,8 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from apartgen import compiled
+
 if TYPE_CHECKING:
     from apartgen.schemas.artifact import Artifact
     from apartgen.schemas.export import Export
@@ -35,6 +37,8 @@ if TYPE_CHECKING:
 __version__ = "0.2.0"
 __all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "qa", "render", "retrieve",
            "walkable"]
+
+compiled.keep()
 
 
 

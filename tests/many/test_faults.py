@@ -4,9 +4,13 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 
 import pytest
 from test_cli import until_idle
+
+from apartgen import compiled
 
 
 def apartgen(*args: str, **kwargs) -> subprocess.CompletedProcess:
@@ -33,3 +37,25 @@ def test_an_end_by_signal_says_which():
     waiting.send_signal(signal.SIGTERM)
     _, err = waiting.communicate(timeout=60)
     assert waiting.returncode == 128 + signal.SIGTERM and err == "apartgen: interrupted; what was finished is kept\n"
+
+
+def test_where_nothing_can_be_written_compiled_functions_are_kept_apart(tmp_path, monkeypatch):
+    monkeypatch.setattr(compiled, "__file__", "/proc/none/compiled.py")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/proc/none")
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.delenv(compiled.VARIABLE, raising=False)
+
+    def kept() -> Path:
+        compiled.keep()
+        return Path(os.environ.pop(compiled.VARIABLE))
+
+    first = kept()
+    assert first.parent == tmp_path and first == kept() and first.stat().st_mode & 0o777 == 0o700
+    first.chmod(0o777)
+    assert kept() != first, "what others can write into is not run"
+    first.rmdir()
+    first.symlink_to(tmp_path)
+    assert kept() != first
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    compiled.keep()
+    assert compiled.VARIABLE not in os.environ and (tmp_path / "cache").is_dir()
