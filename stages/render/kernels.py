@@ -47,9 +47,11 @@ def smoothed(light, point, normal, distance, reach):
 @njit("float32[:,:](float32[:,:,:],float32[:,:,:],float32[:,:,:],int64,int64,float32[:,:],float32[:,:],float32[:,:],"
       "float32[:])", cache=True, error_model="numpy")
 def spread(light, point, normal, step, start, where, points, normals, distance):
-    """Light at pixels `where` (n, 2: row, column), from that of every `step`-th pixel that lies on the same surface."""
+    """Light at pixels `where` (n, 2: row, column), from that of every `step`-th pixel that lies on the same surface; in
+    the last of four columns, how far any did.
+    """
     rows, columns = light.shape[:2]
-    found = np.empty((len(where), 3), np.float32)
+    found = np.empty((len(where), 4), np.float32)
     for n in range(len(where)):
         y, x = (where[n, 0] - start) / step, (where[n, 1] - start) / step
         i, j = min(max(int(np.floor(y)), 0), rows - 2), min(max(int(np.floor(x)), 0), columns - 2)
@@ -67,4 +69,5 @@ def spread(light, point, normal, step, start, where, points, normals, distance):
                         total[k] += w * light[a, b, k]
         for k in range(3):
             found[n, k] = total[k] / weight
+        found[n, 3] = weight
     return found

@@ -25,16 +25,19 @@ BACK = 0.55
 """Mean share of light that rooms give back."""
 
 
-def irradiance(world: World, point: Array, normal: Array, noise: Array) -> Array:
-    """All light on points (n, 3) but the sun's own, which has sharp edges; `noise` (n, 2) in [0, 1)."""
+def irradiance(
+    world: World, point: Array, normal: Array, noise: Array, mean: Array | None = None
+) -> tuple[Array, Array]:
+    """All light on points (n, 3) but the sun's own, which has sharp edges, and the mean light (3,) about them, which
+    may be given; `noise` (n, 2) in [0, 1).
+    """
     start = point + normal * LIFT
     room = world.room_at(point + normal * 0.08)
     direct = _from_panes(world, start, normal, room, noise) + _from_lamps(world, start, normal, room, noise)
     known, share = _gathered(world, start, normal, room, noise)
     known += direct + LEAST
-    mean = known.mean(0) / (1 - BACK * float(share.mean()))
-    found: Array = known + share * mean
-    return found.astype(np.float32)
+    mean = known.mean(0) / (1 - BACK * float(share.mean())) if mean is None else mean
+    return np.asarray(known + share * mean, np.float32), mean
 
 
 def sunlit(world: World, point: Array, normal: Array) -> Array:

@@ -21,6 +21,10 @@ THIN = 6
 """How far things thinner than a pixel are followed from where they are met, pixels."""
 BESIDE = ((0.25, 0.75),)
 """Where else in a pixel it is looked whether something thin crosses it."""
+ALIKE = 1e-4
+"""Points of which less was found nearby have their light found for themselves."""
+RAISED = 1.5e-3
+"""Surfaces that face alike are two from this distance on, m."""
 GLOSSY = 0.42
 """Surfaces rougher than this mirror nothing."""
 MEAN = 0.25
@@ -38,6 +42,7 @@ class Lit(NamedTuple):
     point: Array
     normal: Array
     start: int
+    mean: Array
 
 
 def picture(world: World, eye: Eye, whole: First, surface: Seen) -> NDArray[np.uint8]:
@@ -66,11 +71,11 @@ def _lit(world: World, eye: Eye, surface: Seen) -> Lit:
     rows, columns = np.arange(start, eye.rows, STEP), np.arange(start, eye.columns, STEP)
     chosen = (rows[:, None] * eye.columns + columns).ravel()
     point, normal = surface.point[chosen], surface.normal[chosen]
-    light = irradiance(world, point, normal, noise_of(np.arange(len(chosen)), len(columns)))
+    light, mean = irradiance(world, point, normal, noise_of(np.arange(len(chosen)), len(columns)))
     shape = (len(rows), len(columns))
     parts = [a.reshape(*shape, 3).astype(np.float32) for a in (light, point, normal)]
     distance = np.minimum(surface.distance[chosen], 100).reshape(shape).astype(np.float32)
-    return Lit(smoothed(parts[0], parts[1], parts[2], distance, 2), parts[1], parts[2], start)
+    return Lit(smoothed(parts[0], parts[1], parts[2], distance, 2), parts[1], parts[2], start, mean)
 
 
 def _shaded(world: World, eye: Eye, lit: Lit, pixels: Index, direction: Array, surface: Seen, mirrored: bool) -> Array:
@@ -79,6 +84,11 @@ def _shaded(world: World, eye: Eye, lit: Lit, pixels: Index, direction: Array, s
     distance = np.minimum(surface.distance, 100).astype(np.float32)
     light = spread(lit.light, lit.point, lit.normal, STEP, lit.start, where, surface.point, surface.normal,
                    distance)
+    light, alike = light[:, :3], light[:, 3]
+    alone = np.flatnonzero((alike < ALIKE) & (surface.triangle >= 0))
+    if len(alone):
+        noise = noise_of(pixels[alone], eye.columns)
+        light[alone], _ = irradiance(world, surface.point[alone], surface.normal[alone], noise, lit.mean)
     full = light + sunlit(world, surface.point, surface.normal)[:, None] * SUN
     glow = world.glow[surface.triangle] & (surface.triangle >= 0)
     metal, rough = _properties(world, surface.triangle)
@@ -153,10 +163,13 @@ def _edges(world: World, eye: Eye, whole: First, surface: Seen) -> Index:
     shape = (eye.rows, eye.columns)
     owner = np.where(surface.triangle >= 0, world.every.soup.owner[surface.triangle], -1).reshape(shape)
     feature = np.concatenate([surface.normal, 2 * surface.color, 2 * surface.through], -1).reshape(*shape, 9)
+    point, normal = surface.point.reshape(*shape, 3), surface.normal.reshape(*shape, 3)
     found = np.zeros(shape, bool)
     for axis in (0, 1):
         step = np.abs(np.diff(feature, axis=axis)).sum(-1) > 0.3
         step |= np.diff(owner, axis=axis) != 0
+        before = normal[:-1] if axis == 0 else normal[:, :-1]
+        step |= np.abs(np.einsum("ijd,ijd->ij", np.diff(point, axis=axis), before)) > RAISED
         ahead, behind = ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1]))[axis]
         found[ahead] |= step
         found[behind] |= step
@@ -183,5 +196,7 @@ def _within(world: World, eye: Eye, whole: First) -> NDArray[np.bool_]:
         a, b = here[rows], there[rows]
         turn = np.einsum("nd,nd->n", soup.normals[a, 0], soup.normals[b, 0]) < 0.9
         other = (soup.owner[a] != soup.owner[b]) | (soup.material[a] != soup.material[b]) | turn
+        away = soup.corners[b, 0] - soup.corners[a, 0]
+        other |= np.abs(np.einsum("nd,nd->n", away, soup.normals[a, 0])) > RAISED
         found[rows] |= other | (np.minimum(a, b) < 0)
     return found
