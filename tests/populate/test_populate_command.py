@@ -9,6 +9,7 @@ from inhabited import HOME
 
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Made
+from apartgen_cli import main
 
 
 @pytest.fixture
@@ -19,11 +20,12 @@ def ran(capsys, monkeypatch):
     return run
 
 
-@pytest.fixture
-def filled(ran, tmp_path):
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory):
     """A populated home's file."""
-    assert ran("populate", HOME, "-o", tmp_path / "populate.json").code == 0
-    return tmp_path / "populate.json"
+    file = tmp_path_factory.mktemp("filled") / "populate.json"
+    assert main.status(["populate", str(HOME), "-o", str(file)]) == 0
+    return file
 
 
 def body(file):

@@ -79,7 +79,7 @@ def solids(made, skip=""):
 
 @pytest.mark.parametrize("category", sorted(rules.bearers()))
 def test_places_are_free_and_lie_on_something(category):
-    for k, style in enumerate(furniture.styles(category)[:3]):
+    for k, style in enumerate(furniture.styles(category)[:2]):
         made = furniture.build(category, style, TABLE[category].size, k)
         every = solids(made)
         for place in receptacles(made):

