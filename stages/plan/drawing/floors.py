@@ -52,7 +52,10 @@ def storey(drawing: Drawing, inner: float, said: list[str]) -> Storey:
     BadInput for rooms that cross themselves or lie over each other.
     """
     walls = shapely.union_all([shapely.make_valid(wall) for wall in drawing.walls])
-    spaces = [Space(space.name, _proper(space)) for space in drawing.spaces]
+    spaces = [Space(space.name, _proper(space)) for space in drawing.spaces if not names.is_outside(space.name)]
+    if len(spaces) < len(drawing.spaces):
+        left = ", ".join(repr(space.name) for space in drawing.spaces if names.is_outside(space.name))
+        said.append(f"left out, out of doors: {left}")
     spaces += _enclosed(walls, spaces, drawing.holes)
     rooms = [Room(space.name, floor) for space in spaces if (floor := _clear(space, walls, said)) is not None]
     rooms = [room._replace(name=room.name or _label(room.floor, drawing.labels)) for room in rooms]
@@ -91,7 +94,8 @@ def _label(floor: Polygon, labels: list[Label]) -> str:
     """The text in a room that speaks of a type of room, else any with letters in it."""
     inside = [label.text for label in labels if floor.intersects(Point(label.at))]
     worded = [text for text in inside if any(letter.isalpha() for letter in text)]
-    return next((text for text in worded if names.read(text)), worded[0] if worded else "")
+    speaking = [text for text in worded if names.read(text) and not names.is_outside(text)]
+    return next(iter([*speaking, *worded]), "")
 
 
 def _outside(rooms: list[Room], walls: Geometry) -> float | None:

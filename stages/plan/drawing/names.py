@@ -11,6 +11,8 @@ from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 
+OUTSIDE = "outside"
+"""What labels call places out of doors."""
 _ID = re.compile(r"([a-z][a-z_]*)[ _](\d{1,3})")
 
 
@@ -32,10 +34,16 @@ def read(name: str) -> Named | None:
     plain = " ".join(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).split())
     if (own := _ID.fullmatch(plain.lower().replace("-", "_"))) and (type := own[1].replace(" ", "_")) in kinds():
         return Named(type, int(own[2]))
-    words = re.split(r"[\s/,;+&()]+", fold(plain))
+    words = [*re.split(r"[\s/,;+&()]+", fold(plain)), fold(name.strip())]
     labelled = [_labels()[word.rstrip(".")] for word in words if word.rstrip(".") in _labels()]
     found = _known(plain)
     return Named(found or labelled[0]) if found or labelled else None
+
+
+def is_outside(name: str) -> bool:
+    """Whether a name is that of a place out of doors, which is no room."""
+    found = read(name)
+    return found is not None and found.type == OUTSIDE
 
 
 def _known(name: str) -> str | None:

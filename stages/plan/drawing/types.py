@@ -37,7 +37,7 @@ NARROW, SMALL, MIDDLING = 1.9, 4.0, 7.0
 
 def told(rooms: list[Room], things: list[Thing], said: list[str]) -> list[tuple[str, str]]:
     """Id and type of each room; what is guessed is `said`."""
-    read = [names.read(room.name) for room in rooms]
+    read = [None if names.is_outside(room.name) else names.read(room.name) for room in rooms]
     largest = max((k for k, found in enumerate(read) if found is None), key=lambda k: rooms[k].floor.area, default=-1)
     lived = any(found and found.type == "living_room" for found in read)
     types = [

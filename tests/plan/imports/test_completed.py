@@ -81,6 +81,11 @@ def test_what_cannot_be_taken_is_said(caplog: pytest.LogCaptureFixture) -> None:
         assert words in said, said
 
 
+def test_gardens_are_no_rooms(caplog: pytest.LogCaptureFixture) -> None:
+    plan, said = read(PAIR + room(-400, 405, 1100, 900, "Back garden"), caplog)
+    assert [r.id for r in plan.rooms] == ["living_room_1", "bedroom_1"] and "out of doors: 'Back garden'" in said
+
+
 def test_drawings_far_from_their_origin_are_moved(caplog: pytest.LogCaptureFixture) -> None:
     far = room(300005, 200005, 300395, 200395, "Living room") + room(300405, 200005, 300695, 200395, "Bedroom")
     plan, said = read(far, caplog)
