@@ -7,7 +7,7 @@ from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import GAP, Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.tables import ellipse
-from apartgen.stages.things import categories
+from apartgen.stages.things import categories, materials
 
 _PANE = 0.008
 
@@ -90,6 +90,12 @@ def _fittings(kit: Kit, metal: str) -> None:
     b.box(metal, (kit.x[0], x), (-0.03, 0.03), (1.03, 1.07))
 
 
+_PANE = 0.004
+"""Thickness of a mirror's glass, m."""
+_BACK, _BOARD = 350.0, 0.03
+"""What the frame and the back of a mirror weigh by their volume, kg/m³, and how thick they are at most, m."""
+
+
 @design("mirror", "frame", "round", "arch", "plain")
 def mirror(kit: Kit) -> None:
     """Glass in a frame, oval, arched or bare."""
@@ -113,25 +119,38 @@ def mirror(kit: Kit) -> None:
         else:
             outline = unit * [kit.w / 2, kit.h / 2] + middle
         shrunk = (outline - middle) * [1 - 2 * t / kit.w, 1 - 2 * t / kit.h] + middle
+        b.fill = _hollow(frame, kit.d)
         b.prism(frame, outline, kit.x[0], glass[0], 0)
+        b.fill = min(1.0, _PANE / (kit.x[1] - glass[0]))
         b.prism("mirror", shrunk, glass[0], kit.x[1], 0)
+        b.fill = 1.0
         return
     if kit.style == "plain":
         b.box("mirror", (kit.x[1] - min(0.006, 0.3 * kit.d), kit.x[1]), kit.y, (0, kit.h))
+        b.fill = _hollow("plastic_grey", kit.d)
         b.box(
             "plastic_grey",
             (kit.x[0], kit.x[1] - min(0.006, 0.3 * kit.d)),
             (kit.y[0] + 0.03, kit.y[1] - 0.03),
             (0.03, kit.h - 0.03),
         )
+        b.fill = 1.0
         return
+    b.fill = _hollow(frame, kit.d)
     for side in ((kit.y[0], kit.y[0] + t), (kit.y[1] - t, kit.y[1])):
         b.box(frame, kit.x, side, (0, kit.h))
     inner = (kit.y[0] + t, kit.y[1] - t)
     for z in ((0, t), (kit.h - t, kit.h)):
         b.box(frame, kit.x, inner, z)
-    b.box("mirror", glass, inner, (t, kit.h - t))
     b.box(frame, (kit.x[0], glass[0]), inner, (t, kit.h - t))
+    b.fill = min(1.0, _PANE / (glass[1] - glass[0]))
+    b.box("mirror", glass, inner, (t, kit.h - t))
+    b.fill = 1.0
+
+
+def _hollow(frame: str, deep: float) -> float:
+    """Share of a mirror's frame and back that is solid: a thin board of wood, or sheet metal before one."""
+    return min(1.0, _BACK / materials.density(frame)) * min(1.0, _BOARD / deep)
 
 
 @design("towel_rail", "ladder", "bars")
