@@ -15,7 +15,7 @@ class _Standard(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         prefix = "" if record.levelno < logging.WARNING else f"{record.levelname.lower()}: "
-        print(f"{prefix}{record.getMessage()}", file=sys.stderr)
+        print(printable(f"{prefix}{record.getMessage()}"), file=sys.stderr)
 
 
 def listen(quiet: bool) -> None:
@@ -32,7 +32,12 @@ def say(message: str) -> None:
 
 def fail(message: str) -> None:
     """What is wrong, in one or two lines."""
-    print(f"apartgen: {message}", file=sys.stderr)
+    print(printable(f"apartgen: {message}"), file=sys.stderr)
+
+
+def printable(text: str) -> str:
+    """A text without what would steer a terminal; what files and models say is not ours."""
+    return "".join(c if c.isprintable() or c in "\n\t" else f"\\x{ord(c):02x}" for c in text)
 
 
 def progress(items: Iterable[Item], what: str, total: int | None) -> Iterator[Item]:

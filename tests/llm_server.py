@@ -33,6 +33,8 @@ class Step:
     finish: str = "stop"
     refusal: str | None = None
     delay: float = 0.0
+    pause: float = 0.0
+    """Seconds between one byte of the reply and the next."""
     raw: bytes | None = None
 
 
@@ -79,16 +81,18 @@ class Handler(BaseHTTPRequestHandler):
             "choices": [{"index": 0, "message": message, "finish_reason": step.finish}],
             "usage": {"prompt_tokens": 100, "completion_tokens": 40, "total_tokens": 140},
         }  # fmt: skip
-        return self._send(200, json.dumps(reply))
+        return self._send(200, json.dumps(reply), step.pause)
 
-    def _send(self, status: int, body: str) -> None:
+    def _send(self, status: int, body: str, pause: float = 0.0) -> None:
         data = body.encode()
         try:
             self.send_response(status)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(data)))
             self.end_headers()
-            self.wfile.write(data)
+            for part in [data[i:i + 1] for i in range(len(data))] if pause else [data]:
+                self.wfile.write(part)
+                time.sleep(pause)
         except (BrokenPipeError, ConnectionResetError):
             pass  # the client gave up waiting
 

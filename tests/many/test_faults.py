@@ -11,6 +11,7 @@ import pytest
 from test_cli import until_idle
 
 from apartgen import compiled
+from apartgen_cli.console import fail, listen, say
 
 
 def apartgen(*args: str, **kwargs) -> subprocess.CompletedProcess:
@@ -59,3 +60,10 @@ def test_where_nothing_can_be_written_compiled_functions_are_kept_apart(tmp_path
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     compiled.keep()
     assert compiled.VARIABLE not in os.environ and (tmp_path / "cache").is_dir()
+
+
+def test_what_is_said_does_not_steer_a_terminal(capsys):
+    listen(quiet=False)
+    fail("no \x1b[2Jflat\x07 of \udcff, bäd 字\nnext")
+    say("\x1b]0;title\x07")
+    assert capsys.readouterr().err == "apartgen: no \\x1b[2Jflat\\x07 of \\xdcff, bäd 字\nnext\n\\x1b]0;title\\x07\n"

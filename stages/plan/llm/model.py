@@ -3,7 +3,10 @@
 import logging
 import os
 import re
+import threading
 import time
+from collections.abc import Callable
+from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any
 
@@ -74,16 +77,20 @@ class Model:
 
     def _once(self, messages: Messages, way: dict[str, Any]) -> Answer:
         extra = {"api_base": self.api_base} if self.api_base else {}
-        reply = self.litellm.completion(
-            model=self.name,
-            messages=messages,
-            temperature=0,
-            timeout=self.timeout,
-            max_retries=0,
-            num_retries=0,
-            **extra,
-            **way,
+        reply = self._in_time(
+            lambda: self.litellm.completion(
+                model=self.name,
+                messages=messages,
+                temperature=0,
+                timeout=self.timeout,
+                max_retries=0,
+                num_retries=0,
+                **extra,
+                **way,
+            )
         )
+        if not reply.choices:
+            return Answer("")
         choice = reply.choices[0]
         usage = getattr(reply, "usage", None)
         return Answer(
@@ -96,6 +103,22 @@ class Model:
             completion_tokens=getattr(usage, "completion_tokens", 0) or 0,
             cost=self._cost(reply),
         )
+
+    def _in_time(self, ask: Callable[[], Any]) -> Any:
+        """The reply, all of it within the time limit: the client's own limit is between one byte and the next."""
+        found: Future[Any] = Future()
+
+        def run() -> None:
+            try:
+                found.set_result(ask())
+            except BaseException as error:
+                found.set_exception(error)
+
+        threading.Thread(target=run, daemon=True).start()
+        try:
+            return found.result(self.timeout)
+        except TimeoutError:
+            raise self.litellm.Timeout("the reply did not end", model=self.name, llm_provider="") from None
 
     def _cost(self, reply: Any) -> float | None:
         try:

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -164,6 +165,22 @@ def test_a_slow_server_times_out(script: Script) -> None:
     script.steps = [Step(good(), delay=1.5)]
     with pytest.raises(Unmet, match=r"within 0\.3 s"):
         ask(script, timeout=0.3, retries=1)
+
+
+def test_a_reply_that_trickles_is_not_waited_for(script: Script) -> None:
+    script.steps = [Step(good(), pause=0.05)]
+    began = time.monotonic()
+    with pytest.raises(Unmet, match=r"within 1 s"):
+        ask(script, timeout=1.0, retries=0)
+    assert time.monotonic() - began < 10
+
+
+def test_a_reply_without_any_choice_is_unmet(script: Script) -> None:
+    empty = {"id": "r", "object": "chat.completion", "created": 1, "model": "m", "choices": []}
+    script.steps = [Step(raw=json.dumps(empty).encode())]
+    with pytest.raises(Unmet) as told:
+        ask(script, retries=0)
+    assert "IndexError" not in str(told.value)
 
 
 def test_a_reply_that_is_no_json_at_all_is_unmet(script: Script) -> None:
