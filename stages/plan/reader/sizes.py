@@ -12,6 +12,9 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.statements import Said, Statement
 from apartgen.stages.plan.reader.style import style_of
 
+CLEARLY = 1.3
+"""How much larger than the others the largest room is."""
+
 
 def room_areas(
     said: Said, home: Household, rooms: list[AskedRoom], links: list[Link], ids: dict[int, str]
@@ -30,11 +33,26 @@ def room_areas(
     _equalise(base, home, ids)
     for statement in said.statements:
         _compare(statement, home, ids, base, stated)
+    _extremes(said, home, ids, base, stated)
     filled = fill(rooms, base, stated, shares, said.total_area)
     for statement in said.statements:
         if statement.kind == "compare" and said.total_area is not None:
             filled = _compared(statement, home, ids, filled, rooms, stated, shares, said.total_area)
     return filled
+
+
+def _extremes(
+    said: Said, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]
+) -> None:
+    """`the kitchen should be the largest room`: clearly larger than the others, so that a plan may differ a little."""
+    for wish in said.asked:
+        rooms = [ids[id(e)] for e in entities(wish.of, home)] if wish.kind == "order" and not wish.to else []
+        for room in (r for r in rooms if r not in stated):
+            others = [stated.get(i, area) for i, area in base.items() if i not in rooms]
+            if wish.value == "largest":
+                base[room] = max(base[room], CLEARLY * max(others, default=0.0))
+            elif wish.value == "smallest":
+                base[room] = min(base[room], min(others, default=base[room]) / CLEARLY)
 
 
 def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> None:

@@ -97,6 +97,13 @@ def test_orders_by_area(prompt: str, row: tuple[str, str, str | None, str]) -> N
     assert row in asked(read(prompt))
 
 
+@pytest.mark.parametrize("kind", ["kitchen", "bathroom", "living room"])
+def test_the_largest_room_is_given_the_largest_area(kind: str) -> None:
+    program = read(f"One bedroom. The {kind} should be the largest room.")
+    area = {r.id: r.area or 0.0 for r in program.rooms}
+    assert max(area, key=lambda room: area[room]) == f"{kind.replace(' ', '_')}_1"
+
+
 def test_the_largest_room_with_an_area_is_the_living_room() -> None:
     program = read("Three rooms and a kitchen, the biggest room being 25 m².")
     assert next(r.area for r in program.rooms if r.type == "living_room") == 25.0
