@@ -12,6 +12,8 @@ Array = NDArray[np.float64]
 THICK = 0.7
 """What is nowhere wider is a wall, not a room, m."""
 TINY = 1e-3
+JAMB = 0.1
+"""A door has wall this far beyond its ends, m."""
 
 
 def walls(lines: Sequence[LineString]) -> list[Polygon]:
@@ -21,6 +23,12 @@ def walls(lines: Sequence[LineString]) -> list[Polygon]:
     noded = shapely.unary_union(shapely.set_precision(shapely.multilinestrings([*lines]), 1e-4))
     faces = [face for face in polygonize(noded) if face.area > TINY]
     return [face for face in faces if face.buffer(-THICK / 2).is_empty]
+
+
+def thickness(wall: Polygon) -> float:
+    """Of a rectangle of the same area and circumference, m."""
+    half = wall.length / 2
+    return float(half - np.sqrt(max(half**2 - 4 * wall.area, 0.0))) / 2
 
 
 def spans(shapes: Sequence[LineString]) -> list[tuple[Array, Array]]:
@@ -39,11 +47,13 @@ def spans(shapes: Sequence[LineString]) -> list[tuple[Array, Array]]:
 
 
 def shut(hinge: Array, ends: Sequence[Array], floors: Sequence[Polygon], stand: Sequence[Polygon]) -> int:
-    """Which of the two ends of a door's arc lies in the wall: where no room is, then where walls are near."""
+    """Which of the two ends of a door's arc lies in the wall: where no room is, then between two jambs."""
 
-    def inside(end: Array) -> tuple[int, float]:
-        middle = Point(0.5 * (hinge + end))
-        within = sum(floor.buffer(-0.02).contains(middle) for floor in floors)
-        return within, round(min((wall.distance(middle) for wall in stand), default=0.0), 3)
+    def amiss(end: Array) -> tuple[int, int, float]:
+        along = (end - hinge) / max(float(np.hypot(*(end - hinge))), 1e-9)
+        within = sum(floor.buffer(-0.02).contains(Point(0.5 * (hinge + end))) for floor in floors)
+        beyond = [Point(hinge - JAMB * along), Point(end + JAMB * along)]
+        held = sum(any(wall.distance(jamb) < 0.02 for wall in stand) for jamb in beyond)
+        return within, -held, min((wall.distance(Point(end)) for wall in stand), default=0.0)
 
-    return 0 if inside(ends[0]) <= inside(ends[1]) else 1
+    return 0 if amiss(ends[0]) <= amiss(ends[1]) else 1

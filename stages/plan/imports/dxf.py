@@ -35,6 +35,8 @@ WORDS = {
 UNITS = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1}
 """Metres of DXF's units."""
 CURVES = ("LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE")
+USUAL = 14.0
+"""Width of a drawing, by which its unit is guessed, m."""
 FLAT = 0.01
 """Curves are followed to this, m."""
 DEEPEST = 4
@@ -114,7 +116,7 @@ def _scale(doc: Any, parts: list[Part], said: list[str]) -> float:
     wide = float(np.ptp(np.concatenate(points)[:, :2], axis=0).max())
     if told is not None and 2 <= wide * told <= 300:
         return told
-    guess = next((unit for unit in (1.0, 0.01, 0.001) if 3 <= wide * unit <= 120), 1.0)
+    guess = min((1.0, 0.01, 0.001), key=lambda unit: abs(np.log(max(wide * unit, 1e-9) / USUAL)))
     said.append(
         f"{'no unit' if told is None else 'a unit that makes it ' + format(wide * told, '.4g') + ' m wide'}: "
         f"{ {1.0: 'metres', 0.01: 'centimetres', 0.001: 'millimetres'}[guess] } taken"
@@ -268,7 +270,11 @@ class _Sheet:
 
 
 def _fillers(holes: list[Hole], stand: list[Polygon]) -> list[Polygon]:
-    """Walls in the gaps that doors leave between them, of the usual thickness."""
-    thick = [2 * wall.area / wall.length for wall in stand]
-    usual = float(np.median(thick)) if thick else 0.1
-    return [LineString(hole.ends).buffer(0.5 * usual + 0.01, cap_style="square") for hole in holes]
+    """Walls in the gaps that doors leave, each as thick as the wall beside it."""
+    out = []
+    for hole in holes:
+        line = LineString(hole.ends)
+        beside = min(stand, key=lambda wall: (round(wall.distance(line), 2), wall.area), default=None)
+        thick = 0.1 if beside is None else _lines.thickness(beside)
+        out.append(line.buffer(0.5 * thick, cap_style="square"))
+    return out
