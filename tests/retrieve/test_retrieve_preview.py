@@ -1,5 +1,7 @@
 """Previews: pictures of assets closed and open, of the embedded library and of indexed ones."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -107,3 +109,13 @@ def test_every_listed_asset_of_the_embedded_library_can_be_shown(capsys):
         assert status(["assets", "show", name, id]) == 0
         assert f'"id": "{id}"' in capsys.readouterr().out
         assert furniture.load_asset(id).size == pytest.approx([float(side) for side in size.split()], abs=0.006)
+
+
+def test_a_picture_does_not_hang_on_the_order_of_triangles():
+    """Whichever of a cube's triangles is the first, among them all that the camera sees."""
+    whole, pictures = cube(Material("a", (0.1, 0.2, 0.9, 1.0))), []
+    (mesh,) = whole.links[0].visuals
+    for k in range(len(FACES)):
+        link = replace(whole.links[0], visuals=[replace(mesh, faces=np.roll(FACES, k, 0))])
+        pictures.append(render.pictures([render.opened(replace(whole, links=[link]), 0.0)], 48)[0].astype(int))
+    assert all(np.abs(one - pictures[0]).max() <= 1 for one in pictures)
