@@ -66,7 +66,7 @@ def labelled(world: World, eye: Eye, whole: First, surface: Seen, things: list[I
     depth, number = np.zeros(len(direction)), np.zeros(len(direction), np.uint16)
     normal, albedo = np.zeros((len(direction), 3), np.uint8), np.zeros((len(direction), 3), np.uint8)
     depth[rows] = met.distance * (_ahead(eye, direction[rows]) if isinstance(eye, Camera) else 1.0) * 1000
-    normal[rows] = np.rint((turned(_faces(world, met), direction[rows]) + 1) * 127.5)
+    normal[rows] = np.rint((turned(world.faces[met.triangle], direction[rows]) + 1) * 127.5)
     albedo[rows] = np.rint(encoded(_color(world, eye, rows, met, surface)) * 255)
     number[rows] = world.every.soup.owner[met.triangle] + 1
     table = np.array([0, *(thing.label for thing in things)], np.uint16)
@@ -87,14 +87,6 @@ def _color(world: World, eye: Eye, rows: Index, met: Hits, surface: Seen) -> Arr
 def _ahead(eye: Camera, direction: NDArray[np.float32]) -> NDArray[np.float64]:
     """How far along the camera's axis a metre along each ray goes."""
     return np.asarray(-direction.astype(float) @ eye.frame[2].astype(float))
-
-
-def _faces(world: World, met: Hits) -> NDArray[np.float32]:
-    """Unit normals of the flat triangles that were met."""
-    corners = world.every.soup.corners[met.triangle]
-    flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    unit: NDArray[np.float32] = flat / np.linalg.norm(flat, axis=1, keepdims=True).clip(1e-20)
-    return unit
 
 
 def visible(instance: NDArray[np.uint16]) -> list[Visible]:

@@ -47,7 +47,7 @@ class Pane:
 @dataclass(frozen=True)
 class World:
     """`owner` of a triangle is a body's index; `blockers` are without glass and lamps; `glow` is each triangle's own
-    light. `rooms` holds the index of the room for each cell of `cells`.
+    light, `faces` its unit normal. `rooms` holds the index of the room for each cell of `cells`.
     """
 
     plan: Plan
@@ -57,6 +57,7 @@ class World:
     alpha: Array
     glow: Array
     flat: Array
+    faces: Array
     rooms: NDArray[np.int16]
     cells: Grid
     lamps: list[Lamp]
@@ -92,19 +93,22 @@ def roofless(home: World) -> World:
     """The same without its ceilings and what hangs from them."""
     bare = np.array([body.kind != "ceiling" and not _hangs(body) for body in home.bodies])
     shown, _ = split(home.every.soup, bare[home.every.soup.owner])
-    every, blockers, alpha, glow, flat = _traced(home.bodies, shown)
-    return replace(home, every=every, blockers=blockers, alpha=alpha, glow=glow, flat=flat,
+    every, blockers, alpha, glow, flat, faces = _traced(home.bodies, shown)
+    return replace(home, every=every, blockers=blockers, alpha=alpha, glow=glow, flat=flat, faces=faces,
                    outdoors=np.ones(len(home.plan.rooms), bool))
 
 
-def _traced(bodies: list[Body], every: Soup) -> tuple[Tracer, Tracer, Array, Array, Array]:
+def _traced(bodies: list[Body], every: Soup) -> tuple[Tracer, Tracer, Array, Array, Array, Array]:
     """What a world holds of its triangles."""
     alpha = np.array([m.color[3] for m in every.materials], np.float32)[every.material]
     lamp = np.array([_shines(body) for body in bodies])[every.owner]
     glowing = np.array([m.name in GLOWING for m in every.materials])[every.material] & lamp
     _, blockers = split(every, (alpha < 1) | lamp)
     flat = linear(np.array([m.color[:3] for m in every.materials], np.float32))
-    return Tracer(every), Tracer(blockers), alpha, glowing, flat
+    sides = every.corners[:, 1:] - every.corners[:, :1]
+    faces = np.cross(sides[:, 0], sides[:, 1])
+    return Tracer(every), Tracer(blockers), alpha, glowing, flat, faces / np.linalg.norm(
+        faces, axis=1, keepdims=True).clip(1e-20)
 
 
 def _shines(body: Body) -> bool:
