@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 Entity = Any
 WORDS = {
     "passage": r"passage|opening|durchgang|doorway",
-    "door": r"door|t(ü|ue)r(?!k)|porte|puerta|\bporta|drzwi|deur|门",
+    "door": r"door|t(ü|ue)r(?!k)|porte(?!u)|puerta|\bporta|drzwi|deur|门",
     "window": r"glaz|window|wind\b|fenster|fen(ê|e)tre|ventana|finestra|okno|raam|窗",
     "label": r"iden|text|anno|beschrift|texte|label|dim|bema(ß|ss)",
     "furniture": r"furn|m(ö|oe)bel|mobil|meuble|mueble|arred|meubel|equip|eqpm|sanit|appl|fixt|家具",
