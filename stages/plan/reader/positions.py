@@ -47,7 +47,9 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             ]
             k += 1
             continue
-        if item.kind not in ("place", "beside", "thing"):
+        if item.kind == "beside":
+            said.unread.append(text)
+        elif item.kind not in ("place", "thing"):
             out.append(item)
         k += 1
     return out
@@ -63,11 +65,12 @@ def _side(item: Item) -> str:
 
 def _beside(items: list[Item], k: int) -> bool:
     """`the kitchen is to the left of the lounge`."""
-    if not _side(items[k]) or k == 0 or k + 1 >= len(items) or not _rooms(items, k):
+    if not _side(items[k]) or k + 1 >= len(items) or not _rooms(items, k):
         return False
     other = items[k + 1].room
     verb = k + 2 < len(items) and items[k + 2].kind in ("reach", "copula", "link")
-    return (other is not None and not (items[k].kind == "front" and verb)) or items[k + 1].value in ("it", "entrance")
+    doors = items[k].kind == "front" and verb and other is not None and other.type == "hallway"
+    return (other is not None and not doors) or items[k + 1].value in ("it", "entrance")
 
 
 def _seen_from(items: list[Item], k: int, said: Said) -> None:
@@ -119,6 +122,8 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms whose place `items[k]` is: `south-facing lounge`, `on the left the bath`, `the kitchen at the back`."""
     if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun"):
         return []
+    if _side(items[k]):
+        return _beside_what(items, k)
     opens = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary")
     after = k + 1
     while opens and after < len(items) and items[after].kind in ("reach", "copula"):
@@ -127,11 +132,22 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     if following is not None and (opens or items[k].kind == "side"):
         return [following]
     for j in range(k - 1, -1, -1):
-        if items[j].kind == "thing" and items[k].kind in ("beside", "front"):
-            return []  # "a mezzanine above the living room"
         if is_mark(items[j], ".") or items[j].room is not None:
             return _pair(items, j, k)
     return [following] if following else []
+
+
+def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
+    """The rooms that lie to a side of another: `left of the bath is the kitchen`, `north of A and west of B`."""
+    if k == 0 or items[k - 1].kind in ("mark", "boundary"):
+        after = next((i for i in items[k + 2 :] if i.kind not in ("reach", "copula")), Item(""))
+        return [after.room] if after.room is not None else []
+    for j in range(k - 1, -1, -1):
+        if items[j].kind == "thing" or is_mark(items[j], "."):
+            return []  # "a mezzanine above the living room"
+        if items[j].room is not None and not (j and _side(items[j - 1])):
+            return _pair(items, j, k)
+    return []
 
 
 def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:

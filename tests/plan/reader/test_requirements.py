@@ -146,3 +146,24 @@ def test_it_is_the_entrance_of_the_sentence_before() -> None:
     program = read("The entrance is on the south side. The kitchen is next to it. Two bedrooms.")
     assert ("near", "kitchen_1", "entrance", None) in asked(program)
     assert program.envelope.entrance == "south"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "rows"),
+    [
+        ("One bedroom. The lounge is north of the kitchen and west of the bedroom.",
+         {("living_room_1", "kitchen_1", "north"), ("living_room_1", "bedroom_1", "west")}),
+        ("One bedroom. The kitchen is left of the lounge and the bedroom is above the kitchen.",
+         {("kitchen_1", "living_room_1", "left"), ("bedroom_1", "kitchen_1", "north")}),
+        ("One bedroom. To the left of the kitchen is the bathroom.", {("bathroom_1", "kitchen_1", "left")}),
+        ("One bedroom. The hall leads to the kitchen, right of it is the bathroom.",
+         {("bathroom_1", "kitchen_1", "right")}),
+    ],
+)  # fmt: skip
+def test_who_lies_beside_whom(prompt: str, rows: set[tuple[str, str, str]]) -> None:
+    assert asked(read(prompt)) == {("position", *row) for row in rows}
+
+
+def test_on_the_left_of_the_hall_are_its_doors() -> None:
+    program = read("On the left of the hall are two bedrooms. One bathroom.")
+    assert not program.requirements and ("bedroom_1", "hallway_1") in program.links
