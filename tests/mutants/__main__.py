@@ -136,8 +136,9 @@ def tried(bench: Bench, change: Change, tests: Sequence[str]) -> tuple[Fate, str
     text = said.read_text(encoding="utf-8", errors="replace")
     if status < 0:
         return "too long", ""
-    failed = [line for line in text.splitlines() if line.startswith(("FAILED tests/", "ERROR tests/"))]
-    if status > 2 and not failed:  # else a file of tests could not be imported with it
+    signs = ("FAILED tests/", "ERROR tests/", "ERROR: not found: ", "ERROR: found no collectors")
+    failed = [line for line in text.splitlines() if line.startswith(signs)]
+    if status > 2 and not failed:  # else tests could not be imported with it, or are no longer there
         raise RuntimeError(text[-2000:])
     return ("survived", "") if status == 0 else ("killed", failed[0] if failed else text[-200:])
 
