@@ -55,13 +55,12 @@ def picture(world: World, eye: Eye, whole: First, surface: Seen) -> NDArray[np.u
     exposure = _exposure(shaded, surface.triangle >= 0)
     image = _developed(shaded, surface, whole.direction, exposure)
     edge = _edges(world, eye, whole, surface)
-    total = image[edge]
-    for k in range(EDGE_RAYS):
-        within = (0.5 + (k + 1) * GOLDEN) % 1
-        part = first(world, eye, edge, within)
-        fine = seen(world, eye.eye, part.direction, part.hits, angle(eye))
-        total += _developed(_shaded(world, eye, lit, edge, part.direction, fine, False), fine, part.direction, exposure)
-    image[edge] = total / (EDGE_RAYS + 1)
+    within = (0.5 + np.arange(1, EDGE_RAYS + 1)[:, None] * GOLDEN) % 1
+    again = np.tile(edge, EDGE_RAYS)
+    part = first(world, eye, again, np.repeat(within, len(edge), axis=0).T)
+    fine = seen(world, eye.eye, part.direction, part.hits, angle(eye))
+    more = _developed(_shaded(world, eye, lit, again, part.direction, fine, False), fine, part.direction, exposure)
+    image[edge] = (image[edge] + more.reshape(EDGE_RAYS, -1, 3).sum(0)) / (EDGE_RAYS + 1)
     return np.asarray(np.rint(encoded(image).reshape(eye.rows, eye.columns, 3) * 255), np.uint8)
 
 
