@@ -152,10 +152,18 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             if plan is not None:
                 for line in step.given_up:
                     log.warning("plan: %s", line)
-                return judged(_turned_back(plan, angle, envelope))
+                return _told(judged(_turned_back(plan, angle, envelope)))
             if tried >= TRIED and envelope.outline is not None:
                 break
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
+
+
+def _told(plan: Plan) -> Plan:
+    """The plan; what it does not have of what was asked is told."""
+    for asked in plan.program.requirements:
+        if asked.met is False:
+            log.warning('plan: not met: "%s"', asked.text or f"{asked.of}: {asked.kind} {asked.value or asked.to}")
+    return plan
 
 
 def _upright(program: Program) -> tuple[Program, float]:

@@ -92,3 +92,12 @@ def test_a_plan_has_its_kitchen_where_it_was_asked_for(side: str) -> None:
     asked = read(f"One-bedroom flat with the kitchen in the {side}.")
     plans = [build(asked, PlanConfig(processes=1), np.random.default_rng(seed)) for seed in range(3)]
     assert sum(plan.program.requirements[0].met is True for plan in plans) >= 2
+
+
+def test_what_is_not_met_is_told(caplog: pytest.LogCaptureFixture) -> None:
+    both = read("One-bedroom flat with the kitchen in the north.")
+    south = both.requirements[0].model_copy(update={"id": "asked_2", "value": "south", "text": "kitchen in the south"})
+    asked = both.model_copy(update={"requirements": [*both.requirements, south]})
+    plan = build(asked, PlanConfig(processes=1), np.random.default_rng(0))
+    missed = [r.text for r in plan.program.requirements if r.met is False]
+    assert missed and [f'plan: not met: "{text}"' for text in missed] == [m for m in caplog.messages if "not met" in m]
