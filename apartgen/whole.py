@@ -25,13 +25,13 @@ DEFAULT_FORMATS = ("glb", "mjcf", "svg", "png")
 PICTURES = (".svg", ".png")
 
 
-def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record]) -> Iterator[Path]:
+def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record], id: str = "") -> Iterator[Path]:
     """Every stage that there are settings for in turn; yields each file, made now or found as an earlier run left it,
-    the pictures last.
+    the pictures last. The plan draws by the id, where there is one, else by the prompt's words.
 
     Raises Unmet at the end where the walkable target was missed and the home asked for all the same.
     """
-    home = _planned(prompt, settings["plan"], seed, folder)
+    home = _planned(prompt, settings["plan"], seed, folder, id)
     yield folder / "plan.json"
     for stage in (stage for stage in STEPS if stage.word in settings):
         home = _advanced(stage, home, settings[stage.word], seed, folder)
@@ -50,12 +50,12 @@ def _saved(body: Record, wanted: Made, began: float, file: Path) -> Artifact[Any
     return settled
 
 
-def _planned(prompt: str, config: Any, seed: int, folder: Path) -> Artifact[Any]:
-    wanted, began = made(seed, config), perf_counter()
+def _planned(prompt: str, config: Any, seed: int, folder: Path, id: str) -> Artifact[Any]:
+    wanted, began = made(seed, config).model_copy(update={"id": id}), perf_counter()
     old = kept(folder / "plan.json", "plan", wanted)
     if old is not None and old.body.prompt == prompt:
         return old
-    drawn, used = planning.draw(prompt, config, seed)
+    drawn, used = planning.draw(prompt, config, seed, id)
     return _saved(drawn, wanted.model_copy(update={"model": used}), began, folder / "plan.json")
 
 

@@ -35,7 +35,7 @@ def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = 
     if settings.libraries:
         opened_libraries(*settings.libraries)  # one that is none is said, though the formats may need no asset
     reads = named(artifacts(given.items, Plan, True, judge(trust)))
-    with _unless_empty(Path(out)), Tally(given.many, failures or retry) as tally:
+    with unless_empty(Path(out)), Tally(given.many, failures or retry) as tally:
         places = _folders(given, out)
         for read in progress(reads, "export", given.total):
             place = places.get(read.name, Path(out) / read.name) if given.many else Path(out)
@@ -44,11 +44,11 @@ def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = 
 
 
 @contextmanager
-def _unless_empty(out: Path) -> Iterator[None]:
+def unless_empty(out: Path) -> Iterator[Path]:
     """Takes away the folders that have been made for `out` meanwhile and stayed empty."""
     new = [folder for folder in (out, *out.parents) if not folder.exists()]
     try:
-        yield
+        yield out
     finally:
         for folder in (*sorted(out.rglob("*/"), reverse=True), *new) if new else ():
             with suppress(OSError):
