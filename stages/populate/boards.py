@@ -86,10 +86,13 @@ class Board:
 
 
 class _Pieces(NamedTuple):
-    """Bounds of what an asset is solid with, and of all that its parts pass through (n, 2, 3), its frame."""
+    """Bounds of what an asset is solid with, of all that its parts pass through, and of what those pass through that
+    slide sideways before what is inside (n, 2, 3), its frame.
+    """
 
     solid: Array
     swept: Array
+    sideways: Array
 
 
 @lru_cache(maxsize=2048)
@@ -104,8 +107,9 @@ def _pieces(load: LoadAsset, library: str, id: str) -> _Pieces:
     felt = [corners(c) for link in asset.links for c in link.colliders]
     whole = np.array([[-half, half]])
     solid = np.array([[p.min(0), p.max(0)] for p in felt]) if 0 < len(felt) <= _CROWDED else whole
-    parts = [sweeps.swept(joint) for joint in asset.joints]
-    return _Pieces(solid, np.array([[lo, hi] for lo, hi in parts]).reshape(-1, 2, 3))
+    parts = np.array([sweeps.swept(joint) for joint in asset.joints]).reshape(-1, 2, 3)
+    slide = np.array([joint.type == "slide" and abs(joint.axis[0]) < 0.5 for joint in asset.joints], bool)
+    return _Pieces(solid, parts, parts[slide])
 
 
 def offers(home: Retrieve, load: LoadAsset) -> dict[str, tuple[Receptacle, ...]]:
@@ -124,7 +128,8 @@ def boards(
 
 def _blocks(o: Furnishing, place: Receptacle, here: Sequence[Furnishing], load: LoadAsset) -> Array:
     """What stands over a place: other furniture, and what parts pass through."""
-    own = _pieces(load, o.asset.library, o.asset.id).swept if place.open else np.zeros((0, 2, 3))
+    pieces = _pieces(load, o.asset.library, o.asset.id)
+    own = pieces.swept if place.open else pieces.sideways
     rows = [own, *(_seen_from(o, other, load) for other in here if other is not o and _near(o, other))]
     every = np.concatenate(rows if place.open else rows[:1])
     lo, hi = every[:, 0], every[:, 1]

@@ -1,5 +1,6 @@
 """What is put into a home: nothing in another thing, nothing in the air, nothing in the way, furniture as it was."""
 
+import handmade
 import numpy as np
 import pytest
 import shapely
@@ -10,10 +11,12 @@ from apartgen.schemas.populate import Populate
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import populate, seeds
 from apartgen.stages.populate import rules
+from apartgen.stages.retrieve import furniture
 from apartgen.stages.robot.wedged import wedged
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import sweeps
 from apartgen.stages.things import small
+from apartgen.stages.things.categories import TABLE
 
 SEEDS = range(3)
 
@@ -94,6 +97,24 @@ def test_no_door_or_lid_meets_a_thing(seed):
             z = thing.center[2] - owner.center[2] + np.array([-0.5, 0.5]) * thing.size[2]
             apart = (seen.min(0) > hi[:2] - 2e-3).any() or (seen.max(0) < lo[:2] + 2e-3).any()
             assert apart or z[0] > hi[2] - 2e-3 or z[1] < lo[2] + 2e-3, (thing.id, owner.id, joint.name)
+
+
+def test_what_is_in_a_sliding_wardrobe_is_behind_its_tracks():
+    for style in furniture.styles("sliding_wardrobe"):
+        made = furniture.build("sliding_wardrobe", style, TABLE["sliding_wardrobe"].size, 1)
+        key = handmade.AssetKey(library="parametric", id=made.id)
+        robe = handmade.thing("sliding_wardrobe", 4.5, 2.0, room=handmade.BEDROOM, joints=made.joints).model_copy(
+            update={"asset": key, "size": made.size, "center": (4.5, 2.0, made.size[2] / 2)})
+        home = populate.run(handmade.home(robe), populate.PopulateConfig(density=3.0, walls=False),
+                            seeds.drawn(1, style), library())
+        inside = [o for o in things(home) if o.in_]
+        assert inside
+        for o in inside:
+            lo, hi = np.min([sweeps.swept(j)[0] for j in made.joints], 0), np.max(
+                [sweeps.swept(j)[1] for j in made.joints], 0)
+            c, s = np.cos(robe.yaw), np.sin(robe.yaw)
+            front = ((corners(o) - robe.center[:2]) @ np.array([[c, -s], [s, c]]))[:, 0].max()
+            assert front <= lo[0] + 1e-3 and hi[0] > lo[0], o.id
 
 
 @pytest.mark.parametrize("seed", SEEDS)
