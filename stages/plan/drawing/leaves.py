@@ -72,7 +72,8 @@ def _over(one: Polygon, other: Polygon) -> bool:
 def between(plan: Plan, rooms: tuple[str, str], standing: list[Polygon]) -> Opening | None:
     """A new door from the first room to the second; None where they share no wall for one."""
     floors = polygons.floors(plan)
-    found = faces.between(floors[rooms[0]], floors[rooms[1]])
+    thickest = 2 * max(plan.walls.inner, plan.walls.outer)
+    found = sorted(faces.between(floors[rooms[0]], floors[rooms[1]]), key=lambda face: (face.gap or 0.0) > thickest)
     return _first(plan, "door", rooms, [(face, 0.5 * (face.gap or 0.0)) for face in found], standing)
 
 

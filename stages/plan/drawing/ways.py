@@ -3,7 +3,7 @@
 from itertools import combinations
 
 import numpy as np
-from shapely.geometry import Polygon
+from shapely.geometry import Point, Polygon
 
 from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Opening, Plan
@@ -23,6 +23,7 @@ SAME = 0.5
 """Holes that share more than this of their width are one."""
 CUT_SHORT = 0.05
 """Holes that lose more than this are told, m."""
+EASE = 0.01
 APART = 0.02
 """Wall between two holes, m."""
 LEAST = 0.3
@@ -33,7 +34,7 @@ def opened(
     plan: Plan, holes: list[Hole], open_: list[tuple[str, str]], standing: list[Polygon], said: list[str]
 ) -> Plan:
     """The plan with openings; `open_` are pairs of rooms without a wall between. Unmet where none leads to a room."""
-    cuts = _cuts(plan, holes, said)
+    plan, cuts = _cut(plan, holes, said)
     cuts += [_parting(plan, pair) for pair in open_ if not any({*pair} == {*c.rooms} for c in cuts)]
     ordered = sorted(cuts, key=lambda c: c.hole.kind == "door")
     for found in ordered:
@@ -43,6 +44,24 @@ def opened(
             leaf = leaves.hung(opening, plan, _drawn_way(found, opening, plan), standing)
             plan = plan.model_copy(update={"openings": [*plan.openings[:-1], leaf]})
     return _entered(_joined(plan, standing, said), standing, said)
+
+
+def _cut(plan: Plan, holes: list[Hole], said: list[str]) -> tuple[Plan, list[Cut]]:
+    """The holes in their walls. Outside walls are at least as thick as half of any inner wall with a hole in it, as
+    readers look for the rooms of an opening so far from it.
+    """
+    floors, remarks = polygons.floors(plan), list[str]()
+    cuts = _cuts(plan, holes, remarks)
+    deep = max(
+        (floors[room].distance(Point(c.ends.mean(0))) for c in cuts if len(c.rooms) == 2 for room in c.rooms),
+        default=0.0,
+    )
+    if deep > max(plan.walls.inner, plan.walls.outer) - EASE:
+        plan = plan.model_copy(update={"walls": plan.walls.model_copy(update={"outer": round(deep + EASE, 3)})})
+        remarks = []
+        cuts = _cuts(plan, holes, remarks)
+    said += remarks
+    return plan, cuts
 
 
 def _cuts(plan: Plan, holes: list[Hole], said: list[str]) -> list[Cut]:
@@ -175,7 +194,7 @@ def _joined(plan: Plan, standing: list[Polygon], said: list[str]) -> Plan:
         if not ways:
             name = sorted(lost)[0]
             raise Unmet(f"no door leads to {name} at {at(floors[name])}, and none finds room in its walls: draw one")
-        pair = min(ways, key=lambda p: (drawn.cost(types, *p), p))
+        pair = min(ways, key=lambda p: (drawn.cost(types, *p), floors[p[0]].distance(floors[p[1]]) > 0.3, p))
         tried.add(pair)
         door = leaves.between(plan, pair, standing)
         if door is not None:

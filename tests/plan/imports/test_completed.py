@@ -71,6 +71,17 @@ def test_thick_walls_keep_their_openings(caplog: pytest.LogCaptureFixture) -> No
     assert [x for x, _ in found.segment] == [4.2, 4.2] and plan.walls.inner == 0.4
 
 
+def test_one_thick_wall_among_thin_ones_keeps_its_door(caplog: pytest.LogCaptureFixture) -> None:
+    """Readers look for the rooms of a door as far from it as the thickest walls of the plan go."""
+    rooms = room(0, 0, 400, 400, "Living room") + room(460, 0, 700, 400, "Bedroom")
+    rooms += room(0, 410, 340, 700, "Kitchen") + room(350, 410, 700, 700, "Study")
+    around = wall(-5, -5, 705, -5) + wall(705, -5, 705, 705) + wall(705, 705, -5, 705) + wall(-5, 705, -5, -5)
+    door = "<doorOrWindow name='Door' x='430' y='200' angle='1.5707963' width='90' depth='10' height='205'/>"
+    plan, _ = read(rooms + around + wall(430, 0, 430, 400, 60) + door, caplog)
+    found = [o for o in plan.openings if o.kind == "door" and [x for x, _ in o.segment] == [4.3, 4.3]]
+    assert len(found) == 1 and plan.walls.inner == 0.1
+
+
 def test_what_cannot_be_taken_is_said(caplog: pytest.LogCaptureFixture) -> None:
     lost = "<doorOrWindow name='Garden gate' x='1500' y='200' width='90' depth='10' height='205'/>"
     odd = "<pieceOfFurniture name='Harp' x='200' y='200' width='90' depth='90' height='180'/>"
