@@ -21,6 +21,8 @@ FACTS = 12 + 2 * len(OPEN)
 UP_TO = 6
 """Counts are told by whether they reach 1 … so many."""
 UNKNOWN = -1
+SHARP = 1.25
+"""What logits are multiplied with before a category is drawn."""
 ASKED, SILENT, COUNTED = 0.6, 0.5, 0.4
 """While training: share of categories that may be told, of rooms that tell none, of rooms that tell their count."""
 
@@ -139,7 +141,7 @@ def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wa
 def _further(row: _Drawing, logits: NDArray[np.float32], rules: Rules, rng: np.random.Generator) -> bool:
     """Draw the next category; False where the room ends."""
     may = allowed(row.so_far, row.last, row.left, row.wanted, rules)
-    shown = np.where(may, logits.astype(float), SHUT_OUT)
+    shown = np.where(may, SHARP * logits.astype(float), SHUT_OUT)
     weight = np.exp(shown - shown.max())
     chosen = int(np.searchsorted(np.cumsum(weight) / weight.sum(), rng.random()))
     if chosen >= len(row.wanted):

@@ -32,8 +32,8 @@ from apartgen.stages.use.household import duties, sleepers
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
 
-SHARP = 1.0
-"""What logits are multiplied with before anything is drawn."""
+SHARP = 1.5
+"""What logits of places are multiplied with before anything is drawn."""
 
 
 def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[Box] = ()) -> tuple[Layout, list[str]]:
