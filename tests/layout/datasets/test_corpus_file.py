@@ -51,6 +51,7 @@ def test_arrays_have_the_agreed_shapes(homes: list[Layout], tmp_path: Path) -> N
         assert shapes == {
             "category": (n, 24), "center": (n, 24, 3), "size": (n, 24, 3), "yaw": (n, 24), "polygon": (n, 32, 2),
             "room_type": (n,), "height": (n,), "openings": (n, 20, 7), "style": (n,), "source": (n,), "sleepers": (n,),
+            "duties": (n, 4),
             "categories": (len(CATEGORIES),),
         }
         assert (data["source"] == 2).all() and (data["style"] >= 0).all() and (data["style"] < 8).all()
