@@ -4,6 +4,7 @@ A home is appended to its shard, then its row to the manifest, both in the order
 last whole row was being written when a run ended, and is taken off by the next.
 """
 
+import fcntl
 import gzip
 import hashlib
 import json
@@ -87,8 +88,9 @@ class Writer:
     def __init__(self, store: Store, per_shard: int = PER_SHARD) -> None:
         self._store, self._per_shard = store, per_shard
         (store.folder / HOMES).mkdir(parents=True, exist_ok=True)
-        self.count, ends = _mended(store)
         self._rows = open(store.manifest, "ab")
+        _lock(self._rows, store.folder)
+        self.count, ends = _mended(store)
         self._shard: IO[bytes] | None = None
         self._name = ""
         for place in sorted((store.folder / HOMES).glob("*.jsonl.gz")):
@@ -125,6 +127,15 @@ class Writer:
         self._close_shard()
         os.fsync(self._rows.fileno())
         self._rows.close()
+
+
+def _lock(file: IO[bytes], folder: Path) -> None:
+    """BadInput while another run has the file; the lock ends with the run, however that ends."""
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        file.close()
+        raise BadInput(f"{folder}: another run writes to it; wait for it, or give another folder") from None
 
 
 def _mended(store: Store) -> tuple[int, dict[str, int]]:

@@ -73,6 +73,14 @@ def test_a_shard_that_lost_bytes_is_not_written_on(tmp_path):
         Writer(Store(tmp_path), PER_SHARD)
 
 
+def test_two_runs_do_not_write_to_one_folder(tmp_path):
+    writer = Writer(Store(tmp_path), PER_SHARD)
+    with pytest.raises(BadInput, match="another run"):
+        Writer(Store(tmp_path), PER_SHARD)
+    writer.close()
+    filled(tmp_path)
+
+
 def test_a_piece_that_kills_its_worker_is_lost_alone_and_in_its_place():
     pieces = [f"{i} * {i}" for i in range(12)]
     pieces[0] = pieces[5] = "__import__('os')._exit(3)"
