@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import order
 from apartgen.stages.layout.relations.tokens import WALL, Array, Shell
+from apartgen.stages.things.categories import TABLE
 
 FLUSH, CORNER = 0.02, 0.66
 """Gap between units side by side, and from a corner to the nearer edge of the first unit round it, m."""
@@ -86,3 +87,29 @@ def _corners(box: Array, size: Array, walls: Array) -> list[Array]:
         xy = ahead * heading + (float(wall[:2] @ normal) + size[0] / 2 + OFF) * normal
         out.append(np.concatenate([xy, [wall[2]], size]))
     return out
+
+
+def spare(name: str) -> bool:
+    """Whether it is a unit that a run can do without."""
+    return name in order.runs() and not TABLE[name].is_for("rinse", "cook", "cool")
+
+
+def in_place(name: str, boxes: Array, box: Array) -> Array:
+    """Places (m, 7) for a unit where another one stands, backs in line, in those sizes of the candidates that fit."""
+    sizes = np.unique(np.round(boxes[:, 3:], 3), axis=0)
+    sizes[:, 1] = np.minimum(sizes[:, 1], box[4])
+    sizes = np.unique(sizes[sizes[:, 1] >= TABLE[name].min[1]], axis=0)
+    out = np.repeat(box[None], len(sizes), 0).astype(np.float32)
+    ahead = (sizes[:, 0] - box[3]) / 2
+    out[:, 0], out[:, 1] = box[0] + ahead * np.cos(box[2]), box[1] + ahead * np.sin(box[2])
+    out[:, 3:] = sizes
+    return out
+
+
+def carried(boxes: Array, k: int) -> NDArray[np.bool_]:
+    """A unit itself and what stands on it, of boxes (n, 7)."""
+    x, y = local(boxes[:, :2], boxes[k, :2], float(boxes[k, 2]))
+    over = (np.abs(x) < boxes[k, 3] / 2) & (np.abs(y) < boxes[k, 4] / 2)
+    found = over & (np.abs(boxes[:, 5] - boxes[k, 6]) < IN_LINE)
+    found[k] = True
+    return np.asarray(found)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import runs
+from apartgen.stages.layout.relations import order, runs
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -98,6 +98,8 @@ class Sampler:
             again = self.begin(contents)
             again.begun = p.begun + 1
             return again
+        if found is None and needed:
+            found = self._instead(p, name, boxes)
         if found is None:
             found = self._last_resort(p, name, needed)
         p.left.remove(name)
@@ -133,6 +135,23 @@ class Sampler:
     def _draw(self, weight: Floats) -> int:
         total = weight.cumsum()
         return int(min(np.searchsorted(total, self.rng.random() * total[-1], side="right"), len(weight) - 1))
+
+    def _instead(self, p: Particle, name: str, boxes: Array) -> Array | None:
+        """The place of a unit that a run can do without, which is left out with what stands on it."""
+        names, there = p.furniture.names, p.furniture.boxes
+        for k in reversed(range(len(self.room.given), len(names) if name in order.runs() else 0)):
+            some = runs.in_place(name, boxes, there[k])
+            if self.room.asked[names[k]] or not runs.spare(names[k]) or not len(some):
+                continue
+            rest = self.room.empty.fork()
+            for i in np.flatnonzero(~runs.carried(there, k)):
+                rest.add(names[i], there[i])
+            found = self._chosen(rest, name, some, np.full(len(some), 1 / len(some)))
+            if found is not None:
+                p.furniture = rest
+                p.notes.append(f"no place for the {names[k]}; left out")
+                return found
+        return None
 
     def _last_resort(self, p: Particle, name: str, needed: bool) -> Array | None:
         """Anywhere, and smaller, for what is needed; else it is left out. Both are said."""

@@ -182,3 +182,16 @@ def test_what_cooks_stands_rather_beside_a_window_than_before_it() -> None:
     before, beside = ((-2.695, y, 0.0, 0.6, 0.6, 0.0, 0.9) for y in (0.0, 2.0))
     assert price(there, "hob", *beside) < price(there, "hob", *before) < BROKEN
     assert price(there, "kitchen_sink", *beside) == price(there, "kitchen_sink", *before)
+
+
+def test_a_unit_takes_the_place_of_one_that_a_run_can_do_without() -> None:
+    assert runs.spare("dishwasher") and runs.spare("kitchen_drawers") and not runs.spare("hob")
+    assert not runs.spare("kitchen_sink") and not runs.spare("fridge") and not runs.spare("sofa")
+    box = np.array([-2.695, 0.5, 0.0, 0.6, 0.6, 0.0, 0.9], np.float32)
+    said = np.array([[0, 0, 1.0, 0.66, 0.8, 0, 0.9], [1, 0, 2.0, 0.66, 0.8, 0, 0.9], [1, 0, 2.0, 0.6, 0.55, 0, 1.8]])
+    found = runs.in_place("fridge", said.astype(np.float32), box)
+    assert sorted(np.round(found[:, 4], 3).tolist()) == [0.55, 0.6], "no wider than what stood there"
+    assert found[:, 0] - found[:, 3] / 2 == pytest.approx(box[0] - box[3] / 2), "backs in line"
+    above = np.array([[-2.7, 0.45, 0.0, 0.3, 0.4, 0.9, 1.2], [-2.7, 0.45, 0.0, 0.3, 0.6, 1.4, 2.0],
+                      [-2.7, 1.5, 0.0, 0.3, 0.4, 0.9, 1.2]], np.float32)
+    assert runs.carried(np.concatenate([box[None], above]), 0).tolist() == [True, True, False, False]
