@@ -231,8 +231,8 @@ def the_entrance_leads_from_a_room(body, rng):
 
 
 @kind("ceiling")
-def the_ceiling_is_30_m_high(body, rng):
-    body["height"] = 30.0
+def the_ceiling_is_15_m_high(body, rng):
+    body["height"] = 15.0
     return []
 
 

@@ -14,9 +14,9 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
 from apartgen.stages.scene.scene import Scene
 
-DRAWINGS = ("svg", "png")
+DRAWINGS = ("svg", "png", "dxf", "ifc")
 FORMATS = [name for name in export.formats() if name not in (*DRAWINGS, "view")]
-"""Formats that hold assets; pictures have nothing to credit or to name."""
+"""Formats that hold assets; drawings and plans have nothing to credit or to name."""
 CREDIT = "Plain boxes, public domain"
 
 
