@@ -3,6 +3,7 @@
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 from shapely.geometry import Point, Polygon
 
 from apartgen.schemas.errors import Unmet
@@ -102,8 +103,13 @@ def _doubles(one: Cut, other: Cut) -> bool:
     along = other.ends[1] - other.ends[0]
     width = float(np.hypot(*along))
     spans = (one.ends - other.ends[0]) @ along / width
-    off = abs(float(np.cross(along / width, one.ends[0] - other.ends[0])))
+    off = abs(float((one.ends[0] - other.ends[0]) @ _left(along) / width))
     return bool(off < 0.1 and min(spans.max(), width) - max(spans.min(), 0.0) > SAME * width)
+
+
+def _left(along: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A vector turned to its left by a right angle."""
+    return np.array([-along[1], along[0]])
 
 
 def _beside(found: Cut, others: list[Cut]) -> Cut:
@@ -113,7 +119,7 @@ def _beside(found: Cut, others: list[Cut]) -> Cut:
             continue
         start, along = found.ends[0], found.ends[1] - found.ends[0]
         width = float(np.hypot(*along))
-        spans, off = (other.ends - start) @ along / width, np.cross(along / width, other.ends - start)
+        spans, off = (other.ends - start) @ along / width, (other.ends - start) @ _left(along) / width
         lo, hi = float(spans.min()) - APART, float(spans.max()) + APART
         if np.abs(off).max() < 0.1 and lo < width and hi > 0:
             keep = (0.0, lo) if lo > width - hi else (hi, width)
