@@ -30,6 +30,8 @@ BEFORE_A_SEAT = frozenset({"coffee_table", "side_table", "pouffe", "floor_lamp",
 WET, HOT, COLD = used_for("rinse"), used_for("cook"), used_for("cool")
 WORKTOPS = frozenset({"kitchen_base", "kitchen_drawers", "kitchen_corner", "dishwasher", "washing_machine"})
 RUN = WORKTOPS | WET | HOT | COLD
+CLOSED = those(lambda kind: kind.run == "unit" and not kind.articulated)
+"""Units that nobody stands before: they fill a corner."""
 MACHINES = used_for("launder")
 FIXTURES = {"toilet": 0.53, "vanity": 0.53, "bath": 0.53, "shower": 0.61}
 """Least free depth before fixtures of a bathroom, m (NKBA bathroom guideline 4)."""

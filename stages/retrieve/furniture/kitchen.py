@@ -69,10 +69,11 @@ def kitchen_drawers(kit: Kit) -> None:
 
 @design("kitchen_corner", *STYLES)
 def kitchen_corner(kit: Kit) -> None:
-    """A deep corner unit behind a pair of doors."""
-    own = kitchen_look(kit)
-    z = base(kit, own, cases.door_columns(kit, kit.w), cases.door_widths(kit, kit.w))
-    kit.base.box(own.top, (kit.x[0], worktop_front(kit, own)), kit.y, (z, kit.h))
+    """A closed corner below the worktop: where two legs of a run meet nothing could open."""
+    own, z = kitchen_look(kit), kit.h - 0.038
+    kit.base.box(own.leg, (kit.x[0] + 0.02, kit.x[1] - 0.06), (kit.y[0] + 0.001, kit.y[1] - 0.001), (0, PLINTH))
+    kit.base.box(own.front, (kit.x[0], kit.x[1] - 0.02), kit.y, (PLINTH, z))
+    kit.base.box(own.top, kit.x, kit.y, (z, kit.h))
 
 
 @design("kitchen_sink", *STYLES)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import networkx
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import COLD, COUNTERS, HOT, MOVED, RUN, WET, WORKTOPS
+from apartgen.stages.use.kinds import CLOSED, COLD, COUNTERS, HOT, MOVED, RUN, WET, WORKTOPS
 from apartgen.stages.use.room import Furnished
 
 JOINED = 0.08
@@ -33,7 +33,7 @@ def faults(room: Furnished) -> Iterator[Fault]:
         yield from _worktop(room, units)
         yield from _triangle(room)
     for i in units:
-        if room.front(i, AISLE, 0.05, MOVED) < 0.6:
+        if room.names[i] not in CLOSED and room.front(i, AISLE, 0.05, MOVED) < 0.6:
             yield Fault("no floor before the kitchen unit", room.ids(i))
         if room.back[i] > 0.15 and room.wall[i] > 0.05:
             yield Fault("kitchen unit off the wall", room.ids(i))

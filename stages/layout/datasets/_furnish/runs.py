@@ -1,7 +1,5 @@
-"""Kitchen runs: units side by side along one wall, round a corner or two, in the order in which one cooks.
-
-The tall stand at an end, the dishwasher by the sink, worktop between sink and hob; the hood hangs over the hob, wall
-units over the rest but before windows.
+"""Kitchen runs: units side by side along one wall, round a corner or two, in the order in which one cooks. The tall
+stand at an end, worktop between sink and hob; the hood hangs over the hob, wall units over the rest but before windows.
 """
 
 from dataclasses import dataclass
@@ -9,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.random import Generator
 
-from apartgen.stages.layout.datasets._furnish import anchors, kernels
+from apartgen.stages.layout.datasets._furnish import anchors, corners, kernels
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
 from apartgen.stages.layout.datasets._furnish.legs import Leg, length, paths, stretches
 from apartgen.stages.layout.datasets._furnish.shape import WINDOW
@@ -162,20 +160,21 @@ def _built(
     spread = _divided(path, [float(u.size[1]) for u in line], rng)
     if spread is None:
         return None
-    parts: list[Part] = []
-    zones: list[Zone] = []
+    legs: list[list[Part]] = []
     for leg, (s, some) in zip(path, spread, strict=True):
+        legs.append([])
         for u in (line[i] for i in some):
-            parts.append(_at(space, leg.side, s + float(u.size[1]) / 2, u.category, u.size))
+            legs[-1].append(_at(space, leg.side, s + float(u.size[1]) / 2, u.category, u.size))
             s += float(u.size[1])
-        if some:
-            zones += [_before(p, aisle) for p in parts[-len(some):]]
+    parts = [p for leg in legs for p in leg]
+    zones = [_before(p, aisle) for p in parts]
+    parts += corners.units(space, path, legs, style.depth, style.height)
     windows = space.shape.zone_rows[space.shape.zone_kind == WINDOW]
     for p in parts:
         if (p.size[2] > 1.3 or p.name in ("hob", "oven")) and _lit(p, windows, 2.0):
             return None
     hung = _hung(parts, style, rng, windows, budget - len(parts), space.shape.height)
-    return Group((*parts, *hung), tuple(zones))
+    return None if corners.hinder([*parts, *hung]) else Group((*parts, *hung), tuple(zones))
 
 
 def _filling(path: list[Leg], line: list[Unit], rng: Generator) -> list[Unit]:
@@ -260,7 +259,7 @@ def _hung(parts: list[Part], style: Style, rng: Generator, windows: Array, left:
         for i in low:
             p = parts[i]
             size = np.array([style.wall[0], p.size[1], style.wall[2]])
-            if p.name in ("hob", "oven") or len(out) >= left - 1 or _lit(p, windows, style.hang + 0.3):
+            if p.name in ("hob", "oven", corners.NAME) or len(out) >= left - 1 or _lit(p, windows, style.hang + 0.3):
                 continue
             out.append(_over(p, i, "wall_unit", size, style.hang))
     tops = [i for i in low if parts[i].name in ("kitchen_base", "kitchen_drawers") and parts[i].size[1] >= 0.55]
