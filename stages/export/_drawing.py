@@ -1,6 +1,7 @@
 """The furnished plan as an architect draws it: walls filled, doors with their swing, windows, symbols, names, scale."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -19,6 +20,7 @@ from apartgen.stages.export import _symbols
 from apartgen.stages.export._labels import LEADING, Label, extent, labels, radius, size_of, title
 from apartgen.stages.export._pen import FAINT, INK, PAPER, Pen
 from apartgen.stages.scene import shell
+from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 from apartgen.stages.things.categories import TABLE, fitted_ovens
 
@@ -38,6 +40,12 @@ TINTS = {
 TILED = {"bathroom": 0.3, "kitchen": 0.6, "utility": 0.3, "balcony": 0.15}
 """Rooms with tiles or boards, and their pitch in metres."""
 SWEPT = "#c0683c"
+
+
+@lru_cache(1)
+def sheet(scene: Scene) -> Figure:
+    """The scene's drawing, made once for all formats that show it."""
+    return figure(scene.home)
 
 
 def figure(home: Plan) -> Figure:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.scene.pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
 from apartgen.stages.things.asset import Array, Link, Material, Mesh
-from apartgen.stages.things.body import Body, Light, inertia
+from apartgen.stages.things.body import Body, Light, mass
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
 VERTICES, INDICES = 34962, 34963
@@ -90,7 +90,7 @@ class _Store:
         origin = np.array(link.joint.origin)
         node: Node = {"name": body.link_name(link), "translation": [float(v) for v in origin]}
         joint = link.joint.model_dump(include={"name", "type", "axis", "range", "part"})
-        node["extras"] = {"joint": joint, "mass": inertia(link).mass}
+        node["extras"] = {"joint": joint, "mass": mass(link)}
         if link.handle is not None:
             node["extras"]["handle"] = [float(v) for v in link.handle - origin]
         self._show(node, body, link, origin)
@@ -162,7 +162,7 @@ class _Store:
 def _facts(body: Body) -> Node:
     return {
         "id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "asset": body.model,
-        "free": body.free, "mass": inertia(body.links[0]).mass if body.kind == "object" else None,
+        "free": body.free, "mass": mass(body.links[0]) if body.kind == "object" else None,
     }
 
 

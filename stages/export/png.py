@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from apartgen.stages.export._drawing import figure
+from apartgen.stages.export._drawing import sheet
 from apartgen.stages.scene.scene import Scene
 
 DPI = 160
@@ -11,5 +11,5 @@ DPI = 160
 def write(scene: Scene, out: Path) -> list[Path]:
     """One file, plan.png."""
     path = out / "plan.png"
-    figure(scene.home).savefig(path, format="png", dpi=DPI, metadata={"Software": "apartgen"})
+    sheet(scene).savefig(path, format="png", dpi=DPI, metadata={"Software": "apartgen"})
     return [path]

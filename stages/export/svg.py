@@ -5,7 +5,7 @@ from pathlib import Path
 
 import matplotlib
 
-from apartgen.stages.export._drawing import figure
+from apartgen.stages.export._drawing import sheet
 from apartgen.stages.export._layers import grouped
 from apartgen.stages.scene.scene import Scene
 
@@ -14,6 +14,6 @@ def write(scene: Scene, out: Path) -> list[Path]:
     """One file, plan.svg; text is text, and every layer and thing has a group of its name."""
     path, drawn = out / "plan.svg", io.StringIO()
     with matplotlib.rc_context({"svg.hashsalt": "apartgen", "svg.fonttype": "none"}):
-        figure(scene.home).savefig(drawn, format="svg", metadata={"Date": None, "Creator": "apartgen"})
+        sheet(scene).savefig(drawn, format="svg", metadata={"Date": None, "Creator": "apartgen"})
     path.write_text(grouped(drawn.getvalue()), encoding="utf-8")
     return [path]

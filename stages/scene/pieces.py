@@ -3,7 +3,8 @@
 import hashlib
 import io
 from collections.abc import Iterable
-from functools import cache
+from dataclasses import dataclass, field
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,12 @@ from numpy.typing import NDArray
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.things import materials
 from apartgen.stages.things.asset import Array, Link, Material, Mesh
-from apartgen.stages.things.shading import corner_normals
+from apartgen.stages.things.shading import corner_normals, distinct
+
+LATELY = 1000
+"""Meshes that are kept shaded, a home's and some more: about 10 kB each."""
+QUICK = 4
+"""How hard a texture is packed: a third of the time of the hardest worth having, and 8 % more bytes."""
 
 
 def pieces(link: Link) -> list[Mesh]:
@@ -45,14 +51,35 @@ def mesh_digest(mesh: Mesh) -> str:
     return digest(mesh.vertices, mesh.faces.astype(float), mesh.uv)
 
 
-def shaded(mesh: Mesh) -> tuple[Array, Array, Array | None, NDArray[np.int64]]:
-    """Vertices (k, 3), unit normals (k, 3), uv (k, 2) or None, and faces, split where an edge is sharp."""
+Shaded = tuple[Array, Array, Array | None, NDArray[np.int64]]
+
+
+@dataclass(frozen=True)
+class _Known:
+    """A mesh, known again by its very bytes."""
+
+    content: str
+    mesh: Mesh = field(compare=False)
+
+
+def shaded(mesh: Mesh) -> Shaded:
+    """Vertices (k, 3), unit normals (k, 3), uv (k, 2) or None, and faces, split where an edge is sharp; not to be
+    written into, for several formats ask for the same.
+    """
+    found = hashlib.sha256(mesh.vertices.tobytes())
+    found.update(mesh.faces.tobytes() + (b"" if mesh.uv is None else mesh.uv.tobytes()))
+    return _shaded(_Known(found.hexdigest(), mesh))
+
+
+@lru_cache(LATELY)
+def _shaded(known: _Known) -> Shaded:
+    mesh = known.mesh
     corners = mesh.faces.ravel()
     normals = corner_normals(mesh).round(4)
     columns = [mesh.vertices[corners].round(6), normals]
     if mesh.uv is not None:
         columns.append(mesh.uv[corners].round(6))
-    rows, faces = np.unique(np.concatenate(columns, 1), axis=0, return_inverse=True)
+    rows, faces = distinct(np.concatenate(columns, 1))
     unit = rows[:, 3:6] / np.maximum(np.linalg.norm(rows[:, 3:6], axis=1, keepdims=True), 1e-12)
     return rows[:, :3], unit, rows[:, 6:] if mesh.uv is not None else None, faces.reshape(-1, 3)
 
@@ -87,7 +114,7 @@ def image(texture: str) -> bytes:
             f"texture {texture!r} is neither a known pattern nor an image file; check the asset library's folder"
         ) from None
     buffer = io.BytesIO()
-    picture.save(buffer, "PNG")
+    picture.save(buffer, "PNG", compress_level=QUICK)
     return buffer.getvalue()
 
 

@@ -30,7 +30,7 @@ log = logging.getLogger("apartgen")
 LoadAsset = Callable[[str, str], Asset]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Scene:
     """An apartment to export; `home` is the artifact itself. Bodies are built when first asked for.
 

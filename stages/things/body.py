@@ -82,19 +82,24 @@ class Inertia(NamedTuple):
     tensor: Array
 
 
+def mass(link: Link) -> float:
+    """Mass of a link, kg."""
+    return max(link.mass, LEAST_MASS)
+
+
 def inertia(link: Link) -> Inertia:
     """Mass properties of a link of even density over its colliders (overlaps count twice)."""
     parts = [_solid(c) for c in link.colliders] or [_visual_solid(link)]
     volumes = np.array([volume for volume, _, _ in parts])
     shares = volumes / volumes.sum()
-    mass = max(link.mass, LEAST_MASS)
+    whole = mass(link)
     center = np.asarray(sum(share * c for share, (_, c, _) in zip(shares, parts, strict=True)))
     tensor = np.zeros((3, 3))
     for share, (_, c, unit) in zip(shares, parts, strict=True):
         arm = c - center
-        tensor += mass * share * (unit + arm @ arm * np.eye(3) - np.outer(arm, arm))
+        tensor += whole * share * (unit + arm @ arm * np.eye(3) - np.outer(arm, arm))
     # A sheet has next to none about some axis, which solvers can't divide by.
-    return Inertia(mass, center, tensor + mass * 1e-5 * np.eye(3))
+    return Inertia(whole, center, tensor + whole * 1e-5 * np.eye(3))
 
 
 def counterbalanced(link: Link, found: Inertia | None = None) -> bool:

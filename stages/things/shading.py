@@ -1,6 +1,7 @@
 """Normals for shading triangles that meet smoothly or at an edge."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from apartgen.stages.things.asset import Array, Mesh
 
@@ -8,12 +9,24 @@ CREASE = np.cos(np.radians(42))
 """Faces that meet at less than this angle are shaded as one smooth surface."""
 
 
+def distinct(rows: Array) -> tuple[Array, NDArray[np.int64]]:
+    """The rows (n, k) that differ, in order, and which of them each of the given ones is; sorts column by column, which
+    is several times as fast as comparing rows.
+    """
+    order = np.lexsort(rows.T[::-1])
+    ordered = rows[order]
+    fresh = np.append(True, (ordered[1:] != ordered[:-1]).any(1))[: len(rows)]
+    which = np.empty(len(rows), np.int64)
+    which[order] = np.cumsum(fresh) - 1
+    return ordered[fresh], which
+
+
 def corner_normals(mesh: Mesh) -> Array:
     """Normal at each corner of each face, (3 × m, 3): the mean over faces about the vertex that meet smoothly."""
     triangles = mesh.vertices[mesh.faces]
     area = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     flat = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-15)
-    _, vertex = np.unique(mesh.vertices[mesh.faces.ravel()].round(5), axis=0, return_inverse=True)
+    _, vertex = distinct(mesh.vertices[mesh.faces.ravel()].round(5))
     order = np.argsort(vertex, kind="stable")
     starts = np.flatnonzero(np.diff(vertex[order], prepend=-1))
     counts = np.diff(np.append(starts, len(order)))

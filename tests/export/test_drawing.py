@@ -93,3 +93,11 @@ def test_what_a_folder_holds_is_named_and_counted(tmp_path):
     (tmp_path / "c.md").write_text("mine")
     with pytest.raises(BadInput, match="holds a.md and 2 more, which no export wrote"):
         export.run(sample.home(), ["svg"], tmp_path, sample.load)
+
+
+def test_a_drawing_is_the_same_for_one_format_or_several(tmp_path):
+    home, load = sample.home(), sample.load
+    for name, formats in (("both", ["png", "svg"]), ("vector", ["svg"]), ("picture", ["png"])):
+        export.run(home, formats, tmp_path / name, load)
+    for file, alone in (("plan.svg", "vector"), ("plan.png", "picture")):
+        assert (tmp_path / "both" / file).read_bytes() == (tmp_path / alone / file).read_bytes()

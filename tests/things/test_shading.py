@@ -1,0 +1,31 @@
+"""Shading of meshes: what is the same is known again, and sorted as it always was."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from apartgen.stages.scene.pieces import shaded
+from apartgen.stages.things.asset import Material, Mesh
+from apartgen.stages.things.shading import distinct
+
+
+@given(st.tuples(st.integers(1, 40), st.integers(1, 4)).flatmap(
+    lambda shape: arrays(float, shape, elements=st.sampled_from([-1.5, -0.0, 0.0, 1e-9, 2.0, 7.25]))))
+def test_distinct_rows_are_in_order_and_every_row_finds_its_own(rows):
+    found, which = distinct(rows)
+    assert np.array_equal(found[which], rows)
+    assert [tuple(row) for row in found] == sorted({tuple(row) for row in rows})
+
+
+def test_a_mesh_is_shaded_by_its_own_bytes():
+    square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    once, again = (shaded(Mesh(square.copy(), faces.copy(), Material(name))) for name in ("oak", "pine"))
+    assert once is again, "whatever its material"
+    moved = shaded(Mesh(square + [0, 0, 1e-4], faces, Material("oak")))
+    assert moved[0][:, 2].tolist() == [1e-4] * 4
+    assert np.array_equal(moved[1], [[0, 0, 1]] * 4), "its normals are up"
+    assert sorted(moved[3].ravel().tolist()) == [0, 0, 1, 2, 3, 3], "the diagonal has both ends twice"
+    turned = shaded(Mesh(square, faces[:, ::-1].copy(), Material("oak")))
+    assert np.array_equal(turned[1], [[0, 0, -1]] * 4), "other faces are another mesh"
