@@ -1,10 +1,11 @@
 """What `both`, `each`, `the former` stand for, and what `all but` leaves out."""
 
 from apartgen.stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det
 
 JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "connecting", "linking")
 """Verbs of which subject and object are joined to a third: `a hall joins the lounge to the kitchen`."""
-PAIRED = ("all", "each", "both")
+PAIRED = (Det.ALL, Det.EACH, Det.BOTH)
 
 
 def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
@@ -16,30 +17,32 @@ def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
         phrase = item.room
         if phrase is None or phrase.type != "":
             continue
-        if phrase.quantifier == "another":
-            kinds = [r.type for r in _rooms(items[:k]) if r.type and (r.quantifier in ("a", "another") or r.count == 1)]
+        if phrase.quantifier == Det.ANOTHER:
+            kinds = [
+                r.type for r in _rooms(items[:k]) if r.type and (r.quantifier in (Det.A, Det.ANOTHER) or r.count == 1)
+            ]
             phrase.type = kinds[-1] if kinds else ""
         if phrase.count == 1 and k and items[k - 1].value == "share":
             phrase.type = next((r.type for r in reversed(_rooms([*before, *items[:k]])) if r.type == "bathroom"), "")
-            phrase.quantifier = "a"
+            phrase.quantifier = Det.A
         near = next((i.room for i in reversed(items[:k]) if i.kind != "mark"), None)
-        if phrase.quantifier == "one_of" and near is not None and near.type and near.plural:
+        if phrase.quantifier == Det.ONE_OF and near is not None and near.type and near.plural:
             phrase.among = [near]
         whole = phrase.quantifier in PAIRED and phrase.count is None and not phrase.labels
         named = phrase.text in ("former", "the former", "latter", "the latter")
         if whole or named:
             group = _coordination(items[:k]) or _coordination(before)
-            if not group and phrase.quantifier == "both":
+            if not group and phrase.quantifier == Det.BOTH:
                 group = _rooms(items[:k])[-2:]
             group = group[-2:] if named else group
             single = all(r.count in (None, 1) and not r.plural for r in group)
-            fits = len(group) == 2 if phrase.quantifier != "all" and not _at_end(items, k) else len(group) > 1
+            fits = len(group) == 2 if phrase.quantifier != Det.ALL and not _at_end(items, k) else len(group) > 1
             if single and fits:
                 phrase.among = group
-            elif phrase.quantifier == "all" and not _rooms(items[:k]):
+            elif phrase.quantifier == Det.ALL and not _rooms(items[:k]):
                 phrase.among = [r for r in _rooms(listed) if r.type not in ("", "any", "hallway")]
             elif named:
-                phrase.quantifier = "none"
+                phrase.quantifier = Det.NONE
 
 
 def says_what_is_there(items: list[Item]) -> bool:
@@ -103,7 +106,7 @@ def exceptions(items: list[Item]) -> list[Item]:
 
 def _whole_before(items: list[Item]) -> RoomPhrase | None:
     rooms = [i.room for i in items if i.room is not None]
-    return next((r for r in reversed(rooms) if r.quantifier in (*PAIRED, "other") or r.type == "any"), None)
+    return next((r for r in reversed(rooms) if r.quantifier in (*PAIRED, Det.OTHER) or r.type == "any"), None)
 
 
 def _run(items: list[Item], k: int) -> int:
@@ -123,11 +126,11 @@ def counted(items: list[Item]) -> list[Item]:
         kinds = [i.kind for i in items[k : k + 3]]
         last = next((i.room for i in reversed(out) if i.kind != "mark"), None)
         number = items[k + 2].room if kinds in (["with", "reach", "room"], ["mark", "reach", "room"]) else None
-        many = last is not None and (last.plural or last.quantifier == "each")
+        many = last is not None and (last.plural or last.quantifier == Det.EACH)
         if number is not None and number.type == "" and number.count and many:
             assert last is not None
             last.count = number.count
-            last.quantifier = "" if last.quantifier == "the" else last.quantifier
+            last.quantifier = Det.BARE if last.quantifier == Det.THE else last.quantifier
             k += 3
         else:
             out.append(items[k])
@@ -137,12 +140,12 @@ def counted(items: list[Item]) -> list[Item]:
 
 def _is_other(items: list[Item]) -> bool:
     last = items[-1].room if items else None
-    return last is not None and last.type == "" and last.quantifier == "other"
+    return last is not None and last.type == "" and last.quantifier == Det.OTHER
 
 
 def _definite_pair(items: list[Item], k: int) -> bool:
     around = [i.room for i in (*items[max(k - 1, 0) : k], *items[k + 1 : k + 2])]
-    return len(around) == 2 and all(r is not None and r.quantifier == "the" for r in around)
+    return len(around) == 2 and all(r is not None and r.quantifier == Det.THE for r in around)
 
 
 def _one_each(items: list[Item], k: int) -> bool:
@@ -151,7 +154,7 @@ def _one_each(items: list[Item], k: int) -> bool:
     if len(around) < 3 or any(r is None for r in around):
         return False
     many, one, each = (r for r in around if r is not None)
-    return many.plural and one.count == 1 and each.type == "" and each.quantifier == "each"
+    return many.plural and one.count == 1 and each.type == "" and each.quantifier == Det.EACH
 
 
 def unfolded(items: list[Item]) -> list[Item]:
@@ -179,7 +182,7 @@ def unfolded(items: list[Item]) -> list[Item]:
             out.append(Item("with", "with", "with"))  # "two bedrooms, one bath each"
         elif item.kind == "link" and item.text.startswith("the other "):
             told = any(i.text.split()[0] in ("one", "another") for i in links)
-            other = RoomPhrase("", quantifier="other", text="the other")
+            other = RoomPhrase("", quantifier=Det.OTHER, text="the other")
             to = Item("link", "to", "to")
             out += [item] if told else [Item("room", "", other.text, other), to]
         elif item.text == "with" and links and links[-1].text.endswith(" with") and _definite_pair(items, k):
@@ -205,7 +208,7 @@ def shared_verb(items: list[Item]) -> list[Item]:
         given = k > 1 and items[k - 2].kind == "give"  # "give each bedroom a closet"
         gap = given or len(out) > 1 and (out[-2].kind in ("conjunction", "boundary") or is_mark(out[-2], ","))
         known = last is not None and (last.quantifier in PARTITIVE or bool(last.ordinals) or last.definite)
-        new = phrase is not None and (phrase.quantifier in ("a", "own", "another") or bool(phrase.count))
+        new = phrase is not None and (phrase.quantifier in (Det.A, Det.OWN, Det.ANOTHER) or bool(phrase.count))
         if has is not None and gap and known and new and k and items[k - 1].room is last:
             out.append(Item("with", "has", has.text))
         out.append(item)

@@ -1,12 +1,13 @@
 """Target areas: what is stated stays, the rest takes typical areas scaled to the flat."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from apartgen.schemas.plan import AskedRoom, Link
 from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.vocabulary import Trait
 
 
-def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, set[str]]) -> dict[str, float]:
+def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, Collection[str]]) -> dict[str, float]:
     """Typical area of every room, m², from its type, its traits and its doors."""
     data = sense()
     studio = not any(r.type == "bedroom" for r in rooms) and any(r.type == "bathroom" for r in rooms)
@@ -17,7 +18,7 @@ def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, set[
     out: dict[str, float] = {}
     for room in rooms:
         traits = set(labels.get(room.id, ()))
-        traits |= {"first"} if room.id == first and not traits & {"small", "kids", "guest"} else set()
+        traits |= {"first"} if room.id == first and not traits & {Trait.SMALL, Trait.KIDS, Trait.GUEST} else set()
         traits |= {"private"} if room.private_to else set()
         traits |= {"studio"} if studio and "loft" not in traits else set()
         named = [data["area_of"][key] for t in sorted(traits) if (key := f"{room.type}:{t}") in data["area_of"]]

@@ -3,6 +3,7 @@
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 OWNED_BY = {
     "closet": ("bedroom", "hallway"),
@@ -17,61 +18,6 @@ OWNED_BY = {
 }
 """What `A with a B` makes B: a room that opens off A."""
 PLURAL = ("have", "need", "get", "should have", "must have")
-
-
-def merge_ensuites(items: list[Item]) -> list[Item]:
-    """`two ensuite bedrooms`, `master bedroom en suite`, `one of them ensuite`."""
-    out: list[Item] = []
-    for item in items:
-        near = [i for i in out if i.kind not in ("copula", "relative", "pronoun")]
-        last = near[-1].room if near else None
-        phrase = item.room
-        if (
-            phrase is not None
-            and _is_ensuite(phrase)
-            and phrase.quantifier in ("all", "each", "both")
-            and (beds := _beds(near))
-        ):
-            phrase.quantifier = "each"
-            beds.owned.append(phrase)
-        elif last is None or phrase is None:
-            out.append(item)
-        elif _is_ensuite(last) and phrase.type == "bedroom" and phrase.count is None and not phrase.quantifier:
-            last.labels -= {"own"}
-            phrase.count, phrase.quantifier, phrase.areas = last.count, last.quantifier, phrase.areas or last.areas
-            phrase.owned.append(RoomPhrase("bathroom", {"ensuite"}, text=last.text, quantifier="each"))
-            out[out.index(near[-1])] = item
-        elif (
-            _is_ensuite(phrase) and phrase.count is None and last.type == "bedroom" and phrase.quantifier in ("", "own")
-        ):
-            last.owned.append(phrase)
-        elif _is_ensuite(phrase) and last.quantifier == "none":
-            phrase.negated = True
-            out[-1] = item
-        elif _is_ensuite(phrase) and last.type == "" and phrase.quantifier == "":
-            last.labels.add("ensuite?")
-        elif (
-            last.type == ""
-            and phrase.count is None
-            and phrase.labels & {"half", "master", "guest", "kids", "small", "shower"}
-            and near[-1] is out[-1]
-        ):
-            last.labels |= phrase.labels
-        elif _is_ensuite(phrase) and last.type == "bathroom" and phrase.quantifier == "" and phrase.count is None:
-            last.labels.add("ensuite")
-        else:
-            out.append(item)
-    return out
-
-
-def _beds(items: list[Item]) -> RoomPhrase | None:
-    """The bedrooms of `three bedrooms, all ensuite`."""
-    found = [r for r in rooms_of(items) if r.type == "bedroom"]
-    return found[-1] if found else None
-
-
-def _is_ensuite(phrase: RoomPhrase) -> bool:
-    return phrase.type == "bathroom" and "ensuite" in phrase.labels
 
 
 def attach_owned(items: list[Item], said: Said) -> list[Item]:
@@ -112,7 +58,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
                 out.append(item)
             if item.value == "has" and (owner.plural or (owner.count or 1) > 1):
                 for owned in owner.owned[before:]:
-                    owned.quantifier = "each" if owned.quantifier == "a" else owned.quantifier
+                    owned.quantifier = Det.EACH if owned.quantifier == Det.A else owned.quantifier
             out += [item] if item.kind == "with" and item.value == "has" else []
             continue
         elif item.kind in ("object", "objects"):
@@ -138,9 +84,9 @@ def _in_each(before: list[Item], after: list[Item]) -> bool:
     inner, owner = (before or [Item("mark")])[-1].room, (after or [Item("mark")])[0].room
     if inner is None or owner is None or owner.type not in OWNED_BY.get(inner.type, ()):
         return False
-    if owner.quantifier not in ("each", "all", "both"):
+    if owner.quantifier not in (Det.EACH, Det.ALL, Det.BOTH):
         return False
-    inner.quantifier = "each"
+    inner.quantifier = Det.EACH
     owner.owned.append(inner)
     before.pop()
     return True
@@ -174,8 +120,8 @@ def _give_each(owner: RoomPhrase, given: list[RoomPhrase], before: list[Item]) -
     if first is None or not first.type or owner.quantifier != first.quantifier:
         return
     for room in given:
-        room.plural, room.quantifier = False, "each"
-        first.owned.append(RoomPhrase(room.type, set(room.labels), quantifier="each", text=room.text))
+        room.plural, room.quantifier = False, Det.EACH
+        first.owned.append(RoomPhrase(room.type, set(room.labels), quantifier=Det.EACH, text=room.text))
 
 
 def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
@@ -195,13 +141,13 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             owner.objects.append((item.value, int(item.number)))
         elif item.kind == "objects":
             owner.object_count = int(item.number)
-        elif item.room is not None and "suite" in owner.labels and bare == "(" and item.room.type == owner.type:
+        elif item.room is not None and Trait.SUITE in owner.labels and bare == "(" and item.room.type == owner.type:
             pass  # "master suite (bedroom, bathroom, closet)"
         elif item.room is not None and _belongs(owner, item, first, items[k + 1 : k + 2], bare):
             if not item.room.negated:
                 owner.owned.append(item.room)
                 if _each_after(items, k):
-                    item.room.quantifier = "each"
+                    item.room.quantifier = Det.EACH
                     k += 1
                 k += _beyond(item.room, items[k + 1 : k + 5])
         elif item.kind == "negation" or item.kind == "conjunction" or is_mark(item, ","):
@@ -228,7 +174,7 @@ def _beyond(closet: RoomPhrase, after: list[Item]) -> int:
 
 def _each_after(items: list[Item], k: int) -> bool:
     following = items[k + 1].room if k + 1 < len(items) else None
-    return following is not None and following.type == "" and following.quantifier == "each" and not following.labels
+    return following is not None and following.type == "" and following.quantifier == Det.EACH and not following.labels
 
 
 def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare: str) -> bool:
@@ -238,22 +184,22 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         return False
     if after and after[0].kind == "link" and after[0].value == "between":
         return False  # "two bedrooms with a bathroom in between"
-    if "adjoining" in phrase.labels and first:
+    if Trait.ADJOINING in phrase.labels and first:
         return True
     if kind == "hallway":
         return not bare and (first or phrase.type in ("bedroom", "bathroom", "study", *ANNEXES))
     if phrase.type == "bathroom":
-        own = bool(phrase.labels & {"ensuite", "own"}) or ("suite" in owner.labels and bare == "(")
-        own = own and not phrase.labels & {"family", "half"}
+        own = bool(phrase.labels & {Trait.ENSUITE, Trait.OWN}) or (Trait.SUITE in owner.labels and bare == "(")
+        own = own and not phrase.labels & {Trait.FAMILY, Trait.HALF}
         lone = first and not bare and phrase.count in (None, 1) and not any(is_mark(i, ",") for i in after)
         lone = lone and not phrase.labels & _not_own(owner)
         theirs = first and (not owner.type or _each_follows(after))
         return own or lone or theirs or (not bare and _dressed(owner))
     if phrase.type in ("kitchen", "dining_room"):
         after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
-        fits = phrase.type == "dining_room" or bool(phrase.labels & {"open", "small"})
+        fits = phrase.type == "dining_room" or bool(phrase.labels & {Trait.OPEN, Trait.SMALL})
         return after_one and fits and not bare and phrase.count is None
-    suite = bool(owner.owned) or "suite" in owner.labels
+    suite = bool(owner.owned) or Trait.SUITE in owner.labels
     listed = bare == "(" and suite and not owner.plural
     if not first and after and after[0].kind in ("link", "front"):
         return False
@@ -261,19 +207,19 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
     return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
 
 
-def _not_own(owner: RoomPhrase) -> set[str]:
+def _not_own(owner: RoomPhrase) -> set[Trait]:
     """Traits of bathrooms that are not one room's own; one bedroom may have a half bath."""
-    one = owner.type == "bedroom" and not owner.plural and owner.quantifier in ("a", "the")
-    return {"family"} if one else {"family", "half"}
+    one = owner.type == "bedroom" and not owner.plural and owner.quantifier in (Det.A, Det.THE)
+    return {Trait.FAMILY} if one else {Trait.FAMILY, Trait.HALF}
 
 
 def _dressed(owner: RoomPhrase) -> bool:
     """`each with dressing room and bathroom`."""
-    return owner.quantifier == "each" and [o.type for o in owner.owned] == ["closet"]
+    return owner.quantifier == Det.EACH and [o.type for o in owner.owned] == ["closet"]
 
 
 def _each_follows(after: list[Item]) -> bool:
-    return bool(after) and after[0].room is not None and after[0].room.quantifier == "each"
+    return bool(after) and after[0].room is not None and after[0].room.quantifier == Det.EACH
 
 
 def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None:

@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.parse import mentions
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 
 def consistent(said: Said, home: Household) -> None:
@@ -19,7 +20,12 @@ def _wanted_and_not(said: Said, home: Household) -> None:
     """`a two-bedroom flat without bedrooms`; a negation that speaks of doors or of some rooms denies none."""
     placed = mentions(said.statements)
     for phrase in said.rooms:
-        bare = not phrase.labels and not phrase.ordinals and phrase.count is None and phrase.quantifier in ("", "a")
+        bare = (
+            not phrase.labels
+            and not phrase.ordinals
+            and phrase.count is None
+            and phrase.quantifier in (Det.BARE, Det.A)
+        )
         plain = bare and id(phrase) not in placed
         if phrase.negated and plain and phrase.type and home.of(phrase.type):
             name = phrase.type.replace("_", " ")
@@ -28,7 +34,7 @@ def _wanted_and_not(said: Said, home: Household) -> None:
 
 def _greater_than_itself(said: Said) -> None:
     """`A twice as large as B, B twice as large as A`."""
-    ratios = [(_types(s.left), _types(s.right), s.number) for s in said.statements if s.kind == "compare"]
+    ratios = [(_types(s.left), _types(s.right), s.number) for s in said.statements if s.kind == Relation.COMPARE]
     for a, b, first in ratios:
         for c, d, second in ratios:
             apart = min(first, second) > 0 and (min(first, second) > 1 or max(first, second) < 1)

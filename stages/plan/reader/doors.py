@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
 from apartgen.stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
 
 Pair = tuple[Entity, Entity]
 
@@ -32,32 +33,32 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
         if left and left == right:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"
         match s.kind:
-            case "open":
+            case Relation.OPEN:
                 if {"living_room", "dining_room"} <= {e.type for e in right}:  # in the order in which food travels
                     pairs = [(a, b) for a, b in pairs if not {a.type, b.type} == {"kitchen", "living_room"}]
                 out.open += [(a, b) for a, b in pairs if {a.type, b.type} <= set(OPEN_TYPES)]
                 out.links += pairs
-            case "not":
+            case Relation.NOT:
                 out.forbidden += pairs
-            case "near":
+            case Relation.NEAR:
                 out.near += [
                     (a, b)
                     for a, b in pairs
                     if a.type in (*OPEN_TYPES, "balcony") and b.type in (*OPEN_TYPES, "balcony")
                 ]
-            case "share":
+            case Relation.SHARE:
                 _share(left, right, out, home)
-            case "own":
+            case Relation.OWN:
                 out.links += pairs
                 owned += [(a, {id(x) for pair in pairs if a in pair for x in pair}) for a in left]
-            case "uses" if len(left) > 1 and all(e.type == "bathroom" for e in right):
+            case Relation.USES if len(left) > 1 and all(e.type == "bathroom" for e in right):
                 for room in right:
-                    room.labels.add("shared")
-            case "compare" | "equal":
+                    room.labels.add(Trait.SHARED)
+            case Relation.COMPARE | Relation.EQUAL:
                 continue
             case _:
                 pairs = _one_way_in(pairs, s, statements)
-                out.only += left if s.kind == "only" else []
+                out.only += left if s.kind == Relation.ONLY else []
                 out.links += pairs
     for room, theirs in owned:  # "two bathrooms, one of which belongs to the main bedroom"
         out.links = [p for p in out.links if room not in p or {id(p[0]), id(p[1])} <= theirs]
@@ -66,7 +67,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
     for e in home.rooms:
         if e.owner is not None:
             out.links.append((e.owner, e))
-            if {e.type, e.owner.type} <= set(OPEN_TYPES) and not e.labels & {"adjoining", "separate"}:
+            if {e.type, e.owner.type} <= set(OPEN_TYPES) and not e.labels & {Trait.ADJOINING, Trait.SEPARATE}:
                 out.open.append((e.owner, e))
     _open_labels(home, out)
     _in_order(out, stated)
@@ -88,7 +89,7 @@ def _in_order(out: Doors, stated: set[frozenset[int]]) -> None:
 
 def _one_way_in(pairs: list[Pair], s: Statement, statements: list[Statement]) -> list[Pair]:
     """`the hall opens into a living-dining-kitchen`: one space needs one door, that of the living room."""
-    together = {id(p) for o in statements if o.kind == "open" for p in (*o.left, *o.right)}
+    together = {id(p) for o in statements if o.kind == Relation.OPEN for p in (*o.left, *o.right)}
     joined = {p.type for p in s.right if id(p) in together} if sum(id(p) in together for p in s.right) > 1 else set()
     out = []
     for a, b in pairs:
@@ -98,10 +99,16 @@ def _one_way_in(pairs: list[Pair], s: Statement, statements: list[Statement]) ->
     return out
 
 
-def _served(a: Entity, b: Entity, kind: str) -> bool:
+def _served(a: Entity, b: Entity, kind: Relation) -> bool:
     """A family bathroom that serves a bedroom has no door to it; a shared one that is connected to it has."""
     bath = a if a.type == "bathroom" else b
-    common = {"family", "guest"} if "shared" not in bath.labels else {"shared"} if kind in ("serve", "uses") else set()
+    common = (
+        {Trait.FAMILY, Trait.GUEST}
+        if Trait.SHARED not in bath.labels
+        else {Trait.SHARED}
+        if kind in (Relation.SERVE, Relation.USES)
+        else set()
+    )
     return {a.type, b.type} == {"bathroom", "bedroom"} and bool(bath.labels & common)
 
 
@@ -116,12 +123,12 @@ def every_room(statements: list[Statement], home: Household, doors: Doors) -> No
     """`every room opens onto the hallway`, once all rooms are known."""
     for s in statements:
         for some, others in ((s.left, s.right), (s.right, s.left)):
-            if s.kind in ("door", "only", "serve") and any(p.type == "any" for p in some):
+            if s.kind in (Relation.DOOR, Relation.ONLY, Relation.SERVE) and any(p.type == "any" for p in some):
                 hubs = entities(others, home)
                 excluded = entities([x for p in some for x in p.excluded], home)
                 linked = (
                     {id(e) for pair in doors.links for e in pair}
-                    if any(p.quantifier == "other" for p in some)
+                    if any(p.quantifier == Det.OTHER for p in some)
                     else set()
                 )
                 rooms = [
@@ -130,7 +137,7 @@ def every_room(statements: list[Statement], home: Household, doors: Doors) -> No
                     if e not in [*hubs, *excluded]
                     and e.owner is None
                     and e.type not in ("balcony", "closet")
-                    and "ensuite" not in e.labels
+                    and Trait.ENSUITE not in e.labels
                     and id(e) not in linked
                 ]
                 doors.links += [(hub, e) for hub in hubs for e in rooms]
@@ -142,18 +149,18 @@ def _share(users: list[Entity], shared: list[Entity], out: Doors, home: Househol
         users, shared = shared, users
     users = [u for u in users if u.type == "bedroom"] if shared and shared[0].type == "bathroom" else users
     for room in shared:
-        others = [e for e in home.of("bathroom") if e is not room and e.owner is None and "half" not in e.labels]
+        others = [e for e in home.of("bathroom") if e is not room and e.owner is None and Trait.HALF not in e.labels]
         if room.type == "bathroom" and (
-            "shared_pair" not in room.labels and not others or len(shared) > 1 or len(users) > 3
+            Trait.SHARED_PAIR not in room.labels and not others or len(shared) > 1 or len(users) > 3
         ):
-            room.labels.add("shared")
+            room.labels.add(Trait.SHARED)
             continue
         out.links += [(u, room) for u in users if u is not room]
 
 
 def _open_labels(home: Household, out: Doors) -> None:
     """`open kitchen`, `jack-and-jill bathroom` with nothing more said."""
-    opened = [e for e in home.rooms if "open" in e.labels and e.type in OPEN_TYPES]
+    opened = [e for e in home.rooms if Trait.OPEN in e.labels and e.type in OPEN_TYPES]
     if home.open_kitchen:
         opened += home.of("kitchen")
     for entity in opened:
@@ -161,13 +168,13 @@ def _open_labels(home: Household, out: Doors) -> None:
             continue
         order = ("living_room", "dining_room", "kitchen")
         partner = next((e for kind in order for e in home.rooms if e.type == kind and e.type != entity.type), None)
-        entity.labels.add("open")
+        entity.labels.add(Trait.OPEN)
         if partner is not None:
             out.open.append((entity, partner))
             out.links.append((entity, partner))
     for entity in home.rooms:
-        if "shared_pair" in entity.labels and not any(entity in pair for pair in out.links):
-            beds = [e for e in home.of("bedroom") if "master" not in e.labels]
+        if Trait.SHARED_PAIR in entity.labels and not any(entity in pair for pair in out.links):
+            beds = [e for e in home.of("bedroom") if Trait.MASTER not in e.labels]
             beds = (beds if len(beds) > 1 else home.of("bedroom"))[-2:]
             out.links += [(bed, entity) for bed in beds]
 
@@ -186,12 +193,14 @@ def ensuites(home: Household, doors: Doors) -> None:
         if not any(r.type == "bathroom" and (r.owner is e or (e, r) in doors.links) for r in home.rooms)
         and not any(c.owner is e and b.type == "bathroom" for c, b in _ways(doors) if c.type == "closet")
     ]
-    beds.sort(key=lambda e: "master" not in e.labels)
-    if ("bathroom", "ensuite") in home.banned:
+    beds.sort(key=lambda e: Trait.MASTER not in e.labels)
+    if ("bathroom", Trait.ENSUITE) in home.banned:
         beds = []
-    plain = [e for e in home.of("bathroom") if "half" not in e.labels and e.owner is None and not linked(e)]
-    named = [e for e in plain if "ensuite" in e.labels]
-    others = [e for e in plain if e not in named and not e.labels & {"family", "shared", "guest", "separate"}]
+    plain = [e for e in home.of("bathroom") if Trait.HALF not in e.labels and e.owner is None and not linked(e)]
+    named = [e for e in plain if Trait.ENSUITE in e.labels]
+    others = [
+        e for e in plain if e not in named and not e.labels & {Trait.FAMILY, Trait.SHARED, Trait.GUEST, Trait.SEPARATE}
+    ]
     serves = len(plain) - len(others) - len(named) + sum(_serves(e, doors) for e in home.of("bathroom"))
     spare = others if serves else others[: len(others) - 1] if len(beds) > 0 else []
     if len(home.of("bedroom")) < 2 and not home.totals.get("bathroom") and not named:
@@ -201,7 +210,7 @@ def ensuites(home: Household, doors: Doors) -> None:
         doors.links.append((bed, bath))
     for closet in home.of("closet"):
         if closet.owner is None and not linked(closet) and home.of("bedroom"):
-            closet.owner = min(home.of("bedroom"), key=lambda e: "master" not in e.labels)
+            closet.owner = min(home.of("bedroom"), key=lambda e: Trait.MASTER not in e.labels)
             doors.links.append((closet.owner, closet))
 
 
@@ -218,4 +227,4 @@ def _annex(room: Entity, bath: Entity) -> bool:
 def _serves(bath: Entity, doors: Doors) -> bool:
     """Whether a bathroom is entered from elsewhere than a bedroom."""
     near = [b if a is bath else a for a, b in doors.links if bath in (a, b)]
-    return "half" not in bath.labels and any(e.type not in ("bedroom", *ANNEXES) for e in near)
+    return Trait.HALF not in bath.labels and any(e.type not in ("bedroom", *ANNEXES) for e in near)

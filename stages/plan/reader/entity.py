@@ -2,27 +2,29 @@
 
 from dataclasses import dataclass, field
 
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
 DISTINCT = (
-    "master",
-    "guest",
-    "kids",
-    "relative",
-    "staff",
-    "small",
-    "double",
-    "ensuite",
-    "half",
-    "shower",
-    "family",
-    "shared_pair",
-    "entrance",
-    "inner",
-    "eat_in",
-    "size",
+    Trait.MASTER,
+    Trait.GUEST,
+    Trait.KIDS,
+    Trait.RELATIVE,
+    Trait.STAFF,
+    Trait.SMALL,
+    Trait.DOUBLE,
+    Trait.ENSUITE,
+    Trait.HALF,
+    Trait.SHOWER,
+    Trait.FAMILY,
+    Trait.SHARED_PAIR,
+    Trait.ENTRANCE,
+    Trait.INNER,
+    Trait.EAT_IN,
+    Trait.SIZED,
 )
 """Labels that tell one room from another of its type."""
 
-PAIRED = ("all", "each", "both")
+PAIRED = (Det.ALL, Det.EACH, Det.BOTH)
 
 MOST = 40
 """Rooms of one home."""
@@ -33,7 +35,7 @@ class Entity:
     """One room of the home being described."""
 
     type: str
-    labels: set[str] = field(default_factory=set)
+    labels: set[Trait] = field(default_factory=set)
     area: float | None = None
     share: float | None = None
     factor: float = 1.0

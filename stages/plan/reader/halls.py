@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
 """Words for a hallway that no one uses of the entrance hall."""
@@ -16,8 +17,8 @@ def other_hall(phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> bool
         return False
     if not any(_same(phrase.text, e.name) for e in known):
         return True
-    entered = all("entrance" in e.labels for e in known) and "entrance" not in phrase.labels
-    return entered and (phrase.quantifier == "a" or (phrase.quantifier == "" and phrase.text in CORRIDORS))
+    entered = all(Trait.ENTRANCE in e.labels for e in known) and Trait.ENTRANCE not in phrase.labels
+    return entered and (phrase.quantifier == Det.A or (phrase.quantifier == Det.BARE and phrase.text in CORRIDORS))
 
 
 def best_named(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:
@@ -32,7 +33,7 @@ def may_be(phrase: RoomPhrase, room: Entity) -> bool:
 
 def hall_rank(room: Entity) -> int:
     """Where one comes in first, a landing last."""
-    return 0 if "entrance" in room.labels or room.name in FOYERS else 2 if room.name == "landing" else 1
+    return 0 if Trait.ENTRANCE in room.labels or room.name in FOYERS else 2 if room.name == "landing" else 1
 
 
 def _same(word: str, name: str) -> bool:

@@ -3,10 +3,12 @@
 import math
 
 from apartgen.stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
-from apartgen.stages.plan.reader.halls import best_named, may_be, other_hall
+from apartgen.stages.plan.reader.halls import best_named, other_hall
+from apartgen.stages.plan.reader.labelled import labelled
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
 from apartgen.stages.plan.reader.traits import lay
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 """Rooms a home has: no additional one is still one."""
@@ -18,6 +20,11 @@ BOXES = ("box room", "boxroom")
 def _index(ordinal: int) -> int:
     """Of `first`, `second`, `last` (-1) in a list."""
     return ordinal - 1 if ordinal > 0 else ordinal
+
+
+def _counted_off(rooms: list[Entity], ordinals: tuple[int, ...]) -> list[Entity]:
+    """The first, the third of some rooms; a home that is full has not all of them."""
+    return [rooms[k] for n in ordinals if (k := _index(n)) < len(rooms)]
 
 
 class Household:
@@ -59,7 +66,7 @@ class Household:
         excluded = [e for p in phrase.excluded for e in self.refs[id(p)]]
         found = [e for e in self._find(phrase) if e not in excluded]
         for entity in self.rooms[before:]:
-            named = phrase.quantifier == "" and (id(phrase) in self.mentions or phrase.plural)
+            named = phrase.quantifier == Det.BARE and (id(phrase) in self.mentions or phrase.plural)
             entity.name = phrase.text
             entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
         lay(phrase, found)
@@ -67,8 +74,8 @@ class Household:
         if len(found) > 1:
             self.group = found
         self.last = found or self.last
-        if "suite" in phrase.labels and not any(o.type == "bathroom" for o in phrase.owned):
-            phrase.owned.append(RoomPhrase("bathroom", {"ensuite"}, quantifier="each"))
+        if Trait.SUITE in phrase.labels and not any(o.type == "bathroom" for o in phrase.owned):
+            phrase.owned.append(RoomPhrase("bathroom", {Trait.ENSUITE}, quantifier=Det.EACH))
         for owned in phrase.owned:
             own(self, owned, found, phrase.quantifier in PAIRED)
         return found
@@ -76,44 +83,44 @@ class Household:
     def _ban(self, phrase: RoomPhrase) -> None:
         if phrase.ordinals:  # "no second bathroom"
             self.totals.setdefault(phrase.type, len(self._ensure(phrase.type, min(phrase.ordinals) - 1, counted=True)))
-        elif phrase.quantifier == "another" and (self.of(phrase.type) or phrase.type in ALWAYS):
+        elif phrase.quantifier == Det.ANOTHER and (self.of(phrase.type) or phrase.type in ALWAYS):
             pass  # "no extra bathroom"
-        elif phrase.type == "kitchen" and "separate" in phrase.labels:
+        elif phrase.type == "kitchen" and Trait.SEPARATE in phrase.labels:
             self.open_kitchen = True
-        elif "separate" not in phrase.labels:
+        elif Trait.SEPARATE not in phrase.labels:
             label = next((x for x in sorted(phrase.labels) if x in DISTINCT), "")
             self.banned.add((phrase.type, label))
 
     def _find(self, phrase: RoomPhrase) -> list[Entity]:
-        if phrase.type == "any" or phrase.quantifier == "none":
+        if phrase.type == "any" or phrase.quantifier == Det.NONE:
             return []
         if phrase.type == "":
             return self._ellipsis(phrase)
-        if "halls" in phrase.labels:
+        if Trait.HALLS in phrase.labels:
             return self._halls(phrase)
         if phrase.headline and phrase.count is not None:
             return self._headline(phrase)
         if phrase.text in BOXES and self.totals.get("bedroom") == 1:
             phrase.type, phrase.labels = "storage", set()  # "1-bed flat with a box room": no second place to sleep
             return self.add("storage")
-        who = phrase.labels & {"kids", "guest"}
+        who = phrase.labels & {Trait.KIDS, Trait.GUEST}
         if phrase.ordinals and who and phrase.type not in self.totals:
             return self._among(phrase.type, who, phrase.ordinals)
         if phrase.ordinals:
             self._ensure(phrase.type, max(1, *phrase.ordinals))
-            return [self.of(phrase.type)[_index(n)] for n in phrase.ordinals]
-        if phrase.quantifier in (*PAIRED, "one_of", "other") or (phrase.quantifier == "the" and phrase.count):
+            return _counted_off(self.of(phrase.type), phrase.ordinals)
+        if phrase.quantifier in (*PAIRED, Det.ONE_OF, Det.OTHER) or (phrase.quantifier == Det.THE and phrase.count):
             return self._partitive(phrase)
         labels = phrase.labels & set(DISTINCT)
         if labels:
-            return self._labelled(phrase, labels)
+            return labelled(self, phrase, labels)
         return self._plain(phrase)
 
-    def _among(self, kind: str, labels: set[str], ordinals: tuple[int, ...]) -> list[Entity]:
+    def _among(self, kind: str, labels: set[Trait], ordinals: tuple[int, ...]) -> list[Entity]:
         """`a second children's bedroom`: the second of those."""
         known = [e for e in self.of(kind) if labels & e.labels]
         known += self.add(kind, max(ordinals) - len(known))
-        return [known[_index(n)] for n in ordinals]
+        return _counted_off(known, ordinals)
 
     def _halls(self, phrase: RoomPhrase) -> list[Entity]:
         """Chinese counts of halls: the first is the living room, the second the dining room."""
@@ -130,7 +137,7 @@ class Household:
 
     def _half(self, phrase: RoomPhrase, found: list[Entity]) -> None:
         if phrase.type == "bathroom" and phrase.count and phrase.count % 1 and found:
-            found[-1].labels.add("half")
+            found[-1].labels.add(Trait.HALF)
 
     def _ensure(self, kind: str, count: int, counted: bool = False) -> list[Entity]:
         """At least `count` rooms of a type; all of them."""
@@ -147,14 +154,14 @@ class Household:
         free = [e for e in pool if not e.picked] or pool
         if len(pool) == 1 and phrase.another and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
-        if phrase.quantifier == "another" and not phrase.count:
+        if phrase.quantifier == Det.ANOTHER and not phrase.count:
             return self.add(phrase.type)
-        if phrase.quantifier == "other" and phrase.count:
+        if phrase.quantifier == Det.OTHER and phrase.count:
             rest = [e for e in self.of(phrase.type) if not e.picked and (e not in self.last or len(pool) > 1)]
             found = (rest + self.add(phrase.type, int(phrase.count) - len(rest)))[: int(phrase.count)]
         elif phrase.quantifier in PAIRED and not phrase.count:
             found = pool
-        elif phrase.quantifier == "other" and not phrase.count:
+        elif phrase.quantifier == Det.OTHER and not phrase.count:
             found = free
         elif phrase.ordinals:
             whole = pool if max(phrase.ordinals) <= len(pool) else self._ensure(phrase.type, max(phrase.ordinals))
@@ -163,83 +170,45 @@ class Household:
             found = free[: int(phrase.count or 1)]
         for entity in found if phrase.quantifier not in PAIRED else []:
             entity.picked = True
-        if "ensuite?" in phrase.labels:
-            phrase.labels = {"ensuite"} if phrase.type == "bathroom" else set()
+        if Trait.MAYBE_ENSUITE in phrase.labels:
+            phrase.labels = {Trait.ENSUITE} if phrase.type == "bathroom" else set()
             phrase.owned += (
-                [] if phrase.type == "bathroom" else [RoomPhrase("bathroom", {"ensuite"}, quantifier="each")]
+                [] if phrase.type == "bathroom" else [RoomPhrase("bathroom", {Trait.ENSUITE}, quantifier=Det.EACH)]
             )
         return found
 
     def _partitive(self, phrase: RoomPhrase) -> list[Entity]:
-        labels = phrase.labels & {"master", "guest", "kids"}
+        labels = phrase.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS}
         self._ensure(phrase.type, phrase.whole or 0)
         known = [e for e in self.of(phrase.type) if not labels or labels & e.labels]
-        if phrase.quantifier in ("one_of", "other"):
-            if phrase.quantifier == "other" and phrase.count:
+        if phrase.quantifier in (Det.ONE_OF, Det.OTHER):
+            if phrase.quantifier == Det.OTHER and phrase.count:
                 rest = [e for e in known if not e.picked and e not in self.last]
                 self.add(phrase.type, int(phrase.count) - len(rest))
             whole = self._ensure(
-                phrase.type, int(phrase.count or 2) if phrase.quantifier == "one_of" else max(len(known), 1)
+                phrase.type, int(phrase.count or 2) if phrase.quantifier == Det.ONE_OF else max(len(known), 1)
             )
-            self.group = whole if phrase.quantifier == "one_of" and len(whole) > 1 else self.group
-            free = [e for e in whole if not e.picked and (phrase.quantifier == "one_of" or e not in self.last)]
-            many = phrase.quantifier == "other" and (phrase.plural or phrase.count)
+            self.group = whole if phrase.quantifier == Det.ONE_OF and len(whole) > 1 else self.group
+            free = [e for e in whole if not e.picked and (phrase.quantifier == Det.ONE_OF or e not in self.last)]
+            many = phrase.quantifier == Det.OTHER and (phrase.plural or phrase.count)
             found = (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]
             for entity in found:
                 entity.picked = True
             return found
-        count = int(phrase.count or (2 if phrase.quantifier == "both" else 0))
+        count = int(phrase.count or (2 if phrase.quantifier == Det.BOTH else 0))
         if labels and not known:
             return self.add(phrase.type, max(count, 2 if phrase.plural else 1), labels=set(labels))
-        if phrase.quantifier == "the" and len(known) > count > 0:
+        if phrase.quantifier == Det.THE and len(known) > count > 0:
             free = [e for e in known if not e.picked and not e.labels & set(DISTINCT)]
             return (free if len(free) >= count else known)[:count]
         least = 2 if phrase.type == "bedroom" and phrase.quantifier in PAIRED else 1  # "each bedroom" of a home unsaid
         found = self._ensure(phrase.type, max(count, len(known) or least)) if not labels else known
         return found
 
-    def _labelled(self, phrase: RoomPhrase, labels: set[str]) -> list[Entity]:
-        several = len(self.of("bedroom")) if "ensuite" in labels else 0  # "a house with attached bathrooms"
-        count = int(phrase.count or (max(2, several) if phrase.plural else 1))
-        known = [e for e in self.of(phrase.type) if labels & e.labels]
-        if known and (phrase.quantifier in ("the", "") or id(phrase) in self.mentions) and phrase.count is None:
-            return known
-        if known and phrase.count and all(e.vague for e in known):
-            return known[:count] + self.add(phrase.type, count - len(known), labels=set(labels))
-        if labels == {"size"} or labels == {"family"}:
-            free = [e for e in self.of(phrase.type) if not e.picked and not e.labels & set(DISTINCT)]
-            if free and (phrase.quantifier == "the" or id(phrase) in self.mentions):
-                return free[:1]
-        apart = set(DISTINCT) - ({"double"} if "master" in labels else set())
-        free = [e for e in self.of(phrase.type) if not e.labels & apart and not e.picked and e.owner is None]
-        free = [e for e in free if may_be(phrase, e)]
-        total = phrase.type in self.totals or phrase.subset
-        take = free if self._among_known(phrase, labels, free, total) else []
-        found = take[:count]
-        if phrase.type in self.totals and phrase.quantifier != "another" and "half" not in labels:
-            count = max(len(found), 1) if found else count
-        found += self.add(phrase.type, count - len(found))
-        for entity in found:
-            entity.labels |= labels
-            entity.picked = True
-        return found
-
-    def _among_known(self, phrase: RoomPhrase, labels: set[str], free: list[Entity], total: bool) -> bool:
-        """Whether a labelled room is one of those counted before: `three bedrooms, master with ensuite`."""
-        if phrase.quantifier == "another" or "staff" in labels or ("half" in labels and not phrase.subset):
-            return False
-        bare = phrase.quantifier == "" and phrase.count is None and (phrase.text == "master" or bool(phrase.owned))
-        attribute = "master" in labels and bare and len([e for e in free if e.counted]) > 1
-        return total or phrase.quantifier == "the" or attribute or self._counted(free)
-
-    def _counted(self, free: list[Entity]) -> bool:
-        """`two bathrooms, ensuite in the master`: the ensuite is one of the two."""
-        return bool(free) and free[0].type == "bathroom" and len([e for e in free if e.counted]) > 1
-
     def _plain(self, phrase: RoomPhrase) -> list[Entity]:
         known = self.of(phrase.type)
         mentioned = id(phrase) in self.mentions
-        if phrase.quantifier == "another":
+        if phrase.quantifier == Det.ANOTHER:
             return self.add(phrase.type, int(phrase.count or 1))
         plain = mentioned or phrase.count in (None, 1)
         vague = [e for e in known if e.vague and not (plain and e.labels & set(DISTINCT))]
@@ -266,15 +235,20 @@ class Household:
         return found
 
     def _uncounted(self, phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> list[Entity]:
-        if phrase.plural or phrase.quantifier == "several":
-            few = 3 if phrase.quantifier == "several" else 2
+        if phrase.plural or phrase.quantifier == Det.SEVERAL:
+            few = 3 if phrase.quantifier == Det.SEVERAL else 2
             return known if len(known) > 1 else self._ensure(phrase.type, few)
         single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
-        refers = phrase.quantifier == "the" or (
-            mentioned and (single or phrase.quantifier == "" or phrase.type in self.totals)
+        refers = phrase.quantifier == Det.THE or (
+            mentioned and (single or phrase.quantifier == Det.BARE or phrase.type in self.totals)
         )
         refers = refers or (single and not phrase.text.isascii())  # languages without articles
-        if phrase.type == "bedroom" and not mentioned and known and all(e.labels & {"guest", "kids"} for e in known):
+        if (
+            phrase.type == "bedroom"
+            and not mentioned
+            and known
+            and all(e.labels & {Trait.GUEST, Trait.KIDS} for e in known)
+        ):
             return self.add(phrase.type)  # "a guest room besides our bedroom"
         if other_hall(phrase, known, mentioned):
             return self.add(phrase.type)
@@ -283,7 +257,7 @@ class Household:
             phrase.type == "bathroom"
             and mentioned
             and known
-            and all("ensuite" in e.labels or "half" in e.labels for e in known)
+            and all(Trait.ENSUITE in e.labels or Trait.HALF in e.labels for e in known)
         ):
             return self.add(phrase.type)
         if known and refers:

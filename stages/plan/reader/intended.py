@@ -1,6 +1,7 @@
 """Whom a room is for, and counts beyond the usual."""
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
 def intended(items: list[Item]) -> list[Item]:
@@ -14,7 +15,7 @@ def intended(items: list[Item]) -> list[Item]:
         one = of_baths and phrase is not None and phrase.type == "" and phrase.count == 1
         user = items[k + 2].room if k + 2 < len(items) and items[k + 1].text == "for" else None
         if _for_guests(phrase, items, k, [i.room for i in out if i.room is not None]):
-            phrase.labels.add("guest")  # type: ignore[union-attr]
+            phrase.labels.add(Trait.GUEST)  # type: ignore[union-attr]
             out.append(items[k])
             k += 1
             continue
@@ -26,11 +27,11 @@ def intended(items: list[Item]) -> list[Item]:
         if one or (user is not None and user.type == "bedroom"):
             phrase.type, phrase.text, of_baths = "bathroom", phrase.text or "bathroom", True
             if lone and user is not None:
-                phrase.labels |= {"ensuite", "own"}
+                phrase.labels |= {Trait.ENSUITE, Trait.OWN}
                 user.owned.append(phrase)
             else:
-                phrase.quantifier = "another" if one else phrase.quantifier
-                phrase.labels |= {"family"} if user is not None else {"guest"}
+                phrase.quantifier = Det.ANOTHER if one else phrase.quantifier
+                phrase.labels |= {Trait.FAMILY} if user is not None else {Trait.GUEST}
                 out.append(items[k])
             k += 2
         else:
@@ -54,7 +55,7 @@ def beyond_usual(items: list[Item], rest: list[RoomPhrase]) -> list[Item]:
         last = out[-1].room if out else None
         if item.kind != "than":
             out.append(item)
-        elif last is not None and last.quantifier == "another" and _counted(last, rest):
+        elif last is not None and last.quantifier == Det.ANOTHER and _counted(last, rest):
             out.pop()
     return out
 

@@ -3,6 +3,7 @@
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
+from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
 
 LARGE = 40.0
 """Area, m², that no room has of which several are alike."""
@@ -17,7 +18,7 @@ def mark_headlines(items: list[Item], said: Said) -> None:
         if phrase is not None and phrase.count is not None and _totals(items, k):
             phrase.headline = True
         if phrase is not None and _on_top(items, k):
-            phrase.quantifier = "another"
+            phrase.quantifier = Det.ANOTHER
         if item.kind != "dwelling" or said.dwelling:
             continue
         j = k - 1
@@ -46,8 +47,8 @@ def _on_top(items: list[Item], k: int) -> bool:
         counted
         and phrase.count in (None, 1)
         and phrase.type == "bedroom"
-        and "master" not in phrase.labels
-        and phrase.quantifier in ("", "a")
+        and Trait.MASTER not in phrase.labels
+        and phrase.quantifier in (Det.BARE, Det.A)
     )
 
 
@@ -180,7 +181,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
         j -= 1
     last = before[j].room if j >= 0 else None
     if last is not None:
-        each = any(r.quantifier == "each" for r in rooms_of(items[k + 1 : k + 2]))
+        each = any(r.quantifier == Det.EACH for r in rooms_of(items[k + 1 : k + 2]))
         return [] if not each and _speaks_of_flat(before, j, items[k]) else _each_of(before, items, j, k)
     if j >= 0 and before[j].kind == "dwelling":
         return []
@@ -195,8 +196,8 @@ def _each_of(before: list[Item], items: list[Item], j: int, k: int) -> list[Room
     """The room at `before[j]`, or all of `a bedroom and a study, 12 m² each`."""
     room, earlier = before[j].room, before[j - 1].room if j else None
     assert room is not None
-    each = any(r.quantifier in ("each", "both") for r in rooms_of(items[k + 1 : k + 2]))
-    if room.type == "" and room.quantifier in ("each", "both") and earlier is not None:
+    each = any(r.quantifier in (Det.EACH, Det.BOTH) for r in rooms_of(items[k + 1 : k + 2]))
+    if room.type == "" and room.quantifier in (Det.EACH, Det.BOTH) and earlier is not None:
         each, room, j = True, earlier, j - 1
     group = [room]
     while each and not room.plural and j > 1 and (before[j - 1].kind == "conjunction" or is_mark(before[j - 1], ",")):
@@ -247,15 +248,15 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         after = rooms_of(items[k + 1 :])
         if item.number == -1 and before:
             clause = _clause(out)
-            found.append(Statement("equal", clause, clause))
+            found.append(Statement(Relation.EQUAL, clause, clause))
         elif before and after and not (" that " in item.text and len(before) > 1):
-            if after[0].quantifier == "a":
-                after[0].quantifier = "the"  # "three times as large as a bedroom" asks for no further one
-            found.append(Statement("compare", before[-1:], after[:1], item.number))
+            if after[0].quantifier == Det.A:
+                after[0].quantifier = Det.THE  # "three times as large as a bedroom" asks for no further one
+            found.append(Statement(Relation.COMPARE, before[-1:], after[:1], item.number))
             out.append(Item("room", after[0].type, after[0].text, after[0]))
             skip = True
         elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
-            found.append(Statement("compare", before[-1:], before[-2:-1], item.number))
+            found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
     return out, found
 
 

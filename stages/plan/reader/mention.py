@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass, field
 
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
 OPEN_TYPES = ("living_room", "kitchen", "dining_room")
 
-PARTITIVE = ("all", "each", "both", "one_of", "other", "none")
+PARTITIVE = (Det.ALL, Det.EACH, Det.BOTH, Det.ONE_OF, Det.OTHER, Det.NONE)
 
 
 @dataclass(eq=False)
@@ -17,9 +19,9 @@ class RoomPhrase:
     """
 
     type: str = ""
-    labels: set[str] = field(default_factory=set)
+    labels: set[Trait] = field(default_factory=set)
     count: float | None = None
-    quantifier: str = ""
+    quantifier: Det = Det.BARE
     ordinals: tuple[int, ...] = ()
     plural: bool = False
     areas: tuple[float, ...] = ()
@@ -43,10 +45,10 @@ class RoomPhrase:
     @property
     def definite(self) -> bool:
         """Whether it speaks of rooms known already."""
-        return self.quantifier in ("the", *PARTITIVE)
+        return self.quantifier in (Det.THE, *PARTITIVE)
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Item:
     """One element of a sentence; `kind` is room, object, objects, area, share, or the kind of a lexeme."""
 

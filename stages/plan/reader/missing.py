@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.mention import OPEN_TYPES
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.vocabulary import Trait
 
 
 def full_graph(said: Said, home: Household, doors: Doors) -> bool:
@@ -75,7 +76,7 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
 
 def _of_many(bedroom: Entity) -> bool:
     """Whether it may be one of several nobody counted: `a three-room flat, the bedroom to the east`."""
-    return not bedroom.counted and (bedroom.vague or "master" in bedroom.labels)
+    return not bedroom.counted and (bedroom.vague or Trait.MASTER in bedroom.labels)
 
 
 def _around_living(said: Said, home: Household, doors: Doors) -> bool:
@@ -113,9 +114,9 @@ def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:
         return
     beds = len(home.of("bedroom"))
     have = home.of("bathroom")
-    full = [e for e in have if "half" not in e.labels]
-    served = max(len({id(e.owner) for e in full}), len([e for e in full if "ensuite" in e.labels]))
-    common = [e for e in full if (e.owner is None or e.owner.type == "hallway") and "ensuite" not in e.labels]
+    full = [e for e in have if Trait.HALF not in e.labels]
+    served = max(len({id(e.owner) for e in full}), len([e for e in full if Trait.ENSUITE in e.labels]))
+    common = [e for e in full if (e.owner is None or e.owner.type == "hallway") and Trait.ENSUITE not in e.labels]
     if not have:
         home.add("bathroom", data["bathrooms"][min(beds, len(data["bathrooms"]) - 1)])
     elif "bathroom" not in home.totals and not common and (not full or beds > served):
@@ -127,7 +128,7 @@ def _studio(said: Said, home: Household) -> None:
     for living in home.of("living_room")[:1]:
         if not any(c in ("double_bed", "single_bed", "bunk_bed") for c, _ in living.objects) and home.of("bathroom"):
             living.objects.append(("double_bed", 1))
-        living.labels |= {"loft"} if said.about.loft else set()
+        living.labels |= {Trait.LOFT} if said.about.loft else set()
     for kitchen in home.of("kitchen"):
-        if "separate" not in kitchen.labels:
-            kitchen.labels |= {"open"} if said.about.loft else {"open", "small"}
+        if Trait.SEPARATE not in kitchen.labels:
+            kitchen.labels |= {Trait.OPEN} if said.about.loft else {Trait.OPEN, Trait.SMALL}

@@ -3,6 +3,7 @@
 from apartgen.stages.plan.reader.anaphora import PAIRED
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.predicates import Predicate
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 
 def objects(items: list[Item], p: Predicate, following: Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
@@ -13,10 +14,10 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         # "from which a passage leads to …"
         end = following.subject[1] if following.shared or led else following.subject[0]
         end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
-        if p.kind == "near" and following.form == "part" and following.subject[0] > p.at + 1:
+        if p.kind == Relation.NEAR and following.form == "part" and following.subject[0] > p.at + 1:
             end = following.subject[0]  # "a bath near the hall and a kitchen open to the lounge"
     out: list[RoomPhrase] = []
-    if p.kind == "open" and items[p.at + 1 : p.at + 2] and items[p.at + 1].value == "it":
+    if p.kind == Relation.OPEN and items[p.at + 1 : p.at + 2] and items[p.at + 1].value == "it":
         return out  # "a kitchen open to it, and two bedrooms off …"
     for j in range(p.at + 1, min(end, len(items))):
         item = items[j]
@@ -51,23 +52,25 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
         return False
     if p.form == "which" and items[p.at].text in ("into which", "onto which"):
         return True  # "a hall into which the lounge, the kitchen and the study open"
-    if p.kind in ("to", "in", "gap") or (p.form == "which" and p.at and is_mark(items[j - 1], ",")):
+    if p.kind in (Relation.TO, Relation.IN, Relation.GAP) or (
+        p.form == "which" and p.at and is_mark(items[j - 1], ",")
+    ):
         return False
-    if p.kind == "share" and is_mark(items[j - 1], ","):
+    if p.kind == Relation.SHARE and is_mark(items[j - 1], ","):
         return False
-    if p.kind == "between":
+    if p.kind == Relation.BETWEEN:
         return len(out) < 2 or items[j - 1].kind == "conjunction"
-    if p.kind == "open" and phrase.type not in OPEN_TYPES:
+    if p.kind == Relation.OPEN and phrase.type not in OPEN_TYPES:
         return False
     if p.form != "part":
         return True
     same = first.definite == phrase.definite
-    if left and all(r.type == "hallway" for r in left) and p.kind == "door":
+    if left and all(r.type == "hallway" for r in left) and p.kind == Relation.DOOR:
         return True
     alone = p.subject[0] == 0 and not any(i.room for i in items[p.subject[1] : p.at])  # a sentence of its own
     if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left) and not alone:
         return False
-    if first.definite or first.quantifier == "" and p.kind in ("near", "open"):
+    if first.definite or first.quantifier == Det.BARE and p.kind in (Relation.NEAR, Relation.OPEN):
         return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same
     return same or not phrase.definite
 

@@ -4,6 +4,7 @@ from apartgen.stages.plan.reader.measures import split_area
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
 
 
 def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
@@ -23,12 +24,12 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         after = closing < len(items) and items[closing].kind == "open"
         _one_space(items, i)
         if len(group) == 1 and after:
-            group[0].labels.add("open")
-        if len(group) > 1 and (tight or after or "open" in group[0].labels):
+            group[0].labels.add(Trait.OPEN)
+        if len(group) > 1 and (tight or after or Trait.OPEN in group[0].labels):
             out += chain(group)
             _share_area(group)
             for phrase in group:
-                phrase.labels.discard("open")
+                phrase.labels.discard(Trait.OPEN)
         kept += items[i : end + 1] if not after else items[i:end]
         i = (closing if after else end) + 1
     return kept, out
@@ -38,7 +39,7 @@ def _one_space(items: list[Item], i: int) -> None:
     """`one open space for living, dining and cooking`."""
     ahead = items[i + 2].room if i + 2 < len(items) and items[i + 1].kind == "with" else None
     if items[i].kind == "open" and ahead is not None and ahead.type in OPEN_TYPES:
-        ahead.labels.add("open")
+        ahead.labels.add(Trait.OPEN)
 
 
 def _share_area(group: list[RoomPhrase]) -> None:
@@ -55,7 +56,7 @@ def _run(items: list[Item], i: int) -> int:
     first, end, j = items[i], i + 1, i + 1
     assert first.room is not None
     seen = {first.value}
-    tight_only = "open" not in first.room.labels and not _ends_open(items, i)
+    tight_only = Trait.OPEN not in first.room.labels and not _ends_open(items, i)
     while j < len(items):
         item = items[j]
         separated = _separator(item)
@@ -64,7 +65,7 @@ def _run(items: list[Item], i: int) -> int:
             and item.value in OPEN_TYPES
             and item.value not in seen
             and not item.room.negated
-            and "separate" not in item.room.labels
+            and Trait.SEPARATE not in item.room.labels
         ):
             linked = item.joined or is_mark(items[j - 1], "/") or (items[j - 1].room is not None and _separates(items))
             listed = (
@@ -73,7 +74,7 @@ def _run(items: list[Item], i: int) -> int:
                 or len(seen) > 1
                 or any(x.value in OPEN_TYPES for x in items[j + 2 : j + 3])
             )
-            if (tight_only and not linked and not _open_after(items, j)) or item.room.quantifier == "a" or not listed:
+            if (tight_only and not linked and not _open_after(items, j)) or item.room.quantifier == Det.A or not listed:
                 break
             seen.add(item.value)
             end = j + 1
@@ -116,4 +117,4 @@ def chain(group: list[RoomPhrase]) -> list[Statement]:
     """Open links along kitchen - dining - living, the order in which food travels."""
     order = ["kitchen", "dining_room", "living_room"]
     line = sorted(group, key=lambda r: order.index(r.type) if r.type in order else 3)
-    return [Statement("open", [a], [b]) for a, b in zip(line, line[1:], strict=False)]
+    return [Statement(Relation.OPEN, [a], [b]) for a, b in zip(line, line[1:], strict=False)]

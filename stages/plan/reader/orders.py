@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.statements import Asked, Said
+from apartgen.stages.plan.reader.vocabulary import Det
 
 LARGEST = ("largest", "biggest", "greatest")
 SMALLEST = ("smallest", "tiniest")
@@ -29,7 +30,7 @@ def orders(items: list[Item], said: Said) -> list[Item]:
             said.asked.append(Asked("order", [ahead], "", item.value, f"{item.text} {ahead.text}"))
             skip = 1  # the copula
         elif item.value == "largest" and _has_area(items, k):
-            living = RoomPhrase("living_room", quantifier="the", text=item.text)
+            living = RoomPhrase("living_room", quantifier=Det.THE, text=item.text)
             out.append(Item("room", living.type, living.text, living))
         else:
             said.unread.append(item.text)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.traits import lay
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 if TYPE_CHECKING:
     from apartgen.stages.plan.reader.household import Household
@@ -14,9 +15,11 @@ def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them:
     """Rooms that open off their owners."""
     if not owners or owned.negated:
         return
-    if owned.type == "bathroom" and owned.quantifier != "another":  # a suite has its bathroom already
-        owners = [o for o in owners if "suite" not in o.labels or not _has_bath(home, o)]
-    every = all_of_them or owned.quantifier in ("each", "", "own") or owned.plural or "own" in owned.labels
+    if owned.type == "bathroom" and owned.quantifier != Det.ANOTHER:  # a suite has its bathroom already
+        owners = [o for o in owners if Trait.SUITE not in o.labels or not _has_bath(home, o)]
+    every = (
+        all_of_them or owned.quantifier in (Det.EACH, Det.BARE, Det.OWN) or owned.plural or Trait.OWN in owned.labels
+    )
     made: list[Entity] = []
     if owned.type == "bathroom" and owned.count and len(owners) > 1:
         owners, owned.count, every = owners[: int(owned.count)], None, True
@@ -39,14 +42,16 @@ def _has_bath(home: "Household", owner: Entity) -> bool:
 
 def _claim(home: "Household", owned: RoomPhrase, count: int) -> list[Entity]:
     free = [
-        e for e in home.of(owned.type) if e.owner is None and "half" not in e.labels and not e.labels & {"family"}
+        e
+        for e in home.of(owned.type)
+        if e.owner is None and Trait.HALF not in e.labels and not e.labels & {Trait.FAMILY}
     ]
     within = (
         owned.type in home.totals
         or any(e.counted for e in free)
-        or owned.quantifier == "the"
+        or owned.quantifier == Det.THE
         or owned.type in ("kitchen", "dining_room")
     )
-    named = [e for e in free if "ensuite" in e.labels]
+    named = [e for e in free if Trait.ENSUITE in e.labels]
     found = (named or (free if within else []))[:count]
     return found + home.add(owned.type, count - len(found))

@@ -2,7 +2,8 @@
 
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
-from apartgen.stages.plan.reader.attachments import attach_owned, merge_ensuites
+from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
@@ -19,6 +20,7 @@ from apartgen.stages.plan.reader.statements import Said, Statement, between_pair
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.unread import limits
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
@@ -138,8 +140,8 @@ def _two_halls(doors: list[Statement]) -> None:
     """`from the hall a passage leads to …`: no hallway leads to itself."""
     for s in doors:
         pairs = [(a, b) for a in s.left for b in s.right if a.type == b.type == "hallway"]
-        for phrase in [p for pair in pairs for p in pair if p.quantifier == "a"][-1:]:
-            phrase.quantifier = "another"
+        for phrase in [p for pair in pairs for p in pair if p.quantifier == Det.A][-1:]:
+            phrase.quantifier = Det.ANOTHER
 
 
 def _of_link(items: list[Item], k: int) -> bool:
@@ -160,7 +162,7 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
         elif item.kind != "label":
             out.append(item)
         elif last is not None or (last := _headed(items, k)) is not None:
-            last.labels.add(item.value)
+            last.labels.add(Trait(item.value))
         elif not any(i.kind == "dwelling" for i in out):
             said.unread.append(item.text)
     return out

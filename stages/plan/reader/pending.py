@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import PARTITIVE, RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
 LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房")
@@ -14,10 +15,10 @@ LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房")
 class Pending:
     """Modifiers read, waiting for their noun."""
 
-    quantifier: str = ""
+    quantifier: Det = Det.BARE
     number: float | None = None
     ordinals: tuple[int, ...] = ()
-    labels: set[str] = field(default_factory=set)
+    labels: set[Trait] = field(default_factory=set)
     factor: float = 1.0
     area: Lexeme | None = None
     negated: bool = False
@@ -31,16 +32,18 @@ class Pending:
     def room(self, word: Lexeme) -> RoomPhrase:
         """The phrase these modifiers make with their noun."""
         kind, _, label = word.value.partition(":")
-        phrase = RoomPhrase(kind, self.labels | set(label.split("+") if label else ()), self.number, self.quantifier)
+        phrase = RoomPhrase(
+            kind, self.labels | {Trait(name) for name in label.split("+") if name}, self.number, self.quantifier
+        )
         phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
         phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
         phrase.count = self.number or None
         if self.area:
             phrase.areas, phrase.sides, phrase.bounds = self.area.values, self.area.sides, self.area.bounds
-        if kind == "bathroom" and "own" in phrase.labels:
-            phrase.labels.add("ensuite")
-        if phrase.quantifier == "both" and _both(self.texts) and not word.plural:
-            phrase.quantifier = "the"  # "both the bedroom and the hallway"
+        if kind == "bathroom" and Trait.OWN in phrase.labels:
+            phrase.labels.add(Trait.ENSUITE)
+        if phrase.quantifier == Det.BOTH and _both(self.texts) and not word.plural:
+            phrase.quantifier = Det.THE  # "both the bedroom and the hallway"
         counted = (word.joined and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in LISTED)
         phrase.headline = counted and self.number is not None
         return phrase
@@ -49,22 +52,22 @@ class Pending:
         """`a snug`: a small room to sit in."""
         if self.texts[-1] != "snug" or not self.quantifier:
             return None
-        return RoomPhrase("living_room", {"small"}, quantifier=self.quantifier, factor=self.factor, text="snug")
+        return RoomPhrase("living_room", {Trait.SMALL}, quantifier=self.quantifier, factor=self.factor, text="snug")
 
     def elliptical(self, known: bool, following: Lexeme | None) -> RoomPhrase | None:
         """A room without a noun, `known` when one was named before: `one of them`, `the largest`, `its own`."""
-        if "own" in self.labels and self.number is None:
-            return RoomPhrase("bathroom", {"ensuite", "own"}, text="own")
+        if Trait.OWN in self.labels and self.number is None:
+            return RoomPhrase("bathroom", {Trait.ENSUITE, Trait.OWN}, text="own")
         few = self.number is not None and self.number <= 9 and self.number % 1 == 0
-        one = self.quantifier in (*PARTITIVE, "another") or bool(self.ordinals)
-        named = one or few or self.labels & {"master", "guest", "kids"}
+        one = self.quantifier in (*PARTITIVE, Det.ANOTHER) or bool(self.ordinals)
+        named = one or few or self.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS}
         if named and known and not self.negated:
             phrase = RoomPhrase("", set(self.labels), self.number, self.quantifier, self.ordinals, factor=self.factor)
             phrase.another = following is not None and following.kind == "with" and self.number is not None
             phrase.text = " ".join(self.texts)
             return phrase
-        sized = self.quantifier == "the" and self.factor != 1.0
-        return RoomPhrase("", {"size"}, None, "the", factor=self.factor) if sized else None
+        sized = self.quantifier == Det.THE and self.factor != 1.0
+        return RoomPhrase("", {Trait.SIZED}, None, Det.THE, factor=self.factor) if sized else None
 
 
 def _both(texts: list[str]) -> bool:

@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.lexicon import Lexicon
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
 from apartgen.stages.plan.reader.orders import extreme
 from apartgen.stages.plan.reader.pending import Pending, noun_ahead, trailing_number
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
     ("are", "sind", "sont", "son", "lie"), "p"
@@ -17,20 +18,7 @@ COPULAS["be"] = ""
 ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
 """Relations that describe the room after them: `an adjoining kitchen`."""
 
-OTHER_NOUNS = (
-    "side",
-    "end",
-    "level",
-    "storey",
-    "story",
-    "floor",
-    "person",
-    "persons",
-    "people",
-    "students",
-    "student",
-    "family",
-)
+OTHER_NOUNS = frozenset("side end level storey story floor person persons people students student family".split())
 """`one side` counts no rooms."""
 
 
@@ -69,7 +57,7 @@ class Phraser:
             and following is not None
             and following.kind == "room"
         ):
-            self.pending.labels.add("adjoining")
+            self.pending.labels.add(Trait.ADJOINING)
             return i + 1
         if word.text == "shower" and following is not None and following.kind == "area":
             word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
@@ -93,7 +81,7 @@ class Phraser:
                 self._determiner(word)
             case "number" if p.number is None or p.ordinals:
                 p.number = word.number
-            case "number" if p.quantifier == "the" and "of" in p.texts:
+            case "number" if p.quantifier == Det.THE and "of" in p.texts:
                 p.whole = int(word.number)
             case "number":
                 self._flush()
@@ -103,13 +91,13 @@ class Phraser:
             case "ordinal":
                 p.ordinals += (int(word.number),)
             case "label" if noun_ahead(words, i + 1) or word.value in ("master", "guest", "kids", "separate", "open"):
-                p.labels.add(word.value)
+                p.labels.add(Trait(word.value))
             case "size" if noun_ahead(words, i + 1) or p.quantifier:
                 p.factor = word.number
             case "area" if noun_ahead(words, i + 1) and not self._after_room(p):
                 p.area = word
             case "compare" if word.number == -1 and noun_ahead(words, i + 1):
-                p.labels.add("equal")
+                p.labels.add(Trait.EQUAL)
             case "adjective" if not p.empty() or noun_ahead(words, i + 1):
                 pass
             case "unknown" if not p.empty() and noun_ahead(words, i + 1):
@@ -121,7 +109,7 @@ class Phraser:
                 and p.number is not None
                 and noun_ahead(words, i + 1 + (i + 1 < len(words) and words[i + 1].kind == "determiner"))
             ):
-                p.quantifier = "the"
+                p.quantifier = Det.THE
             case "negation" if word.value in ("no", "without"):
                 self._flush()
                 self.pending.negated = True
@@ -136,15 +124,15 @@ class Phraser:
         return p.empty() and bool(self.items) and self.items[-1].kind == "room"
 
     def _determiner(self, word: Lexeme) -> None:
-        if word.value == "a" and (self.pending.quantifier == "other" or self.pending.ordinals):
+        if word.value == "a" and (self.pending.quantifier == Det.OTHER or self.pending.ordinals):
             self._flush(word)  # "the other a balcony"
         p = self.pending
         if p.quantifier in PARTITIVE and word.value in ("the", "a"):
             return
         if word.value == "own":
-            p.labels.add("own")
-        elif not (p.quantifier == "the" and word.value == "a"):
-            p.quantifier = "other" if {p.quantifier, word.value} == {"the", "other"} else word.value
+            p.labels.add(Trait.OWN)
+        elif not (p.quantifier == Det.THE and word.value == "a"):
+            p.quantifier = Det.OTHER if {p.quantifier, word.value} == {Det.THE, Det.OTHER} else Det(word.value)
 
     def _is_object(self, word: Lexeme, following: Lexeme | None) -> bool:
         """`bed` and `bath` are furniture where a room is being furnished, not after "3 …" of a listing."""
@@ -154,7 +142,7 @@ class Phraser:
             or (following is not None and following.kind in ("dwelling", "room", "number", "shorthand"))
         ):
             return False
-        if word.text == "bed" and self.pending.quantifier == "a" and self.pending.number is None:
+        if word.text == "bed" and self.pending.quantifier == Det.A and self.pending.number is None:
             return True
         last = [i for i in self.items if i.kind not in ("conjunction", "mark")][-2:]
         furnishing = any(i.kind in ("object", "with") for i in last[-1:])
@@ -177,7 +165,7 @@ class Phraser:
         phrase = p.room(word)
         key = [w.text if w.kind == "mark" else w.kind for w in words[max(i - 2, 0) : i]]
         if key in (["unknown", ":"], ["label", ":"]) and any(r.type == phrase.type for r in rooms_of(self.items)):
-            phrase.quantifier = "the"  # "1 living; hub: living"
+            phrase.quantifier = Det.THE  # "1 living; hub: living"
         listed = [i.value for i in self.items[-2:]]  # "kitchen, dining and living areas" are three rooms
         if phrase.type in OPEN_TYPES and phrase.count is None and listed[:1] and listed[0] in OPEN_TYPES:
             phrase.plural = phrase.plural and self.items[-1].kind != "conjunction"
@@ -187,7 +175,7 @@ class Phraser:
 
     def _object(self, word: Lexeme, category: str) -> None:
         p, self.pending = self.pending, Pending()
-        several = word.plural or p.quantifier == "several"
+        several = word.plural or p.quantifier == Det.SEVERAL
         count = p.number if p.number is not None else 2 if several else 1
         self.items.append(Item("object", category, word.text, number=0 if p.negated else count))
 
@@ -206,7 +194,7 @@ class Phraser:
             self.items.append(Item(kind, "", word.text, number=p.number or 0))
             self.pending = Pending()
         else:
-            thing = word.kind == "unknown" and p.quantifier in ("a", "the")
+            thing = word.kind == "unknown" and p.quantifier in (Det.A, Det.THE)
             self._flush(word)
             self._plain(word, following)
             self.items += [Item("thing", "", word.text)] * thing
@@ -221,8 +209,8 @@ class Phraser:
             self.items.append(Item("main_rooms", "", word.text, number=p.number))
             if p.number % 1:
                 self.unread.append("half room")
-        elif p.quantifier in ("all", "each", "other") or word.value == "everything":
-            quantifier = p.quantifier or ("other" if "else" in word.text else "all")
+        elif p.quantifier in (Det.ALL, Det.EACH, Det.OTHER) or word.value == "everything":
+            quantifier = p.quantifier or (Det.OTHER if "else" in word.text else Det.ALL)
             phrase = RoomPhrase("any", quantifier=quantifier, plural=True, text=word.text)
             self.items.append(Item("room", "any", word.text, phrase))
 
@@ -283,7 +271,7 @@ class Phraser:
         phrase = p.snug() if phrase is None else phrase
         if phrase is not None:
             self.items.append(Item("room", phrase.type, text, phrase))
-        elif "open" in p.labels:
+        elif Trait.OPEN in p.labels:
             self.items.append(Item("open", "", "open"))
         elif p.number not in (None, 1):
             self.unread.append(text)

@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
+from apartgen.stages.plan.reader.vocabulary import Det
 
 FACING = ("facing", "nach", "richtung", "plein", "expose", "hacia", "orientad", "朝", "向")
 """Words by which a side is that of a room's windows rather than its place."""
@@ -92,9 +93,9 @@ def _seen_from(items: list[Item], k: int, said: Said) -> None:
 
 def _known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
     """`kitchen near the entrance` speaks of the kitchen named before."""
-    if room.quantifier == "" and room.count is None and not room.labels and not room.plural:
+    if room.quantifier == Det.BARE and room.count is None and not room.labels and not room.plural:
         earlier = next(i.room for i in items if i.room is not None and i.room.type == room.type)
-        room.quantifier = "the" if earlier is not room else ""
+        room.quantifier = Det.THE if earlier is not room else Det.BARE
     return room
 
 
@@ -161,5 +162,5 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
     single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
-    alike = (first.quantifier == "the") == (last.quantifier == "the")
+    alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
     return [first, last] if alike and not listed and not single else [last]

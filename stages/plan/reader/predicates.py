@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 
 @dataclass
@@ -10,7 +11,7 @@ class Predicate:
     """A relation at `at`; its subject lies in items[subject[0]:subject[1]], shared with what came before if `after`."""
 
     at: int
-    kind: str
+    kind: Relation
     form: str
     negated: bool
     subject: tuple[int, int] = (0, 0)
@@ -27,34 +28,34 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
             k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ","))
         )
         if first and _headed(items, k):
-            out.append(Predicate(k + 2, "door", "front", False, (k + 1, k + 2)))
+            out.append(Predicate(k + 2, Relation.DOOR, "front", False, (k + 1, k + 2)))
         elif first and _bare_front(items, k):
-            out.append(Predicate(k + 1, "door", "front", False, (k + 1, k + 2)))
+            out.append(Predicate(k + 1, Relation.DOOR, "front", False, (k + 1, k + 2)))
         elif _is_front(items, k, first):
-            out.append(Predicate(_reach(items, k), "door", "front", False, (k + 1, _reach(items, k))))
+            out.append(Predicate(_reach(items, k), Relation.DOOR, "front", False, (k + 1, _reach(items, k))))
         elif item.kind == "front" and _but_to(items, k, out):
-            out.append(Predicate(k, "to", "part", False))  # "not from the hall but from the bedroom"
+            out.append(Predicate(k, Relation.TO, "part", False))  # "not from the hall but from the bedroom"
         elif item.kind == "front" and _way_in(items, k):
-            out.append(Predicate(k, "door", "part", negated))
+            out.append(Predicate(k, Relation.DOOR, "part", negated))
         elif item.kind == "front" and _between_rooms(items, k) and _verb(items, k + 2):
-            out.append(Predicate(k, "door", "part", negated))  # "a corridor behind the living room leads to"
+            out.append(Predicate(k, Relation.DOOR, "part", negated))  # "a corridor behind the living room leads to"
         elif item.text == "behind" and _between_rooms(items, k) and _new(items[k - 1], "") and not _new(items[k + 1]):
-            out.append(Predicate(k, "door", "part", negated))
+            out.append(Predicate(k, Relation.DOOR, "part", negated))
         elif item.kind == "front" and out and _between_rooms(items, k) and new_clause(items, k - 2):
-            out.append(Predicate(k, "gap", "part", negated))
+            out.append(Predicate(k, Relation.GAP, "part", negated))
         elif item.kind == "with" and item.value == "in" and _between_rooms(items, k):
-            out.append(Predicate(k, "in", "part", negated))
+            out.append(Predicate(k, Relation.IN, "part", negated))
         elif item.kind == "link":
             if out and out[-1].form == "front" and k <= out[-1].at:
                 continue
             if item.value == "to" and not (_between_rooms(items, k) or _but_to(items, k, out)):
                 continue
-            kind, form = _opens_to(items, k) or (item.value, item.form or aux or "part")
+            kind, form = _opens_to(items, k) or (Relation(item.value), item.form or aux or "part")
             out.append(Predicate(k, kind, form, negated))
         elif item.kind == "with" and item.value == "has":
-            out.append(Predicate(k, "has", "s", negated))
+            out.append(Predicate(k, Relation.HAS, "s", negated))
         elif item.kind == "relative" and item.value == "from_which":
-            out.append(Predicate(k, "door", "which", negated))
+            out.append(Predicate(k, Relation.DOOR, "which", negated))
         elif (
             item.kind == "boundary"
             and item.value == "then"
@@ -63,29 +64,29 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
             and k
             and _near_room(items, k)
         ):
-            out.append(Predicate(k, "door", "which", False))
+            out.append(Predicate(k, Relation.DOOR, "which", False))
         elif (
             is_mark(item, "-" if not graph else "-:")
             and 0 < k < len(items) - 1
             and items[k - 1].room is not None
             and items[k + 1].room is not None
         ):
-            out.append(Predicate(k, "door", "part" if item.value == "-" else "s", False))
+            out.append(Predicate(k, Relation.DOOR, "part" if item.value == "-" else "s", False))
     return out
 
 
-def _opens_to(items: list[Item], k: int) -> tuple[str, str] | None:
+def _opens_to(items: list[Item], k: int) -> tuple[Relation, str] | None:
     """`a kitchen open to the living room` is no verb: one room, no wall."""
     last = items[k - 1].room if k else None
     alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
     single = last is not None and last.type in OPEN_TYPES and not last.plural and not last.definite or _the_one(last)
     if items[k].text in ("open to", "open onto") and single and alone:
-        return "open", "part"
+        return Relation.OPEN, "part"
     return None
 
 
 def _the_one(last: RoomPhrase | None) -> bool:
-    return last is not None and last.type != "" and last.quantifier == "the" and not last.plural
+    return last is not None and last.type != "" and last.quantifier == Det.THE and not last.plural
 
 
 def _near_room(items: list[Item], k: int) -> bool:
@@ -101,7 +102,7 @@ def _way_in(items: list[Item], k: int) -> bool:
 def _but_to(items: list[Item], k: int, before: list[Predicate]) -> bool:
     """`not connected to the hall but to the living room`."""
     contrast = k > 0 and items[k - 1].kind == "boundary" and items[k - 1].text == "but"
-    return contrast and bool(before) and (before[-1].negated or before[-1].kind == "apart")
+    return contrast and bool(before) and (before[-1].negated or before[-1].kind == Relation.APART)
 
 
 def _between_rooms(items: list[Item], k: int) -> bool:
@@ -109,7 +110,7 @@ def _between_rooms(items: list[Item], k: int) -> bool:
 
 
 def _new(item: Item, *also: str) -> bool:
-    return item.room is not None and item.room.quantifier in ("a", *also)
+    return item.room is not None and item.room.quantifier in (Det.A, *also)
 
 
 def new_clause(items: list[Item], k: int) -> bool:
@@ -141,7 +142,7 @@ def _bare_front(items: list[Item], k: int) -> bool:
     """`off the kitchen a pantry`: no verb, a known room, then a new one."""
     known, new = (items[k + 1].room, items[k + 2].room) if k + 2 < len(items) else (None, None)
     off = items[k].kind in ("front", "link") and items[k].text in ("off", "off of", "from", "beyond", "behind")
-    return off and known is not None and known.quantifier == "the" and new is not None and new.quantifier == "a"
+    return off and known is not None and known.quantifier == Det.THE and new is not None and new.quantifier == Det.A
 
 
 def _reach(items: list[Item], k: int) -> int:

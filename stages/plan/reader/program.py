@@ -26,6 +26,7 @@ from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.style import style_of
 from apartgen.stages.plan.reader.unread import with_clauses
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 from apartgen.stages.plan.reader.wanted import add_bedrooms, add_rooms
 from apartgen.stages.things.categories import TABLE
 
@@ -83,7 +84,7 @@ def _introduced_first(phrases: list[RoomPhrase]) -> list[RoomPhrase]:
     """Totals first; `each bedroom … three bedrooms` is read the other way round."""
     early: set[int] = set()
     for k, phrase in enumerate(phrases):
-        universal = phrase.quantifier in ("each", "all", "both") and phrase.count is None
+        universal = phrase.quantifier in (Det.EACH, Det.ALL, Det.BOTH) and phrase.count is None
         known = any(p.type == phrase.type for p in phrases[:k])
         if universal and not known and any(p.type == phrase.type and p.count for p in phrases[k:]):
             early.add(id(phrase))
@@ -127,8 +128,10 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
     areas = room_areas(said, home, rooms, links, ids)
     style = style_of(said)
     return Program(
-        rooms=[AskedRoom(id=r.id, type=e.type, area=areas[r.id], private_to=r.private_to)
-               for e, r in zip(ordered, rooms, strict=True)],
+        rooms=[
+            AskedRoom(id=r.id, type=e.type, area=areas[r.id], private_to=r.private_to)
+            for e, r in zip(ordered, rooms, strict=True)
+        ],
         links=links,
         open_links=[link for link in pairs(doors.open) if link in links],
         weights=style["weights"],
@@ -150,7 +153,9 @@ def _ordered(home: Household) -> list[Entity]:
 
 
 def _rank(room: Entity) -> int:
-    return hall_rank(room) if room.type == "hallway" else int(room.type == "bedroom" and "master" not in room.labels)
+    return (
+        hall_rank(room) if room.type == "hallway" else int(room.type == "bedroom" and Trait.MASTER not in room.labels)
+    )
 
 
 def _ids(home: Household) -> dict[int, str]:

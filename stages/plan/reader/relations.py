@@ -6,6 +6,7 @@ from apartgen.stages.plan.reader.objects import objects
 from apartgen.stages.plan.reader.openplan import chain
 from apartgen.stages.plan.reader.predicates import Predicate, new_clause, predicates
 from apartgen.stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
@@ -25,12 +26,12 @@ def relations(
         floor = p.objects
     out = []
     for k, p in enumerate(found):
-        if p.kind == "chain":
+        if p.kind == Relation.CHAIN:
             line = _line(items, p)
-            out += [Statement("door", [a], [b]) for a, b in zip(line, line[1:], strict=False)]
+            out += [Statement(Relation.DOOR, [a], [b]) for a, b in zip(line, line[1:], strict=False)]
             continue
         left = _rooms(items, *p.subject) or (trail if trail and _onward(items[p.at]) else before)
-        if p.kind == "between" and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):
+        if p.kind == Relation.BETWEEN and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):
             left = []  # "also a door between the kitchen and the lounge"
         stop = found[k + 1] if k + 1 < len(found) else None
         right = objects(items, p, stop, left)
@@ -39,21 +40,21 @@ def relations(
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
-        out += [Statement("not", left, barred, relation=f"not {items[p.at].text}")] if barred and left else []
+        out += [Statement(Relation.NOT, left, barred, relation=f"not {items[p.at].text}")] if barred and left else []
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
             topic = _rooms(items, 0, p.subject[0])[:1]
             right = [r for r in (trail if trail and _onward(items[p.at]) else topic or before) if r not in left]
-        if p.kind == "between" and not right:
+        if p.kind == Relation.BETWEEN and not right:
             right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
             left = left[-1:] if right else []
-        if not right and len(left) > 1 and p.kind == "open":
+        if not right and len(left) > 1 and p.kind == Relation.OPEN:
             out += chain(left)  # "kitchen, dining and living areas flow into each other"
             continue
         if not right and len(left) > 1:
             left, right = left[:1], left[1:]  # "the kitchen and the living room are connected"
-        if p.kind == "same":  # "the bedrooms are off the hall, as is the bathroom"
+        if p.kind == Relation.SAME:  # "the bedrooms are off the hall, as is the bathroom"
             alike = out[-1:] or [s for s in told if s.left == told[-1].left]
             out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
@@ -72,11 +73,11 @@ def _closes_list(items: list[Item], p: Predicate) -> bool:
     start = p.subject[0]
     before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
     new = [i.room for i in items[start : p.subject[1]] if i.room is not None]
-    return before is not None and p.kind == "door" and _alike((before, *new))
+    return before is not None and p.kind == Relation.DOOR and _alike((before, *new))
 
 
 def _alike(rooms: tuple[RoomPhrase, ...]) -> bool:
-    return all(r.quantifier == "a" for r in rooms) or all(r.quantifier == "" and not r.count for r in rooms)
+    return all(r.quantifier == Det.A for r in rooms) or all(r.quantifier == Det.BARE and not r.count for r in rooms)
 
 
 def _onward(item: Item) -> bool:
@@ -91,7 +92,7 @@ def _crossed(phrase: RoomPhrase | None) -> bool:
 
 def place(doors: list[Statement]) -> list[RoomPhrase]:
     """What "there" means after a sentence: the one room it led to, where one may go on from it."""
-    last = [s for s in doors if s.kind in ("door", "only", "serve", "open")][-1:]
+    last = [s for s in doors if s.kind in (Relation.DOOR, Relation.ONLY, Relation.SERVE, Relation.OPEN)][-1:]
     return last[0].right if last and len(last[0].right) == 1 and _crossed(last[0].right[0]) else []
 
 
@@ -131,7 +132,10 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     gapped = (
         last is not None
         and len(rooms) > 1
-        and (p.kind in ("to", "only", "gap") or (p.form == "part" and items[p.at].text == items[last.at].text))
+        and (
+            p.kind in (Relation.TO, Relation.ONLY, Relation.GAP)
+            or (p.form == "part" and items[p.at].text == items[last.at].text)
+        )
         and rooms[-1] == p.at - 1
         and new_clause(items, p.at - 2)
     )
@@ -139,7 +143,7 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
     first, *onto = items[p.at].text.split()
-    if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link" and p.kind != "near":
+    if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link" and p.kind != Relation.NEAR:
         head = next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
         p.subject = last.subject if last else (0, 0) if head is None else (head, head + 1)
         return  # "the kitchen has two doors, one to the hall and one to the lounge"
@@ -164,14 +168,16 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     if relative or p.form == "part":
         near = rooms[-1] == p.at - 1 or relative or is_mark(items[p.at - 1], ",)")
         p.subject = (
-            _and_group(items, rooms[-1], start, whole=p.kind == "share" and not _plural(items[rooms[-1]])),
+            _and_group(items, rooms[-1], start, whole=p.kind == Relation.SHARE and not _plural(items[rooms[-1]])),
             rooms[-1] + 1,
         )
         both = relative and p.form == "p" and not _plural(items[rooms[-1]])
-        crowded = last is not None and not both and p.kind != "share" and p.subject[0] == rooms[0] and len(rooms) > 1
+        crowded = (
+            last is not None and not both and p.kind != Relation.SHARE and p.subject[0] == rooms[0] and len(rooms) > 1
+        )
         if last is not None and is_mark(items[p.subject[0] - 1], ",") and len(rooms) > 1 and not relative:
             return
-        if p.kind == "to" or crowded or p.form == "which" or not near or (relative and p.form == "s"):
+        if p.kind == Relation.TO or crowded or p.form == "which" or not near or (relative and p.form == "s"):
             p.subject = (rooms[-1], rooms[-1] + 1)
         p.shared = True
         return
@@ -187,13 +193,13 @@ def _goes_on(items: list[Item], p: Predicate, last: Predicate) -> bool:
     if items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
         p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
         return True
-    if p.kind == "to" and items[p.at - 1].text == "but":
-        p.subject, p.kind, p.negated = last.subject, "door", False
+    if p.kind == Relation.TO and items[p.at - 1].text == "but":
+        p.subject, p.kind, p.negated = last.subject, Relation.DOOR, False
         return True
-    if p.kind == "to" and items[last.at].text.split()[0] in JOINING and last.subject != (0, 0):
-        p.subject, p.kind = last.subject, "door"  # "a hallway joins the lounge to two bedrooms"
+    if p.kind == Relation.TO and items[last.at].text.split()[0] in JOINING and last.subject != (0, 0):
+        p.subject, p.kind = last.subject, Relation.DOOR  # "a hallway joins the lounge to two bedrooms"
         return True
-    if last.kind == "near" and last.form == "part" and items[p.at].text.startswith("with "):
+    if last.kind == Relation.NEAR and last.form == "part" and items[p.at].text.startswith("with "):
         p.subject = last.subject  # "the bathroom next to bedroom 1 with doors to both"
         return True
     return False
@@ -205,13 +211,13 @@ def _back_to_head(items: list[Item], p: Predicate, last: Predicate, rooms: list[
     closed = bool(between) and is_mark(between[0], ",") and not any(i.kind in ("relative", "boundary") for i in between)
     modifier = (
         last.form == "part"
-        and last.kind in ("door", "only", "near")
+        and last.kind in (Relation.DOOR, Relation.ONLY, Relation.NEAR)
         and p.form in ("s", "p")
         and len(rooms) == 1
         and not between[:1]
         and last.subject != (0, 0)
     )
-    inserted = inserted or (p.kind == "has" and last.form == "part")  # "a wing, reached through a hall, has …"
+    inserted = inserted or (p.kind == Relation.HAS and last.form == "part")  # "a wing, reached through a hall, has …"
     return (inserted and closed and len(rooms) == 1) or modifier
 
 
@@ -238,7 +244,7 @@ def _and_group(items: list[Item], at: int, floor: int, whole: bool = False) -> i
 def _clause_start(items: list[Item], rooms: list[int], p: Predicate, last: Predicate | None) -> int:
     """Where the subject of a finite verb begins."""
     one = items[rooms[-1]].room
-    if p.form == "s" and one is not None and not one.plural and one.quantifier not in ("all", "both"):
+    if p.form == "s" and one is not None and not one.plural and one.quantifier not in (Det.ALL, Det.BOTH):
         return rooms[-1]
     start = rooms[0]
     for j in range(rooms[-1] - 1, (last.at if last else -1), -1):
@@ -260,15 +266,16 @@ def _comma_and(items: list[Item], j: int) -> bool:
 
 
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
-    if p.kind == "has":
+    if p.kind == Relation.HAS:
         return []
-    kind = "not" if p.negated or p.kind == "apart" else p.kind
-    if p.kind == "between":
+    kind = Relation.NOT if p.negated or p.kind == Relation.APART else p.kind
+    if p.kind == Relation.BETWEEN:
         hubs = left if left and left[-1] not in right else []
         if hubs:
-            return [Statement("door", hubs[-1:], right)] if right else []
-        return [Statement("door", right[:1], right[1:])] if len(right) > 1 else []
-    if kind in ("to", "in", "gap"):
-        kind = "open" if kind == "in" and {x.type for x in (*left, *right)} <= set(OPEN_TYPES) else "door"
+            return [Statement(Relation.DOOR, hubs[-1:], right)] if right else []
+        return [Statement(Relation.DOOR, right[:1], right[1:])] if len(right) > 1 else []
+    if kind in (Relation.TO, Relation.IN, Relation.GAP):
+        living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
+        kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
     relation = f"not {words}" if p.negated else words
     return [Statement(kind, left, right, relation=relation)] if left and right else []

@@ -7,6 +7,7 @@ from apartgen.schemas.plan import Requirement
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
+from apartgen.stages.plan.reader.vocabulary import Relation
 
 OPPOSITE = ("opposite", "across from")
 FAR = ("away from", "far from")
@@ -49,11 +50,11 @@ def _neighbours(statements: list[Statement]) -> Iterator[Asked]:
         words = s.relation.removeprefix("not ")
         denied = words != s.relation
         kind = ""
-        if s.kind == "near":
+        if s.kind == Relation.NEAR:
             kind = "opposite" if words in OPPOSITE else "adjacent"
-        elif s.kind == "not" and (words in FAR or (denied and words in BESIDE)):
+        elif s.kind == Relation.NOT and (words in FAR or (denied and words in BESIDE)):
             kind = "apart"
-        if s.kind == "compare" and s.number in LARGER + SMALLER:
+        if s.kind == Relation.COMPARE and s.number in LARGER + SMALLER:
             kind = "order"
         if kind:
             value = ("larger" if s.number > 1 else "smaller") if kind == "order" else ""

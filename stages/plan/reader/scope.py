@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
 def negate_links(items: list[Item]) -> list[Item]:
@@ -15,11 +16,11 @@ def negate_links(items: list[Item]) -> list[Item]:
             end += 1
         rooms = [i.room for i in items[k:end] if i.room is not None]
         if len(rooms) == 1 and end < len(items) and items[end].value == "has":
-            rooms[0].negated, rooms[0].quantifier = False, "both"  # "neither bedroom has its own bathroom"
+            rooms[0].negated, rooms[0].quantifier = False, Det.BOTH  # "neither bedroom has its own bathroom"
             for owned in rooms_of(items[end:])[:1]:
                 owned.negated = True
             return [*items[:k], *items[k + 1 :]]
-        if end < len(items) and items[end].kind == "link" and all(r.quantifier == "the" for r in rooms):
+        if end < len(items) and items[end].kind == "link" and all(r.quantifier == Det.THE for r in rooms):
             for room in rooms:
                 room.negated = False
             out = [*items[:k], *items[k + 1 : end], Item("negation", "not", item.text), *items[end:]]
@@ -61,21 +62,28 @@ def spread_negation(items: list[Item]) -> None:
         elif item.room is not None:
             phrase = item.room
             joint = items[k - 1].value if k and items[k - 1].kind == "conjunction" else ""
-            plain = phrase.count is None and phrase.quantifier in ("", "a") and not phrase.labels & {"separate"}
+            plain = (
+                phrase.count is None and phrase.quantifier in (Det.BARE, Det.A) and not phrase.labels & {Trait.SEPARATE}
+            )
             if (
                 scope
                 and not phrase.negated
                 and plain
-                and (joint == "or" or (joint == "and" and (word == "without" or phrase.quantifier == "")))
+                and (joint == "or" or (joint == "and" and (word == "without" or phrase.quantifier == Det.BARE)))
             ):
                 phrase.negated = True
             elif (
-                scope and not phrase.negated and plain and k and is_mark(items[k - 1], ",") and phrase.quantifier == ""
+                scope
+                and not phrase.negated
+                and plain
+                and k
+                and is_mark(items[k - 1], ",")
+                and phrase.quantifier == Det.BARE
             ):
                 phrase.negated = _closes_with_or(items[k:])
             scope = phrase.negated
             if scope and k + 1 < len(items) and items[k + 1].kind in ("link", "front", "with", "relative"):
-                phrase.labels.add("placed")  # "no bathroom off the hallway": not there, but maybe elsewhere
+                phrase.labels.add(Trait.PLACED)  # "no bathroom off the hallway": not there, but maybe elsewhere
         elif item.kind not in ("conjunction",) and not is_mark(item, ","):
             scope = False
 

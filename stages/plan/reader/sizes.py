@@ -11,6 +11,7 @@ from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.statements import Said, Statement
 from apartgen.stages.plan.reader.style import style_of
+from apartgen.stages.plan.reader.vocabulary import Relation, Trait
 
 CLEARLY = 1.3
 """How much larger than the others the largest room is."""
@@ -36,7 +37,7 @@ def room_areas(
     _extremes(said, home, ids, base, stated)
     filled = fill(rooms, base, stated, shares, said.total_area)
     for statement in said.statements:
-        if statement.kind == "compare" and said.total_area is not None:
+        if statement.kind == Relation.COMPARE and said.total_area is not None:
             filled = _compared(statement, home, ids, filled, rooms, stated, shares, said.total_area)
     return filled
 
@@ -57,7 +58,7 @@ def _extremes(
 
 def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> None:
     for kind in ROOM_TYPES:
-        same = [ids[id(e)] for e in home.of(kind) if "equal" in e.labels]
+        same = [ids[id(e)] for e in home.of(kind) if Trait.EQUAL in e.labels]
         base.update(dict.fromkeys(same, sum(base[j] for j in same) / max(len(same), 1)))
 
 
@@ -65,7 +66,7 @@ def _share_compared(s: Statement, home: Household, ids: dict[int, str], shares: 
     """A room compared with one whose share of the floor is known has a share itself."""
     left = [ids[id(e)] for e in entities(s.left, home)]
     right = [ids[id(e)] for e in entities(s.right, home)]
-    if s.kind == "compare" and s.number > 0 and len(right) == 1 and right[0] in shares:
+    if s.kind == Relation.COMPARE and s.number > 0 and len(right) == 1 and right[0] in shares:
         shares |= {i: shares[right[0]] * s.number for i in left if i not in shares}
 
 
@@ -75,9 +76,9 @@ def _compare(
     """`left = number × right`, whichever side is known."""
     left = [ids[id(e)] for e in entities(s.left, home)]
     right = [ids[id(e)] for e in entities(s.right, home)]
-    if s.kind == "equal":
+    if s.kind == Relation.EQUAL:
         base.update(dict.fromkeys(left, sum(base[j] for j in left) / max(len(left), 1)))
-    if s.kind != "compare" or not left or not right or s.number <= 0:
+    if s.kind != Relation.COMPARE or not left or not right or s.number <= 0:
         return
     reference = sum(stated.get(j, base[j]) for j in right) / len(right)
     for i in left:

@@ -4,22 +4,24 @@ from dataclasses import dataclass, field
 
 from apartgen.stages.plan.reader.about import About
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Relation
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Statement:
-    """`kind`: door, only, open, near, share, not (no door), compare (left = number × right), equal.
+    """What `left` is to `right`; of a comparison, left = number × right.
 
-    `relation` are the words that stood between the rooms."""
+    `relation` are the words that stood between the rooms.
+    """
 
-    kind: str
+    kind: Relation
     left: list[RoomPhrase]
     right: list[RoomPhrase]
     number: float = 1.0
     relation: str = ""
 
 
-@dataclass
+@dataclass(frozen=True)
 class Asked:
     """What else is asked of rooms: `kind` and `value` as in `schemas.plan.Requirement`, `to` other rooms or a place."""
 

@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Trait
 
 
 def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:
@@ -9,12 +10,10 @@ def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:
     for k, entity in enumerate(rooms):
         if phrase.areas and entity.area is None:
             entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
-        entity.share = (
-            entity.share if phrase.share is None else phrase.share / (len(rooms) if phrase.together else 1)
-        )
+        entity.share = entity.share if phrase.share is None else phrase.share / (len(rooms) if phrase.together else 1)
         if phrase.together and phrase.areas:
             entity.area = phrase.areas[0] / len(rooms)
         entity.factor *= phrase.factor
-        entity.labels |= phrase.labels - {"size", "ensuite?", "own", "halls"}
+        entity.labels |= phrase.labels - {Trait.SIZED, Trait.MAYBE_ENSUITE, Trait.OWN, Trait.HALLS}
         entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
         entity.objects += phrase.objects

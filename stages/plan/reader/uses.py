@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.statements import Asked, Said
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
 def uses(items: list[Item], said: Said) -> list[Item]:
@@ -45,7 +46,7 @@ def _used(room: RoomPhrase | None, items: list[Item], said: Said) -> None:
         said.unread.append(items[0].text)
     for other in others if room is not None else []:
         assert room is not None
-        room.labels |= other.labels & {"guest", "kids"} if other.type == room.type or not room.type else set()
+        room.labels |= other.labels & {Trait.GUEST, Trait.KIDS} if other.type == room.type or not room.type else set()
         said.asked.append(Asked("use", [room], "", other.type, f"{room.text} {items[0].text} {other.text}"))
 
 
@@ -61,8 +62,8 @@ def _is_a(items: list[Item], k: int, before: list[RoomPhrase]) -> bool:
         return False
     one, same = items[k].room, items[k + 2].room
     assert one is not None
-    alike = same is not None and same.quantifier == "a" and same.type == before[-1].type and not same.plural
-    return one.type == "" and (bool(one.ordinals) or one.count == 1 or one.quantifier == "other") and alike
+    alike = same is not None and same.quantifier == Det.A and same.type == before[-1].type and not same.plural
+    return one.type == "" and (bool(one.ordinals) or one.count == 1 or one.quantifier == Det.OTHER) and alike
 
 
 def _same(one: RoomPhrase | None, same: RoomPhrase | None) -> None:
@@ -82,7 +83,7 @@ def sharers(items: list[Item]) -> list[Item]:
         one = following is not None and following.type == "" and following.count == 1
         if item.value == "share" and not rooms and one:
             assert following is not None
-            following.quantifier = "the"
+            following.quantifier = Det.THE
             continue
         rooms += [item.room] if item.room is not None else []
         out.append(item)
@@ -99,7 +100,7 @@ def for_whom(items: list[Item], before: list[Item]) -> None:
         counted = next((j for j in range(k - 1, -1, -1) if (r := whole[j].room) is not None and r.type), None)
         last = whole[counted].room if counted is not None else None
         if counted is not None and last is not None and last.type == "bedroom" and _for(whole, counted):
-            one.type, one.quantifier, one.another = last.type, "another", True
+            one.type, one.quantifier, one.another = last.type, Det.ANOTHER, True
 
 
 def _for(items: list[Item], k: int) -> bool:

@@ -14,6 +14,7 @@ from apartgen.stages.plan.reader.doors import Doors
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
+from apartgen.stages.plan.reader.vocabulary import Trait
 
 STUDIO = 38.0
 """Area up to which a home for one has no bedroom, m²."""
@@ -77,7 +78,7 @@ def _draw(said: Said, home: Household, doors: Doors, rng: Generator) -> None:
     for kitchen in home.of("kitchen"):
         living = home.of("living_room")
         if lots["open_kitchen"] and beds:
-            kitchen.labels.add("open")
+            kitchen.labels.add(Trait.OPEN)
         elif lots["kitchen_off_living"] and living and beds:
             doors.links.append((kitchen, living[0]))
     for name, wanted in lots.items():
@@ -91,7 +92,9 @@ def _fits(said: Said, home: Household, name: str) -> bool:
         return False
     if said.total_area is None:
         return True
-    return size(home) + _typical(_kind(name), {"half"} if name == "half_bath" else set(), 1) <= 1.08 * said.total_area
+    return (
+        size(home) + _typical(_kind(name), {Trait.HALF} if name == "half_bath" else set(), 1) <= 1.08 * said.total_area
+    )
 
 
 def _fill(said: Said, home: Household, limit: float) -> None:
@@ -108,7 +111,7 @@ def _fill(said: Said, home: Household, limit: float) -> None:
 
 
 def _there(home: Household, name: str) -> int:
-    halves = sum("half" in e.labels for e in home.of("bathroom"))
+    halves = sum(Trait.HALF in e.labels for e in home.of("bathroom"))
     return {"half_bath": halves, "full_bath": len(home.of("bathroom")) - halves}.get(name, len(home.of(_kind(name))))
 
 
@@ -120,7 +123,7 @@ def _most(home: Household, name: str) -> int:
 def _add(home: Household, name: str) -> None:
     for room in home.add(_kind(name)):
         if name == "half_bath":
-            room.labels.add("half")
+            room.labels.add(Trait.HALF)
         if name == "second_balcony" and home.of("bedroom"):
             room.owner = home.of("bedroom")[0]
 
@@ -135,7 +138,7 @@ def size(home: Household) -> float:
     return sum(e.area or _typical(kinds()[e.type].base, e.labels, beds) * e.factor for e in home.rooms)
 
 
-def _typical(kind: str, labels: set[str], beds: int) -> float:
+def _typical(kind: str, labels: set[Trait], beds: int) -> float:
     data = sense()
     named = [data["area_of"][key] for label in labels if (key := f"{kind}:{label}") in data["area_of"]]
     by_bedrooms = data["by_bedrooms"].get(kind)

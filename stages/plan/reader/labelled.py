@@ -1,0 +1,53 @@
+"""Rooms told apart by what they are: the guest bathroom, two children's rooms."""
+
+from typing import TYPE_CHECKING
+
+from apartgen.stages.plan.reader.entity import DISTINCT, Entity
+from apartgen.stages.plan.reader.halls import may_be
+from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
+if TYPE_CHECKING:
+    from apartgen.stages.plan.reader.household import Household
+
+
+def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[Entity]:
+    """Rooms that their traits tell from others of their type: known ones, or new ones."""
+    several = len(home.of("bedroom")) if Trait.ENSUITE in labels else 0  # "a house with attached bathrooms"
+    count = int(phrase.count or (max(2, several) if phrase.plural else 1))
+    known = [e for e in home.of(phrase.type) if labels & e.labels]
+    if known and (phrase.quantifier in (Det.THE, Det.BARE) or id(phrase) in home.mentions) and phrase.count is None:
+        return known
+    if known and phrase.count and all(e.vague for e in known):
+        return known[:count] + home.add(phrase.type, count - len(known), labels=set(labels))
+    if labels in ({Trait.SIZED}, {Trait.FAMILY}):
+        free = [e for e in home.of(phrase.type) if not e.picked and not e.labels & set(DISTINCT)]
+        if free and (phrase.quantifier == Det.THE or id(phrase) in home.mentions):
+            return free[:1]
+    apart = set(DISTINCT) - ({Trait.DOUBLE} if Trait.MASTER in labels else set())
+    free = [e for e in home.of(phrase.type) if not e.labels & apart and not e.picked and e.owner is None]
+    free = [e for e in free if may_be(phrase, e)]
+    total = phrase.type in home.totals or phrase.subset
+    take = free if _among_known(phrase, labels, free, total) else []
+    found = take[:count]
+    if phrase.type in home.totals and phrase.quantifier != Det.ANOTHER and Trait.HALF not in labels:
+        count = max(len(found), 1) if found else count
+    found += home.add(phrase.type, count - len(found))
+    for entity in found:
+        entity.labels |= labels
+        entity.picked = True
+    return found
+
+
+def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], total: bool) -> bool:
+    """Whether a labelled room is one of those counted before: `three bedrooms, master with ensuite`."""
+    if phrase.quantifier == Det.ANOTHER or Trait.STAFF in labels or (Trait.HALF in labels and not phrase.subset):
+        return False
+    bare = phrase.quantifier == Det.BARE and phrase.count is None and (phrase.text == "master" or bool(phrase.owned))
+    attribute = Trait.MASTER in labels and bare and len([e for e in free if e.counted]) > 1
+    return total or phrase.quantifier == Det.THE or attribute or _counted(free)
+
+
+def _counted(free: list[Entity]) -> bool:
+    """`two bathrooms, ensuite in the master`: the ensuite is one of the two."""
+    return bool(free) and free[0].type == "bathroom" and len([e for e in free if e.counted]) > 1
