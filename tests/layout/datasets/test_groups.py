@@ -14,6 +14,7 @@ from apartgen.schemas.layout import Box, Layout
 from apartgen.stages.layout.datasets import furnisher, single_rooms
 from apartgen.stages.layout.datasets._furnish.group import Group
 from apartgen.stages.layout.datasets._furnish.space import Space
+from apartgen.stages.things.categories import TABLE, reach
 
 SEEDS = range(16)
 LOW_UNITS = {"kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine"}
@@ -128,6 +129,28 @@ def test_kitchen_units_make_one_run_with_sink_and_heat(rooms: Rooms) -> None:
         connected.append(unary_union(units).geom_type == "Polygon")
         whole.append(bool(of(home, "kitchen_sink")) and bool(of(home, "hob", "oven")))
     assert np.mean(connected) >= 0.93 and np.mean(whole) >= 0.93
+
+
+def test_a_closed_unit_fills_the_corner_of_a_run_and_nothing_stands_before_what_opens(rooms: Rooms) -> None:
+    turned = 0
+    for home in rooms["kitchen"]:
+        floor = of(home, *UNITS)
+        for o in of(home, *UNITS, "wall_unit"):
+            out = float(reach(o.category, o.size)) if TABLE[o.category].opens else 0.03
+            swept = before(o, out, o.size[1] / 2 - 0.01)
+            low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
+            for p in (p for p in of(home, *UNITS, "wall_unit", "kitchen_corner") if p is not o):
+                level = min(high, p.center[2] + p.size[2] / 2) - max(low, p.center[2] - p.size[2] / 2) > 0.01
+                assert not level or swept.intersection(foot(p)).area < 1e-3
+        corners = of(home, "kitchen_corner")
+        legs = {round(o.yaw / (np.pi / 2)) % 4 for o in floor if o.category != "fridge"}
+        assert len(corners) <= 2 and (not corners or len({round(o.yaw / (np.pi / 2)) % 4 for o in floor}) > 1)
+        turned += len(legs) > 1
+        for corner in corners:
+            beside = [o for o in floor if foot(o).distance(foot(corner)) < 0.02]
+            assert any(abs(np.sin(o.yaw - p.yaw)) > 0.9 for o in beside for p in beside)
+        assert len(legs) == 1 or corners
+    assert turned >= 3
 
 
 def test_the_hood_hangs_over_what_cooks_and_nothing_tall_before_windows(rooms: Rooms) -> None:
