@@ -104,3 +104,17 @@ def test_no_boxes_at_all() -> None:
     assert boxes.iou(none, unit()).shape == (0, 1)
     assert boxes.penetration(none).shape == (0, 0)
     assert boxes.gap(none).shape == (0, 0)
+
+
+@pytest.mark.parametrize("candidates", [1, 7, 1_000_000])
+@settings(max_examples=60, deadline=None)
+@given(seed=st.integers(0, 10_000), n=st.integers(0, 30), snap=st.booleans())
+def test_the_sweep_finds_just_the_pairs_that_stand_in_one_another(candidates: int, seed: int, n: int, snap: bool
+                                                                  ) -> None:
+    a = drawn(seed, n, snap=snap)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(boxes, "_CANDIDATES", candidates)
+        found = [(frozenset((int(i), int(j))), d) for rows in boxes.meeting(a) for i, j, d in zip(*rows)]
+    every = boxes.penetration(a)
+    assert len(dict(found)) == len(found) == (every > 0).sum() / 2
+    assert all(every[tuple(pair)] == depth for pair, depth in found)

@@ -1,5 +1,6 @@
 """Shares of things by room and over the whole apartment, as artifact values."""
 
+from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
@@ -10,6 +11,14 @@ from apartgen.schemas.plan import Plan
 from apartgen.stages.space import footprints
 from apartgen.stages.space.boxes import Mask
 from apartgen.stages.things.carrying import told
+
+CROWD = 1500
+"""More things in a room than anybody keeps; how each stands to every other would take memory with their square."""
+
+
+def crowded(things: Sequence[Box]) -> set[str]:
+    """Rooms with more things than `CROWD`, of which it is not told how each stands to every other."""
+    return {room for room, count in Counter(o.room for o in things).items() if count > CROWD}
 
 
 def objects(home: Plan) -> list[Box]:

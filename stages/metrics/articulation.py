@@ -5,10 +5,10 @@ import numpy as np
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._pairs import Rule, standing_in
 from apartgen.stages.metrics._shares import shares, solid
 from apartgen.stages.space import boxes, polygons, sweeps
 from apartgen.stages.space.boxes import TOLERANCE, Boxes, Mask
-from apartgen.stages.things import categories
 
 NEEDS = Layout
 STRICT = 1e-6
@@ -25,24 +25,12 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     things = solid(home)
     moving = sweeps.articulated(things)
     swept = sweeps.extended(things)
-    depth, apart = boxes.penetration(swept), ~_together(things)
-    ours = (depth > TOLERANCE) & apart
-    versions = {
-        "ours": ours,
-        "published": depth > TOLERANCE,
-        "strict": depth > STRICT,
-        "physcene": boxes.penetration(sweeps.published(things)) > TOLERANCE,
-    }
-    hits: dict[str, Mask] = {version: np.asarray(pairs.any(-1)) for version, pairs in versions.items()}
+    rules = {"ours": Rule(TOLERANCE, False), "published": Rule(TOLERANCE, True), "strict": Rule(STRICT, True)}
+    hits = standing_in(things, swept, rules)
+    hits |= standing_in(things, sweeps.published(things), {"physcene": Rule(TOLERANCE, True)})
     hits["with_walls"] = hits["ours"] | _meets_shell(home, things, swept)
     chosen = [o for o, moves in zip(things, moving, strict=True) if moves]
     return [v for version, hit in hits.items() for v in shares(home, "R_acoll", version, hit[moving], chosen)]
-
-
-def _together(things: list[Box]) -> Mask:
-    """Pairs whose contact is part of their use, (n, n)."""
-    pairs = [[categories.belong_together(a.category, b.category) for b in things] for a in things]
-    return np.array(pairs, bool).reshape(len(things), len(things))
 
 
 def _meets_shell(home: Plan, things: list[Box], swept: Boxes) -> Mask:

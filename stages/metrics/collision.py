@@ -1,14 +1,12 @@
 """Col_obj, Col_scene: objects whose box stands in another's, and scenes that have any."""
 
-import numpy as np
-
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan, Program
+from apartgen.stages.metrics._pairs import Rule, standing_in
 from apartgen.stages.metrics._shares import shares, solid
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import TOLERANCE
-from apartgen.stages.things import categories
 
 NEEDS = Layout
 STRICT = 1e-6
@@ -20,18 +18,10 @@ def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     grouped = deeper than 1 cm, all pairs · published = PhyScene's `rotated_bbox`: all pairs, any overlap.
     """
     things = solid(home)
-    depth = boxes.penetration(boxes.of(things))
-    together = [[categories.belong_together(a.category, b.category) for b in things] for a in things]
-    apart = ~np.array(together, bool).reshape(depth.shape)
-    versions = {
-        "ours": (depth > TOLERANCE) & apart,
-        "strict": (depth > STRICT) & apart,
-        "grouped": depth > TOLERANCE,
-        "published": depth > STRICT,
-    }
+    rules = {"ours": Rule(TOLERANCE, False), "strict": Rule(STRICT, False), "grouped": Rule(TOLERANCE, True),
+             "published": Rule(STRICT, True)}
     values = []
-    for version, pairs in versions.items():
-        hit = pairs.any(-1)
+    for version, hit in standing_in(things, boxes.of(things), rules).items():
         values += shares(home, "Col_obj", version, hit, things)
         by_room = {o.room: False for o in things} | {o.room: True for o, met in zip(things, hit, strict=True) if met}
         values += [Value(name="Col_scene", value=float(any_), unit="scene", version=version, of=of)

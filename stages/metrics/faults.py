@@ -8,7 +8,7 @@ from apartgen.schemas.metrics import Value
 from apartgen.schemas.plan import Plan, Program
 from apartgen.stages import use
 from apartgen.stages.metrics._named import Told, compared
-from apartgen.stages.metrics._shares import objects
+from apartgen.stages.metrics._shares import crowded, objects
 from apartgen.stages.metrics._table import FAULT
 
 NEEDS = Layout
@@ -20,12 +20,15 @@ VERSIONS = ("use", *APART.values())
 def measure(home: Plan, against: Plan | Program | None = None) -> list[Value]:
     """Faults of every room, and of the apartment the mean over its furnished rooms.
 
+    None of rooms, and so of the apartment, that are too crowded to tell.
     Versions: use = furniture that is of no use where it stands · bodies = what stands in something else, in a wall or
     in a doorway · neighbours = what minds the doors and windows. Of rooms also fault/NAME: how often they have it.
     """
-    furnished = {o.room for o in objects(home)}
-    rooms = {room.id: _told(home, room.id) for room in home.rooms if room.id in furnished}
-    means = {v: sum(told["faults", v] for told in rooms.values()) / len(rooms) if rooms else None for v in VERSIONS}
+    things = objects(home)
+    furnished, crowds = {o.room for o in things}, crowded(things)
+    rooms = {room.id: _told(home, room.id) for room in home.rooms if room.id in furnished - crowds}
+    known = bool(rooms) and not crowds
+    means = {v: sum(told["faults", v] for told in rooms.values()) / len(rooms) if known else None for v in VERSIONS}
     whole = [Value(name="faults", value=mean, unit="faults", version=v) for v, mean in means.items()]
     return [*whole, *(Value(name=name, value=number, unit="faults", version=v, of=id)
                       for id, told in rooms.items() for (name, v), number in told.items())]

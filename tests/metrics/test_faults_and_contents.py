@@ -1,11 +1,14 @@
 """Faults and contents as figures of a home: of every room, named, and summed up over its furnished rooms."""
 
+import tracemalloc
+
 import handmade
 import numpy as np
 import pytest
 
 from apartgen.schemas.metrics import Value
 from apartgen.stages import metrics, use
+from apartgen.stages.metrics import _shares
 
 HOME = handmade.home(
     handmade.thing("sofa", 2, 2.52, -np.pi / 2, id="sofa"),
@@ -56,3 +59,24 @@ def test_sets_are_compared_by_rooms_that_have_a_fault_and_by_those_that_have_non
     assert found["lack/no coffee table/ours", "generated", "apartment"].value == 1
     text = metrics.side_by_side(metrics.compare(*sets, ["contents"]))
     assert len([line for line in text.splitlines() if "lack/" in line and "| apartment |" in line]) <= 10
+
+
+def test_of_a_room_that_is_too_crowded_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = figures(*HOME.objects)
+    monkeypatch.setattr(_shares, "CROWD", 1)
+    found = figures(*HOME.objects)
+    assert {of for name, _, of in found if name in ("faults", "lacks")} == {"apartment", *(
+        room.id for room in HOME.rooms if room.id != handmade.LIVING)} & {of for _, _, of in whole}
+    assert all(found[key].value is None for key in found if key[2] == "apartment")
+    assert all(found[key] == whole[key] for key in found if key[2] != "apartment")
+
+
+def test_many_things_take_memory_by_their_number_not_by_its_square() -> None:
+    rng = np.random.default_rng(0)
+    home = handmade.home(*(handmade.thing("chair", *rng.uniform(0, 4, 2), id=f"chair_{i}") for i in range(4000)))
+    tracemalloc.start()
+    try:
+        [value, *_] = metrics.run(home, ["collision"]).values
+        assert value.value == 1 and tracemalloc.get_traced_memory()[1] < 4000**2 * 8 * 2, "two matrices of all pairs"
+    finally:
+        tracemalloc.stop()
