@@ -87,7 +87,7 @@ class Sampler:
     def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str],
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
-        found = self._chosen(p.furniture, name, boxes, weight)
+        found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0)
         if found is None and p.tries + 1 < TRIES:
             p.tries += 1
             return p
@@ -108,13 +108,14 @@ class Sampler:
             p.furniture.add(name, found)
         return p
 
-    def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False) -> Array | None:
+    def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
+                strict: bool = False) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         boxes, weight = _merged(boxes, weight)
         boxes, weight = self._continued(there, name, boxes, weight)
-        price = there.prices(name, boxes, loose)
+        price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
         for _ in range(LOOKS):
             if weight.sum() <= 0:

@@ -10,7 +10,7 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import order, runs
+from apartgen.stages.layout.relations import fixtures, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes, penetration
@@ -82,7 +82,7 @@ class Furniture:
         one = upright(box[None])
         self.upright, self.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
 
-    def prices(self, name: str, boxes: Array, loose: bool = False) -> Floats:
+    def prices(self, name: str, boxes: Array, loose: bool = False, strict: bool = False) -> Floats:
         """What candidates (n, 7) for an object break: φ of articulation, collisions, walls, openings, runs, (n,)."""
         found, kind = upright(boxes), TABLE[name]
         total = np.zeros(found.n)
@@ -97,6 +97,7 @@ class Furniture:
         others = kernels.Others(self.upright, self.grown, soft, tucked > 0, tucked)
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
+        total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose)
 
     def _sideways(self, found: Boxes, tucked: Floats) -> Floats:

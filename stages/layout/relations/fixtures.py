@@ -1,0 +1,61 @@
+"""Floor before the fixtures of a bathroom: φ of what would take it, and of fixtures that turn their backs to the room.
+
+A requirement at first; where no place keeps it, a weight for fixtures, which stand all the same.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use.kinds import FIXTURES
+
+TAKEN, BROKEN = 9.5, 20.0
+"""Prices of taken floor, just below what breaks a requirement, and of what does."""
+OFF_WALL = 0.06
+"""A fixture's back is no farther from its wall, m."""
+ASIDE, BEYOND = 0.3, 0.1
+"""Half the width of the floor before a fixture, and how much wider than the fixture it may be on each side, m."""
+AXIS = 0.385
+"""From a toilet's axis to what stands beside it, m."""
+OFF, MORE, SLACK = 0.02, 0.01, 0.008
+"""Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
+Floats = NDArray[np.float64]
+
+
+def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space,
+           strict: bool) -> Floats:
+    """Of candidates (n,) for an object, among those that stand there."""
+    total = np.zeros(found.n)
+    if TABLE[name].place != "floor":
+        return total
+    stands = np.array([TABLE[o].place == "floor" for o in names], bool)
+    taken = np.zeros(found.n, bool)
+    if name in FIXTURES:
+        total += np.where(space.behind(found) > OFF_WALL, BROKEN, 0.0)
+        others = there.take(np.flatnonzero(stands))
+        for zone in kept(name, found):
+            taken |= outside(zone, space) > SLACK
+            taken |= (penetration(zone, others) > SLACK).any(1)
+    for k in (k for k, o in enumerate(names) if o in FIXTURES):
+        for zone in kept(names[k], there.take(np.array([k]))):
+            taken |= penetration(found, zone)[:, 0] > SLACK
+    return total + np.where(taken, BROKEN if strict or name not in FIXTURES else TAKEN, 0.0)
+
+
+def kept(name: str, some: Boxes) -> list[Boxes]:
+    """Floor that each fixture wants: before it, and for a toilet at its sides."""
+    far, half = FIXTURES[name] + MORE, np.minimum(ASIDE, some.size[:, 1] / 2 + BEYOND)
+    front = _strip(some, some.size[:, 0] / 2 + OFF, some.size[:, 0] / 2 + far, half)
+    if name != "toilet":
+        return [front]
+    return [front, _strip(some, OFF - some.size[:, 0] / 2, some.size[:, 0] / 2, np.full(some.n, AXIS))]
+
+
+def _strip(some: Boxes, near: Floats, far: Floats, half: Floats) -> Boxes:
+    """Boxes from `near` to `far` ahead of the middle of each, `half` to both sides, as high."""
+    center, size = some.center.copy(), some.size.copy()
+    center[:, :2] += ((near + far) / 2)[:, None] * np.stack([np.cos(some.yaw), np.sin(some.yaw)], -1)
+    size[:, 0], size[:, 1] = far - near, 2 * half
+    return Boxes(center, size, some.yaw.copy())

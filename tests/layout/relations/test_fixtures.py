@@ -1,0 +1,68 @@
+"""Fixtures of bathrooms keep floor before them: what people's rooms have costs nothing, what takes it does."""
+
+import numpy as np
+import pytest
+
+from apartgen.schemas.layout import Box, Layout
+from apartgen.stages.layout.datasets import single_rooms
+from apartgen.stages.layout.datasets.furnisher import furnish
+from apartgen.stages.layout.projection.space import Space, space_of
+from apartgen.stages.layout.relations import fixtures
+from apartgen.stages.layout.rooms import of_plan
+from apartgen.stages.space import boxes
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use.kinds import FIXTURES
+
+
+def bath(seed: int) -> tuple[list[Box], Space, np.ndarray]:
+    plan = single_rooms.draw(np.random.default_rng([5, seed]), "bathroom")
+    arrays = of_plan(plan)
+    home = Layout(**dict(plan), objects=furnish(plan, np.random.default_rng([6, seed])))
+    return home.objects, space_of(arrays, 0), np.append(arrays.origin[0], 0.0)
+
+
+def price(o: Box, others: list[Box], space: Space, origin: np.ndarray, strict: bool = True) -> float:
+    def shifted(some: list[Box]) -> Boxes:
+        found = boxes.of(some)
+        return Boxes(found.center - origin, found.size, found.yaw)
+
+    return float(fixtures.prices(o.category, shifted([o]), [p.category for p in others], shifted(others), space,
+                                 strict)[0])
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_what_keeps_clear_costs_nothing_and_what_stands_before_a_fixture_is_not_taken(seed: int) -> None:
+    objects, space, origin = bath(seed)
+    floor = [o for o in objects if TABLE[o.category].place == "floor"]
+    for o in floor:
+        others = [p for p in floor if p is not o]
+        assert price(o, others, space, origin) == 0, o.id
+        if o.category not in FIXTURES:
+            continue
+        heading = np.array([np.cos(o.yaw), np.sin(o.yaw), 0.0])
+        bin = o.model_copy(update={"category": "bin", "size": (0.25, 0.25, 0.4)})
+        bin.center = tuple((np.array(o.center) * (1, 1, 0) + heading * (o.size[0] / 2 + 0.3) + (0, 0, 0.2)).tolist())
+        assert price(bin, [o], space, origin) >= fixtures.BROKEN
+        turned = o.model_copy(update={"yaw": o.yaw + np.pi})
+        assert price(turned, [], space, origin) >= fixtures.BROKEN  # its back is to the room
+
+
+def test_a_fixture_may_take_floor_where_no_place_keeps_it() -> None:
+    objects, space, origin = bath(1)
+    toilet = next(o for o in objects if o.category == "toilet")
+    heading = np.array([np.cos(toilet.yaw), np.sin(toilet.yaw), 0.0])
+    basin = toilet.model_copy(update={"category": "vanity", "size": (0.4, 0.5, 0.85)})
+    basin.center = tuple((np.array(toilet.center) + heading * 0.8).tolist())
+    assert price(toilet, [basin], space, origin) >= fixtures.BROKEN
+    assert price(toilet, [basin], space, origin, strict=False) == fixtures.TAKEN
+
+
+def test_a_toilet_keeps_elbow_room_as_well() -> None:
+    objects, space, origin = bath(2)
+    toilet = next(o for o in objects if o.category == "toilet")
+    left = np.array([-np.sin(toilet.yaw), np.cos(toilet.yaw), 0.0])
+    basket = toilet.model_copy(update={"category": "laundry_basket", "size": (0.3, 0.3, 0.5)})
+    for off, kept in ((0.38 + 0.15 + 0.02, True), (0.30 + 0.15, False)):
+        basket.center = tuple((np.array(toilet.center) + left * off).tolist())
+        assert (price(toilet, [basket], space, origin) == 0) == kept
