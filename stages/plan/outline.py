@@ -12,6 +12,8 @@ GREATEST_ASPECT = 1.8
 """Longest side of a free outline's bounding box over the other."""
 DEEP_NOTCH = 75.0
 """Gross area, m², from which an outline may have a notch in the middle of a side."""
+ODD, MOST_ODD = ((7, 10), (2.0, 0.7)), 0.9
+"""Share of free outlines that are no rectangles where nothing need be regular, by rooms, and at most."""
 PLAY = 1.2
 """Factor by which annealing may change the aspect that was drawn, either way."""
 
@@ -22,12 +24,12 @@ def ring(shape: Polygon) -> list[tuple[float, float]]:
     return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in clean.exterior.coords[:-1]]
 
 
-def wish(envelope: Envelope, regularity: float, rng: Generator) -> tuple[str, float]:
-    """A shape and an aspect of the bounding box; irregular flats have more corners."""
+def wish(envelope: Envelope, regularity: float, rooms: int, rng: Generator) -> tuple[str, float]:
+    """A shape and an aspect of the bounding box; irregular flats have more corners, those of many rooms fewer."""
     shape: str = envelope.shape
     if shape == "auto":
-        odds = 0.8 * (1 - regularity)
-        shape = str(rng.choice(["rectangle", "L", "notched"], p=[1 - odds, 0.6 * odds, 0.4 * odds]))
+        odds = min(MOST_ODD, float(np.interp(rooms, *ODD)) * (1 - regularity))
+        shape = str(rng.choice(["rectangle", "L", "notched"], p=[1 - odds, 0.7 * odds, 0.3 * odds]))
     return shape, float(np.exp(rng.uniform(-1, 1) * np.log(GREATEST_ASPECT / PLAY)))
 
 

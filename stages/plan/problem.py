@@ -25,8 +25,8 @@ WET, WHIM, MEALS, COOK = 2, 6, 24, 24
 another."""
 CUT_OFF = 0.15
 """Share of draws in which a kitchen need not lie at the living room."""
-ODD = 0.6
-"""Share of large rooms that are made of two rectangles where nothing need be regular."""
+ODD = (0.6, 2.0)
+"""Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
 Pair = tuple[int, int, int]
 """Two rooms that should be near one another, and how much that counts."""
@@ -61,7 +61,7 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     program = indoors(whole)
     rooms = [i for i, r in enumerate(program.rooms) if r.type != "hallway"]
     pairs = [rng.choice(rooms, 2, replace=False) for _ in range(3 if len(rooms) > 1 else 0)]
-    shape, aspect = wish(program.envelope, program.regularity, rng)
+    shape, aspect = wish(program.envelope, program.regularity, len(program.rooms), rng)
     wanted = areas(program)
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
     near = [(int(a), int(b), WHIM) for a, b in pairs]
@@ -73,7 +73,8 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
     if room.type != "hallway":
-        return 2 if area >= 9 and rng.random() < ODD * (1 - program.regularity) ** 1.5 else 1
+        odd = ODD[room.type == "living_room"] * (1 - program.regularity)
+        return 1 + int(area >= 9 and rng.random() < odd)
     doors = sum(room.id in pair for pair in links(program))
     many = min(doors / 8, 1.0)
     return int(rng.choice([1, 2, 3], p=[1 - 0.85 * many, 0.45 * many, 0.4 * many]))

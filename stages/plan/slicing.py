@@ -97,19 +97,37 @@ def _covered(blocks, s, x0, y0, x1, y1):  # area of the outline within a box
 
 
 @inner
+def _before(blocks, s, box, upright, c):  # area of the outline within a box up to a cut, and the cut's length in it
+    area, across = 0.0, 0.0
+    for k in range(blocks.shape[0]):
+        x0, x1 = max(box[0], blocks[k, 0] * s), min(box[2], blocks[k, 2] * s)
+        y0, y1 = max(box[1], blocks[k, 1] / s), min(box[3], blocks[k, 3] / s)
+        lo, hi, wide = (x0, x1, y1 - y0) if upright else (y0, y1, x1 - x0)
+        if hi > lo and wide > 0 and c > lo:
+            area += wide * (min(c, hi) - lo)
+            across += wide if c < hi else 0.0
+    return area, across
+
+
+@inner
 def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covered area before it
     a, b = (box[0], box[2]) if upright else (box[1], box[3])
     if p.blocks.shape[0] == 1:
         return a + share * (b - a)
     whole = _covered(p.blocks, s, box[0], box[1], box[2], box[3])
     goal, lo, hi, c = share * whole, a, b, a + share * (b - a)
-    for _ in range(18 if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS else 0):
-        c = 0.5 * (lo + hi)
-        x1, y1 = (c, box[3]) if upright else (box[2], c)
-        if _covered(p.blocks, s, box[0], box[1], x1, y1) < goal:
+    for _ in range(18 if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS else 0):  # Newton, within bounds
+        over, slope = _before(p.blocks, s, box, upright, c)
+        over -= goal
+        if abs(over) < EPS:
+            break
+        if over < 0:
             lo = c
         else:
             hi = c
+        c -= over / (slope + 1e-12)
+        if c <= lo or c >= hi:
+            c = 0.5 * (lo + hi)
     for e in range(p.edges.shape[0]):  # follow a nearby corner of the outline
         if (p.edges[e, 0] == 0) == (upright == 1):
             line = p.edges[e, 1] * s if upright else p.edges[e, 1] / s
