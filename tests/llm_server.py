@@ -36,6 +36,8 @@ class Step:
     pause: float = 0.0
     """Seconds between one byte of the reply and the next."""
     raw: bytes | None = None
+    packed: str = ""
+    """How the raw reply is packed."""
 
 
 @dataclass
@@ -70,7 +72,7 @@ class Handler(BaseHTTPRequestHandler):
         step = self.script.next()
         time.sleep(step.delay)
         if step.raw is not None:
-            return self._send(step.status, step.raw.decode())
+            return self._send(step.status, step.raw, packed=step.packed)
         if step.status != 200:
             return self._send(
                 step.status, json.dumps({"error": {"message": step.text or "no", "type": "error", "code": None}})
@@ -83,12 +85,14 @@ class Handler(BaseHTTPRequestHandler):
         }  # fmt: skip
         return self._send(200, json.dumps(reply), step.pause)
 
-    def _send(self, status: int, body: str, pause: float = 0.0) -> None:
-        data = body.encode()
+    def _send(self, status: int, body: str | bytes, pause: float = 0.0, packed: str = "") -> None:
+        data = body.encode() if isinstance(body, str) else body
         try:
             self.send_response(status)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(data)))
+            if packed:
+                self.send_header("Content-Encoding", packed)
             self.end_headers()
             for part in [data[i:i + 1] for i in range(len(data))] if pause else [data]:
                 self.wfile.write(part)

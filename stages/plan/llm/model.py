@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
+from apartgen.stages.plan.llm.bounded import cause, client
 
 log = logging.getLogger("apartgen")
 
@@ -148,6 +149,8 @@ class Model:
             return Unmet(
                 f"{self.name} gave no answer within {self.timeout:g} s, {asked}; try later, or leave out --llm"
             )
+        if fault := cause(e):
+            return Unmet(f"{self.name}: {fault}; try another model, or leave out --llm")
         return Unmet(f"{self.name} could not be asked: {type(e).__name__}: {_reason(e)}; try later, or leave out --llm")
 
 
@@ -159,6 +162,7 @@ def _litellm() -> Any:
     litellm.telemetry = False
     litellm.suppress_debug_info = True
     litellm.drop_params = True
+    litellm.client_session = litellm.client_session or client()
     return litellm
 
 

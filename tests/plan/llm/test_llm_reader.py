@@ -1,9 +1,12 @@
 """The language-model reader over real HTTP, with servers that behave and servers that do not."""
 
+import gzip
 import json
+import resource
 import subprocess
 import sys
 import time
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -187,6 +190,28 @@ def test_a_reply_that_is_no_json_at_all_is_unmet(script: Script) -> None:
     script.steps = [Step(raw=b"<html>gateway</html>")]
     with pytest.raises(Unmet):
         ask(script, retries=0)
+
+
+@pytest.mark.parametrize("packed", ["", "gzip", "br"])
+def test_a_reply_without_end_is_not_read_to_its_end(script: Script, packed: str) -> None:
+    """17 MB of a plain reply; 256 MB that are packed into a quarter of one; what nobody asked for."""
+    zeros = zlib.compressobj(9, wbits=31)
+    raw = {"": b" " * 17_000_000, "br": b"?"}.get(packed) or b"".join(
+        [*(zeros.compress(bytes(2**24)) for _ in range(16)), zeros.flush()])
+    script.steps = [Step(raw=raw, packed=packed)]
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    with pytest.raises(Unmet, match="reply is"):
+        ask(script, retries=0)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 200_000, "kB"
+
+
+def test_a_packed_reply_is_read(script: Script) -> None:
+    message = {"role": "assistant", "content": good()}
+    reply = {"id": "r", "object": "chat.completion", "created": 1, "model": "m",
+             "choices": [{"index": 0, "message": message, "finish_reason": "stop"}]}
+    script.steps = [Step(raw=gzip.compress(json.dumps(reply).encode()), packed="gzip")]
+    program, _ = ask(script)
+    assert [room.type for room in program.rooms][:1] == ["living_room"]
 
 
 def test_nobody_listening_is_unmet(script: Script) -> None:
