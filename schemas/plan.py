@@ -136,11 +136,22 @@ class Walls(Record):
 
 
 class Finish(Record):
-    """What a room is finished with, by names of materials; empty where it is as usual."""
+    """What a room is finished with, by names of materials and designs; empty where it is as usual."""
 
+    style: str = Field("", description="what the rest was drawn from")
     floor: str = ""
     wall: str = ""
-    joinery: str = ""
+    joinery: str = Field("", description="of doors, windows and skirting")
+    door: str = Field("", description="a design")
+    window: str = Field("", description="a design")
+    metal: str = Field("", description="of what one takes doors by")
+    woods: list[str] = Field(default_factory=list, description="of furniture, one or two")
+    cloth: list[str] = Field(default_factory=list, description="of large seats, of small ones")
+    rug: str = ""
+    bedding: str = ""
+    front: str = Field("", description="of kitchen units, as the next two")
+    worktop: str = ""
+    handles: str = ""
 
 
 class Plan(Record):

@@ -140,13 +140,17 @@ class _Store:
         self.binary += data
         return len(self.views) - 1
 
+    def _extensions(self, lights: list[Light]) -> list[str]:
+        clear = any(_clear(m) for m in self.materials)
+        return ["KHR_lights_punctual"] * bool(lights) + ["KHR_materials_transmission"] * clear
+
     def document(self, root: int, lights: list[Light], credits: list[str]) -> tuple[Node, bytes]:
         png = {"mimeType": "image/png"}
         images = [{"name": name, **png, "bufferView": self._view(image(name))} for name in self.textures]
         self.binary += b"\0" * (-len(self.binary) % 4)
         document: Node = {
             "asset": {"version": "2.0", "generator": "apartgen", "copyright": "; ".join(credits)},
-            "extensionsUsed": ["KHR_lights_punctual"] if lights else [],
+            "extensionsUsed": self._extensions(lights),
             "extensions": {"KHR_lights_punctual": {"lights": _lights(lights)}} if lights else {},
             "scene": 0, "scenes": [{"name": "apartment", "nodes": [root]}],
             "nodes": self.nodes, "meshes": self.meshes, "accessors": self.accessors, "bufferViews": self.views,
@@ -181,7 +185,17 @@ def _material(m: Material, name: str, textures: list[str]) -> Node:
     if m.texture:
         surface["baseColorTexture"] = {"index": textures.index(m.texture)}
     mode = "BLEND" if m.color[3] < 1 else "MASK" if m.texture and cut_out(m.texture) else ""
-    return {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": mode} if mode else {})
+    made = {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": mode} if mode else {})
+    if m.emission:
+        made["emissiveFactor"] = [m.emission * _linear(c) for c in m.color[:3]]
+    if _clear(m):
+        made["extensions"] = {"KHR_materials_transmission": {"transmissionFactor": 1 - m.color[3]}}
+    return made
+
+
+def _clear(m: Material) -> bool:
+    """Whether it is glass: light passes through it, smooth as it is."""
+    return m.color[3] < 1 and m.roughness < 0.2
 
 
 def _linear(c: float) -> float:

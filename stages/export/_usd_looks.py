@@ -47,6 +47,9 @@ class Looks:
         shader.CreateIdAttr("UsdPreviewSurface")
         shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(m.roughness)
         shader.CreateInput("metallic", Sdf.ValueTypeNames.Float).Set(m.metalness)
+        if m.emission:
+            glow = (m.emission * _linear(c) for c in m.color[:3])
+            shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(Gf.Vec3f(*glow))
         opacity = shader.CreateInput("opacity", Sdf.ValueTypeNames.Float)
         opacity.Set(m.color[3])
         color = shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f)

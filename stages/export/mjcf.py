@@ -80,6 +80,8 @@ class _Writer:
                       specular=0.6 * (1 - m.roughness), shininess=1 - m.roughness)
         if m.texture:
             element.set("texture", image_name(m.texture))
+        if m.emission:
+            element.set("emission", number(m.emission))
         if m in self.glowing:
             # Only light from the floor reaches a ceiling, which MuJoCo does not trace.
             element.set("emission", "0.45")

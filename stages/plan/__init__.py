@@ -24,7 +24,7 @@ def build(program: "Program", config: PlanConfig, rng: "Generator", prompt: str 
     from apartgen.stages.plan.newcomers import named, plain
     from apartgen.stages.plan.solve import solve
 
-    return named(solve(plain(program), config, rng), program.rooms).model_copy(update={"prompt": prompt})
+    return _finished(named(solve(plain(program), config, rng), program.rooms), prompt, rng, "finishes")
 
 
 def build_variants(
@@ -35,7 +35,15 @@ def build_variants(
     from apartgen.stages.plan.variants import several
 
     plans = several(plain(program), config, rng, k)
-    return [named(plan, program.rooms).model_copy(update={"prompt": prompt}) for plan in plans]
+    return [_finished(named(plan, program.rooms), prompt, rng, f"finishes {i}") for i, plan in enumerate(plans)]
+
+
+def _finished(plan: "Plan", prompt: str, rng: "Generator", lane: str) -> "Plan":
+    """The plan with what its rooms are finished with, for which nothing is drawn that anything else hangs on."""
+    from apartgen.stages import seeds
+    from apartgen.stages.things import palettes
+
+    return plan.model_copy(update={"prompt": prompt, "finishes": palettes.drawn(plan.rooms, seeds.lane(rng, lane))})
 
 
 def from_polygons(rooms: "list[Room]", config: PlanConfig, program: "Program | None" = None) -> "Plan":

@@ -14,17 +14,18 @@ import numpy as np
 
 from apartgen.schemas.carrying import CEILING, WALL
 from apartgen.schemas.errors import BadInput
-from apartgen.schemas.layout import Layout
+from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Plan
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.robot.wedged import wedged
 from apartgen.stages.scene import shell
 from apartgen.stages.space import polygons
 from apartgen.stages.things import placed, small
-from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.asset import Array, Asset, Link
 from apartgen.stages.things.body import Body, Light
 from apartgen.stages.things.carrying import told
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.dressed import dressed
 
 log = logging.getLogger("apartgen")
 LoadAsset = Callable[[str, str], Asset]
@@ -58,7 +59,7 @@ class Scene:
         objects = self.home.objects if isinstance(self.home, Layout) else []
         kinds = {o.id: TABLE[o.category] for o in objects if o.category in TABLE}
         lamps = [
-            Light(f"light_{identifier(o.id)}", o.room, np.array(o.center), kinds[o.id].lumens)
+            Light(f"light_{identifier(o.id)}", o.room, self._bulb(o), kinds[o.id].lumens)
             for o in objects if o.id in kinds and kinds[o.id].lumens
         ]
         lit = {o.room for o in objects if o.id in kinds and kinds[o.id].lumens and kinds[o.id].place == "ceiling"}
@@ -75,8 +76,20 @@ class Scene:
         """Who made the assets used, sorted."""
         return sorted({self.load_asset(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
 
+    def _bulb(self, o: Box) -> Array:
+        """Where a lamp's light comes from: the middle of its bulbs, or of what glows, or of its box."""
+        own = self.load_asset(o.asset.library, o.asset.id).links if isinstance(o, Furnishing) else []
+        glowing = [mesh for link in own for mesh in link.visuals if mesh.material.emission > 0]
+        brightest = max((mesh.material.emission for mesh in glowing), default=0.0)
+        corners = [mesh.vertices for mesh in glowing if mesh.material.emission == brightest]
+        bounds = np.concatenate(corners) if corners else np.zeros((1, 3))
+        x, y, z = (bounds.min(0) + bounds.max(0)) / 2
+        c, s = np.cos(o.yaw), np.sin(o.yaw)
+        return np.asarray(np.array(o.center) + [c * x - s * y, s * x + c * y, z])
+
     def _body(self, o: Furnishing) -> Body:
         asset = self.load_asset(o.asset.library, o.asset.id)
+        asset = dressed(asset, self.home.finishes.get(o.room))
         links = _links(placed.links(o, asset), o.category)
         links = links if self.shown else _bare(links)
         return Body(

@@ -66,12 +66,12 @@ def _ground(plan: Plan, shown: bool) -> Body:
     below = solids.extruded(shell, -SLAB, -0.004, finishes.CONCRETE)
     sills = [polygons.threshold(o, plan) for o in plan.openings if o.kind in polygons.PASSAGES]
     flush = unary_union(sills).difference(unary_union(list(polygons.floors(plan).values())))
-    faces = [below] if flush.is_empty else [below, solids.extruded(flush, -0.004, 0.0, finishes.THRESHOLD)]
+    faces = [below] if flush.is_empty else [below, solids.extruded(flush, -0.004, 0.0, finishes.threshold(plan))]
     return _still("ground", "floor", "", faces, solid)
 
 
 def _floor(plan: Plan, room: Room) -> Body:
-    covering = solids.extruded(polygons.floor(room), -0.004, 0.0, finishes.floor(room.base))
+    covering = solids.extruded(polygons.floor(room), -0.004, 0.0, finishes.floor(room, plan))
     return _still(f"floor_{room.id}", "floor", room.id, [covering])
 
 
@@ -139,13 +139,13 @@ def _linings(plan: Plan, room: Room, storeys: list[Storey]) -> list[Body]:
     """The room's own finish of the walls about it, and its skirting."""
     floor = polygons.floor(room)
     skin = _skin(floor)
-    finish = finishes.wall(room.base)
+    finish = finishes.wall(room, plan)
     layers = [(_clean(skin.intersection(area)), z0, z1) for area, z0, z1 in storeys]
     faces = [solids.extruded(area, z0, z1, finish) for area, z0, z1 in layers if area.area > 1e-6]
     found = [_still(f"lining_{room.id}", "lining", room.id, faces)]
     board = _skirting(plan, room, floor)
     if not board.is_empty:
-        shown = solids.extruded(board, 0.0, SKIRTING[1], finishes.SKIRTING)
+        shown = solids.extruded(board, 0.0, SKIRTING[1], finishes.skirting(room, plan))
         found.append(_still(f"skirting_{room.id}", "trim", room.id, [shown]))
     return found
 
@@ -162,7 +162,7 @@ def _opening(plan: Plan, opening: Opening, shown: bool) -> Body:
     span, position, yaw = frame(plan, opening)
     hung = partial(door, hinge=hinge(opening, plan))
     make = {"window": window, "opening": lining_of_passage}.get(opening.kind, hung)
-    links = make(polygons.width(opening), span, opening, shown=shown)
+    links = make(polygons.width(opening), span, opening, finishes.joinery(opening, plan), shown=shown)
     kind: Kind = {"window": "window", "opening": "trim"}.get(opening.kind, "door")  # type: ignore[assignment]
     name = opening.id if opening.id.startswith(kind) else f"{kind}_{opening.id}"
     towards = opening.into or opening.rooms[0]

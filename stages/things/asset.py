@@ -18,13 +18,17 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """Physically based surface; `texture` names a procedural texture or an image file of the library."""
+    """Physically based surface; `texture` names a procedural texture or an image file of the library.
+
+    What has `emission` gives off so much of its colour.
+    """
 
     name: str
     color: tuple[float, float, float, float] = (0.8, 0.8, 0.8, 1.0)
     roughness: float = 0.7
     metalness: float = 0.0
     texture: str | None = None
+    emission: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +75,10 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Asset:
-    """A model with everything needed to place, simulate and credit it; `size` is [depth, width, height]."""
+    """A model with everything needed to place, simulate and credit it; `size` is [depth, width, height].
+
+    `roles` are the materials of a kitchen unit's fronts, worktop and handles, which all units of a kitchen share.
+    """
 
     library: str
     id: str
@@ -81,6 +88,7 @@ class Asset:
     links: list[Link]
     latent: Array = field(default_factory=lambda: np.zeros(32))
     credit: str = ""
+    roles: tuple[str, ...] = ()
 
     @property
     def joints(self) -> list[Joint]:

@@ -6,7 +6,6 @@ one repeat of a pattern covers `span(name)` metres. Wood grain runs along the im
 """
 
 import zlib
-from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -14,10 +13,10 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.things.asset import Material
+from apartgen.stages.things.laid import LAID
+from apartgen.stages.things.patterns import PATTERNS
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
-Pattern = Callable[[np.random.Generator, int, Array], Array]
 
 # name: (red, green, blue), roughness, metalness, pattern, density kg/m³
 _TABLE: dict[str, tuple[tuple[int, int, int], float, float, str, float]] = {
@@ -80,21 +79,44 @@ _TABLE: dict[str, tuple[tuple[int, int, int], float, float, str, float]] = {
     "green_glass": ((44, 84, 50), 0.08, 0, "", 2500), "red": ((190, 50, 48), 0.5, 0, "", 950),
     "sky": ((96, 152, 200), 0.5, 0, "", 950), "lime": ((126, 170, 80), 0.5, 0, "", 950),
     "wax": ((240, 228, 204), 0.6, 0, "", 900), "skin_soap": ((236, 214, 190), 0.4, 0, "", 1000),
+    "floor_light_oak": ((216, 188, 148), 0.5, 0, "planks", 680),
+    "floor_walnut": ((116, 82, 58), 0.45, 0, "planks", 640),
+    "floor_grey_oak": ((168, 158, 146), 0.55, 0, "planks", 700),
+    "floor_pine": ((220, 180, 124), 0.55, 0, "planks", 520),
+    "herringbone_oak": ((190, 150, 104), 0.45, 0, "herringbone", 700),
+    "herringbone_smoked": ((122, 90, 66), 0.45, 0, "herringbone", 700),
+    "carpet_grey": ((142, 144, 148), 1.0, 0, "boucle", 250), "cork": ((184, 142, 98), 0.8, 0, "speckle", 450),
+    "floor_slate": ((92, 96, 98), 0.5, 0, "tile", 2700), "floor_terracotta": ((182, 114, 82), 0.7, 0, "tile", 2000),
+    "floor_hexagons": ((206, 204, 198), 0.4, 0, "hexagons", 2300),
+    "floor_chequers": ((150, 148, 144), 0.35, 0, "chequers", 2300),
+    "wall_white": ((240, 239, 235), 0.9, 0, "", 1200), "wall_sand": ((229, 219, 199), 0.9, 0, "", 1200),
+    "wall_mist": ((214, 224, 224), 0.9, 0, "", 1200), "wall_sage": ((186, 198, 176), 0.9, 0, "", 1200),
+    "wall_blush": ((232, 212, 202), 0.9, 0, "", 1200), "wall_clay": ((206, 172, 148), 0.9, 0, "", 1200),
+    "wall_grey": ((204, 205, 204), 0.9, 0, "", 1200), "wall_blue": ((148, 168, 186), 0.9, 0, "", 1200),
+    "wall_ochre": ((218, 190, 130), 0.9, 0, "", 1200), "wall_olive": ((150, 152, 118), 0.9, 0, "", 1200),
+    "wall_greige": ((214, 206, 194), 0.9, 0, "", 1200), "limewash": ((224, 216, 204), 0.95, 0, "lime", 1200),
+    "brick_white": ((222, 218, 210), 0.9, 0, "bricks", 1800), "brick_red": ((172, 108, 86), 0.95, 0, "bricks", 1800),
+    "paper_stripes": ((222, 216, 202), 0.85, 0, "striped_paper", 1200),
+    "paper_leaves": ((206, 214, 198), 0.85, 0, "leaves", 1200),
+    "metro_white": ((234, 235, 234), 0.2, 0, "metro", 2300), "metro_green": ((110, 142, 122), 0.2, 0, "metro", 2300),
+    "tile_sand": ((216, 204, 184), 0.3, 0, "tile", 2300), "tile_blue": ((150, 176, 190), 0.25, 0, "tile", 2300),
     "keys_white": ((244, 243, 238), 0.3, 0, "", 1000), "piano_black": ((22, 22, 24), 0.1, 0, "", 740),
 }  # fmt: skip
 
 _ALPHA = {"glass": 0.28, "smoked_glass": 0.6, "sheer": 0.85}
+_EMISSION = {"bulb": 1.0, "paper_shade": 0.35}
 _SPAN = {
     "wood": 1.2, "weave": 0.16, "boucle": 0.3, "velvet": 0.6, "leather": 0.3, "quilt": 0.25, "kilim": 0.8,
     "persian": 0.7, "stripe": 0.5, "berber": 0.6, "wicker": 0.12, "marble": 1.2, "speckle": 0.5, "terrazzo": 0.6,
-    "cloud": 0.8, "tile": 0.6, "planks": 1.6, "brushed": 0.4, "cane": 0.08,
+    "cloud": 0.8, "tile": 0.6, "planks": 1.6, "brushed": 0.4, "cane": 0.08, "herringbone": 0.72, "hexagons": 0.7,
+    "chequers": 0.6, "metro": 0.4, "bricks": 0.52, "striped_paper": 0.5, "leaves": 0.64, "lime": 1.2,
 }  # fmt: skip
 
 
 def _material(name: str) -> Material:
     (r, g, b), roughness, metalness, pattern, _ = _TABLE[name]
     color = (r / 255, g / 255, b / 255, _ALPHA.get(name, 1.0))
-    return Material(name, color, roughness, float(metalness), name if pattern else None)
+    return Material(name, color, roughness, float(metalness), name if pattern else None, _EMISSION.get(name, 0.0))
 
 
 PALETTE: dict[str, Material] = {name: _material(name) for name in _TABLE}
@@ -122,146 +144,7 @@ def texture(name: str, size: int = 256) -> Image:
         raise BadInput(f"no procedural texture {name!r}; one of {', '.join(textures())}")
     color, _, _, pattern, _ = _TABLE[name]
     rng = np.random.default_rng(zlib.crc32(name.encode()))
-    shade = _PATTERNS[pattern](rng, size, np.array(color, float))
+    shade = (PATTERNS | LAID)[pattern](rng, size, np.array(color, float))
     image = np.clip(np.rint(shade), 0, 255).astype(np.uint8)
     image.flags.writeable = False
     return image
-
-
-def noise(rng: np.random.Generator, size: int, width: float, length: float | None = None) -> Array:
-    """Periodic Gaussian noise (size, size), unit variance; feature sizes in shares of the image, y then x."""
-    fy, fx = np.fft.fftfreq(size, 1 / size)[:, None], np.fft.fftfreq(size, 1 / size)[None, :]
-    keep = np.exp(-((fy * width) ** 2 + (fx * (width if length is None else length)) ** 2) * 4)
-    field = np.fft.ifft2(np.fft.fft2(rng.standard_normal((size, size))) * keep).real
-    return np.asarray((field - field.mean()) / (field.std() + 1e-12))
-
-
-def _lit(color: Array, change: Array) -> Array:
-    """The colour with a relative change of brightness (h, w)."""
-    return np.asarray(color * (1 + change[..., None]))
-
-
-def _grid(size: int) -> tuple[Array, Array]:
-    """Image coordinates in [0, 1): x (1, size), y (size, 1)."""
-    t = np.arange(size) / size
-    return t[None, :], t[:, None]
-
-
-def _wood(rng: np.random.Generator, size: int, color: Array) -> Array:
-    _, y = _grid(size)
-    warp = noise(rng, size, 0.25, 0.6)
-    rings = np.sin(2 * np.pi * (9 * y + 0.55 * warp))
-    return _lit(color, 0.05 * rings + 0.05 * noise(rng, size, 0.01, 0.5) + 0.04 * warp)
-
-
-def _weave(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    over = np.sin(64 * np.pi * x) * np.sin(64 * np.pi * y)
-    return _lit(color, 0.07 * over + 0.04 * noise(rng, size, 0.01, 0.12) + 0.04 * noise(rng, size, 0.12, 0.01))
-
-
-def _boucle(rng: np.random.Generator, size: int, color: Array) -> Array:
-    return _lit(color, 0.07 * noise(rng, size, 0.02) + 0.03 * noise(rng, size, 0.2))
-
-
-def _velvet(rng: np.random.Generator, size: int, color: Array) -> Array:
-    return _lit(color, 0.06 * noise(rng, size, 0.3) + 0.05 * noise(rng, size, 0.008))
-
-
-def _leather(rng: np.random.Generator, size: int, color: Array) -> Array:
-    cells = np.abs(noise(rng, size, 0.025))
-    return _lit(color, 0.12 * np.minimum(cells, 0.8) - 0.06 + 0.04 * noise(rng, size, 0.3))
-
-
-def _quilt(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    seam = np.minimum(np.abs(np.sin(2 * np.pi * (x + y))), np.abs(np.sin(2 * np.pi * (x - y))))
-    return _lit(color, -0.14 * np.exp(-seam * 9) + 0.01 * noise(rng, size, 0.01))
-
-
-def _stripe(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    band = np.where((x * 5 % 1) < 0.22, -0.38, 0.0) + 0 * y
-    return _lit(color, band + 0.05 * noise(rng, size, 0.01))
-
-
-def _berber(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    line = np.abs(np.abs((2 * x) % 1 - 0.5) + np.abs((2 * y) % 1 - 0.5) - 0.5)
-    return _lit(color, -0.65 * (line < 0.03) + 0.05 * noise(rng, size, 0.015))
-
-
-def _kilim(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    step = np.floor(16 * np.abs((2 * x) % 1 - 0.5)) / 16 + y * 2
-    tones = np.array([[1.0, 1.0, 1.0], [0.45, 0.5, 0.62], [1.3, 1.42, 1.5], [0.75, 0.55, 0.5]])
-    return np.asarray(color * tones[(step * 4 % 4).astype(int)] * (1 + 0.05 * noise(rng, size, 0.01))[..., None])
-
-
-def _persian(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    u, v = np.abs(x - 0.5), np.abs(y - 0.5)
-    figure = np.cos(10 * np.pi * u) * np.cos(10 * np.pi * v) + 0.6 * np.cos(30 * np.pi * np.hypot(u, v))
-    shade = np.where(figure > 0.75, 0.9, np.where(figure < -0.7, -0.4, 0.0))
-    return _lit(color, shade + 0.06 * noise(rng, size, 0.01))
-
-
-def _marble(rng: np.random.Generator, size: int, color: Array) -> Array:
-    vein = np.abs(noise(rng, size, 0.22) + 0.35 * noise(rng, size, 0.05))
-    sign = -1.0 if color.mean() > 128 else 1.6
-    return _lit(color, sign * 0.3 * np.exp(-vein * 14) + sign * 0.05 * noise(rng, size, 0.3))
-
-
-def _speckle(rng: np.random.Generator, size: int, color: Array) -> Array:
-    return _lit(color, 0.10 * noise(rng, size, 0.012) + 0.03 * noise(rng, size, 0.1))
-
-
-def _terrazzo(rng: np.random.Generator, size: int, color: Array) -> Array:
-    chips, tint = noise(rng, size, 0.05), noise(rng, size, 0.09)
-    shade = np.where(chips > 1.25, np.where(tint > 0, -0.35, -0.6), 0.0)
-    return np.asarray(_lit(color, shade) * np.where((chips > 1.25)[..., None], [1.1, 0.95, 0.85], 1.0))
-
-
-def _cloud(rng: np.random.Generator, size: int, color: Array) -> Array:
-    return _lit(color, 0.05 * noise(rng, size, 0.2) + 0.04 * noise(rng, size, 0.02))
-
-
-def _tile(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    edge = np.minimum(np.abs((2 * x) % 1 - 0.5), np.abs((2 * y) % 1 - 0.5)) < 0.008
-    each = rng.normal(0, 0.015, (2, 2)).repeat(size // 2 + 1, 0).repeat(size // 2 + 1, 1)[:size, :size]
-    each = np.roll(each, size // 4, (0, 1))
-    return _lit(color, np.where(edge, -0.22, each) + 0.01 * noise(rng, size, 0.1))
-
-
-def _planks(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    row = np.minimum((y * 10).astype(int), 9)
-    joint = np.abs((x + row * 0.37) % 1 - 0.5) < 0.002
-    tone = rng.normal(0, 0.06, 10)[row] + 0 * x
-    gap = ((y * 10) % 1 < 0.03) | joint
-    return np.asarray(_wood(rng, size, color) * (1 + tone - 0.35 * gap)[..., None])
-
-
-def _brushed(rng: np.random.Generator, size: int, color: Array) -> Array:
-    return _lit(color, 0.02 * noise(rng, size, 0.004, 0.8))
-
-
-def _wicker(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    strand = np.abs(np.sin(6 * np.pi * (x + (np.floor(y * 6) % 2) / 6)) * np.sin(6 * np.pi * y))
-    return _lit(color, 0.4 * strand - 0.25 + 0.04 * noise(rng, size, 0.02))
-
-
-def _cane(rng: np.random.Generator, size: int, color: Array) -> Array:
-    x, y = _grid(size)
-    hole = (((4 * x) % 1 - 0.5) ** 2 + ((4 * y) % 1 - 0.5) ** 2) < 0.07
-    return _lit(color, np.where(hole, -0.55, 0.0) + 0.04 * noise(rng, size, 0.03))
-
-
-_PATTERNS: dict[str, Pattern] = {
-    "wood": _wood, "weave": _weave, "boucle": _boucle, "velvet": _velvet, "leather": _leather, "quilt": _quilt,
-    "kilim": _kilim, "persian": _persian, "stripe": _stripe, "berber": _berber, "wicker": _wicker,
-    "marble": _marble, "speckle": _speckle, "terrazzo": _terrazzo, "cloud": _cloud, "tile": _tile,
-    "planks": _planks, "brushed": _brushed, "cane": _cane,
-}  # fmt: skip

@@ -244,7 +244,8 @@ def dishwasher(kit: Kit) -> None:
     b.box("plastic_black", (kit.x[0] + 0.03, edge - 0.02), (kit.y[0] + 0.005, kit.y[1] - 0.005), (0, low))
     b.fill = 1.0
     b.mass += 18.0
-    b.box("white" if kit.style == "integrated" else material, (kit.x[0], face), kit.y, (high, kit.h))
+    b.box("worktop_white", (kit.x[0], face), kit.y, (high, kit.h))
+    kit.roles = material if kit.style == "integrated" else "", "worktop_white", ""
     inner_y, inner_z, back = _housing(kit, "enamel", "steel", (kit.x[0], edge), kit.y, (low, high), 0.025)
     body = fronts.flap(kit, own, front, kit.y, (low, high), thick, bar=0.7)
     body.mass *= 2 * sheet(material)

@@ -30,6 +30,7 @@ class Kit:
         self.d, self.w, self.h = size
         self.base = Body()
         self.friction = 0.6
+        self.roles: tuple[str, ...] = ()
         self.moving: list[_Moving] = []
 
     @property
@@ -107,7 +108,8 @@ class Kit:
             links.append(
                 Link(name, body.meshes(drop), _lowered(body, drop), round(body.mass, 3), made, hold, grip=grip)
             )
-        return Asset("parametric", id, self.category, self.style, self.size, links, credit="apartgen, CC0-1.0")
+        return Asset("parametric", id, self.category, self.style, self.size, links, credit="apartgen, CC0-1.0",
+                     roles=self.roles)
 
 
 def _lowered(body: Body, drop: float) -> list[Collider]:

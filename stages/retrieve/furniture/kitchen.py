@@ -31,7 +31,9 @@ def kitchen_look(kit: Kit) -> Look:
     else:
         own = look(kit.style, taste).with_(body="white" if kit.style != "industrial" else "graphite")
         own = own.with_(handle={"modern": "edge", "shaker": "cup", "scandi": "tab", "industrial": "bar"}[kit.style])
-    return own.with_(base="plinth", leg="graphite", top=_TOPS[kit.style][int(taste.integers(2))], overhang=0.0)
+    own = own.with_(base="plinth", leg="graphite", top=_TOPS[kit.style][int(taste.integers(2))], overhang=0.0)
+    kit.roles = own.front, own.top, own.metal
+    return own
 
 
 def worktop_front(kit: Kit, own: Look) -> float:
