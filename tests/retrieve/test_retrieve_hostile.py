@@ -114,6 +114,17 @@ def test_deep_nesting_is_refused(tmp_path, capsys):
     assert "a: " in told(tmp_path, "folder", capsys)
 
 
+@pytest.mark.parametrize("around", [
+    "<mujoco><worldbody>{}</worldbody></mujoco>", "<mujoco><default>{}</default></mujoco>",
+    "<robot name='r'>{}</robot>"])
+@pytest.mark.parametrize("tag", ["body", "default", "link"])
+def test_any_elements_a_hundred_thousand_deep(tmp_path, capsys, around, tag):
+    deep = f"<{tag}>" * 100_000 + f"</{tag}>" * 100_000
+    (tmp_path / "m.xml").write_text(around.format(deep))
+    (tmp_path / "m.urdf").write_text(around.format(deep))
+    assert "elements in one another" in told(tmp_path, "simobjects", capsys)
+
+
 def test_one_file_named_as_many_buffers_counts_as_often(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(limits, "FILE_BYTES", 1000)
     (tmp_path / "x.bin").write_bytes(b"\0" * 400)

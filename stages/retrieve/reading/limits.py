@@ -25,6 +25,8 @@ VALUES = 4_000_000
 """Values in a JSON file."""
 ELEMENTS = 500_000
 """Elements in an XML file."""
+NEST = 256
+"""Elements in one another in an XML file."""
 FACES = 2_000_000
 VERTICES = 4_000_000
 
@@ -82,8 +84,21 @@ def xml(data: bytes, name: str) -> ElementTree.Element:
 
     if data.count(b"<") > 2 * ELEMENTS:
         raise Broken(f"{name} has more than the {ELEMENTS} elements accepted")
+    depth = 0
+
+    def enter(*_: object) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > NEST:
+            raise Broken(f"{name} has more than {NEST} elements in one another")
+
+    def leave(*_: object) -> None:
+        nonlocal depth
+        depth -= 1
+
     guard = expat.ParserCreate()
     guard.StartDoctypeDeclHandler = guard.EntityDeclHandler = refuse
+    guard.StartElementHandler, guard.EndElementHandler = enter, leave
     try:
         guard.Parse(data, True)
         return ElementTree.fromstring(data)
