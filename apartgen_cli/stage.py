@@ -4,21 +4,21 @@ A command module names its step and how options are called; `make` chains the sa
 """
 
 import logging
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
 from time import perf_counter
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
-from apartgen.schemas.artifact import Artifact, Made
+from apartgen.schemas.artifact import Made
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError
 from apartgen.steps import Outcome, Step, lane, made
-from apartgen_cli.check import Reader, judge, read_sound
-from apartgen_cli.console import fail, log, progress
+from apartgen_cli.check import judge
+from apartgen_cli.console import log, progress
 from apartgen_cli.inputs import Read, artifacts, inputs_of, named
 from apartgen_cli.options import (
     CONFIG,
@@ -35,7 +35,6 @@ from apartgen_cli.options import (
 from apartgen_cli.results import Results, results
 from apartgen_cli.tally import Tally
 
-Kept = TypeVar("Kept")
 AT_ONCE = 16
 """Inputs that a stage is given together; so many are in memory."""
 
@@ -154,27 +153,3 @@ def _told(stage: Step, inputs: list[tuple[str, Any]], config: Record, rngs: list
             yield outcome
     finally:
         log.removeFilter(named)
-
-
-def opened(pairs: Iterable[tuple[str, Kept]], model: type[Record], whole: bool = False, read: Reader = read_sound,
-           ) -> tuple[list[tuple[Kept, Artifact[Any]]], list[ApartgenError]]:
-    """The inputs that can be read, each with what was paired with its name, and what is wrong with the others."""
-    work: list[tuple[Kept, Artifact[Any]]] = []
-    errors: list[ApartgenError] = []
-    for name, place in pairs:
-        try:
-            work.append((place, read(name, model, whole)))
-        except ApartgenError as error:
-            errors.append(error)
-    return work, errors
-
-
-def settled(errors: list[ApartgenError], total: int) -> int:
-    """The exit status after all inputs; a single input's error is raised as it is."""
-    if total == 1 and errors:
-        raise errors[0]
-    for error in errors:
-        fail(str(error))
-    if errors:
-        fail(f"{len(errors)} of {total} could not be done")
-    return max((error.exit_code for error in errors), default=0)

@@ -87,7 +87,7 @@ def _sizes(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 
 def _graph(plan: Plan, shapes: Shapes) -> Iterator[str]:
-    want = {frozenset(p) for p in [*plan.program.links, *plan.program.open_links]}
+    want = dict.fromkeys(frozenset(p) for p in [*plan.program.links, *plan.program.open_links])
     built = Counter(frozenset(o.rooms) for o in plan.openings if o.kind in ("door", "opening"))
     for pair in want:
         if built[pair] != 1:

@@ -185,3 +185,14 @@ def export_until_checked(out):
 
     with replaced(out):
         raise SystemExit
+
+
+def test_pictures_of_lines_go_into_folders_by_id_and_what_fails_can_be_tried_again(cli, tmp_path):
+    out, failed, small = tmp_path / "out", tmp_path / "failed.jsonl", ("--kind", "above", "--width", 32, "--height", 32)
+    far = json.loads(home("far"))
+    far["body"]["openings"][0]["rooms"] = ["attic_1"]
+    done = cli("render", "-o", f"{out}/", "--points", 0, *small, "--failures", failed,
+               stdin=home("a") + json.dumps(far) + "\n" + home("b"))
+    assert done.code == 2 and "1 of 3 could not be done" in done.err
+    assert sorted(file.name for file in out.iterdir()) == ["a", "b"] and (out / "a" / "views.json").is_file()
+    assert cli("render", "-o", "-", stdin=home("a")).code == 2

@@ -96,3 +96,11 @@ def test_finds_a_leaf_that_closes_a_hallway_while_it_stands_open(width: float, p
     plan = Plan.model_validate({"program": {"rooms": asked}, "rooms": rooms,
                                 "openings": [door | {"sill": 0.0, "head": 2.1, "hinge": 0} for door in doors]})
     assert (not [fault for fault in validate(plan) if "stand open" in fault]) == passes
+
+
+def test_links_without_a_door_are_told_in_the_order_of_the_programme() -> None:
+    plan = flat("two_bedroom")
+    shut = plan.model_copy(update={"openings": [o for o in plan.openings if o.kind not in ("door", "opening")]})
+    asked = [" and ".join(sorted(pair)) for pair in [*plan.program.links, *plan.program.open_links]]
+    told = [fault.split(" are joined by 0")[0] for fault in validate(shut) if " are joined by 0" in fault]
+    assert told == list(dict.fromkeys(asked)) and len(told) > 4
