@@ -1,7 +1,10 @@
 """Corners of kitchen runs: a closed unit joins the worktops of two legs.
 
-Nothing in a corner could open: its front stands at the sides of its neighbours. So the unit there has no door.
+Nothing in a corner could open: its front stands at the sides of its neighbours. So the unit there has no door, and is
+so long that what opens on one leg does not meet what opens on the other.
 """
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,6 +12,7 @@ from apartgen.stages.layout.datasets._furnish import anchors, kernels
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, rows
 from apartgen.stages.layout.datasets._furnish.legs import VOID, Leg
 from apartgen.stages.layout.datasets._furnish.space import TOUCH, Space
+from apartgen.stages.space.boxes import Array
 
 NAME = "kitchen_corner"
 GAP = 0.003
@@ -19,24 +23,57 @@ AHEAD = 0.9
 """Units of one leg look the same way, within this cosine."""
 
 
-def units(space: Space, path: list[Leg], legs: list[list[Part]], depth: float, height: float) -> list[Part]:
-    """A unit for each corner of the path at which units of two legs meet, as deep as wide."""
-    shape, size = space.shape, np.round(np.array([depth + VOID - GAP, depth + VOID - GAP, height]), 3)
-    out = []
-    for leg, before, after in zip(path[:-1], legs[:-1], legs[1:], strict=True):
-        if not before or not after or min(before[-1].size[2], after[0].size[2]) > TALL:
+def joined(space: Space, path: list[Leg], legs: list[list[Part]], depth: float, height: float
+           ) -> tuple[list[list[Part]], list[Part]] | None:
+    """The legs with those at the ends moved away from their corners by as far as units across them open, and a closed
+    unit that fills each corner; None where there is no room for that."""
+    if len(path) == 1:
+        return legs, []
+    legs, fill, cut = [list(leg) for leg in legs], [], depth + VOID - GAP
+    for i in range(len(path) - 1):
+        before, after = legs[i], legs[i + 1]
+        if not before or not after:
             continue
-        k = leg.side
-        along = float(shape.length[k]) - anchors.OFF - size[1] / 2
-        xy = shape.start[k] + shape.along[k] * along + shape.normal[k] * (size[0] / 2 + anchors.OFF)
-        yaw = float(np.arctan2(shape.normal[k, 1], shape.normal[k, 0]))
-        out.append(Part(NAME, float(xy[0]), float(xy[1]), size, yaw))
-    return out
+        first = i == 0
+        clear = (after[0] if first else before[-1]).opens - VOID + GAP
+        out = max(0.0, clear) if (before[-1] if first else after[0]).opens > 0 else 0.0
+        k = i if first else i + 1
+        if out > _spare(space, path[k], legs[k]):
+            if not first or len(path) > 2:
+                return None
+            first, k = False, 1
+            out = max(0.0, before[-1].opens - VOID + GAP)
+            if out > _spare(space, path[k], legs[k]):
+                return None
+        legs[k] = [_moved(space, p, path[k].side, -out if first else out) for p in legs[k]]
+        if min(before[-1].size[2], after[0].size[2]) <= TALL:
+            fill.append(_unit(space, path[i if first else i + 1].side, np.array([cut, cut + out, height]), first))
+    return legs, fill
+
+
+def _spare(space: Space, leg: Leg, some: list[Part]) -> float:
+    """How much longer a leg is than its units, m."""
+    return leg.high - leg.low - 2 * GAP - float(sum(p.size[1] for p in some))
+
+
+def _moved(space: Space, p: Part, side: int, by: float) -> Part:
+    x, y = space.shape.along[side] * by
+    return replace(p, x=p.x + float(x), y=p.y + float(y))
+
+
+def _unit(space: Space, k: int, size: Array, end: bool) -> Part:
+    """With its back to wall `k`, in the corner at its end or at its beginning."""
+    shape, size = space.shape, np.round(size, 3)
+    along = float(shape.length[k]) - anchors.OFF - size[1] / 2 if end else anchors.OFF + size[1] / 2
+    xy = shape.start[k] + shape.along[k] * along + shape.normal[k] * (size[0] / 2 + anchors.OFF)
+    return Part(NAME, float(xy[0]), float(xy[1]), size, float(np.arctan2(shape.normal[k, 1], shape.normal[k, 0])))
 
 
 def hinder(parts: list[Part]) -> bool:
-    """Whether something stands before what opens round a corner from it, as deep fridges and long flaps do."""
+    """Whether something stands before what opens round a corner from it, or opens into what opens there."""
     here = rows(Group(tuple(parts)), anchors.free(np.zeros((1, 2)), np.zeros(1)))
     yaw, opens = np.array([p.yaw for p in parts]), np.array([p.opens > 0 for p in parts])
     across = (np.cos(yaw[:, None] - yaw[None]) < AHEAD) & opens[:, None]
-    return bool(kernels.clash(np.ascontiguousarray(here.sweep), np.ascontiguousarray(here.body[0]), across, TOUCH)[0])
+    others = np.ascontiguousarray(np.concatenate([here.body[0], here.sweep[0]]))
+    forbidden = np.concatenate([across, across & opens[None]], 1)
+    return bool(kernels.clash(np.ascontiguousarray(here.sweep), others, forbidden, TOUCH)[0])

@@ -166,9 +166,12 @@ def _built(
         for u in (line[i] for i in some):
             legs[-1].append(_at(space, leg.side, s + float(u.size[1]) / 2, u.category, u.size))
             s += float(u.size[1])
-    parts = [p for leg in legs for p in leg]
+    turned = corners.joined(space, path, legs, style.depth, style.height)
+    if turned is None:
+        return None
+    parts = [p for leg in turned[0] for p in leg]
     zones = [_before(p, aisle) for p in parts]
-    parts += corners.units(space, path, legs, style.depth, style.height)
+    parts += turned[1]
     windows = space.shape.zone_rows[space.shape.zone_kind == WINDOW]
     for p in parts:
         if (p.size[2] > 1.3 or p.name in ("hob", "oven")) and _lit(p, windows, 2.0):
