@@ -3,6 +3,7 @@
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
@@ -32,9 +33,13 @@ def parse(prompt: str) -> Said:
     folded = fold(prompt)
     whole, text = about(folded)
     words = lexemes(tokenize(text), lexicon)
-    phraser = Phraser(lexicon).walk(quantities(words))
-    said = Said(unread=list(phraser.unread), about=whole, prompt=prompt, beyond=limits(folded))
+    words = quantities(words)
+    said = Said(about=whole, prompt=prompt, beyond=limits(folded))
     said.corrected = [slip for word in words for slip in word.slips]
+    if described(words, said):
+        return said
+    phraser = Phraser(lexicon).walk(words)
+    said.unread += phraser.unread
     _whole(phraser.items, said)
     phraser.items = positions(orders(uses(phraser.items, said), said), said)
     before: list[RoomPhrase] = []

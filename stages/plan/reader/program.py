@@ -193,8 +193,8 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
 
 
 def _envelope(said: Said) -> Envelope:
-    party = [side for role, side in said.sides if role == "party_wall"]
-    entrance = next((side for role, side in said.sides if role == "entrance"), None)
+    party = [side for role, sides in said.sides if role == "party_wall" for side in sides.split("_")]
+    entrance = next((sides.split("_")[0] for role, sides in said.sides if role == "entrance"), None)
     about = {"facades": said.about.facades, "dwelling": said.about.dwelling or "flat"}
     said_so = {"shape": said.shape or "auto", "party_walls": list(dict.fromkeys(party)), "entrance": entrance}
     return Envelope.model_validate(said_so | about)

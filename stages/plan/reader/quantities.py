@@ -4,12 +4,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.bounds import bounded
+from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
-
-SPANS = ("long", "wide", "deep", "in length", "in width", "broad", "lang", "breit", "tief")
-METRES = {"m": 1.0, "ft": 0.3048, "cm": 0.01}
 
 NONE = ("none", "no", "0", "zero", "nil")
 """`Balcony: none`."""
@@ -17,8 +15,6 @@ NONE = ("none", "no", "0", "zero", "nil")
 JOINTS = {
     "-": "-",
     "to": "-",
-    "x": "x",
-    "by": "x",
     "and": "and",
     ",": "and",
     "/": "and",
@@ -31,7 +27,7 @@ JOINTS = {
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _listing(_bare(bounded(_areas(_by_percent(_shares(_numbers(words)))))))
+    return _listing(_bare(bounded(_areas(_by_percent(_shares(dimensions(_numbers(words))))))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:
@@ -147,34 +143,15 @@ def _areas(words: list[Lexeme]) -> list[Lexeme]:
 
 
 def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
-    """`12 m²`, `10-12 m²`, `12 and 14 m²`, `3 x 4 m`, `3m x 4m`, `10 by 12 ft`."""
-    if (found := _long_and_wide(words, i)) is not None:
-        return found
+    """`12 m²`, `10-12 m²`, `12 and 14 m²`."""
     numbers, joints, j = _numbers_joined(words, i)
     unit = words[j].value if numbers and j < len(words) and words[j].kind == "unit" else ""
-    if "x" in joints and len(numbers) == 2 and unit not in SQUARE_METRES:
-        end = j + 1 if unit in METRES else j
-        a, b = (n * METRES.get(unit, 1.0) for n in numbers)
-        return replace(_made([a * b], words, i, end), sides=(a, b)), end
     if unit not in SQUARE_METRES:
         return None, i
     numbers = [n * SQUARE_METRES[unit] for n in numbers]
     between = joints == ["-"] and numbers[0] < numbers[1]
     values = [sum(numbers) / 2] if joints == ["-"] else numbers
     return replace(_made(values, words, i, j + 1), bounds=_range(numbers) if between else ()), j + 1
-
-
-def _long_and_wide(words: list[Lexeme], i: int) -> tuple[Lexeme, int] | None:
-    """`5 m long and 4 m wide`."""
-    size = words[i : i + 7]
-    if len(size) > 3 and size[3].text not in ("and", "x", "by", ",", "und", "et", "y"):
-        size.insert(3, size[2])
-    measures = [(size[k], size[k + 1], size[k + 2]) for k in (0, 4)] if len(size) >= 7 else []
-    if not measures or any(n.kind != "number" or u.value not in METRES or w.text not in SPANS for n, u, w in measures):
-        return None
-    a, b = (n.number * METRES[u.value] for n, u, _ in measures)
-    end = i + (7 if size[3] is words[i + 3] else 6)
-    return replace(_made([a * b], words, i, end), sides=(a, b)), end
 
 
 def _range(values: Sequence[float]) -> tuple[tuple[str, float], ...]:
@@ -189,13 +166,11 @@ def _numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str]
     while j < len(words) and words[j].kind == "number":
         numbers.append(words[j].number)
         j += 1
-        k = j + 1 if j + 1 < len(words) and words[j].value in METRES and words[j + 1].text in ("x", "by") else j
-        if k < len(words) and words[k].kind == "number" and words[k].joined:
+        if j < len(words) and words[j].kind == "number" and words[j].joined:
             joints.append("-")
-            j = k
-        elif k + 1 < len(words) and words[k + 1].kind == "number" and words[k].text in JOINTS:
-            joints.append(JOINTS[words[k].text])
-            j = k + 1
+        elif j + 1 < len(words) and words[j + 1].kind == "number" and words[j].text in JOINTS:
+            joints.append(JOINTS[words[j].text])
+            j += 1
         else:
             break
     return numbers, joints, j

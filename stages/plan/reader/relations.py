@@ -129,17 +129,7 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
     start = last.at + 1 if last else 0
     rooms = [j for j in range(start, p.at) if items[j].room is not None]
     between = items[rooms[-1] + 1 : p.at] if rooms else items[start : p.at]
-    gapped = (
-        last is not None
-        and len(rooms) > 1
-        and (
-            p.kind in (Relation.TO, Relation.ONLY, Relation.GAP)
-            or (p.form == "part" and items[p.at].text == items[last.at].text)
-        )
-        and rooms[-1] == p.at - 1
-        and new_clause(items, p.at - 2)
-    )
-    if gapped:
+    if last is not None and len(rooms) > 1 and rooms[-1] == p.at - 1 and _gapped(items, p, last):
         p.subject = (rooms[-1], rooms[-1] + 1)
         return
     first, *onto = items[p.at].text.split()
@@ -182,6 +172,12 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         p.shared = True
         return
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _gapped(items: list[Item], p: Predicate, last: Predicate) -> bool:
+    """`the kitchen opens off the hall, the bathroom off the bedroom`: a clause without a verb of its own."""
+    again = p.form == "part" and items[p.at].text == items[last.at].text
+    return (p.kind in (Relation.TO, Relation.ONLY, Relation.GAP) or again) and new_clause(items, p.at - 2)
 
 
 def _plural(item: Item) -> bool:

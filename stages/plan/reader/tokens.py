@@ -61,6 +61,7 @@ class Token:
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
     text = re.sub(r"(?<![-=<>])>", "->", text)
+    text = re.sub(r"(?<=\d)â(?:€[™²])?", "'", text)  # a prime that came through a wrong encoding
     text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
     for sign, plain in _FRACTIONS.items():
         text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
@@ -69,6 +70,7 @@ def fold(text: str) -> str:
     text = _INCHES.sub(lambda found: f"{float(found[1]) + float(found[2]) / 12:.4f} ft ", text)
     text = _FEET.sub(lambda found: f"{found[1] or found[2]} ft", text)
     text = re.sub(r"\.\.+", ", ", text)  # a pause ends no sentence
+    text = re.sub(r"(?<=\d)\s?\*\s?(?=\d)", " x ", text)
     parts = unicodedata.normalize("NFD", text)
     return unicodedata.normalize("NFC", "".join(c for c in parts if not unicodedata.combining(c)))
 
