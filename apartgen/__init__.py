@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 __version__ = "0.2.0"
 __all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "qa", "render", "retrieve",
-           "walkable"]
+           "view", "walkable"]
 
 compiled.keep()
 
@@ -107,6 +107,16 @@ def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,
 
     given = {"format": list(formats), "libraries": list(libraries)}
     return finished(opened(home), configured(ExportSettings, given), Path(out))
+
+
+def view(homes: "Home | Sequence[Home]", out: str | PathLike[str], *, libraries: Sequence[str] = ()) -> None:
+    """Write a page to walk about in a home, or one with two homes side by side and their figures."""
+    from apartgen.schemas.artifact import Artifact
+    from apartgen.settings import opened
+    from apartgen.viewing import viewed
+
+    several = [homes] if isinstance(homes, str | PathLike | Artifact) else homes
+    viewed([opened(home) for home in several], Path(out), libraries)
 
 
 def render(home: "Home", out: str | PathLike[str], *, seed: int | None = None, **settings: Any) -> "Render":

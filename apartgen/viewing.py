@@ -1,14 +1,16 @@
-"""What comes of looking at an apartment: pictures with labels, and questions about them."""
+"""What comes of looking at an apartment: a page to walk about in, pictures with labels, and questions about them."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import Field
 
-from apartgen.outputs import opened_libraries
+from apartgen.outputs import MetricsSettings, measure, opened_libraries
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact
+from apartgen.schemas.plan import Plan
 from apartgen.schemas.qa import Question
 from apartgen.schemas.render import Render
 from apartgen.stages import qa, render
@@ -16,7 +18,12 @@ from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.render.config import RenderConfig
 from apartgen.steps import lane, made
 
+if TYPE_CHECKING:
+    from apartgen.stages.things.asset import Asset
+
 VIEWS = "views.json"
+WHOLE, OURS = "apartment", "ours"
+"""What is compared side by side: figures of whole homes, by our own definitions."""
 
 
 class RenderSettings(RenderConfig):
@@ -51,3 +58,23 @@ def questioned(read: Artifact[Any], settings: QaSettings, seed: int | None, out:
     found = qa.run(read.body, seen, settings, lane(used, "qa", read.body))
     artifact.write(qa.lines(found, folder.name), out)
     return found
+
+
+def viewed(homes: Sequence[Artifact[Plan]], out: Path, libraries: Sequence[str] = ()) -> None:
+    """Write a page with one home, or with several side by side and a table of their figures."""
+    from apartgen.stages.export import html
+    from apartgen.stages.scene.scene import Scene
+
+    def load_asset(library: str, id: str) -> "Asset":
+        return opened_libraries(*libraries).load_asset(library, id)
+
+    scenes = [Scene(home.body, load_asset) for home in homes]
+    artifact.write(html.page(scenes[0]) if len(scenes) == 1 else html.pair(scenes, _figures(homes)), out)
+
+
+def _figures(homes: Sequence[Artifact[Plan]]) -> list[list[str]]:
+    """What metrics say of each whole home by our own definitions, a row each."""
+    found = [{f"{v.name} ({v.unit})": v.value for v in measure(home.body, MetricsSettings()).values
+              if v.of == WHOLE and v.version == OURS} for home in homes]
+    names = dict.fromkeys(name for values in found for name in values)
+    return [[name, *("" if (v := values.get(name)) is None else f"{v:.3g}" for values in found)] for name in names]

@@ -19,7 +19,7 @@ from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import registry
 from apartgen_cli.console import fail, listen
 
-WORDS = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "render", "qa", "check",
+WORDS = ("plan", "layout", "retrieve", "walkable", "populate", "export", "metrics", "view", "render", "qa", "check",
          "make", "dataset", "serve", "train", "assets", "bench", "schema")
 """The commands, in the order of use."""
 INTERRUPTED, PIPE_CLOSED = 130, 141

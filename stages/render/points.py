@@ -5,8 +5,9 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Opening, Plan
-from apartgen.stages.render.stands import free_floor, spread_places
+from apartgen.stages.render.stands import free_floor
 from apartgen.stages.render.world import World
+from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.soup import Array, Hits, colors, encoded
 from apartgen.stages.space import polygons
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from apartgen.schemas.layout import Layout
 from apartgen.stages.render.world import World
 from apartgen.stages.robot import reach
+from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.camera import Camera, Panorama
 from apartgen.stages.scene.soup import Array
 
@@ -37,21 +38,6 @@ def free_floor(world: World) -> tuple[reach.Space, NDArray[np.bool_]]:
     space = reach.space(world.plan)
     objects = world.plan.objects if isinstance(world.plan, Layout) else []
     return space, reach.free(space, objects)
-
-
-def spread_places(space: reach.Space, cells: NDArray[np.bool_], room: int, most: int) -> Array:
-    """Places (n, 2) of a room far from one another, the first near the middle of where one can stand."""
-    rows, columns = np.nonzero(cells & (space.rooms == room))
-    points = np.stack([space.grid.x[columns], space.grid.y[rows]], -1)
-    if not len(points):
-        return points
-    middle = points.mean(0)
-    chosen = [int(np.argmin(np.linalg.norm(points - middle, axis=1)))]
-    apart = np.linalg.norm(points - points[chosen[0]], axis=1)
-    while len(chosen) < most and apart.max() > 0.35:
-        chosen.append(int(np.argmax(apart)))
-        apart = np.minimum(apart, np.linalg.norm(points - points[chosen[-1]], axis=1))
-    return points[chosen]
 
 
 def middles(world: World, height: float) -> list[Stand]:
