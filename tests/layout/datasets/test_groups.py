@@ -125,7 +125,7 @@ def test_double_beds_have_two_sides_and_even_nightstands(rooms: Rooms) -> None:
 def test_kitchen_units_make_one_run_with_sink_and_heat(rooms: Rooms) -> None:
     connected, whole = [], []
     for home in rooms["kitchen"]:
-        units = [foot(o).buffer(0.04) for o in of(home, *UNITS)]
+        units = [foot(o).buffer(0.04) for o in of(home, *UNITS, "kitchen_corner")]
         connected.append(unary_union(units).geom_type == "Polygon")
         whole.append(bool(of(home, "kitchen_sink")) and bool(of(home, "hob", "oven")))
     assert np.mean(connected) >= 0.93 and np.mean(whole) >= 0.93
@@ -149,7 +149,7 @@ def test_a_closed_unit_fills_the_corner_of_a_run_and_nothing_stands_before_what_
         for corner in corners:
             beside = [o for o in floor if foot(o).distance(foot(corner)) < 0.02]
             assert any(abs(np.sin(o.yaw - p.yaw)) > 0.9 for o in beside for p in beside)
-        assert len(legs) == 1 or corners
+        assert len(legs) < 2 or corners
     assert turned >= 3
 
 

@@ -23,10 +23,10 @@ AHEAD = 0.9
 """Units of one leg look the same way, within this cosine."""
 
 
-def joined(space: Space, path: list[Leg], legs: list[list[Part]], depth: float, height: float
-           ) -> tuple[list[list[Part]], list[Part]] | None:
+def joined(space: Space, path: list[Leg], legs: list[list[Part]], depth: float, height: float,
+           apart: bool = True) -> tuple[list[list[Part]], list[Part]] | None:
     """The legs with those at the ends moved away from their corners by as far as units across them open, and a closed
-    unit that fills each corner; None where there is no room for that."""
+    unit that fills each corner; None where there is no room for that. Where not `apart`, none is moved."""
     if len(path) == 1:
         return legs, []
     legs, fill, cut = [list(leg) for leg in legs], [], depth + VOID - GAP
@@ -35,20 +35,21 @@ def joined(space: Space, path: list[Leg], legs: list[list[Part]], depth: float, 
         if not before or not after:
             continue
         first = i == 0
-        clear = (after[0] if first else before[-1]).opens - VOID + GAP
-        out = max(0.0, clear) if (before[-1] if first else after[0]).opens > 0 else 0.0
-        k = i if first else i + 1
+        k, out = i if first else i + 1, _out(before[-1], after[0], first) if apart else 0.0
+        if out > _spare(space, path[k], legs[k]) and len(path) == 2:
+            first, k, out = False, 1, _out(before[-1], after[0], False)
         if out > _spare(space, path[k], legs[k]):
-            if not first or len(path) > 2:
-                return None
-            first, k = False, 1
-            out = max(0.0, before[-1].opens - VOID + GAP)
-            if out > _spare(space, path[k], legs[k]):
-                return None
+            return None
         legs[k] = [_moved(space, p, path[k].side, -out if first else out) for p in legs[k]]
         if min(before[-1].size[2], after[0].size[2]) <= TALL:
             fill.append(_unit(space, path[i if first else i + 1].side, np.array([cut, cut + out, height]), first))
     return legs, fill
+
+
+def _out(before: Part, after: Part, first: bool) -> float:
+    """How far one of two units at a corner is moved away, m: as far as the other one opens."""
+    moved, other = (before, after) if first else (after, before)
+    return max(0.0, other.opens - VOID + GAP) if moved.opens > 0 else 0.0
 
 
 def _spare(space: Space, leg: Leg, some: list[Part]) -> float:
@@ -69,11 +70,11 @@ def _unit(space: Space, k: int, size: Array, end: bool) -> Part:
     return Part(NAME, float(xy[0]), float(xy[1]), size, float(np.arctan2(shape.normal[k, 1], shape.normal[k, 0])))
 
 
-def hinder(parts: list[Part]) -> bool:
-    """Whether something stands before what opens round a corner from it, or opens into what opens there."""
+def hinder(parts: list[Part], apart: bool = True) -> bool:
+    """Whether something stands before what opens round a corner from it, or where `apart` opens into what opens."""
     here = rows(Group(tuple(parts)), anchors.free(np.zeros((1, 2)), np.zeros(1)))
     yaw, opens = np.array([p.yaw for p in parts]), np.array([p.opens > 0 for p in parts])
     across = (np.cos(yaw[:, None] - yaw[None]) < AHEAD) & opens[:, None]
     others = np.ascontiguousarray(np.concatenate([here.body[0], here.sweep[0]]))
-    forbidden = np.concatenate([across, across & opens[None]], 1)
+    forbidden = np.concatenate([across, across & opens[None] & apart], 1)
     return bool(kernels.clash(np.ascontiguousarray(here.sweep), others, forbidden, TOUCH)[0])

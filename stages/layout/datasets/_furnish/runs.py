@@ -7,12 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.random import Generator
 
-from apartgen.stages.layout.datasets._furnish import anchors, corners, kernels
+from apartgen.stages.layout.datasets._furnish import anchors, corners, hanging
 from apartgen.stages.layout.datasets._furnish.group import Group, Part, Zone
+from apartgen.stages.layout.datasets._furnish.hanging import Style
 from apartgen.stages.layout.datasets._furnish.legs import Leg, length, paths, stretches
 from apartgen.stages.layout.datasets._furnish.shape import WINDOW
 from apartgen.stages.layout.datasets._furnish.sizes import draw
-from apartgen.stages.layout.datasets._furnish.space import TOUCH, Space
+from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
 
 TALL = ("fridge", "tower")
@@ -38,39 +39,35 @@ class Unit:
         return "oven" if self.name == "tower" else self.name
 
 
-@dataclass(frozen=True)
-class Style:
-    """What the units of a kitchen share."""
-
-    depth: float
-    height: float
-    wall: Array
-    hang: float
-
-
 def furnish(space: Space, reserve: int, laundry: bool) -> list[int]:
     """The run and what hangs above it, `reserve` objects left for others; indices of the units that stand."""
-    rng = space.rng
     style = _style(space)
     free = stretches(space, style.depth, style.height)
     ways = [path for path in paths(space, free, style.depth) if sum(leg.high - leg.low for leg in path) > 1.5]
     if not ways:
         return []
     budget = min(space.left - reserve - 1, 17)
+    pose = anchors.free(np.zeros((1, 2)), np.zeros(1))
+    for apart in (True, False):
+        for group in _liked(space, ways, style, budget, laundry, apart):
+            before = space.n
+            if space.put(group, pose, np.zeros(1)) >= 0:
+                return _stand(space, before, group)
+    return []
+
+
+def _liked(space: Space, ways: list[list[Leg]], style: Style, budget: int, laundry: bool, apart: bool) -> list[Group]:
+    """Runs that could stand, the most liked first; where `apart`, none of their units open into one another."""
     tries: list[tuple[float, Group]] = []
     for k in range(TRIES):
         if len(tries) == ENOUGH:
             break
-        path = ways[int(rng.integers(len(ways)))]
-        units = _units(path, style, rng, budget, laundry, k)
-        if group := _built(space, path, units, style, rng, budget, AISLE if k < TRIES // 2 else AISLE_LEAST):
-            tries.append((_worth(space, group, path) + rng.gumbel(0, 0.5), group))
-    pose = anchors.free(np.zeros((1, 2)), np.zeros(1))
-    for _, group in sorted(tries, key=lambda row: -row[0]):
-        before = space.n
-        if space.put(group, pose, np.zeros(1)) >= 0:
-            return _stand(space, before, group)
-    return []
+        path = ways[int(space.rng.integers(len(ways)))]
+        units = _units(path, style, space.rng, budget, laundry, k)
+        aisle = AISLE if k < TRIES // 2 else AISLE_LEAST
+        if group := _built(space, path, units, style, space.rng, budget, aisle, apart):
+            tries.append((_worth(space, group, path) + space.rng.gumbel(0, 0.5), group))
+    return [group for _, group in sorted(tries, key=lambda row: -row[0])]
 
 
 def _stand(space: Space, before: int, group: Group) -> list[int]:
@@ -97,8 +94,8 @@ def _style(space: Space) -> Style:
 
 def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: bool, nth: int) -> list[Unit]:
     """Units in line, as many as the way is long; later tries are content with less."""
-    slack = 0.4 * (len(path) - 1) + 1.2 * nth / TRIES
-    room = length(path) - 0.02 * len(path) - rng.uniform(0.0, slack)
+    corner, slack = 0.5 * (len(path) - 1), 1.2 * nth / TRIES
+    room = length(path) - 0.02 * len(path) - rng.uniform(0.0, corner + slack)
     cooker = rng.random() < 0.35
     basins = [0.6, 0.8, 0.8, 1.0] if room > 3.9 else [0.6, 0.8] if room > 3.3 else [0.6]
     heat, sink = "oven" if cooker else "hob", float(rng.choice(basins))
@@ -153,7 +150,8 @@ def _size(name: str, width: float, style: Style, fridge: Array) -> Array:
 
 
 def _built(
-    space: Space, path: list[Leg], units: list[Unit], style: Style, rng: Generator, budget: int, aisle: float
+    space: Space, path: list[Leg], units: list[Unit], style: Style, rng: Generator, budget: int, aisle: float,
+    apart: bool,
 ) -> Group | None:
     """The run along the path, either way round, broken at corners where it fits."""
     line = _filling(path, units if rng.random() < 0.5 else units[::-1], rng)
@@ -166,7 +164,7 @@ def _built(
         for u in (line[i] for i in some):
             legs[-1].append(_at(space, leg.side, s + float(u.size[1]) / 2, u.category, u.size))
             s += float(u.size[1])
-    turned = corners.joined(space, path, legs, style.depth, style.height)
+    turned = corners.joined(space, path, legs, style.depth, style.height, apart)
     if turned is None:
         return None
     parts = [p for leg in turned[0] for p in leg]
@@ -174,10 +172,10 @@ def _built(
     parts += turned[1]
     windows = space.shape.zone_rows[space.shape.zone_kind == WINDOW]
     for p in parts:
-        if (p.size[2] > 1.3 or p.name in ("hob", "oven")) and _lit(p, windows, 2.0):
+        if (p.size[2] > 1.3 or p.name in ("hob", "oven")) and hanging.lit(p, windows, 2.0):
             return None
-    hung = _hung(parts, style, rng, windows, budget - len(parts), space.shape.height)
-    return None if corners.hinder([*parts, *hung]) else Group((*parts, *hung), tuple(zones))
+    hung = hanging.over_units(parts, style, rng, windows, budget - len(parts), space.shape.height)
+    return None if corners.hinder([*parts, *hung], apart) else Group((*parts, *hung), tuple(zones))
 
 
 def _filling(path: list[Leg], line: list[Unit], rng: Generator) -> list[Unit]:
@@ -241,48 +239,9 @@ def _before(p: Part, depth: float) -> Zone:
     return Zone(min(xs), max(xs), min(ys), max(ys))
 
 
-def _lit(p: Part, windows: Array, height: float) -> bool:
-    """Whether something of that height there would stand before a window."""
-    if not len(windows):
-        return False
-    row = np.array([[[p.x, p.y, height / 2, p.size[0], p.size[1], height, np.cos(p.yaw), np.sin(p.yaw)]]], float)
-    return bool(kernels.clash(row, np.ascontiguousarray(windows), np.ones((1, len(windows)), bool), TOUCH)[0])
-
-
-def _hung(parts: list[Part], style: Style, rng: Generator, windows: Array, left: int, ceiling: float) -> list[Part]:
-    """The hood over what cooks, wall units over low units, a microwave on a worktop."""
-    out: list[Part] = []
-    low = [i for i, p in enumerate(parts) if p.size[2] < 1.2]
-    for i in low:
-        if parts[i].name == "hob" or (parts[i].name == "oven" and not any(p.name == "hob" for p in parts)):
-            size = draw("hood", rng, width=float(np.clip(parts[i].size[1], 0.5, 0.95)))
-            size[2] = round(min(float(size[2]), ceiling - 1.62), 3)
-            out.append(_over(parts[i], i, "hood", size, 1.55))
-    if rng.random() < 0.88:
-        for i in low:
-            p = parts[i]
-            size = np.array([style.wall[0], p.size[1], style.wall[2]])
-            if p.name in ("hob", "oven", corners.NAME) or len(out) >= left - 1 or _lit(p, windows, style.hang + 0.3):
-                continue
-            out.append(_over(p, i, "wall_unit", size, style.hang))
-    tops = [i for i in low if parts[i].name in ("kitchen_base", "kitchen_drawers") and parts[i].size[1] >= 0.55]
-    if tops and len(out) < left and rng.random() < 0.75:
-        i = int(rng.choice(tops))
-        size = draw("microwave", rng)
-        size[1], size[2] = min(size[1], parts[i].size[1] - 0.02), min(size[2], style.hang - style.height - 0.04)
-        out.append(_over(parts[i], i, "microwave", np.round(size, 3), float(parts[i].size[2])))
-    return out
-
-
-def _over(p: Part, i: int, name: str, size: Array, z: float) -> Part:
-    """Something at the wall above a unit, its middle over the unit's."""
-    back = -p.size[0] / 2 + size[0] / 2
-    return Part(name, p.x + back * float(np.cos(p.yaw)), p.y + back * float(np.sin(p.yaw)), size, p.yaw, z, i)
-
-
 def _worth(space: Space, group: Group, path: list[Leg]) -> float:
-    """What a run is liked for: units, worktop in one piece beside sink or hob, a sink at the window, round corners."""
-    stand = [p for p in group.parts if p.z == 0]
+    """What a run is liked for: units, worktop in one piece beside sink or hob, a sink at the window, corners."""
+    stand = [p for p in group.parts if p.z == 0 and p.name != corners.NAME]
     best, piece, hot = 0.0, 0.0, False
     for before, p in zip([None, *stand], [*stand, None], strict=True):
         turned = before is not None and p is not None and abs(np.cos(before.yaw - p.yaw)) < 0.9
@@ -296,4 +255,4 @@ def _worth(space: Space, group: Group, path: list[Leg]) -> float:
     sink = [p for p in stand if p.name == "kitchen_sink"]
     xy = np.array([[p.x, p.y] for p in sink])
     near = float(anchors.to_windows(xy, space)[0]) if len(sink) else 9.0
-    return 0.45 * len(stand) + 4.0 * (best >= WORKTOP - 1e-6) + 0.5 * best - 0.15 * min(near, 4.0) + 0.5 * len(path)
+    return 0.45 * len(stand) + 4.0 * (best >= WORKTOP - 1e-6) + 0.5 * best - 0.15 * min(near, 4.0) + 0.2 * len(path)
