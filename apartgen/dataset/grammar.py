@@ -3,6 +3,7 @@
 import hashlib
 import re
 import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -15,8 +16,8 @@ from apartgen.stages import seeds
 
 START, DEFAULT = "home", "default"
 _SYMBOL = re.compile(r"\{(\w+)\}")
-_NUMBER = re.compile(r"\{(\d+)-(\d+)(?:/(\d+))?\}")
-_DEEPEST = 40
+_NUMBER = re.compile(r"\{(\d{1,9})-(\d{1,9})(?:/(\d{1,9}))?\}")
+_DEEPEST, _MOST, _HEAVIEST = 40, 1000, 1e9
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Grammar:
         data = shipped.read_bytes() if name == DEFAULT else artifact.contents(name)
         try:
             table = tomllib.loads(data.decode())
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
             raise BadInput(f"{name}: not TOML: {error}") from None
         rows = {symbol: _rows(name, symbol, value) for symbol, value in table.items()}
         grammar = cls(Path(name).name, hashlib.sha256(data).hexdigest(),
@@ -50,14 +51,14 @@ class Grammar:
     def sentence(self, seed: int, number: int) -> str:
         """The prompt of one home."""
         rng = seeds.drawn(seed, "programme", str(number))
-        return " ".join(self._drawn(START, rng, 0).split())
+        return " ".join(self._drawn(START, rng, 0, iter(range(_MOST))).split())
 
-    def _drawn(self, symbol: str, rng: np.random.Generator, depth: int) -> str:
-        if depth > _DEEPEST:
+    def _drawn(self, symbol: str, rng: np.random.Generator, depth: int, left: Iterator[int]) -> str:
+        if depth > _DEEPEST or next(left, None) is None:
             raise BadInput(f"{self.name}: {symbol} stands for itself without end; give it a text that ends")
         chances = np.array(self.weights[symbol])
         text = self.texts[symbol][int(rng.choice(len(chances), p=chances / chances.sum()))]
-        text = _SYMBOL.sub(lambda found: self._drawn(found[1], rng, depth + 1)
+        text = _SYMBOL.sub(lambda found: self._drawn(found[1], rng, depth + 1, left)
                            if not found[1].isdigit() else found[0], text)
         return _NUMBER.sub(lambda found: _number(rng, *found.groups()), text)
 
@@ -65,11 +66,13 @@ class Grammar:
         """BadInput for a symbol that there is none of."""
         if START not in self.texts:
             raise BadInput(f"{self.name}: no {START!r} in it, which is what a prompt begins as")
-        for symbol, texts in self.texts.items():
-            for text in texts:
-                for word in _SYMBOL.findall(text):
-                    if word not in self.texts:
-                        raise BadInput(f"{self.name}: {symbol}: {{{word}}} is unknown; give its texts")
+        for symbol, text in ((symbol, text) for symbol, texts in self.texts.items() for text in texts):
+            for word in _SYMBOL.findall(text):
+                if word not in self.texts:
+                    raise BadInput(f"{self.name}: {symbol}: {{{word}}} is unknown; give its texts")
+            for low, high, step in _NUMBER.findall(text):
+                if int(low) > int(high) or step and not int(step):
+                    raise BadInput(f"{self.name}: {symbol}: no number is from {low} to {high} by {step or 1}")
 
 
 def _number(rng: np.random.Generator, low: str, high: str, step: str | None) -> str:
@@ -90,5 +93,5 @@ def _row(row: object) -> tuple[float, str] | None:
     if isinstance(row, str):
         return 1.0, row
     if isinstance(row, list) and len(row) == 2 and isinstance(row[0], int | float) and isinstance(row[1], str):
-        return (float(row[0]), row[1]) if 0 < row[0] < float("inf") else None
+        return (float(row[0]), row[1]) if 0 < row[0] <= _HEAVIEST else None
     return None

@@ -53,9 +53,10 @@ def results(function: Callable[[Work], Result], work: Iterable[Work], workers: i
 
 
 def _submitted(pool: ProcessPoolExecutor, function: Callable[[Work], Result], piece: Work) -> Future[Result] | None:
+    """None where the pool is broken, be it by the death of what starts its workers."""
     try:
         return pool.submit(function, piece)
-    except BrokenProcessPool:
+    except (BrokenProcessPool, EOFError, ConnectionError):
         return None
 
 
@@ -66,13 +67,19 @@ def _of(future: Future[Result] | None) -> Result:
 
 
 def _is_done(future: Future[Result] | None) -> bool:
-    return future is not None and future.done() and not isinstance(future.exception(), BrokenProcessPool)
+    if future is None or not future.done() or future.cancelled():
+        return False
+    return not isinstance(future.exception(), BrokenProcessPool)
 
 
-def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result]) -> Result:
+def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result], starts: int = 5) -> Result:
+    """In a pool of its own; a worker that could not even be started says nothing of the piece."""
     pool = _started(1)
     try:
-        return pool.submit(function, piece).result()
+        future = _submitted(pool, function, piece)
+        if future is None and starts > 1:
+            return _alone(function, piece, lost, starts - 1)
+        return _of(future)
     except BrokenProcessPool:
         return lost(piece)
     finally:

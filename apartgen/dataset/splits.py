@@ -24,10 +24,10 @@ def assigned(rows: Iterable[Row], parts: dict[str, float], seed: int) -> dict[st
 
 def twins(rows: Iterable[Row]) -> list[list[str]]:
     """Groups of homes that are nearly the same as another of their group; most have a group of their own."""
-    alike: dict[str, tuple[list[str], list[list[float]]]] = defaultdict(lambda: ([], []))
+    alike: dict[tuple[str, int], tuple[list[str], list[list[float]]]] = defaultdict(lambda: ([], []))
     for row in rows:
         if "shard" in row:
-            ids, sides = alike[row["signature"]]
+            ids, sides = alike[row["signature"], len(row["sides"])]
             ids.append(row["id"])
             sides.append(row["sides"])
     return [group for ids, sides in alike.values() for group in _groups(ids, np.array(sides))]

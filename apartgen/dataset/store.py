@@ -14,14 +14,15 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import IO, Any
 
+from apartgen.dataset import rows
 from apartgen.dataset.home import Done
+from apartgen.dataset.rows import Row
 from apartgen.schemas import artifact, files
 from apartgen.schemas.errors import BadInput
 
 MANIFEST, ABOUT, HOMES, FAILURES = "manifest.jsonl", "dataset.json", "homes", "failures.jsonl"
 PER_SHARD = 1000
 """Requests of a shard; a home is about 11 kB there."""
-Row = dict[str, Any]
 
 
 class Store:
@@ -42,7 +43,7 @@ class Store:
         value = artifact.json_value(artifact.contents(self.folder / ABOUT), str(self.folder / ABOUT))
         if not isinstance(value, dict) or value.get("apartgen_dataset") != 1:
             raise BadInput(f"{self.folder / ABOUT}: not of a data set that this apartgen reads")
-        return value
+        return rows.about(value, str(self.folder / ABOUT))
 
     def describe(self, about: dict[str, Any]) -> None:
         """Write what was asked for."""
@@ -59,7 +60,7 @@ class Store:
         with open(self.manifest, "rb") as lines:
             for i, line in enumerate(lines, 1):
                 if line.endswith(b"\n"):
-                    yield artifact.json_value(line, f"{self.manifest}:{i}")
+                    yield rows.row(line, f"{self.manifest}:{i}")
 
     def line(self, row: Row) -> bytes:
         """The artifact of a row, as a line. BadInput where the shard is damaged."""
@@ -71,11 +72,11 @@ class Store:
         except (OSError, EOFError, ValueError, KeyError, zlib.error) as error:
             raise BadInput(f"{row.get('id')}: cannot be read from {place} ({error})") from None
 
-    def rewrite(self, rows: Iterable[Row]) -> None:
+    def rewrite(self, others: Iterable[Row]) -> None:
         """Put other rows in the manifest's place."""
         fresh = files.part_of(self.manifest)
         with open(fresh, "wb") as file:
-            for row in rows:
+            for row in others:
                 file.write(_as_line(row))
             file.flush()
             os.fsync(file.fileno())
@@ -147,7 +148,7 @@ def _mended(store: Store) -> tuple[int, dict[str, int]]:
         for line in lines:
             if not line.endswith(b"\n"):
                 break
-            row = artifact.json_value(line, f"{store.manifest}:{count + 1}")
+            row = rows.row(line, f"{store.manifest}:{count + 1}")
             count, end = count + 1, end + len(line)
             if "shard" in row:
                 ends[row["shard"]] = row["start"] + row["length"]

@@ -52,7 +52,7 @@ class Build:
         """At once: the process, or it with its workers, or one worker, after which it goes on by itself."""
         whom = rng.choice(["all", "parent", "worker"])
         if whom == "worker":
-            victims = children(self.process.pid) or [self.process.pid]
+            victims = [pid for pid in children(self.process.pid) if not is_tracker(pid)] or [self.process.pid]
             os.kill(rng.choice(victims), signal.SIGKILL)
         elif whom == "all":
             os.killpg(self.process.pid, signal.SIGKILL)
@@ -73,6 +73,14 @@ def children(parent: int) -> list[int]:
     for one in found:
         found += [pid for pid, of in pairs if of == one]
     return found[1:]
+
+
+def is_tracker(pid: int) -> bool:
+    """Whether it is Python's own keeper of semaphores, which complains loudly of its death and harms nothing."""
+    try:
+        return b"resource_tracker" in Path(f"/proc/{pid}/cmdline").read_bytes()
+    except OSError:
+        return False
 
 
 class Killer:

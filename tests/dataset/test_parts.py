@@ -45,7 +45,10 @@ def test_a_grammar_draws_by_number_and_every_wording_is_understood():
 
 @pytest.mark.parametrize("text, words", [
     ("home = ['{nothing}']", "nothing"), ("house = ['x']", "'home'"), ("home = [[0, 'x']]", "weight"),
-    ("home = [", "TOML"), ("home = ['{home} {home}']", "without end"), ("home = 3", "weight")])
+    ("home = [", "TOML"), ("home = ['{home} {home}']", "without end"), ("home = 3", "weight"),
+    ("home = ['{9-4}']", "9 to 4"), ("home = ['{4-9/0}']", "by 0"), ("home = [[1e300, 'x'], [1e308, 'y']]", "weight"),
+    ("home = ['{a0}']\n" + "\n".join(f"a{i} = ['{{a{i + 1}}} {{a{i + 1}}}']" for i in range(38)) + "\na38 = ['x']",
+     "without end")])
 def test_a_wrong_grammar_is_told(tmp_path, text, words):
     file = tmp_path / "g.toml"
     file.write_text(text)

@@ -3,7 +3,10 @@
 import gzip
 import json
 import os
+import signal
+import threading
 from functools import partial
+from multiprocessing import forkserver
 
 import pytest
 from hypothesis import given, settings
@@ -15,11 +18,14 @@ from apartgen.dataset.store import HOMES, MANIFEST, Store, Writer
 from apartgen.schemas.errors import BadInput
 
 COUNT, PER_SHARD = 7, 3
+HOME = {"kind": "plan", "digests": {"plan": "x"}, "certified": True, "metrics": {}, "rooms": {}, "objects": {},
+        "signature": "s", "sides": [2.0, 3.0], "area": 6.0}
 
 
 def done(i: int) -> Done:
     line = b"" if i == 4 else json.dumps({"home": i, "filling": "x" * (i * 37 % 50)}).encode() + b"\n"
-    return Done(line, {"id": str(i)} | ({"error": "no room"} if i == 4 else {}))
+    row = {"id": str(i), "prompt": "studio", "seed": i, "seconds": {"all": 0.5}}
+    return Done(line, row | ({"error": "no room"} if i == 4 else HOME))
 
 
 def filled(folder, count: int = COUNT) -> None:
@@ -86,3 +92,24 @@ def test_a_piece_that_kills_its_worker_is_lost_alone_and_in_its_place():
     pieces[0] = pieces[5] = "__import__('os')._exit(3)"
     found = list(pool.results(eval, pieces, 2, partial(str.__add__, "lost ")))
     assert found == [f"lost {pieces[i]}" if i in (0, 5) else i * i for i in range(12)]
+
+
+def test_work_goes_on_when_what_starts_the_workers_is_killed_meanwhile():
+    """Stopped, it takes the wish for a worker without answering; then it dies."""
+    assert list(pool.results(eval, ["1"] * 3, 2, str)) == [1] * 3
+    starter = forkserver._forkserver._forkserver_pid
+    os.kill(starter, signal.SIGSTOP)
+    threading.Timer(0.5, os.kill, (starter, signal.SIGKILL)).start()
+    assert list(pool.results(eval, ["1 + 1"] * 5, 2, partial(str.__add__, "lost "))) == [2] * 5
+    assert forkserver._forkserver._forkserver_pid != starter
+
+
+@pytest.mark.parametrize("change", [
+    {"shard": "../../etc/passwd"}, {"id": "../x"}, {"id": "a/b"}, {"start": -1}, {"sides": [1.0, None]},
+    {"rooms": None}, {"digests": {}}, {"seconds": 3}, {"seed": "1"}])
+def test_a_row_that_no_run_wrote_is_bad_input(tmp_path, change):
+    filled(tmp_path)
+    first, *others = (tmp_path / MANIFEST).read_bytes().splitlines(keepends=True)
+    (tmp_path / MANIFEST).write_bytes(json.dumps(json.loads(first) | change).encode() + b"\n" + b"".join(others))
+    with pytest.raises(BadInput, match=r"manifest\.jsonl:1: "):
+        list(Store(tmp_path).rows())
