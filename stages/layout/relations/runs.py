@@ -4,21 +4,30 @@ What continues a run is known exactly, so that it is among the candidates of eve
 where the model itself says it.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import order
 from apartgen.stages.layout.relations.tokens import WALL, Array, Shell
+from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use.kinds import CLOSED
 
 FLUSH, CORNER = 0.02, 0.66
 """Gap between units side by side, and from a corner to the nearer edge of the first unit round it, m."""
+ASIDE = 0.06
+"""How far a side may be off the wall beside it, m."""
 IN_LINE = 0.05
 """How far backs of neighbours may be off one line, m."""
 OFF, BETWEEN = 0.005, 0.003
 """From a wall to a unit's back, and between units, m."""
-WIDTHS = 3
-"""Sizes that are tried, the likeliest of what the model says."""
+WIDTHS, USUAL, TURN = 3, 0.6, 1.1
+"""Sizes that are tried, the likeliest of what the model says; widths in which every unit is sold, and in which one that
+fills a corner keeps units round it from opening into one another, m."""
+MORE = 0.017
+"""A unit in a corner is so much deeper than its neighbours, m."""
 
 
 def local(xy: Array, at: Array, yaw: float) -> tuple[Array, Array]:
@@ -61,11 +70,30 @@ def further(name: str, boxes: Array, names: list[str], there: Array, shell: Shel
     some = units(names, there) if name in order.runs() else there[:0]
     if not len(some):
         return boxes[:0]
-    sizes, counts = np.unique(np.round(boxes[:, 3:], 3), axis=0, return_counts=True)
     walls = shell.boxes[shell.kind == WALL]
-    out = [place for size in sizes[np.argsort(-counts, kind="stable")[:WIDTHS]] for box in some
-           for place in (*_sides(box, size), *_corners(box, size, walls))]
+    if name in CLOSED:
+        out = [place for size in _sizes(name, boxes) for box in some for place in _turns(name, box, size, walls)]
+    else:
+        out = [place for size in _sizes(name, boxes) for box in some
+               for place in (*_sides(box, size), *_corners(box, size, walls))]
     return np.array(out, np.float32).reshape(-1, 7)
+
+
+def _sizes(name: str, boxes: Array) -> Array:
+    """The likeliest sizes (k, 4) of candidates, and the likeliest in the usual width."""
+    sizes, counts = np.unique(np.round(boxes[:, 3:], 3), axis=0, return_counts=True)
+    some = sizes[np.argsort(-counts, kind="stable")[:WIDTHS]]
+    return np.unique(np.concatenate([some, [[some[0, 0], _width(name), *some[0, 2:]]]]), axis=0)
+
+
+def _width(name: str) -> float:
+    return TURN if name in CLOSED else max(USUAL, TABLE[name].min[1])
+
+
+def usual(name: str) -> Array:
+    """Somewhere, a unit in the usual size."""
+    depth, _, height = TABLE[name].size
+    return np.array([0.0, 0.0, 0.0, depth, _width(name), 0.0, height], np.float32)
 
 
 def _sides(box: Array, size: Array) -> list[Array]:
@@ -87,6 +115,32 @@ def _corners(box: Array, size: Array, walls: Array) -> list[Array]:
         xy = ahead * heading + (float(wall[:2] @ normal) + size[0] / 2 + OFF) * normal
         out.append(np.concatenate([xy, [wall[2]], size]))
     return out
+
+
+def _turns(name: str, box: Array, size: Array, walls: Array) -> list[Array]:
+    """Into the corner that a unit stands beside: along its wall as far as the corner, or along the other wall."""
+    out, kind = [], TABLE[name]
+    heading = np.array([np.cos(box[2]), np.sin(box[2])])
+    back = box[:2] - heading * box[3] / 2
+    for wall in walls:
+        normal = np.array([np.cos(wall[2]), np.sin(wall[2])])
+        room = float((box[:2] - wall[:2]) @ normal) - box[4] / 2 - BETWEEN - OFF
+        if abs(float(normal @ heading)) > 0.01 or not kind.min[0] <= room <= kind.max[1]:
+            continue
+        aside = (float(wall[:2] @ normal) + OFF + room / 2) * normal
+        deep = float(box[3]) + MORE
+        xy = aside + (float(back @ heading) + deep / 2) * heading
+        out.append(np.concatenate([xy, [box[2], deep, room], size[2:]]))
+        if room <= kind.max[0]:
+            along = (float(back @ heading) + size[1] / 2) * heading
+            out.append(np.concatenate([aside + along, [wall[2], room], size[1:]]))
+    return out
+
+
+def in_corner(found: Boxes, behind: Callable[[Boxes], NDArray[np.float64]]) -> NDArray[np.bool_]:
+    """Which boxes have a wall at one of their sides, by the distance of backs from walls."""
+    turned = Boxes(found.center, found.size[:, [1, 0, 2]], found.yaw + np.pi / 2)
+    return np.minimum(behind(turned), behind(Boxes(turned.center, turned.size, found.yaw - np.pi / 2))) < ASIDE
 
 
 def spare(name: str) -> bool:

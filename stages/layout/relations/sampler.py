@@ -5,13 +5,14 @@ rooms keep to what the model thinks likely. A particle that can go nowhere begin
 """
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import order, runs
+from apartgen.stages.layout.relations import ahead, order, runs
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -87,7 +88,8 @@ class Sampler:
     def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str],
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
-        found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0)
+        rest = ahead.needed(_without(p.left, name), p.furniture.names)
+        found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, rest=rest)
         if found is None and p.tries + 1 < TRIES:
             p.tries += 1
             return p
@@ -109,22 +111,26 @@ class Sampler:
         return p
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
-                strict: bool = False) -> Array | None:
-        """A candidate that breaks nothing, drawn by its shifted weight; None where there is none."""
+                strict: bool = False, rest: Sequence[str] = ()) -> Array | None:
+        """A candidate that breaks nothing, drawn by its shifted weight; None where there is none. One that leaves no
+        room for the `rest` of a run is taken only where the object itself is needed and there is no other."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         boxes, weight = _merged(boxes, weight)
         boxes, weight = self._continued(there, name, boxes, weight)
         price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
+        second = None
         for _ in range(LOOKS):
             if weight.sum() <= 0:
-                return None
+                break
             k = self._draw(weight)
             if there.shuts(name, boxes[k]) < CUT:
-                return np.asarray(boxes[k])
+                if ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
+                    return np.asarray(boxes[k])
+                second = np.asarray(boxes[k]) if second is None and not runs.spare(name) else second
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
-        return None
+        return second
 
     def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:
         """Candidates with those that continue a run, which count little beside what the model says."""
@@ -190,6 +196,12 @@ class Sampler:
             out[:, :3], out[:, 5] = which[:, :3], which[:, 6]
         out[:, 6] = out[:, 5] + height
         return out
+
+
+def _without(left: Sequence[str], name: str) -> list[str]:
+    some = list(left)
+    some.remove(name)
+    return some
 
 
 def _merged(boxes: Array, weight: Floats) -> tuple[Array, Floats]:

@@ -15,6 +15,7 @@ from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
+from apartgen.stages.use.kinds import CLOSED
 
 SLACK = 0.008
 """Contact that is none, m; below what metrics allow."""
@@ -72,6 +73,13 @@ class Furniture:
         other.paths.bodies, other.paths.rows = dict(self.paths.bodies), dict(self.paths.rows)
         return other
 
+    def besides(self, name: str, box: Array) -> "Furniture":
+        """A copy with an object more, in which ways are as they were."""
+        other, one = copy.copy(self), upright(box[None])
+        other.names, other.boxes = [*self.names, name], np.concatenate([self.boxes, box[None]])
+        other.upright, other.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
+        return other
+
     def add(self, name: str, box: Array) -> None:
         """An object stands there from now on."""
         if _in_the_way(name, box):
@@ -123,6 +131,8 @@ class Furniture:
         if name not in order.runs():
             return np.zeros(len(boxes))
         away = self.space.behind(upright(boxes)) > OFF_WALL
+        if name in CLOSED:
+            away |= ~runs.in_corner(upright(boxes), self.space.behind)
         alone = ~runs.touching(name, boxes, self.names, self.boxes)
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
         return total + (np.where(self._lit(boxes), APART, 0.0) if TABLE[name].is_for("cook") else 0.0)

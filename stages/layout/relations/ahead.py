@@ -1,0 +1,42 @@
+"""What is still to come: no unit is put where sink, hob or fridge would find no place in the run any more."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from apartgen.stages.layout.relations import order, runs
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import Array, Shell
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use.kinds import CLOSED
+
+
+def needed(left: Sequence[str], there: Sequence[str]) -> list[str]:
+    """Units of a run that are to come and that it cannot do without, one that cooks being enough, and what can lead
+    round a corner to them."""
+    units = [name for name in dict.fromkeys(left) if name in order.runs() and (not runs.spare(name) or name in CLOSED)]
+    cooks = [name for name in units if TABLE[name].is_for("cook")]
+    enough = cooks if any(TABLE[o].is_for("cook") for o in there) else cooks[:-1]
+    some = [name for name in units if name not in enough]
+    return some if set(some) - CLOSED else []
+
+
+def leaves_room(there: Furniture, name: str, box: Array, rest: Sequence[str], shell: Shell) -> bool:
+    """Whether units of `rest` find places in the run, one after another, when an object stands there, or find none
+    without it either."""
+    if name not in order.runs() or not rest or _found(there.besides(name, box), list(rest), shell):
+        return True
+    return any(o in order.runs() for o in there.names) and not _found(there, list(rest), shell)
+
+
+def _found(there: Furniture, rest: list[str], shell: Shell) -> bool:
+    """Whether they do, in any order; each as wide as such units are at least as a rule."""
+    if not set(rest) - CLOSED:
+        return True
+    for name in rest:
+        others = [o for o in rest if o is not name]
+        places = runs.further(name, runs.usual(name)[None], there.names, there.boxes, shell)
+        good = places[there.prices(name, places) < BROKEN] if len(places) else places
+        if any(_found(there.besides(name, np.asarray(place)), others, shell) for place in good):
+            return True
+    return False
