@@ -15,11 +15,11 @@ from apartgen.stages.render import frames, points, route, stands
 from apartgen.stages.render.coco import Coco
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.render.labels import classes, instances
-from apartgen.stages.render.looking import Eye
-from apartgen.stages.render.world import World, roofless, world
 from apartgen.stages.scene.camera import Camera
 from apartgen.stages.scene.folder import CONTENTS, listed, replaced
+from apartgen.stages.scene.looking import Eye
 from apartgen.stages.scene.scene import LoadAsset, Scene
+from apartgen.stages.scene.world import HomeWorld, roofless, world
 from apartgen.stages.space import polygons
 
 TILT = np.radians(-12.0)
@@ -37,7 +37,7 @@ class Shot(NamedTuple):
     kind: Seeing
     room: str
     eye: Eye
-    world: World
+    world: HomeWorld
 
 
 def run(home: Plan, config: RenderConfig, rng: np.random.Generator, out: Path, load_asset: LoadAsset) -> Render:
@@ -62,7 +62,7 @@ def run(home: Plan, config: RenderConfig, rng: np.random.Generator, out: Path, l
     return Render(views=views, instances=things, labels=labels, files=files)
 
 
-def shots(home: World, config: RenderConfig) -> Iterator[Shot]:
+def shots(home: HomeWorld, config: RenderConfig) -> Iterator[Shot]:
     """Every camera that the settings ask for."""
     rooms = [room.id for room in home.plan.rooms]
     field, size = np.radians(config.field), (config.width, config.height)

@@ -7,19 +7,18 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.render import Instance, Row4, Seeing, View
 from apartgen.stages.render.labels import Labels, labelled, visible
-from apartgen.stages.render.looking import Eye, angle, first, seen
-from apartgen.stages.render.picture import picture
-from apartgen.stages.render.world import World
 from apartgen.stages.scene.camera import Camera
+from apartgen.stages.scene.looking import Eye, angle, first, seen
+from apartgen.stages.scene.picture import MIDDLE, picture
+from apartgen.stages.scene.world import HomeWorld
 
 PARTS = ("rgb", "depth", "normal", "albedo", "instance", "semantic")
 """Pictures of a frame, each a file NAME.PART.png."""
-COMPRESSION = 2
-MIDDLE = np.array([0.5, 0.5])
+COMPRESSION = 1
 Pictures = dict[str, NDArray[np.uint8] | NDArray[np.uint16]]
 
 
-def taken(world: World, eye: Eye, things: list[Instance]) -> Pictures:
+def taken(world: HomeWorld, eye: Eye, things: list[Instance]) -> Pictures:
     """All pictures of one camera."""
     whole = first(world, eye, np.arange(eye.rows * eye.columns), MIDDLE)
     surface = seen(world, eye.eye, whole.direction, whole.hits, angle(eye))

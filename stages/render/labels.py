@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.render import Instance, Visible
-from apartgen.stages.render.looking import Eye, First, Seen, angle, turned
-from apartgen.stages.render.world import World
 from apartgen.stages.scene.camera import Camera
-from apartgen.stages.scene.soup import Array, Hits, Index, colors, encoded
+from apartgen.stages.scene.kernels import face
+from apartgen.stages.scene.looking import Eye, First, Seen, angle
+from apartgen.stages.scene.soup import Array, Hits, byted, colors
+from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.things.body import Body
 
 FARTHEST = 65_535
@@ -43,7 +44,7 @@ def _class(body: Body) -> str:
     return "wall" if body.kind == "lining" else body.kind
 
 
-def instances(world: World) -> list[Instance]:
+def instances(world: HomeWorld) -> list[Instance]:
     """Every thing of the home; its number is one more than its body's index."""
     numbers = classes(world.bodies)
     objects = {o.id: o for o in world.plan.objects} if isinstance(world.plan, Layout) else {}
@@ -57,30 +58,30 @@ def instances(world: World) -> list[Instance]:
     return found
 
 
-def labelled(world: World, eye: Eye, whole: First, surface: Seen, things: list[Instance]) -> Labels:
+def labelled(world: HomeWorld, eye: Eye, whole: First, surface: Seen, things: list[Instance]) -> Labels:
     """The labels of what rays through the middles of all pixels meet, `surface` being what is opaque behind."""
     shape = (eye.rows, eye.columns)
     hits, direction = whole.hits, whole.direction
-    rows = np.flatnonzero(hits.triangle >= 0)
-    met = Hits(hits.triangle[rows], hits.distance[rows], hits.weights[rows])
-    depth, number = np.zeros(len(direction)), np.zeros(len(direction), np.uint16)
-    normal, albedo = np.zeros((len(direction), 3), np.uint8), np.zeros((len(direction), 3), np.uint8)
-    depth[rows] = met.distance * (_ahead(eye, direction[rows]) if isinstance(eye, Camera) else 1.0) * 1000
-    normal[rows] = np.rint((turned(world.faces[met.triangle], direction[rows]) + 1) * 127.5)
-    albedo[rows] = np.rint(encoded(_color(world, eye, rows, met, surface)) * 255)
-    number[rows] = world.every.soup.owner[met.triangle] + 1
+    met = hits.triangle >= 0
+    far = np.where(met, hits.distance, 0) * (_ahead(eye, direction) if isinstance(eye, Camera) else 1.0)
+    facing = world.faces[hits.triangle].astype(np.float32)
+    face(facing, direction)
+    normal = np.where(met[:, None], np.rint((facing + 1) * 127.5), 0).astype(np.uint8)
+    albedo = byted(_color(world, eye, hits, surface))
+    number = np.where(met, world.every.soup.owner[hits.triangle] + 1, 0).astype(np.uint16)
     table = np.array([0, *(thing.label for thing in things)], np.uint16)
-    return Labels(np.rint(depth).clip(0, FARTHEST).astype(np.uint16).reshape(shape), normal.reshape(*shape, 3),
+    return Labels(np.rint(far * 1000).clip(0, FARTHEST).astype(np.uint16).reshape(shape), normal.reshape(*shape, 3),
                   albedo.reshape(*shape, 3), number.reshape(shape), table[number].reshape(shape))
 
 
-def _color(world: World, eye: Eye, rows: Index, met: Hits, surface: Seen) -> Array:
+def _color(world: HomeWorld, eye: Eye, hits: Hits, surface: Seen) -> Array:
     """Colours of what was met first, panes too."""
-    color = surface.color[rows]
-    pane = np.flatnonzero(surface.triangle[rows] != met.triangle)
-    if len(pane):
-        some = Hits(met.triangle[pane], met.distance[pane], met.weights[pane])
-        color[pane], _ = colors(some, world.every.soup, some.distance * angle(eye))
+    pane = np.flatnonzero(surface.triangle != hits.triangle)
+    if not len(pane):
+        return surface.color
+    color = surface.color.copy()
+    some = Hits(hits.triangle[pane], hits.distance[pane], hits.weights[pane])
+    color[pane], _ = colors(some, world.every.soup, some.distance * angle(eye))
     return color
 
 
@@ -91,16 +92,11 @@ def _ahead(eye: Camera, direction: NDArray[np.float32]) -> NDArray[np.float64]:
 
 def visible(instance: NDArray[np.uint16]) -> list[Visible]:
     """What is seen of each thing."""
+    from scipy import ndimage
+
     counts = np.bincount(instance.ravel())
-    rows, columns = np.indices(instance.shape)
-    most = len(counts)
-    ends = []
-    for place in (columns, rows):
-        low, high = np.full(most, 2**31 - 1), np.zeros(most, np.int64)
-        np.minimum.at(low, instance, place)
-        np.maximum.at(high, instance, place)
-        ends.append((low, high))
-    (x0, x1), (y0, y1) = ends
-    return [Visible(number=int(k), pixels=int(counts[k]),
-                    rectangle=(int(x0[k]), int(y0[k]), int(x1[k] - x0[k] + 1), int(y1[k] - y0[k] + 1)))
-            for k in np.flatnonzero(counts) if k]
+    places = ndimage.find_objects(instance.astype(np.int32))
+    return [Visible(number=k, pixels=int(counts[k]),
+                    rectangle=(place[1].start, place[0].start, place[1].stop - place[1].start,
+                               place[0].stop - place[0].start))
+            for k, place in enumerate(places, 1) if place is not None]

@@ -6,9 +6,9 @@ from numpy.typing import NDArray
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Opening, Plan
 from apartgen.stages.render.stands import free_floor
-from apartgen.stages.render.world import World
 from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.soup import Array, Hits, colors, encoded
+from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.space import polygons
 
 PLACES = 6
@@ -18,7 +18,7 @@ PROPERTIES = (*(f"property float {name}" for name in "xyz"),
 _POINT = np.dtype([("place", "<f4", 3), ("color", "u1", 3), ("instance", "<u2")])
 
 
-def cloud(world: World, count: int, height: float, rng: np.random.Generator) -> bytes:
+def cloud(world: HomeWorld, count: int, height: float, rng: np.random.Generator) -> bytes:
     """A binary PLY of points with colour and number of the thing; directions are drawn evenly around each place."""
     space, cells = free_floor(world)
     places = [np.array([*at, height]) for i in range(len(world.plan.rooms))
@@ -33,7 +33,7 @@ def _shares(count: int, places: int) -> list[int]:
     return [(count * (k + 1)) // places - (count * k) // places for k in range(places)]
 
 
-def _seen_from(world: World, place: Array, count: int, rng: np.random.Generator) -> NDArray[np.void]:
+def _seen_from(world: HomeWorld, place: Array, count: int, rng: np.random.Generator) -> NDArray[np.void]:
     way = rng.normal(size=(count, 3))
     way = (way / np.linalg.norm(way, axis=1, keepdims=True)).astype(np.float32)
     hits = world.every.first(np.broadcast_to(place.astype(np.float32), way.shape), way)

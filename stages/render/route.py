@@ -3,16 +3,16 @@
 import numpy as np
 
 from apartgen.stages.render.stands import Stand, free_floor
-from apartgen.stages.render.world import World
 from apartgen.stages.robot.way import through_rooms
 from apartgen.stages.scene.soup import Array
+from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.space import grid
 
 AHEAD = 0.8
 """How far along its way the robot looks ahead, m."""
 
 
-def along(world: World, frames: int, height: float) -> list[Stand]:
+def along(world: HomeWorld, frames: int, height: float) -> list[Stand]:
     """So many stands evenly along the way; none where the robot gets nowhere."""
     space, cells = free_floor(world)
     way = through_rooms(space, grid.from_seeds(cells, space.entry & cells))

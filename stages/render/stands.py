@@ -6,16 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.layout import Layout
-from apartgen.stages.render.world import World
 from apartgen.stages.robot import reach
 from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.camera import Camera, Panorama
 from apartgen.stages.scene.soup import Array
+from apartgen.stages.scene.world import HomeWorld
 
 PLACES, HEADINGS = 9, 16
 """Places of a room, and headings of each, that are tried."""
 PITCH = np.radians(-10.0)
-COARSE = 48
+COARSE = 32
 """Columns of the pictures by which views are judged."""
 ENOUGH = 0.01
 """Share of the picture from which a thing counts as seen."""
@@ -33,14 +33,14 @@ class Stand(NamedTuple):
     yaw: float
 
 
-def free_floor(world: World) -> tuple[reach.Space, NDArray[np.bool_]]:
+def free_floor(world: HomeWorld) -> tuple[reach.Space, NDArray[np.bool_]]:
     """The raster of a robot, and where on it one may stand."""
     space = reach.space(world.plan)
     objects = world.plan.objects if isinstance(world.plan, Layout) else []
     return space, reach.free(space, objects)
 
 
-def middles(world: World, height: float) -> list[Stand]:
+def middles(world: HomeWorld, height: float) -> list[Stand]:
     """One place of each room, from where a panorama shows most."""
     space, cells = free_floor(world)
     found = []
@@ -51,7 +51,7 @@ def middles(world: World, height: float) -> list[Stand]:
     return found
 
 
-def best(world: World, views: int, height: float, field: float, shape: tuple[int, int]) -> list[Stand]:
+def best(world: HomeWorld, views: int, height: float, field: float, shape: tuple[int, int]) -> list[Stand]:
     """Up to so many stands that together show most things; each shows five or more where any does.
 
     `field` in rad and `shape` (columns, rows) are those of the pictures.
@@ -82,7 +82,7 @@ def best(world: World, views: int, height: float, field: float, shape: tuple[int
     return [stands[k] for k in sorted(chosen)]
 
 
-def _judged(world: World, stands: list[Stand], field: float, aspect: float) -> tuple[Array, Array]:
+def _judged(world: HomeWorld, stands: list[Stand], field: float, aspect: float) -> tuple[Array, Array]:
     """Share of each object in a coarse picture from each stand, (n, objects), and of what is too near, (n,)."""
     columns, rows = COARSE, max(1, round(COARSE * aspect))
     objects = np.array([body.kind == "object" for body in world.bodies])

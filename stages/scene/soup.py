@@ -18,7 +18,9 @@ Index = NDArray[np.int64]
 
 
 class Soup(NamedTuple):
-    """`corners`, `normals` (n, 3, 3), `uv` (n, 3, 2), `material` (n,) into `materials`, `owner` (n,) into bodies."""
+    """`corners`, `normals` (n, 3, 3), `uv` (n, 3, 2), `material` (n,) into `materials`, `owner` (n,) into bodies,
+    `repeats` (n,) of a triangle's texture along a metre.
+    """
 
     corners: Array
     normals: Array
@@ -26,6 +28,7 @@ class Soup(NamedTuple):
     material: Index
     materials: list[Material]
     owner: Index
+    repeats: Array
 
 
 class Hits(NamedTuple):
@@ -51,13 +54,15 @@ def soup(bodies: Iterable[Body]) -> Soup:
             parts.append((corners, (normals @ turn.T)[faces], flat, np.full(n, material), np.full(n, k)))
     corners, normals, uv, which, owner = (np.concatenate(column) for column in zip(*parts, strict=True))
     single = np.float32
-    return Soup(corners.astype(single), normals.astype(single), uv.astype(single), which, list(index), owner)
+    return Soup(corners.astype(single), normals.astype(single), uv.astype(single), which, list(index), owner,
+                _repeats(corners, uv))
 
 
 def split(all_: Soup, mask: NDArray[np.bool_]) -> tuple[Soup, Soup]:
     """The triangles that are masked, and the others."""
     one, other = (
-        Soup(all_.corners[m], all_.normals[m], all_.uv[m], all_.material[m], all_.materials, all_.owner[m])
+        Soup(all_.corners[m], all_.normals[m], all_.uv[m], all_.material[m], all_.materials, all_.owner[m],
+             all_.repeats[m])
         for m in (mask, ~mask)
     )
     return one, other
@@ -97,57 +102,51 @@ class Tracer:
 
 
 def colors(hits: Hits, of: Soup, width: Array | None = None) -> tuple[Array, Array]:
-    """Linear colour (n, 3) and shading normal (n, 3) where rays hit; every ray must have hit.
+    """Linear colour (n, 3) and shading normal (n, 3) where rays hit, zeros where they did not.
 
     Textures are averaged over the `width` (n,) that a ray stands for, m.
     """
-    triangle = hits.triangle
-    normal = np.einsum("nk,nkd->nd", hits.weights, of.normals[triangle])
-    normal /= length(normal)
-    uv = np.einsum("nk,nkd->nd", hits.weights, of.uv[triangle])
-    which = of.material[triangle]
-    color = linear(np.array([m.color[:3] for m in of.materials], np.float32))[which]
-    for k, material in enumerate(of.materials):
-        if material.texture:
-            rows = np.flatnonzero(which == k)
-            levels = _levels(material.texture)
-            texels = None if width is None else width[rows] * _repeats(of, triangle[rows]) * len(levels[0])
-            color[rows] = _looked_up(levels, uv[rows], texels)
+    from apartgen.stages.scene.kernels import painted
+
+    wide = np.zeros(len(hits.triangle), np.float32) if width is None else np.asarray(width, np.float32)
+    flat = linear(np.array([m.color[:3] for m in of.materials], np.float32).reshape(-1, 3)).astype(np.float32)
+    textures, texels = _painting(tuple(m.texture for m in of.materials))
+    color, normal = painted(hits.triangle, np.ascontiguousarray(hits.weights, np.float32), wide, of.normals, of.uv,
+                            of.material, flat, textures, texels, of.repeats)
     return color, normal
 
 
-def _repeats(of: Soup, triangle: Index) -> Array:
+def _repeats(corners: Array, uv: Array) -> Array:
     """Repeats of the texture along a metre of triangles."""
-    corners, uv = of.corners[triangle], of.uv[triangle]
     sides, turns = corners[:, 1:] - corners[:, :1], uv[:, 1:] - uv[:, :1]
     area = length(np.cross(sides[:, 0], sides[:, 1]))[:, 0]
     covered = np.abs(turns[:, 0, 0] * turns[:, 1, 1] - turns[:, 0, 1] * turns[:, 1, 0])
-    return np.asarray(np.sqrt(covered / area))
+    return np.asarray(np.sqrt(covered / area), np.float32)
 
 
-def _looked_up(levels: list[Array], uv: Array, texels: Array | None) -> Array:
-    """Colours (n, 3) at places of a texture, from the level whose texels are as wide as so many of the finest."""
-    if texels is None:
-        return np.asarray(levels[0][_texel(uv, len(levels[0]))])
-    level = np.log2(texels.clip(1)).round().astype(np.int64).clip(0, len(levels) - 1)
-    found = np.empty((len(uv), 3), np.float32)
-    for k in np.unique(level):
-        rows = np.flatnonzero(level == k)
-        found[rows] = levels[k][_texel(uv[rows], len(levels[k]))]
-    return found
+@lru_cache(maxsize=4)
+def _painting(names: tuple[str | None, ...]) -> tuple[Index, Array]:
+    """For each texture where its texels begin and how wide it is, and the texels of all at all their levels."""
+    places, parts, start = np.zeros((len(names), 2), np.int64), [np.zeros((0, 3), np.uint16)], 0
+    for k, texture in enumerate(names):
+        if texture:
+            levels = _levels(texture)
+            places[k] = start, len(levels[0])
+            parts += [level.reshape(-1, 3) for level in levels]
+            start += sum(len(level) ** 2 for level in levels)
+    return places, np.concatenate(parts)
 
 
 @lru_cache(maxsize=256)
 def _levels(texture: str) -> list[Array]:
-    """A texture, and the same at half its size again and again."""
+    """A texture, and the same at half its size again and again, in 65535ths of linear light."""
     found = [_texels(texture)]
     while len(found[-1]) > 1 and len(found[-1]) % 2 == 0:
         n = len(found[-1]) // 2
         found.append(found[-1].reshape(n, 2, n, 2, 3).mean((1, 3)).astype(np.float32))
-    return found
+    return [np.rint(level * 65535).astype(np.uint16) for level in found]
 
 
-@lru_cache(maxsize=256)
 def _texels(texture: str) -> Array:
     """A texture as linear light, square, (size, size, 3)."""
     from PIL import Image
@@ -155,13 +154,6 @@ def _texels(texture: str) -> Array:
     picture = Image.open(io.BytesIO(image(texture))).convert("RGB")
     size = min(picture.size)
     return linear(np.asarray(picture.resize((size, size)), np.float32) / 255)
-
-
-def _texel(uv: Array, size: int) -> tuple[Index, Index]:
-    """Row and column of the nearest texel, repeated, v up."""
-    x = (uv[:, 0] % 1 * size).astype(np.int64).clip(0, size - 1)
-    y = ((1 - uv[:, 1]) % 1 * size).astype(np.int64).clip(0, size - 1)
-    return y, x
 
 
 def length(vectors: Array) -> Array:
@@ -172,6 +164,17 @@ def length(vectors: Array) -> Array:
 def linear(srgb: Array) -> Array:
     """sRGB in [0, 1] to linear light."""
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def byted(light: Array) -> NDArray[np.uint8]:
+    """Linear light to sRGB bytes."""
+    found: NDArray[np.uint8] = _bytes()[(light.clip(0, 1) * np.float32(65535) + np.float32(0.5)).astype(np.uint16)]
+    return found
+
+
+@lru_cache(maxsize=1)
+def _bytes() -> NDArray[np.uint8]:
+    return np.asarray(np.rint(encoded(np.arange(65536) / 65535) * 255), np.uint8)
 
 
 def encoded(light: Array) -> Array:

@@ -12,8 +12,8 @@ from PIL import Image
 from apartgen.stages import render, seeds
 from apartgen.stages.render import coco, route, stands
 from apartgen.stages.render.config import RenderConfig
-from apartgen.stages.render.world import world
 from apartgen.stages.scene.scene import Scene
+from apartgen.stages.scene.world import world
 from apartgen.stages.space import polygons
 
 SMALL = {"width": 80, "height": 60, "views": 3, "frames": 5, "points": 500}
@@ -266,3 +266,27 @@ def test_the_route_goes_through_all_rooms_at_even_steps(looked_at):
     places = np.array([stand.place for stand in way])
     steps = np.linalg.norm(np.diff(places, axis=0), axis=1)
     assert steps.max() < 1.5 * np.median(steps) + 1e-6
+
+
+def test_edges_from_above_are_as_smooth_as_of_nine_times_the_pixels():
+    from dataclasses import replace
+
+    from apartgen.stages.export import view
+    from apartgen.stages.export._lowered import lowered
+    from apartgen.stages.scene.camera import Camera
+    from apartgen.stages.scene.picture import taken
+    from apartgen.stages.scene.soup import soup
+    from apartgen.stages.scene.world import ground, open_air
+
+    bodies = lowered(Scene(sample.home(), sample.load).bodies)
+    corners = soup(bodies).corners.reshape(-1, 3)
+    outside = open_air(bodies, ground(corners.mean(0), view.GROUND, view.GRASS))
+    camera = Camera.at(corners, 40_000, view.AZIMUTH, view.ELEVATION)
+    one = taken(outside, camera).astype(float)
+    fine = taken(outside, replace(camera, rows=3 * camera.rows, columns=3 * camera.columns)) / 255
+    light = np.where(fine <= 0.04045, fine / 12.92, ((fine + 0.055) / 1.055) ** 2.4)
+    mean = light.reshape(camera.rows, 3, camera.columns, 3, 3).mean((1, 3))
+    wanted = 255 * np.where(mean <= 0.0031308, 12.92 * mean, 1.055 * mean ** (1 / 2.4) - 0.055)
+    assert (np.abs(one - wanted).max(-1) > 32).mean() < 0.02
+    corner = one[:8, :8].reshape(-1, 3)
+    assert corner.mean(0)[1] > corner.mean(0)[2] and corner.std(0).max() < 20, "the ground about it is even and green"

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from apartgen.stages.render.world import World
+from apartgen.stages.scene.kernels import bounced
 from apartgen.stages.scene.noise import about, shifted
 from apartgen.stages.scene.soup import Array, Index
+from apartgen.stages.scene.world import World
 
 LIFT = np.float32(2e-3)
 """How far off their surface rays begin, m."""
@@ -19,7 +20,7 @@ GATHERED, ON_PANES, ON_LAMPS = 12, 4, 2
 """Rays from a point to its surroundings, to each window and to each lamp of its room."""
 BULB = 0.14
 """Radius of lamps, m."""
-NEARBY = 0.5
+NEARBY = np.float32(0.5)
 """Surfaces nearer than about this give back less than the room's mean light, m."""
 BACK = 0.55
 """Mean share of light that rooms give back."""
@@ -85,17 +86,17 @@ def _from_lamps(world: World, start: Array, normal: Array, room: Index, noise: A
 def _gathered(world: World, start: Array, normal: Array, room: Index, noise: Array) -> tuple[Array, Array]:
     """Light from the surroundings that is known, and the coloured share of the room's mean light that comes back."""
     known, share = np.zeros_like(start), np.zeros_like(start)
+    fall, place = np.zeros(len(start), np.float32), np.zeros_like(start)
     open_air = (room < 0) | world.outdoors[room]
+    of, colors = world.blockers.soup, world.flat[world.blockers.soup.material]
     for k in range(GATHERED):
         way = about(normal, shifted(noise, 101 + k)).astype(np.float32)
         hits = world.blockers.first(start, way)
-        met, missed = np.flatnonzero(hits.triangle >= 0), np.flatnonzero((hits.triangle < 0) & open_air)
-        triangle, distance = hits.triangle[met], hits.distance[met, None]
-        soup = world.blockers.soup
-        color = world.flat[soup.material[triangle]]
-        share[met] += color * distance / (distance + NEARBY)
-        face = soup.normals[triangle, 0]
-        face = np.where(np.einsum("nd,nd->n", face, way[met])[:, None] > 0, -face, face)
-        known[met] += color * sunlit(world, start[met] + way[met] * distance, face)[:, None] * SUN
+        bounced(start, way, hits.triangle, hits.distance, of.normals[:, 0], colors, world.sun, NEARBY, LIFT, share,
+                fall, place)
+        lit = np.flatnonzero(fall)
+        free = world.blockers.free(place[lit], np.broadcast_to(world.sun, (len(lit), 3)))
+        known[lit] += colors[hits.triangle[lit]] * (fall[lit] * free)[:, None] * SUN
+        missed = np.flatnonzero((hits.triangle < 0) & open_air)
         known[missed] += SKY * (0.35 + 0.4 * way[missed, 2:].clip(0))
     return known / GATHERED, share / GATHERED

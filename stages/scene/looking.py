@@ -4,9 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from apartgen.stages.render.world import World
 from apartgen.stages.scene.camera import Camera, Panorama
+from apartgen.stages.scene.kernels import face
 from apartgen.stages.scene.soup import Array, Hits, Index, colors
+from apartgen.stages.scene.world import World
 
 PANES = 4
 """Clear surfaces behind one another that are looked through."""
@@ -57,11 +58,8 @@ def seen(world: World, origin: Array, direction: Array, hits: Hits, angle: float
         if not len(rows):
             break
         _pass(world, origin[rows], direction[rows], rows, hits, through, veil)
-    rows = np.flatnonzero(hits.triangle >= 0)
-    color, normal = np.zeros((n, 3), np.float32), -direction
-    met = Hits(hits.triangle[rows], hits.distance[rows], hits.weights[rows])
-    color[rows], shown = colors(met, world.every.soup, met.distance * angle)
-    normal[rows] = turned(shown, direction[rows])
+    color, normal = colors(hits, world.every.soup, np.where(hits.triangle >= 0, hits.distance, 0) * angle)
+    face(normal, direction)
     point = origin + direction * np.where(np.isfinite(hits.distance), hits.distance, 100.0)[:, None].astype(np.float32)
     return Seen(hits.triangle, hits.distance, point, normal, color, through, veil)
 
@@ -81,9 +79,3 @@ def _pass(world: World, origin: Array, direction: Array, rows: Index, hits: Hits
 def angle(eye: Eye) -> float:
     """What a pixel in the middle spans, rad."""
     return 2 * float(eye.half[0]) / eye.columns if isinstance(eye, Camera) else 2 * np.pi / eye.columns
-
-
-def turned(normal: Array, direction: Array) -> Array:
-    """Normals turned against the rays that meet them."""
-    away = np.einsum("nd,nd->n", normal, direction) > 0
-    return np.where(away[:, None], -normal, normal).astype(np.float32)

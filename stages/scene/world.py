@@ -11,6 +11,8 @@ from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.soup import Array, Index, Soup, Tracer, linear, soup, split
 from apartgen.stages.space import grid, polygons
 from apartgen.stages.space.grid import Grid
+from apartgen.stages.things import solids
+from apartgen.stages.things.asset import Link, Material
 from apartgen.stages.things.body import Body
 from apartgen.stages.things.categories import TABLE
 
@@ -21,6 +23,12 @@ CELL = 0.1
 """Of the raster that says in which room a point is, m."""
 GLOWING = ("bulb", "paper_shade")
 """Materials of lamps that shine by themselves."""
+
+
+SUN_ABOVE = np.array([-0.46, -0.35, 0.82], np.float32)
+"""The way to the sun of pictures from outside."""
+FAR, SLAB = 60.0, 0.1
+"""How far a ground reaches, and how thick it is, m."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +54,12 @@ class Pane:
 
 @dataclass(frozen=True)
 class World:
-    """`owner` of a triangle is a body's index; `blockers` are without glass and lamps; `glow` is each triangle's own
-    light, `faces` its unit normal. `rooms` holds the index of the room for each cell of `cells`.
+    """What light is found in.
+
+    `owner` of a triangle is a body's index; `blockers` are without glass and lamps; `glow` says which triangles shine,
+    `faces` has their unit normals. `rooms` holds the index of the room for each cell of `cells`.
     """
 
-    plan: Plan
     bodies: list[Body]
     every: Tracer
     blockers: Tracer
@@ -74,7 +83,14 @@ class World:
         return found
 
 
-def world(scene: Scene) -> World:
+@dataclass(frozen=True)
+class HomeWorld(World):
+    """That of a home."""
+
+    plan: Plan
+
+
+def world(scene: Scene) -> HomeWorld:
     """The home of a scene, its doors open."""
     plan = scene.home
     doors = {body.name: 1.0 for body in scene.bodies if body.kind == "door" and body.category == "door"}
@@ -86,16 +102,31 @@ def world(scene: Scene) -> World:
     panes = _panes(plan)
     outdoors = np.array([room.base == "balcony" for room in plan.rooms])
     traced = _traced(bodies, soup(bodies))
-    return World(plan, bodies, *traced, rooms, cells, _lamps(scene), panes, _sun(panes), outdoors)
+    return HomeWorld(bodies, *traced, rooms, cells, _lamps(scene), panes, _sun(panes), outdoors, plan)
 
 
-def roofless(home: World) -> World:
+def roofless(home: HomeWorld) -> HomeWorld:
     """The same without its ceilings and what hangs from them."""
     bare = np.array([body.kind != "ceiling" and not _hangs(body) for body in home.bodies])
     shown, _ = split(home.every.soup, bare[home.every.soup.owner])
     every, blockers, alpha, glow, flat, faces = _traced(home.bodies, shown)
     return replace(home, every=every, blockers=blockers, alpha=alpha, glow=glow, flat=flat, faces=faces,
                    outdoors=np.ones(len(home.plan.rooms), bool))
+
+
+def open_air(bodies: list[Body], ground: Body) -> World:
+    """Things under the sky, on a ground."""
+    every = [*bodies, ground]
+    nowhere = Grid((0.0, 0.0), (1, 1), CELL)
+    return World(every, *_traced(every, soup(every)), np.full((1, 1), -1, np.int16), nowhere, [], [], SUN_ABOVE,
+                 np.ones(1, bool))
+
+
+def ground(middle: Array, height: float, material: Material) -> Body:
+    """A ground about a place, its top at that height, m."""
+    x, y = middle[:2]
+    slab = solids.box((x - FAR, y - FAR, height - SLAB), (x + FAR, y + FAR, height), material)
+    return Body("ground", "floor", "", "", np.zeros(3), 0.0, [Link("base", [slab], [], 0.0)])
 
 
 def _traced(bodies: list[Body], every: Soup) -> tuple[Tracer, Tracer, Array, Array, Array, Array]:

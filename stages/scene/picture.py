@@ -5,13 +5,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.render.kernels import smoothed, spread
-from apartgen.stages.render.light import LIFT, SUN, irradiance, sunlit
-from apartgen.stages.render.looking import Eye, First, Seen, angle, first, seen
-from apartgen.stages.render.world import World
+from apartgen.stages.scene.kernels import edges, smoothed, spread
+from apartgen.stages.scene.light import LIFT, SUN, irradiance, sunlit
+from apartgen.stages.scene.looking import Eye, First, Seen, angle, first, seen
 from apartgen.stages.scene.noise import GOLDEN, noise_of
-from apartgen.stages.scene.render import toned
-from apartgen.stages.scene.soup import Array, Index, encoded
+from apartgen.stages.scene.soup import Array, Index, byted
+from apartgen.stages.scene.world import World
 
 STEP = 5
 """Light is found at every so many pixels, and spread over those between."""
@@ -23,12 +22,15 @@ BESIDE = ((0.25, 0.75),)
 """Where else in a pixel it is looked whether something thin crosses it."""
 ALIKE = 1e-4
 """Points of which less was found nearby have their light found for themselves."""
+APART = 0.3
+"""What directions and colours of neighbours may differ by within a surface."""
 RAISED = 1.5e-3
 """Surfaces that face alike are two from this distance on, m."""
 GLOSSY = 0.42
 """Surfaces rougher than this mirror nothing."""
 MEAN = 0.25
 """What the mean of a picture's light is brought to."""
+MIDDLE = np.array([0.5, 0.5])
 GLOW = np.array([1.0, 0.88, 0.72], np.float32) * 0.9
 HORIZON = np.array([0.80, 0.88, 0.95], np.float32)
 ZENITH = np.array([0.34, 0.56, 0.86], np.float32)
@@ -43,6 +45,12 @@ class Lit(NamedTuple):
     normal: Array
     start: int
     mean: Array
+
+
+def taken(world: World, eye: Eye) -> NDArray[np.uint8]:
+    """The image (rows, columns, 3) of one camera."""
+    whole = first(world, eye, np.arange(eye.rows * eye.columns), MIDDLE)
+    return picture(world, eye, whole, seen(world, eye.eye, whole.direction, whole.hits, angle(eye)))
 
 
 def picture(world: World, eye: Eye, whole: First, surface: Seen) -> NDArray[np.uint8]:
@@ -61,7 +69,7 @@ def picture(world: World, eye: Eye, whole: First, surface: Seen) -> NDArray[np.u
     fine = seen(world, eye.eye, part.direction, part.hits, angle(eye))
     more = _developed(_shaded(world, eye, lit, again, part.direction, fine, False), fine, part.direction, exposure)
     image[edge] = (image[edge] + more.reshape(EDGE_RAYS, -1, 3).sum(0)) / (EDGE_RAYS + 1)
-    return np.asarray(np.rint(encoded(image).reshape(eye.rows, eye.columns, 3) * 255), np.uint8)
+    return byted(image.reshape(eye.rows, eye.columns, 3))
 
 
 def _lit(world: World, eye: Eye, surface: Seen) -> Lit:
@@ -161,18 +169,11 @@ def _edges(world: World, eye: Eye, whole: First, surface: Seen) -> Index:
     """
     shape = (eye.rows, eye.columns)
     owner = np.where(surface.triangle >= 0, world.every.soup.owner[surface.triangle], -1).reshape(shape)
-    feature = np.concatenate([surface.normal, 2 * surface.color, 2 * surface.through], -1).reshape(*shape, 9)
-    point, normal = surface.point.reshape(*shape, 3), surface.normal.reshape(*shape, 3)
-    found = np.zeros(shape, bool)
-    for axis in (0, 1):
-        step = np.abs(np.diff(feature, axis=axis)).sum(-1) > 0.3
-        step |= np.diff(owner, axis=axis) != 0
-        before = normal[:-1] if axis == 0 else normal[:, :-1]
-        step |= np.abs(np.einsum("ijd,ijd->ij", np.diff(point, axis=axis), before)) > RAISED
-        ahead, behind = ((np.s_[1:], np.s_[:-1]), (np.s_[:, 1:], np.s_[:, :-1]))[axis]
-        found[ahead] |= step
-        found[behind] |= step
-    thin = _within(world, eye, whole).reshape(shape) & ~found
+    point, normal, color, through = (
+        part.reshape(*shape, 3).astype(np.float32, copy=False)
+        for part in (surface.point, surface.normal, surface.color, surface.through))
+    found = edges(owner, point, normal, color, through, APART, RAISED)
+    thin = _within(world, eye, whole, found.ravel()).reshape(shape)
     return np.flatnonzero(found | _widened(thin, THIN))
 
 
@@ -185,11 +186,13 @@ def _widened(found: NDArray[np.bool_], by: int) -> NDArray[np.bool_]:
     return wide
 
 
-def _within(world: World, eye: Eye, whole: First) -> NDArray[np.bool_]:
-    """Where a ray beside the middle of a pixel, of every second one, meets another body, material or direction."""
+def _within(world: World, eye: Eye, whole: First, known: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Where a ray beside the middle of a pixel, of every second one that is not known, meets another body, material or
+    direction.
+    """
     soup, found = world.every.soup, np.zeros(eye.rows * eye.columns, bool)
     pixels = np.arange(len(found))
-    pixels = pixels[(pixels // eye.columns + pixels % eye.columns) % 2 == 0]
+    pixels = pixels[((pixels // eye.columns + pixels % eye.columns) % 2 == 0) & ~known]
     here = whole.hits.triangle[pixels]
     for within in BESIDE:
         there = first(world, eye, pixels, np.array(within)).hits.triangle
@@ -201,3 +204,10 @@ def _within(world: World, eye: Eye, whole: First) -> NDArray[np.bool_]:
         other |= np.abs(np.einsum("nd,nd->n", away, soup.normals[a, 0])) > RAISED
         found[rows] |= other | (np.minimum(a, b) < 0)
     return found
+
+
+def toned(light: Array) -> Array:
+    """Highlights rolled off softly, everything else left."""
+    knee = np.float32(0.75)
+    over = (light - knee).clip(0)
+    return np.where(light > knee, knee + (1 - knee) * (1 - np.exp(-over / (1 - knee))), light)

@@ -1,0 +1,183 @@
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+"""Colours of surfaces, edges between them, and light of few pixels spread over all, compiled.
+
+Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+"""
+
+import numpy as np
+from numba import njit
+
+_LIKE = 12.0  # how much less a neighbour counts that is turned another way
+_FEW = 0.15  # weight of the nearest four below which more are asked
+_OFF = 0.04  # share of the distance from the eye by which a neighbour may be off the surface
+
+
+@njit("float32(float32[:],float32[:],float32[:],float32[:],float32)", cache=True, error_model="numpy", fastmath=False)
+def _alike(point, normal, other, turned, distance):
+    """How far two points with normals are of one surface, in (0, 1]."""
+    turn, off = np.float32(0.0), np.float32(0.0)
+    for k in range(3):
+        turn += (normal[k] - turned[k]) ** 2
+        off += normal[k] * (other[k] - point[k])
+    off /= _OFF * distance + np.float32(0.01)
+    half = np.float32(0.5) * (np.float32(_LIKE) * turn + off * off)
+    rise = half * (np.float32(1.0) + half * (np.float32(0.5) + half / np.float32(6.0)))
+    fall = np.float32(1.0) / (np.float32(1.0) + rise)
+    return fall * fall + np.float32(1e-6)  # as exp(-2 half), but with few steps
+
+
+@njit("float32[:,:,:](float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:],int64)", cache=True,
+      error_model="numpy")
+def smoothed(light, point, normal, distance, reach):
+    """Light (r, c, 3) averaged over neighbours up to `reach` away that lie on the same surface."""
+    rows, columns = distance.shape
+    found = np.empty_like(light)
+    for i in range(rows):
+        for j in range(columns):
+            total = np.zeros(3, np.float32)
+            weight = np.float32(0.0)
+            for y in range(max(0, i - reach), min(rows, i + reach + 1)):
+                for x in range(max(0, j - reach), min(columns, j + reach + 1)):
+                    w = _alike(point[i, j], normal[i, j], point[y, x], normal[y, x], distance[i, j])
+                    weight += w
+                    for k in range(3):
+                        total[k] += w * light[y, x, k]
+            for k in range(3):
+                found[i, j, k] = total[k] / weight
+    return found
+
+
+@njit("float32[:,:](float32[:,:,:],float32[:,:,:],float32[:,:,:],int64,int64,float32[:,:],float32[:,:],float32[:,:],"
+      "float32[:])", cache=True, error_model="numpy")
+def spread(light, point, normal, step, start, where, points, normals, distance):
+    """Light at pixels `where` (n, 2: row, column), from that of every `step`-th pixel that lies on the same surface; in
+    the last of four columns, how far any did.
+    """
+    rows, columns = light.shape[:2]
+    found = np.empty((len(where), 4), np.float32)
+    for n in range(len(where)):
+        y, x = (where[n, 0] - start) / step, (where[n, 1] - start) / step
+        i, j = min(max(int(np.floor(y)), 0), rows - 2), min(max(int(np.floor(x)), 0), columns - 2)
+        total = np.zeros(3, np.float32)
+        weight = np.float32(0.0)
+        for wide in range(2):
+            if weight > _FEW:
+                break
+            for a in range(max(0, i - wide), min(rows, i + 2 + wide)):
+                for b in range(max(0, j - wide), min(columns, j + 2 + wide)):
+                    near = max(0.02, 1.0 - abs(a - y)) * max(0.02, 1.0 - abs(b - x))
+                    w = np.float32(near * _alike(points[n], normals[n], point[a, b], normal[a, b], distance[n]))
+                    weight += w
+                    for k in range(3):
+                        total[k] += w * light[a, b, k]
+        for k in range(3):
+            found[n, k] = total[k] / weight
+        found[n, 3] = weight
+    return found
+
+
+@njit("Tuple((float32[:,:],float32[:,:]))(int64[:],float32[:,:],float32[:],float32[:,:,:],float32[:,:,:],int64[:],"
+      "float32[:,:],int64[:,:],uint16[:,:],float32[:])", cache=True, error_model="numpy")
+def painted(triangle, weights, width, normals, uv, material, flat, textures, texels, repeats):
+    """Linear colours and unit normals (n, 3) where rays hit, zeros where they did not (-1).
+
+    `textures` (k, 2) says for each material where its texels begin and how wide the finest level is, 0 without one;
+    coarser levels follow. `width` (n,) is what each ray stands for, m; `repeats` those of the texture along a metre.
+    """
+    n = len(triangle)
+    color, normal = np.empty((n, 3), np.float32), np.empty((n, 3), np.float32)
+    for i in range(n):
+        t = triangle[i]
+        if t < 0:
+            color[i] = normal[i] = 0.0
+            continue
+        a, b, c = weights[i]
+        square = np.float32(0.0)
+        for k in range(3):
+            normal[i, k] = a * normals[t, 0, k] + b * normals[t, 1, k] + c * normals[t, 2, k]
+            square += normal[i, k] * normal[i, k]
+        length = max(np.float32(np.sqrt(square)), np.float32(1e-9))
+        for k in range(3):
+            normal[i, k] /= length
+        m = material[t]
+        start, size = textures[m]
+        if size == 0:
+            for k in range(3):
+                color[i, k] = flat[m, k]
+            continue
+        wide = width[i] * repeats[t] * size
+        while wide > np.float32(1.4142135) and size > 1 and size % 2 == 0:
+            start += size * size
+            size //= 2
+            wide *= np.float32(0.5)
+        x = a * uv[t, 0, 0] + b * uv[t, 1, 0] + c * uv[t, 2, 0]
+        y = np.float32(1.0) - (a * uv[t, 0, 1] + b * uv[t, 1, 1] + c * uv[t, 2, 1])
+        column = min(max(int((x - np.floor(x)) * size), 0), size - 1)
+        row = min(max(int((y - np.floor(y)) * size), 0), size - 1)
+        at = start + row * size + column
+        for k in range(3):
+            color[i, k] = texels[at, k] / np.float32(65535.0)
+    return color, normal
+
+
+@njit("void(float32[:,:],float32[:,:])", cache=True, error_model="numpy")
+def face(normal, direction):
+    """Turns normals (n, 3) in place against the rays that meet them; without one they are the way back."""
+    for i in range(len(normal)):
+        along, square = np.float32(0.0), np.float32(0.0)
+        for k in range(3):
+            along += normal[i, k] * direction[i, k]
+            square += normal[i, k] * normal[i, k]
+        for k in range(3):
+            if square == 0:
+                normal[i, k] = -direction[i, k]
+            elif along > 0:
+                normal[i, k] = -normal[i, k]
+
+
+@njit("void(float32[:,:],float32[:,:],int64[:],float32[:],float32[:,:],float32[:,:],float32[:],float32,float32,"
+      "float32[:,:],float32[:],float32[:,:])", cache=True, error_model="numpy")
+def bounced(start, way, triangle, distance, faces, colors, sun, nearby, lift, share, fall, place):
+    """What rays from points (n, 3) meet: adds the share of light that comes back to `share`, and writes how squarely
+    the sun falls there, (n,), and where that is asked, (n, 3). `faces` and `colors` are those of triangles.
+    """
+    for i in range(len(start)):
+        t = triangle[i]
+        fall[i] = 0.0
+        if t < 0:
+            continue
+        far = distance[i]
+        along, towards = np.float32(0.0), np.float32(0.0)
+        for k in range(3):
+            share[i, k] += colors[t, k] * far / (far + nearby)
+            along += faces[t, k] * way[i, k]
+            towards += faces[t, k] * sun[k]
+        side = np.float32(-1.0) if along > 0 else np.float32(1.0)
+        fall[i] = max(side * towards, np.float32(0.0))
+        for k in range(3):
+            place[i, k] = start[i, k] + way[i, k] * far + side * faces[t, k] * lift
+
+
+@njit("boolean[:,:](int64[:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32,float32)",
+      cache=True, error_model="numpy")
+def edges(owner, point, normal, color, through, most, raised):
+    """Pixels (r, c) beside one of another owner, of a direction and colour that differ by more than `most`, or of a
+    surface `raised` over their own.
+    """
+    rows, columns = owner.shape
+    found = np.zeros((rows, columns), np.bool_)
+    for i in range(rows):
+        for j in range(columns):
+            for down in range(2):
+                y, x = i + down, j + 1 - down
+                if y == rows or x == columns:
+                    continue
+                step, off = np.float32(0.0), np.float32(0.0)
+                for k in range(3):
+                    step += abs(normal[y, x, k] - normal[i, j, k])
+                    step += np.float32(2.0) * abs(color[y, x, k] - color[i, j, k])
+                    step += np.float32(2.0) * abs(through[y, x, k] - through[i, j, k])
+                    off += (point[y, x, k] - point[i, j, k]) * normal[i, j, k]
+                if owner[y, x] != owner[i, j] or step > most or abs(off) > raised:
+                    found[i, j] = found[y, x] = True
+    return found
