@@ -167,11 +167,14 @@ def driven(mujoco, world, j: int, seconds: float = 2.4) -> str:
     lo, hi = world.jnt_range[j]
     start = data.qpos[address]
     target = hi if abs(hi - start) >= abs(start - lo) else lo
-    most = min(15.0, 0.5 + 3 * float(world.body_mass[body]))
+    own = world.actuator_trnid[:, 0] == j if world.nu else np.zeros(0, bool)
+    holding = float(world.dof_frictionloss[dof] + np.abs(world.actuator_forcerange[own]).max(initial=0.0))
+    most = holding + min(15.0, 0.5 + 3 * float(world.body_mass[body]))
     # A brake that is too strong for a light lid makes it chatter.
     brake = min(8.0, 0.4 * float(world.dof_M0[dof]) / world.opt.timestep)
     for _ in range(int(seconds / world.opt.timestep)):
-        push = 40 * (target - data.qpos[address]) - brake * data.qvel[dof]
+        off = target - data.qpos[address]
+        push = 40 * off + holding * np.sign(off) - brake * data.qvel[dof]
         data.qfrc_applied[dof] = np.clip(push, -most, most)
         mujoco.mj_step(world, data)
         if abs(data.qpos[address] - target) <= 0.05 * (hi - lo):

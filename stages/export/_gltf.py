@@ -185,7 +185,7 @@ def _material(m: Material, name: str, textures: list[str]) -> Node:
     if m.texture:
         surface["baseColorTexture"] = {"index": textures.index(m.texture)}
     mode = "BLEND" if m.color[3] < 1 else "MASK" if m.texture and cut_out(m.texture) else ""
-    made = {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": mode} if mode else {})
+    made: Node = {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": mode} if mode else {})
     if m.emission:
         made["emissiveFactor"] = [m.emission * _linear(c) for c in m.color[:3]]
     if _clear(m):

@@ -8,7 +8,7 @@ from apartgen.stages.export._rotation import roll_pitch_yaw
 from apartgen.stages.export._xml import Element, add, number
 from apartgen.stages.scene.pieces import pieces
 from apartgen.stages.things.asset import Array, Collider, Link, Material, Mesh
-from apartgen.stages.things.body import DAMPING, Body, inertia
+from apartgen.stages.things.body import Body, inertia
 
 EFFORT, SPEED = 100.0, 3.0
 """Limits that URDF demands, N or N·m and m/s or rad/s; no design is that stiff or fast."""
@@ -28,7 +28,7 @@ def body_links(robot: Element, body: Body, files: Files, meshes: str) -> None:
         element = joint(robot, body.joint_name(moves), kind, body.name, body.link_name(link), origin)
         add(element, "axis", xyz=np.array(moves.axis) / np.linalg.norm(moves.axis))
         add(element, "limit", lower=moves.range[0], upper=moves.range[1], effort=EFFORT, velocity=SPEED)
-        add(element, "dynamics", damping=DAMPING[moves.type])
+        add(element, "dynamics", damping=body.motion(link).damping)
 
 
 def joint(robot: Element, name: str, kind: str, parent: str, child: str, xyz: Array, yaw: float = 0.0) -> Element:

@@ -15,7 +15,7 @@ from apartgen.stages.export._xml import Element, add, number, numbers, save
 from apartgen.stages.scene.pieces import image_name, names, pieces
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things.asset import Collider, Link, Material
-from apartgen.stages.things.body import DAMPING, Body, Inertia, counterbalanced, inertia
+from apartgen.stages.things.body import Body, Inertia, counterbalanced, inertia
 
 FOLDER = "mjcf"
 ARMATURE = 0.002
@@ -38,6 +38,7 @@ class _Writer:
         self.assets = add(self.root, "asset")
         self.world = add(self.root, "worldbody")
         self.contact = add(self.root, "contact")
+        self.actuators = add(self.root, "actuator")
         self.materials = names(m.material for body in scene.bodies for link in body.links for m in link.visuals)
         overhead = (link for body in scene.bodies if body.kind == "ceiling" for link in body.links)
         self.glowing = {mesh.material for link in overhead for mesh in link.visuals}
@@ -119,8 +120,21 @@ class _Writer:
 
     def _joint(self, part: Element, body: Body, link: Link) -> None:
         assert link.joint is not None
+        own = body.motion(link)
         add(part, "joint", name=body.joint_name(link.joint), type=link.joint.type, axis=link.joint.axis,
-            pos=link.joint.origin, range=link.joint.range, damping=DAMPING[link.joint.type], armature=ARMATURE)
+            pos=link.joint.origin, range=link.joint.range, damping=own.damping, frictionloss=own.friction,
+            armature=ARMATURE)
+        shut, wide = sorted(link.joint.range, key=abs)
+        for held, word, at in ((own.catch, "catch", shut), (own.rest, "rest", wide)):
+            if held:
+                self._held(f"{body.joint_name(link.joint)}__{word}", body.joint_name(link.joint), at,
+                           np.sign(at - (shut + wide) / 2) * held, own.travel)
+
+    def _held(self, name: str, joint: str, at: float, force: float, travel: float) -> None:
+        """What holds a part at an end: all of the force there, none `travel` away; its control has no effect."""
+        slope = abs(force) / travel
+        add(self.actuators, "general", name=name, joint=joint, gainprm="0", biastype="affine",
+            biasprm=[force - slope * at, slope, 0.0], forcelimited="true", forcerange=sorted([force, 0.0]))
 
     def _link(self, element: Element, body: Body, link: Link, weight: Inertia | None) -> None:
         if weight is not None:

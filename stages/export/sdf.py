@@ -13,7 +13,7 @@ from apartgen.stages.export._xml import Element, add, number, numbers, save
 from apartgen.stages.scene.pieces import pieces
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things.asset import Collider, Link, Material, Mesh
-from apartgen.stages.things.body import DAMPING, Body, Light, counterbalanced, inertia
+from apartgen.stages.things.body import Body, Light, counterbalanced, inertia
 
 FOLDER = "sdf"
 
@@ -74,7 +74,7 @@ def _joint(model: Element, body: Body, link: Link) -> None:
     limit = add(axis, "limit")
     add(limit, "lower", number(joint.range[0]))
     add(limit, "upper", number(joint.range[1]))
-    add(add(axis, "dynamics"), "damping", number(DAMPING[joint.type]))
+    add(add(axis, "dynamics"), "damping", number(body.motion(link).damping))
 
 
 def _link(model: Element, body: Body, link: Link, files: Files) -> None:

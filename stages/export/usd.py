@@ -15,7 +15,7 @@ from apartgen.stages.export._rotation import about_z, from_x, quaternion
 from apartgen.stages.scene.pieces import names, pieces
 from apartgen.stages.scene.scene import Scene, identifier
 from apartgen.stages.things.asset import Array, Link
-from apartgen.stages.things.body import DAMPING, Body, Light, counterbalanced, inertia
+from apartgen.stages.things.body import Body, Light, counterbalanced, inertia
 
 try:
     from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics
@@ -129,9 +129,15 @@ class _Writer:
         drive = UsdPhysics.DriveAPI.Apply(made.GetPrim(), "angular" if hinge else "linear")
         drive.CreateTypeAttr("force")
         drive.CreateStiffnessAttr(0.0)
-        drive.CreateDampingAttr(DAMPING[joint.type] / scale)
+        drive.CreateDampingAttr(body.motion(link).damping / scale)
         drive.CreateTargetVelocityAttr(0.0)
-        made.GetPrim().SetCustomDataByKey("apartgen", {"part": joint.part})
+        own = body.motion(link)
+        # Another PhysX extension; an engine that does not know it has the part damped only.
+        made.GetPrim().AddAppliedSchema("PhysxJointAPI")
+        made.GetPrim().CreateAttribute("physxJoint:jointFriction", Sdf.ValueTypeNames.Float).Set(own.friction)
+        facts = {"part": joint.part, "friction": own.friction}
+        held = {name: value for name, value in (("catch", own.catch), ("rest", own.rest)) if value}
+        made.GetPrim().SetCustomDataByKey("apartgen", facts | held)
 
     def _link(self, path: str, link: Link) -> None:
         """Shapes that show, and under `Colliders` those that don't."""

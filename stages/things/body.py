@@ -3,21 +3,21 @@
 World frame: metres, z up, yaw counter-clockwise. Links' geometry is given in the body's frame, all joints at zero.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.retrieve import Joint
+from apartgen.stages.things import mechanisms
 from apartgen.stages.things.asset import Collider, Link
+from apartgen.stages.things.mechanisms import Motion
 
 Array = NDArray[np.float64]
 Ranges = tuple[tuple[float, float], ...]
 Kind = Literal["object", "wall", "lining", "floor", "ceiling", "trim", "door", "window"]
 
-DAMPING = {"hinge": 0.4, "slide": 8.0}
-"""Of joints, N·m·s/rad and N·s/m: a part pushed and let go stops within some tenths of a second."""
 LEAST_MASS = 0.01
 """Engines reject links lighter than this, kg."""
 
@@ -28,7 +28,8 @@ class Body:
 
     A `free` body may be pushed about, any other is fixed to the world by its base. `room` is empty for what
     belongs to no single room. `id` is the artifact's id of the object, opening or room; `model` names the asset;
-    `within` names bodies that it stands partly in, with which it must not collide.
+    `within` names bodies that it stands partly in, with which it must not collide; `motions` are of those of its links
+    that move otherwise than is usual.
     """
 
     name: str
@@ -42,6 +43,7 @@ class Body:
     id: str = ""
     model: str = ""
     within: tuple[str, ...] = ()
+    motions: dict[str, Motion] = field(default_factory=dict)
 
     def link_name(self, link: Link) -> str:
         """Unique name of one of its links; the base carries the body's own."""
@@ -50,6 +52,10 @@ class Body:
     def joint_name(self, joint: Joint) -> str:
         """Unique name of one of its joints."""
         return f"{self.name}__{joint.name}__joint"
+
+    def motion(self, link: Link) -> Motion:
+        """How one of its moving links moves."""
+        return self.motions.get(link.name) or mechanisms.motion(self.category, link)
 
     @property
     def ranges(self) -> Ranges:

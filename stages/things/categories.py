@@ -50,6 +50,9 @@ class Category:
     min: tuple[float, float, float]
     max: tuple[float, float, float]
     rule: tuple[float, float, float] | None = None
+    mass: tuple[float, float] | None = None
+    weighed: str = ""
+    mechanism: Literal["", "cabinet_door", "sealed_door", "latched_door", "sprung_flap", "flap"] = ""
     uses: tuple[str, ...] = ()
     opens: Opens = ""
     leaf_max: float = 0.6

@@ -66,6 +66,13 @@ def stuck(model):
     return [fault for joint in _joints(model) for fault in _driven(model, joint)]
 
 
+def held(model, joint):
+    """What a hand must overcome before a joint moves: dry friction, and what holds it at its ends."""
+    own = model.actuator_trnid[:, 0] == joint if model.nu else np.zeros(0, bool)
+    held_at = np.abs(model.actuator_forcerange[own]).max(initial=0.0)
+    return float(model.dof_frictionloss[model.jnt_dofadr[joint]] + held_at)
+
+
 def _joints(model):
     return [int(k) for k in np.flatnonzero(model.jnt_type != mujoco.mjtJoint.mjJNT_FREE)]
 
@@ -75,12 +82,13 @@ def _driven(model, joint):
     lo, hi = model.jnt_range[joint]
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    most = min(15.0, 0.5 + 3 * float(model.body_mass[part]))
+    holding = held(model, joint)
+    most = holding + min(15.0, 0.5 + 3 * float(model.body_mass[part]))
     # A brake that is too strong for a light lid makes it chatter.
     brake = min(8.0, 0.4 * float(model.dof_M0[dof]) / model.opt.timestep)
     for target in (hi, lo):
         for _ in range(STEPS):
-            push = 40 * (target - data.qpos[at]) - brake * data.qvel[dof]
+            push = 40 * (target - data.qpos[at]) + holding * np.sign(target - data.qpos[at]) - brake * data.qvel[dof]
             data.qfrc_applied[dof] = np.clip(push, -most, most)
             mujoco.mj_step(model, data)
             if abs(data.qpos[at] - target) <= 0.05 * (hi - lo):

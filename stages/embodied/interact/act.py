@@ -21,7 +21,7 @@ SEATED = 0.01
 FRICTION, LEAST_FRICTION = 0.05, 0.5
 """Dry friction of a part in its joint, as felt at the handle: a share of its weight, and so many N besides.
 
-Exported joints only damp, as simulators differ in what friction means.
+It takes the place of what exported joints have.
 """
 SHUT = 0.02
 """Share of its range to which a part still counts as shut."""

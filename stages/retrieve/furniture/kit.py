@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.retrieve.furniture.body import Body
-from apartgen.stages.things import categories
+from apartgen.stages.things import categories, weights
 from apartgen.stages.things.asset import Asset, Collider, Link
 
 QUARTER = float(np.pi / 2)
@@ -97,16 +97,22 @@ class Kit:
         taken = sum(other[0].rsplit("_", 1)[0] == name for other in self.moving)
         return f"{name}_{taken}"
 
+    def _scale(self) -> float:
+        """How much heavier all its parts are than their materials say, for the whole to weigh as such things do."""
+        whole = self.base.mass + sum(body.mass for _, body, *_ in self.moving)
+        return weights.weight(self.category, self.size, whole) / whole if whole else 1.0
+
     def finish(self, id: str) -> Asset:
         """The asset, in the frame whose origin is the centre of its box."""
-        drop = self.h / 2
-        links = [Link("base", self.base.meshes(drop), _lowered(self.base, drop), round(self.base.mass, 3),
+        drop, scale = self.h / 2, self._scale()
+        links = [Link("base", self.base.meshes(drop), _lowered(self.base, drop), round(scale * self.base.mass, 3),
                       friction=self.friction)]
         for name, body, joint, handle, grip in self.moving:
             hold = None if handle is None else np.array(handle) - [0, 0, drop]
             made = _joint(name, body, joint, drop)
             links.append(
-                Link(name, body.meshes(drop), _lowered(body, drop), round(body.mass, 3), made, hold, grip=grip)
+                Link(name, body.meshes(drop), _lowered(body, drop), round(scale * body.mass, 3), made, hold,
+                     grip=grip)
             )
         return Asset("parametric", id, self.category, self.style, self.size, links, credit="apartgen, CC0-1.0",
                      roles=self.roles)

@@ -17,7 +17,7 @@ from apartgen.schemas.retrieve import Joint
 from apartgen.stages.retrieve.furniture.mesh import Array
 from apartgen.stages.things.asset import Asset, Collider, Link, Material, Mesh
 
-_FIELDS = ("library", "id", "category", "style", "size", "credit")
+_FIELDS = ("library", "id", "category", "style", "size", "credit", "roles")
 
 
 def write(assets: Sequence[Asset], path: Path) -> None:
@@ -28,7 +28,7 @@ def write(assets: Sequence[Asset], path: Path) -> None:
     materials = list(dict.fromkeys(mesh.material for mesh in meshes))
     number = {material: i for i, material in enumerate(materials)}
     about = {
-        "materials": [[m.name, m.color, m.roughness, m.metalness, m.texture] for m in materials],
+        "materials": [[m.name, m.color, m.roughness, m.metalness, m.texture, m.emission] for m in materials],
         "assets": [[*(getattr(a, f) for f in _FIELDS), [_link(link, number) for link in a.links]] for a in assets],
     }
     none = np.zeros((0, 3))
@@ -75,14 +75,14 @@ class _Reader:
         self.about = about
         self.vertices, self.uv, self.hulls = (arrays[name].astype(float) for name in ("vertices", "uv", "hulls"))
         self.faces, self.pieces, self.latents = arrays["faces"].astype(np.int64), arrays["pieces"], arrays["latents"]
-        self.materials = [Material(n, tuple(c), r, m, t) for n, c, r, m, t in about["materials"]]
+        self.materials = [Material(n, tuple(c), r, m, t, e) for n, c, r, m, t, e in about["materials"]]
         self.vertex = self.face = self.hull = self.piece = 0
 
     def assets(self) -> Iterator[Asset]:
         for row, latent in zip(self.about["assets"], self.latents.astype(float), strict=True):
-            library, id, category, style, size, credit, links = row
+            library, id, category, style, size, credit, roles, links = row
             made = [self._link(*link) for link in links]
-            yield Asset(library, id, category, style, tuple(size), made, latent, credit)
+            yield Asset(library, id, category, style, tuple(size), made, latent, credit, tuple(roles))
 
     def _link(
         self, name: str, mass: float, joint: Any, handle: Any, friction: float, grip: str, visuals: Any, pieces: Any
