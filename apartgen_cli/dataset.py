@@ -31,12 +31,13 @@ SHARD = Annotated[int, typer.Option("--shard", min=1, help="Requests of a file o
 IDS = Annotated[list[str] | None, typer.Option("--id", help="A home by its id, any number of times.")]
 SPLIT = Annotated[str | None, typer.Option("--split", help="The homes of this part.")]
 FORMAT = Annotated[list[str], typer.Option("--format", help="What to write, any number of times, as of `export`.")]
+POPULATE = Annotated[bool, typer.Option("--populate/--no-populate", help="Put small things into the homes.")]
 AS_JSON = Annotated[bool, typer.Option("--json", help="Write JSON.")]
 PARTS = Annotated[str, typer.Option("--parts", metavar="NAME=SHARE,…", help="The parts and their shares.")]
 
 
 def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: GRAMMAR = None, seed: SEED = 0,
-           config: CONFIG = None, workers: WORKERS = None, shard: SHARD = 1000) -> int:
+           config: CONFIG = None, workers: WORKERS = None, shard: SHARD = 1000, populate: POPULATE = True) -> int:
     """Make a home for every prompt; a run that ended, however it did, goes on where it was."""
     from apartgen.dataset.build import build
     from apartgen.dataset.source import source
@@ -56,7 +57,8 @@ def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: G
                 failed += 1
                 fail(f"{row['id']}: {row['error']}")
 
-        build(asked, out, seed=seed, given=tables(config), workers=workers, per_shard=shard, report=told)
+        build(asked, out, seed=seed, given=tables(config), workers=workers, per_shard=shard, populate=populate,
+              report=told)
     say(f"{done - there - failed} homes made, {failed} failed, {there} were there; {out}/failures.jsonl has failures")
     return 1 if failed else 0
 
@@ -112,9 +114,11 @@ def _merge(data: Annotated[list[Path], typer.Argument(metavar="DATA", help="Fold
 
 
 def _export(data: DATA, out: FOLDER, format: FORMAT, id: IDS = None, split: SPLIT = None,
-            workers: WORKERS = None) -> int:
-    """Write scenes of homes, a folder each; files that are equal are stored once."""
-    from apartgen.dataset import scenes
+            workers: WORKERS = None, shard: SHARD = 1000) -> int:
+    """Write scenes of homes, a folder each; files that are equal are stored once. `--format webdataset` writes tars
+    instead, of `--shard` homes each, with the files of other formats in them.
+    """
+    from apartgen.dataset import scenes, tars
     from apartgen.dataset.build import selected
     from apartgen.outputs import ExportSettings
 
@@ -123,10 +127,14 @@ def _export(data: DATA, out: FOLDER, format: FORMAT, id: IDS = None, split: SPLI
     rows = list(selected(store, id or [], split))
     if not rows:
         raise BadInput(f"{data}: no home of that split; `apartgen dataset stats` tells which there are")
-    failed = 0
+    failed, packed, formats = 0, tars.FORMAT in format, [name for name in format if name != tars.FORMAT]
+    settings = ExportSettings(format=formats, libraries=libraries) if formats else None
     with watched("export", len(rows)) as report:
-        settings = ExportSettings(format=format, libraries=libraries)
-        for done, (row, error) in enumerate(scenes.export(store, rows, out, settings, workers), 1):
+        if packed or settings is None:
+            work = tars.export(store, rows, out, settings, shard, workers)
+        else:
+            work = scenes.export(store, rows, out, settings, workers)
+        for done, (row, error) in enumerate(work, 1):
             report(done)
             if error:
                 failed += 1

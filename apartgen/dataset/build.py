@@ -1,6 +1,5 @@
 """Makes a data set: every request in turn on all cores, going on where an earlier run ended."""
 
-import os
 from collections.abc import Callable, Iterator
 from itertools import islice
 from pathlib import Path
@@ -8,33 +7,34 @@ from typing import Any
 
 from apartgen import settings
 from apartgen.dataset import finish, pool
-from apartgen.dataset.home import Asked, Done, Settings, home, row_of
+from apartgen.dataset.home import Asked, Done, Settings, home, row_of, steps_of
 from apartgen.dataset.source import Source
 from apartgen.dataset.store import PER_SHARD, Row, Store, Writer
 from apartgen.requests import Request
 from apartgen.schemas.errors import BadInput
-from apartgen.steps import BY, STEPS
+from apartgen.steps import BY, POPULATE
 
 Report = Callable[[Row], None]
 
 
 def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None = None, workers: int | None = None,
-          per_shard: int = PER_SHARD, report: Report = lambda row: None) -> Store:
-    """The data set of all requests of the source; `report` gets the row of every home that is made.
+          per_shard: int = PER_SHARD, populate: bool = True, report: Report = lambda row: None) -> Store:
+    """The data set of all requests of the source, with small things in the homes or without; `report` gets the row of
+    every home that is made.
 
     BadInput where the folder holds another data set.
     """
     settings.by_stage(given or {}, ["svg"])
     store = Store(folder)
     _begun(store, source, {"apartgen_dataset": 1, "by": BY, "seed": seed, "per_shard": per_shard,
-                           "stages": ["plan", *(step.word for step in STEPS)],
+                           "stages": ["plan", *(step.word for step in steps_of(populate))],
                            "settings": {word: dict(table) for word, table in (given or {}).items()}})
     writer = Writer(store, per_shard)
     try:
         before = writer.count
-        work = (Asked(one, seed if one.seed is None else one.seed, given or {})
+        work = (Asked(one, seed if one.seed is None else one.seed, given or {}, populate)
                 for one in islice(source.requests(), before, None))
-        for done in pool.results(home, work, workers or os.cpu_count() or 1, _lost):
+        for done in pool.results(home, work, pool.cores(workers), _lost):
             report(writer.add(done))
     finally:
         writer.close()
@@ -69,7 +69,7 @@ def _begun(store: Store, source: Source, about: dict[str, Any]) -> None:
 def again(row: Row, about: dict[str, Any]) -> Done:
     """One home of a data set, made anew from its row."""
     request = Request(row["prompt"], row.get("request", ""), None, row.get("settings", {}), row["id"])
-    return home(Asked(request, row["seed"], about["settings"]))
+    return home(Asked(request, row["seed"], about["settings"], POPULATE.word in about["stages"]))
 
 
 def selected(store: Store, ids: list[str], split: str | None = None) -> Iterator[Row]:

@@ -1,17 +1,15 @@
 """The card of a data set: what it is, how it was made, what it holds, how it is read."""
 
-from apartgen.dataset import statistics
-from apartgen.dataset.store import Store
+from apartgen.dataset import statistics, table
+from apartgen.dataset.store import MANIFEST, Store
 
 _TEXT = """---
 license: cc0-1.0
 pretty_name: {name}
 size_categories: [{size}]
 configs:
-- config_name: homes
-  data_files: homes/*.jsonl.gz
 - config_name: manifest
-  data_files: manifest.jsonl
+  data_files: {manifest}
 ---
 # {name}
 
@@ -25,9 +23,12 @@ carries them; metres, z up.
     apartgen dataset export {folder} -o scenes/ --format glb --id {id}
     apartgen dataset rebuild {folder} {id} -o home.json
 
-    import datasets
-    homes = datasets.load_dataset("json", data_files="{folder}/homes/*.jsonl.gz")
+    import datasets, json
+    rows = datasets.load_dataset("{folder}", "manifest", split="train")
+    lines = datasets.load_dataset("text", data_files="{folder}homes/*.jsonl.gz", split="train")
+    home = json.loads(lines[0]["text"])
 
+Homes are read as text, for a reader that wants one table for all would find other rooms in every home.
 `manifest.jsonl` has a row for every request, in order: `shard`, `start` and `length` say which bytes of which file hold
 the home (a gzip member of its own), `sha256` is that of its line; `metrics`, `certified`, `signature`, `split`,
 `seconds`, or `error`. Homes that are nearly the same are in one part of the split.
@@ -47,6 +48,7 @@ def card(store: Store) -> str:
     return _TEXT.format(
         name=store.folder.resolve().name, size=_size(found["homes"]), by=about["by"], seed=about["seed"],
         source=f"the grammar {source['grammar']}" if "grammar" in source else f"the prompts of {source.get('prompts')}",
+        manifest=table.NAME if (store.folder / table.NAME).exists() else MANIFEST,
         table=statistics.table(found), folder=store.folder.resolve().name + "/", id=first,
         stages=", ".join(about["stages"]))
 

@@ -14,7 +14,7 @@ from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import check
-from apartgen.steps import STEPS, Step, lane, made
+from apartgen.steps import POPULATE, STEPS, Step, lane, made
 
 log = logging.getLogger("apartgen")
 Settings = Mapping[str, Mapping[str, Any]]
@@ -26,6 +26,8 @@ class Asked(NamedTuple):
     request: Request
     seed: int
     settings: Settings
+    populate: bool = True
+    """Whether small things are put into the home."""
 
 
 class Done(NamedTuple):
@@ -33,6 +35,11 @@ class Done(NamedTuple):
 
     line: bytes
     row: dict[str, Any]
+
+
+def steps_of(populate: bool) -> tuple[Step, ...]:
+    """The stages after the plan."""
+    return tuple(step for step in STEPS if populate or step is not POPULATE)
 
 
 def home(asked: Asked) -> Done:
@@ -80,10 +87,11 @@ def _made(asked: Asked, seconds: dict[str, float]) -> tuple[Artifact[Any], dict[
     began = perf_counter()
     read = _plan(asked, configs["plan"])
     digests, began = {"plan": read.digest}, _lap(seconds, "plan", began)
-    for step in STEPS:
+    steps = steps_of(asked.populate)
+    for step in steps:
         read = _next(step, read, configs[step.word], asked.seed)
         digests[step.word], began = read.digest, _lap(seconds, step.word, began)
-    return read, digests | {f"{step.word} {name}": digest for step in STEPS
+    return read, digests | {f"{step.word} {name}": digest for step in steps
                             for name, digest in _data(step, configs[step.word]).items()}
 
 

@@ -52,6 +52,11 @@ def results(function: Callable[[Work], Result], work: Iterable[Work], workers: i
         pool.shutdown(wait=False, cancel_futures=True)
 
 
+def cores(workers: int | None) -> int:
+    """As many workers as are asked for; all cores by default."""
+    return workers or os.cpu_count() or 1
+
+
 def _submitted(pool: ProcessPoolExecutor, function: Callable[[Work], Result], piece: Work) -> Future[Result] | None:
     """None where the pool is broken, be it by the death of what starts its workers."""
     try:

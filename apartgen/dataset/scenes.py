@@ -13,6 +13,7 @@ from apartgen.schemas.errors import ApartgenError
 from apartgen.schemas.plan import Plan
 
 STORE = "store"
+ENDED = "its process ended without an answer, twice"
 
 
 def export(store: Store, rows: Iterable[Row], out: Path, settings: outputs.ExportSettings,
@@ -21,8 +22,8 @@ def export(store: Store, rows: Iterable[Row], out: Path, settings: outputs.Expor
     named by its digest.
     """
     (out / STORE).mkdir(parents=True, exist_ok=True)
-    yield from pool.results(partial(_exported, store.folder, out, settings), rows, workers or os.cpu_count() or 1,
-                            lambda row: (row, "its process ended without an answer, twice"))
+    yield from pool.results(partial(_exported, store.folder, out, settings), rows, pool.cores(workers),
+                            lambda row: (row, ENDED))
 
 
 def _exported(folder: Path, out: Path, settings: outputs.ExportSettings, row: Row) -> tuple[Row, str]:

@@ -1,7 +1,6 @@
 """Whether a data set is what its manifest says: every byte, every digest, every home by the judge."""
 
 import hashlib
-import os
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -19,7 +18,7 @@ def verify(store: Store, workers: int | None = None, report: Callable[[str], Non
     seen: set[str] = set()
     ends: dict[str, int] = {}
     rows = store.rows()
-    for row, wrong in pool.results(partial(_looked_at, store.folder), rows, workers or os.cpu_count() or 1, _lost):
+    for row, wrong in pool.results(partial(_looked_at, store.folder), rows, pool.cores(workers), _lost):
         if row["id"] in seen:
             yield f"{row['id']}: is there twice"
         seen.add(row["id"])
