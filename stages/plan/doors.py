@@ -15,7 +15,7 @@ from apartgen.schemas.errors import Unmet
 from apartgen.schemas.plan import Opening, Program, Walls
 from apartgen.stages.plan import faces
 from apartgen.stages.plan.blocks import entrance_sides, facing
-from apartgen.stages.plan.check import entrance_room, links
+from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.faces import Face
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 
@@ -30,6 +30,8 @@ WIDEST = 3.2
 """Widest opening between open-plan rooms, m."""
 NEARER = 0.5
 """Cost of a metre between the entrance and the living room."""
+DETOUR = 0.3
+"""Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
 TRIES = 4000
 
 
@@ -73,6 +75,7 @@ def _placed_all(program: Program, floors: Floors, walls: Walls, approach: float)
     types = {room.id: room.base for room in program.rooms}
     open_links = {frozenset(pair) for pair in program.open_links}
     first = entrance_room(program).id
+    far = _doors_from(program, first)
     entrances = _entrances(program, first, floors, walls, approach)
     columns = []
     for a, b in links(program):
@@ -85,6 +88,9 @@ def _placed_all(program: Program, floors: Floors, walls: Walls, approach: float)
             choices = _doors(a, b, found, floors, types, approach)
             if entrances and {types[a], types[b]} == {types[first], "living_room"} and first in (a, b):
                 choices = _nearest(choices, entrances[0])
+            elif entrances:
+                behind = floors[max((a, b), key=lambda room: far.get(room, 0))]
+                choices = _on_the_way(choices, _middle(entrances[0]), behind, program)
             columns.append(Column("door", [a, b], choices, head))
     columns.append(Column("entrance", [first], entrances))
     for column in columns:
@@ -174,6 +180,27 @@ def _nearest(choices: list[Choice], entrance: Choice) -> list[Choice]:
     away = [float(np.abs(_middle(choice) - _middle(entrance)).sum()) for choice in choices]
     dearer = [choice._replace(cost=choice.cost + NEARER * d) for choice, d in zip(choices, away, strict=True)]
     return sorted(dearer, key=lambda c: c.cost)
+
+
+def _on_the_way(choices: list[Choice], entrance: faces.Array, room: Polygon, program: Program) -> list[Choice]:
+    """Doors cost more the farther they lead about on the way to the room behind."""
+    counts = DETOUR * program.weights.get("shortest_path", 1.0)
+    end = np.array(room.envelope.centroid.coords[0])
+    straight = float(np.abs(end - entrance).sum())
+    ways = [float(np.abs(at - entrance).sum() + np.abs(at - end).sum()) for at in map(_middle, choices)]
+    dearer = [c._replace(cost=c.cost + counts * (way - straight)) for c, way in zip(choices, ways, strict=True)]
+    return sorted(dearer, key=lambda c: c.cost)
+
+
+def _doors_from(program: Program, first: str) -> dict[str, int]:
+    """How many doors lie between the room one enters and each room."""
+    near, far, queue = neighbours(program), {first: 0}, [first]
+    for here in queue:
+        for there in near[here]:
+            if there not in far:
+                far[there] = far[here] + 1
+                queue.append(there)
+    return far
 
 
 def _middle(choice: Choice) -> faces.Array:

@@ -81,8 +81,12 @@ def met(asked: Requirement, seen: Seen) -> bool | None:
             return _sides(seen.floors[asked.of], *lengths(str(asked.value)))
         case "order":
             return _ordered(asked.of, other, str(asked.value), seen)
+        case "at_least" | "at_most" if asked.to == "width":
+            return _wide(seen.floors[asked.of], asked)
         case "at_least" | "at_most":
-            return _bounded(seen.floors[asked.of].area, asked)
+            return _bounded(_measured(asked, seen), asked)
+        case "no_door" if other is not None:
+            return all(set(o.rooms) != {asked.of, other} for o in seen.plan.openings)
         case "use":
             return True
     return None
@@ -192,6 +196,23 @@ def _ordered(room: str, other: str | None, value: str, seen: Seen) -> bool | Non
 def _bounded(area: float, asked: Requirement) -> bool:
     limit = float(asked.value or 0)
     return area >= limit * (1 - TOLERANCE) if asked.kind == "at_least" else area <= limit * (1 + TOLERANCE)
+
+
+def _measured(asked: Requirement, seen: Seen) -> float:
+    """The area of a room; its length, or how many doors it has beside the entrance, where `to` says so."""
+    if asked.to == "doors":
+        return sum(asked.of in o.rooms for o in seen.plan.openings if o.kind in ("door", "opening"))
+    x0, y0, x1, y1 = seen.floors[asked.of].bounds
+    return float(max(x1 - x0, y1 - y0)) if asked.to == "length" else float(seen.floors[asked.of].area)
+
+
+def _wide(floor: Polygon, asked: Requirement) -> bool:
+    """Whether a floor is nowhere narrower than a width, or nowhere wider."""
+    half = float(asked.value or 0) / 2
+    if asked.kind == "at_most":
+        return bool(floor.buffer(-half * (1 + TOLERANCE), join_style="mitre").is_empty)
+    half *= 1 - TOLERANCE
+    return bool(floor.buffer(-half, join_style="mitre").buffer(half, join_style="mitre").area > 0.99 * floor.area)
 
 
 def _of_home(asked: Requirement, seen: Seen) -> bool | None:

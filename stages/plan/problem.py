@@ -73,7 +73,8 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
     if room.type != "hallway":
-        odd = ODD[room.type == "living_room"] * (1 - program.regularity)
+        asked = program.weights.get("conciseness", 1.0) * program.weights.get("convexity", 1.0)
+        odd = ODD[room.type == "living_room"] * (1 - program.regularity) / max(asked, 0.5)
         return 1 + int(area >= 9 and rng.random() < odd)
     doors = sum(room.id in pair for pair in links(program))
     many = min(doors / 8, 1.0)
@@ -96,7 +97,7 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
     spec = [
-        _spec(room, wanted[room.id], 2.0 + 2 * many, room.id in joined, whim.fronts.get(room.id, 0.0), slack)
+        _spec(room, wanted[room.id], many, room.id in joined, whim.fronts.get(room.id, 0.0), slack)
         for room, many in zip(rooms, whim.parts, strict=True)
     ]
     return Problem(
@@ -112,7 +113,7 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
     )
 
 
-def _spec(room: AskedRoom, area: float, corners: float, joined: bool, front: float, slack: Slack) -> tuple[float, ...]:
+def _spec(room: AskedRoom, area: float, parts: int, joined: bool, front: float, slack: Slack) -> tuple[float, ...]:
     norm = STANDARDS[room.base]
     passage = room.type in ("hallway", "balcony")
     return (
@@ -122,7 +123,7 @@ def _spec(room: AskedRoom, area: float, corners: float, joined: bool, front: flo
         min(norm.width, 1.5),
         norm.aspect * slack.aspect,
         0.02 if passage else 1.0,
-        corners,
+        3.0 + parts if room.type == "hallway" else 4.0,
         max(front, 0.0 if room.type == "kitchen" and joined else norm.face),
         room.type == "hallway",
         norm.functional,

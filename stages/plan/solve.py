@@ -23,6 +23,7 @@ from apartgen.stages.plan.judge import faults
 from apartgen.stages.plan.met import judged, unmet
 from apartgen.stages.plan.outline import draw, ring
 from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, whim
+from apartgen.stages.plan.rehung import rehung
 from apartgen.stages.plan.relax import ladder
 from apartgen.stages.plan.slicing import EPS, Floats, Ints
 from apartgen.stages.plan.starts import start
@@ -133,6 +134,7 @@ def waves(
 def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     """The best plan found; raises Unmet naming the contradiction where even relaxed requirements admit none."""
     check(program)
+    program = rehung(program)
     envelope = program.envelope
     program, angle = _upright(program)
     closest: list[Run] = []
@@ -145,7 +147,7 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             for runs in waves(indoors(asked), config, step.slack, wanted, rng):
                 valid += [run for run in runs if run.lack < EPS]
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
-                if not valid or len(valid) >= min(config.enough, max(1, CHOICE // len(program.rooms))):
+                if not valid or len(valid) >= enough(program, config):
                     break
             tried += len(valid)
             plan = _first(asked, valid, config, step.given_up, rng)
@@ -156,6 +158,12 @@ def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
             if tried >= TRIED and envelope.outline is not None:
                 break
     raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
+
+
+def enough(program: Program, config: PlanConfig) -> int:
+    """Valid arrangements to choose from: twice as many where the programme says what to choose by."""
+    chosen = any(factor != 1.0 for factor in program.weights.values())
+    return (1 + chosen) * min(config.enough, max(1, CHOICE // len(program.rooms)))
 
 
 def _told(plan: Plan) -> Plan:

@@ -57,6 +57,8 @@ from apartgen.stages.plan.slicing import (
 from apartgen.stages.plan.wished import gap, wished
 
 LACK = 60.0
+ROOMY = 1.5
+"""Width from which no passage is narrow, m."""
 ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
 
@@ -82,6 +84,7 @@ def _measure(p, z, count):  # areas, extents and parts of the rooms, and the cha
         if area >= room[R_MAIN]:
             room[R_MAIN], room[R_WIDTH] = area, min(w, h)
         room[R_LEAST] = min(room[R_LEAST], w, h)
+        z.terms[NARROW] += max(0.0, ROOMY - min(w, h)) * max(w, h)
         j = z.last[r]
         while j >= 0:
             b = pieces[j]
@@ -133,9 +136,8 @@ def _shape(p, z):  # terms and lacks of each room's own form
         hull = 0.5 * (1 + w * h / (room[R_AREA] + 0.01)) - 1  # exact where only corners are missing
         terms[CONVEX] += want[S_FORM] * hull * hull
         if room[R_PIECES] > 1 or want[S_CORNERS] != 4:
-            surplus = max(_corners(z.piece, z.before, z.last[r]), 4) / want[S_CORNERS] - 1
+            surplus = max(0.0, _corners(z.piece, z.before, z.last[r]) / want[S_CORNERS] - 1)
             terms[CONCISE] += surplus * surplus
-        terms[NARROW] += (room[R_LEAST] < 0.5) + (room[R_LEAST] < 1.0)
         terms[WIDE] += want[S_CORRIDOR] * (max(0.0, room[R_WIDTH] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
         lack = 3 * max(0.0, abs(ratio - 1) - want[S_LOOSE]) + 2 * max(0.0, want[S_WIDTH] - room[R_WIDTH])
         lack += 2 * max(0.0, want[S_JOINT] - room[R_LEAST]) + max(0.0, aspect - want[S_ASPECT])
@@ -238,8 +240,9 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
             x, y = z.wall[link, 1], z.wall[link, 2]
             before = walked[o, 0] + abs(x - walked[o, 1]) + abs(y - walked[o, 2])
         walked[r, 0], walked[r, 1], walked[r, 2] = before, x, y
-        straight = abs(x - ex) + abs(y - ey) + 0.5
-        detour = max(0.0, before / straight - 1)
+        mx, my = 0.5 * (z.room[r, R_X0] + z.room[r, R_X1]), 0.5 * (z.room[r, R_Y0] + z.room[r, R_Y1])
+        straight = abs(mx - ex) + abs(my - ey) + 0.5  # to the room's middle
+        detour = max(0.0, (before + abs(mx - x) + abs(my - y)) / straight - 1)
         terms[PATH] += detour * detour
     for r in range(n):  # bedrooms that one comes to before the living room
         if p.spec[r, S_PRIVATE] > 0 and lived >= 0:

@@ -1,20 +1,20 @@
 """The reward terms by name, and what each counts unless a programme says otherwise."""
 
 WEIGHTS: dict[str, float] = {
-    "shortest_path": 2.0,
+    "shortest_path": 20.0,
     "typical_area": 15.0,
     "aspect_ratio": 5.0,
     "convexity": 50.0,
     "conciseness": 8.0,
-    "exterior_length": 0.2,
-    "exterior_corner": 0.02,
-    "collinearity": 0.1,
+    "exterior_length": 40.0,
+    "exterior_corner": 8.0,
+    "collinearity": 1.0,
     "functional_room": 10.0,
-    "narrow_passage": 5.0,
+    "narrow_passage": 0.6,
     "staircase_occupancy": 1.0,
     "staircase_iou": 0.5,
-    "near_rooms": 1.0,
-    "wide_corridor": 4.0,
+    "near_rooms": 1.5,
+    "wide_corridor": 8.0,
     "privacy": 8.0,
 }
 """Reward terms and their weights; a programme multiplies them. The two of staircases are 0 on one storey. `near_rooms`

@@ -1,12 +1,13 @@
 # mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What an arrangement lacks of the places, neighbours and lengths asked for, compiled.
 
-A wish is a row: what kind it is, a room, another one, a direction or two lengths, and what it counts.
+A wish is a row: what kind it is, a room, another one, a direction, two lengths or the most and least of one, and what
+it counts.
 """
 
-from apartgen.stages.plan.slicing import EPS, L_WALL, R_X0, R_X1, R_Y0, R_Y1, inner
+from apartgen.stages.plan.slicing import EPS, L_WALL, R_LEAST, R_WIDTH, R_X0, R_X1, R_Y0, R_Y1, inner
 
-PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS = range(8)
+PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE = range(10)
 REACH, WALL = 1.5, 1.0
 """Distance from the entrance that is near, and wall that neighbours share, m."""
 ASIDE, MIDDLE = 0.15, 0.2
@@ -71,6 +72,12 @@ def _lengths(p, room, a, b):  # metres that a room's extents differ from two len
 
 
 @inner
+def _limited(p, room, long, at_most, at_least):  # metres that a room's length or width is beyond a limit
+    extent = max(room[R_X1] - room[R_X0], room[R_Y1] - room[R_Y0]) - p.limits[L_WALL]
+    return max(0.0, (extent if long else room[R_WIDTH]) - at_most, at_least - (extent if long else room[R_LEAST]))
+
+
+@inner
 def wished(p, z, box):
     """What the state in `z` lacks of the wishes, `box` being the home's."""
     total = 0.0
@@ -95,7 +102,9 @@ def wished(p, z, box):
             lack = max(0.0, WALL - _shared(p, z, r, o)) + gap(room, z.room[o])
         elif kind == APART:
             lack = min(_shared(p, z, r, o), 2.0)
-        else:
+        elif kind == LENGTHS:
             lack = _lengths(p, room, x, y)
+        else:
+            lack = _limited(p, room, kind == LONG, x, y)
         total += wish[5] * lack
     return total

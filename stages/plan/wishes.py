@@ -15,10 +15,16 @@ DIRECTIONS: Mapping[str, tuple[int, int]] = {
 }  # fmt: skip
 """Where on the drawing a place is, north up."""
 COUNTS = {wished.PLACE: 60.0, wished.CENTRE: 120.0, wished.BESIDE: 20.0, wished.NEAR_ENTRANCE: 12.0,
-          wished.FAR_FROM_ENTRANCE: 8.0, wished.ADJACENT: 60.0, wished.APART: 40.0, wished.LENGTHS: 25.0}  # fmt: skip
+          wished.FAR_FROM_ENTRANCE: 8.0, wished.ADJACENT: 60.0, wished.APART: 40.0, wished.LENGTHS: 25.0,
+          wished.LONG: 40.0, wished.WIDE: 60.0}  # fmt: skip
 """What each lack counts: of places in half extents of the home, of others in metres."""
 ENTRANCE = {"front": wished.NEAR_ENTRANCE, "near": wished.NEAR_ENTRANCE, "back": wished.FAR_FROM_ENTRANCE,
             "apart": wished.FAR_FROM_ENTRANCE}  # fmt: skip
+
+
+EXTENTS = {"length": wished.LONG, "width": wished.WIDE}
+UNLIMITED = 1e3
+"""Metres that no room has."""
 
 
 def wishes(program: Program) -> Floats:
@@ -47,6 +53,9 @@ def _row(asked: Requirement, index: dict[str, int]) -> list[tuple[int, int, int,
             return [(wished.ADJACENT if asked.kind == "adjacent" else wished.APART, room, other, 0, 0)]
         case "dimension":
             return [(wished.LENGTHS, room, -1, *lengths(value))]
+        case "at_least" | "at_most" if asked.to in EXTENTS:
+            most, least = (float(value), 0.0) if asked.kind == "at_most" else (UNLIMITED, float(value))
+            return [(EXTENTS[asked.to], room, -1, most, least)]
     return []
 
 

@@ -33,6 +33,11 @@ def row(kind: str, of: str, value: str | None = None, to: str | None = None) -> 
         (wished.APART, 0, 1, 0, 0, 2.0),
         (wished.LENGTHS, 1, -1, 2.9, 3.9, 0.0),
         (wished.LENGTHS, 1, -1, 3.9, 2.4, 0.5),
+        (wished.LONG, 2, -1, 4.0, 0.0, 0.9),  # the bedroom's floor is 4.9 by 2.9
+        (wished.LONG, 2, -1, 1e3, 5.5, 0.6),
+        (wished.WIDE, 1, -1, 1e3, 3.5, 0.6),
+        (wished.WIDE, 1, -1, 2.0, 0.0, 0.9),
+        (wished.WIDE, 1, -1, 3.0, 2.5, 0.0),
     ],
 )
 def test_lacks_of_a_row_of_rooms(kind: int, room: int, other: int, x: float, y: float, lack: float) -> None:
