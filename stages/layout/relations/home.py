@@ -17,7 +17,7 @@ from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import contents, learning, weights
+from apartgen.stages.layout.relations import contents, learning, sampler, weights
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
@@ -42,33 +42,35 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     home = seeds.lane(rng, "home")
     arrays = room_arrays.of_plan(plan, home.random())
     style = int(home.integers(1 << 16))
+    due = [i for i, room in enumerate(plan.rooms) if not config.room or room.id in config.room]
+    there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
+    rooms = [_sampler(plan, i, arrays, config, seeds.lane(rng, plan.rooms[i].id), there[i]) for i in due]
+    made = dict(zip(due, sampler.furnished(rooms), strict=True))
     objects: list[Box] = []
     notes: list[str] = []
     for i, room in enumerate(plan.rooms):
-        there = [o for o in given if o.room == room.id]
-        if config.room and room.id not in config.room:
-            objects += there
+        if i not in made:
+            objects += [o for o in given if o.room == room.id]
             continue
-        made, said = _room(plan, room, i, arrays, config, seeds.lane(rng, room.id), [] if config.room else there, style)
-        objects += made
-        notes += [f"{room.id}: {note}" for note in said]
-        if lacks := wishes.unmet(plan.program, room.id, made):
+        found = [_boxes(room, p, arrays.origin[i], style, there[i]) for p in made[i]]
+        best = choice.best(plan, room.id, found) if len(found) > 1 else 0
+        objects += found[best]
+        notes += [f"{room.id}: {note}" for note in made[i][best].notes]
+        if lacks := wishes.unmet(plan.program, room.id, found[best]):
             notes.append(f"{room.id}: has {'; '.join(lacks)}")
     return Layout(**plan.model_dump(include=set(Plan.model_fields)), objects=objects), notes
 
 
-def _room(plan: Plan, room: Room, i: int, arrays: Rooms, config: LayoutConfig, rng: Generator, given: list[Box],
-          style: int) -> tuple[list[Box], list[str]]:
-    """A room's objects, of K samples those of least energy, and notes."""
+def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, rng: Generator,
+             given: list[Box]) -> tuple[Sampler, list[list[str]]]:
+    """What furnishes a room, and the contents of each of its K samples."""
     model, known, _ = weights.load(Path(config.weights) if config.weights else None)
+    room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     rules = rules_of(known, room, wanted_of(arrays, i, plan, room))
     lanes = rng.spawn(config.candidates + 1)
     names = _contents(task, rules, arrays, i, plan, room, lanes[1:])
-    done = Sampler(task, lanes[0], config.constraints, config.places).run(names)
-    found = [_boxes(room, p, arrays.origin[i], style, given) for p in done]
-    best = choice.best(plan, room.id, found) if len(found) > 1 else 0
-    return found[best], done[best].notes
+    return Sampler(task, lanes[0], config.constraints, config.places), names
 
 
 def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, known: weights.Vocabulary,

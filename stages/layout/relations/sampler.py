@@ -5,7 +5,7 @@ rooms keep to what the model thinks likely. A particle that can go nowhere begin
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, order, runs
-from apartgen.stages.layout.relations.propose import Particle, Speaker
+from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
@@ -65,13 +65,13 @@ class Sampler:
             furniture.add(name, box)
         return Particle(furniture, list(left))
 
-    def run(self, contents: list[list[str]]) -> list[Particle]:
+    def steps(self, contents: list[list[str]]) -> Generator[list[Particle], list[Said], list[Particle]]:
         """Finished rooms, of as many lists of contents; those in which something finds no place are given up, as long
-        as half of them are left."""
+        as half of them are left. On the way come those that go on, and what is said of them is sent back."""
         particles: dict[int, Particle] = {i: self.begin(left) for i, left in enumerate(contents)}
         going = [i for i, p in particles.items() if p.left]
         while going:
-            said = self.room.speaker.propose([particles[i] for i in going], self.rng)
+            said = yield [particles[i] for i in going]
             for i, (name, boxes, weight) in zip(going, said, strict=True):
                 if self.places == "random":
                     boxes = self._anywhere(particles[i].furniture, name, boxes)
@@ -202,6 +202,24 @@ def _without(left: Sequence[str], name: str) -> list[str]:
     some = list(left)
     some.remove(name)
     return some
+
+
+def furnished(rooms: Sequence[tuple[Sampler, list[list[str]]]]) -> list[list[Particle]]:
+    """Finished rooms of each sampler, of as many lists of contents; all are stepped together."""
+    steps = [sampler.steps(contents) for sampler, contents in rooms]
+    done: list[list[Particle]] = [[] for _ in rooms]
+    said: dict[int, list[Said] | None] = dict.fromkeys(range(len(rooms)))
+    while said:
+        asks = dict[int, Ask]()
+        for k, words in said.items():
+            try:
+                going = next(steps[k]) if words is None else steps[k].send(words)
+            except StopIteration as end:
+                done[k] = end.value
+            else:
+                asks[k] = Ask(rooms[k][0].room.speaker, going, rooms[k][0].rng)
+        said = dict(zip(asks, propose(list(asks.values())), strict=True))
+    return done
 
 
 def _merged(boxes: Array, weight: Floats) -> tuple[Array, Floats]:
