@@ -26,18 +26,21 @@ COUNT = Annotated[int | None, typer.Option(
 GRAMMAR = Annotated[str | None, typer.Option(
     "--prompts-from", metavar="GRAMMAR", help="A TOML file of texts to draw prompts from, or `default`.")]
 SEED = Annotated[int, typer.Option("--seed", min=0, max=2**63 - 1, help="Fixes everything drawn.")]
-WORKERS = Annotated[int | None, typer.Option("--workers", min=1, help="Processes; all cores by default.")]
+WORKERS = Annotated[int | None, typer.Option(
+    "--workers", min=1, help="Processes, or jobs at a time; as many as there are cores by default.")]
 SHARD = Annotated[int, typer.Option("--shard", min=1, help="Requests of a file of homes.")]
 IDS = Annotated[list[str] | None, typer.Option("--id", help="A home by its id, any number of times.")]
 SPLIT = Annotated[str | None, typer.Option("--split", help="The homes of this part.")]
 FORMAT = Annotated[list[str], typer.Option("--format", help="What to write, any number of times, as of `export`.")]
 POPULATE = Annotated[bool, typer.Option("--populate/--no-populate", help="Put small things into the homes.")]
+ENGINE = Annotated[str, typer.Option("--engine", help="Who makes the homes: local, ray or submitit.")]
 AS_JSON = Annotated[bool, typer.Option("--json", help="Write JSON.")]
 PARTS = Annotated[str, typer.Option("--parts", metavar="NAME=SHARE,…", help="The parts and their shares.")]
 
 
 def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: GRAMMAR = None, seed: SEED = 0,
-           config: CONFIG = None, workers: WORKERS = None, shard: SHARD = 1000, populate: POPULATE = True) -> int:
+           config: CONFIG = None, workers: WORKERS = None, shard: SHARD = 1000, populate: POPULATE = True,
+           engine: ENGINE = "local") -> int:
     """Make a home for every prompt; a run that ended, however it did, goes on where it was."""
     from apartgen.dataset.build import build
     from apartgen.dataset.source import source
@@ -58,7 +61,7 @@ def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: G
                 fail(f"{row['id']}: {row['error']}")
 
         build(asked, out, seed=seed, given=tables(config), workers=workers, per_shard=shard, populate=populate,
-              report=told)
+              engine=engine, report=told)
     say(f"{done - there - failed} homes made, {failed} failed, {there} were there; {out}/failures.jsonl has failures")
     return 1 if failed else 0
 

@@ -6,10 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from apartgen import settings
-from apartgen.dataset import finish, pool
+from apartgen.dataset import engines, finish
 from apartgen.dataset.home import Asked, Done, Settings, home, row_of, steps_of
+from apartgen.dataset.rows import Row
 from apartgen.dataset.source import Source
-from apartgen.dataset.store import PER_SHARD, Row, Store, Writer
+from apartgen.dataset.store import PER_SHARD, Store, Writer
 from apartgen.requests import Request
 from apartgen.schemas.errors import BadInput
 from apartgen.steps import BY, POPULATE
@@ -18,13 +19,15 @@ Report = Callable[[Row], None]
 
 
 def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None = None, workers: int | None = None,
-          per_shard: int = PER_SHARD, populate: bool = True, report: Report = lambda row: None) -> Store:
-    """The data set of all requests of the source, with small things in the homes or without; `report` gets the row of
-    every home that is made.
+          per_shard: int = PER_SHARD, populate: bool = True, engine: str = engines.LOCAL,
+          report: Report = lambda row: None) -> Store:
+    """The data set of all requests of the source, with small things in the homes or without, made by an engine of
+    `engines.ENGINES`; `report` gets the row of every home that is made.
 
     BadInput where the folder holds another data set.
     """
     settings.by_stage(given or {}, ["svg"])
+    maker = engines.engine(engine)
     store = Store(folder)
     _begun(store, source, {"apartgen_dataset": 1, "by": BY, "seed": seed, "per_shard": per_shard,
                            "stages": ["plan", *(step.word for step in steps_of(populate))],
@@ -34,7 +37,7 @@ def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None
         before = writer.count
         work = (Asked(one, seed if one.seed is None else one.seed, given or {}, populate)
                 for one in islice(source.requests(), before, None))
-        for done in pool.results(home, work, pool.cores(workers), _lost):
+        for done in maker.results(home, work, workers, _lost, store.folder):
             report(writer.add(done))
     finally:
         writer.close()

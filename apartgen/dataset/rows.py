@@ -67,7 +67,7 @@ class _About(BaseModel):
     parts: dict[str, float] = Field(default_factory=dict)
 
 
-_KNOWN = {True: TypeAdapter(_Made), False: TypeAdapter(_Failed)}
+_KNOWN: dict[bool, TypeAdapter[Any]] = {True: TypeAdapter(_Made), False: TypeAdapter(_Failed)}
 
 
 def about(value: dict[str, Any], where: str) -> dict[str, Any]:

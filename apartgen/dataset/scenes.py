@@ -7,7 +7,8 @@ from pathlib import Path
 
 from apartgen import outputs
 from apartgen.dataset import pool
-from apartgen.dataset.store import Row, Store
+from apartgen.dataset.rows import Row
+from apartgen.dataset.store import Store
 from apartgen.schemas import artifact
 from apartgen.schemas.errors import ApartgenError
 from apartgen.schemas.plan import Plan

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 import numpy as np
 from scipy.spatial import cKDTree
 
-from apartgen.dataset.store import Row
+from apartgen.dataset.rows import Row
 from apartgen.schemas.errors import BadInput
 from apartgen.stages import seeds
 

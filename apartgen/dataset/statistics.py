@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from apartgen.dataset import splits
-from apartgen.dataset.store import HOMES, Row, Store
+from apartgen.dataset.rows import Row
+from apartgen.dataset.store import HOMES, Store
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)
 

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import Any
 
-from apartgen.dataset.store import Row, Store
+from apartgen.dataset.rows import Row
+from apartgen.dataset.store import Store
 from apartgen.schemas import files
 
 NAME = "manifest.parquet"

@@ -14,8 +14,9 @@ from typing import IO, NamedTuple
 
 from apartgen import outputs
 from apartgen.dataset import pool
+from apartgen.dataset.rows import Row
 from apartgen.dataset.scenes import ENDED
-from apartgen.dataset.store import Row, Store
+from apartgen.dataset.store import Store
 from apartgen.schemas import artifact, files
 from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.plan import Plan

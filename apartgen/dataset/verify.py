@@ -6,7 +6,8 @@ from functools import partial
 from pathlib import Path
 
 from apartgen.dataset import pool
-from apartgen.dataset.store import HOMES, Row, Store
+from apartgen.dataset.rows import Row
+from apartgen.dataset.store import HOMES, Store
 from apartgen.schemas import artifact
 from apartgen.schemas.errors import ApartgenError
 from apartgen.schemas.plan import Plan
