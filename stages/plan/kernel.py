@@ -1,11 +1,12 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """Simulated annealing over slicing trees, compiled."""
 
 from pathlib import Path
+from typing import Any, Protocol, cast
 from zlib import crc32
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from apartgen.stages.plan.slicing import (
     COMPILED,
@@ -18,10 +19,16 @@ from apartgen.stages.plan.slicing import (
     RIGHT,
     S_TARGET,
     UPRIGHT,
+    Floats,
+    Problem,
+    Scratch,
+    Tree,
     inner,
 )
 from apartgen.stages.plan.terms import evaluate
 
+Seed = NDArray[np.uint64]
+KEPT: dict[str, Any] = {"cache": True, "no_cfunc_wrapper": True}
 LOOK = 0.35
 """Share of the steps after which a run is given up"""
 HOPELESS = 0.15
@@ -29,7 +36,7 @@ HOPELESS = 0.15
 
 
 @inner
-def _random(state):
+def _random(state: Seed) -> float:
     x = state[0]
     x ^= x << np.uint64(13)
     x ^= x >> np.uint64(7)
@@ -39,7 +46,8 @@ def _random(state):
 
 
 @inner
-def _replace(t, old, new):  # hang `new` where `old` hung
+def _replace(t: Tree, old: int, new: int) -> None:
+    # hang `new` where `old` hung
     last = t.nodes.shape[0] - 1
     if t.nodes[last, 0] == old:
         t.nodes[last, 0] = new
@@ -52,7 +60,8 @@ def _replace(t, old, new):  # hang `new` where `old` hung
 
 
 @inner
-def _regraft(t, leaf, onto, upright, before):  # move a leaf beside another node
+def _regraft(t: Tree, leaf: int, onto: int, upright: int, before: bool) -> None:
+    # move a leaf beside another node
     up = leaf  # an int64 at once: of a literal, `_replace` would be compiled anew
     for node in range(t.share.shape[0] - 1, t.nodes.shape[0] - 1):
         if t.nodes[node, LEFT] == leaf or t.nodes[node, RIGHT] == leaf:
@@ -66,7 +75,7 @@ def _regraft(t, leaf, onto, upright, before):  # move a leaf beside another node
 
 
 @inner
-def _propose(p, t, area, rng):
+def _propose(p: Problem, t: Tree, area: Floats, rng: Seed) -> None:
     leaves = t.share.shape[0] - 1
     move, u = _random(rng), _random(rng)
     i, j = int(_random(rng) * leaves), int(_random(rng) * leaves)
@@ -91,7 +100,7 @@ def _propose(p, t, area, rng):
 
 
 @inner
-def _copy(a, b):
+def _copy(a: Tree, b: Tree) -> None:
     for i in range(a.nodes.shape[0]):
         for j in range(3):
             b.nodes[i, j] = a.nodes[i, j]
@@ -105,10 +114,23 @@ def _stamp() -> int:
     return crc32(b"".join((Path(__file__).parent / name).read_bytes() for name in sources))
 
 
-def _compiled(stamp: int):
+class Anneal(Protocol):
+    """Anneal the tree `t` in place for the problem `p`.
+
+    Leaves in `best` the cheapest state that lacks nothing, else the cheapest, its measures in `z`; returns its cost.
+    A run that still lacks much at `LOOK` ends there.
+    `new` is room for a state, `rng` a (1,) seed, not 0; the temperature falls geometrically from `hot` to `cold`.
+    """
+
+    def __call__(self, p: Problem, t: Tree, new: Tree, best: Tree, z: Scratch, rng: Seed, steps: int, hot: float,
+                 cold: float) -> float:
+        """The cost."""
+
+
+def _compiled(stamp: int) -> Anneal:
     # numba's cache of a function sees changes in its own file only; a captured value is part of the key, too.
-    @njit(cache=True, no_cfunc_wrapper=True, **COMPILED)  # type: ignore[call-overload]
-    def anneal(p, t, new, best, z, rng, steps, hot, cold):
+    def anneal(p: Problem, t: Tree, new: Tree, best: Tree, z: Scratch, rng: Seed, steps: int, hot: float,
+               cold: float) -> float:
         cost = low = lack = np.inf
         valid, temperature, cooling, last = stamp < 0, hot, (cold / hot) ** (1 / steps), steps
         for step in range(steps + 2):  # the first looks at the start
@@ -136,13 +158,7 @@ def _compiled(stamp: int):
                 _copy(t, best)
         return low
 
-    return anneal
+    return cast(Anneal, njit(**COMPILED, **KEPT)(anneal))
 
 
 anneal = _compiled(_stamp())
-"""anneal(p, t, new, best, z, rng, steps, hot, cold): anneal the tree `t` in place for the problem `p`.
-
-Leaves in `best` the cheapest state that lacks nothing, else the cheapest, its measures in `z`, and returns its cost.
-A run that still lacks much at `LOOK` ends there.
-`new` is room for a state, `rng` a (1,) uint64 seed, not 0; the temperature falls geometrically from `hot` to `cold`.
-"""

@@ -1,4 +1,3 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """Slicing trees, compiled: what a state is, and the rectangles it cuts an outline into.
 
 A slicing tree cuts the outline by straight walls; each leaf is a rectangle of it and belongs to a room, so rooms
@@ -6,12 +5,14 @@ tile the outline without gaps or overlaps. Lengths are metres between wall centr
 inner wall inside of that.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+F = TypeVar("F", bound=Callable[..., Any])
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -21,9 +22,17 @@ COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False
 # Not cached one by one (`kernel.anneal` is, with all it calls), and not callable from Python: those wrappers cost as
 # much to compile as the functions.
 WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-inner = njit(**COMPILED, **WITHIN)
-# For what is called in one place and is all but made of calls: compiled with its caller, not before it once more.
-once = njit(**COMPILED, **WITHIN, inline="always")
+
+
+def inner(function: F) -> F:
+    """Compiled into those that call it."""
+    return cast(F, njit(**COMPILED, **WITHIN)(function))
+
+
+def once(function: F) -> F:
+    """What is called in one place and is all but made of calls: compiled with its caller, not before it once more."""
+    return cast(F, njit(**COMPILED, **WITHIN, inline="always")(function))
+
 
 EPS = 1e-6
 TERMS = (
@@ -86,7 +95,8 @@ class Scratch(NamedTuple):
 
 
 @inner
-def _covered(blocks, s, x0, y0, x1, y1):  # area of the outline within a box
+def _covered(blocks: Floats, s: float, x0: float, y0: float, x1: float, y1: float) -> float:
+    # area of the outline within a box
     area = 0.0
     for k in range(blocks.shape[0]):
         w = min(x1, blocks[k, 2] * s) - max(x0, blocks[k, 0] * s)
@@ -97,7 +107,8 @@ def _covered(blocks, s, x0, y0, x1, y1):  # area of the outline within a box
 
 
 @inner
-def _before(blocks, s, box, upright, c):  # area of the outline within a box up to a cut, and the cut's length in it
+def _before(blocks: Floats, s: float, box: Floats, upright: int, c: float) -> tuple[float, float]:
+    # area of the outline within a box up to a cut, and the cut's length in it
     area, across = 0.0, 0.0
     for k in range(blocks.shape[0]):
         x0, x1 = max(box[0], blocks[k, 0] * s), min(box[2], blocks[k, 2] * s)
@@ -110,10 +121,11 @@ def _before(blocks, s, box, upright, c):  # area of the outline within a box up 
 
 
 @inner
-def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covered area before it
+def _cut(p: Problem, s: float, box: Floats, upright: int, share: float) -> float:
+    # where a cut leaves `share` of the covered area before it
     a, b = (box[0], box[2]) if upright else (box[1], box[3])
     if p.blocks.shape[0] == 1:
-        return a + share * (b - a)
+        return float(a + share * (b - a))
     whole = _covered(p.blocks, s, box[0], box[1], box[2], box[3])
     goal, lo, hi, c = share * whole, a, b, a + share * (b - a)
     for _ in range(18 if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS else 0):  # Newton, within bounds
@@ -132,12 +144,13 @@ def _cut(p, s, box, upright, share):  # where a cut leaves `share` of the covere
         if (p.edges[e, 0] == 0) == (upright == 1):
             line = p.edges[e, 1] * s if upright else p.edges[e, 1] / s
             if abs(line - c) < 0.45 and line - a > 0.9 and b - line > 0.9:
-                return line
-    return c
+                return float(line)
+    return float(c)
 
 
 @inner
-def _part(blocks, s, box, room, piece, owner, count):  # the pieces of the outline within a leaf's box
+def _part(blocks: Floats, s: float, box: Floats, room: int, z: Scratch, count: int) -> int:
+    # the pieces of the outline within a leaf's box
     one = blocks.shape[0] == 1
     one = one or _covered(blocks, s, box[0], box[1], box[2], box[3]) > (box[2] - box[0]) * (box[3] - box[1]) - EPS
     for k in range(1 if one else blocks.shape[0]):
@@ -146,14 +159,15 @@ def _part(blocks, s, box, room, piece, owner, count):  # the pieces of the outli
             x0, x1 = max(x0, blocks[k, 0] * s), min(x1, blocks[k, 2] * s)
             y0, y1 = max(y0, blocks[k, 1] / s), min(y1, blocks[k, 3] / s)
         if x1 - x0 > EPS and y1 - y0 > EPS:
-            piece[count, 0], piece[count, 1], piece[count, 2], piece[count, 3] = x0, y0, x1, y1
-            owner[count] = room
+            z.piece[count, 0], z.piece[count, 1], z.piece[count, 2], z.piece[count, 3] = x0, y0, x1, y1
+            z.owner[count] = room
             count += 1
     return count
 
 
 @inner
-def lay(p, t, z):  # boxes of all nodes, pieces of all rooms; returns the number of pieces
+def lay(p: Problem, t: Tree, z: Scratch) -> int:
+    # boxes of all nodes, pieces of all rooms; returns the number of pieces
     leaves = t.share.shape[0] - 1
     s, nodes, box, seq = t.share[leaves], t.nodes, z.box, z.seq
     top = nodes[2 * leaves - 1, 0]
@@ -176,7 +190,7 @@ def lay(p, t, z):  # boxes of all nodes, pieces of all rooms; returns the number
     for i in range(2 * leaves - 1):
         node = seq[i]
         if node < leaves:
-            count = _part(p.blocks, s, box[node], nodes[node, 0], z.piece, z.owner, count)
+            count = _part(p.blocks, s, box[node], nodes[node, 0], z, count)
             continue
         left, right, upright = nodes[node, LEFT], nodes[node, RIGHT], nodes[node, UPRIGHT]
         c = _cut(p, s, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))

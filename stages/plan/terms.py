@@ -1,4 +1,3 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """Reward terms and requirements of a state, compiled.
 
 A cost is the weighted sum of the reward terms plus `LACK` times what the requirements lack, in metres.
@@ -50,6 +49,11 @@ from apartgen.stages.plan.slicing import (
     S_TARGET,
     S_WIDTH,
     WIDE,
+    Floats,
+    Ints,
+    Problem,
+    Scratch,
+    Tree,
     inner,
     lay,
     once,
@@ -64,7 +68,8 @@ ALONE, RISER = 5.0, 1.0
 
 
 @inner
-def _measure(p, z, count):  # areas, extents and parts of the rooms, and the chain of each room's pieces
+def _measure(p: Problem, z: Scratch, count: int) -> None:
+    # areas, extents and parts of the rooms, and the chain of each room's pieces
     thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
     for r in range(rooms.shape[0]):
         room = rooms[r]
@@ -101,7 +106,8 @@ def _measure(p, z, count):  # areas, extents and parts of the rooms, and the cha
 
 
 @inner
-def _corners(pieces, before, last):  # corners of a room of several pieces, which chain from `last` on
+def _corners(pieces: Floats, before: Ints, last: int) -> int:
+    # corners of a room of several pieces, which chain from `last` on
     found, i = 0, last
     while i >= 0:
         for corner in range(4):
@@ -121,7 +127,8 @@ def _corners(pieces, before, last):  # corners of a room of several pieces, whic
 
 
 @inner
-def _shape(p, z):  # terms and lacks of each room's own form
+def _shape(p: Problem, z: Scratch) -> None:
+    # terms and lacks of each room's own form
     thick, total, wanted, terms = p.limits[L_WALL], 0.0, 0.0, z.terms
     for r in range(p.spec.shape[0]):
         total += z.room[r, R_AREA]
@@ -147,7 +154,8 @@ def _shape(p, z):  # terms and lacks of each room's own form
 
 
 @inner
-def _walls(p, z):  # longest straight wall between linked rooms, its middle or else that between the rooms
+def _walls(p: Problem, z: Scratch) -> None:
+    # longest straight wall between linked rooms, its middle or else that between the rooms
     for k in range(p.links.shape[0]):
         r, o = p.links[k, 0], p.links[k, 1]
         room, other, wall = z.room[r], z.room[o], z.wall[k]
@@ -170,7 +178,8 @@ def _walls(p, z):  # longest straight wall between linked rooms, its middle or e
 
 
 @inner
-def _enter(wide, entry, axis, at, lo, hi):  # a wall for the entrance, if it is long enough and near the living room
+def _enter(wide: float, entry: Floats, axis: int, at: float, lo: float, hi: float) -> None:
+    # a wall for the entrance, if it is long enough and near the living room
     along, half = entry[6 - axis], 0.5 * min(wide, hi - lo)
     middle = min(max(along, lo + half), hi - half)
     away = abs(at - entry[5 + axis]) + abs(middle - along)
@@ -180,7 +189,8 @@ def _enter(wide, entry, axis, at, lo, hi):  # a wall for the entrance, if it is 
 
 
 @inner
-def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall for the entrance
+def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:
+    # outside walls of the rooms, and the best wall for the entrance
     entry, hall = z.entry, p.order[0, 0]
     entry[0] = 0.5 * (z.room[hall, R_X0] + z.room[hall, R_X1])
     entry[1] = 0.5 * (z.room[hall, R_Y0] + z.room[hall, R_Y1])
@@ -214,7 +224,8 @@ def _outside(p, s, z, count):  # outside walls of the rooms, and the best wall f
 
 
 @inner
-def _relations(p, z):  # ways, shares of outside walls, rooms that should be near
+def _relations(p: Problem, z: Scratch) -> None:
+    # ways, shares of outside walls, rooms that should be near
     n, terms, walked = p.spec.shape[0], z.terms, z.walked
     total, functional, outer, held = 0.0, 0.0, 0.0, 0.0
     for r in range(n):
@@ -250,7 +261,8 @@ def _relations(p, z):  # ways, shares of outside walls, rooms that should be nea
 
 
 @inner
-def _lines(p, root, z, count):  # wall lines, and corners of the box `root` about the flat
+def _lines(p: Problem, root: Floats, z: Scratch, count: int) -> None:
+    # wall lines, and corners of the box `root` about the flat
     held, lines, n = 0.0, 0, p.spec.shape[0]
     for i in range(count):
         q, new_x, new_y = z.piece[i], 1, 1
@@ -266,15 +278,15 @@ def _lines(p, root, z, count):  # wall lines, and corners of the box `root` abou
 
 
 @inner
-def _weighed(weights, terms):
-    cost = LACK * terms[LACKING]
+def _weighed(weights: Floats, terms: Floats) -> float:
+    cost = float(LACK * terms[LACKING])
     for i in range(weights.shape[0]):
         cost += weights[i] * terms[i]
     return cost
 
 
 @once
-def evaluate(p, t, z, bar):
+def evaluate(p: Problem, t: Tree, z: Scratch, bar: float) -> float:
     """Cost of a tree, its measures in `z`; gives up early, with a partial cost above `bar`, once that is certain."""
     count = z.seq[z.seq.shape[0] - 1] = lay(p, t, z)
     z.terms[:] = 0.0

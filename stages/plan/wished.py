@@ -1,11 +1,23 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What an arrangement lacks of the places, neighbours and lengths asked for, compiled.
 
 A wish is a row: what kind it is, a room, another one, a direction, two lengths or the most and least of one, and what
 it counts.
 """
 
-from apartgen.stages.plan.slicing import EPS, L_WALL, R_LEAST, R_WIDTH, R_X0, R_X1, R_Y0, R_Y1, inner
+from apartgen.stages.plan.slicing import (
+    EPS,
+    L_WALL,
+    R_LEAST,
+    R_WIDTH,
+    R_X0,
+    R_X1,
+    R_Y0,
+    R_Y1,
+    Floats,
+    Problem,
+    Scratch,
+    inner,
+)
 
 PLACE, CENTRE, BESIDE, NEAR_ENTRANCE, FAR_FROM_ENTRANCE, ADJACENT, APART, LENGTHS, LONG, WIDE = range(10)
 REACH, WALL = 1.5, 1.0
@@ -15,7 +27,8 @@ ASIDE, MIDDLE = 0.15, 0.2
 
 
 @inner
-def gap(a, b):  # distance between two rooms' bounding boxes, Manhattan
+def gap(a: Floats, b: Floats) -> float:
+    # distance between two rooms' bounding boxes, Manhattan
     total = 0.0
     for low, high in ((R_X0, R_X1), (R_Y0, R_Y1)):
         total += max(0.0, max(a[low], b[low]) - min(a[high], b[high]))
@@ -23,7 +36,8 @@ def gap(a, b):  # distance between two rooms' bounding boxes, Manhattan
 
 
 @inner
-def _shared(p, z, r, o):  # longest straight wall between two rooms
+def _shared(p: Problem, z: Scratch, r: int, o: int) -> float:
+    # longest straight wall between two rooms
     longest, i = 0.0, z.last[r]
     while i >= 0:
         a, j = z.piece[i], z.last[o]
@@ -38,47 +52,53 @@ def _shared(p, z, r, o):  # longest straight wall between two rooms
 
 
 @inner
-def _placed(room, box, axis, along):  # how far a room is from a side of the home, in half extents of it
+def _placed(room: Floats, box: Floats, axis: int, along: float) -> float:
+    # how far a room is from a side of the home, in half extents of it
     half, middle = 0.5 * (box[axis + 2] - box[axis]), 0.5 * (box[axis + 2] + box[axis])
     lo, hi = room[R_X0 + axis], room[R_X0 + axis + 2]
     off = along * (0.5 * (lo + hi) - middle) / half
     gap = (box[axis + 2] - hi if along > 0 else lo - box[axis]) / half
-    return max(gap, 0.0) + max(0.0, ASIDE - off)
+    return float(max(gap, 0.0) + max(0.0, ASIDE - off))
 
 
 @inner
-def _off_centre(room, box, axis):
+def _off_centre(room: Floats, box: Floats, axis: int) -> float:
     half, middle = 0.5 * (box[axis + 2] - box[axis]), 0.5 * (box[axis + 2] + box[axis])
-    return max(0.0, abs(0.5 * (room[R_X0 + axis] + room[R_X0 + axis + 2]) - middle) / half - MIDDLE)
+    return float(max(0.0, abs(0.5 * (room[R_X0 + axis] + room[R_X0 + axis + 2]) - middle) / half - MIDDLE))
 
 
 @inner
-def _beside(a, b, axis, along):  # metres that room `a` lacks of lying in a direction of room `b`
+def _beside(a: Floats, b: Floats, axis: int, along: float) -> float:
+    # metres that room `a` lacks of lying in a direction of room `b`
     away = along * 0.5 * (a[R_X0 + axis] + a[R_X0 + axis + 2] - b[R_X0 + axis] - b[R_X0 + axis + 2])
     half = 0.25 * (a[R_X0 + axis + 2] - a[R_X0 + axis] + b[R_X0 + axis + 2] - b[R_X0 + axis])
-    return max(0.0, half - away)
+    return float(max(0.0, half - away))
 
 
 @inner
-def _from_entrance(room, entry):  # Manhattan
+def _from_entrance(room: Floats, entry: Floats) -> float:
+    # Manhattan
     x = max(0.0, room[R_X0] - entry[0], entry[0] - room[R_X1])
-    return x + max(0.0, room[R_Y0] - entry[1], entry[1] - room[R_Y1])
+    return float(x + max(0.0, room[R_Y0] - entry[1], entry[1] - room[R_Y1]))
 
 
 @inner
-def _lengths(p, room, a, b):  # metres that a room's extents differ from two lengths, either way round
+def _lengths(p: Problem, room: Floats, a: float, b: float) -> float:
+    # metres that a room's extents differ from two lengths, either way round
     w, h = room[R_X1] - room[R_X0] - p.limits[L_WALL], room[R_Y1] - room[R_Y0] - p.limits[L_WALL]
-    return min(abs(w - a) + abs(h - b), abs(w - b) + abs(h - a))
+    return float(min(abs(w - a) + abs(h - b), abs(w - b) + abs(h - a)))
 
 
 @inner
-def _limited(p, room, long, at_most, at_least):  # metres that a room's length or width is beyond a limit
+def _limited(p: Problem, room: Floats, long: bool, at_most: float, at_least: float) -> float:
+    # metres that a room's length or width is beyond a limit
     extent = max(room[R_X1] - room[R_X0], room[R_Y1] - room[R_Y0]) - p.limits[L_WALL]
-    return max(0.0, (extent if long else room[R_WIDTH]) - at_most, at_least - (extent if long else room[R_LEAST]))
+    wide, least = (extent, extent) if long else (room[R_WIDTH], room[R_LEAST])
+    return float(max(0.0, wide - at_most, at_least - least))
 
 
 @inner
-def wished(p, z, box):
+def wished(p: Problem, z: Scratch, box: Floats) -> float:
     """What the state in `z` lacks of the wishes, `box` being the home's."""
     total = 0.0
     for k in range(p.wishes.shape[0]):

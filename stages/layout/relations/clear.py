@@ -1,20 +1,33 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """How deep an object would stand in others, walls and ways at every offset it may have, and draws, compiled.
 
 Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
 """
 
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
+F = TypeVar("F", bound=Callable[..., Any])
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int64]
 SORTS = 4
 """Objects, walls, ways through doors, light of windows; 0 is what is in nobody's way."""
 DEEPEST = 0.3
 """Standing deeper in something is no worse, m."""
 
 
-@njit("float32[:,:,:](float32[:,:,:],int64[:,:],int64[:],float32[:,:],float32[:,:],int64,float64,float64)", cache=True)
-def depths(seen, sort, axis, place, half, bins, step, slack):
+def compiled(signature: str) -> Callable[[F], F]:
+    """Compiled when first imported, and kept in numba's cache."""
+    return cast(Callable[[F], F], njit(signature, cache=True))
+
+
+@compiled("float32[:,:,:](float32[:,:,:],int64[:,:],int64[:],float32[:,:],float32[:,:],int64,float64,float64)")
+def depths(
+    seen: Floats, sort: Ints, axis: Ints, place: Floats, half: Floats, bins: int, step: float, slack: float
+) -> Floats:
     """Depths (R, bins, SORTS) in units of `DEEPEST`, of the deepest of each sort.
 
     seen (R, T, 9) solids in the frames of the references, sort (R, T), axis (R,) along which the offset runs (0 front,
@@ -44,8 +57,8 @@ def depths(seen, sort, axis, place, half, bins, step, slack):
     return found
 
 
-@njit("int64[:,:](float32[:,:],float64[:,:],float64,float64)", cache=True)
-def picked(logits, chance, sharp, least):
+@compiled("int64[:,:](float32[:,:],float64[:,:],float64,float64)")
+def picked(logits: Floats, chance: NDArray[np.float64], sharp: float, least: float) -> Ints:
     """An index of each row of logits (R, N) for every number in [0, 1) of `chance` (R, times); what is below a share
     `least` of the likeliest is never picked."""
     rows, n = logits.shape

@@ -1,26 +1,36 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What is asked thousands of times while a room is furnished, compiled.
 
 Boxes are rows [x, y, z, depth, width, height, cos yaw, sin yaw] about their centres. Nothing here is imported from the
 project: the cache of compiled code sees changes of this file alone.
 """
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
+F = TypeVar("F", bound=Callable[..., Any])
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Numbers = NDArray[np.int32]
 WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-inner = njit(**WITHIN)
 
 
-def compiled(signature: str) -> Any:
+def inner(function: F) -> F:
+    """Compiled into those that call it."""
+    return cast(F, njit(**WITHIN)(function))
+
+
+def compiled(signature: str) -> Callable[[F], F]:
     """Compiled when first imported, and kept in numba's cache."""
-    return njit(signature, cache=True, error_model="numpy")
+    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 @inner
-def _meets(a, b, touch):  # deeper in one another than `touch`: separating axes of both, and height
+def _meets(a: Floats, b: Floats, touch: float) -> bool:
+    # deeper in one another than `touch`: separating axes of both, and height
     if (a[5] + b[5]) / 2 - abs(a[2] - b[2]) <= touch:
         return False
     x, y = b[0] - a[0], b[1] - a[1]
@@ -32,11 +42,11 @@ def _meets(a, b, touch):  # deeper in one another than `touch`: separating axes 
         return False
     if bx + ax * cosine + ay * sine - abs(x * b[6] + y * b[7]) <= touch:
         return False
-    return by + ax * sine + ay * cosine - abs(y * b[6] - x * b[7]) > touch
+    return bool(by + ax * sine + ay * cosine - abs(y * b[6] - x * b[7]) > touch)
 
 
 @compiled("boolean[:](float64[:,:,::1],float64[:,::1],boolean[:,::1],float64)")
-def clash(some, others, forbidden, touch):
+def clash(some: Floats, others: Floats, forbidden: Flags, touch: float) -> Flags:
     """Which arrangements (m,) of boxes (m, p, 8) meet one of the others (q, 8) where `forbidden` (p, q) says so."""
     m, p, _ = some.shape
     out = np.zeros(m, np.bool_)
@@ -52,7 +62,7 @@ def clash(some, others, forbidden, touch):
 
 
 @inner
-def _within(x, y, start):  # even-odd
+def _within(x: float, y: float, start: Floats) -> bool:  # even-odd
     inside, n = False, len(start)
     for k in range(n):
         x0, y0, x1, y1 = start[k, 0], start[k, 1], start[(k + 1) % n, 0], start[(k + 1) % n, 1]
@@ -62,18 +72,19 @@ def _within(x, y, start):  # even-odd
 
 
 @inner
-def _crossed(a, x0, y0, x1, y1, slack):  # whether a segment passes through the footprint shrunk by `slack`
+def _crossed(a: Floats, x0: float, y0: float, x1: float, y1: float, slack: float) -> bool:
+    # whether a segment passes through the footprint shrunk by `slack`
     hx, hy = max(a[3] / 2 - slack, 1e-4), max(a[4] / 2 - slack, 1e-4)
     ux, uy = (x0 - a[0]) * a[6] + (y0 - a[1]) * a[7], (y0 - a[1]) * a[6] - (x0 - a[0]) * a[7]
     vx, vy = (x1 - a[0]) * a[6] + (y1 - a[1]) * a[7], (y1 - a[1]) * a[6] - (x1 - a[0]) * a[7]
     if max(ux, vx) < -hx or min(ux, vx) > hx or max(uy, vy) < -hy or min(uy, vy) > hy:
         return False
     dx, dy = vx - ux, vy - uy
-    return abs(dx * uy - dy * ux) <= hx * abs(dy) + hy * abs(dx)
+    return bool(abs(dx * uy - dy * ux) <= hx * abs(dy) + hy * abs(dx))
 
 
 @compiled("boolean[:](float64[:,:,::1],boolean[::1],float64[:,::1],float64)")
-def leaves(some, asked, start, slack):
+def leaves(some: Floats, asked: Flags, start: Floats, slack: float) -> Flags:
     """Which arrangements (m,) of boxes (m, p, 8) reach beyond the room's corners (e, 2) by more than `slack`."""
     m, p, _ = some.shape
     n, out = len(start), np.zeros(m, np.bool_)
@@ -95,7 +106,7 @@ def leaves(some, asked, start, slack):
 
 
 @compiled("float64[:](float64[:,::1],float64[:,::1],float64[:,::1])")
-def ahead(points, heading, start):
+def ahead(points: Floats, heading: Floats, start: Floats) -> Floats:
     """How far from each point (m, 2) along its heading (m, 2) the first side of the room lies."""
     m, n = len(points), len(start)
     out = np.full(m, np.inf)
@@ -116,7 +127,7 @@ def ahead(points, heading, start):
 
 
 @compiled("float64[:,::1](float64[:,:,::1],float64[:,::1])")
-def walls_away(grid, start):
+def walls_away(grid: Floats, start: Floats) -> Floats:
     """Distance of grid points (r, c, 2) to the nearest side of the room, negative outside."""
     r, c, _ = grid.shape
     n, out = len(start), np.empty((r, c))
@@ -134,7 +145,7 @@ def walls_away(grid, start):
 
 
 @compiled("float64[:,::1](float64[:,:,::1],float64[:,::1],float64)")
-def away(grid, some, most):
+def away(grid: Floats, some: Floats, most: float) -> Floats:
     """Distance of grid points (r, c, 2) to the nearest of the footprints (q, 8), `most` where it is more."""
     r, c, _ = grid.shape
     out = np.full((r, c), most)
@@ -155,7 +166,7 @@ def away(grid, some, most):
 
 
 @compiled("int32[:,::1](boolean[:,::1])")
-def parts(free):
+def parts(free: Flags) -> Numbers:
     """Numbers from 1 of the parts that hang together by edges; 0 where not free."""
     r, c = free.shape
     out, stack, count = np.zeros((r, c), np.int32), np.empty(r * c, np.int64), 0
@@ -177,7 +188,7 @@ def parts(free):
 
 
 @compiled("boolean[:](float64[:,:,::1],int32[:,::1],int64,float64[:,::1],float64[:,::1])")
-def got_to(grid, part, main, some, use):
+def got_to(grid: Floats, part: Numbers, main: int, some: Floats, use: Floats) -> Flags:
     """Which boxes (q, 8) are got to from the part `main`.
 
     `use` (q, 4): how far open parts stand out in front (negative: it is used from any side), from how far in front of
