@@ -5,7 +5,7 @@
 """
 
 import logging
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from apartgen.schemas.errors import ApartgenError, BadInput
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 log = logging.getLogger("apartgen")
 BUILDING = ("door", "window")
 """Parts of the building itself; any size goes."""
+KEPT = 1000
+"""Assets that are at hand, those of some homes: a stage asks for what the one before has made."""
 
 
 @cache
@@ -80,8 +82,9 @@ def _check(category: str, style: str, mm: tuple[int, ...]) -> None:
             raise BadInput(f"{category}: {side} {value / 1000} m is outside [{least}, {most}]; give a size within it")
 
 
+@lru_cache(KEPT)
 def load_asset(id: str) -> Asset:
-    """The asset an id names."""
+    """The asset an id names; every stage of a run is given the same."""
     try:
         category, style, size, seed = id.split("/")
         d, w, h = (int(s) / 1000 for s in size.split("x"))
