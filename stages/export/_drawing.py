@@ -82,7 +82,7 @@ def _fill(
         return None
     path = Path.make_compound_path(*(Path(ring, closed=True) for ring in rings))
     patch = PathPatch(path, facecolor=color, edgecolor=ink, linewidth=width, zorder=order, gid=name or None)
-    axes.add_patch(patch)
+    axes.add_artist(patch)
     return patch
 
 

@@ -59,15 +59,14 @@ def obj(mesh: Mesh) -> str:
     """OBJ text with normals, and uv where there are."""
     vertices, normals, uv, faces = shaded(mesh)
     lines = [_rows("v", vertices), _rows("vn", normals)]
-    index = faces + 1
-    if uv is None:
-        lines += ["".join(f"f {a}//{a} {b}//{b} {c}//{c}\n" for a, b, c in index.tolist())]
-    else:
-        lines += [_rows("vt", uv), "".join(f"f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n" for a, b, c in index.tolist())]
-    return "".join(lines)
+    corner, times = ("%d//%d", 2) if uv is None else ("%d/%d/%d", 3)
+    if uv is not None:
+        lines.append(_rows("vt", uv))
+    index = np.repeat(faces.ravel() + 1, times)
+    return "".join(lines) + f"f {corner} {corner} {corner}\n" * len(faces) % tuple(index.tolist())
 
 
 def _rows(tag: str, values: Array) -> str:
     values = np.where(np.abs(values) < 5e-7, 0.0, values)
     pattern = f"{tag} " + " ".join(["%.6g"] * values.shape[1]) + "\n"
-    return "".join(pattern % tuple(row) for row in values.tolist())
+    return pattern * len(values) % tuple(values.ravel().tolist())

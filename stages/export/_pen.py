@@ -39,7 +39,7 @@ class Pen:
         patch.set_transform(turn + self.axes.transData)
         patch.set_zorder(self.order)
         patch.set_gid(self.name)
-        self.axes.add_patch(patch)
+        self.axes.add_artist(patch)  # of no matter to limits, which are given
 
     def _style(self, fill: str | None, ink: str, width: float, dashed: bool) -> dict[str, Any]:
         face = {"facecolor": fill} if fill else {"fill": False}
