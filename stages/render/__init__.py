@@ -11,7 +11,7 @@ from apartgen.schemas.export import File
 from apartgen.schemas.plan import Plan
 from apartgen.schemas.render import Render, Seeing
 from apartgen.stages import seeds
-from apartgen.stages.render import frames, points, route, stands
+from apartgen.stages.render import film, frames, points, route, stands
 from apartgen.stages.render.coco import Coco
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.render.labels import classes, instances
@@ -42,7 +42,8 @@ class Shot(NamedTuple):
 
 def run(home: Plan, config: RenderConfig, rng: np.random.Generator, out: Path, load_asset: LoadAsset) -> Render:
     """Write all pictures into the folder `out`, which appears, or is replaced, whole or not at all."""
-    looked_at = world(Scene(home, load_asset))
+    scene = Scene(home, load_asset)
+    looked_at = world(scene)
     things, labels = instances(looked_at), classes(looked_at.bodies)
     coco, views, files = Coco(labels, things), [], []
     with replaced(out) as folder:
@@ -58,6 +59,9 @@ def run(home: Plan, config: RenderConfig, rng: np.random.Generator, out: Path, l
             cloud = points.cloud(looked_at, config.points, config.eye, seeds.lane(rng, "points"))
             (folder / "points.ply").write_bytes(cloud)
             files.append(_file(folder / "points.ply", "ply"))
+        if config.video:
+            films = film.filmed(scene, looked_at, config, TILT, folder)
+            files += [_file(path, path.suffix[1:]) for path in films]
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "render"))
     return Render(views=views, instances=things, labels=labels, files=files)
 

@@ -20,3 +20,6 @@ class RenderConfig(Record):
     eye: Positive = Field(1.5, description="height of eyes above the floor, m")
     robot: Positive = Field(1.2, description="height of the robot's camera above the floor, m")
     points: int = Field(200_000, ge=0, le=20_000_000, description="points of the point cloud, 0 for none")
+    video: bool = Field(False, description="film the robot's way, doors opening before it, as walk.mp4")
+    rate: int = Field(10, ge=1, le=60, description="frames a second of the film")
+    speed: Positive = Field(1.0, le=5, description="how fast the robot goes in it, m/s")

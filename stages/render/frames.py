@@ -31,10 +31,10 @@ def view(name: str, kind: Seeing, room: str, eye: Eye, pictures: Pictures) -> Vi
     inner = eye.intrinsics if isinstance(eye, Camera) else None
     seen = visible(pictures["instance"].astype(np.uint16))
     return View(name=name, kind=kind, room=room, width=eye.columns, height=eye.rows, intrinsics=inner,
-                pose=_pose(eye), visible=seen)
+                pose=pose(eye), visible=seen)
 
 
-def _pose(eye: Eye) -> tuple[Row4, Row4, Row4, Row4]:
+def pose(eye: Eye) -> tuple[Row4, Row4, Row4, Row4]:
     """Camera to world, the camera's x to the right, y down, z ahead."""
     if isinstance(eye, Camera):
         turn = (eye.frame.astype(float) * np.array([[1.0], [-1.0], [-1.0]])).T

@@ -14,12 +14,10 @@ AHEAD = 0.8
 
 def along(world: HomeWorld, frames: int, height: float) -> list[Stand]:
     """So many stands evenly along the way; none where the robot gets nowhere."""
-    space, cells = free_floor(world)
-    way = through_rooms(space, grid.from_seeds(cells, space.entry & cells))
+    way = _through(world)
     if len(way) < 2:
         return []
-    steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
-    length = np.concatenate([[0.0], np.cumsum(steps)])
+    length = _lengths(way)
     at = np.linspace(0, length[-1], frames)
     place, ahead = _at(way, length, at), _at(way, length, np.minimum(at + AHEAD, length[-1]))
     back = _at(way, length, np.maximum(at - AHEAD, 0))
@@ -30,3 +28,19 @@ def along(world: HomeWorld, frames: int, height: float) -> list[Stand]:
 
 def _at(way: Array, length: Array, at: Array) -> Array:
     return np.stack([np.interp(at, length, way[:, k]) for k in (0, 1)], -1)
+
+
+def length(world: HomeWorld) -> float:
+    """How long the way is, m."""
+    way = _through(world)
+    return float(_lengths(way)[-1]) if len(way) else 0.0
+
+
+def _through(world: HomeWorld) -> Array:
+    space, cells = free_floor(world)
+    return through_rooms(space, grid.from_seeds(cells, space.entry & cells))
+
+
+def _lengths(way: Array) -> Array:
+    """How far along the way each of its points is."""
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))])

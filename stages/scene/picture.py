@@ -47,20 +47,35 @@ class Lit(NamedTuple):
     mean: Array
 
 
-def taken(world: World, eye: Eye) -> NDArray[np.uint8]:
+def taken(world: World, eye: Eye, exposure: float | None = None) -> NDArray[np.uint8]:
     """The image (rows, columns, 3) of one camera."""
+    return picture(world, eye, *_all(world, eye), exposure)
+
+
+def metered(world: World, eye: Eye) -> float:
+    """The exposure that suits one camera."""
+    whole, surface = _all(world, eye)
+    lit = _lit(world, eye, surface)
+    pixels = np.arange(eye.rows * eye.columns)
+    return _exposure(_shaded(world, eye, lit, pixels, whole.direction, surface, False), surface.triangle >= 0)
+
+
+def _all(world: World, eye: Eye) -> tuple[First, Seen]:
+    """What rays through the middles of all pixels meet, and what is opaque behind."""
     whole = first(world, eye, np.arange(eye.rows * eye.columns), MIDDLE)
-    return picture(world, eye, whole, seen(world, eye.eye, whole.direction, whole.hits, angle(eye)))
+    return whole, seen(world, eye.eye, whole.direction, whole.hits, angle(eye))
 
 
-def picture(world: World, eye: Eye, whole: First, surface: Seen) -> NDArray[np.uint8]:
+def picture(
+    world: World, eye: Eye, whole: First, surface: Seen, exposure: float | None = None
+) -> NDArray[np.uint8]:
     """The image (rows, columns, 3); `whole` is what rays through the middles of all pixels meet, `surface` what is
-    opaque behind.
+    opaque behind. Its exposure is found where none is given.
     """
     pixels = np.arange(eye.rows * eye.columns)
     lit = _lit(world, eye, surface)
     shaded = _shaded(world, eye, lit, pixels, whole.direction, surface, True)
-    exposure = _exposure(shaded, surface.triangle >= 0)
+    exposure = _exposure(shaded, surface.triangle >= 0) if exposure is None else exposure
     image = _developed(shaded, surface, whole.direction, exposure)
     edge = _edges(world, eye, whole, surface)
     within = (0.5 + np.arange(1, EDGE_RAYS + 1)[:, None] * GOLDEN) % 1

@@ -1,5 +1,6 @@
 """A home ready to be looked at: its triangles, what casts shadows, and where its light comes from."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -103,6 +104,13 @@ def world(scene: Scene) -> HomeWorld:
     outdoors = np.array([room.base == "balcony" for room in plan.rooms])
     traced = _traced(bodies, soup(bodies))
     return HomeWorld(bodies, *traced, rooms, cells, _lamps(scene), panes, _sun(panes), outdoors, plan)
+
+
+def ajar_world(home: HomeWorld, scene: Scene, shares: Mapping[str, float]) -> HomeWorld:
+    """The home of a scene, only these doors open, by these shares."""
+    bodies = ajar(scene.bodies, shares)
+    every, blockers, alpha, glow, flat, faces = _traced(bodies, soup(bodies))
+    return replace(home, bodies=bodies, every=every, blockers=blockers, alpha=alpha, glow=glow, flat=flat, faces=faces)
 
 
 def roofless(home: HomeWorld) -> HomeWorld:

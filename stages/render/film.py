@@ -1,0 +1,144 @@
+"""A film of the robot's way through every room, doors opening before it, and where its camera was at each frame."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.render import route
+from apartgen.stages.render.config import RenderConfig
+from apartgen.stages.render.frames import pose
+from apartgen.stages.render.stands import Stand
+from apartgen.stages.scene.camera import Camera
+from apartgen.stages.scene.picture import metered, taken
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.scene.soup import Array
+from apartgen.stages.scene.world import HomeWorld, ajar_world
+
+TURN = np.radians(100.0)
+"""How fast the camera turns at most, rad/s."""
+NEAR, PASSED = 2.0, 1.1
+"""A door begins to open when the robot is so near, and stands open when it is so near, m along its way."""
+STEPS = 8
+"""Places of a door between shut and open."""
+STEADY = 1.0
+"""Seconds over which exposure is evened."""
+METER = 48
+"""Columns of the pictures by which exposure is found."""
+ENCODING = {"crf": "20", "preset": "medium", "x264-params": "threads=1:lookahead-threads=1"}
+FILE, WAY = "walk.mp4", "walk.json"
+
+Shares = tuple[tuple[str, float], ...]
+
+
+class Moment(NamedTuple):
+    """A frame to be taken: where the camera is, and how far doors stand open that do not stand shut."""
+
+    stand: Stand
+    doors: Shares
+
+
+def filmed(scene: Scene, home: HomeWorld, config: RenderConfig, tilt: float, folder: Path) -> list[Path]:
+    """The film and the list of its frames; none where the robot gets nowhere. BadInput without an encoder."""
+    encoder()
+    some = moments(home, config)
+    if not some:
+        return []
+    field, size = np.radians(config.field), (config.width // 2 * 2, config.height // 2 * 2)
+    cameras = [Camera.looking(m.stand.place, m.stand.yaw, tilt, field, *size) for m in some]
+    written(folder / FILE, pictures(scene, home, some, cameras, config.rate), config.rate, size)
+    rooms = [room.id for room in home.plan.rooms]
+    rows = [{"seconds": round(k / config.rate, 3), "room": rooms[m.stand.room] if m.stand.room >= 0 else "",
+             "pose": pose(camera), "doors": dict(m.doors)} for k, (m, camera) in enumerate(zip(some, cameras))]
+    told = {"file": FILE, "rate": config.rate, "width": size[0], "height": size[1],
+            "intrinsics": cameras[0].intrinsics, "frames": rows}
+    (folder / WAY).write_text(json.dumps(told, separators=(",", ":")) + "\n", encoding="utf-8")
+    return [folder / FILE, folder / WAY]
+
+
+def moments(home: HomeWorld, config: RenderConfig) -> list[Moment]:
+    """Frames along the way at an even speed; the camera turns no faster than `TURN`, a door opens once and stays so."""
+    way = route.along(home, 2, config.robot)
+    frames = round(route.length(home) / config.speed * config.rate) if way else 0
+    stands = route.along(home, max(frames, 2), config.robot) if way else []
+    yaws = _slowed(np.array([stand.yaw for stand in stands]), TURN / config.rate)
+    places = np.array([stand.place[:2] for stand in stands]).reshape(-1, 2)
+    shares = {name: _opening(places, at) for name, at in doors(home).items()}
+    return [Moment(stand._replace(yaw=float(yaw)),
+                   tuple((name, float(share[k])) for name, share in shares.items() if share[k] > 0))
+            for k, (stand, yaw) in enumerate(zip(stands, yaws))]
+
+
+def doors(home: HomeWorld) -> dict[str, Array]:
+    """The middle of each door inside the home, by its body's name."""
+    segments = {o.id: np.mean(np.asarray(o.segment, float), axis=0) for o in home.plan.openings}
+    return {body.name: segments[body.id] for body in home.bodies
+            if body.kind == "door" and body.category == "door" and body.id in segments}
+
+
+def _opening(places: Array, door: Array) -> Array:
+    """How far a door is open at each place of the way, in steps: as near as one ever was, and was going to pass."""
+    far = np.minimum.accumulate(np.linalg.norm(places - door, axis=1)) if len(places) else np.zeros(0)
+    share = ((NEAR - far) / (NEAR - PASSED)).clip(0, 1)
+    return np.round(share * STEPS) / STEPS
+
+
+def _slowed(yaws: Array, most: float) -> Array:
+    """Headings that follow others by no more than so much a frame, rad."""
+    found = yaws.copy()
+    for k in range(1, len(yaws)):
+        by = (yaws[k] - found[k - 1] + np.pi) % (2 * np.pi) - np.pi
+        found[k] = found[k - 1] + np.clip(by, -most, most)
+    return found
+
+
+def pictures(scene: Scene, home: HomeWorld, some: list[Moment], cameras: list[Camera], rate: int,
+             ) -> Iterator[NDArray[np.uint8]]:
+    """The frames, their exposure evened over a second."""
+    meters = [metered(world, _small(camera)) for world, camera in zip(worlds(scene, home, some), cameras)]
+    reach = max(1, round(STEADY * rate / 2))
+    padded = np.pad(np.log(meters), reach, mode="edge")
+    even = np.exp(np.convolve(padded, np.ones(2 * reach + 1) / (2 * reach + 1), "valid"))
+    for world, camera, exposure in zip(worlds(scene, home, some), cameras, even):
+        yield taken(world, camera, float(exposure))
+
+
+def worlds(scene: Scene, home: HomeWorld, some: list[Moment]) -> Iterator[HomeWorld]:
+    """The home at each moment; it is built anew where a door has moved."""
+    known, world = None, home
+    for moment in some:
+        if moment.doors != known:
+            known, world = moment.doors, ajar_world(home, scene, dict(moment.doors))
+        yield world
+
+
+def _small(camera: Camera) -> Camera:
+    return Camera(camera.eye, camera.frame, camera.half, camera.middle,
+                  max(1, round(METER * camera.rows / camera.columns)), METER)
+
+
+def encoder() -> object:
+    """The library that writes films; BadInput without it."""
+    try:
+        import av
+    except ImportError:
+        raise BadInput("--video: films are written by PyAV; pip install 'apartgen[video]'") from None
+    return av
+
+
+def written(file: Path, images: Iterator[NDArray[np.uint8]], rate: int, size: tuple[int, int]) -> None:
+    """An MP4 (H.264) of pictures (rows, columns, 3)."""
+    import av
+
+    with av.open(str(file), "w", options={"movflags": "+faststart", "fflags": "+bitexact"}) as container:
+        stream = container.add_stream("libx264", rate=rate, options=ENCODING)
+        stream.width, stream.height, stream.pix_fmt = size[0], size[1], "yuv420p"
+        stream.codec_context.thread_count = 1
+        for image in images:
+            frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(image), format="rgb24")
+            container.mux(stream.encode(frame.reformat(format="yuv420p")))
+        container.mux(stream.encode())
