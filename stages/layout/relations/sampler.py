@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, order, runs
+from apartgen.stages.layout.relations import ahead, hung, order, runs
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -133,8 +133,9 @@ class Sampler:
         return second
 
     def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:
-        """Candidates with those that continue a run, which count little beside what the model says."""
+        """Candidates with those that continue a run or hang over something, which count little beside the model's."""
         more = runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell)
+        more = np.concatenate([more, hung.over(name, boxes, there.names, there.boxes)])
         if self.places != "model" or not len(more):
             return boxes, weight
         return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), RUN * weight.sum() / len(more)))

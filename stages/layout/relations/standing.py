@@ -10,7 +10,7 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import fixtures, order, runs
+from apartgen.stages.layout.relations import fixtures, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes, penetration
@@ -105,8 +105,9 @@ class Furniture:
         others = kernels.Others(self.upright, self.grown, soft, tucked > 0, tucked)
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
+        total += np.where(hung.spoils(name, found, self.names, self.upright), 2 * BROKEN, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
-        return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose)
+        return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
     def _sideways(self, found: Boxes, tucked: Floats) -> Floats:
         """A seat is drawn under a table forwards only."""
@@ -122,7 +123,7 @@ class Furniture:
             total += np.where(away & (penetration(found, host)[:, 0] > SLACK), 2 * BROKEN, 0.0)
         return total
 
-    def in_run(self, name: str, boxes: Array, loose: bool = False) -> Floats:
+    def in_run(self, name: str, boxes: Array, loose: bool = False, strict: bool = False) -> Floats:
         """Units of a run stand side by side at walls, or round a corner; a hood hangs above what cooks."""
         if name == "hood":
             heat = [box for o, box in zip(self.names, self.boxes, strict=True) if TABLE[o].is_for("cook")]
@@ -135,7 +136,8 @@ class Furniture:
             away |= ~runs.in_corner(upright(boxes), self.space.behind)
         alone = ~runs.touching(name, boxes, self.names, self.boxes)
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
-        return total + (np.where(self._lit(boxes), APART, 0.0) if TABLE[name].is_for("cook") else 0.0)
+        dark = 2 * BROKEN if strict else APART
+        return total + (np.where(self._lit(boxes), dark, 0.0) if TABLE[name].is_for("cook") else 0.0)
 
     def _lit(self, boxes: Array) -> NDArray[np.bool_]:
         """Above which candidates a hood would hang before a window."""

@@ -1,0 +1,67 @@
+"""What hangs over something: a hood over what cooks, wall units over low units, mirrors over what they belong to.
+
+Such places are known exactly, so that they are among the candidates, with little weight where the model says them.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.relations import order
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use.kinds import CLOSED
+
+LOW = 1.2
+"""Units with a worktop are no higher, m."""
+ABOVE = 0.1
+"""What hangs keeps at least so far above what it hangs over, m."""
+HEAD, CONTACT = 2.0, 0.008
+"""Up to here a hood or a mirror hangs, and contact that is none, m."""
+SIZES = 2
+"""Sizes that are tried, the likeliest of what the model says."""
+
+
+def carries(name: str, other: str, top: float) -> bool:
+    """Whether the one hangs over the other, whose top is so high."""
+    kind = TABLE[name]
+    if kind.run != "hung":
+        return kind.place == "wall" and other in kind.belongs
+    if not kind.articulated:
+        return TABLE[other].is_for("cook")
+    return other in order.runs() - CLOSED and top < LOW and not TABLE[other].is_for("cook")
+
+
+def over(name: str, boxes: Array, names: list[str], there: Array) -> Array:
+    """Places (m, 7) for what hangs above what it hangs over, backs in line, in sizes of the candidates (n, 7)."""
+    hosts = [box for o, box in zip(names, there, strict=True) if carries(name, o, float(box[6]))]
+    if not hosts or not len(boxes):
+        return boxes[:0]
+    sizes, counts = np.unique(np.round(boxes[:, 3:], 3), axis=0, return_counts=True)
+    alike = [box[3:] for o, box in zip(names, there, strict=True) if o == name]
+    some = [*alike[:1], *sizes[np.argsort(-counts, kind="stable")[:SIZES]]]
+    return np.array([_above(name, host, size) for size in some for host in hosts], np.float32).reshape(-1, 7)
+
+
+def _above(name: str, host: Array, size: Array) -> Array:
+    kind, (depth, width, low, high) = TABLE[name], size
+    width = host[4] if kind.family else min(width, host[4])
+    width = float(np.clip(width, kind.min[1], kind.max[1]))
+    lift = max(0.0, float(host[6]) + ABOVE - low)
+    back = (depth - host[3]) / 2
+    xy = host[:2] + back * np.array([np.cos(host[2]), np.sin(host[2])])
+    return np.array([*xy, host[2], depth, width, low + lift, high + lift])
+
+
+def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
+    """Which candidates (n,) would hang where the hood is to be over what cooks, or the mirror over a basin."""
+    taken, kind = np.zeros(found.n, bool), TABLE[name]
+    if kind.place != "wall" or kind.soft or kind.run == "hung" and not kind.articulated:
+        return taken
+    for k, o in enumerate(names):
+        top = float(there.center[k, 2] + there.size[k, 2] / 2)
+        if o not in kind.belongs and (TABLE[o].is_for("wash") or TABLE[o].is_for("cook") and top < LOW):
+            over = there.take(np.array([k]))
+            over.center[:, 2], over.size[:, 2] = (top + HEAD) / 2, HEAD - top
+            taken |= penetration(found, over)[:, 0] > CONTACT
+    return taken

@@ -1,0 +1,41 @@
+"""Hoods hang over what cooks and mirrors over basins: such places are among the candidates, and are kept for them."""
+
+import numpy as np
+import pytest
+
+from apartgen.stages.layout.relations import hung
+from apartgen.stages.layout.relations.standing import upright
+
+
+def row(x: float, y: float, yaw: float, *rest: float) -> np.ndarray:
+    return np.array([x, y, yaw, *rest], np.float32)
+
+
+@pytest.mark.parametrize("yaw", [0.0, np.pi / 2, 2.0])
+def test_a_mirror_may_hang_over_the_basin_and_no_towel_rail(yaw: float) -> None:
+    ahead, left = np.array([np.cos(yaw), np.sin(yaw)]), np.array([-np.sin(yaw), np.cos(yaw)])
+    basin = row(1.0, 2.0, yaw, 0.5, 0.8, 0.0, 0.85)
+    toilet = row(*(np.array([1.0, 2.0]) + 1.2 * left), yaw, 0.65, 0.38, 0, 0.8)
+    names, there = ["vanity", "toilet"], np.stack([basin, toilet])
+    (place,) = hung.over("mirror", row(9, 9, 0, 0.04, 1.0, 0.7, 1.5)[None], names, there)
+    back = np.array([1.0, 2.0]) - 0.25 * ahead
+    assert place[:2] == pytest.approx(back + 0.02 * ahead, abs=1e-5)
+    assert place[2:] == pytest.approx([yaw, 0.04, 0.8, 0.95, 1.75], abs=1e-5)
+    rail = np.stack([row(*(back + 0.05 * ahead + s * left), yaw, 0.1, 0.5, 0.9, 1.2) for s in (0.0, 0.6, 0.7, 1.2)])
+    assert hung.spoils("towel_rail", upright(rail), names, upright(there)).tolist() == [True, True, False, False]
+    assert not hung.spoils("mirror", upright(place[None]), names, upright(there)).any()
+
+
+def test_the_hood_hangs_over_what_cooks_and_wall_units_over_low_units_beside_it() -> None:
+    names = ["kitchen_base", "hob", "fridge"]
+    there = np.stack([row(0.3, y, 0.0, 0.6, 0.6, 0.0, top) for y, top in ((0.0, 0.9), (0.6, 0.9), (1.2, 1.85))])
+    hood = hung.over("hood", row(0, 0, 0, 0.4, 0.6, 1.5, 2.1)[None], names, there)
+    unit = hung.over("wall_unit", row(0, 0, 0, 0.35, 0.9, 1.45, 2.1)[None], names, there)
+    assert hood[:, :2].tolist() == [pytest.approx([0.2, 0.6])] and unit[:, :2].tolist() == [pytest.approx([0.175, 0.0])]
+    assert unit[0, 4] == pytest.approx(0.6)  # as wide as what is below
+    moved = unit.copy()
+    moved[0, 1] = 0.6
+    assert not hung.spoils("wall_unit", upright(unit), names, upright(there)).any()
+    assert hung.spoils("wall_unit", upright(moved), names, upright(there)).all()
+    assert not hung.spoils("hood", upright(hood), names, upright(there)).any()
+    assert not len(hung.over("plant", unit, names, there))
