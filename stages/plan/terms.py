@@ -68,14 +68,12 @@ ALONE, RISER = 5.0, 1.0
 
 
 @inner
-def _measure(p: Problem, z: Scratch, count: int) -> None:
-    # areas, extents and parts of the rooms, and the chain of each room's pieces
+def _measure(p: Problem, z: Scratch, count: int) -> None:  # each room's area, extents, parts, chain of pieces
     thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
     for r in range(rooms.shape[0]):
         room = rooms[r]
         room[:14] = 0.0
-        room[R_X0] = room[R_Y0] = room[R_LEAST] = 1e9
-        room[R_X1] = room[R_Y1] = -1e9
+        room[R_X0], room[R_Y0], room[R_LEAST], room[R_X1], room[R_Y1] = 1e9, 1e9, 1e9, -1e9, -1e9
         z.last[r] = -1
     for i in range(count):
         a, r = pieces[i], z.owner[i]
@@ -106,8 +104,7 @@ def _measure(p: Problem, z: Scratch, count: int) -> None:
 
 
 @inner
-def _corners(pieces: Floats, before: Ints, last: int) -> int:
-    # corners of a room of several pieces, which chain from `last` on
+def _corners(pieces: Floats, before: Ints, last: int) -> int:  # of a room whose pieces chain from `last` on
     found, i = 0, last
     while i >= 0:
         for corner in range(4):
@@ -127,8 +124,7 @@ def _corners(pieces: Floats, before: Ints, last: int) -> int:
 
 
 @inner
-def _shape(p: Problem, z: Scratch) -> None:
-    # terms and lacks of each room's own form
+def _shape(p: Problem, z: Scratch) -> None:  # terms and lacks of each room's own form
     thick, total, wanted, terms = p.limits[L_WALL], 0.0, 0.0, z.terms
     for r in range(p.spec.shape[0]):
         total += z.room[r, R_AREA]
@@ -154,8 +150,7 @@ def _shape(p: Problem, z: Scratch) -> None:
 
 
 @inner
-def _walls(p: Problem, z: Scratch) -> None:
-    # longest straight wall between linked rooms, its middle or else that between the rooms
+def _walls(p: Problem, z: Scratch) -> None:  # longest between linked rooms, its middle or theirs
     for k in range(p.links.shape[0]):
         r, o = p.links[k, 0], p.links[k, 1]
         room, other, wall = z.room[r], z.room[o], z.wall[k]
@@ -178,8 +173,7 @@ def _walls(p: Problem, z: Scratch) -> None:
 
 
 @inner
-def _enter(wide: float, entry: Floats, axis: int, at: float, lo: float, hi: float) -> None:
-    # a wall for the entrance, if it is long enough and near the living room
+def _enter(wide: float, entry: Floats, axis: int, at: float, lo: float, hi: float) -> None:  # if long and near enough
     along, half = entry[6 - axis], 0.5 * min(wide, hi - lo)
     middle = min(max(along, lo + half), hi - half)
     away = abs(at - entry[5 + axis]) + abs(middle - along)
@@ -189,8 +183,7 @@ def _enter(wide: float, entry: Floats, axis: int, at: float, lo: float, hi: floa
 
 
 @inner
-def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:
-    # outside walls of the rooms, and the best wall for the entrance
+def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:  # of the rooms, and the best wall for the entrance
     entry, hall = z.entry, p.order[0, 0]
     entry[0] = 0.5 * (z.room[hall, R_X0] + z.room[hall, R_X1])
     entry[1] = 0.5 * (z.room[hall, R_Y0] + z.room[hall, R_Y1])
@@ -224,8 +217,7 @@ def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:
 
 
 @inner
-def _relations(p: Problem, z: Scratch) -> None:
-    # ways, shares of outside walls, rooms that should be near
+def _relations(p: Problem, z: Scratch) -> None:  # ways, shares of outside walls, what should be near
     n, terms, walked = p.spec.shape[0], z.terms, z.walked
     total, functional, outer, held = 0.0, 0.0, 0.0, 0.0
     for r in range(n):
@@ -261,8 +253,7 @@ def _relations(p: Problem, z: Scratch) -> None:
 
 
 @inner
-def _lines(p: Problem, root: Floats, z: Scratch, count: int) -> None:
-    # wall lines, and corners of the box `root` about the flat
+def _lines(p: Problem, root: Floats, z: Scratch, count: int) -> None:  # lines of walls; corners of the flat's box
     held, lines, n = 0.0, 0, p.spec.shape[0]
     for i in range(count):
         q, new_x, new_y = z.piece[i], 1, 1
