@@ -44,8 +44,8 @@ def links(program: Program) -> list[tuple[str, str]]:
 def entrance_room(program: Program) -> AskedRoom:
     """The room one enters from outside: a hallway where there is one, else the living room, else the best linked."""
     near = neighbours(program)
-    rank = {"hallway": 0, "living_room": 1, "dining_room": 2, "kitchen": 3}
-    return min(program.rooms, key=lambda r: (rank.get(r.type, 4), -len(near[r.id]), r.id))
+    rank = {"hallway": 0, "living_room": 1, "dining_room": 2, "kitchen": 3, "study": 4, "bedroom": 5}
+    return min(program.rooms, key=lambda r: (rank.get(r.type, 6), -len(near[r.id]), r.id))
 
 
 def check(program: Program) -> None:

@@ -28,6 +28,9 @@ CUT_OFF = 0.15
 ODD = (0.6, 2.0)
 """Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
+ARM = 0.75
+"""Width that each part of a room has at least in an outline that is drawn for it, as a share of its least width."""
+
 Pair = tuple[int, int, int]
 """Two rooms that should be near one another, and how much that counts."""
 
@@ -96,8 +99,9 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
+    arm = ARM if program.envelope.outline is None else 0.0
     spec = [
-        _spec(room, wanted[room.id], many, room.id in joined, whim.fronts.get(room.id, 0.0), slack)
+        _spec(room, wanted[room.id], many, room.id in joined, whim.fronts.get(room.id, 0.0), slack, arm)
         for room, many in zip(rooms, whim.parts, strict=True)
     ]
     return Problem(
@@ -113,14 +117,16 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
     )
 
 
-def _spec(room: AskedRoom, area: float, parts: int, joined: bool, front: float, slack: Slack) -> tuple[float, ...]:
+def _spec(
+    room: AskedRoom, area: float, parts: int, joined: bool, front: float, slack: Slack, arm: float
+) -> tuple[float, ...]:
     norm = STANDARDS[room.base]
     passage = room.type in ("hallway", "balcony")
     return (
         area,
         2.5 * slack.area if room.type == "hallway" else slack.area,
         min(norm.width, 0.95 * np.sqrt(area)),
-        min(norm.width, 1.5),
+        min(norm.width, max(1.5, arm * norm.width)),
         norm.aspect * slack.aspect,
         0.02 if passage else 1.0,
         3.0 + parts if room.type == "hallway" else 4.0,

@@ -93,7 +93,7 @@ def _off(plan: Plan, floors: Floors) -> float:
 
 
 def _area(floors: Iterable[Polygon]) -> float:
-    return sum(floor.area for floor in floors)
+    return float(sum(floor.area for floor in floors))
 
 
 def _extents(floor: Polygon) -> Floats:
