@@ -73,8 +73,8 @@ def _coordination(items: list[Item]) -> list[RoomPhrase]:
         j = k - 1
         while j > 0 and (items[j].kind == "conjunction" or is_mark(items[j], ",")):
             other = items[j - 1].room
-            if other is None or other.type == "":
-                break
+            if other is None or other.type == "" or (j > 1 and items[j - 2].kind == "with"):
+                break  # "the master with an en suite, a kitchen and a lounge, all …"
             out.insert(0, other)
             j -= 2
         return out if len(out) > 1 else []
@@ -176,6 +176,8 @@ def unfolded(items: list[Item]) -> list[Item]:
             out.append(Item("front", "from", way) if way == "from" else Item("link", "to", way))
         elif item.kind == "front" and [i.kind for i in items[max(k - 2, 0) : k]] == ["relative", "reach"]:
             out[-2:] = [Item("link", "door", "reached from")]  # "a utility room that you reach from the kitchen"
+        elif item.kind == "with" and item.value == "in" and k and items[k - 1].value == "from_which":
+            continue  # "von dem aus man in die Küche kommt"
         elif item.value == "to" and k + 1 < len(items) and items[k + 1].value == "has":
             continue  # "the master to have an en suite"
         elif is_mark(item, ",") and _one_each(items, k):
@@ -195,9 +197,10 @@ def unfolded(items: list[Item]) -> list[Item]:
 
 
 def shared_verb(items: list[Item]) -> list[Item]:
-    """`one has an en suite, the other a balcony`: the second `has`, which is not said."""
+    """`one has an en suite, the other a balcony`: the second verb, which is not said."""
     out: list[Item] = []
     has: Item | None = None
+    verb: Item | None = None
     for k, item in enumerate(items):
         if item.kind == "give":
             has = Item("with", "has", item.text)
@@ -211,5 +214,8 @@ def shared_verb(items: list[Item]) -> list[Item]:
         new = phrase is not None and (phrase.quantifier in (Det.A, Det.OWN, Det.ANOTHER) or bool(phrase.count))
         if has is not None and gap and known and new and k and items[k - 1].room is last:
             out.append(Item("with", "has", has.text))
+        elif verb and gap and last and last.type == "hallway" and phrase and items[k - 1].room is last:
+            out.append(verb)  # "the hall serves the lounge, the inner one the bedrooms"
+        verb = item if item.kind == "link" and item.form in ("s", "p") else verb
         out.append(item)
     return out

@@ -72,6 +72,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
 def _inside(before: list[Item], item: Item, after: list[Item]) -> bool:
     """`a kitchenette in the living room`, `through a vestibule into the lounge`."""
     inner, outer = (before or [item])[-1].room, (after or [item])[0].room
+    if inner is not None and inner.type == "any" and item.value == "in":
+        return True  # "all doors in the hall"
     if item.text == "for" and after and after[0].kind == "mark":
         return True  # "a bedroom for my sister, an office"
     if item.value != "in" or inner is None or outer is None:

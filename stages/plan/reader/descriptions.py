@@ -68,7 +68,7 @@ def _phrase(name: Name) -> RoomPhrase:
 def _say(topic: Topic, rooms: dict[Name, RoomPhrase], said: Said) -> None:
     """Adds size, places, neighbours and doors of one room."""
     room = rooms[topic.name]
-    usual = sense()["least"][room.type] * SMALLEST, sense()["area"][room.type] * LARGEST
+    usual = max(sense()["least"][room.type] * SMALLEST, 0.5), sense()["area"][room.type] * LARGEST
     if topic.area is not None and usual[0] <= topic.area.values[0] <= usual[1]:
         room.areas, room.sides, room.bounds = topic.area.values[:1], topic.area.sides, topic.area.bounds
     elif topic.area is not None:

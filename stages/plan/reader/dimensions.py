@@ -6,7 +6,7 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 
 METRES = {"m": 1.0, "ft": 0.3048, "cm": 0.01, "m2": 1.0, "ft2": 0.3048}
 """Metres of a unit; of a square one, its side."""
-BY = ("x", "by", "*")
+BY = ("x", "by", "*", "乘", "乘以", "mal", "auf", "sur", "por")
 AND = ("and", ",", "und", "et", "y", "&", "times")
 SPANS = frozenset(
     "long wide deep broad tall length width breadth depth height lenght widht lang breit tief lange breite".split()

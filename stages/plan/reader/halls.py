@@ -4,9 +4,15 @@ from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
-CORRIDORS = ("corridor", "passage", "landing", "korridor", "couloir", "pasillo")
+CORRIDORS = frozenset("corridor passage landing korridor couloir degagement pasillo corredor".split()) | {
+    "走 廊",
+    "过 道",
+}
 """Words for a hallway that no one uses of the entrance hall."""
-FOYERS = ("foyer", "vestibule", "lobby", "entry", "entryway", "mudroom", "mud room", "anteroom")
+FOYERS = frozenset(
+    "foyer vestibule lobby entry entryway mudroom anteroom diele windfang eingangsbereich entree l'entree recibidor "
+    "vestibulo entrada".split()
+) | {"mud room", "hall d'entree", "玄 关", "门 厅"}
 """Words for where one comes in that no one uses of a passage between rooms."""
 PASSAGES = ("hallway", "passageway", *CORRIDORS)
 
@@ -31,6 +37,16 @@ def may_be(phrase: RoomPhrase, room: Entity) -> bool:
     return phrase.type != "hallway" or _same(phrase.text, room.name)
 
 
+def spoken_of_before(phrase: RoomPhrase, known: list[Entity]) -> bool:
+    """`Living room has a balcony`, `big bedroom has a bath`: known rooms, though no article says so."""
+    if phrase.quantifier != Det.BARE or phrase.labels or phrase.plural:
+        return False
+    if phrase.type in ("living_room", "kitchen"):
+        return any(e.name == phrase.text and not e.labels for e in known)
+    counted = len(known) > 1 and all(e.counted for e in known)
+    return phrase.type == "bedroom" and counted and phrase.factor != 1.0 and bool(phrase.owned)
+
+
 def hall_rank(room: Entity) -> int:
     """Where one comes in first, a landing last."""
     return 0 if Trait.ENTRANCE in room.labels or room.name in FOYERS else 2 if room.name == "landing" else 1
@@ -38,7 +54,7 @@ def hall_rank(room: Entity) -> int:
 
 def _same(word: str, name: str) -> bool:
     """Whether two words may be said of one hallway."""
-    pair = {word, name}
+    pair = {" ".join(text.split()[-1:]) if text.isascii() else text for text in (word, name)}
     if "landing" in pair:
         return len(pair) == 1 or "" in pair
     return not (pair & set(FOYERS) and pair & set(PASSAGES))

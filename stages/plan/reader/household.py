@@ -3,7 +3,7 @@
 import math
 
 from apartgen.stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
-from apartgen.stages.plan.reader.halls import best_named, other_hall
+from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_before
 from apartgen.stages.plan.reader.labelled import labelled
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
@@ -202,8 +202,8 @@ class Household:
             free = [e for e in known if not e.picked and not e.labels & set(DISTINCT)]
             return (free if len(free) >= count else known)[:count]
         least = 2 if phrase.type == "bedroom" and phrase.quantifier in PAIRED else 1  # "each bedroom" of a home unsaid
-        found = self._ensure(phrase.type, max(count, len(known) or least)) if not labels else known
-        return found
+        counted = phrase.quantifier == Det.ALL and count > 1
+        return known if labels else self._ensure(phrase.type, max(count, len(known) or least), counted)
 
     def _plain(self, phrase: RoomPhrase) -> list[Entity]:
         known = self.of(phrase.type)
@@ -253,6 +253,10 @@ class Household:
         if other_hall(phrase, known, mentioned):
             return self.add(phrase.type)
         known = best_named(phrase, known)
+        if spoken_of_before(phrase, known):
+            free = [e for e in known if not e.picked] or known
+            free[0].picked = free[0].picked or phrase.type == "bedroom"
+            return free[:1]
         if (
             phrase.type == "bathroom"
             and mentioned

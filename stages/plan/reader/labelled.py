@@ -43,7 +43,11 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
     """Whether a labelled room is one of those counted before: `three bedrooms, master with ensuite`."""
     if phrase.quantifier == Det.ANOTHER or Trait.STAFF in labels or (Trait.HALF in labels and not phrase.subset):
         return False
-    bare = phrase.quantifier == Det.BARE and phrase.count is None and (phrase.text == "master" or bool(phrase.owned))
+    bare = (
+        phrase.quantifier == Det.BARE
+        and phrase.count is None
+        and (phrase.text == "master" or bool(phrase.owned or phrase.areas))
+    )
     attribute = Trait.MASTER in labels and bare and len([e for e in free if e.counted]) > 1
     return total or phrase.quantifier == Det.THE or attribute or _counted(free)
 

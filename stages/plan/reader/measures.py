@@ -237,6 +237,7 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
     """`A is twice as large as B`, `bedrooms of equal size`."""
     out: list[Item] = []
     found: list[Statement] = []
+    asides: list[Item] = []
     skip = False
     for k, item in enumerate(items):
         if item.kind != "compare":
@@ -253,11 +254,14 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             if after[0].quantifier == Det.A:
                 after[0].quantifier = Det.THE  # "three times as large as a bedroom" asks for no further one
             found.append(Statement(Relation.COMPARE, before[-1:], after[:1], item.number))
-            out.append(Item("room", after[0].type, after[0].text, after[0]))
+            other = Item("room", after[0].type, after[0].text, after[0])
+            aside = any(i.kind == "relative" for i in out[-2:])  # "the lounge, which is larger than the bedroom"
+            asides += [Item("boundary", "while"), other] if aside else []
+            out += [] if aside else [other]
             skip = True
         elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
             found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
-    return out, found
+    return out + asides, found
 
 
 def _clause(items: list[Item]) -> list[RoomPhrase]:

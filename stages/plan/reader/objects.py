@@ -10,7 +10,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
     """Rooms after the relation, up to the next clause."""
     end = len(items)
     if following is not None:
-        led = p.form == "which" and following.subject[0] == p.at + 1 and items[p.at + 1].value == "hallway"
+        goes_on = p.form == "which" or (p.form == "front" and items[p.at].room is not None)
+        led = goes_on and following.subject[0] == p.at + 1 and items[p.at + 1].value == "hallway"
         # "from which a passage leads to …"
         end = following.subject[1] if following.shared or led else following.subject[0]
         end = max(end, p.at + 1) if following.subject[1] > p.at else following.at
@@ -65,7 +66,7 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if p.form != "part":
         return True
     same = first.definite == phrase.definite
-    if left and all(r.type == "hallway" for r in left) and p.kind == Relation.DOOR:
+    if left and all(r.type == "hallway" for r in left) and p.kind in (Relation.DOOR, Relation.SERVE):
         return True
     alone = p.subject[0] == 0 and not any(i.room for i in items[p.subject[1] : p.at])  # a sentence of its own
     if is_mark(items[j - 1], ",") and not first.definite and _no_hallway(left) and not alone:

@@ -4,8 +4,8 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
-LARGEST = ("largest", "biggest", "greatest")
-SMALLEST = ("smallest", "tiniest")
+LARGEST = ("largest", "biggest", "greatest", "plus grande", "plus grand", "grosste", "grosster", "mas grande", "最大")
+SMALLEST = ("smallest", "tiniest", "plus petite", "plus petit", "kleinste", "kleinster", "mas pequena", "最小")
 BETWEEN = ("copula", "relative", "area_word", "with")
 """What may stand between `the largest room` and its area."""
 
@@ -40,11 +40,11 @@ def orders(items: list[Item], said: Said) -> list[Item]:
 def _before(out: list[Item]) -> RoomPhrase | None:
     """The room of `X is the largest room`; takes the copula away."""
     said = len(out)
-    while said and (out[said - 1].kind == "copula" or out[said - 1].value == "to"):
-        said -= 1  # "is", "to be"
+    while said and (out[said - 1].kind in ("copula", "relative", "area") or out[said - 1].value == "to"):
+        said -= 1  # "is", "to be", "of 30 m², which is"
     last = out[said - 1].room if said else None
     if last is not None:
-        del out[said:]
+        out[said:] = [i for i in out[said:] if i.kind == "area"]
     return last
 
 

@@ -118,7 +118,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     items = merge_ensuites(intended(items))
-    items = attach_areas(of_the_last(items, before), said)
+    items = _closed(attach_areas(of_the_last(items, before), said))
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
     ]
@@ -147,6 +147,12 @@ def _two_halls(doors: list[Statement]) -> None:
         pairs = [(a, b) for a in s.left for b in s.right if a.type == b.type == "hallway"]
         for phrase in [p for pair in pairs for p in pair if p.quantifier == Det.A][-1:]:
             phrase.quantifier = Det.ANOTHER
+
+
+def _closed(items: list[Item]) -> list[Item]:
+    """Without the brackets of `kitchen (11 m²)`, once the area is taken."""
+    empty = [k for k in range(len(items) - 1) if is_mark(items[k], "(") and is_mark(items[k + 1], ")")]
+    return [item for k, item in enumerate(items) if k not in empty and k - 1 not in empty]
 
 
 def _of_link(items: list[Item], k: int) -> bool:

@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.mention import PARTITIVE, RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
-LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房")
+LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房", "卫")
 """Words of listings, whose numbers are totals."""
 
 

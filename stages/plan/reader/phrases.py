@@ -22,6 +22,10 @@ OTHER_NOUNS = frozenset("side end level storey story floor person persons people
 """`one side` counts no rooms."""
 
 
+ELSE = ("else", "ander", "autre", "demas")
+"""What tells the other rooms from all."""
+
+
 class Phraser:
     """Walks lexemes once, left to right; `items` and `unread` hold the outcome."""
 
@@ -210,7 +214,7 @@ class Phraser:
             if p.number % 1:
                 self.unread.append("half room")
         elif p.quantifier in (Det.ALL, Det.EACH, Det.OTHER) or word.value == "everything":
-            quantifier = p.quantifier or (Det.OTHER if "else" in word.text else Det.ALL)
+            quantifier = p.quantifier or (Det.OTHER if any(w in word.text for w in ELSE) else Det.ALL)
             phrase = RoomPhrase("any", quantifier=quantifier, plural=True, text=word.text)
             self.items.append(Item("room", "any", word.text, phrase))
 

@@ -4,6 +4,8 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
+WAYS_IN = ("entry", "entrada", "entree", "l'entree")
+"""Halls, and also where one comes in."""
 FACING = ("facing", "nach", "richtung", "plein", "expose", "hacia", "orientad", "朝", "向")
 """Words by which a side is that of a room's windows rather than its place."""
 
@@ -38,6 +40,12 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             rooms = [_known(room, items) for room in _rooms(items, k)]
             said.asked += [_placed(item, room, text) for room in rooms]
             said.unread += [] if rooms else [text]
+        elif _near_behind(items, k) and (rooms := _rooms(items, k)):
+            said.asked += [
+                Asked("near", [_known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms
+            ]
+            k += 2
+            continue
         elif _at_entrance(items, k, said) and (rooms := _rooms(items, k)):
             link = out.pop()
             if k + 1 < len(items) and items[k + 1].kind == "conjunction":
@@ -109,7 +117,15 @@ def _at_entrance(items: list[Item], k: int, said: Said) -> bool:
     near = k > 0 and items[k - 1].kind == "link" and items[k - 1].value in ("near", "apart")
     told = bool(said.asked) and said.asked[-1].to == "entrance"
     it = items[k].value == "it" and (told or _of_entrance(items[:k]))
-    return near and (it or (items[k].kind == "side_role" and items[k].value == "entrance"))
+    room = items[k].room
+    way_in = room is not None and room.text in WAYS_IN and room.quantifier == "the"
+    return near and (it or way_in or (items[k].kind == "side_role" and items[k].value == "entrance"))
+
+
+def _near_behind(items: list[Item], k: int) -> bool:
+    """Chinese says `the entrance's nearness`."""
+    role = items[k].kind == "side_role" and items[k].value == "entrance" and not items[k].text.isascii()
+    return role and k + 1 < len(items) and items[k + 1].kind == "link" and items[k + 1].value == "near"
 
 
 def _of_entrance(before: list[Item]) -> bool:

@@ -8,6 +8,9 @@ from apartgen.stages.plan.reader.predicates import Predicate, new_clause, predic
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
+OPPOSITE = ("opposite", "across from")
+DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of")
+"""Of `apart`, the words that deny a door and not the neighbourhood."""
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
 
@@ -40,7 +43,11 @@ def relations(
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
-        out += [Statement(Relation.NOT, left, barred, relation=f"not {items[p.at].text}")] if barred and left else []
+        out += (
+            [Statement(Relation.NOT, left, barred, relation=f"not {_worded(p, items[p.at].text)}")]
+            if barred and left
+            else []
+        )
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p)
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
@@ -139,6 +146,9 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         return  # "the kitchen has two doors, one to the hall and one to the lounge"
     if last and _goes_on(items, p, last):
         return
+    if last and p.kind == Relation.NEAR and p.form == "part" and is_mark(items[p.at - 1], ",") and _stated(last):
+        p.subject = last.subject
+        return  # "the kitchen opens off the living room, next to the bathroom"
     if last and _back_to_head(items, p, last, rooms, between):
         p.subject, p.shared = last.subject, True
         return
@@ -172,6 +182,11 @@ def _find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor
         p.shared = True
         return
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _stated(p: Predicate) -> bool:
+    """Whether a finite verb says something of the subject."""
+    return p.form in ("s", "p") and p.kind != Relation.HAS and p.subject != (0, 0)
 
 
 def _gapped(items: list[Item], p: Predicate, last: Predicate) -> bool:
@@ -261,6 +276,13 @@ def _comma_and(items: list[Item], j: int) -> bool:
     return j + 1 < len(items) and items[j + 1].kind == "conjunction"
 
 
+def _worded(p: Predicate, words: str) -> str:
+    """One wording in all languages for neighbours and for rooms far apart."""
+    if p.kind == Relation.NEAR and words not in OPPOSITE:
+        return "next to"
+    return "far from" if p.kind == Relation.APART and words not in DOORLESS else words
+
+
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
     if p.kind == Relation.HAS:
         return []
@@ -273,5 +295,5 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
     if kind in (Relation.TO, Relation.IN, Relation.GAP):
         living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
         kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
-    relation = f"not {words}" if p.negated else words
+    relation = f"not {_worded(p, words)}" if p.negated else _worded(p, words)
     return [Statement(kind, left, right, relation=relation)] if left and right else []

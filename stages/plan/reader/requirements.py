@@ -6,14 +6,15 @@ from itertools import product
 from apartgen.schemas.plan import Requirement
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.household import Household
+from apartgen.stages.plan.reader.relations import OPPOSITE
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.vocabulary import Relation
 
-OPPOSITE = ("opposite", "across from")
 FAR = ("away from", "far from")
 LARGER, SMALLER = (1.15, 1.3, 1.6), (0.9, 0.75, 0.6)
 """Ratios that stand for words like `larger than`, which say no number."""
-BESIDE = ("next to", "adjacent to", "beside", "alongside", "next door to", "close to", "near", "near to", "by")
+BESIDE = ("next to", "adjacent to", "beside", "alongside", "next door to", "close to", "near", "near to", "by",
+          "adjoin", "adjoins", "adjoining", "border", "bordering", "neighbouring", "touching")  # fmt: skip
 
 
 def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requirement]:

@@ -65,7 +65,11 @@ def door_pairs(items: list[Item]) -> list[Item]:
     while k < len(items):
         first, joint, second, close = (items[k + 1 : k + 5] + [Item("")] * 4)[:4]
         pair = first.room is not None and is_mark(joint, ",-:") and second.room is not None and is_mark(close, ")")
-        if is_mark(items[k], "(") and pair:
+        following = items[k + 1] if k + 1 < len(items) else Item("")
+        if items[k].room is not None and following.room is not None and following.joined:  # "hallway-kitchen"
+            out += [Item("mark", "."), items[k], Item("mark", "-", "-"), following, Item("mark", ".")]
+            k += 2
+        elif is_mark(items[k], "(") and pair:
             out += [Item("mark", "."), first, Item("mark", "-", "-"), second, Item("mark", ".")]
             k += 5
         else:

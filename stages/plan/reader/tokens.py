@@ -60,6 +60,7 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
+    text = re.sub(r'(?<=["\w])"?\s*,\s*(?="[\w ]+"\s*:)', '" . ', text)  # `"kitchen": "open", "bath": …`
     text = re.sub(r"(?<![-=<>])>", "->", text)
     text = re.sub(r"(?<=\d)â(?:€[™²])?", "'", text)  # a prime that came through a wrong encoding
     text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
