@@ -173,8 +173,10 @@ def test_what_we_write_is_read(tmp_path):
     from apartgen.stages.retrieve.matching import indexing
 
     export.run(sample.home(), ["urdf", "sdf", "mjcf", "glb"], tmp_path / "out", sample.load)
-    found = {kind: list(indexing.read(tmp_path / "out", kind)) for kind in ("folder", "simobjects")}
-    kept.same("floor", "read", found)
+    found = [one for kind in ("folder", "simobjects") for one in indexing.read(tmp_path / "out", kind)]
+    links = {id: getattr(one, "links", []) for id, one in found}
+    kept.same("floor", "read", {id: [[link.name, [[mesh.vertices, mesh.faces] for mesh in link.visuals], link.colliders,
+                                      link.mass, link.joint] for link in some] for id, some in links.items()})
 
 
 def test_rooms_of_data_sets(tmp_path: Path):
