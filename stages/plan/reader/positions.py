@@ -146,6 +146,8 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     while opens and after < len(items) and items[after].kind in ("reach", "copula"):
         after += 1
     following = items[after].room if after < len(items) else None
+    if following is not None and following.headline:
+        following = None  # "in the corner of a one-bedroom flat"
     if following is not None and (opens or items[k].kind == "side"):
         return [following]
     for j in range(k - 1, -1, -1):

@@ -1,4 +1,4 @@
-"""What `it` stands for where rooms open onto it."""
+"""What `it` stands for where rooms open onto it, and verbs that are left out."""
 
 import pytest
 
@@ -25,3 +25,15 @@ def test_rooms_open_onto_it(text: str, hub: str, others: set[str]) -> None:
 ])
 def test_a_room_behind_another_is_entered_from_it(text: str, room: str, owner: str) -> None:
     assert [set(pair) - {room} for pair in read(text).links if room in pair] == [{owner}]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "link"),
+    [
+        ("One-bedroom flat. The hall leads to the kitchen (11 m²) and a study.", ("hallway_1", "study_1")),
+        ("One-bedroom flat: the foyer serves the living room, the corridor the bedroom.", ("bedroom_1", "hallway_2")),
+        ("Drei Zimmer: ein Wohnzimmer, von dem aus man in die Küche kommt.", ("kitchen_1", "living_room_1")),
+    ],
+)
+def test_doors_said_in_few_words(prompt: str, link: tuple[str, str]) -> None:
+    assert link in read(prompt).links

@@ -167,3 +167,17 @@ def test_who_lies_beside_whom(prompt: str, rows: set[tuple[str, str, str]]) -> N
 def test_on_the_left_of_the_hall_are_its_doors() -> None:
     program = read("On the left of the hall are two bedrooms. One bathroom.")
     assert not program.requirements and ("bedroom_1", "hallway_1") in program.links
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wish"),
+    [
+        ("Un piso con un baño que no esté al lado de la cocina", ("apart", "bathroom_1", "kitchen_1", None)),
+        ("两室一厅，客用卫生间在门口附近", ("near", "bathroom_1", "entrance", None)),
+        ("Appartement : le séjour est la plus grande pièce", ("order", "living_room_1", None, "largest")),
+        ("A flat; the bathroom must not adjoin the kitchen", ("apart", "bathroom_1", "kitchen_1", None)),
+        ("Bathroom in the north-east corner of a one-bedroom flat", ("position", "bathroom_1", None, "north_east")),
+    ],
+)
+def test_wishes_in_five_languages(prompt: str, wish: tuple[str, str, str | None, str | None]) -> None:
+    assert wish in asked(read(prompt))
