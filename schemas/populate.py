@@ -64,14 +64,21 @@ class Populate(Retrieve):
     objects: list[Annotated[Thing | Furnishing, Field(union_mode="left_to_right")]] = Field(
         default_factory=list)
     receptacles: dict[str, list[Receptacle]] = Field(default_factory=dict, description="by object")
-    states: dict[str, dict[str, bool | Number]] = Field(default_factory=dict, description="by object")
+    states: dict[str, dict[str, bool | Number]] = Field(
+        default_factory=dict, description="by object or opening: `on`, and `open.JOINT`, the share of its range")
+    affordances: dict[str, list[str]] = Field(default_factory=dict, description="by object")
+    switches: dict[str, list[str]] = Field(default_factory=dict, description="by switch, the lamps that it switches")
+
+
+SAID = ("receptacles", "states", "affordances", "switches")
+"""Fields that are said of things, besides them."""
 
 
 def furniture_only(raw: Any) -> Any:
     """The body of a populated home's JSON without its small things, as a home that was not populated has it."""
     if not isinstance(raw, dict):
         return raw
-    kept = {name: value for name, value in raw.items() if name not in ("receptacles", "states")}
+    kept = {name: value for name, value in raw.items() if name not in SAID}
     objects = raw.get("objects")
     if isinstance(objects, list):
         kept["objects"] = [o for o in objects if not (isinstance(o, dict) and o.get("stage") == KIND)]

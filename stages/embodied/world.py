@@ -119,7 +119,8 @@ def _read(mjcf: Path, visuals: bool) -> Source:
     folders = {key: str((mjcf.parent / compiler.attrib.pop(key, "")).resolve()) for key in ("meshdir", "texturedir")}
     # MuJoCo's threads cost more than they spare for meshes this small.
     compiler.set("usethread", "false")
-    for section in root.findall("actuator"):  # catches of doors; a robot's controls are the only ones here
+    # Catches of doors, their sensors and where they stand at first; a robot's are the only ones here.
+    for section in [section for section in root if section.tag in ("actuator", "sensor", "keyframe", "custom")]:
         root.remove(section)
     if visuals:
         compiler.attrib.update(folders)

@@ -167,6 +167,7 @@ def _facts(body: Body) -> Node:
     return {
         "id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "asset": body.model,
         "free": body.free, "mass": mass(body.links[0]) if body.kind == "object" else None,
+        **body.says,
     }
 
 

@@ -9,16 +9,20 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from apartgen.schemas.plan import Room
 from apartgen.stages.export._obj import Files
 from apartgen.stages.export._rotation import about_z, quaternion
 from apartgen.stages.export._xml import Element, add, number, numbers, save
 from apartgen.stages.scene.pieces import image_name, names, pieces
-from apartgen.stages.scene.scene import Scene
+from apartgen.stages.scene.scene import Scene, identifier
+from apartgen.stages.space import polygons
 from apartgen.stages.things.asset import Collider, Link, Material
 from apartgen.stages.things.body import Body, Inertia, counterbalanced, inertia
 
 FOLDER = "mjcf"
 ARMATURE = 0.002
+EYE, LOOKED_AT = 0.2, 0.8
+"""How far below the ceiling cameras of rooms are, over what stands there, and the height of what they look at, m."""
 GEOMS = {"box": "box", "cylinder": "cylinder", "sphere": "sphere", "hull": "mesh"}
 
 
@@ -34,11 +38,13 @@ class _Writer:
     def __init__(self, scene: Scene, files: Files) -> None:
         self.files = files
         self.root = ElementTree.Element("mujoco", model="apartment")
+        self.height = scene.home.height
         self._settings(scene)
         self.assets = add(self.root, "asset")
         self.world = add(self.root, "worldbody")
         self.contact = add(self.root, "contact")
-        self.actuators = add(self.root, "actuator")
+        self.actuators, self.sensors = add(self.root, "actuator"), add(self.root, "sensor")
+        self.custom, self.initial = add(self.root, "custom"), list[float]()
         self.materials = names(m.material for body in scene.bodies for link in body.links for m in link.visuals)
         overhead = (link for body in scene.bodies if body.kind == "ceiling" for link in body.links)
         self.glowing = {mesh.material for link in overhead for mesh in link.visuals}
@@ -48,9 +54,30 @@ class _Writer:
         for body in scene.bodies:
             self._body(body)
         self._apart(scene.bodies)
+        for room in scene.home.rooms:
+            self._camera(room)
+        add(add(self.root, "keyframe"), "key", name="initial", qpos=self.initial)
+
+    def _camera(self, room: Room) -> None:
+        """A view of a room from above in its corner that is furthest from the middle."""
+        middle = np.array(polygons.floor(room).representative_point().coords[0])
+        corners = np.asarray(room.polygon, float)
+        corner = corners[int(np.linalg.norm(corners - middle, axis=1).argmax())]
+        eye = np.array([*(corner + 0.12 * (middle - corner)), self.height - EYE])
+        ahead = np.array([*middle, LOOKED_AT]) - eye
+        right = np.array([ahead[1], -ahead[0], 0.0])
+        add(self.world, "camera", name=f"view_{identifier(room.id)}", pos=eye, fovy=75,
+            xyaxes=[*right, *np.cross(right, ahead)])
+
+    def _says(self, body: Body) -> None:
+        """What the artifact says of a body, as text under its name."""
+        state = [f"{name}={number(float(value))}" for name, value in body.says.get("state", {}).items()]
+        lists = [f"{name}={','.join(body.says[name])}" for name in ("affordances", "switches") if name in body.says]
+        if lists or state:
+            add(self.custom, "text", name=body.name, data=" ".join([*state, *lists]))
 
     def _settings(self, scene: Scene) -> None:
-        add(self.root, "compiler", angle="radian", meshdir="assets", texturedir="assets", autolimits="true")
+        add(self.root, "compiler", angle="radian", autolimits="true")
         add(self.root, "option", timestep=0.004, integrator="implicitfast", cone="elliptic", impratio=10)
         x, y = np.array([point for room in scene.home.rooms for point in room.polygon]).T
         middle = [(x.min() + x.max()) / 2, (y.min() + y.max()) / 2, 1.0]
@@ -68,9 +95,10 @@ class _Writer:
     def _materials(self) -> None:
         add(self.assets, "texture", type="skybox", builtin="gradient", rgb1=[0.9, 0.94, 1], rgb2=[0.6, 0.7, 0.8],
             width=256, height=256)
-        for texture in sorted({m.texture for m in self.materials if m.texture}):
-            file = self.files.texture(texture)
-            add(self.assets, "texture", name=image_name(texture), type="2d", file=file)
+        # Two libraries may have one image, under two paths.
+        images = {image_name(texture): texture for texture in sorted({m.texture for m in self.materials if m.texture})}
+        for name, texture in images.items():
+            add(self.assets, "texture", name=name, type="2d", file=f"assets/{self.files.texture(texture)}")
         for material, name in self.materials.items():
             self._material(material, name)
 
@@ -99,6 +127,8 @@ class _Writer:
         element = add(self.world, "body", name=body.name, pos=body.position, quat=about_z(body.yaw))
         if body.free:
             add(element, "freejoint", name=f"{body.name}__free")
+            self.initial += [*body.position, *about_z(body.yaw)]
+        self._says(body)
         base, *moving = body.links
         self._link(element, body, base, inertia(base) if body.free else None)
         for link in moving:
@@ -124,6 +154,8 @@ class _Writer:
         add(part, "joint", name=body.joint_name(link.joint), type=link.joint.type, axis=link.joint.axis,
             pos=link.joint.origin, range=link.joint.range, damping=own.damping, frictionloss=own.friction,
             armature=ARMATURE)
+        add(self.sensors, "jointpos", name=f"{body.joint_name(link.joint)}__at", joint=body.joint_name(link.joint))
+        self.initial.append(body.opened(link.joint))
         shut, wide = sorted(link.joint.range, key=abs)
         for held, word, at in ((own.catch, "catch", shut), (own.rest, "rest", wide)):
             if held:
@@ -158,7 +190,7 @@ class _Writer:
         if name not in self.meshes:
             self.meshes.add(name)
             # Thin and open pieces have no volume that MuJoCo could take an inertia from.
-            add(self.assets, "mesh", name=name, file=file, inertia="shell")
+            add(self.assets, "mesh", name=name, file=f"assets/{file}", inertia="shell")
         return name
 
     def _collider(self, element: Element, name: str, c: Collider, friction: float) -> None:

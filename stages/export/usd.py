@@ -77,7 +77,8 @@ class _Writer:
         Usd.ModelAPI(prim).SetKind("component")
         UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([body.category])
         facts = {"id": body.id, "category": body.category, "room": body.room, "asset": body.model, "kind": body.kind}
-        prim.SetCustomDataByKey("apartgen", {k: v for k, v in facts.items() if v})
+        said = {k: " ".join(v) if isinstance(v, list) else v for k, v in body.says.items()}
+        prim.SetCustomDataByKey("apartgen", {k: v for k, v in (facts | said).items() if v})
         if len(body.links) == 1:
             if body.free:
                 _rigid(prim, body.links[0])

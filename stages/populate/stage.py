@@ -12,7 +12,7 @@ from apartgen.schemas.populate import Grasp, Inside, Populate, Thing
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import seeds
-from apartgen.stages.populate import arrange, rules, walls
+from apartgen.stages.populate import arrange, rules, states, walls
 from apartgen.stages.populate.arrange import Put
 from apartgen.stages.populate.boards import Board, boards, offers
 from apartgen.stages.populate.config import PopulateConfig
@@ -58,7 +58,9 @@ def populated(previous: Retrieve, config: PopulateConfig, rng: np.random.Generat
         here = boards(before, room.id, offered, hung, library.load_asset)
         groups = furnished(here, rules.table().get(room.base, ()), home, seeds.lane(rng, room.id))
         things += [*_recorded(room.id, groups, names), *hung]
-    return _body(before, _held(things, library) if config.grasps else things, offered)
+    things = _held(things, library) if config.grasps else things
+    told_of = states.said(before, [*before.objects, *things], offered, config, seeds.lane(rng, "states"))
+    return _body(before, things, offered, told_of)
 
 
 def _held(things: list[Thing], library: Library) -> list[Thing]:
@@ -79,11 +81,13 @@ def _hung(before: Retrieve, room: Room, home: Home, names: "_Names", rng: np.ran
             for h in found]
 
 
-def _body(before: Retrieve, things: list[Thing], offered: dict[str, tuple[Receptacle, ...]]) -> Populate:
+def _body(before: Retrieve, things: list[Thing], offered: dict[str, tuple[Receptacle, ...]],
+          told_of: states.Said) -> Populate:
     fields = {name: getattr(before, name) for name in Retrieve.model_fields}
     report = before.walkable if isinstance(before, Walkable) else None
     used = {id: [_receptacle(place) for place in places] for id, places in offered.items() if places}
-    return Populate(**fields | {"objects": [*before.objects, *things], "walkable": report, "receptacles": used})
+    return Populate(**fields | {"objects": [*before.objects, *things], "walkable": report, "receptacles": used}
+                    | told_of._asdict())
 
 
 def _receptacle(place: Receptacle) -> populate.Receptacle:

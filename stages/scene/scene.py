@@ -9,6 +9,7 @@ from collections.abc import Callable, Container
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from apartgen.schemas.carrying import CEILING, WALL
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Plan
+from apartgen.schemas.populate import Populate
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.robot.wedged import wedged
 from apartgen.stages.scene import shell
@@ -47,7 +49,7 @@ class Scene:
         """The shell's bodies, then one for each object, in the artifact's order; BadInput without assets."""
         taken: set[str] = set()
         built = [*shell.bodies(self.home, self.shown), *(self._body(o) for o in _furnishings(self.home))]
-        named = [_renamed(body, taken) for body in built]
+        named = [replace(_renamed(body, taken), says=_said(self.home, body.id)) for body in built]
         stuck = wedged(named)
         for name, others in stuck.items():
             log.info("%s stands partly in %s; it is fixed where it is", name, ", ".join(others))
@@ -58,8 +60,9 @@ class Scene:
         """One for every lamp, and one under the ceiling of each room without a ceiling lamp."""
         objects = self.home.objects if isinstance(self.home, Layout) else []
         kinds = {o.id: TABLE[o.category] for o in objects if o.category in TABLE}
+        off = {id for id, state in getattr(self.home, "states", {}).items() if state.get("on") is False}
         lamps = [
-            Light(f"light_{identifier(o.id)}", o.room, self._bulb(o), kinds[o.id].lumens)
+            Light(f"light_{identifier(o.id)}", o.room, self._bulb(o), kinds[o.id].lumens * (o.id not in off))
             for o in objects if o.id in kinds and kinds[o.id].lumens
         ]
         lit = {o.room for o in objects if o.id in kinds and kinds[o.id].lumens and kinds[o.id].place == "ceiling"}
@@ -96,6 +99,14 @@ class Scene:
             o.id, "object", o.category, o.room, np.array(o.center, float), o.yaw, links,
             _is_free(o), o.id, f"{o.asset.library}/{o.asset.id}",
         )
+
+
+def _said(home: Plan, id: str) -> dict[str, Any]:
+    """What a populated home says of one of its things or doors, but for what is empty."""
+    if not isinstance(home, Populate):
+        return {}
+    about = {"affordances": home.affordances.get(id), "state": home.states.get(id), "switches": home.switches.get(id)}
+    return {name: value for name, value in about.items() if value}
 
 
 def _is_free(o: Furnishing) -> bool:

@@ -4,7 +4,7 @@ World frame: metres, z up, yaw counter-clockwise. Links' geometry is given in th
 """
 
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ class Body:
     A `free` body may be pushed about, any other is fixed to the world by its base. `room` is empty for what
     belongs to no single room. `id` is the artifact's id of the object, opening or room; `model` names the asset;
     `within` names bodies that it stands partly in, with which it must not collide; `motions` are of those of its links
-    that move otherwise than is usual.
+    that move otherwise than is usual. `says` is what the artifact says of it: affordances, state, switches.
     """
 
     name: str
@@ -44,6 +44,7 @@ class Body:
     model: str = ""
     within: tuple[str, ...] = ()
     motions: dict[str, Motion] = field(default_factory=dict)
+    says: dict[str, Any] = field(default_factory=dict)
 
     def link_name(self, link: Link) -> str:
         """Unique name of one of its links; the base carries the body's own."""
@@ -56,6 +57,12 @@ class Body:
     def motion(self, link: Link) -> Motion:
         """How one of its moving links moves."""
         return self.motions.get(link.name) or mechanisms.motion(self.category, link)
+
+    def opened(self, joint: Joint) -> float:
+        """Where one of its joints stands at first: as its state says, else shut."""
+        share = float(self.says.get("state", {}).get(f"open.{joint.name}", 0.0))
+        shut, wide = sorted(joint.range, key=abs)
+        return shut + share * (wide - shut)
 
     @property
     def ranges(self) -> Ranges:

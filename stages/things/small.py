@@ -39,6 +39,7 @@ class Small:
     pitch: float = 1.0
     fixed: bool = False
     wide: bool = False
+    affords: tuple[str, ...] = ()
 
     @property
     def round(self) -> bool:

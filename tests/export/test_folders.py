@@ -88,9 +88,8 @@ def _named(file):
     """Other files that a file names, as it names them."""
     if file.suffix == ".xml":
         root = ElementTree.parse(file).getroot()
-        folder = root.find("compiler").get("meshdir")
-        assert folder == root.find("compiler").get("texturedir")
-        return [f"{folder}/{e.get('file')}" for e in root.iter() if e.get("file")]
+        assert not {"meshdir", "texturedir", "assetdir"} & set(root.find("compiler").attrib)
+        return [e.get("file") for e in root.iter() if e.get("file")]
     if file.suffix == ".urdf":
         return [e.get("filename") for e in ElementTree.parse(file).iter() if e.get("filename")]
     if file.suffix == ".sdf":
