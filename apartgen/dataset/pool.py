@@ -5,6 +5,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
@@ -16,6 +17,10 @@ Work = TypeVar("Work")
 Result = TypeVar("Result")
 AHEAD = 8
 """Pieces of work a worker that are under way, or done before their turn."""
+ENDED = 2
+"""Workers of its own that a piece must have ended to be given up."""
+STARTS, PAUSE = 60, 0.5
+"""How often a worker is tried to be started, and s between."""
 _THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
@@ -77,18 +82,25 @@ def _is_done(future: Future[Result] | None) -> bool:
     return not isinstance(future.exception(), BrokenProcessPool)
 
 
-def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result], starts: int = 5) -> Result:
-    """In a pool of its own; a worker that could not even be started says nothing of the piece."""
-    pool = _started(1)
-    try:
-        future = _submitted(pool, function, piece)
-        if future is None and starts > 1:
-            return _alone(function, piece, lost, starts - 1)
-        return _of(future)
-    except BrokenProcessPool:
-        return lost(piece)
-    finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+def _alone(function: Callable[[Work], Result], piece: Work, lost: Callable[[Work], Result]) -> Result:
+    """In a pool of its own, lost when it has ended two of them. What starts workers may be dying itself: a worker that
+    could not be started says nothing of the piece, and is waited for.
+    """
+    deaths = 0
+    for _ in range(STARTS):
+        pool = _started(1)
+        try:
+            future = _submitted(pool, function, piece)
+            if future is not None:
+                return future.result()
+            time.sleep(PAUSE)
+        except BrokenProcessPool:
+            deaths += 1
+            if deaths == ENDED:
+                return lost(piece)
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+    raise BrokenProcessPool("no worker can be started")
 
 
 def _started(workers: int) -> ProcessPoolExecutor:
