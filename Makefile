@@ -10,7 +10,7 @@ READY := .venv/.ready
 CONSUMERS := build/consumers
 TYPED := build/typed
 
-.PHONY: demo test acceptance consumers mutants digests weights lint types check docs lock clean
+.PHONY: demo test acceptance consumers mutants pictures digests weights lint types check docs lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -42,6 +42,10 @@ weights: $(READY)
 	$(BIN)/python docs/experiments/training/plans.py build/plans
 	$(BIN)/apartgen train corpus single_rooms furnisher=build/plans/ --rooms 3000 --times 2 -o build/corpus.npz
 	$(BIN)/apartgen train layout --corpus build/corpus.npz --steps 11000
+
+# The pictures of the README and of the example, of this version.
+pictures: $(READY)
+	$(BIN)/python docs/experiments/pictures.py
 
 lint: $(READY)
 	$(BIN)/ruff check .

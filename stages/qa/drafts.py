@@ -18,7 +18,10 @@ MOST, FEWEST = 4, 3
 
 @dataclass(frozen=True)
 class Draft:
-    """A question, the right answer and wrong ones; `number` is the right one where it is a measured one."""
+    """A question, the right answer and wrong ones; `number` is the right one where it is a measured one.
+
+    What is `barred` would be no fair wrong answer.
+    """
 
     text: str
     answer: str
@@ -27,6 +30,7 @@ class Draft:
     wrong: tuple[str, ...] = ()
     number: float | None = None
     hard: int = 0
+    barred: frozenset[str] = frozenset()
 
 
 @dataclass
@@ -36,6 +40,8 @@ class _Group:
     def takes(self, draft: Draft) -> bool:
         """Whether its answer can be told from the group's."""
         if len(self.members) == MOST or any(draft.answer == other.answer for other in self.members):
+            return False
+        if any(draft.answer in other.barred or other.answer in draft.barred for other in self.members):
             return False
         numbers = [other.number for other in self.members if other.number is not None]
         return draft.number is None or far_enough(numbers, draft.number)
@@ -74,6 +80,34 @@ def balanced(drafts: Sequence[Draft], rng: np.random.Generator, most: int) -> li
         return []
     count = min(max(1, most // len(by)), *(len(some) for some in by.values()))
     return [draft for answer in sorted(by) for draft in by[answer][:count]]
+
+
+def either_way(drafts: Sequence[Draft], rng: np.random.Generator, most: int) -> list[Draft]:
+    """Comparisons of two things in which each is right as often as it is wrong: pairs that come out both ways, and
+    rings, the first before the second, it before a third, and that before the first.
+    """
+    left: dict[str, dict[str, list[Draft]]] = {}
+    for k in rng.permutation(len(drafts)):
+        left.setdefault(drafts[k].answer, {}).setdefault(drafts[k].wrong[0], []).append(drafts[k])
+    found: list[Draft] = []
+    while len(found) + 2 <= most and (ring := _ring(left, most - len(found))):
+        for right, wrong in zip(ring, [*ring[1:], ring[0]]):
+            found.append(left[right][wrong].pop())
+            if not left[right][wrong]:
+                del left[right][wrong]
+    return found
+
+
+def _ring(ahead: dict[str, dict[str, list[Draft]]], longest: int) -> list[str]:
+    """Two or three names that each come before the next, and the last before the first; empty if there are none."""
+    for a, others in ahead.items():
+        if b := next((b for b in others if a in ahead.get(b, {})), None):
+            return [a, b]
+    for a, others in ahead.items() if longest >= 3 else ():
+        for b in others:
+            if c := next((c for c in ahead.get(b, {}) if a in ahead.get(c, {})), None):
+                return [a, b, c]
+    return []
 
 
 def some(drafts: Sequence[Draft], rng: np.random.Generator, most: int) -> list[Draft]:

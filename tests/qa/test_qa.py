@@ -16,7 +16,7 @@ from apartgen.schemas import artifact
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import qa, render, seeds
 from apartgen.stages.qa.config import QaConfig
-from apartgen.stages.qa.drafts import Draft, asked, balanced, shared
+from apartgen.stages.qa.drafts import Draft, asked, balanced, either_way, shared
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.things.categories import TABLE
@@ -367,3 +367,36 @@ def test_balanced_answers_are_as_many_of_each(seed):
               for k, answer in enumerate(rng.choice(["yes", "no"], 20, p=[0.8, 0.2]))]
     counts = Counter(draft.answer for draft in balanced(drafts, rng, 6))
     assert not counts or counts["yes"] == counts["no"] > 0
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_each_of_what_is_compared_is_right_as_often_as_wrong(seed):
+    rng = np.random.default_rng(seed)
+    pairs = [rng.choice(6, 2, replace=False) for _ in range(40)]
+    drafts = [Draft(f"{a} or {b}?", str(a), [f"view {k}"], {}, (str(b),)) for k, (a, b) in enumerate(pairs)]
+    found = either_way(drafts, rng, 8)
+    assert 2 <= len(found) <= 8 and len({id(draft) for draft in found}) == len(found)
+    assert Counter(draft.answer for draft in found) == Counter(draft.wrong[0] for draft in found)
+    ordered = [Draft("", str(max(a, b)), [], {}, (str(min(a, b)),)) for a, b in pairs]
+    assert not either_way(ordered, rng, 8), "what always comes out the same is told by the words"
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_is_barred_is_no_answer(seed):
+    rng = np.random.default_rng(seed)
+    names = [str(k) for k in range(8)]
+    drafts = [Draft(f"q{k}", str(a), ["i"], {}, barred=frozenset(rng.choice([n for n in names if n != str(a)], 2)))
+              for k, a in enumerate(rng.integers(0, 8, 30))]
+    found = shared(drafts, rng, 12)
+    assert found and not [draft for draft in found if draft.barred & set(draft.wrong)]
+
+
+def test_comparisons_and_fronts_are_even_in_a_home(asked_of):
+    """What stands before a thing is never to be found by leaving out the thing itself."""
+    for kind in ("left_of", "nearer", "taller"):
+        right = Counter(one.value for one in asked_of if one.kind == kind)
+        assert right == Counter(option for one in asked_of if one.kind == kind for option in one.options
+                                if option != one.value)
+    for one in asked_of:
+        if one.kind == "in_front":
+            assert not [option for option in one.options if one.text.endswith(f"front of {option}?")]

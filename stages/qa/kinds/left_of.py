@@ -4,7 +4,7 @@ from itertools import combinations
 
 import numpy as np
 
-from apartgen.stages.qa.drafts import Draft, some
+from apartgen.stages.qa.drafts import Draft, either_way
 from apartgen.stages.qa.facts import Facts
 
 APART = 0.15
@@ -22,4 +22,4 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             if middle[right[1].id] - middle[left[1].id] > APART * view.width:
                 drafts.append(Draft(f"Which of these is further to the left in the picture, {a} or {b}?", left[0],
                                     [view.name], {"view": view.name, "objects": [one.id, other.id]}, (right[0],)))
-    return some(drafts, rng, most)
+    return either_way(drafts, rng, most)

@@ -7,7 +7,7 @@ import numpy as np
 from shapely.geometry import Point
 
 from apartgen.schemas.render import View
-from apartgen.stages.qa.drafts import Draft, some
+from apartgen.stages.qa.drafts import Draft, either_way
 from apartgen.stages.qa.facts import Facts
 
 
@@ -21,7 +21,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             if far[near] < 0.7 * far[away] - 0.2:
                 drafts.append(Draft(f"Which of these is nearer to the camera, {a} or {b}?", near, [view.name],
                                     {"view": view.name, "objects": [one.id, other.id]}, (away,)))
-    return some(drafts, rng, most)
+    return either_way(drafts, rng, most)
 
 
 def _far(facts: Facts, view: View, id: str) -> float:

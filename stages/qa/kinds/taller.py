@@ -4,7 +4,7 @@ from itertools import combinations
 
 import numpy as np
 
-from apartgen.stages.qa.drafts import Draft, some
+from apartgen.stages.qa.drafts import Draft, either_way
 from apartgen.stages.qa.facts import Facts
 
 LEAST, MOST = 0.5, 0.85
@@ -20,4 +20,4 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             if LEAST < small.size[2] / large.size[2] < MOST:
                 drafts.append(Draft(f"Which of these is taller, {a} or {b}?", tall, [view.name],
                                     {"view": view.name, "objects": [one.id, other.id]}, (short,)))
-    return some(drafts, rng, most)
+    return either_way(drafts, rng, most)
