@@ -128,7 +128,7 @@ def _corners_held(floors: Floors, types: Mapping[str, RoomType]) -> float:
     x0, y0, x1, y1 = shapely.total_bounds(list(floors.values()))
     corners = [shapely.Point(x, y) for x in (x0, x1) for y in (y0, y1)]
     holding = [r for r, floor in floors.items() for corner in corners if floor.distance(corner) < 0.01]
-    return sum(STANDARDS[types[r]].outer for r in holding) / max(len(holding), 1)
+    return float(sum(STANDARDS[types[r]].outer for r in holding) / max(len(holding), 1))
 
 
 def _lines(floors: Floors, thick: float) -> float:
