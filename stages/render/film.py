@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.errors import BadInput
-from apartgen.stages.render import route
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.render.frames import pose
+from apartgen.stages.render.route import along, length
 from apartgen.stages.render.stands import Stand
 from apartgen.stages.scene.camera import Camera
 from apartgen.stages.scene.picture import metered, taken
@@ -62,9 +62,9 @@ def filmed(scene: Scene, home: HomeWorld, config: RenderConfig, tilt: float, fol
 
 def moments(home: HomeWorld, config: RenderConfig) -> list[Moment]:
     """Frames along the way at an even speed; the camera turns no faster than `TURN`, a door opens once and stays so."""
-    way = route.along(home, 2, config.robot)
-    frames = round(route.length(home) / config.speed * config.rate) if way else 0
-    stands = route.along(home, max(frames, 2), config.robot) if way else []
+    way = along(home, 2, config.robot)
+    frames = round(length(home) / config.speed * config.rate) if way else 0
+    stands = along(home, max(frames, 2), config.robot) if way else []
     yaws = _slowed(np.array([stand.yaw for stand in stands]), TURN / config.rate)
     places = np.array([stand.place[:2] for stand in stands]).reshape(-1, 2)
     shares = {name: _opening(places, at) for name, at in doors(home).items()}
