@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import clear, describe
 from apartgen.stages.layout.relations.network import Known
-from apartgen.stages.layout.relations.tokens import OBJECT, Array, Ints, seen
+from apartgen.stages.layout.relations.tokens import OBJECT, WALL, Array, Ints, seen
 
 SLACK = 0.015
 """Contact that is none, m; offsets are known to half a bin."""
@@ -16,12 +16,18 @@ NEAR = 0.3
 """Others of a category that are so near to a token are at it, m."""
 
 
-def known_of(boxes: Array, kind: Ints, category: Ints, asked: Ints, there: Ints) -> Known:
-    """What the first `there` (B, Q) tokens say about where an object `asked` for (B, Q) may be described from."""
+def known_of(boxes: Array, kind: Ints, category: Ints, asked: Ints, there: Ints, solid: Array, sort: Ints) -> Known:
+    """What the first `there` (B, Q) tokens say about where an object `asked` for (B, Q) may be described from; `solid`
+    (B, T, 7) and `sort` (B, T) are what they keep others from."""
     view = seen(boxes[:, None], boxes)
     stands = (kind == OBJECT)[:, None] & (np.arange(boxes.shape[1])[None, None] < there[..., None])
     near = alike(view, boxes, category, asked, there)
-    return Known(torch.from_numpy(near), torch.from_numpy(relations(view)), torch.from_numpy(stands))
+    free = clear.stretches(
+        np.ascontiguousarray(boxes, np.float32), kind == WALL, np.ascontiguousarray(solid, np.float32),
+        np.ascontiguousarray(sort), np.ascontiguousarray(there), clear.DEEP)
+    lacks = np.maximum(1 - free[..., None] / clear.LONG, 0) * (kind == WALL)[:, None, :, None, None]
+    return Known(torch.from_numpy(near), torch.from_numpy(relations(view)), torch.from_numpy(stands),
+                 torch.from_numpy(lacks.reshape(*lacks.shape[:3], -1).astype(np.float32)))
 
 
 def relations(view: Array) -> NDArray[np.float32]:
@@ -63,9 +69,10 @@ class Met:
     sort: Ints
     half: Array
 
-    def depths(self, said: describe.Attributes, axis: Ints) -> Array:
-        """How deep objects stand in what there is at every offset along an axis (R,); the other coordinate is that of
-        their gap, or of `along` where they are over their reference and the axis is the front."""
+    def told(self, said: describe.Attributes, axis: Ints) -> Array:
+        """How deep objects stand in what there is, and what they lack of some free room on each side, at every offset
+        along an axis (R,), as numbers (R, OFFSETS, MEETS); the other coordinate is that of their gap, or of `along`
+        where they are over their reference and the axis is the front."""
         ex, ey = describe.extents(said.heading, said.size)
         sign = np.where((said.side == describe.BACK) | (said.side == describe.RIGHT), -1.0, 1.0)
         own, reach = np.where(axis == 1, self.half[:, 0], self.half[:, 1]), np.where(axis == 1, ex, ey)
@@ -74,7 +81,7 @@ class Met:
         half = np.stack([np.where(axis == 1, ey, ex), reach], -1)
         unknown = (said.side == describe.OVER) & (axis == 1)
         sort = np.where(unknown[:, None], 0, self.sort)
-        found: Array = clear.depths(
-            np.ascontiguousarray(self.view, np.float32), np.ascontiguousarray(sort), np.ascontiguousarray(axis),
-            place.astype(np.float32), half.astype(np.float32), describe.OFFSETS, describe.OFFSET, SLACK)
-        return found
+        there = (np.ascontiguousarray(self.view, np.float32), np.ascontiguousarray(sort), np.ascontiguousarray(axis),
+                 place.astype(np.float32), half.astype(np.float32), describe.OFFSETS, describe.OFFSET, SLACK)
+        lacks = np.maximum(1 - clear.rooms(*there)[..., None] / clear.NEEDS, 0)
+        return np.concatenate([clear.depths(*there), lacks.reshape(*lacks.shape[:2], -1)], -1)

@@ -1,4 +1,5 @@
-"""How deep an object would stand in others, walls and ways at every offset it may have, and draws, compiled.
+"""How deep an object would stand in others, walls and ways at every offset it may have, how far off it would be from
+them, and draws, compiled.
 
 Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
 """
@@ -54,6 +55,105 @@ def depths(
                 deep = min(least, reach - abs((k - bins // 2) * step - middle)) / DEEPEST
                 if deep > found[r, k, s - 1]:
                     found[r, k, s - 1] = min(deep, 1.0)
+    return found
+
+
+FAR = 1.0
+"""What is farther off counts as so far off, m."""
+NEEDS = np.array([0.15, 0.3, 0.5, 0.7, 0.95], np.float32)
+"""Free room that may be needed beside an object, by what comes after it or who uses it, m."""
+MEETS = SORTS + 4 * len(NEEDS)
+"""Numbers that tell what an object meets at an offset: depths, and what it lacks of each free room on each side."""
+
+
+@compiled("float32[:,:,:](float32[:,:,:],int64[:,:],int64[:],float32[:,:],float32[:,:],int64,float64,float64)")
+def rooms(
+    seen: Floats, sort: Ints, axis: Ints, place: Floats, half: Floats, bins: int, step: float, slack: float
+) -> Floats:
+    """Free room (R, bins, 4), m, at most `FAR`: farther along the axis, back along it, outwards and inwards from it;
+    what it is to objects, walls and ways, arguments as of `depths`."""
+    rows, tokens = sort.shape
+    found = np.full((rows, bins, 4), np.float32(FAR))
+    for r in range(rows):
+        a = axis[r]
+        for t in range(tokens):
+            if sort[r, t] == 0 or sort[r, t] == SORTS:
+                continue
+            if min(place[r, 2], seen[r, t, 6]) - max(place[r, 1], seen[r, t, 5]) <= slack:
+                continue
+            middle, reach = seen[r, t, a], seen[r, t, 3 + a]
+            off = abs(place[r, 0] - seen[r, t, 1 - a]) - half[r, 1] - seen[r, t, 4 - a]
+            if off < FAR:
+                # Beside it: it is as far off across the axis as it is.
+                way = 2 if seen[r, t, 1 - a] > place[r, 0] else 3
+                wide = half[r, 0] + reach - slack
+                first = max(0, int(np.ceil((middle - wide) / step)) + bins // 2)
+                last = min(bins - 1, int(np.floor((middle + wide) / step)) + bins // 2)
+                for k in range(first, last + 1):
+                    found[r, k, way] = min(found[r, k, way], max(off, 0.0))
+            if off < -slack:
+                # On its way: how far off hangs on the offset.
+                wide = half[r, 0] + reach + FAR
+                first = max(0, int(np.ceil((middle - wide) / step)) + bins // 2)
+                last = min(bins - 1, int(np.floor((middle + wide) / step)) + bins // 2)
+                for k in range(first, last + 1):
+                    at = (k - bins // 2) * step
+                    way = 0 if middle > at else 1
+                    found[r, k, way] = min(found[r, k, way], max(abs(at - middle) - half[r, 0] - reach, 0.0))
+    return found
+
+
+DEEP = np.array([0.35, 0.7, 1.2, 2.2], np.float32)
+"""How deep things are that stand at walls, m."""
+LONG = np.array([0.6, 1.0, 1.5, 2.1, 2.8], np.float32)
+"""How long stretches of wall are that things or groups need, m."""
+FITS = len(DEEP) * len(LONG)
+"""Numbers that tell what a wall lacks of free stretches."""
+MOST = 64
+"""More things than so many are not looked at."""
+
+
+@compiled("float32[:,:,:,:](float32[:,:,:],boolean[:,:],float32[:,:,:],int64[:,:],int64[:,:],float32[:])")
+def stretches(
+    boxes: Floats, wall: NDArray[np.bool_], solid: Floats, sort: Ints, there: Ints, deep: Floats
+) -> Floats:
+    """The longest free stretch (B, Q, T, D), m, of walls (B, T), for things of each depth, among the first `there`
+    (B, Q) of solids (B, T, 7) of some sort (B, T); 0 of what is no wall. Boxes (B, T, 7) of a wall have no depth."""
+    b, t = sort.shape
+    found = np.zeros((b, there.shape[1], t, len(deep)), np.float32)
+    low, high, near = np.zeros(MOST), np.zeros(MOST), np.zeros(MOST)
+    row = np.zeros(MOST, np.int64)
+    for i in range(b):
+        for w in range(t):
+            if not wall[i, w]:
+                continue
+            c, s, half = np.cos(boxes[i, w, 2]), np.sin(boxes[i, w, 2]), boxes[i, w, 4] / 2
+            n = 0
+            for u in range(t):
+                if sort[i, u] == 0 or sort[i, u] == SORTS or solid[i, u, 5] > 1.5 or n == MOST:
+                    continue
+                x, y = solid[i, u, 0] - boxes[i, w, 0], solid[i, u, 1] - boxes[i, w, 1]
+                x, y = x * c + y * s, y * c - x * s
+                turn = solid[i, u, 2] - boxes[i, w, 2]
+                across, along = abs(np.cos(turn)), abs(np.sin(turn))
+                ex = (solid[i, u, 3] * across + solid[i, u, 4] * along) / 2
+                ey = (solid[i, u, 3] * along + solid[i, u, 4] * across) / 2
+                if x + ex < 0.05 or x - ex > deep[-1] or y - ey > half or y + ey < -half:
+                    continue
+                k = n
+                while k > 0 and low[k - 1] > y - ey:
+                    low[k], high[k], near[k], row[k] = low[k - 1], high[k - 1], near[k - 1], row[k - 1]
+                    k -= 1
+                low[k], high[k], near[k], row[k] = y - ey, y + ey, x - ex, u
+                n += 1
+            for q in range(there.shape[1]):
+                for d in range(len(deep)):
+                    at, best = -half, 0.0
+                    for k in range(n):
+                        if row[k] < there[i, q] and near[k] < deep[d] - 0.02:
+                            best = max(best, low[k] - at)
+                            at = max(at, high[k])
+                    found[i, q, w, d] = max(best, half - at)
     return found
 
 

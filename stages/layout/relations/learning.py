@@ -127,7 +127,10 @@ def scene_losses(network: Relations, of: Batch) -> dict[str, Tensor]:
     tokens, asking = network.look(view, network.bag(left), scene_mask(of.shell, of.n, t, q))
     asked, there = torch.from_numpy(of.asked), torch.from_numpy(of.asked >= 0)
     logits = network.next(asking).float().masked_fill(left == 0, SHUT_OUT)[there]
-    known = known_of(of.boxes, of.kind, of.category, of.asked, of.shell[:, None] + np.arange(q))
+    soft = SOFT[of.category] & (of.kind == OBJECT)
+    bodies, sort = solids(of.boxes, of.kind, of.swing, of.deep, soft)
+    known = known_of(of.boxes, of.kind, of.category, of.asked, of.shell[:, None] + np.arange(q), bodies,
+                     np.where(real, sort, 0))
     refer = network.reference(asking, asked.clamp_min(0), tokens, known)
     before = np.arange(t)[None, None] < of.shell[:, None, None] + np.arange(q)[None, :, None]
     refer = refer.masked_fill(~torch.from_numpy(before), SHUT_OUT)[there & torch.from_numpy(of.said)]
@@ -213,7 +216,7 @@ def spoken(network: Relations, state: Tensor, tokens: Tensor, heard: Heard) -> d
             lines = describe.aligned(view, way, half)
             out[name] = _loss(head, state, who, describe.offset_bin(value), tokens, describe.offset_bin(lines),
                               np.abs(lines - value[:, None, None]) < describe.CLOSE, heard.real,
-                              depths=heard.met.depths(said, way))
+                              depths=heard.met.told(said, way))
     return out
 
 

@@ -11,7 +11,7 @@ import torch
 from torch import Tensor, nn
 
 from apartgen.stages.layout.relations import describe, features
-from apartgen.stages.layout.relations.clear import SORTS
+from apartgen.stages.layout.relations.clear import FITS, MEETS, SORTS
 from apartgen.stages.layout.relations.shape import Shape
 from apartgen.stages.layout.relations.tokens import N_KINDS
 
@@ -90,13 +90,14 @@ class Known:
     alike: Tensor
     relations: Tensor
     there: Tensor
+    lacks: Tensor
 
 
 class Head(nn.Module):
     """One attribute: logits of its bins, and of being that of a token in one of some ways, of which the value's own bin
     tells part."""
 
-    def __init__(self, shape: Shape, bins: int, ways: int = 0, meets: bool = False) -> None:
+    def __init__(self, shape: Shape, bins: int, ways: int = 0, meets: int = 0) -> None:
         super().__init__()
         w = shape.width
         self.ways, self.key_width = ways, shape.key
@@ -107,12 +108,12 @@ class Head(nn.Module):
             self.point, self.keys = nn.Linear(w, ways * shape.key), nn.Linear(w, shape.key)
             self.share = nn.Parameter(torch.full((1,), 0.3))
             self.copying = nn.Linear(w, 1)
-        self.meets = nn.Linear(w, SORTS) if meets else None
+        self.meets = nn.Linear(w, meets) if meets else None
 
     def forward(self, state: Tensor, keys: Tensor | None = None, at: Tensor | None = None,
                 depths: Tensor | None = None) -> tuple[Tensor, Tensor]:
         """Logits of bins (R, bins) and of pointers (R, T, ways) for states (R, W), `keys` of tokens (R, T, K), the bins
-        `at` (R, T, ways) of what they point at, and the `depths` (R, bins, SORTS) of what would be met there."""
+        `at` (R, T, ways) of what they point at, and `depths` (R, bins, meets) of what would be met there."""
         hidden = self.before(state)
         bins = self.bins(hidden).float()
         if self.meets is not None and depths is not None:
@@ -143,7 +144,7 @@ class Relations(nn.Module):
         self.next = nn.Sequential(nn.LayerNorm(w), nn.Linear(w, categories))
         self.refer = nn.Sequential(nn.LayerNorm(w), nn.Linear(w, w), nn.GELU(approximate="tanh"), nn.Linear(w, w))
         self.referred = nn.Sequential(nn.LayerNorm(w), nn.Linear(w, w))
-        self.taken = nn.Linear(w, 1)
+        self.taken, self.fits = nn.Linear(w, 1), nn.Linear(w, FITS)
         self.relation = nn.Sequential(nn.Linear(RELATIONS, 2 * shape.key), nn.GELU(approximate="tanh"), nn.Linear(
             2 * shape.key, shape.key))
         self.asks, self.tells = nn.Linear(w, shape.key), nn.Linear(w, shape.key)
@@ -153,11 +154,11 @@ class Relations(nn.Module):
         self.heading = Head(shape, describe.HEADINGS)
         self.sizes = nn.ModuleList(Head(shape, describe.SIZES, 1) for _ in range(3))
         self.same = nn.Parameter(torch.zeros(3))
-        self.side = Head(shape, describe.SIDES, meets=True)
+        self.side = Head(shape, describe.SIDES, meets=SORTS)
         self.low = Head(shape, describe.LEVELS, describe.LEVELLINGS)
         self.gap = Head(shape, len(describe.GAPS))
-        self.along = Head(shape, describe.OFFSETS, describe.ALIGNMENTS, meets=True)
-        self.across = Head(shape, describe.OFFSETS, describe.ALIGNMENTS, meets=True)
+        self.along = Head(shape, describe.OFFSETS, describe.ALIGNMENTS, meets=MEETS)
+        self.across = Head(shape, describe.OFFSETS, describe.ALIGNMENTS, meets=MEETS)
 
     @property
     def of_size(self) -> list[Head]:
@@ -183,7 +184,8 @@ class Relations(nn.Module):
         found: Tensor = (query @ self.referred(tokens).transpose(-1, -2)).float() / self.shape.width**0.5
         share = self.asks(query)[:, :, None] * self.tells(tokens)[:, None] * known.there[..., None]
         related = torch.einsum("bqjh,bjth->bqt", share, self.relation(known.relations)).float()
-        total: Tensor = found + self.taken(query).float() * known.alike + related
+        lacking = (known.lacks @ self.fits(query).float()[..., None])[..., 0] * METRES
+        total: Tensor = found + self.taken(query).float() * known.alike + related + lacking
         return total
 
     def view(self, seen: Seen, category: Tensor, left: Tensor) -> tuple[Tensor, Tensor]:

@@ -143,7 +143,9 @@ class _Rooms:
         chosen = drawn(logits.numpy().astype(float), self.lanes)[:, 0]
         names = [next(name for name in p.left if self.known.category(name) == c)
                  for p, c in zip(self.particles, chosen.tolist(), strict=True)]
-        related = around.known_of(self.boxes, self.kind, self.category, chosen[:, None], self.n[:, None])
+        bodies, sort = solids(self.boxes, self.kind, self.swing, self.deep, self.soft)
+        related = around.known_of(self.boxes, self.kind, self.category, chosen[:, None], self.n[:, None], bodies,
+                                  np.where(self.real, sort, 0))
         refer = self.network.reference(asking, torch.from_numpy(chosen)[:, None], tokens, related)[:, 0]
         return names, np.where(self.real, refer.numpy(), SHUT_OUT)
 

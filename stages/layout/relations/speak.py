@@ -156,7 +156,7 @@ def _offsets(head: Head, state: Tensor, keys: Tensor, asked: Asked, said: descri
              lanes: "Lanes", sharp: float, times: int) -> Array:
     ex, ey = describe.extents(said.heading, said.size)
     lines = describe.aligned(asked.view, axis, np.where(axis == 1, ey, ex))
-    met = Met(asked.solid, asked.sort, asked.reference[:, 3:5] / 2).depths(said, axis)
+    met = Met(asked.solid, asked.sort, asked.reference[:, 3:5] / 2).told(said, axis)
     middle = describe.OFFSETS // 2
     return _either(head, state, keys, describe.offset_bin(lines), lines,
                    (np.arange(describe.OFFSETS) - middle) * describe.OFFSET, asked.real, lanes, sharp, times, None, met)
