@@ -24,8 +24,8 @@ BROKEN = 10.0
 TUCK_MOST = 0.30
 """How far a seat may go under its table, m."""
 LEVEL = 0.02
-OFF_WALL = 0.06
-"""What hangs has its back no farther from a wall, m."""
+OFF_WALL = 0.025
+"""What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 APART = 6.0
