@@ -1,11 +1,25 @@
-"""Floor plans to train the layout model on: `python plans.py FOLDER` draws one for every line of prompts.txt."""
+"""Floor plans to train the layout model on: `python plans.py FOLDER` draws four for every line of prompts.txt."""
 
 import sys
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import apartgen
 
-folder = Path(sys.argv[1])
-folder.mkdir(parents=True, exist_ok=True)
-for i, prompt in enumerate((Path(__file__).parent / "prompts.txt").read_text().splitlines()):
-    apartgen.plan(prompt, seed=5000 + i).save(folder / f"{i:04d}.json")
+PROMPTS = (Path(__file__).parent / "prompts.txt").read_text().splitlines()
+TIMES = 4
+
+
+def draw(folder: Path, i: int) -> None:
+    """The plan with number `i`, unless it is there already."""
+    target = folder / f"{i:04d}.json"
+    if not target.exists():
+        apartgen.plan(PROMPTS[i % len(PROMPTS)], seed=5000 + i).save(target)
+
+
+if __name__ == "__main__":
+    where = Path(sys.argv[1])
+    where.mkdir(parents=True, exist_ok=True)
+    numbers = range(TIMES * len(PROMPTS))
+    with ProcessPoolExecutor() as workers:
+        list(workers.map(draw, [where] * len(numbers), numbers, chunksize=8))

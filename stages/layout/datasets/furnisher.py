@@ -4,7 +4,9 @@
 """
 
 import json
+import os
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +15,7 @@ from numpy.random import Generator
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.stages.layout.batch import spreading
 from apartgen.stages.layout.datasets import _json
 from apartgen.stages.layout.datasets._furnish import build, household, shape
 from apartgen.stages.layout.datasets._furnish.household import Household
@@ -20,16 +23,25 @@ from apartgen.stages.layout.datasets._furnish.shape import Hole, Shape
 from apartgen.stages.space import polygons
 from apartgen.stages.space.boxes import Array
 
+MANY = 16
+"""Plans that are worth processes of their own."""
+
 
 def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
-    """Every plan below `root` in name order, furnished `times` times; BadInput for what is no plan."""
+    """Every plan below `root` in name order, furnished `times` times, on all cores; BadInput for what is no plan."""
     paths = sorted(root.rglob("*.json")) if root is not None else []
     if not paths:
         raise BadInput(f"furnisher: {root} holds no plan artifact (*.json); make some with `apartgen plan`")
-    for path in paths:
-        plan = _read(path)
-        for rng in np.random.default_rng([seed, *path.name.encode()]).spawn(times):
-            yield Layout(**dict(plan), objects=furnish(plan, rng))
+    with spreading((os.cpu_count() or 1) if len(paths) > MANY else 1) as spread:
+        for some in spread(partial(_furnished, seed=seed, times=times), paths):
+            yield from some
+
+
+def _furnished(path: Path, seed: int, times: int) -> list[Layout]:
+    """One plan, furnished so many times."""
+    plan = _read(path)
+    return [Layout(**dict(plan), objects=furnish(plan, rng))
+            for rng in np.random.default_rng([seed, *path.name.encode()]).spawn(times)]
 
 
 def _read(path: Path) -> Plan:

@@ -46,13 +46,15 @@ class Doors(NamedTuple):
 
 
 class Prices(NamedTuple):
-    """The share of the floor that may be cut off, what a door and an object out of reach count, and how near, m, one
-    has to get to an object."""
+    """The share of the floor that may be cut off, what a door and an object out of reach count, how near, m, one has
+    to get to an object, and how near and how far before what opens the widest walker has to stand."""
 
     sliver: float
     door: float
     unreached: float
     beside: float
+    close: float
+    far: float
 
 
 A, B = float64[::1], float64[:, ::1]
@@ -61,7 +63,7 @@ of_one_type: Any = types.NamedUniTuple
 RASTER = named((float64, float64, float64, int64, int64), Raster)
 WALKERS = of_one_type(A, 2, Walkers)
 DOORS = of_one_type(int64[::1], 3, Doors)
-PRICES = of_one_type(float64, 4, Prices)
+PRICES = of_one_type(float64, 6, Prices)
 
 
 def inner(function: F) -> F:
@@ -176,13 +178,29 @@ def _touched(box: Floats, labels: Labels, parent: Labels, home: int, radius: flo
     return False
 
 
+@inner
+def _used(box: Floats, labels: Labels, parent: Labels, home: int, prices: Prices, raster: Raster) -> bool:
+    """Whether any of a part lies before a footprint, as far from what it opens, box[5], as one stands to use it."""
+    c, s = np.cos(box[4]), np.sin(box[4])
+    face, half = box[2] / 2 + box[5], box[3] / 2 + prices.close
+    below, above, left, right = _window(box, box[5] + prices.far, raster)
+    for row in range(below, above):
+        for column in range(left, right):
+            if parent[labels[row, column]] == home:
+                x, y = raster.x + (column + 0.5) * raster.step - box[0], raster.y + (row + 0.5) * raster.step - box[1]
+                ahead = x * c + y * s - face
+                if prices.close <= ahead <= prices.far and abs(y * c - x * s) <= half:
+                    return True
+    return False
+
+
 @compiled(float64(boolean[:, :, ::1], int16[:, :, ::1], WALKERS, B, B, DOORS, RASTER, PRICES, float64))
 def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more: Floats, doors: Doors, raster: Raster,
             prices: Prices, limit: float) -> float:
     """What of a floor is cut off, see `paths.Paths.cut_off`.
 
     `inside`, `count` (radii, rows, columns); `bodies` all that stands, `more` those of them that `count` lacks, rows
-    of [x, y, depth, width, yaw].
+    of [x, y, depth, width, yaw, how far it opens or -1].
     """
     (radii, worth), (_, _, _, rows, columns), (door_row, door_column, door_of) = walkers, raster, doors
     free, labels = np.empty((rows, columns), np.bool_), np.empty((rows, columns), np.int32)
@@ -213,5 +231,9 @@ def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more
         if r == 0:
             for k in range(len(bodies)):
                 if home == 0 or not _touched(bodies[k], labels, parent, home, prices.beside, raster):
+                    total += prices.unreached
+        elif r == len(radii) - 1:
+            for k in range(len(bodies)):
+                if bodies[k, 5] >= 0 and (home == 0 or not _used(bodies[k], labels, parent, home, prices, raster)):
                     total += prices.unreached
     return total

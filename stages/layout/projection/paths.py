@@ -21,6 +21,8 @@ BESIDE = 0.16
 """Radius of who is to get beside every object, m."""
 UNREACHED = 0.8
 """Getting beside one more object is worth as many metres."""
+BEFORE = (0.25, 0.8)
+"""So far before the open parts of an object the common robot stands to use it, m."""
 CLOSE = 0.3
 """What is no farther from an object that is out of reach may be what shuts it in, m."""
 DOOR = 0.2
@@ -31,6 +33,8 @@ LOW, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 Bodies = Mapping[int, Boxes]
 NOTHING: Bodies = {}
+SHUT = -1.0
+"""How far what nobody opens does so."""
 
 
 class Paths:
@@ -63,9 +67,9 @@ class Paths:
         (x, y), (rows, columns) = self.cells.origin, self.cells.shape
         return Raster(float(x), float(y), float(self.cells.resolution), rows, columns)
 
-    def add(self, k: int, box: Boxes) -> None:
-        """Object `k` stands there from now on."""
-        self.bodies[k], self.rows[k] = box, _row(box)
+    def add(self, k: int, box: Boxes, opens: float = SHUT) -> None:
+        """Object `k` stands there from now on, and opens so far, m, where the common robot is to use it."""
+        self.bodies[k], self.rows[k] = box, _row(box, opens)
         kernels_floor.shade(self.count, self.rows[k], WALKERS.radii, 1, self.raster)
 
     def remove(self, k: int) -> None:
@@ -80,15 +84,16 @@ class Paths:
         at_doors = labels[self.doors[which]]
         return labels, sizes, int(at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax())
 
-    def cut_off(self, limit: float = np.inf, more: Bodies = NOTHING) -> float:
+    def cut_off(self, limit: float = np.inf, more: Bodies = NOTHING, opens: float = SHUT) -> float:
         """What it is worth, in metres of shifting, to join all parts of the floor, all doors and objects, with `more`
-        objects there; above `limit` only so much of it.
+        objects there that open so far; above `limit` only so much of it.
 
-        A share of the floor beyond SLIVER and each door count for each walker, an object out of reach for the first.
+        A share of the floor beyond SLIVER and each door count for each walker, an object out of reach for the first,
+        what the last can't use for it.
         """
-        extra = {k: _row(box) for k, box in more.items()}
-        bodies, added = (np.array([*some.values()]).reshape(-1, 5) for some in (self.rows | extra, extra))
-        prices = Prices(SLIVER, DOOR, UNREACHED, self._beside)
+        extra = {k: _row(box, opens) for k, box in more.items()}
+        bodies, added = (np.array([*some.values()]).reshape(-1, 6) for some in (self.rows | extra, extra))
+        prices = Prices(SLIVER, DOOR, UNREACHED, self._beside, *BEFORE)
         return kernels_floor.cut_off(
             self.inner, self.count, WALKERS, bodies, added, self.door_cells, self.raster, prices, limit)
 
@@ -136,9 +141,9 @@ class Paths:
         return borders
 
 
-def _row(box: Boxes) -> NDArray[np.float64]:
-    """[x, y, depth, width, yaw] of one box."""
-    return np.array([*box.center[0, :2], *box.size[0, :2], box.yaw[0]])
+def _row(box: Boxes, opens: float) -> NDArray[np.float64]:
+    """[x, y, depth, width, yaw] of one box, and how far it opens."""
+    return np.array([*box.center[0, :2], *box.size[0, :2], box.yaw[0], opens])
 
 
 def in_the_way(room: Standing) -> NDArray[np.bool_]:

@@ -17,6 +17,7 @@ class Training(Record):
     lr: float = Field(1.5e-3, gt=0, description="highest learning rate")
     warmup: int = Field(200, ge=0, description="steps until it is reached")
     ema: float = Field(0.998, ge=0, lt=1, description="decay of the average of weights, which is what is kept")
+    held: int = Field(0, ge=0, description="last rooms of the corpus that are only looked at, beside the loss")
     seed: int = Field(0, ge=0, description="fixes everything drawn")
     threads: int = Field(1, ge=1, description="cores")
     bf16: bool = Field(True, description="network in bfloat16, sums and weights in float32")

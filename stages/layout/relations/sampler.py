@@ -125,7 +125,7 @@ class Sampler:
             if weight.sum() <= 0:
                 break
             k = self._draw(weight)
-            if there.shuts(name, boxes[k]) < CUT:
+            if there.shuts(name, boxes[k], loose) < CUT:
                 if ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
                     return np.asarray(boxes[k])
                 second = np.asarray(boxes[k]) if second is None and not runs.spare(name) else second

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
-from apartgen.stages.layout.projection.paths import Paths
+from apartgen.stages.layout.projection.paths import SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import fixtures, hung, order, runs
@@ -83,7 +83,7 @@ class Furniture:
     def add(self, name: str, box: Array) -> None:
         """An object stands there from now on."""
         if _in_the_way(name, box):
-            self.paths.add(len(self.names), upright(box[None]))
+            self.paths.add(len(self.names), upright(box[None]), _opens(name, box))
             self.cut = self.paths.cut_off()
         self.names.append(name)
         self.boxes = np.concatenate([self.boxes, box[None]])
@@ -148,11 +148,13 @@ class Furniture:
             return np.zeros(len(boxes), bool)
         return np.asarray((penetration(upright(above), windows) > SLACK).any(1))
 
-    def shuts(self, name: str, box: Array) -> float:
-        """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach."""
+    def shuts(self, name: str, box: Array, loose: bool = False) -> float:
+        """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach; its own
+        use does not count where one is `loose`."""
         if not _in_the_way(name, box):
             return 0.0
-        return max(0.0, self.paths.cut_off(more={len(self.names): upright(box[None])}) - self.cut)
+        more = {len(self.names): upright(box[None])}
+        return max(0.0, self.paths.cut_off(more=more, opens=SHUT if loose else _opens(name, box)) - self.cut)
 
     def _others(self, name: str) -> tuple[NDArray[np.bool_], Floats]:
         """Of what stands there, what gives way to a category, and how far the two may be drawn into one another."""
@@ -193,10 +195,16 @@ def _grown(name: str, found: Boxes) -> Boxes:
     return Boxes(center, size, found.yaw)
 
 
+def _opens(name: str, box: Array) -> float:
+    """How far what is opened from the floor before it does so, m."""
+    far = float(reach(name, np.append(box[3:5], box[6] - box[5])))
+    return far if far > 0 and TABLE[name].opens else SHUT
+
+
 def _joined(one: Boxes, two: Boxes) -> Boxes:
     return Boxes(*(np.concatenate(parts) for parts in zip(one, two, strict=True)))
 
 
 def _in_the_way(name: str, box: Array) -> bool:
     kind = TABLE[name]
-    return not kind.soft and (box[5] + box[6]) / 2 < IN_THE_WAY and box[6] > FLAT and kind.place != "top"
+    return (box[5] + box[6]) / 2 < IN_THE_WAY and box[6] > FLAT and kind.place != "top"

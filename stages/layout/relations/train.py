@@ -85,13 +85,13 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
     BadInput where the checkpoint is of other settings; Unmet where the loss is no longer finite.
     """
     torch.set_num_threads(config.threads)
-    rooms = [room for room in corpus.read(Path(config.corpus)) if room.n]
+    rooms, held = _parted([room for room in corpus.read(Path(config.corpus)) if room.n], config)
     model = weights.empty(config)
     if config.start:
         model.load_state_dict(weights.tensors(Path(config.start)), strict=False)
     average = copy.deepcopy(model).requires_grad_(False)
     optimizer = torch.optim.AdamW(model.parameters(), config.lr, betas=(0.9, 0.98), weight_decay=0.01)
-    facts = {"corpus": digest(config.corpus), "rooms": len(rooms)}
+    facts = {"corpus": digest(config.corpus), "rooms": len(rooms), "held": len(held)}
     settings = config.model_dump(exclude=FREE) | {"corpus": facts["corpus"]}
     saved = out.with_suffix(".checkpoint")
     record: dict[str, Any] = {"losses": [], "step": 0}
@@ -110,7 +110,7 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
         if report:
             report(step + 1, sum(mean.values()))
         if (step + 1) % config.save_every == 0 or step + 1 == config.steps:
-            record["losses"].append([step + 1, round(sum(mean.values()), 4)])
+            record["losses"].append([step + 1, round(sum(mean.values()), 4)] + _looked_at(average, held, config))
             state = {"model": model.state_dict(), "average": average.state_dict(), "optimizer": optimizer.state_dict(),
                      "record": record, "settings": settings}
             torch.save(state, saved.with_suffix(".part"))
@@ -119,6 +119,27 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
             curve.draw(record["losses"], out)
             log.info("step %d of %d: loss %.3f", step + 1, config.steps, sum(mean.values()))
     return record
+
+
+def _parted(rooms: list[Furnished], config: Training) -> tuple[list[Furnished], list[Furnished]]:
+    """Rooms to learn from, and those that are only looked at: the last, which are of other homes than the rest."""
+    if config.held >= len(rooms):
+        raise BadInput(f"--held {config.held}: {config.corpus} has {len(rooms)} rooms; hold fewer of them out")
+    return rooms[: len(rooms) - config.held], rooms[len(rooms) - config.held :]
+
+
+def _looked_at(model: weights.Model, held: list[Furnished], config: Training) -> list[float]:
+    """[Loss on rooms that were not learned from], the same draws every time; nothing where there are none."""
+    if not held:
+        return []
+    alike, total, worth = sorted(held, key=lambda room: len(room.kind)), 0.0, 0
+    with torch.inference_mode(), torch.autocast("cpu", torch.bfloat16, enabled=config.bf16):
+        for first in range(0, len(alike), config.batch):
+            some = alike[first : first + config.batch]
+            losses = step_losses(model, some, config.objects, np.random.default_rng([config.seed, first]), HUNG)
+            total += sum(value.item() for value in losses.values()) * len(some)
+            worth += len(some)
+    return [round(total / worth, 4)]
 
 
 def train_step(model: weights.Model, optimizer: torch.optim.Optimizer, rooms: list[Furnished],

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from rooms_for_tests import some_rooms
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import AskedObjects, Plan
@@ -195,3 +196,17 @@ def test_a_unit_takes_the_place_of_one_that_a_run_can_do_without() -> None:
     above = np.array([[-2.7, 0.45, 0.0, 0.3, 0.4, 0.9, 1.2], [-2.7, 0.45, 0.0, 0.3, 0.6, 1.4, 2.0],
                       [-2.7, 1.5, 0.0, 0.3, 0.4, 0.9, 1.2]], np.float32)
     assert runs.carried(np.concatenate([box[None], above]), 0).tolist() == [True, True, False, False]
+
+
+@pytest.mark.parametrize("lane, used", [(0.40, False), (0.49, False), (0.62, True), (0.80, True)])
+def test_a_drawer_is_used_from_a_lane_that_the_robot_gets_into(lane: float, used: bool) -> None:
+    """A nightstand between a bed and a wall: the robot is .5 m wide and stands before the drawer."""
+    rooms = some_rooms(1)
+    rooms.polygon[0, :4] = np.array([[-1.8, -2], [1.8, -2], [1.8, 2], [-1.8, 2]], np.float32)
+    rooms.openings[0, 0] = [-1.6, -2, -0.8, -2, 0, -1, 0]
+    rooms.openings[0, 1] = [0.6, 2, -0.6, 2, 3, 0, 0]
+    room = Furniture(space_of(rooms, 0))
+    room.add("double_bed", np.array([1.8 - lane - 0.8, 1.0, -np.pi / 2, 2.0, 1.6, 0, 0.5]))  # head at the north wall
+    stand = np.array([1.8 - 0.19, 1.8, -np.pi / 2, 0.4, 0.36, 0, 0.5])
+    assert (room.shuts("nightstand", stand) < 0.25) == used
+    assert room.shuts("nightstand", stand, loose=True) < 0.25
