@@ -100,13 +100,15 @@ def check(home: "Home", *, strict: bool = False) -> "list[Fault]":
 
 
 def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,
-           libraries: Sequence[str] = ()) -> "Export":
-    """Write a home's files for simulators, viewers and people into the folder `out`, whole or not at all."""
+           libraries: Sequence[str] = (), randomize: bool = False, seed: int | None = None) -> "Export":
+    """Write a home's files for simulators, viewers and people into the folder `out`, whole or not at all; with
+    `randomize` masses, friction and damping are drawn by the seed within the ranges of their kinds.
+    """
     from apartgen.outputs import ExportSettings, finished
     from apartgen.settings import configured, opened
 
-    given = {"format": list(formats), "libraries": list(libraries)}
-    return finished(opened(home), configured(ExportSettings, given), Path(out))
+    given = {"format": list(formats), "libraries": list(libraries), "randomize": randomize}
+    return finished(opened(home), configured(ExportSettings, given), Path(out), seed)
 
 
 def view(homes: "Home | Sequence[Home]", out: str | PathLike[str], *, libraries: Sequence[str] = ()) -> None:

@@ -28,16 +28,17 @@ class ExportSettings(Record):
 
     format: list[str] = Field(min_length=1)
     libraries: list[str] = Field(default_factory=list)
+    randomize: bool = Field(False, description="masses, friction and damping are drawn within their ranges")
 
 
-def export(home: Plan, settings: ExportSettings, folder: Path) -> Export:
-    """Write one apartment."""
+def export(home: Plan, settings: ExportSettings, folder: Path, seed: int = 0) -> Export:
+    """Write one apartment; what is drawn hangs on the seed."""
     from apartgen.stages import export
 
     def load_asset(library: str, id: str) -> "Asset":
         return opened_libraries(*settings.libraries).load_asset(library, id)
 
-    return export.run(home, settings.format, folder, load_asset)
+    return export.run(home, settings.format, folder, load_asset, seed if settings.randomize else None)
 
 
 @cache
@@ -48,18 +49,19 @@ def opened_libraries(*folders: str) -> "LibrarySet":
     return retrieve.open_libraries(RetrieveConfig(libraries=list(folders)))
 
 
-def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Export:
-    """Write one apartment and the list of its files beside them."""
-    began = perf_counter()
-    files = export(read.body, settings, folder)
-    text, _ = artifact.finish(files, made(read.made.seed, settings, read, perf_counter() - began))
+def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path, seed: int | None = None) -> Export:
+    """Write one apartment and the list of its files beside them; the seed is the apartment's own without another."""
+    used, began = read.made.seed if seed is None else seed, perf_counter()
+    files = export(read.body, settings, folder, used)
+    text, _ = artifact.finish(files, made(used, settings, read, perf_counter() - began))
     artifact.write(text, folder / "export.json")
     return files
 
 
-def intact(read: Artifact[Plan], settings: ExportSettings, folder: Path) -> Export | None:
+def intact(read: Artifact[Plan], settings: ExportSettings, folder: Path, seed: int | None = None) -> Export | None:
     """The list of an earlier export's files, where it came about just so and none is lost or changed."""
-    old = kept(folder / "export.json", "export", made(read.made.seed, settings, read))
+    used = read.made.seed if seed is None else seed
+    old = kept(folder / "export.json", "export", made(used, settings, read))
     same = old is not None and all(_unchanged(folder / file.path, file.sha256) for file in old.body.files)
     return old.body if old is not None and same else None
 

@@ -74,7 +74,7 @@ def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, f
 
 def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> list[Path]:
     """The main file of every format."""
-    files = outputs.intact(home, settings, scene) or outputs.finished(home, settings, scene)
+    files = outputs.intact(home, settings, scene, seed) or outputs.finished(home, settings, scene, seed)
     return [scene / path for path in outputs.principal(files)]
 
 

@@ -15,26 +15,28 @@ from apartgen.stages import registry
 from apartgen_cli.console import say
 from apartgen_cli.folders import into_folders
 from apartgen_cli.inputs import inputs_of
-from apartgen_cli.options import FAILURES, INPUTS, RETRY, TRUST
+from apartgen_cli.options import FAILURES, INPUTS, RETRY, SEED, TRUST
 
 FORMATS = registry.members("apartgen.stages.export")
 FORMAT = Annotated[list[str], typer.Option("--format", help=f"Any number of times; of {', '.join(FORMATS)}.")]
 LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of an indexed asset library in use.")]
+RANDOMIZE = Annotated[bool, typer.Option(
+    "--randomize", help="Draw masses, friction and damping within the ranges of their kinds.")]
 FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; it is replaced whole or not at all.")]
 
 
 def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = None, trust: TRUST = False,
-         failures: FAILURES = None, retry: RETRY = None) -> int:
+         randomize: RANDOMIZE = False, seed: SEED = None, failures: FAILURES = None, retry: RETRY = None) -> int:
     given = inputs_of(inputs, retry)
-    settings = ExportSettings(format=format, libraries=library or [])
+    settings = ExportSettings(format=format, libraries=library or [], randomize=randomize)
     if settings.libraries:
         opened_libraries(*settings.libraries)  # one that is none is said, though the formats may need no asset
 
     def write(read: Artifact[Any], folder: Path) -> None:
-        if given.many and intact(read, settings, folder):
+        if given.many and intact(read, settings, folder, seed):
             say(f"kept {folder}")
         else:
-            _listed(finished(read, settings, folder), folder)
+            _listed(finished(read, settings, folder, seed), folder)
 
     with unless_empty(Path(out)):
         return into_folders("export", Plan, given, out, write, trust=trust, failures=failures or retry)

@@ -11,6 +11,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
+from apartgen.stages.export._randomized import Randomized, told
 from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 from apartgen.stages.scene.scene import LoadAsset, Scene
 
@@ -24,22 +25,25 @@ def formats() -> dict[str, str]:
     return registry.members(PACKAGE)
 
 
-def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset) -> Export:
+def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, randomize: int | None = None) -> Export:
     """Write every format into the folder `out`, which appears, or is replaced, whole or not at all.
 
-    `load_asset(library, id)` gives the assets. BadInput for an unknown format, a layout without assets where a format
-    needs them, and an `out` that holds what no export put there.
+    `load_asset(library, id)` gives the assets; `randomize` is the seed by which physics are drawn, where they are.
+    BadInput for an unknown format, a layout without assets where a format needs them, and an `out` that holds what no
+    export put there.
     """
     if not formats:
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
     writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats)}
-    scene = Scene(home, load_asset)
+    scene = Scene(home, load_asset) if randomize is None else Randomized(home, load_asset, seed=randomize)
     with replaced(out) as folder:
         files = [
-            File(path=path.relative_to(folder).as_posix(), format=name, sha256=_sha256(path))
+            _file(path, name, folder)
             for name, writer in writers.items()
             for path in writer.write(scene, folder)
         ]
+        if randomize is not None:
+            files.append(_file(told(scene.bodies, randomize, folder), "json", folder))
         credits = scene.credits if any(name not in BARE for name in writers) else []
         files.append(_credits(folder, credits))
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "export"))
@@ -49,7 +53,11 @@ def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset) -> Exp
 def _credits(folder: Path, credits: list[str]) -> File:
     path = folder / "CREDITS.txt"
     path.write_text("\n".join(["Made with apartgen.", *credits]) + "\n", encoding="utf-8")
-    return File(path=path.name, format="text", sha256=_sha256(path))
+    return _file(path, "text", folder)
+
+
+def _file(path: Path, format: str, folder: Path) -> File:
+    return File(path=path.relative_to(folder).as_posix(), format=format, sha256=_sha256(path))
 
 
 def _sha256(path: Path) -> str:

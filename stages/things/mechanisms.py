@@ -56,6 +56,12 @@ def table() -> dict[str, Mechanism]:
     return TypeAdapter(dict[str, Mechanism]).validate_python(_rows()["mechanisms"])
 
 
+def surface() -> Range:
+    """By what share of the usual the friction of a surface may differ."""
+    least, most = _rows()["surface"]["friction"]
+    return float(least), float(most)
+
+
 def sources() -> dict[str, str]:
     """Where figures are from, by the names that tables give."""
     return dict(_rows()["sources"])

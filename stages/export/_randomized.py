@@ -1,0 +1,74 @@
+"""A scene whose masses, surfaces and mechanisms are drawn within the ranges of the tables that name their sources."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from numpy.random import Generator
+
+from apartgen.stages import seeds
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.things import mechanisms, small, weights
+from apartgen.stages.things.asset import Link
+from apartgen.stages.things.body import Body
+from apartgen.stages.things.categories import TABLE
+
+FILE = "physics.json"
+
+
+@dataclass(frozen=True, eq=False)
+class Randomized(Scene):
+    """One draw of a scene; each body draws from a lane of its own."""
+
+    seed: int = 0
+
+    @cached_property
+    def bodies(self) -> list[Body]:
+        """The scene's bodies, other in nothing but in what they weigh and how they rub and move."""
+        rng = seeds.drawn(self.seed, "physics", seeds.plan_digest(self.home))
+        return [drawn(body, seeds.lane(rng, body.name)) for body in super().bodies]
+
+
+def drawn(body: Body, rng: Generator) -> Body:
+    """A body with physics drawn: parts get heavier or lighter together, and rub alike."""
+    scale, rubs = _heavier(body, rng), rng.uniform(*mechanisms.surface())
+    links = [replace(link, mass=scale * link.mass, friction=rubs * link.friction) for link in body.links]
+    moving = [link for link in links if link.joint is not None]
+    return replace(body, links=links, motions={
+        link.name: mechanisms.motion(body.category, link, seeds.lane(rng, link.name)) for link in moving})
+
+
+def _heavier(body: Body, rng: Generator) -> float:
+    """How much heavier it is than usual; the whole stays between the lightest and the heaviest of its kind."""
+    usual, factor = sum(link.mass for link in body.links), rng.uniform(1 - weights.SPREAD, 1 + weights.SPREAD)
+    span = _span(body.category)
+    if span is None or usual <= 0:
+        return float(factor)
+    # A library's own model may weigh less or more than its kind does.
+    return float(min(max(factor * usual, min(span[0], usual)), max(span[1], usual)) / usual)
+
+
+def _span(category: str) -> tuple[float, float] | None:
+    return small.TABLE[category].mass if category in small.TABLE else (
+        TABLE[category].mass if category in TABLE else None)
+
+
+def told(bodies: Sequence[Body], seed: int, out: Path) -> Path:
+    """Writes what was drawn, body by body."""
+    found = {"seed": seed, "bodies": {body.name: _facts(body) for body in bodies}}
+    path = out / FILE
+    path.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+    return path
+
+
+def _facts(body: Body) -> dict[str, Any]:
+    return {body.link_name(link): {"mass": link.mass, "friction": link.friction} | _moves(body, link)
+            for link in body.links}
+
+
+def _moves(body: Body, link: Link) -> dict[str, Any]:
+    return {} if link.joint is None else {"joint": body.motion(link)._asdict()}
+
