@@ -56,6 +56,7 @@ def questioned(read: Artifact[Any], settings: QaSettings, seed: int | None, out:
     looks = RenderSettings(views=settings.views, frames=settings.frames, points=0, libraries=settings.libraries)
     seen = rendered(read, looks, used, folder)
     found = qa.run(read.body, seen, settings, lane(used, "qa", read.body))
+    qa.numbered(found, folder)
     artifact.write(qa.lines(found, folder.name), out)
     return found
 

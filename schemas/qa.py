@@ -12,7 +12,8 @@ Difficulty = Literal["easy", "medium", "hard"]
 class Question(Record):
     """One question of several answers; `answer` is the letter of `value` among `options`.
 
-    `images` are names of views. `evidence` names the things that the answer is worked out from, and the numbers.
+    `images` are names of views; one that ends on `.marks` has numbers in it, at the pixels that `marks` tells.
+    `evidence` names the things that the answer is worked out from, and measured numbers.
     """
 
     id: str
@@ -22,5 +23,6 @@ class Question(Record):
     answer: str
     value: str
     images: list[str] = Field(min_length=1)
+    marks: dict[str, tuple[int, int]] = Field(default_factory=dict)
     difficulty: Difficulty
     evidence: dict[str, Any] = Field(default_factory=dict)

@@ -25,11 +25,14 @@ class Instance(Record):
 
 
 class Visible(Record):
-    """What of an instance a frame shows: its pixels, and the least rectangle about them, [x, y, width, height]."""
+    """What of an instance a frame shows: its pixels, the least rectangle about them, [x, y, width, height], and
+    `inmost`, the pixel farthest from its borders, [x, y], with how many steps it takes to one.
+    """
 
     number: int
     pixels: int
     rectangle: tuple[int, int, int, int]
+    inmost: tuple[int, int, int] = (0, 0, 0)
 
 
 class View(Record):

@@ -1,7 +1,9 @@
 """Questions about a home for models that see: what they ask is computed from the artifact, never written by hand."""
 
+import hashlib
 import json
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 
@@ -9,9 +11,11 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.qa import Question
 from apartgen.schemas.render import Render
 from apartgen.stages import registry, seeds
+from apartgen.stages.qa import marks
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.drafts import asked
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.scene.folder import CONTENTS
 
 PACKAGE = "apartgen.stages.qa.kinds"
 
@@ -23,13 +27,20 @@ def every_kind() -> dict[str, str]:
 
 def run(home: Layout, render: Render, config: QaConfig, rng: np.random.Generator) -> list[Question]:
     """Questions about a home that the views of it answer; BadInput for an unknown kind."""
-    facts = Facts(home, render)
+    facts = Facts(home, render, marks.dealt(render, (o.id for o in home.objects), seeds.lane(rng, "marks")))
     found: list[Question] = []
     for name in config.kind or every_kind():
         lane = seeds.lane(rng, name)
         drafts = registry.load(PACKAGE, name).ask(facts, lane, config.each)
         found += asked(name, drafts, lane)
     return found
+
+
+def numbered(questions: Sequence[Question], folder: Path) -> None:
+    """Write the pictures with numbers in them that questions are about, beside those without, and list them."""
+    digests = [(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in marks.draw(questions, folder)]
+    with (folder / CONTENTS).open("a", encoding="utf-8") as contents:
+        contents.writelines(f"{digest}  {name}\n" for name, digest in digests)
 
 
 def lines(questions: Sequence[Question], folder: str) -> str:
@@ -41,5 +52,7 @@ def _line(question: Question, folder: str) -> dict[str, object]:
     options = "\n".join(f"{chr(65 + k)}. {option}" for k, option in enumerate(question.options))
     text = f"{'<image>' * len(question.images)}\n{question.text}\n{options}\nAnswer with the letter."
     messages = [{"role": "user", "content": text}, {"role": "assistant", "content": question.answer}]
-    images = [f"{folder}/{name}.rgb.png" for name in question.images]
-    return {"messages": messages, "images": images, **question.model_dump(mode="json", exclude={"images"})}
+    images = [f"{folder}/{marks.file_of(name)}" for name in question.images]
+    told = question.model_dump(mode="json", exclude={"images", "marks"})
+    return {"messages": messages, "images": images, **told,
+            "marks": [[int(number), *at] for number, at in question.marks.items()]}

@@ -3,14 +3,13 @@
 Of questions that share their answers each is right once, so that nothing is to be learnt from the words alone.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from apartgen.schemas.qa import Difficulty, Question
-from apartgen.stages.qa.facts import far_enough
 
 MOST, FEWEST = 4, 3
 """Answers that questions share."""
@@ -20,7 +19,7 @@ MOST, FEWEST = 4, 3
 class Draft:
     """A question, the right answer and wrong ones; `number` is the right one where it is a measured one.
 
-    What is `barred` would be no fair wrong answer.
+    What is `barred` would be no fair wrong answer; `marks` are pixels of numbers in the first picture.
     """
 
     text: str
@@ -31,6 +30,7 @@ class Draft:
     number: float | None = None
     hard: int = 0
     barred: frozenset[str] = frozenset()
+    marks: Mapping[str, tuple[int, int]] = field(default_factory=dict)
 
 
 @dataclass
@@ -133,10 +133,15 @@ def asked(kind: str, drafts: Sequence[Draft], rng: np.random.Generator) -> list[
         options = [*wrong[:place], draft.answer, *wrong[place:]]
         found.append(Question(
             id=f"{kind}_{k}", kind=kind, text=draft.text, options=options, answer=chr(65 + place), value=draft.answer,
-            images=list(draft.images), difficulty=_difficulty(draft), evidence=draft.evidence))
+            images=list(draft.images), marks=dict(draft.marks), difficulty=_difficulty(draft), evidence=draft.evidence))
     return found
 
 
 def _difficulty(draft: Draft) -> Difficulty:
     score = draft.hard + min(2, len(draft.images) // 2)
     return "easy" if score <= 0 else "medium" if score <= 2 else "hard"
+
+
+def far_enough(values: Sequence[float], value: float, ratio: float = 1.25, least: float = 0.15) -> bool:
+    """Whether a number can be told from others by eye."""
+    return all(max(v, value) > ratio * min(v, value) and abs(v - value) > least for v in values)

@@ -2,15 +2,18 @@
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import hypot
+from typing import Any
 
 from shapely.geometry import Polygon
 
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Room
 from apartgen.schemas.render import Render, View
+from apartgen.stages.qa.drafts import Draft
+from apartgen.stages.qa.marks import MARKED, Marks
 from apartgen.stages.space import boxes, polygons
 from apartgen.stages.things.categories import TABLE
 
@@ -31,11 +34,29 @@ def one(category: str) -> str:
 
 
 @dataclass(frozen=True)
+class Marked:
+    """An object, its number, and the view that it has it in; as text, what it is called there."""
+
+    id: str
+    number: int
+    view: str
+
+    def __str__(self) -> str:
+        return marked(self.number)
+
+
+def marked(number: int) -> str:
+    """What a thing with a number is called."""
+    return f"the thing marked {number}"
+
+
+@dataclass(frozen=True)
 class Facts:
     """A furnished home, and views of it."""
 
     home: Layout
     render: Render
+    marks: Marks = field(default_factory=dict)
 
     @cached_property
     def objects(self) -> dict[str, Box]:
@@ -123,6 +144,27 @@ class Facts:
             left -= shown[best]
         return chosen if not left else []
 
+    @cached_property
+    def marked(self) -> list["Marked"]:
+        """Each object with a number, in the view that shows most of it."""
+        best = {}
+        for view, numbers in self.marks.items():
+            for id, number in numbers.items():
+                if id not in best or self.shares[view][id] > self.shares[best[id].view][id]:
+                    best[id] = Marked(id, number, view)
+        return list(best.values())
+
+    def numbered(self, view: str, text: str, answer: str, evidence: dict[str, Any], wrong: tuple[str, ...] = (), *,
+                 number: float | None = None, hard: int = 0, more: Sequence[str] = ()) -> Draft:
+        """A question about a view with numbers in it, and about `more` views."""
+        return Draft(text, answer, [view + MARKED, *more], evidence, wrong, number, hard, marks=self._pixels(view))
+
+    def _pixels(self, view: str) -> dict[str, tuple[int, int]]:
+        """Where in a view the numbers of things are."""
+        ids = {thing.number: thing.id for thing in self.render.instances}
+        at = {ids[part.number]: part.inmost[:2] for part in self.views[view].visible}
+        return {str(number): at[id] for id, number in sorted(self.marks[view].items(), key=lambda one: one[1])}
+
     def room_pictures(self, room: str) -> list[str]:
         """The panorama of a room."""
         return [view.name for view in self.render.views if view.kind == "panorama" and view.room == room]
@@ -169,8 +211,3 @@ def metres(value: float) -> str:
 def centimetres(value: float) -> str:
     """A length below a metre or so as it is said."""
     return f"{5 * round(value * 20)} cm"
-
-
-def far_enough(values: Sequence[float], value: float, ratio: float = 1.25, least: float = 0.15) -> bool:
-    """Whether a number can be told from others by eye."""
-    return all(max(v, value) > ratio * min(v, value) and abs(v - value) > least for v in values)

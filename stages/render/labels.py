@@ -94,9 +94,27 @@ def visible(instance: NDArray[np.uint16]) -> list[Visible]:
     """What is seen of each thing."""
     from scipy import ndimage
 
-    counts = np.bincount(instance.ravel())
-    places = ndimage.find_objects(instance.astype(np.int32))
-    return [Visible(number=k, pixels=int(counts[k]),
-                    rectangle=(place[1].start, place[0].start, place[1].stop - place[1].start,
-                               place[0].stop - place[0].start))
-            for k, place in enumerate(places, 1) if place is not None]
+    counts, within = np.bincount(instance.ravel()), _within(instance)
+    found = []
+    for k, place in enumerate(ndimage.find_objects(instance.astype(np.int32)), 1):
+        if place is None:
+            continue
+        y, x = place[0].start, place[1].start
+        steps = np.where(instance[place] == k, within[place], 0)
+        row, column = (int(i) for i in np.unravel_index(int(np.argmax(steps)), steps.shape))
+        found.append(Visible(number=k, pixels=int(counts[k]),
+                             rectangle=(x, y, place[1].stop - x, place[0].stop - y),
+                             inmost=(x + column, y + row, int(steps[row, column]))))
+    return found
+
+
+def _within(instance: NDArray[np.uint16]) -> NDArray[np.int32]:
+    """How many steps it takes from each pixel to one of another thing, or out of the picture."""
+    from scipy import ndimage
+
+    around = np.pad(instance.astype(np.int32), 1, constant_values=-1)
+    inner = around[1:-1, 1:-1]
+    rows, columns = instance.shape
+    same = np.logical_and.reduce([inner == around[y:y + rows, x:x + columns] for y in range(3) for x in range(3)])
+    steps: NDArray[np.int32] = ndimage.distance_transform_cdt(same, "chessboard") + 1
+    return steps

@@ -1,6 +1,8 @@
 """Every answer worked out anew from the artifact and the pictures, by other means; letters and answers are even."""
 
 import json
+import re
+import shutil
 from collections import Counter, defaultdict
 from math import atan2, cos, degrees, hypot, sin
 from pathlib import Path
@@ -34,12 +36,16 @@ def seen(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def asked_of(seen):
-    home, views, _ = seen
-    return [one for seed in range(4) for one in qa.run(home, views, QaConfig(), seeds.drawn(seed, "qa"))]
+    home, views, out = seen
+    found = [one for seed in range(4) for one in qa.run(home, views, QaConfig(), seeds.drawn(seed, "qa"))]
+    qa.numbered(found, out)
+    return found
 
 
 class Anew:
     """The home and its pictures, and answers to questions by kind, worked out without the stage's code."""
+
+    met = {}
 
     def __init__(self, home, views, out):
         self.home, self.views, self.out = home, {v.name: v for v in views.views}, out
@@ -87,8 +93,16 @@ class Anew:
                 found = not found
         return found
 
+    def room_of(self, place):
+        return next(room for room in self.rooms if self.inside(room, *place))
+
     def ahead(self, o):
         """First thing met on lines ahead of the whole front, and how far, by steps of half a centimetre."""
+        if o.id not in self.met:
+            self.met[o.id] = self.stepped(o)
+        return self.met[o.id]
+
+    def stepped(self, o):
         best, met = 12.0, ""
         solid = [p for p in self.home.objects if p.id != o.id and p.room == o.room
                  and p.center[2] + p.size[2] / 2 > max(o.center[2] - o.size[2] / 2, 0.1)
@@ -109,7 +123,17 @@ class Anew:
         return np.asarray(Image.open(self.out / f"{view}.instance.png"))
 
     def share(self, view, id):
-        return float((self.image(view) == self.numbers[id]).mean())
+        return float((self.image(view.removesuffix(".marks")) == self.numbers[id]).mean())
+
+    def told(self, q, text=None):
+        """Ids of the things that a text means by their numbers, by what is at the pixels of these."""
+        ids, image = {number: id for id, number in self.numbers.items()}, self.image(q.images[0].removesuffix(".marks"))
+        return [ids[image[q.marks[n][1], q.marks[n][0]]] for n in re.findall(r"marked (\d+)", text or q.text)]
+
+    def it(self, q):
+        (id,) = self.told(q)
+        assert id == q.evidence["object"]
+        return self.objects[id]
 
     def graph(self):
         found = networkx.MultiGraph()
@@ -118,16 +142,17 @@ class Anew:
         return found
 
     def count(self, q):
-        wanted = (q.evidence["room"], q.evidence["category"])
-        return str(sum((o.room, o.category) == wanted for o in self.home.objects))
+        wanted = (self.views[q.images[0]].room, q.text.rsplit(": ", 1)[1][:-1])
+        return str(sum((o.room, TABLE[o.category].called) == wanted for o in self.home.objects))
 
     def absolute_distance(self, q):
-        a, b = (self.objects[id] for id in q.evidence["objects"])
+        a, b = (self.objects[id] for id in self.told(q))
         return f"{self.apart(a, b):.1f} m"
 
     def relative_distance(self, q):
-        anchor = self.objects[q.evidence["to"]]
-        return min(q.evidence["objects"], key=lambda id: self.apart(anchor, self.objects[id]))
+        (anchor,) = (self.objects[id] for id in self.told(q))
+        near = {option: self.objects[self.told(q, option)[0]] for option in q.options}
+        return min(near, key=lambda option: self.apart(anchor, near[option]))
 
     def direction(self, q):
         here, there, of = (np.array(self.objects[q.evidence[k]].center[:2]) for k in ("at", "facing", "of"))
@@ -136,20 +161,20 @@ class Anew:
         return f"{'ahead' if ahead @ way > 0 else 'behind'} to the {side}"
 
     def object_size(self, q):
-        return f"{5 * round(max(self.objects[q.evidence['object']].size) / 0.05)} cm"
+        return f"{5 * round(max(self.it(q).size) / 0.05)} cm"
 
     def room_size(self, q):
-        points = np.array(self.rooms[q.evidence["room"]].polygon)
+        points = np.array(self.rooms[self.views[q.images[0]].room].polygon)
         x, y = points.T
         return f"{abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2:.0f} m²"
 
     def route(self, q):
         openings = {o.id: o for o in self.home.openings}
         entrance = next(o for o in self.home.openings if o.kind == "entrance")
-        o = self.objects[q.evidence["object"]]
+        end = np.array(self.views[q.images[0]].pose)[:2, 3]
         way = [entrance, *(openings[id] for id in q.evidence["doors"])]
-        assert networkx.shortest_path_length(self.graph(), entrance.rooms[0], o.room) == len(way) - 1
-        goals = [np.mean(w.segment, axis=0) for w in way[1:]] + [np.array(o.center[:2])]
+        assert networkx.shortest_path_length(self.graph(), entrance.rooms[0], self.room_of(end)) == len(way) - 1
+        goals = [np.mean(w.segment, axis=0) for w in way[1:]] + [end]
         room, words = None, []
         for opening, goal in zip(way, goals):
             room = opening.rooms[0] if room is None else next(r for r in opening.rooms if r != room)
@@ -170,18 +195,17 @@ class Anew:
         return sorted(first, key=first.get)
 
     def parts(self, q):
-        return str(len(self.objects[q.evidence["object"]].joints))
+        return str(len(self.it(q).joints))
 
     def mechanism(self, q):
         ways = set()
-        for j in self.objects[q.evidence["object"]].joints:
+        for j in self.it(q).joints:
             ways.add("slide" if j.type == "slide" else
                      f"turn about {'an upright' if abs(j.axis[2]) > 0.7 else 'a level'} hinge")
         return " and ".join(sorted(ways)) or "nothing of it moves"
 
     def reach_out(self, q):
-        o = self.objects[q.evidence["object"]]
-        far = 0.0
+        o, far = self.it(q), 0.0
         for j in (j for j in o.joints if j.extent):
             for x in (j.extent[0][0], j.extent[1][0]):
                 for y in (j.extent[0][1], j.extent[1][1]):
@@ -196,31 +220,35 @@ class Anew:
         return f"{5 * round(far / 0.05)} cm"
 
     def clearance(self, q):
-        far, met = self.ahead(self.objects[q.evidence["object"]])
+        far, met = self.ahead(self.it(q))
         assert met == q.evidence["met"] and abs(far - q.evidence["metres"]) < 0.03
         return f"{q.evidence['metres']:.1f} m"
 
     def in_front(self, q):
-        return self.ahead(self.objects[q.evidence["object"]])[1]
+        met = self.ahead(self.it(q))[1]
+        (option,) = (option for option in q.options if self.told(q, option) == [met])
+        return option
 
     def doors_between(self, q):
-        a, b = (self.objects[id].room for id in q.evidence["objects"])
+        a, b = (self.room_of(np.array(self.views[name].pose)[:2, 3]) for name in q.images[:2])
         ways = list(networkx.all_shortest_paths(self.graph(), a, b))
         assert len(ways) == 1 or a == b
         return str(len(ways[0]) - 1)
 
     def doors(self, q):
-        return str(sum(q.evidence["room"] in o.rooms and o.kind != "window" for o in self.home.openings))
+        room = self.views[q.images[0]].room
+        return str(sum(room in o.rooms and o.kind != "window" for o in self.home.openings))
 
     def windows(self, q):
-        return str(sum(q.evidence["room"] in o.rooms and o.kind == "window" for o in self.home.openings))
+        room = self.views[q.images[0]].room
+        return str(sum(room in o.rooms and o.kind == "window" for o in self.home.openings))
 
     def lamps(self, q):
-        return str(sum(o.room == q.evidence["room"] and "lamp" in o.category for o in self.home.objects))
+        return str(sum(o.room == self.views[q.images[0]].room and "lamp" in o.category for o in self.home.objects))
 
     def carried(self, q):
-        on = self.objects[q.evidence["object"]].on
-        return f"the {on}" if on in ("floor", "wall", "ceiling") else on
+        on = self.it(q).on
+        return f"the {on}" if on in ("floor", "wall", "ceiling") else "another thing"
 
     def seen(self, q):
         shown = {o.category for o in self.home.objects if self.share(q.evidence["view"], o.id) > 0}
@@ -249,18 +277,17 @@ class Anew:
         return min(q.evidence["objects"], key=far)
 
     def taller(self, q):
-        return max(q.evidence["objects"], key=lambda id: self.objects[id].size[2])
+        return max(q.options, key=lambda option: self.objects[self.told(q, option)[0]].size[2])
 
     def where(self, q):
-        x, y = np.array(self.views[q.evidence["view"]].pose)[:2, 3]
-        return next(room.type.replace("_", " ") for room in self.home.rooms if self.inside(room.id, x, y))
+        return self.rooms[self.room_of(np.array(self.views[q.images[0]].pose)[:2, 3])].type.replace("_", " ")
 
     def turn(self, q):
         a, b = (np.array(self.views[name].pose)[:2, 2] for name in q.evidence["views"])
         return "to the left" if a[0] * b[1] - a[1] * b[0] > 0 else "to the right"
 
     def gap(self, q):
-        a, b = (self.objects[id] for id in q.evidence["objects"])
+        a, b = (self.objects[id] for id in self.told(q))
         return "yes" if self.flat(a, b) > 0.5 else "no"
 
 
@@ -300,7 +327,7 @@ def test_what_is_inside_is_asked_where_all_of_it_is_seen(seen):
     for one in found:
         held = [o for o in home.objects if holders.get(o.id) == one.evidence["object"]]
         assert one.value == ", ".join(sorted({TABLE[o.category].called for o in held}))
-        assert all(any(numbers[o.id] in shown[name] for name in one.images) for o in held)
+        assert all(any(numbers[o.id] in shown[name.removesuffix(".marks")] for name in one.images) for o in held)
     gone = {numbers[id] for id in holders}
     hidden = views.model_copy(update={"views": [view.model_copy(update={
         "visible": [part for part in view.visible if part.number not in gone]}) for view in views.views]})
@@ -345,6 +372,7 @@ def test_lines_are_what_fine_tuning_reads(seen, asked_of):
         user, assistant = line["messages"]
         assert (user["role"], assistant["role"], assistant["content"]) == ("user", "assistant", one.answer)
         assert user["content"].count("<image>") == len(line["images"])
+        assert {str(number): (x, y) for number, x, y in line["marks"]} == one.marks
         assert all((seen[2] / Path(path).name).is_file() for path in line["images"])
 
 
@@ -393,10 +421,62 @@ def test_what_is_barred_is_no_answer(seed):
 
 def test_comparisons_and_fronts_are_even_in_a_home(asked_of):
     """What stands before a thing is never to be found by leaving out the thing itself."""
-    for kind in ("left_of", "nearer", "taller"):
+    for kind in ("left_of", "nearer"):
         right = Counter(one.value for one in asked_of if one.kind == kind)
         assert right == Counter(option for one in asked_of if one.kind == kind for option in one.options
                                 if option != one.value)
     for one in asked_of:
         if one.kind == "in_front":
             assert not [option for option in one.options if one.text.endswith(f"front of {option}?")]
+
+
+NUMBERED = ("absolute_distance", "carried", "clearance", "gap", "mechanism", "object_size", "parts", "reach_out")
+ROOMS = ("count", "doors", "doors_between", "lamps", "room_size", "route", "where", "windows")
+
+
+def test_the_same_words_have_every_answer_as_often(seen):
+    """But for the numbers in pictures, which are drawn."""
+    home, views, _ = seen
+    groups = defaultdict(Counter)
+    for one in qa.run(home, views, QaConfig(kind=[*NUMBERED, *ROOMS, "seen"], each=20), seeds.drawn(7, "qa")):
+        groups[one.kind, re.sub(r"marked \d+", "marked", one.text), frozenset(one.options)][one.value] += 1
+    assert len({kind for kind, _, _ in groups}) >= 12
+    for (_, _, options), right in groups.items():
+        assert set(right) == options and len(set(right.values())) == 1
+
+
+def test_numbers_are_drawn(seen):
+    """So that the one of four things that is meant has each rank among them as often, within four errors."""
+    home, views, _ = seen
+    ranks = Counter()
+    for seed in range(60):
+        for one in qa.run(home, views, QaConfig(kind=["relative_distance"]), seeds.drawn(seed, "qa")):
+            numbers = sorted(int(option.rsplit(" ", 1)[1]) for option in one.options)
+            ranks[len(numbers), numbers.index(int(one.value.rsplit(" ", 1)[1]))] += 1
+    for many in {many for many, _ in ranks}:
+        counts = np.array([ranks[many, k] for k in range(many)])
+        assert np.abs(counts - counts.mean()).max() <= 4 * np.sqrt(counts.sum() * (many - 1)) / many
+
+
+def test_numbers_are_where_they_are_said_to_be(seen, tmp_path):
+    """A mark lies on its thing, pictures differ at marks alone, and each number is there."""
+    home, views, out = seen
+    folder = tmp_path / "views"
+    shutil.copytree(out, folder)
+    asked = qa.run(home, views, QaConfig(), seeds.drawn(1, "qa"))
+    qa.numbered(asked, folder)
+    some = {one.images[0]: one.marks for one in asked if one.marks}
+    assert some and all((folder / f"{name}.png").is_file() for name in some)
+    anew = Anew(home, views, folder)
+    for name, marks in some.items():
+        view = name.removesuffix(".marks")
+        bare, drawn = (np.asarray(Image.open(folder / f"{n}.png")).astype(int) for n in (f"{view}.rgb", name))
+        rows, columns = np.indices(bare.shape[:2])
+        near = np.zeros(bare.shape[:2], bool)
+        for x, y in marks.values():
+            disc = np.hypot(rows - y, columns - x) <= 4.7
+            assert len(set(anew.image(view)[np.hypot(rows - y, columns - x) <= 3])) == 1
+            assert (bare != drawn)[disc].any()
+            near |= disc
+        assert not (bare != drawn)[~near].any()
+    assert all(line.split("  ")[1] for line in (folder / "SHA256SUMS").read_text().splitlines() if ".marks" in line)

@@ -151,6 +151,9 @@ def test_what_is_said_to_be_visible_is_what_the_pictures_show(made):
             assert part.pixels == len(rows) and (semantic[rows, columns] == label[part.number]).all()
             x, y, w, h = part.rectangle
             assert (x, y, x + w - 1, y + h - 1) == (columns.min(), rows.min(), columns.max(), rows.max())
+            u, v, steps = part.inmost
+            about = instance[v - steps + 1:v + steps, u - steps + 1:u + steps]
+            assert about.shape == (2 * steps - 1,) * 2 and (about == part.number).all()
 
 
 def test_eye_views_show_things(made):

@@ -5,20 +5,21 @@ from itertools import combinations
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, metres
+from apartgen.stages.qa.facts import Facts, marked, metres
 
 NEAREST = 0.4
 """What is nearer is not asked for, m."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Between the nearest points of their boxes."""
+    """Between the nearest points of the boxes of two things in one picture and room."""
     drafts = []
-    for room in facts.rooms:
-        for a, b in combinations(facts.named_in(room), 2):
+    for view, numbers in facts.marks.items():
+        for a, b in combinations(numbers, 2):
             far = facts.apart(a, b)
-            if far > NEAREST and (images := facts.pictures((a, b), 2)):
-                text = f"How far is {facts.names[a]} from {facts.names[b]}, between their nearest points?"
+            if far > NEAREST and facts.objects[a].room == facts.objects[b].room:
+                one, other = sorted((numbers[a], numbers[b]))
+                text = f"How far is {marked(one)} from {marked(other)}, between their nearest points?"
                 evidence = {"objects": [a, b], "metres": round(far, 3)}
-                drafts.append(Draft(text, metres(far), images, evidence, number=far))
+                drafts.append(facts.numbered(view, text, metres(far), evidence, number=far))
     return shared(drafts, rng, most)

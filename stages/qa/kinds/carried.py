@@ -9,9 +9,9 @@ from apartgen.stages.qa.facts import Facts
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """The floor, a wall, the ceiling or another thing."""
     drafts = []
-    for id, name in facts.names.items():
-        on = facts.objects[id].on
-        carrier = f"the {on}" if on in ("floor", "wall", "ceiling") else facts.names.get(on or "")
-        if carrier and (images := facts.pictures([id], 1)):
-            drafts.append(Draft(f"What carries {name}?", carrier, images, {"object": id, "on": on}))
+    for it in facts.marked:
+        on = facts.objects[it.id].on
+        if on:
+            carrier = f"the {on}" if on in ("floor", "wall", "ceiling") else "another thing"
+            drafts.append(facts.numbered(it.view, f"What carries {it}?", carrier, {"object": it.id, "on": on}))
     return shared(drafts, rng, most)

@@ -9,15 +9,16 @@ from apartgen.stages.qa.fronts import before
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Straight ahead, over its whole width, up to the first thing or wall."""
+    """Straight ahead, over its whole width, up to the first thing or wall; the room is shown all around, too."""
     drafts = []
-    for id, name in facts.names.items():
-        o = facts.objects[id]
+    for it in facts.marked:
+        o = facts.objects[it.id]
         if not isinstance(o, Furnishing) or not o.joints:
             continue
-        far, met = before(facts, id)
-        if far > 0.25 and (images := facts.pictures([id, *([met] if met else [])], 2)):
-            text = f"How far is it from the front of {name} straight ahead to the first thing or wall?"
-            evidence = {"object": id, "met": met, "metres": round(far, 3)}
-            drafts.append(Draft(text, metres(far), images, evidence, number=far, hard=1))
+        far, met = before(facts, it.id)
+        images = facts.room_pictures(o.room)
+        if far > 0.25 and images and (not met or facts.shares[images[0]].get(met, 0) > 0):
+            text = f"How far is it from the front of {it} straight ahead to the first thing or wall?"
+            evidence = {"object": it.id, "met": met, "metres": round(far, 3)}
+            drafts.append(facts.numbered(it.view, text, metres(far), evidence, number=far, hard=1, more=images))
     return shared(drafts, rng, most)

@@ -1,21 +1,36 @@
 """How many things of a kind there are in a room."""
 
-from collections import defaultdict
+from collections import Counter
 
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts, spoken
 
+LEAST = 5e-4
+
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """All that is counted is seen in the pictures."""
-    groups: dict[tuple[str, str], list[str]] = defaultdict(list)
-    for o in facts.home.objects:
-        groups[o.room, o.category].append(o.id)
+    """Of the rooms of panoramas that show all of them and none of another room; each kind has several answers."""
+    kinds = sorted({spoken(o.category) for o in facts.home.objects})
+    asked = [_of(facts, kinds[k]) for k in rng.permutation(len(kinds))]
+    found: list[Draft] = []
+    for drafts in sorted(asked, key=lambda some: -len({draft.answer for draft in some})):
+        if len(found) < most:
+            found += shared(drafts, rng, most - len(found), fewest=2)
+    return found
+
+
+def _of(facts: Facts, kind: str) -> list[Draft]:
     drafts = []
-    for (room, category), ids in groups.items():
-        if room in facts.room_names and (images := facts.pictures(ids, least=0.002)):
-            text = f"How many things of this kind are there in {facts.room_names[room]}: {spoken(category)}?"
-            drafts.append(Draft(text, str(len(ids)), images, {"room": room, "category": category}, hard=len(ids) // 3))
-    return shared(drafts, rng, most)
+    for room in facts.rooms:
+        for image in facts.room_pictures(room):
+            seen = {id for id, share in facts.shares[image].items()
+                    if id in facts.objects and kind in spoken(facts.objects[id].category)}
+            there = {o.id for o in facts.home.objects if o.room == room and kind in spoken(o.category)}
+            names = Counter(spoken(facts.objects[id].category) for id in there)
+            if seen == there and set(names) <= {kind} and all(facts.shares[image][id] > LEAST for id in there):
+                text = f"How many things of this kind are there in the room that this picture shows all around: {kind}?"
+                evidence = {"room": room, "kind": kind}
+                drafts.append(Draft(text, str(len(there)), [image], evidence, hard=len(there) // 3))
+    return drafts

@@ -7,12 +7,12 @@ from apartgen.stages.qa.facts import Facts
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """The entrance and open passages are counted, too."""
+    """Of the room of a panorama; the entrance and open passages are counted, too."""
     drafts = []
-    for room, name in facts.room_names.items():
-        doors = facts.passages(room)
+    for room in facts.rooms:
         images = [*facts.room_pictures(room), *facts.above()]
         if len(images) == 2:
-            text = f"How many doors and open passages does {name} have, the entrance counted?"
-            drafts.append(Draft(text, str(len(doors)), images, {"room": room}, hard=1))
-    return shared(drafts, rng, most)
+            text = ("The first picture shows a room all around, the second its home from above. "
+                    "How many doors and open passages does the room have, the entrance counted?")
+            drafts.append(Draft(text, str(len(facts.passages(room))), images, {"room": room}, hard=1))
+    return shared(drafts, rng, most, fewest=2)

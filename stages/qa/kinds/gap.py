@@ -5,7 +5,7 @@ from itertools import combinations
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, balanced
-from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.facts import Facts, marked
 
 WIDTH = 0.5
 NARROW, WIDE = 0.4, 0.65
@@ -17,18 +17,16 @@ HIGHEST = 1.2
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Between things that stand on the floor of one room, not farther apart than one would ask for."""
     drafts = []
-    for room in facts.rooms:
-        low = [id for id in facts.named_in(room) if _low(facts, id)]
-        for a, b in combinations(low, 2):
+    for view, numbers in facts.marks.items():
+        for a, b in combinations((id for id in numbers if _low(facts, id)), 2):
             wide = float(facts.print(a).distance(facts.print(b)))
-            if not (0.05 < wide < NARROW or WIDE < wide < 1.6):
-                continue
-            if images := facts.pictures((a, b), 2):
-                answer = "yes" if wide > WIDTH else "no"
-                text = (f"Could a robot {WIDTH * 100:.0f} cm wide pass between {facts.names[a]} and {facts.names[b]}, "
+            if facts.objects[a].room == facts.objects[b].room and (0.05 < wide < NARROW or WIDE < wide < 1.6):
+                one, other = sorted((numbers[a], numbers[b]))
+                text = (f"Could a robot {WIDTH * 100:.0f} cm wide pass between {marked(one)} and {marked(other)}, "
                         "if nothing else stood there?")
-                drafts.append(Draft(text, answer, images, {"objects": [a, b], "metres": round(wide, 3)},
-                                    ("no" if answer == "yes" else "yes",)))
+                right, wrong = ("yes", "no") if wide > WIDTH else ("no", "yes")
+                evidence = {"objects": [a, b], "metres": round(wide, 3)}
+                drafts.append(facts.numbered(view, text, right, evidence, (wrong,)))
     return balanced(drafts, rng, most)
 
 

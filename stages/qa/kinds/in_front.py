@@ -2,23 +2,23 @@
 
 import numpy as np
 
-from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.drafts import Draft, some
+from apartgen.stages.qa.facts import Facts, marked
 from apartgen.stages.qa.fronts import before
+
+WRONG = 3
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """The first thing straight ahead of its front, over its whole width; things of one room share their answers."""
-    found: list[Draft] = []
-    for room in facts.rooms:
-        drafts = []
-        for id in facts.named_in(room):
-            _, met = before(facts, id)
-            if met in facts.names and (images := facts.pictures([id, met], 2)):
-                text = f"What does one meet first straight ahead of the front of {facts.names[id]}?"
-                evidence = {"object": id, "met": met}
-                own = frozenset({facts.names[id]})
-                drafts.append(Draft(text, facts.names[met], images, evidence, hard=1, barred=own))
-        if len(found) < most:
-            found += shared(drafts, rng, most - len(found), fewest=2)
-    return found
+    """The first thing straight ahead of its front, over its whole width, among others of the same picture."""
+    drafts = []
+    for view, numbers in facts.marks.items():
+        for id in numbers:
+            _, met = before(facts, id) if facts.objects[id].room in facts.rooms else (0.0, "")
+            others = [other for other in numbers if other not in (id, met)]
+            if met in numbers and len(others) >= WRONG - 1:
+                wrong = tuple(marked(numbers[others[k]]) for k in rng.permutation(len(others))[:WRONG])
+                text = f"What does one meet first straight ahead of the front of {marked(numbers[id])}?"
+                drafts.append(facts.numbered(view, text, marked(numbers[met]), {"object": id, "met": met}, wrong,
+                                             hard=1))
+    return some(drafts, rng, most)

@@ -21,8 +21,12 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         if put is not None:
             held[put.object].append(o)
     drafts = []
-    for id, things in held.items():
-        if id in facts.names and (images := facts.pictures([id, *(o.id for o in things)], 3, LEAST)):
+    for it in facts.marked:
+        things = held.get(it.id, [])
+        unseen = [o.id for o in things if facts.shares[it.view].get(o.id, 0) <= LEAST]
+        more = facts.pictures(unseen, 2, LEAST)
+        if things and (more or not unseen):
             answer = ", ".join(sorted({spoken(o.category) for o in things}))
-            drafts.append(Draft(f"What is on or inside {facts.names[id]}?", answer, images, {"object": id}, hard=1))
+            drafts.append(facts.numbered(it.view, f"What is on or inside {it}?", answer, {"object": it.id}, hard=1,
+                                         more=more))
     return shared(drafts, rng, most)

@@ -6,14 +6,17 @@ from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.things.categories import TABLE
 
+LEAST = 5e-4
+
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """All of them are seen in the pictures."""
+    """Of the room of a panorama, which shows all of them."""
     drafts = []
-    for room, name in facts.room_names.items():
+    for room in facts.rooms:
         lamps = [o.id for o in facts.home.objects
                  if o.room == room and o.category in TABLE and TABLE[o.category].lumens > 0]
-        images = facts.pictures(lamps, least=0.002) if lamps else facts.room_pictures(room)
-        if images:
-            drafts.append(Draft(f"How many lamps are there in {name}?", str(len(lamps)), images, {"room": room}))
-    return shared(drafts, rng, most)
+        images = facts.room_pictures(room)
+        if images and all(facts.shares[images[0]].get(id, 0) > LEAST for id in lamps):
+            text = "How many lamps are there in the room that this picture shows all around?"
+            drafts.append(Draft(text, str(len(lamps)), images, {"room": room}))
+    return shared(drafts, rng, most, fewest=2)

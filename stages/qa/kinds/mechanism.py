@@ -8,14 +8,15 @@ from apartgen.stages.qa.facts import Facts
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Of things that open in one way only."""
+    """Of things that open in one way or in several, and of such as do not."""
     drafts = []
-    for id, name in facts.names.items():
-        o = facts.objects[id]
-        if isinstance(o, Furnishing) and (images := facts.pictures([id], 1, 0.01)):
+    for it in facts.marked:
+        o = facts.objects[it.id]
+        if isinstance(o, Furnishing):
             ways = {_way(joint.type, joint.axis) for joint in o.joints}
             answer = " and ".join(sorted(ways)) or "nothing of it moves"
-            drafts.append(Draft(f"How do the moving parts of {name} move?", answer, images, {"object": id}))
+            text = f"How do the moving parts of {it} move?"
+            drafts.append(facts.numbered(it.view, text, answer, {"object": it.id}))
     return shared(drafts, rng, most)
 
 

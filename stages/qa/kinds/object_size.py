@@ -9,10 +9,9 @@ from apartgen.stages.qa.facts import Facts, centimetres
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of its box."""
     drafts = []
-    for id, name in facts.names.items():
-        size = max(facts.objects[id].size)
-        if images := facts.pictures([id], 1, 0.01):
-            text = f"How long is the longest side of {name}?"
-            evidence = {"object": id, "metres": round(size, 3)}
-            drafts.append(Draft(text, centimetres(size), images, evidence, number=size))
+    for it in facts.marked:
+        size = max(facts.objects[it.id].size)
+        evidence = {"object": it.id, "metres": round(size, 3)}
+        text = f"How long is the longest side of {it}?"
+        drafts.append(facts.numbered(it.view, text, centimetres(size), evidence, number=size))
     return shared(drafts, rng, most)

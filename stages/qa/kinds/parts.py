@@ -10,9 +10,9 @@ from apartgen.stages.qa.facts import Facts
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Doors, drawers, flaps and lids, each by its joint."""
     drafts = []
-    for id, name in facts.names.items():
-        o = facts.objects[id]
-        if isinstance(o, Furnishing) and (images := facts.pictures([id], 1, 0.01)):
-            text = f"How many doors, drawers, flaps and lids of {name} can be opened?"
-            drafts.append(Draft(text, str(len(o.joints)), images, {"object": id}))
+    for it in facts.marked:
+        o = facts.objects[it.id]
+        if isinstance(o, Furnishing):
+            text = f"How many doors, drawers, flaps and lids of {it} can be opened?"
+            drafts.append(facts.numbered(it.view, text, str(len(o.joints)), {"object": it.id}))
     return shared(drafts, rng, most)

@@ -13,12 +13,12 @@ LEAST = 0.1
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Measured from its closed front to the foremost point of any of its parts, each opened as far as it goes."""
     drafts = []
-    for id, name in facts.names.items():
-        o = facts.objects[id]
+    for it in facts.marked:
+        o = facts.objects[it.id]
         joints = [joint for joint in o.joints if joint.extent] if isinstance(o, Furnishing) else []
         out = max((float(sweeps.moved(joint, joint.range[1])[1][0]) for joint in joints), default=0.0) - o.size[0] / 2
-        if out > LEAST and (images := facts.pictures([id], 1, 0.008)):
-            text = f"All parts of {name} are fully opened. How far do they stand out before its closed front?"
-            evidence = {"object": id, "metres": round(out, 3)}
-            drafts.append(Draft(text, centimetres(out), images, evidence, number=out, hard=1))
+        if out > LEAST:
+            text = f"All parts of {it} are fully opened. How far do they stand out before its closed front?"
+            evidence = {"object": it.id, "metres": round(out, 3)}
+            drafts.append(facts.numbered(it.view, text, centimetres(out), evidence, number=out, hard=1))
     return shared(drafts, rng, most)

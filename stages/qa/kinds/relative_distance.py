@@ -3,26 +3,24 @@
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, some
-from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.facts import Facts, marked
 
 CLEARLY = 0.75
 """The nearest is nearer than this share of the next one's distance."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Things of one room, by the nearest points of their boxes."""
+    """Things of one room in one picture, by the nearest points of their boxes."""
     drafts = []
-    for room in facts.rooms:
-        ids = facts.named_in(room)
-        for anchor in ids:
-            others = [id for id in ids if id != anchor]
+    for view, numbers in facts.marks.items():
+        for anchor in numbers:
+            others = [id for id in numbers if id != anchor and facts.objects[id].room == facts.objects[anchor].room]
             if len(others) < 3:
                 continue
             four = [others[k] for k in rng.permutation(len(others))[:4]]
             far = sorted((facts.apart(anchor, id), id) for id in four)
-            if far[0][0] < CLEARLY * far[1][0] - 0.1 and (images := facts.pictures([anchor, *four])):
-                text = f"Which of these is nearest to {facts.names[anchor]}?"
-                wrong = tuple(facts.names[id] for _, id in far[1:])
-                evidence = {"to": anchor, "objects": four}
-                drafts.append(Draft(text, facts.names[far[0][1]], images, evidence, wrong, hard=1))
+            if far[0][0] < CLEARLY * far[1][0] - 0.1:
+                text = f"Which of these is nearest to {marked(numbers[anchor])}?"
+                right, *wrong = (marked(numbers[id]) for _, id in far)
+                drafts.append(facts.numbered(view, text, right, {"to": anchor, "objects": four}, tuple(wrong), hard=1))
     return some(drafts, rng, most)

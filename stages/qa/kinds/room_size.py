@@ -8,12 +8,12 @@ from apartgen.stages.space import polygons
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Its clear floor."""
+    """The clear floor of the room of a panorama."""
     drafts = []
-    for room, name in facts.room_names.items():
+    for room in facts.rooms:
         area = polygons.floor(facts.rooms[room]).area
         if images := facts.room_pictures(room):
-            text = f"How large is the floor of {name}?"
+            text = "How large is the floor of the room that this picture shows all around?"
             evidence = {"room": room, "area": round(area, 2)}
             drafts.append(Draft(text, f"{area:.0f} m²", images, evidence, number=area, hard=1))
     return shared(drafts, rng, most)

@@ -1,4 +1,4 @@
-"""Which ways to turn from the entrance to a thing behind two doors."""
+"""Which ways to turn from the entrance to where a picture was taken."""
 
 from itertools import pairwise
 from math import atan2, degrees
@@ -12,25 +12,31 @@ from apartgen.stages.space import polygons
 
 SIDES = (("straight on", -35.0, 35.0), ("left", 50.0, 130.0), ("right", -130.0, -50.0))
 """Turns by the direction of the next goal, degrees; what lies between is not asked for."""
+FARTHEST = 3
+"""Doors behind the entrance."""
+TEXT = ("The second picture shows a home from above. You come in through the entrance and go to where the first one "
+        "was taken, by the fewest doors. Where is each next door, and at last the goal, as you come through the one "
+        "before?")
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Seen on coming through the entrance and through each door, square to the wall."""
     drafts = []
     for entrance in (o for o in facts.home.openings if o.kind == "entrance"):
-        for id, name in facts.names.items():
-            o = facts.objects[id]
-            way = facts.way(entrance.rooms[0], o.room) if o.room in facts.rooms else None
-            images = facts.above()
-            if not way or len(way) > 3 or not images or not facts.shares[images[0]].get(id, 0):
+        for view in facts.eyes:
+            way = facts.way(entrance.rooms[0], view.room) if view.room in facts.rooms else None
+            if not way or len(way) > FARTHEST or not facts.above():
                 continue
-            turns = _turns(facts, [entrance, *way], o.center[:2], entrance.rooms[0])
+            turns = _turns(facts, [entrance, *way], view.eye[:2], entrance.rooms[0])
             if None not in turns:
-                text = (f"You come in through the entrance and go to {name} by the fewest doors. Where is each next "
-                        "door, and at last the goal, as you come through the one before?")
-                drafts.append(Draft(text, ", ".join(map(str, turns)), images,
-                                    {"object": id, "doors": [o.id for o in way]}, hard=len(way)))
-    return shared(drafts, rng, most)
+                evidence = {"view": view.name, "doors": [o.id for o in way]}
+                drafts.append(Draft(TEXT, ", ".join(map(str, turns)), [view.name, *facts.above()], evidence,
+                                    hard=len(way)))
+    found: list[Draft] = []
+    for doors in range(1, FARTHEST + 1):
+        far = [draft for draft in drafts if draft.hard == doors]
+        found += shared(far, rng, most - len(found), fewest=2) if len(found) < most else []
+    return found
 
 
 def _turns(facts: Facts, way: list[Opening], goal: tuple[float, float], room: str) -> list[str | None]:

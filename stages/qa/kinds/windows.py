@@ -9,11 +9,12 @@ LEAST = 2e-4
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """All of them are seen."""
+    """Of the room of a panorama, which shows all of them."""
     drafts = []
-    for room, name in facts.room_names.items():
+    for room in facts.rooms:
         windows = [o.id for o in facts.home.openings if o.kind == "window" and room in o.rooms]
         images = facts.room_pictures(room)
         if images and all(facts.shares[images[0]].get(id, 0) > LEAST for id in windows):
-            drafts.append(Draft(f"How many windows does {name} have?", str(len(windows)), images, {"room": room}))
-    return shared(drafts, rng, most)
+            text = "How many windows does the room have that this picture shows all around?"
+            drafts.append(Draft(text, str(len(windows)), images, {"room": room}))
+    return shared(drafts, rng, most, fewest=2)
