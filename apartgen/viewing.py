@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 from pydantic import Field
 
 from apartgen.outputs import MetricsSettings, measure, opened_libraries
-from apartgen.schemas import artifact
+from apartgen.schemas import artifact, files
 from apartgen.schemas.artifact import Artifact
+from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plan import Plan
 from apartgen.schemas.qa import Question
 from apartgen.schemas.render import Render
@@ -71,6 +72,20 @@ def viewed(homes: Sequence[Artifact[Plan]], out: Path, libraries: Sequence[str] 
 
     scenes = [Scene(home.body, load_asset) for home in homes]
     artifact.write(html.page(scenes[0]) if len(scenes) == 1 else html.pair(scenes, _figures(homes)), out)
+
+
+def sheeted(homes: Sequence[Artifact[Plan]], out: Path) -> None:
+    """Write a picture with the plans of many homes, to one scale, with what was asked for."""
+    from io import BytesIO
+
+    from apartgen.stages.export._contact import contact
+
+    picture = BytesIO()
+    contact([home.body for home in homes]).save(picture, "PNG")
+    try:
+        files.replace(picture.getvalue(), out)
+    except OSError as error:
+        raise BadInput(f"{out}: cannot be written ({error.strerror or error}); give another path with -o") from None
 
 
 def _figures(homes: Sequence[Artifact[Plan]]) -> list[list[str]]:

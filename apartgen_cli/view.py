@@ -1,4 +1,4 @@
-"""Look at a home in the browser, or at two side by side with their figures."""
+"""Look at a home in the browser, at two side by side with their figures, or at the plans of many on one picture."""
 
 import tempfile
 import webbrowser
@@ -17,20 +17,25 @@ from apartgen_cli.options import INPUTS, TRUST
 from apartgen_cli.streams import sources
 
 PAGE = Annotated[Path | None, typer.Option(
-    "--out", "-o", metavar="PAGE", help="The page to write; without it, one that is opened in the browser.")]
+    "--out", "-o", metavar="PAGE",
+    help="The page to write, or a picture .png of all plans; without it, a page that is opened in the browser.")]
 LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of an indexed asset library in use.")]
 MOST = 2
 
 
 def _run(inputs: INPUTS = None, out: PAGE = None, library: LIBRARY = None, trust: TRUST = False) -> int:
     """One page that needs no network: walls are cut away where they hide, parts open, one walks about; of two homes
-    with a table of their figures.
+    with a table of their figures. With -o homes.png the plans of any number of homes, to one scale.
     """
-    from apartgen.viewing import viewed
+    from apartgen.viewing import sheeted, viewed
 
     names = sources(inputs)
+    if out is not None and out.suffix == ".png":
+        sheeted([reader(trust)(name, Plan, True) for name in names], out)
+        say(f"wrote {out}")
+        return 0
     if len(names) > MOST:
-        raise BadInput(f"{len(names)} homes: a page shows one, or two side by side")
+        raise BadInput(f"{len(names)} homes: a page shows one, or two side by side; -o homes.png shows all plans")
     if out is not None and (str(out) == STREAM or out.is_dir()):
         raise BadInput(f"-o {out}: a page is one file; give -o home.html")
     homes = [reader(trust)(name, Plan, True) for name in names]

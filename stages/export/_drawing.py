@@ -28,6 +28,7 @@ INCH = 0.72
 """Inches of paper to a metre, before the sheet is fitted."""
 LARGEST = 13.0  # inches, longer side of the plan
 MARGIN = 1.1  # m about the outer walls, for dimensions and the scale bar
+ARROW = 0.42  # m about the walls of a bare plan, for the mark before the entrance
 LIST = 1.75  # inches beside the plan for the list of rooms
 ROW = 11.0  # points from row to row of it
 CHARACTER = 0.06  # m of the plan that a character of the sentence takes
@@ -56,22 +57,43 @@ def figure(home: Plan) -> Figure:
     inch = min(INCH * 1.4, LARGEST / max(x1 - x0, y1 - y0))
     y0 = min(y0, y1 - (len(home.rooms) + 2) * ROW / 72 / inch)
     edge, x1 = x1, x1 + LIST / inch
+    sheet, axes = _paper((x0, y0, x1, y1), inch)
+    objects = home.objects if isinstance(home, Layout) else []
+    moving = _building(axes, home, objects)
+    _frame(axes, home)
+    _names(axes, home, labels(home, objects, moving, inch), inch)
+    _list(axes, home, edge, polygons.shell(home).bounds[3], inch)
+    return sheet
+
+
+def bare(home: Plan) -> Figure:
+    """The same without words and dimensions, cut at the outer walls."""
+    home = without_things(home)
+    sheet, axes = _paper(polygons.shell(home).buffer(ARROW).bounds, INCH)
+    _building(axes, home, home.objects if isinstance(home, Layout) else [])
+    return sheet
+
+
+def _paper(edges: tuple[float, float, float, float], inch: float) -> tuple[Figure, Axes]:
+    """Empty axes from edge to edge of a sheet, in metres."""
+    x0, y0, x1, y1 = edges
     sheet = Figure(figsize=((x1 - x0) * inch, (y1 - y0) * inch), facecolor=PAPER)
     axes = sheet.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set_xlim(x0, x1)
     axes.set_ylim(y0, y1)
     axes.axis("off")
+    return sheet, axes
+
+
+def _building(axes: Axes, home: Plan, objects: Sequence[Box]) -> Geometry:
+    """Rooms, furniture, walls and openings; returns the floor that open parts take."""
     _rooms(axes, home)
-    objects = home.objects if isinstance(home, Layout) else []
     moving = _furniture(axes, objects)
     _fill(axes, polygons.walls(home), POCHE, 5.0, name="walls/wall")
     _fill(axes, polygons.walls(home).intersection(shell.low(home)), PARAPET, 5.1, INK, 0.5, "walls/parapet")
     for opening in (o for o in home.openings if not shell.in_parapet(o, home)):
         _opening(axes, home, opening)
-    _frame(axes, home)
-    _names(axes, home, labels(home, objects, moving, inch), inch)
-    _list(axes, home, edge, polygons.shell(home).bounds[3], inch)
-    return sheet
+    return moving
 
 
 def _fill(

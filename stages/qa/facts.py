@@ -147,7 +147,7 @@ class Facts:
     @cached_property
     def marked(self) -> list["Marked"]:
         """Each object with a number, in the view that shows most of it."""
-        best = {}
+        best: dict[str, Marked] = {}
         for view, numbers in self.marks.items():
             for id, number in numbers.items():
                 if id not in best or self.shares[view][id] > self.shares[best[id].view][id]:
