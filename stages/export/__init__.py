@@ -1,11 +1,13 @@
 """Writes an apartment in any of the formats that lie in this folder, one file each.
 
 A format is a module with `write(scene, out) -> list[Path]`: it writes its files under the folder `out` and names
-them. What a scene holds is in `stages/scene.py`.
+them; its `read_back(files)` reads them by the format's own parser before the export is called done. What a scene holds
+is in `stages/scene.py`.
 """
 
 import hashlib
 from pathlib import Path
+from typing import Any
 
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
@@ -30,7 +32,7 @@ def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, random
 
     `load_asset(library, id)` gives the assets; `randomize` is the seed by which physics are drawn, where they are.
     BadInput for an unknown format, a layout without assets where a format needs them, and an `out` that holds what no
-    export put there.
+    export put there, and files that their format's own reader refuses.
     """
     if not formats:
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
@@ -40,7 +42,7 @@ def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, random
         files = [
             _file(path, name, folder)
             for name, writer in writers.items()
-            for path in writer.write(scene, folder)
+            for path in _written(name, writer, scene, folder)
         ]
         if randomize is not None:
             files.append(_file(told(scene.bodies, randomize, folder), "json", folder))
@@ -48,6 +50,19 @@ def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, random
         files.append(_credits(folder, credits))
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "export"))
     return Export(files=files, credits=credits)
+
+
+def _written(name: str, writer: Any, scene: Scene, folder: Path) -> list[Path]:
+    """The files of a format, once its own reader takes them; BadInput where it does not."""
+    files: list[Path] = writer.write(scene, folder)
+    try:
+        if hasattr(writer, "read_back"):
+            writer.read_back(files)
+    except Exception as error:  # parsers raise what they like
+        fault = (str(error).splitlines() or [type(error).__name__])[0]
+        raise BadInput(f"format {name}: its own reader refuses what was written ({fault.replace(str(folder), '')}); "
+                       "leave the format out, or the library whose models it can't take") from error
+    return files
 
 
 def _credits(folder: Path, credits: list[str]) -> File:

@@ -7,7 +7,11 @@ from apartgen.stages.scene.scene import Scene
 
 
 class Format(Protocol):
-    """Writes an apartment."""
+    """Writes an apartment.
+
+    It may also have `read_back(files: list[Path]) -> None`, which reads what was written by a parser of the format and
+    raises anything where that refuses it.
+    """
 
     def write(self, scene: Scene, out: Path) -> list[Path]:
         """Write files under the folder `out` and name them, the main one first."""

@@ -13,6 +13,7 @@ import shapely
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.stages.export._readback import Refused
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 
@@ -39,6 +40,14 @@ def write(scene: Scene, out: Path) -> list[Path]:
         ezdxf.options.write_fixed_meta_data_for_testing = fixed
     path.write_text(text.getvalue(), encoding="utf-8")
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By ezdxf and its audit."""
+    import ezdxf
+
+    if found := ezdxf.readfile(files[0]).audit().errors:
+        raise Refused(found[0].message)
 
 
 def _drawing(doc: Any, home: Plan) -> Any:

@@ -7,6 +7,7 @@ value of the joint's range moves the part. Node extras name the artifact's objec
 from pathlib import Path
 
 from apartgen.stages.export._gltf import packed
+from apartgen.stages.export._readback import read_glb
 from apartgen.stages.scene.scene import Scene
 
 
@@ -15,3 +16,8 @@ def write(scene: Scene, out: Path) -> list[Path]:
     path = out / "apartment.glb"
     path.write_bytes(packed(scene.bodies, scene.lights, scene.credits))
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By trimesh."""
+    read_glb(files)

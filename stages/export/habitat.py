@@ -17,11 +17,12 @@ import numpy as np
 from apartgen.stages.export._gltf import packed
 from apartgen.stages.export._hull import hull
 from apartgen.stages.export._obj import Files
+from apartgen.stages.export._readback import read_glb, read_json, read_urdf
 from apartgen.stages.export._urdf import body_links
 from apartgen.stages.export._xml import save
 from apartgen.stages.scene.scene import Scene, identifier, untaken
 from apartgen.stages.things.asset import Link, Material, Mesh
-from apartgen.stages.things.body import Body, Light, Ranges, inertia
+from apartgen.stages.things.body import Body, Light, inertia
 from apartgen.stages.things.categories import CATEGORIES, those
 
 FOLDER = "habitat"
@@ -53,6 +54,13 @@ def write(scene: Scene, out: Path) -> list[Path]:
     return [dataset, *others, *writer.files.written]
 
 
+def read_back(files: list[Path]) -> None:
+    """By the parsers of JSON, glTF and URDF."""
+    read_json(file for file in files if file.suffix == ".json")
+    read_glb(file for file in files if file.suffix == ".glb")
+    read_urdf([file for file in files if file.suffix == ".urdf"])
+
+
 class _Writer:
     """Files as they are written, and what stands where."""
 
@@ -60,7 +68,7 @@ class _Writer:
         self.folder, self.credits = folder, credits
         self.written: list[Path] = []
         self.files = Files(folder / "urdf" / "meshes")
-        self.models: dict[tuple[str, str, Ranges], str] = {}
+        self.models: dict[tuple[Any, ...], str] = {}
         self.objects: list[Config] = []
         self.articulated: list[Config] = []
 
@@ -76,7 +84,7 @@ class _Writer:
     def place(self, body: Body) -> None:
         """An object; its model's files are written once."""
         moves = len(body.links) > 1
-        key = body.model or body.name, body.category, body.ranges
+        key = body.model or body.name, body.category, body.ranges, body.physics
         if key not in self.models:
             self.models[key] = untaken(identifier(key[0]), self.models.values())
             (self._urdf if moves else self._object)(body, self.models[key])

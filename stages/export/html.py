@@ -6,12 +6,15 @@ bundled by `npm install && npm run build` in that folder. It works from a disk, 
 
 import base64
 import html
+import io
 import json
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from string import Template
 
 from apartgen.stages.export._gltf import packed
+from apartgen.stages.export._readback import Refused, read_glb
 from apartgen.stages.export._told import told
 from apartgen.stages.scene.scene import Scene
 
@@ -25,6 +28,20 @@ def write(scene: Scene, out: Path) -> list[Path]:
     path = out / "apartment.html"
     path.write_text(page(scene), encoding="utf-8")
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """What the page holds: the scene by trimesh, what is known of it by the parser of JSON."""
+    scene, facts = (_held(files[0], id) for id in ("scene", "told"))
+    read_glb([io.BytesIO(base64.b64decode(scene, validate=True))])
+    json.loads(facts)
+
+
+def _held(page: Path, id: str) -> str:
+    found = re.search(rf'<script id="{id}"[^>]*>([^<]*)</script>.*</html>', page.read_text(encoding="utf-8"), re.DOTALL)
+    if found is None:
+        raise Refused(f"{page.name} has no {id}, or breaks off")
+    return found[1]
 
 
 def page(scene: Scene) -> str:

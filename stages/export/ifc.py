@@ -15,6 +15,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.stages.export import _walls
+from apartgen.stages.export._readback import Refused
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 
@@ -40,6 +41,16 @@ def write(scene: Scene, out: Path) -> list[Path]:
     model.fill(scene.home)
     path.write_text(model.text(), encoding="utf-8")
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By IfcOpenShell, which lets pass a file that breaks off."""
+    import ifcopenshell
+
+    if not files[0].read_text(encoding="utf-8").rstrip().endswith("END-ISO-10303-21;"):
+        raise Refused(f"{files[0].name} breaks off")
+    if not ifcopenshell.open(str(files[0])).by_type("IfcSpace"):
+        raise Refused(f"{files[0].name} has no spaces")
 
 
 class _Model:

@@ -32,6 +32,13 @@ def write(scene: Scene, out: Path) -> list[Path]:
     return [save(writer.root, out / FOLDER / "apartment.xml"), *writer.files.written]
 
 
+def read_back(files: list[Path]) -> None:
+    """By MuJoCo's compiler."""
+    import mujoco
+
+    mujoco.MjModel.from_xml_path(str(files[0]))
+
+
 class _Writer:
     """The XML document as it is built."""
 

@@ -12,6 +12,7 @@ import numpy as np
 from shapely.ops import unary_union
 
 from apartgen.schemas.layout import Box, Layout
+from apartgen.stages.export._readback import Refused, read_images
 from apartgen.stages.export._section import section
 from apartgen.stages.export._xml import number
 from apartgen.stages.robot import reach
@@ -29,6 +30,9 @@ LIDAR = (0.18, 0.22)
 """Heights between which the lidar sees, m."""
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 """Grey values that map_server's trinary mode reads so."""
+MAPS = {"image", "mode", "resolution", "origin", "negate", "occupied_thresh", "free_thresh"}
+WAYPOINTS = {"frame_id", "robot_radius", "robot_height", "entrance", "rooms", "objects"}
+"""What files have to say."""
 _HAIR = 1e-6  # m by which walls and boxes are thinner, so that a cell whose centre is on an edge is free
 
 
@@ -55,6 +59,16 @@ def write(scene: Scene, out: Path) -> list[Path]:
         *_map(folder, "keepout", cells, keep_out, "what of map is not in lidar, and the way out"),
         _waypoints(world, objects, folder),
     ]
+
+
+def read_back(files: list[Path]) -> None:
+    """Maps by Pillow; what is said of them line by line, since there is no parser of YAML to count on."""
+    read_images(file for file in files if file.suffix == ".pgm")
+    for file in files:
+        lines = file.read_text(encoding="utf-8").splitlines() if file.suffix == ".yaml" else []
+        said = {line.split(":")[0] for line in lines}
+        if lines and not said >= (WAYPOINTS if file.name == "waypoints.yaml" else MAPS):
+            raise Refused(f"{file.name} does not say all that it has to")
 
 
 def _between(heights: tuple[float, float]) -> str:

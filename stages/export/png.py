@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from apartgen.stages.export._drawing import sheet
+from apartgen.stages.export._readback import read_images
 from apartgen.stages.scene.scene import Scene
 
 DPI = 160
@@ -13,3 +14,8 @@ def write(scene: Scene, out: Path) -> list[Path]:
     path = out / "plan.png"
     sheet(scene).savefig(path, format="png", dpi=DPI, metadata={"Software": "apartgen"})
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By Pillow."""
+    read_images(files)

@@ -22,6 +22,7 @@ from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.export import _thor
+from apartgen.stages.export._readback import read_json
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 from apartgen.stages.things.carrying import told
@@ -44,6 +45,11 @@ def write(scene: Scene, out: Path) -> list[Path]:
     path = out / "house.json"
     path.write_text(json.dumps(_house(scene), indent=1) + "\n", encoding="utf-8")
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By the parser of JSON."""
+    read_json(files)
 
 
 def _house(scene: Scene) -> Part:

@@ -8,6 +8,7 @@ from xml.etree import ElementTree
 
 from apartgen.stages.export._hull import hull
 from apartgen.stages.export._obj import Files
+from apartgen.stages.export._readback import Refused, read_xml, refuse_doubles
 from apartgen.stages.export._rotation import roll_pitch_yaw
 from apartgen.stages.export._xml import Element, add, number, numbers, save
 from apartgen.stages.scene.pieces import pieces
@@ -32,6 +33,16 @@ def write(scene: Scene, out: Path) -> list[Path]:
     for body in scene.bodies:
         _model(world, body, files)
     return [save(root, out / FOLDER / "apartment.sdf"), *files.written]
+
+
+def read_back(files: list[Path]) -> None:
+    """By the parser of XML; names are unique where they have to be, and meshes are there."""
+    world = read_xml(files[0], ("uri", "albedo_map")).find("world")
+    if world is None:
+        raise Refused(f"{files[0].name} has no world")
+    refuse_doubles(files[0], [*world.iter("model"), *world.iter("light")])
+    for model in world.iter("model"):
+        refuse_doubles(files[0], [*model.iter("link"), *model.iter("joint")])
 
 
 def _light(world: Element, light: Light) -> None:

@@ -7,6 +7,7 @@ import matplotlib
 
 from apartgen.stages.export._drawing import sheet
 from apartgen.stages.export._layers import grouped
+from apartgen.stages.export._readback import read_xml
 from apartgen.stages.scene.scene import Scene
 
 
@@ -17,3 +18,8 @@ def write(scene: Scene, out: Path) -> list[Path]:
         sheet(scene).savefig(drawn, format="svg", metadata={"Date": None, "Creator": "apartgen"})
     path.write_text(grouped(drawn.getvalue()), encoding="utf-8")
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By the parser of XML."""
+    read_xml(files[0])

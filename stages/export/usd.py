@@ -11,6 +11,7 @@ import numpy as np
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.export._obj import Files
+from apartgen.stages.export._readback import Refused
 from apartgen.stages.export._rotation import about_z, from_x, quaternion
 from apartgen.stages.scene.pieces import names, pieces
 from apartgen.stages.scene.scene import Scene, identifier
@@ -41,6 +42,15 @@ def write(scene: Scene, out: Path) -> list[Path]:
     path = folder / "apartment.usd"
     stage.GetRootLayer().Export(str(path))
     return [path, *files.written]
+
+
+def read_back(files: list[Path]) -> None:
+    """By OpenUSD."""
+    stage = Usd.Stage.Open(str(files[0]))
+    if errors := stage.GetCompositionErrors():
+        raise Refused(str(errors[0]))
+    if not stage.GetDefaultPrim() or not all(prim.IsDefined() for prim in stage.Traverse()):
+        raise Refused(f"{files[0].name} has prims that are not defined")
 
 
 class _Writer:

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from apartgen.stages.export._lowered import lowered
+from apartgen.stages.export._readback import read_images
 from apartgen.stages.scene.camera import Camera
 from apartgen.stages.scene.picture import taken
 from apartgen.stages.scene.scene import Scene
@@ -31,3 +32,8 @@ def write(scene: Scene, out: Path) -> list[Path]:
     path = out / "view.png"
     Image.fromarray(taken(open_air(bodies, ground(corners.mean(0), GROUND, GRASS)), camera)).save(path, "PNG")
     return [path]
+
+
+def read_back(files: list[Path]) -> None:
+    """By Pillow."""
+    read_images(files)

@@ -69,6 +69,11 @@ class Body:
         """How far each part opens; things of one model may differ in it."""
         return tuple(link.joint.range for link in self.links if link.joint is not None)
 
+    @property
+    def physics(self) -> tuple[Any, ...]:
+        """What its links weigh, how they rub and move; things of one model may differ in it, where it was drawn."""
+        return tuple((link.mass, link.friction, self.motions.get(link.name)) for link in self.links)
+
     def pose(self) -> Array:
         """Body frame to world, (4, 4)."""
         c, s = np.cos(self.yaw), np.sin(self.yaw)
