@@ -10,7 +10,7 @@ READY := .venv/.ready
 CONSUMERS := build/consumers
 TYPED := build/typed
 
-.PHONY: demo test acceptance consumers mutants pictures digests weights lint types check docs lock clean
+.PHONY: demo test acceptance consumers mutants pictures site digests weights lint types check docs lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -46,6 +46,10 @@ weights: $(READY)
 # The pictures of the README and of the example, of this version.
 pictures: $(READY)
 	$(BIN)/python docs/experiments/pictures.py
+
+# The documents as a folder of pages for any web server, with homes to walk about in: build/site.
+site: $(READY)
+	$(BIN)/python docs/site/build.py build/site --homes
 
 lint: $(READY)
 	$(BIN)/ruff check .
