@@ -10,6 +10,9 @@ from apartgen.stages.layout.relations.tokens import Array, Shell
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import CLOSED
 
+Placed = frozenset[tuple[str, float, float, float]]
+"""Units by name, place and yaw."""
+
 
 def needed(left: Sequence[str], there: Sequence[str]) -> list[str]:
     """Units of a run that are to come and that it cannot do without, one that cooks being enough, and what can lead
@@ -29,14 +32,21 @@ def leaves_room(there: Furniture, name: str, box: Array, rest: Sequence[str], sh
     return any(o in order.runs() for o in there.names) and not _found(there, list(rest), shell)
 
 
-def _found(there: Furniture, rest: list[str], shell: Shell) -> bool:
-    """Whether they do, in any order; each as wide as such units are at least as a rule."""
+def _found(there: Furniture, rest: list[str], shell: Shell, dead: set[Placed] | None = None,
+           placed: Placed = frozenset()) -> bool:
+    """Whether they do, in any order; each as wide as such units are at least as a rule. What has been `placed` without
+    success is not tried again in another order."""
     if not set(rest) - CLOSED:
         return True
+    dead = set() if dead is None else dead
     for name in rest:
         others = [o for o in rest if o is not name]
         places = runs.further(name, runs.usual(name)[None], there.names, there.boxes, shell)
-        good = places[there.prices(name, places) < BROKEN] if len(places) else places
-        if any(_found(there.besides(name, np.asarray(place)), others, shell) for place in good):
-            return True
+        for place in places[there.prices(name, places) < BROKEN] if len(places) else places:
+            now = placed | {(name, *np.round(place[:3], 2).tolist())}
+            if now in dead:
+                continue
+            if _found(there.besides(name, np.asarray(place)), others, shell, dead, now):
+                return True
+            dead.add(now)
     return False

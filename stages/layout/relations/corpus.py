@@ -46,7 +46,8 @@ def read(path: Path) -> list[Furnished]:
     corpus = read_corpus(path)
     n = len(corpus)
     sleepers, duties = _told(path, "sleepers", (n,)), _told(path, "duties", (n, len(OPEN)))
-    rooms = [_tokens(corpus, i, int(sleepers[i]), duties[i]) for i in range(n)]
+    area = corpus.rooms.area
+    rooms = [_tokens(corpus, i, float(area[i]), int(sleepers[i]), duties[i]) for i in range(n)]
     kinds = ASKING + len(CATEGORIES)
     found, earlier, row = [], [], 0
     for room in rooms:
@@ -72,7 +73,7 @@ def _told(path: Path, name: str, shape: tuple[int, ...]) -> Ints:
         return file[name].astype(np.int64) if name in file else np.full(shape, -1)
 
 
-def _tokens(corpus: Corpus, i: int, sleepers: int, duties: Ints) -> Furnished:
+def _tokens(corpus: Corpus, i: int, area: float, sleepers: int, duties: Ints) -> Furnished:
     base = shell(corpus.rooms, i)
     there = np.flatnonzero(corpus.category[i] >= 0)
     category, center, size = corpus.category[i][there], corpus.center[i][there], corpus.size[i][there]
@@ -84,7 +85,7 @@ def _tokens(corpus: Corpus, i: int, sleepers: int, duties: Ints) -> Furnished:
         np.concatenate([base.boxes, boxes[place]]), np.concatenate([base.kind, np.full(n, OBJECT)]),
         np.concatenate([base.swing, np.zeros((n, 2), np.float32)]),
         np.concatenate([np.full(s, -1), category[place]]), np.zeros((n, s + n), np.float32),
-        int(corpus.rooms.type[i]), sleepers, float(corpus.rooms.area[i]),
+        int(corpus.rooms.type[i]), sleepers, area,
         np.concatenate([base.deep, np.zeros(n, np.float32)]), duties,
     )
 

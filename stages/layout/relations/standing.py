@@ -10,7 +10,7 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import fixtures, hung, order, runs
+from apartgen.stages.layout.relations import company, fixtures, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes, penetration
@@ -30,6 +30,8 @@ IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 APART = 6.0
 """Price of a hood that is not above what cooks, and where nothing better is left of a unit apart from its run."""
+ALONE = 8.0
+"""Price of what is not where it is used with what stands there, once nothing better was found."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -106,6 +108,7 @@ class Furniture:
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
         total += np.where(hung.spoils(name, found, self.names, self.upright), 2 * BROKEN, 0.0)
+        total += np.where(company.alone(name, boxes, self.names, self.boxes), 2 * BROKEN if strict else ALONE, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 

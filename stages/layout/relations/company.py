@@ -1,0 +1,165 @@
+"""What is used with something stands where it is used with it: a chair at its table, a nightstand at the head of its
+bed, a coffee table before the sofa, the sofa before the television."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.use import kinds
+
+LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(28), np.radians(43)
+"""Within these angles one sits at a table, watches a screen, and is a screen seen."""
+AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
+"""So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
+HEAD, BESIDE = 0.7, (-0.08, 0.3)
+"""A nightstand's middle is so far from the head of its bed at most, and its side so far from the bed's, m."""
+BEFORE, INSIDE, OVER = 1.0, 0.15, 0.35
+"""A low table begins so far before a seat at most, or so deep in it, and covers such a share of its width."""
+AGAINST = 0.36
+"""Between a dining table and a sofa or a low table one passes, m."""
+AHEAD = (0.05, 0.5)
+"""So far before a sofa nothing stands that is no low table, m."""
+USED_AT = kinds.EASY | kinds.BEDS | kinds.DESKS | kinds.TABLE_TOPS | {"coffee_table"}
+"""Where small seats are used."""
+Flags = NDArray[np.bool_]
+
+
+class Seen:
+    """Candidates (n, 7) and what stands there (m, 7) in one another's frames, (n, m): partners in the candidate's."""
+
+    def __init__(self, boxes: Array, there: Array) -> None:
+        one, two = np.asarray(boxes, float)[:, None], np.asarray(there, float)[None]
+        offset, turn = two[..., :2] - one[..., :2], two[..., 2] - one[..., 2]
+        self.x, self.y = _turned(offset, one[..., 2])
+        self.half = one[..., 3:5] / 2
+        self.extent = _extent(two, turn)
+        self.to = np.stack(_turned(-offset, two[..., 2]), -1)
+        self.host = two[..., 3:5] / 2
+        self.own = _extent(one, turn)
+        past = np.maximum(np.abs(self.to) - self.host - self.own, 0)
+        self.gap = np.hypot(past[..., 0], past[..., 1])
+
+    def back(self) -> "Seen":
+        """The same the other way round: candidates in the frames of what stands there."""
+        other = object.__new__(Seen)
+        other.x, other.y, other.half, other.extent = self.to[..., 0], self.to[..., 1], self.host, self.own
+        other.to, other.host, other.own = np.stack([self.x, self.y], -1), self.half, self.extent
+        other.gap = self.gap
+        return other
+
+    @property
+    def off(self) -> Array:
+        """Angle between a candidate's front and the middle of what stands there, (n, m)."""
+        return np.abs(np.arctan2(self.y, self.x))
+
+    def looks_at(self) -> Flags:
+        """Whether the nearest bit of what stands there lies ahead of the candidate's middle."""
+        (x, y), (along, across) = (self.x, self.y), np.moveaxis(self.extent, -1, 0)
+        x, y = np.clip(0, x - along, x + along), np.clip(0, y - across, y + across)
+        inside = (x == 0) & (y == 0)
+        return np.asarray(np.where(inside, self.off, np.abs(np.arctan2(y, x))) <= LOOKS)
+
+    def before(self, inside: Array) -> Flags:
+        """Whether what stands there lies across the candidate's front, its near edge within reach."""
+        near = self.x - self.extent[..., 0] - self.half[..., 0]
+        wide = np.minimum(self.extent[..., 1], self.half[..., 1])
+        shared = np.minimum(self.y + self.extent[..., 1], self.half[..., 1]) - np.maximum(
+            self.y - self.extent[..., 1], -self.half[..., 1])
+        return np.asarray((near > -inside) & (near < BEFORE) & (shared > OVER * 2 * wide))
+
+    def walls_in(self) -> Flags:
+        """Whether what stands there takes a tenth of the floor right before the candidate."""
+        low, high = (self.half[..., 0] + far for far in AHEAD)
+        wide = 0.8 * self.half[..., 1]
+        deep = np.minimum(self.x + self.extent[..., 0], high) - np.maximum(self.x - self.extent[..., 0], low)
+        across = np.minimum(self.y + self.extent[..., 1], wide) - np.maximum(self.y - self.extent[..., 1], -wide)
+        return np.asarray(np.maximum(deep, 0) * np.maximum(across, 0) > 0.08 * (high - low) * 2 * wide)
+
+    def at_head(self) -> Flags:
+        """Whether the candidate stands beside the head of a bed that stands there."""
+        from_head = self.to[..., 0] + self.host[..., 0]
+        beside = np.abs(self.to[..., 1]) - self.host[..., 1] - self.own[..., 1]
+        return np.asarray((from_head < HEAD) & (beside > BESIDE[0]) & (beside < BESIDE[1]))
+
+
+def _turned(offset: Array, yaw: Array) -> tuple[Array, Array]:
+    c, s = np.cos(yaw), np.sin(yaw)
+    return offset[..., 0] * c + offset[..., 1] * s, offset[..., 1] * c - offset[..., 0] * s
+
+
+def _extent(boxes: Array, turn: Array) -> Array:
+    """Half extents of boxes along and across a heading that they are turned from."""
+    c, s, half = np.abs(np.cos(turn)), np.abs(np.sin(turn)), boxes[..., 3:5] / 2
+    return np.stack([c * half[..., 0] + s * half[..., 1], s * half[..., 0] + c * half[..., 1]], -1)
+
+
+def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
+    """Which candidates (n, 7) could not be used with what stands there (m, 7), or keep it from being used."""
+    kind, others = kinds.basic(name), [kinds.basic(o) for o in names]
+    found = np.zeros(len(boxes), bool)
+    for mine, partners, wanted in RULES:
+        if kind in mine and (some := [k for k, o in enumerate(others) if o in partners]):
+            found |= ~wanted(Seen(boxes, there[some]), [others[k] for k in some])
+    return found
+
+
+def _any(good: Flags) -> Flags:
+    return np.asarray(good.any(1))
+
+
+def _at(seen: Seen, hosts: Sequence[str]) -> Flags:
+    far = np.array([AT if o in kinds.TABLE_TOPS else AT_DESK for o in hosts])
+    return _any((seen.gap <= far) & seen.looks_at())
+
+
+def _bedside(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return _any(seen.at_head())
+
+
+def _before_seat(seen: Seen, hosts: Sequence[str]) -> Flags:
+    inside = np.array([0.9 if o == "corner_sofa" else INSIDE for o in hosts])
+    return _any(seen.back().before(inside))
+
+
+def _watched(seen: Seen, hosts: Sequence[str]) -> Flags:
+    """A screen is seen from every sofa, and by nobody from aside."""
+    return np.asarray(((seen.back().off < WATCHES) & (seen.off < SHOWN)).all(1))
+
+
+def _watches(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return _any((seen.off < WATCHES) & (seen.back().off < SHOWN))
+
+
+def _apart(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return np.asarray((seen.gap >= AGAINST).all(1))
+
+
+def _within(far: float) -> Callable[[Seen, Sequence[str]], Flags]:
+    return lambda seen, hosts: _any(seen.gap <= far)
+
+
+def _leaves_open(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return np.asarray(~seen.back().walls_in().any(1))
+
+
+def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return np.asarray(~seen.walls_in().any(1))
+
+
+LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
+RULES = (
+    (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),
+    (frozenset({"nightstand"}), kinds.BEDS, _bedside),
+    (frozenset({"coffee_table"}), kinds.SOFAS, _before_seat),
+    (frozenset({"tv_stand"}), kinds.SOFAS, _watched),
+    (kinds.SOFAS, frozenset({"tv_stand"}), _watches),
+    (kinds.TABLES, kinds.SOFAS | {"coffee_table"}, _apart),
+    (kinds.SOFAS | {"coffee_table"}, kinds.TABLES, _apart),
+    (frozenset({"side_table"}), kinds.EASY | kinds.BEDS, _within(REACH)),
+    (kinds.SMALL_SEATS, USED_AT, _within(NEAR)),
+    (LARGE, kinds.SOFAS, _leaves_open),
+    (kinds.SOFAS, LARGE, _open_before),
+)
+"""Whose place is judged, by whom, and what must hold for it where any of these is there."""

@@ -1,0 +1,81 @@
+"""What is used with something: candidates against the rules of use, which look at finished rooms."""
+
+import numpy as np
+import pytest
+from lived_in import NORTH, room, thing
+
+from apartgen.schemas.layout import Box
+from apartgen.stages import use
+from apartgen.stages.layout.relations import company
+from apartgen.stages.things.categories import TABLE
+
+HOSTS = {
+    "chair": thing("dining_table", 3.0, 2.5, NORTH),
+    "nightstand": thing("double_bed", 3.0, 1.1, NORTH),
+    "coffee_table": thing("sofa", 3.0, 0.5, NORTH),
+    "tv_stand": thing("sofa", 3.0, 0.5, NORTH),
+    "side_table": thing("armchair", 3.0, 2.5, NORTH),
+    "pouffe": thing("sofa", 3.0, 2.5, NORTH),
+}
+FAULTS = {
+    "chair": {"chair at nothing"}, "nightstand": {"nightstand away from bed"},
+    "coffee_table": {"coffee table not before the sofa"},
+    "tv_stand": {"sofa not facing the television", "sofa aside of the television", "television that nobody watches"},
+    "side_table": {"side table at no seat"}, "pouffe": {"stool at nothing"},
+}
+
+
+def token(o: Box) -> np.ndarray:
+    low = o.center[2] - o.size[2] / 2
+    return np.array([*o.center[:2], o.yaw, *o.size[:2], low, low + o.size[2]], np.float32)
+
+
+def scattered(name: str, n: int, seed: int = 0) -> list[Box]:
+    """Candidates in a room of 6 x 5 m, square to its walls."""
+    rng = np.random.default_rng(seed)
+    at = rng.uniform([0.4, 0.4], [5.6, 4.6], (n, 2))
+    return [thing(name, float(x), float(y), float(rng.integers(4) * np.pi / 2)) for x, y in at]
+
+
+@pytest.mark.parametrize("name", HOSTS)
+def test_what_is_let_through_has_no_fault_of_use(name: str) -> None:
+    host, candidates = HOSTS[name], scattered(name, 1500)
+    alone = company.alone(name, np.stack([token(o) for o in candidates]), [host.category], token(host)[None])
+    found = [{f.name for f in use.faults(room("living_room", 6, 5, host, o))} for o in candidates]
+    faulty = np.array([bool(FAULTS[name] & names) for names in found])
+    apart = np.array(["things stand in one another" not in names for names in found])
+    assert not (faulty & ~alone).any()
+    assert alone[~faulty & apart].mean() < 0.75, "much of what could be used is let through"
+    assert (~faulty & apart).any() and faulty.any()
+
+
+@pytest.mark.parametrize("name", HOSTS)
+def test_the_same_wherever_the_room_lies(name: str) -> None:
+    candidates, host = np.stack([token(o) for o in scattered(name, 200)]), token(HOSTS[name])[None]
+    turn, by = 0.7, np.array([3.0, -8.0])
+    c, s = np.cos(turn), np.sin(turn)
+
+    def moved(boxes: np.ndarray) -> np.ndarray:
+        out = boxes.copy()
+        out[:, :2] = boxes[:, :2] @ np.array([[c, s], [-s, c]]) + by
+        out[:, 2] += turn
+        return out
+
+    names = [HOSTS[name].category]
+    assert (company.alone(name, candidates, names, host) == company.alone(name, moved(candidates), names,
+                                                                          moved(host))).mean() > 0.99
+
+
+def test_where_there_is_nothing_to_be_used_with_all_places_do() -> None:
+    boxes = np.stack([token(o) for o in scattered("chair", 50)])
+    assert not company.alone("chair", boxes, ["wardrobe"], token(thing("wardrobe", 1, 1))[None]).any()
+    assert not company.alone("wardrobe", boxes, [], np.zeros((0, 7), np.float32)).any()
+
+
+@pytest.mark.parametrize("name", [o for o in ("wardrobe", "piano", "dining_table") if o in TABLE])
+def test_nothing_large_is_put_right_before_a_sofa(name: str) -> None:
+    sofa = thing("sofa", 3.0, 0.5, NORTH)
+    depth = TABLE["sofa"].size[0]
+    right, far = thing(name, 3.0, 0.5 + depth / 2 + 0.45, NORTH), thing(name, 3.0, 4.2, NORTH)
+    found = company.alone(name, np.stack([token(right), token(far)]), ["sofa"], token(sofa)[None])
+    assert found.tolist() == [True, False]
