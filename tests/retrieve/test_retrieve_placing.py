@@ -113,6 +113,15 @@ def test_what_has_nothing_to_stand_on_is_left_out(flat, libraries):
     assert home.objects == []
 
 
+def test_what_has_no_room_but_in_a_cupboard_beside_is_left_out(flat, libraries):
+    """On a unit narrower than itself, between a wall and something high."""
+    narrow = {"category": "kitchen_base", "center": [0.3, 0.2, 0.45], "size": [0.6, 0.4, 0.9], "yaw": 0.0}
+    high = {"category": "fridge", "center": [0.3, 0.71, 0.9], "size": [0.6, 0.6, 1.8], "yaw": 0.0}
+    item = {"category": "microwave", "center": [0.2, 0.2, 1.03], "size": [0.3, 0.44, 0.26], "yaw": 0.0}
+    assert [o.category for o in retrieve(flat(narrow, high, item), libraries).objects] == ["kitchen_base", "fridge"]
+    assert len(retrieve(flat(narrow, item), libraries).objects) == 2
+
+
 def test_heights_by_place(flat, libraries):
     home = retrieve(
         flat(

@@ -170,10 +170,12 @@ def _put_on_top(
 
 
 def _near(i: int, under: int, layout: Layout, on: Sequence[str], small: bool) -> list[int]:
-    """What a thing on top of another must keep clear of: all in its room, or only what stands on something too."""
+    """What a thing on top of another must keep clear of: all in its room, or only what stands on something too and what
+    fills its box, as what opens does.
+    """
     room = layout.objects[i].room
     rest = [j for j, other in enumerate(layout.objects) if other.room == room and j not in (i, under)]
-    return [j for j in rest if on[j] not in BUILDING or not small]
+    return [j for j in rest if not small or on[j] not in BUILDING or TABLE[layout.objects[j].category].articulated]
 
 
 def _top(asset: Asset, box: Boxes | None) -> supports.Top:
