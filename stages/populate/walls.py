@@ -75,7 +75,9 @@ class Face(NamedTuple):
 def hung(
     home: Retrieve, room: Room, models: dict[str, list[Design]], density: float, rng: np.random.Generator
 ) -> list[Hung]:
-    """All that hangs in a room; fittings first, since pictures find room elsewhere."""
+    """All that hangs in a room; fittings first, since pictures find room elsewhere. Rooms share no pictures, while there
+    are enough.
+    """
     if room.base not in _WALLED:
         return []
     here = [o for o in home.objects if o.room == room.id]
@@ -89,8 +91,11 @@ def hung(
         found += _anywhere(faces, models["coat_hooks"][0], 1.6, rng)
     low, high = PICTURES.get(room.base, (0, 0))
     count = int(density * rng.integers(low, high + 1) + 0.5)
-    pictures = [design for design in models["picture"] if design.size[1] <= WIDEST.get(room.base, np.inf)]
-    return [*found, *_pictures(faces, here, pictures, count, rng)]
+    every, first = models["picture"], [r.id for r in home.rooms].index(room.id)
+    own = [every[k] for k in rng.permutation(np.arange(first, len(every), len(home.rooms)))]
+    rest = [every[k] for k in rng.permutation(len(every)) if every[k] not in own]
+    pictures = [design for design in [*own, *rest] if design.size[1] <= WIDEST.get(room.base, np.inf)]
+    return [*found, *_pictures(faces, here, pictures, count)]
 
 
 def _faces(home: Retrieve, room: Room, here: Sequence[Furnishing]) -> list[Face]:
@@ -208,19 +213,19 @@ def _anywhere(faces: Sequence[Face], design: Design, z: float, rng: np.random.Ge
 
 
 def _pictures(
-    faces: Sequence[Face], here: Sequence[Furnishing], models: Sequence[Design], count: int, rng: np.random.Generator
+    faces: Sequence[Face], here: Sequence[Furnishing], models: Sequence[Design], count: int
 ) -> Iterator[Hung]:
-    """Over furniture that has a wall behind it, then in the middle of what is bare."""
-    places = [*_over(faces, here), *_bare(faces)]
+    """Over furniture that has a wall behind it, then in the middle of what is bare; each once, the first that fits."""
+    places, left = [*_over(faces, here), *_bare(faces)], list(models)
     for face, s, low in places:
         if count <= 0:
             return
-        for k in rng.permutation(len(models)):
-            design = models[int(k)]
+        for design in left:
             _, w, h = design.size
             z = max(EYE, low + OVER + h / 2)
             if z + h / 2 < 2.25 and face.free(s, w, z - h / 2, z + h / 2, 0.12):
                 yield face.hang(design, s, z)
+                left.remove(design)
                 count -= 1
                 break
 

@@ -137,6 +137,12 @@ def test_what_hangs_is_on_a_wall_that_is_free_there(seed):
             assert not over or shapely.Polygon(corners(other)).intersection(outline).area < 1e-6, (o.id, other.id)
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_no_picture_hangs_twice_in_a_home_that_has_enough_of_them(seed):
+    hung = [o.asset.id for o in things(lived_in(seed)) if o.category == "picture"]
+    assert len(hung) > 2 and len(set(hung)) == len(hung)
+
+
 def test_the_same_seed_gives_the_same_and_another_another():
     home = furnished()
     lane = seeds.drawn(2, "populate", seeds.plan_digest(home))
