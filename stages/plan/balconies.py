@@ -5,12 +5,14 @@ from collections.abc import Mapping
 import numpy as np
 from shapely.geometry import Polygon
 
-from apartgen.schemas.plan import Envelope, Program, Walls
+from apartgen.schemas.plan import Envelope, Program, Requirement, Walls
 from apartgen.stages.plan import faces
 from apartgen.stages.plan.blocks import facing
 from apartgen.stages.plan.check import entrance_room, links
 from apartgen.stages.plan.faces import Face
+from apartgen.stages.plan.slicing import Floats
 from apartgen.stages.plan.standards import STANDARDS
+from apartgen.stages.plan.wishes import DIRECTIONS
 
 USUAL = 1.5
 """Depth of a balcony where the façade allows it, m."""
@@ -43,7 +45,8 @@ def indoors(program: Program) -> Program:
     outside = hung(program)
     rooms = [room for room in program.rooms if room.id not in outside]
     kept = [pair for pair in program.links if not set(pair) & set(outside)]
-    return program.model_copy(update={"rooms": rooms, "links": kept}) if outside else program
+    asked = [_of_owner(r, outside) for r in program.requirements]
+    return program.model_copy(update={"rooms": rooms, "links": kept, "requirements": asked}) if outside else program
 
 
 def fronts(program: Program) -> dict[str, float]:
@@ -57,7 +60,9 @@ def hang(program: Program, floors: Floors, walls: Walls) -> Floors | None:
     """The floors with those of hung balconies, an outer wall away from their rooms; None where one finds no place."""
     out = dict(floors)
     for name, owner in hung(program).items():
-        places = (_placed(face, _area(program, name), walls) for face in _facades(owner, out, program.envelope))
+        towards = _towards(program, name, owner)
+        facades = _facades(owner, out, program.envelope, towards)
+        places = (_placed(face, _area(program, name), walls, towards) for face in facades)
         free = (place for place in places if place is not None and _clear(place, out, walls))
         found = next(free, None)
         if found is None:
@@ -72,24 +77,44 @@ def outside(floors: Mapping[str, Polygon], program: Program, room: str) -> list[
     return [floor for other, floor in floors.items() if other != room and other not in open_air]
 
 
+def _of_owner(asked: Requirement, owners: Mapping[str, str]) -> Requirement:
+    """A place asked of a hung balcony, or beside it, as one of the room that it hangs before."""
+    ends = {end: owners.get(room, room) for end, room in (("of", asked.of), ("to", asked.to or ""))}
+    if asked.kind != "position" or asked.value not in DIRECTIONS or ends["of"] == ends["to"]:
+        return asked
+    return asked.model_copy(update={"of": ends["of"], "to": ends["to"] or None})
+
+
+def _towards(program: Program, name: str, owner: str) -> Floats:
+    """Direction (2,) in which a balcony is asked to be in the home, or before its room; 0 where none is."""
+    asked = [r for r in program.requirements if (r.of, r.kind) == (name, "position") and r.to in (None, owner)]
+    return sum((np.array(DIRECTIONS.get(str(r.value), (0, 0)), float) for r in asked), np.zeros(2))
+
+
 def _area(program: Program, name: str) -> float:
     least = STANDARDS["balcony"].area
     return max(next(room.area for room in program.rooms if room.id == name) or 2 * least, least)
 
 
-def _facades(owner: str, floors: Floors, envelope: Envelope) -> list[Face]:
+def _facades(owner: str, floors: Floors, envelope: Envelope, towards: Floats) -> list[Face]:
+    """Free façades of a room, those that look where the balcony should be first, then long and sunny ones."""
     found = faces.outside(floors[owner], [floor for room, floor in floors.items() if room != owner])
     free = [face for face in found if facing(*face.along) not in envelope.party_walls]
-    return sorted(free, key=lambda face: (-face.length - SUNNY[facing(*face.along)], *face.start))
+    return sorted(
+        free,
+        key=lambda face: (face.inward @ towards > -0.5, -face.length - SUNNY[facing(*face.along)], *face.start),
+    )
 
 
-def _placed(face: Face, area: float, walls: Walls) -> Polygon | None:
-    """In the middle of a façade, `USUAL` deep or deeper where it is short."""
+def _placed(face: Face, area: float, walls: Walls, towards: Floats) -> Polygon | None:
+    """In the middle of a façade or at the end `towards` a side, `USUAL` deep or deeper where it is short."""
     width = min(face.length, max(area / USUAL, min(GLAZED, area / STANDARDS["balcony"].width)))
     deep = area / width
     if deep > max(DEEPEST, width) or width < STANDARDS["balcony"].width:
         return None
-    lo = 0.5 * (face.length - width)
+    along = float(face.along @ towards)
+    before = 0.5 if abs(along) < 0.5 else float(along > 0)
+    lo = before * (face.length - width)
     near, far = (np.array(face.segment(lo, lo + width, walls.outer + d)) for d in (0.0, deep))
     return Polygon([near[0], far[0], far[1], near[1]])
 

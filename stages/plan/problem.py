@@ -37,11 +37,12 @@ Pair = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class Slack:
-    """How far the requirements are relaxed; the defaults are not relaxed at all."""
+    """How far the requirements are relaxed, and the share that wishes count; the defaults are not relaxed at all."""
 
     area: float = 0.12
     aspect: float = 1.0
     envelope: bool = False
+    heed: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -111,7 +112,7 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
         order=_ways(program, index),
         blocks=outline.blocks,
         edges=outline.edges,
-        wishes=wishes(program),
+        wishes=wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
         limits=np.array([*outline.stretch, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
     )

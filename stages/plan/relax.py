@@ -1,13 +1,14 @@
 """What is given up, in this order, where no plan meets everything: areas, aspect, envelope, an extra hallway, links."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from shapely.geometry import Polygon
 
 from apartgen.schemas.plan import AskedRoom, Program
 from apartgen.stages.plan.check import check, entrance_room, links
 from apartgen.stages.plan.problem import Slack
+from apartgen.stages.plan.wishes import wishes
 
 INNER = 1.05
 """Area within an outline over that of its rooms, because of the walls between."""
@@ -15,6 +16,10 @@ MISFIT = 1.17
 """Factor by which an outline may be larger or smaller than what the rooms take."""
 LOOSE = 0.19
 """Part by which areas may differ where they cannot differ less, before that is told."""
+
+
+HEED = 0.1
+"""Share that wishes count where no plan is found with all they count."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +33,13 @@ class Step:
 
 
 def ladder(program: Program) -> Iterator[Step]:
-    """Rungs from nothing given up to as much as may be."""
+    """Rungs from nothing given up to as much as may be; then the same once more with wishes that hardly count."""
+    yield from _rungs(program)
+    if len(wishes(program)):
+        yield from (replace(step, slack=replace(step.slack, heed=HEED)) for step in _rungs(program))
+
+
+def _rungs(program: Program) -> Iterator[Step]:
     said = misfit(program)
     yield Step(program, Slack(), tuple(said))
     yield Step(program, Slack(area=LOOSE), tuple(said))

@@ -14,7 +14,7 @@ DIRECTIONS: Mapping[str, tuple[int, int]] = {
     "north_east": (1, 1), "north_west": (-1, 1), "south_east": (1, -1), "south_west": (-1, -1),
 }  # fmt: skip
 """Where on the drawing a place is, north up."""
-COUNTS = {wished.PLACE: 60.0, wished.CENTRE: 120.0, wished.BESIDE: 20.0, wished.NEAR_ENTRANCE: 12.0,
+COUNTS = {wished.PLACE: 400.0, wished.CENTRE: 400.0, wished.BESIDE: 20.0, wished.NEAR_ENTRANCE: 12.0,
           wished.FAR_FROM_ENTRANCE: 8.0, wished.ADJACENT: 60.0, wished.APART: 40.0, wished.LENGTHS: 25.0,
           wished.LONG: 40.0, wished.WIDE: 120.0}  # fmt: skip
 """What each lack counts: of places in half extents of the home, of others in metres."""

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from apartgen.schemas.plan import AskedRoom, Envelope, Program, Walls
+from apartgen.schemas.plan import AskedRoom, Envelope, Program, Requirement, Walls
 from apartgen.stages.plan.balconies import hang, hung, indoors
 from apartgen.stages.plan.surroundings import surrounded
 
@@ -58,3 +58,39 @@ def test_a_home_has_as_many_sides_with_windows_as_it_is_said_to_have(number: int
 def test_a_home_that_found_no_plan_for_long_is_drawn_with_windows_on_all_sides() -> None:
     found = [surrounded(program("balcony_1"), 1.2, 60.0, 80, np.random.default_rng(seed)) for seed in range(8)]
     assert [(one.party_walls, one.facades) for one in found] == [([], 4)] * 8
+
+
+FLOORS = {"living_room_1": shapely.box(0, 0, 7, 5), "hallway_1": shapely.box(0, 5.1, 3, 6.3)}
+WALLS = Walls(inner=0.1, outer=0.3)
+
+
+def asked(value: str, to: str | None = None) -> Program:
+    place = Requirement(id="asked_1", kind="position", of="balcony_1", to=to, value=value, text=value)
+    return program("bedroom_1").model_copy(update={"requirements": [place]})
+
+
+SIDES = [("east", 0, 1), ("west", 0, -1), ("south", 1, -1), ("left", 0, -1)]
+
+
+@pytest.mark.parametrize(("value", "axis", "sign"), SIDES)
+@pytest.mark.parametrize("to", [None, "living_room_1"])
+def test_a_balcony_hangs_on_the_side_asked_for(value: str, axis: int, sign: int, to: str | None) -> None:
+    """Wholly beyond that side of its room, though its longest façade is another; the hallway's part has none."""
+    out = hang(asked(value, to), FLOORS, WALLS)
+    assert out is not None
+    bounds, room = out["balcony_1"].bounds, FLOORS["living_room_1"].bounds
+    assert bounds[axis] > room[axis + 2] if sign > 0 else bounds[axis + 2] < room[axis]
+
+
+@pytest.mark.parametrize(("value", "middle"), [("south_east", 5.0), ("south_west", 2.0)])
+def test_a_balcony_in_a_corner_hangs_at_the_end_of_a_facade(value: str, middle: float) -> None:
+    out = hang(asked(value), {**FLOORS, "living_room_1": shapely.box(0, 0, 7, 2)}, WALLS)
+    assert out is not None
+    x, y = out["balcony_1"].centroid.coords[0]
+    assert (x > middle if value.endswith("east") else x < middle) and y < 1
+
+
+def test_the_place_of_a_balcony_is_asked_of_its_room() -> None:
+    assert [(r.of, r.value) for r in indoors(asked("north")).requirements] == [("living_room_1", "north")]
+    own = indoors(asked("north", "living_room_1")).requirements
+    assert [(r.of, r.to) for r in own] == [("balcony_1", "living_room_1")], "a side of its own room is its own matter"

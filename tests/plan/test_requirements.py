@@ -5,7 +5,7 @@ import pytest
 from plan.flats import within
 
 from apartgen.schemas.errors import BadInput, Unmet
-from apartgen.schemas.plan import Program
+from apartgen.schemas.plan import Program, Requirement
 from apartgen.stages.plan import PlanConfig, build, validate
 from apartgen.stages.plan.check import check
 from apartgen.stages.plan.relax import ladder, spare_links, with_hallway
@@ -89,6 +89,18 @@ def test_the_ladder_gives_up_one_thing_more_at_a_time() -> None:
     words = " / ".join(steps[-1].given_up)
     order = [words.index(word) for word in ("areas", "long", "outline", "hallway")]
     assert order == sorted(order)
+
+
+def test_wishes_that_no_plan_has_room_for_forbid_no_plan() -> None:
+    """Rungs with wishes that count stand before those where they hardly do; without wishes there are none of these."""
+    program = archetypes()["two_bedroom"]
+    asked = [Requirement(id="asked_1", kind="position", of="bedroom_1", value="north", text="")]
+    steps = list(ladder(program.model_copy(update={"requirements": asked})))
+    plain = list(ladder(program))
+    assert [step.given_up for step in steps] == 2 * [step.given_up for step in plain]
+    assert [step.slack.heed for step in steps[: len(plain)]] == [1.0] * len(plain)
+    assert all(0 < step.slack.heed < 0.5 for step in steps[len(plain) :])
+    assert all(step.slack.heed == 1.0 for step in plain)
 
 
 def test_a_complete_programme_keeps_its_rooms_and_links() -> None:

@@ -31,6 +31,7 @@ def described(words: list[Lexeme], said: Said) -> bool:
     for topic in topics:
         _say(topic, rooms, said)
     _bathrooms(topics, rooms, said)
+    _balconies(topics, rooms, said)
     said.only = True
     said.unread += reading.unread
     return True
@@ -57,6 +58,17 @@ def _bathrooms(topics: list[Topic], rooms: dict[Name, RoomPhrase], said: Said) -
             said.statements += [Statement(Relation.DOOR, [rooms[topic.name]], [rooms[n]]) for n in bedrooms]
         else:
             rooms[topic.name].labels.add(Trait.SEPARATE)
+
+
+def _balconies(topics: list[Topic], rooms: dict[Name, RoomPhrase], said: Said) -> None:
+    """A balcony that is said to be next to bedrooms, and to no room one lives in, opens off the first of these."""
+    for topic in [t for t in topics if t.name.type == "balcony"]:
+        around = [(one, other) for t in topics for one, _, other in t.beside if topic.name in (one, other)]
+        around += [(t.name, name) for t in topics for _, name in t.links if topic.name in (t.name, name)]
+        near = [one if other == topic.name else other for one, other in around]
+        bedrooms = [name for name in near if name.type == "bedroom" and name in rooms]
+        if bedrooms and all(name.type in ("bedroom", "bathroom", "balcony") for name in near):
+            said.statements.append(Statement(Relation.DOOR, [rooms[topic.name]], [rooms[bedrooms[0]]]))
 
 
 def _phrase(name: Name) -> RoomPhrase:
