@@ -18,7 +18,7 @@ from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 from apartgen.stages.scene.scene import LoadAsset, Scene
 
 PACKAGE = "apartgen.stages.export"
-BARE = ("svg", "png", "dxf", "ifc")
+BARE = ("svg", "png", "elevations", "dxf", "ifc")
 """Formats that show boxes, not assets."""
 
 

@@ -14,7 +14,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
 from apartgen.stages.scene.scene import Scene
 
-DRAWINGS = ("svg", "png", "dxf", "ifc")
+DRAWINGS = ("svg", "png", "elevations", "dxf", "ifc")
 FORMATS = [name for name in export.formats() if name not in (*DRAWINGS, "view")]
 """Formats that hold assets; drawings and plans have nothing to credit or to name."""
 CREDIT = "Plain boxes, public domain"
