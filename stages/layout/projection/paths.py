@@ -35,6 +35,7 @@ Bodies = Mapping[int, Boxes]
 NOTHING: Bodies = {}
 SHUT = -1.0
 """How far what nobody opens does so."""
+SHUT_ALL: Mapping[int, float] = {}
 
 
 class Paths:
@@ -84,14 +85,14 @@ class Paths:
         at_doors = labels[self.doors[which]]
         return labels, sizes, int(at_doors[np.argmax(sizes[at_doors])] if at_doors.any() else sizes.argmax())
 
-    def cut_off(self, limit: float = np.inf, more: Bodies = NOTHING, opens: float = SHUT) -> float:
+    def cut_off(self, limit: float = np.inf, more: Bodies = NOTHING, opens: Mapping[int, float] = SHUT_ALL) -> float:
         """What it is worth, in metres of shifting, to join all parts of the floor, all doors and objects, with `more`
-        objects there that open so far; above `limit` only so much of it.
+        objects there, of which some open so far; above `limit` only so much of it.
 
         A share of the floor beyond SLIVER and each door count for each walker, an object out of reach for the first,
         what the last can't use for it.
         """
-        extra = {k: _row(box, opens) for k, box in more.items()}
+        extra = {k: _row(box, opens.get(k, SHUT)) for k, box in more.items()}
         bodies, added = (np.array([*some.values()]).reshape(-1, 6) for some in (self.rows | extra, extra))
         prices = Prices(SLIVER, DOOR, UNREACHED, self._beside, *BEFORE)
         return kernels_floor.cut_off(

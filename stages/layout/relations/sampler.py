@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, hung, order, runs
+from apartgen.stages.layout.relations import ahead, followers, hung, order, runs
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -88,8 +88,8 @@ class Sampler:
     def _placed(self, p: Particle, name: str, boxes: Array, weight: Floats, contents: list[str],
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
-        rest = ahead.needed(_without(p.left, name), p.furniture.names)
-        found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, rest=rest)
+        left = _without(p.left, name)
+        found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
         if found is None and p.tries + 1 < TRIES:
             p.tries += 1
             return p
@@ -111,11 +111,13 @@ class Sampler:
         return p
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
-                strict: bool = False, rest: Sequence[str] = ()) -> Array | None:
+                strict: bool = False, left: Sequence[str] = ()) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none. One that leaves no
-        room for the `rest` of a run is taken only where the object itself is needed and there is no other."""
+        room for what of its run or group is `left` to come is taken only where there is no other, and never at a
+        `strict` first look where it leads a group."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
+        rest = ahead.needed(left, there.names)
         boxes, weight = _merged(boxes, weight)
         boxes, weight = self._continued(there, name, boxes, weight)
         price = there.prices(name, boxes, loose, strict)
@@ -126,8 +128,12 @@ class Sampler:
                 break
             k = self._draw(weight)
             if there.shuts(name, boxes[k], loose) < CUT:
-                if ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
+                fits = followers.fit(there, name, boxes[k], left)
+                if fits and ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
                     return np.asarray(boxes[k])
+                if strict and not fits:
+                    weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
+                    continue
                 second = np.asarray(boxes[k]) if second is None and not runs.spare(name) else second
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
         return second

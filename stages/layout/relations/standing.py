@@ -1,6 +1,7 @@
 """What stands in a room so far, and what a candidate for the next object would break: φ of Eq. 2 to 4, exactly."""
 
 import copy
+from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
@@ -154,10 +155,16 @@ class Furniture:
     def shuts(self, name: str, box: Array, loose: bool = False) -> float:
         """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach; its own
         use does not count where one is `loose`."""
-        if not _in_the_way(name, box):
+        return self.shut_by([(name, box)], loose)
+
+    def shut_by(self, some: Sequence[tuple[str, Array]], loose: bool = False) -> float:
+        """The same of several objects together."""
+        standing = [(name, box) for name, box in some if _in_the_way(name, box)]
+        if not standing:
             return 0.0
-        more = {len(self.names): upright(box[None])}
-        return max(0.0, self.paths.cut_off(more=more, opens=SHUT if loose else _opens(name, box)) - self.cut)
+        more = {len(self.names) + k: upright(box[None]) for k, (_, box) in enumerate(standing)}
+        opens = {} if loose else {len(self.names) + k: _opens(name, box) for k, (name, box) in enumerate(standing)}
+        return max(0.0, self.paths.cut_off(more=more, opens=opens) - self.cut)
 
     def _others(self, name: str) -> tuple[NDArray[np.bool_], Floats]:
         """Of what stands there, what gives way to a category, and how far the two may be drawn into one another."""

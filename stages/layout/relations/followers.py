@@ -1,0 +1,71 @@
+"""What follows a leader of a group: no table or desk is put where its chairs, and no bed where its nightstands, would
+find no place, or would shut a way."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use import kinds
+
+CHAIR, STAND, SEAT = "chair", "nightstand", "office_chair"
+ELBOW = 0.62
+"""Of a table's edge each diner has, m."""
+IN = 0.12
+"""How far a chair is drawn under its table, m."""
+OFF, ASIDE = 0.01, 0.05
+"""From the wall to a nightstand's back, and from it to its bed, m."""
+MOST = 0.3
+"""What a group may cut off of the floor, in metres of way."""
+
+LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT))
+
+
+def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
+    """Whether as many followers as are `left` to come find places about a leader (7,), as far as it has places."""
+    kind = kinds.basic(name)
+    follower = next((name for leaders, name in LEADERS if kind in leaders), "")
+    due = left.count(follower)
+    if not due:
+        return True
+    places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat}[follower](kind, box)
+    group = there.besides(name, box)
+    open_ = places[group.prices(follower, places) < BROKEN]
+    due = min(due, len(places))
+    if len(open_) < due:
+        return False
+    return there.shut_by([(name, box), *((follower, place) for place in open_[:due])]) < MOST
+
+
+def _chairs(kind: str, table: Array) -> Array:
+    """Places of chairs, those across from one another in turn: at the long sides first."""
+    depth, width, height = TABLE[CHAIR].size
+    d, w = float(table[3]), float(table[4])
+    many = 1 if kind == "round_table" else max(1, int(w / ELBOW))
+    along = (np.arange(many) - (many - 1) / 2) * w / many
+    out = [(s * (d / 2 + depth / 2 - IN), y, (s > 0) * np.pi) for y in along for s in (1.0, -1.0)]
+    out += [(0.0, s * (w / 2 + depth / 2 - IN), -s * np.pi / 2) for s in (1.0, -1.0)]
+    return _about(table, out, (depth, width, height))
+
+
+def _stands(kind: str, bed: Array) -> Array:
+    depth, width, height = TABLE[STAND].size
+    back, aside = OFF + depth / 2 - float(bed[3]) / 2, float(bed[4]) / 2 + ASIDE + width / 2
+    return _about(bed, [(back, s * aside, 0.0) for s in (1.0, -1.0)], (depth, width, height))
+
+
+def _seat(kind: str, desk: Array) -> Array:
+    size = TABLE[SEAT].size
+    return _about(desk, [(float(desk[3]) / 2 + size[0] / 2 - IN, 0.0, np.pi)], size)
+
+
+def _about(leader: Array, places: Sequence[tuple[float, float, float]], size: tuple[float, float, float]) -> Array:
+    """Boxes (n, 7) at places (x, y, yaw) in a leader's frame."""
+    x, y, turn = np.array(places).T
+    c, s = np.cos(leader[2]), np.sin(leader[2])
+    low, n = float(leader[5]), len(x)
+    rest = np.broadcast_to([*size[:2], low, low + size[2]], (n, 4))
+    return np.column_stack([leader[0] + c * x - s * y, leader[1] + s * x + c * y, leader[2] + turn, rest]).astype(
+        np.float32)

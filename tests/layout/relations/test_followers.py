@@ -1,0 +1,64 @@
+"""Leaders are put where their followers will find places."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import some_rooms
+
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.relations import followers
+from apartgen.stages.layout.relations.standing import Furniture
+
+TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
+
+
+def room(width: float = 4.0, depth: float = 4.0) -> Furniture:
+    """A room about the origin with a door in its south wall."""
+    rooms = some_rooms(1)
+    x, y = width / 2, depth / 2
+    rooms.polygon[0, :4] = np.array([[-x, -y], [x, -y], [x, y], [-x, y]], np.float32)
+    rooms.openings[0] = np.nan
+    rooms.openings[0, 0] = [-0.4, -y, 0.4, -y, 0, -1, 0]
+    return Furniture(space_of(rooms, 0))
+
+
+def box(size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0) -> np.ndarray:
+    return np.array([x, y, yaw, *size[:2], 0, size[2]], np.float32)
+
+
+@pytest.mark.parametrize("y, chairs, fits", [
+    (0.4, 4, True), (0.4, 6, True),     # free all round
+    (1.3, 2, True), (1.3, 4, True),     # a long table whose end is near the wall
+    (1.3, 6, False),                    # which leaves no place at that end
+])
+def test_a_table_stands_where_its_chairs_do(y: float, chairs: int, fits: bool) -> None:
+    assert followers.fit(room(), "dining_table", box(TABLE, 0, y), ["chair"] * chairs + ["plant"]) == fits
+
+
+def test_a_table_along_a_wall_has_no_place_for_those_at_the_wall() -> None:
+    at_wall = box(TABLE, -2 + 0.46, 0.4)
+    assert not followers.fit(room(), "dining_table", at_wall, ["chair"] * 6)
+    assert followers.fit(room(), "dining_table", at_wall, ["chair"] * 4), "one side and both ends"
+
+
+@pytest.mark.parametrize("x, stands, fits", [(0.0, 2, True), (0.95, 2, False), (0.95, 1, True), (0.95, 0, True)])
+def test_a_bed_leaves_its_sides_to_nightstands(x: float, stands: int, fits: bool) -> None:
+    """Its head at the north wall; .25 m is left beside it at one side."""
+    assert followers.fit(room(), "double_bed", box(BED, x, 0.98, -np.pi / 2), ["nightstand"] * stands) == fits
+
+
+def test_a_nightstand_that_nobody_gets_to_is_none() -> None:
+    """Between the bed and a wall there is place for it, but none to stand before its drawer."""
+    narrow = box(BED, 4.0 / 2 - 0.8 - 0.5, 0.98, -np.pi / 2)
+    assert not followers.fit(room(), "double_bed", narrow, ["nightstand"] * 2)
+
+
+def test_a_desk_faces_where_one_sits() -> None:
+    facing = box(DESK, 0, 1.68, -np.pi / 2)
+    assert followers.fit(room(), "desk", facing, ["office_chair"])
+    there = room()
+    there.add("wardrobe", box((0.6, 1.8, 2.1), 0, 0.85, -np.pi / 2))
+    assert not followers.fit(there, "desk", facing, ["office_chair"])
+
+
+def test_others_lead_nothing() -> None:
+    assert followers.fit(room(), "wardrobe", box((0.6, 1.8, 2.1), 0, 0), ["chair", "nightstand"])
