@@ -15,8 +15,8 @@ Array = NDArray[np.float64]
 SLAB = 0.30
 DOOR_HEAD = 2.1
 SILL = 1.0
-LEVER = 0.05
-"""How far levers stand out, m, about a leaf of 0.04."""
+LEAF = 0.14
+"""Thickness of a door with its levers, m."""
 
 
 @dataclass
@@ -115,12 +115,11 @@ def _leaves(rows: Array) -> Boxes:
     spans = rows[:, :4].reshape(-1, 2, 2)
     side = spans[:, 1] - spans[:, 0]
     wide = np.linalg.norm(side, axis=1)
-    far = wide + LEVER
     inward = np.stack([-side[:, 1], side[:, 0]], -1) / np.maximum(wide, 1e-9)[:, None]
     pivot = spans[np.arange(len(rows)), rows[:, 6].astype(int)]
     center, size = np.full((len(rows), 3), DOOR_HEAD / 2), np.full((len(rows), 3), DOOR_HEAD)
-    center[:, :2] = pivot + inward * far[:, None] / 2
-    size[:, 0], size[:, 1] = far, 0.04 + 2 * LEVER
+    center[:, :2] = pivot + inward * wide[:, None] / 2
+    size[:, 0], size[:, 1] = wide, LEAF
     return Boxes(center, size, np.arctan2(inward[:, 1], inward[:, 0]))
 
 

@@ -2,6 +2,7 @@
 
 import copy
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -14,6 +15,7 @@ from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import company, fixtures, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
 from apartgen.stages.use.kinds import CLOSED
@@ -64,7 +66,7 @@ class Furniture:
         self.names: list[str] = []
         self.boxes: Array = np.zeros((0, 7), np.float32)
         self.upright = self.grown = upright(self.boxes)
-        self.paths = Paths(Standing([]), space)
+        self.paths = Paths(Standing([]), replace(space, leaves=_with_levers(space.leaves)))
         self.cut = self.paths.cut_off()
 
     def fork(self) -> "Furniture":
@@ -194,6 +196,12 @@ class Furniture:
             found |= ((np.abs(boxes[:, 5] - under[6]) < LEVEL) & (np.abs(x) + ex < under[3] / 2 + 2 * LEVEL)
                       & (np.abs(y) + ey < under[4] / 2 + 2 * LEVEL))
         return found
+
+
+def _with_levers(leaves: Boxes) -> Boxes:
+    """Doors that stand open, as far out as the robot goes round them."""
+    heading = np.stack([np.cos(leaves.yaw), np.sin(leaves.yaw), np.zeros(leaves.n)], -1)
+    return Boxes(leaves.center + heading * LEVER / 2, leaves.size + [LEVER, 0.0, 0.0], leaves.yaw)
 
 
 def _grown(name: str, found: Boxes) -> Boxes:
