@@ -58,11 +58,17 @@ def _less(program: Program, room: str) -> Iterator[Program]:
 
 
 def _more(program: Program, room: str) -> Iterator[Program]:
+    """Programmes with one door of a room more: to one that it may open into, else another room's door moved to it."""
     types = {r.id: r.base for r in program.rooms}
     near = {*neighbours(program)[room], room}
     for host in HOSTS[types[room]]:
         for there in [r for r in types if types[r] == host and r not in near]:
             yield from _possible(program, [*program.links, (room, there)])
+    for kind in [kind for kind, hosts in HOSTS.items() if types[room] in hosts]:
+        for there in [r for r in types if types[r] == kind and r not in near]:
+            for link in [pair for pair in program.links if there in pair]:
+                moved = [pair for pair in program.links if pair != link]
+                yield from _possible(program, [*moved, (room, there)])
 
 
 def _moved(program: Program, link: Link, away: str) -> Iterator[Program]:

@@ -38,6 +38,13 @@ def test_a_room_gets_as_many_doors_as_it_should_have() -> None:
     assert doors_of(program, "living_room_1") == 2 and set(flat().links) < set(program.links)
 
 
+@pytest.mark.parametrize("least", [2, 3, 4])
+def test_other_rooms_doors_move_to_a_room_that_has_too_few(least: int) -> None:
+    program = rehung(flat(("at_least", "living_room_1", "doors", str(least))))
+    assert doors_of(program, "living_room_1") == least
+    assert {room for pair in links(program) for room in pair} == set(ROOMS)
+
+
 def test_nothing_opens_where_it_must_not() -> None:
     program = rehung(flat(("no_door", "hallway_1", "kitchen_1", None)))
     assert {"hallway_1", "kitchen_1"} not in [set(pair) for pair in links(program)]

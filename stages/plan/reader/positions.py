@@ -37,12 +37,12 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             k += 2
             continue
         if item.kind == "place" or (item.kind == "side" and not role_of(items, k)):
-            rooms = [_known(room, items) for room in _rooms(items, k)]
+            rooms = [known(room, items) for room in _rooms(items, k)]
             said.asked += [_placed(item, room, text) for room in rooms]
             said.unread += [] if rooms else [text]
         elif _near_behind(items, k) and (rooms := _rooms(items, k)):
             said.asked += [
-                Asked("near", [_known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms
+                Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms
             ]
             k += 2
             continue
@@ -52,7 +52,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
             kind = "apart" if link.value == "apart" else "near"
             said.asked += [
-                Asked(kind, [_known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
+                Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
             ]
             k += 1
             continue
@@ -89,17 +89,17 @@ def _seen_from(items: list[Item], k: int, said: Said) -> None:
         other = next((r for i in reversed(items[:k]) if (r := i.room) is not None and r not in rooms), None)
     to: list[RoomPhrase] | str = "entrance" if items[k + 1].value == "entrance" else [other] if other else ""
     if other is not None and items[k + 1].room is not None:
-        said.seen_from.append(_known(other, items))
+        said.seen_from.append(known(other, items))
     if not to:
         said.unread.append(items[k].text)
         return
     text = f"{items[k].text} {items[k + 1].text}"
     said.asked += [
-        Asked("position", [_known(room, items)], to, _side(items[k]), f"{room.text} {text}") for room in rooms
+        Asked("position", [known(room, items)], to, _side(items[k]), f"{room.text} {text}") for room in rooms
     ]
 
 
-def _known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
+def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
     """`kitchen near the entrance` speaks of the kitchen named before."""
     if room.quantifier == Det.BARE and room.count is None and not room.labels and not room.plural:
         earlier = next(i.room for i in items if i.room is not None and i.room.type == room.type)

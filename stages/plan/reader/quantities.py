@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.bounds import bounded
 from apartgen.stages.plan.reader.dimensions import dimensions
+from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
@@ -27,7 +28,7 @@ JOINTS = {
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _listing(_bare(bounded(_areas(_by_percent(_shares(dimensions(_numbers(words))))))))
+    return _listing(_bare(bounded(_areas(_by_percent(_shares(extents(dimensions(_numbers(words)))))))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:

@@ -11,6 +11,8 @@ from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.vocabulary import Relation
 
 FAR = ("away from", "far from")
+LONG = 6.0
+"""Metres from which on a hallway is a long one."""
 LARGER, SMALLER = (1.15, 1.3, 1.6), (0.9, 0.75, 0.6)
 """Ratios that stand for words like `larger than`, which say no number."""
 BESIDE = ("next to", "adjacent to", "beside", "alongside", "next door to", "close to", "near", "near to", "by",
@@ -25,6 +27,7 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
         of = [ids[id(e)] for e in entities(wish.of, home)] if wish.of else ["home"]
         rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
         found += [row for row in rows if row not in found]
+    found += _short(said, home, ids)
     return [
         Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=text)
         for n, (kind, a, b, value, text) in enumerate(found, 1)
@@ -46,6 +49,12 @@ def _limits(said: Said) -> Iterator[Asked]:
                 yield Asked(kind, [phrase], "", f"{limit:g}", f"{phrase.text} {kind.replace('_', ' ')} {limit:g} m²")
 
 
+def _short(said: Said, home: Household, ids: dict[int, str]) -> list[tuple[str, str, str | None, str | None, str]]:
+    """Of every hallway where no long ones are wanted."""
+    halls = home.of("hallway") if "no_long_hallway" in said.styles else []
+    return [("at_most", ids[id(hall)], "length", f"{LONG:g}", "no long hallway") for hall in halls]
+
+
 def _neighbours(statements: list[Statement]) -> Iterator[Asked]:
     for s in statements:
         words = s.relation.removeprefix("not ")
@@ -55,6 +64,8 @@ def _neighbours(statements: list[Statement]) -> Iterator[Asked]:
             kind = "opposite" if words in OPPOSITE else "adjacent"
         elif s.kind == Relation.NOT and (words in FAR or (denied and words in BESIDE)):
             kind = "apart"
+        elif s.kind == Relation.NOT and denied and words not in OPPOSITE:
+            kind = "no_door"
         if s.kind == Relation.COMPARE and s.number in LARGER + SMALLER:
             kind = "order"
         if kind:
