@@ -100,14 +100,16 @@ def check(home: "Home", *, strict: bool = False) -> "list[Fault]":
 
 
 def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,
-           libraries: Sequence[str] = (), randomize: bool = False, seed: int | None = None) -> "Export":
+           libraries: Sequence[str] = (), colliders: str = "exact", randomize: bool = False,
+           seed: int | None = None) -> "Export":
     """Write a home's files for simulators, viewers and people into the folder `out`, whole or not at all; with
-    `randomize` masses, friction and damping are drawn by the seed within the ranges of their kinds.
+    `primitive` colliders hulls are boxes; with `randomize` masses, friction and damping are drawn by the seed within the
+    ranges of their kinds.
     """
     from apartgen.outputs import ExportSettings, finished
     from apartgen.settings import configured, opened
 
-    given = {"format": list(formats), "libraries": list(libraries), "randomize": randomize}
+    given = {"format": list(formats), "libraries": list(libraries), "randomize": randomize, "colliders": colliders}
     return finished(opened(home), configured(ExportSettings, given), Path(out), seed)
 
 

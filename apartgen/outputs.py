@@ -4,7 +4,7 @@ import hashlib
 from functools import cache
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from pydantic import Field
 
@@ -28,6 +28,7 @@ class ExportSettings(Record):
 
     format: list[str] = Field(min_length=1)
     libraries: list[str] = Field(default_factory=list)
+    colliders: Literal["exact", "primitive"] = Field("exact", description="primitive: boxes and cylinders, no hulls")
     randomize: bool = Field(False, description="masses, friction and damping are drawn within their ranges")
 
 
@@ -38,7 +39,8 @@ def export(home: Plan, settings: ExportSettings, folder: Path, seed: int = 0) ->
     def load_asset(library: str, id: str) -> "Asset":
         return opened_libraries(*settings.libraries).load_asset(library, id)
 
-    return export.run(home, settings.format, folder, load_asset, seed if settings.randomize else None)
+    return export.run(home, settings.format, folder, load_asset, seed if settings.randomize else None,
+                      settings.colliders)
 
 
 @cache

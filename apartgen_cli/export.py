@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -22,13 +22,16 @@ FORMAT = Annotated[list[str], typer.Option("--format", help=f"Any number of time
 LIBRARY = Annotated[list[str] | None, typer.Option("--library", help="Folder of an indexed asset library in use.")]
 RANDOMIZE = Annotated[bool, typer.Option(
     "--randomize", help="Draw masses, friction and damping within the ranges of their kinds.")]
+COLLIDERS = Annotated[Literal["exact", "primitive"], typer.Option(
+    "--colliders", help="Convex hulls as they are, or boxes in their place, which some engines are quicker with.")]
 FOLDER = Annotated[str, typer.Option("--out", "-o", help="The folder to write; it is replaced whole or not at all.")]
 
 
 def _run(out: FOLDER, format: FORMAT, inputs: INPUTS = None, library: LIBRARY = None, trust: TRUST = False,
-         randomize: RANDOMIZE = False, seed: SEED = None, failures: FAILURES = None, retry: RETRY = None) -> int:
+         colliders: COLLIDERS = "exact", randomize: RANDOMIZE = False, seed: SEED = None,
+         failures: FAILURES = None, retry: RETRY = None) -> int:
     given = inputs_of(inputs, retry)
-    settings = ExportSettings(format=format, libraries=library or [], randomize=randomize)
+    settings = ExportSettings(format=format, libraries=library or [], randomize=randomize, colliders=colliders)
     if settings.libraries:
         opened_libraries(*settings.libraries)  # one that is none is said, though the formats may need no asset
 

@@ -7,17 +7,19 @@ is in `stages/scene.py`.
 
 import hashlib
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
-from apartgen.stages.export._randomized import Randomized, told
+from apartgen.stages.export._primitive import primitive
+from apartgen.stages.export._randomized import randomized, told
 from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 from apartgen.stages.scene.scene import LoadAsset, Scene
 
 PACKAGE = "apartgen.stages.export"
+Colliders = Literal["exact", "primitive"]
 BARE = ("svg", "png", "elevations", "dxf", "ifc")
 """Formats that show boxes, not assets."""
 
@@ -27,17 +29,23 @@ def formats() -> dict[str, str]:
     return registry.members(PACKAGE)
 
 
-def run(home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, randomize: int | None = None) -> Export:
+def run(
+    home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, randomize: int | None = None,
+    colliders: Colliders = "exact",
+) -> Export:  # fmt: skip
     """Write every format into the folder `out`, which appears, or is replaced, whole or not at all.
 
-    `load_asset(library, id)` gives the assets; `randomize` is the seed by which physics are drawn, where they are.
+    `load_asset(library, id)` gives the assets; `randomize` is the seed by which physics are drawn, where they are;
+    `primitive` colliders are boxes, cylinders and spheres, no hulls.
     BadInput for an unknown format, a layout without assets where a format needs them, and an `out` that holds what no
     export put there, and files that their format's own reader refuses.
     """
     if not formats:
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
     writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats)}
-    scene = Scene(home, load_asset) if randomize is None else Randomized(home, load_asset, seed=randomize)
+    scene = Scene(home, load_asset)
+    scene = scene if colliders == "exact" else scene.of(primitive(scene.bodies))
+    scene = scene if randomize is None else scene.of(randomized(scene, randomize))
     with replaced(out) as folder:
         files = [
             _file(path, name, folder)

@@ -1,9 +1,8 @@
-"""A scene whose masses, surfaces and mechanisms are drawn within the ranges of the tables that name their sources."""
+"""Masses, surfaces and mechanisms drawn within the ranges of the tables that name their sources."""
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,17 +18,12 @@ from apartgen.stages.things.categories import TABLE
 FILE = "physics.json"
 
 
-@dataclass(frozen=True, eq=False)
-class Randomized(Scene):
-    """One draw of a scene; each body draws from a lane of its own."""
-
-    seed: int = 0
-
-    @cached_property
-    def bodies(self) -> list[Body]:
-        """The scene's bodies, other in nothing but in what they weigh and how they rub and move."""
-        rng = seeds.drawn(self.seed, "physics", seeds.plan_digest(self.home))
-        return [drawn(body, seeds.lane(rng, body.name)) for body in super().bodies]
+def randomized(scene: Scene, seed: int) -> list[Body]:
+    """A scene's bodies, other in nothing but in what they weigh and how they rub and move; each draws from a lane of
+    its own.
+    """
+    rng = seeds.drawn(seed, "physics", seeds.plan_digest(scene.home))
+    return [drawn(body, seeds.lane(rng, body.name)) for body in scene.bodies]
 
 
 def drawn(body: Body, rng: Generator) -> Body:

@@ -75,7 +75,7 @@ class Face(NamedTuple):
 def hung(
     home: Retrieve, room: Room, models: dict[str, list[Design]], density: float, rng: np.random.Generator
 ) -> list[Hung]:
-    """All that hangs in a room; fittings first, since pictures find room elsewhere. Rooms share no pictures, while there
+    """All that hangs in a room; fittings first, since pictures find room elsewhere. Rooms share no pictures while there
     are enough.
     """
     if room.base not in _WALLED:

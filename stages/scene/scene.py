@@ -79,6 +79,12 @@ class Scene:
         """Who made the assets used, sorted."""
         return sorted({self.load_asset(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
 
+    def of(self, bodies: list[Body]) -> "Scene":
+        """The same scene of other bodies."""
+        found = replace(self)
+        vars(found)["bodies"] = bodies
+        return found
+
     def _bulb(self, o: Box) -> Array:
         """Where a lamp's light comes from: the middle of its bulbs, or of what glows, or of its box."""
         own = self.load_asset(o.asset.library, o.asset.id).links if isinstance(o, Furnishing) else []

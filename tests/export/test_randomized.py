@@ -14,7 +14,7 @@ from export import sample
 from apartgen.schemas import artifact
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import export, things
-from apartgen.stages.export._randomized import Randomized
+from apartgen.stages.export._randomized import randomized
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things import mechanisms
 
@@ -35,7 +35,7 @@ def usual(library):
 @pytest.fixture(scope="module")
 def draws(usual):
     """The flat's bodies by seed."""
-    return [Randomized(usual.home, usual.load_asset, False, seed=seed).bodies for seed in SEEDS]
+    return [randomized(usual, seed) for seed in SEEDS]
 
 
 def test_furniture_weighs_what_its_kind_may_and_is_near_what_it_weighed(usual, draws):
@@ -78,10 +78,10 @@ def test_one_seed_draws_the_same_another_draws_another_and_a_thing_draws_for_its
     def masses(bodies):
         return {body.name: [link.mass for link in body.links] for body in bodies}
 
-    again = Randomized(usual.home, usual.load_asset, False, seed=0).bodies
+    again = randomized(usual, 0)
     assert masses(again) == masses(draws[0]) != masses(draws[1])
     fewer = usual.home.model_copy(update={"objects": usual.home.objects[::2]})
-    rest = masses(Randomized(fewer, usual.load_asset, False, seed=0).bodies)
+    rest = masses(randomized(Scene(fewer, usual.load_asset, shown=False), 0))
     assert len(rest) < len(again) and rest == {name: masses(again)[name] for name in rest}
 
 
