@@ -32,8 +32,8 @@ def test_a_list_with_anything_wrong_makes_nothing(data, count):
         Listed(data, "list", count)
 
 
-def test_a_grammar_draws_by_number_and_every_wording_is_understood():
-    logging.getLogger("apartgen").setLevel(logging.ERROR)
+def test_a_grammar_draws_by_number_and_every_wording_is_understood(caplog):
+    caplog.set_level(logging.ERROR, "apartgen")  # taken back after the test
     grammar = Grammar.read("default")
     first = [one.prompt for one in Drawn(grammar, 7, 120).requests()]
     assert first[:50] == [one.prompt for one in Drawn(grammar, 7, 50).requests()]
