@@ -105,6 +105,11 @@ def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
     return found
 
 
+def follows(name: str) -> bool:
+    """Whether something is of no use where nothing else stands."""
+    return kinds.basic(name) in FOLLOWERS
+
+
 def _any(good: Flags) -> Flags:
     return np.asarray(good.any(1))
 
@@ -148,6 +153,7 @@ def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(~seen.walls_in().any(1))
 
 
+FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table"}
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),

@@ -34,7 +34,8 @@ IN_THE_WAY, FLAT = 1.5, 0.03
 APART = 6.0
 """Price of a hood that is not above what cooks, and where nothing better is left of a unit apart from its run."""
 ALONE = 8.0
-"""Price of what is not where it is used with what stands there, once nothing better was found."""
+"""Price of a leader that is not where it is used with what stands there, once nothing better was found; what follows
+is rather left out."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -111,7 +112,8 @@ class Furniture:
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
         total += np.where(hung.spoils(name, found, self.names, self.upright), 2 * BROKEN, 0.0)
-        total += np.where(company.alone(name, boxes, self.names, self.boxes), 2 * BROKEN if strict else ALONE, 0.0)
+        useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
+        total += np.where(company.alone(name, boxes, self.names, self.boxes), useless, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
