@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.lexeme import Lexeme
 
+AND = ("and", "but", ",", "und", "et", "y", "mais", "aber")
 BETWEEN = ("area_word", "stop")
 """What may stand between a limit and its area: `minimum area of 12 m²`."""
 
@@ -20,6 +21,7 @@ def bounded(words: list[Lexeme]) -> list[Lexeme]:
         elif j > i:
             out += [w for w in words[i + 1 : j] if w.value == "total"]
             out.append(_limited(words[j], word.value))
+            out = _joined(out)
             i = j
         elif out and out[-1].kind == "area" and word.text.startswith(("or ", "and ", "min", "max", "upwards")):
             out[-1] = _limited(out[-1], word.value)
@@ -29,6 +31,17 @@ def bounded(words: list[Lexeme]) -> list[Lexeme]:
             out.append(replace(word, kind="stop", value="word"))
         i += 1
     return out
+
+
+def _joined(out: list[Lexeme]) -> list[Lexeme]:
+    """`at least 8 m² and at most 10 m²` as limits of one area."""
+    first, joint, last = ([None] * 3 + out)[-3:]
+    if first is None or joint is None or last is None or joint.text not in AND or len(first.bounds) != 1:
+        return out
+    if first.bounds[0][0] == last.bounds[0][0]:
+        return out
+    middle = (first.values[0] + last.values[0]) / 2
+    return [*out[:-3], replace(first, values=(middle,), bounds=first.bounds + last.bounds)]
 
 
 def _limited(area: Lexeme, kind: str) -> Lexeme:

@@ -148,7 +148,10 @@ def phrase(text: str) -> Phrase:
 
 
 def plural(words: Phrase) -> Phrase:
-    """English plural of the last word."""
+    """English plural of the last word, or of that before `for`: `rooms for sleeping`."""
+    behind = next((k for k, word in enumerate(words) if k and word in ("for", "where")), len(words))
+    if behind < len(words):
+        return (*plural(words[:behind]), *words[behind:])
     *head, last = words
     if last.endswith("y") and last[-2:-1] not in "aeiou":
         many = last[:-1] + "ies"

@@ -37,6 +37,7 @@ def _lone(said: Said, home: Household) -> bool:
         or said.dwelling
         or home.totals
         or said.main_rooms
+        or said.about.people
         or said.total_area
         or home.banned
         or len(home.of("bedroom")) > 1

@@ -6,7 +6,7 @@ from apartgen.stages.plan.reader.vocabulary import Det
 
 WAYS_IN = ("entry", "entrada", "entree", "l'entree")
 """Halls, and also where one comes in."""
-FACING = ("facing", "nach", "richtung", "plein", "expose", "hacia", "orientad", "朝", "向")
+FACING = ("facing", "look", "face", "nach", "richtung", "plein", "expose", "hacia", "orientad", "朝", "向")
 """Words by which a side is that of a room's windows rather than its place."""
 
 
@@ -118,7 +118,8 @@ def _at_entrance(items: list[Item], k: int, said: Said) -> bool:
     told = bool(said.asked) and said.asked[-1].to == "entrance"
     it = items[k].value == "it" and (told or _of_entrance(items[:k]))
     room = items[k].room
-    way_in = room is not None and room.text in WAYS_IN and room.quantifier == "the"
+    the = room is not None and (room.quantifier == Det.THE or items[k - 1].text.endswith((" la", " der", " zum")))
+    way_in = room is not None and room.text in WAYS_IN and the
     return near and (it or way_in or (items[k].kind == "side_role" and items[k].value == "entrance"))
 
 
@@ -137,7 +138,7 @@ def _of_entrance(before: list[Item]) -> bool:
 
 def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms whose place `items[k]` is: `south-facing lounge`, `on the left the bath`, `the kitchen at the back`."""
-    if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun"):
+    if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun", "room"):
         return []
     if _side(items[k]):
         return _beside_what(items, k)

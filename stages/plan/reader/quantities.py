@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
+BETWEEN = ("between", "entre", "zwischen")
 NONE = ("none", "no", "0", "zero", "nil")
 """`Balcony: none`."""
 
@@ -191,7 +192,7 @@ def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
             and not own
         ):
             out[-2:] = [replace(last, values=last.values + word.values)]
-        elif word.kind == "area" and len(word.values) == 2 and out and out[-1].text == "between":
+        elif word.kind == "area" and len(word.values) == 2 and out and out[-1].text in BETWEEN:
             out[-1] = replace(word, values=(sum(word.values) / 2,), bounds=_range(word.values))
         else:
             out.append(word)
