@@ -2,11 +2,10 @@
 
 import textwrap
 from collections.abc import Sequence
+from io import BytesIO
 from math import ceil, sqrt
 from typing import TYPE_CHECKING
 
-import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.font_manager import FontProperties, findfont
 
 from apartgen.schemas.plan import Plan
@@ -48,10 +47,10 @@ def _plan(home: Plan, metre: float) -> "Image":
     """One home without words, so many pixels a metre."""
     from PIL import Image
 
-    canvas = FigureCanvasAgg(bare(home))
-    canvas.figure.set_dpi(metre / INCH)
-    canvas.draw()
-    return Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
+    drawn = BytesIO()
+    bare(home).savefig(drawn, format="png", dpi=metre / INCH)
+    with Image.open(drawn) as plan:
+        return plan.convert("RGB")
 
 
 def _told(sheet: "Image", number: int, home: Plan, at: tuple[int, int]) -> None:

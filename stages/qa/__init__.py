@@ -1,6 +1,5 @@
 """Questions about a home for models that see: what they ask is computed from the artifact, never written by hand."""
 
-import hashlib
 import json
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,7 +14,7 @@ from apartgen.stages.qa import marks
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.drafts import asked
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.scene.folder import CONTENTS
+from apartgen.stages.scene.folder import add
 
 PACKAGE = "apartgen.stages.qa.kinds"
 
@@ -38,9 +37,7 @@ def run(home: Layout, render: Render, config: QaConfig, rng: np.random.Generator
 
 def numbered(questions: Sequence[Question], folder: Path) -> None:
     """Write the pictures with numbers in them that questions are about, beside those without, and list them."""
-    digests = [(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in marks.draw(questions, folder)]
-    with (folder / CONTENTS).open("a", encoding="utf-8") as contents:
-        contents.writelines(f"{digest}  {name}\n" for name, digest in digests)
+    add(folder, marks.draw(questions, folder))
 
 
 def lines(questions: Sequence[Question], folder: str) -> str:

@@ -1,5 +1,6 @@
 """A folder that appears whole or not at all, and replaces only what such a one held."""
 
+import hashlib
 import os
 import shutil
 from collections.abc import Iterable, Iterator
@@ -53,6 +54,14 @@ def listed(paths: Iterable[tuple[str, str]], by: str) -> str:
     """The text of `CONTENTS` for files (path, digest)."""
     lines = [f"{digest}  {path}\n" for path, digest in sorted(paths)]
     return f"# written by apartgen {by}, which replaces this folder\n" + "".join(lines)
+
+
+def add(folder: Path, paths: Iterable[Path]) -> dict[str, str]:
+    """List files that were put into a folder after it was written; their digests by name."""
+    digests = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
+    with (folder / CONTENTS).open("a", encoding="utf-8") as contents:
+        contents.writelines(f"{digest}  {name}\n" for name, digest in digests.items())
+    return digests
 
 
 def _clear(work: Path, out: Path) -> None:

@@ -1,0 +1,164 @@
+"""What Blender is given to do: photographs of a home by path tracing. Run by a Python that has bpy, never imported.
+
+    python _cycles.py JOB.json
+    blender -b -P _cycles.py -- JOB.json
+
+JOB has `glb`, `out`, `views` (name, pose, fx, width, height), `sun` (the way to it), `panes` (corner, across, up and
+normal of each window), `samples` and `threads`.
+"""
+
+import json
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+
+SUN, SKY, LAMPS = 4.0, 1.0, 15.0
+"""Sunlight, W/m²; how bright the sky is; how much brighter than their lumens lamps are, as by day one turns them up."""
+EDGE = 0.002
+"""Radius of edges, m."""
+GROUND = -9.0
+"""Height of the ground outside, m."""
+MIDDLE = 0.2
+"""What the median of a photograph is exposed to."""
+STOPS = (-3.0, 6.0)
+SMALL = 6
+"""A picture for the exposure is so many times smaller."""
+
+
+def built(job):
+    """The home with its light; all that was there is taken away."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.gltf(filepath=job["glb"])
+    scene = bpy.context.scene
+    for one in (one for one in scene.objects if one.type == "LIGHT"):
+        one.data.energy *= LAMPS
+        one.data.shadow_soft_size = 0.06
+    for material in bpy.data.materials:
+        finished(material)
+    sky(scene, Vector(job["sun"]))
+    for k, pane in enumerate(job["panes"]):
+        portal(scene, f"portal_{k}", *(Vector(v) for v in pane))
+    ground(scene)
+    return scene
+
+
+def finished(material):
+    """Glass of windows lets light through undimmed but for what it mirrors; all else has edges that catch light."""
+    tree = material.node_tree
+    surface = next((node for node in tree.nodes if node.type == "BSDF_PRINCIPLED"), None) if tree else None
+    if surface is None:
+        return
+    if material.name.partition(".")[0] == "window_glass":
+        output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+        clear, mirror, mixed, share = (tree.nodes.new(f"ShaderNode{name}")
+                                       for name in ("BsdfTransparent", "BsdfGlossy", "MixShader", "Fresnel"))
+        mirror.inputs["Roughness"].default_value = 0.02
+        share.inputs["IOR"].default_value = 1.45  # left at its default, it lets no sun through
+        for source, target in ((share, mixed.inputs[0]), (clear, mixed.inputs[1]), (mirror, mixed.inputs[2]),
+                               (mixed, output.inputs[0])):
+            tree.links.new(source.outputs[0], target)
+    elif not surface.inputs["Normal"].is_linked:
+        edge = tree.nodes.new("ShaderNodeBevel")
+        edge.samples, edge.inputs["Radius"].default_value = 4, EDGE
+        tree.links.new(edge.outputs[0], surface.inputs["Normal"])
+
+
+def sky(scene, way):
+    """A clear sky, and the sun in it."""
+    scene.world = bpy.data.worlds.new("sky")
+    scene.world.use_nodes = True
+    tree = scene.world.node_tree
+    background = next(node for node in tree.nodes if node.type == "BACKGROUND")
+    texture = tree.nodes.new("ShaderNodeTexSky")
+    texture.sun_elevation, texture.sun_rotation, texture.sun_disc = math.asin(way.z), math.atan2(way.x, way.y), False
+    tree.links.new(texture.outputs[0], background.inputs[0])
+    background.inputs[1].default_value = SKY
+    light = bpy.data.lights.new("sun", "SUN")
+    light.energy, light.angle, light.color = SUN, math.radians(0.53), (1.0, 0.95, 0.88)
+    put(scene, "sun", light, way.to_track_quat("Z", "Y").to_matrix().to_4x4())
+
+
+def portal(scene, name, corner, across, up, normal):
+    """Where light comes in, so that it is looked for there."""
+    light = bpy.data.lights.new(name, "AREA")
+    light.shape, light.size, light.size_y, light.cycles.is_portal = "RECTANGLE", across.length, up.length, True
+    x, z = across.normalized(), -normal
+    place = Matrix((x, z.cross(x), z)).transposed().to_4x4()
+    place.translation = corner + (across + up) / 2
+    put(scene, name, light, place)
+
+
+def ground(scene):
+    """A plain of dull green below the windows."""
+    far = 500.0
+    mesh = bpy.data.meshes.new("ground")
+    mesh.from_pydata([(-far, -far, GROUND), (far, -far, GROUND), (far, far, GROUND), (-far, far, GROUND)], [],
+                     [(0, 1, 2, 3)])
+    material = bpy.data.materials.new("ground")
+    material.use_nodes = True
+    surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    surface.inputs["Base Color"].default_value, surface.inputs["Roughness"].default_value = (0.10, 0.13, 0.06, 1), 1.0
+    mesh.materials.append(material)
+    put(scene, "ground", mesh, Matrix())
+
+
+def put(scene, name, data, place):
+    """An object of this data in the scene."""
+    one = bpy.data.objects.new(name, data)
+    scene.collection.objects.link(one)
+    one.matrix_world = place
+    return one
+
+
+def set_up(scene, job):
+    """How Cycles works: on the processor, with its denoiser, the same for the same job."""
+    scene.render.engine, cycles = "CYCLES", scene.cycles
+    cycles.device, cycles.seed, cycles.use_denoising = "CPU", 0, True
+    cycles.max_bounces, cycles.diffuse_bounces, cycles.transparent_max_bounces = 8, 5, 12
+    cycles.sample_clamp_indirect, cycles.caustics_reflective, cycles.caustics_refractive = 4.0, False, False
+    scene.render.threads_mode, scene.render.threads = "FIXED", job["threads"]
+    scene.view_settings.view_transform, scene.view_settings.look = "AgX", "AgX - Medium High Contrast"
+
+
+def rendered(scene, size, samples, form, file):
+    """One picture into a file."""
+    scene.render.resolution_x, scene.render.resolution_y = size
+    scene.cycles.samples, scene.render.image_settings.file_format = samples, form
+    scene.render.image_settings.color_depth = "8" if form == "PNG" else "32"
+    scene.render.filepath = str(file)
+    bpy.ops.render.render(write_still=True)
+
+
+def exposure(scene, size, folder):
+    """Stops by which a small picture's median is lifted to the middle."""
+    file = folder / "meter.exr"
+    rendered(scene, [max(16, side // SMALL) for side in size], 16, "OPEN_EXR", file)
+    image = bpy.data.images.load(str(file))
+    light = np.array(image.pixels[:]).reshape(-1, image.channels)[:, :3] @ [0.2126, 0.7152, 0.0722]
+    bpy.data.images.remove(image)
+    return float(np.clip(np.log2(MIDDLE / max(float(np.median(light)), 1e-4)), *STOPS))
+
+
+def main(job):
+    """A photograph of each view."""
+    scene = built(job)
+    set_up(scene, job)
+    camera = bpy.data.cameras.new("camera")
+    camera.clip_start, camera.sensor_width = 0.02, 36.0
+    scene.camera = put(scene, "camera", camera, Matrix())
+    with tempfile.TemporaryDirectory() as folder:
+        for view in job["views"]:
+            size = view["width"], view["height"]
+            scene.camera.matrix_world = Matrix(view["pose"]) @ Matrix.Diagonal((1, -1, -1, 1))
+            camera.lens = view["fx"] / view["width"] * camera.sensor_width
+            scene.view_settings.exposure = exposure(scene, size, Path(folder))
+            rendered(scene, size, job["samples"], "PNG", Path(job["out"]) / f"{view['name']}.photo.png")
+
+
+if __name__ == "__main__":
+    main(json.loads(Path(sys.argv[-1]).read_text(encoding="utf-8")))
