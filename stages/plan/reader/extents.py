@@ -60,6 +60,9 @@ def _sense(words: list[Lexeme], i: int) -> tuple[str, str, int]:
         return bound.value, "", _past(words, i + 1)
     first, *rest = words[i].text.split() or [""]
     j = i + 1
+    if words[i].text in ("plus", "mas") and [w.text for w in words[j : j + 2]][1:] == ["que"]:
+        span = SPANS.get(words[j].text, "")  # "plus large que"
+        return ("at_least", span, j + 2) if span else ("", "", i)
     if not rest and j < len(words) and words[j].text in THAN:
         rest, j = [words[j].text], j + 1
     if rest[-1:] and rest[-1] in THAN and first in MORE:

@@ -36,7 +36,7 @@ def undoored(items: list[Item]) -> list[Item]:
         no, link, a, joint, b = (items[k : k + 5] + [Item("")] * 5)[:5]
         pair = a.room is not None and b.room is not None and joint.kind in ("conjunction", "link")
         denied = no.kind == "negation" and no.value in ("no", "without")
-        if denied and pair and link.value in ("between", "door", "from"):
+        if denied and pair and (link.value in ("between", "door", "from") or link.text == "entre"):
             out += [Item("mark", ".", "."), a, Item("negation", "not", no.text), Item("link", "door", link.text), b]
             k += 5
         else:

@@ -6,7 +6,8 @@ from apartgen.stages.plan.reader.vocabulary import Det
 
 WAYS_IN = ("entry", "entrada", "entree", "l'entree")
 """Halls, and also where one comes in."""
-FACING = ("facing", "look", "face", "nach", "richtung", "plein", "expose", "hacia", "orientad", "朝", "向")
+FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
+          "richtung", "plein", "expose", "hacia", "朝", "向")  # fmt: skip
 """Words by which a side is that of a room's windows rather than its place."""
 
 

@@ -33,6 +33,9 @@ SAID = [
     ("Dreizimmerwohnung, der Flur nicht länger als 5 m.", ("at_most", "hallway_1", LENGTH, 5)),
     ("Piso de dos dormitorios, el pasillo de no más de 5 m de largo.", ("at_most", "hallway_1", LENGTH, 5)),
     ("Un T3, le couloir de 5 m de long maximum.", ("at_most", "hallway_1", LENGTH, 5)),
+    ("Un T3, le couloir ne doit pas dépasser 8 m de long.", ("at_most", "hallway_1", LENGTH, 8)),
+    ("Un T3, le séjour ne doit pas être plus large que 5 m.", ("at_most", "living_room_1", WIDTH, 5)),
+    ("Piso de dos dormitorios. El pasillo no debe superar 5 m de largo.", ("at_most", "hallway_1", LENGTH, 5)),
 ]
 
 
@@ -75,6 +78,16 @@ def test_no_door_is_asked_for_and_none_is_there(words: str) -> None:
     program = read(f"A {FLAT}; {words}.")
     assert [(r.kind, {r.of, r.to}) for r in program.requirements] == [("no_door", {"kitchen_1", "hallway_1"})]
     assert ("hallway_1", "kitchen_1") not in program.links and any("kitchen_1" in pair for pair in program.links)
+
+
+@pytest.mark.parametrize("text", [
+    "Dreizimmerwohnung, keine Tür zwischen Küche und Wohnzimmer.", "Un T3, pas de porte entre la cuisine et le séjour.",
+    "Piso de dos dormitorios, que no haya puerta entre la cocina y el salón.",
+])  # fmt: skip
+def test_no_door_in_other_languages(text: str) -> None:
+    program = read(text)
+    assert [(r.kind, {r.of, r.to}) for r in program.requirements] == [("no_door", {"kitchen_1", "living_room_1"})]
+    assert ("kitchen_1", "living_room_1") not in program.links and not program.unread
 
 
 @pytest.mark.parametrize("words", ["a bed at most 1.6 m wide", "the dining table at least 2 m long"])

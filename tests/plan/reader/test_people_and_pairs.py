@@ -55,7 +55,7 @@ def test_an_area_behind_open_is_the_rooms_own(text: str) -> None:
     assert area(program, "kitchen_1") == pytest.approx(8.0, abs=0.1) and program.total_area is None
 
 
-@pytest.mark.parametrize("verb", ["faces", "looks to the", "is facing", "looks"])
+@pytest.mark.parametrize("verb", ["faces", "looks to the", "is facing", "looks", "must have windows to the"])
 def test_a_room_looks_to_a_side(verb: str) -> None:
     assert ("orientation", "living_room_1", None, "south") in rows(read(f"One bedroom; the living room {verb} south."))
 
@@ -63,6 +63,11 @@ def test_a_room_looks_to_a_side(verb: str) -> None:
 def test_near_the_way_in_is_no_further_hallway() -> None:
     program = read("Piso con recibidor, dos dormitorios y despacho. El despacho está cerca de la entrada.")
     assert ("near", "study_1", "entrance", None) in rows(program) and count(program, "hallway") == 1
+
+
+def test_corners_and_denied_neighbours_in_chinese() -> None:
+    assert ("position", "bedroom_1", None, "south_east") in rows(read("两室两卫，主卧在东南角"))
+    assert rows(read("61平米，一室一厅，卫生间不要挨着厨房")) == {("apart", "bathroom_1", "kitchen_1", None)}
 
 
 def test_chinese_storage_and_passages() -> None:
