@@ -11,7 +11,7 @@ class Training(Record):
 
     corpus: str = Field("corpus.npz", description="the rooms, a file of `apartgen train corpus`")
     start: str | None = Field(None, description="weights to start from")
-    steps: int = Field(6_000, ge=1, description="steps of the optimizer, each on a batch")
+    steps: int = Field(12_500, ge=1, description="steps of the optimizer, each on a batch")
     batch: int = Field(48, ge=1, description="rooms of a step")
     objects: int = Field(192, ge=1, description="objects of a step that are described, of these rooms")
     lr: float = Field(1.5e-3, gt=0, description="highest learning rate")

@@ -18,7 +18,7 @@ from apartgen.stages.layout.relations.tokens import DOOR, ENTRANCE, OPENING, WAL
 from apartgen.stages.use.household import OPEN
 
 FACTS = 12 + 2 * len(OPEN)
-UP_TO = 6
+UP_TO = 9
 """Counts are told by whether they reach 1 … so many."""
 UNKNOWN = -1
 SHARP = 1.25
