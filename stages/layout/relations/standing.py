@@ -18,7 +18,7 @@ from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
-from apartgen.stages.use.kinds import CLOSED
+from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, EASY, SMALL_SEATS, basic
 
 SLACK = 0.008
 """Contact that is none, m; below what metrics allow."""
@@ -27,6 +27,7 @@ BROKEN = 10.0
 TUCK_MOST = 0.30
 """How far a seat may go under its table, m."""
 LEVEL = 0.02
+SEATS = BEDS | EASY | CHAIRS | SMALL_SEATS
 OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
 IN_THE_WAY, FLAT = 1.5, 0.03
@@ -101,7 +102,7 @@ class Furniture:
         found, kind = upright(boxes), TABLE[name]
         total = np.zeros(found.n)
         if kind.place == "top":
-            total += np.where(self._carried(name, boxes), 0.0, 2 * BROKEN)
+            total += np.where(self._carried(boxes), 0.0, 2 * BROKEN)
         if kind.place == "wall":
             total += np.where(self.space.behind(found) > OFF_WALL, 2 * BROKEN, 0.0)
         total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
@@ -185,10 +186,12 @@ class Furniture:
             total += np.where(penetration(found, doors).max(1) > SLACK, 3 * BROKEN, 0.0)
         return np.asarray(total)
 
-    def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
-        """Whether candidates stand on the top of something, wholly."""
+    def _carried(self, boxes: Array) -> NDArray[np.bool_]:
+        """Whether candidates stand on the top of something, wholly, that nobody sits or lies on."""
         found = np.zeros(len(boxes), bool)
-        for under in self.boxes:
+        for o, under in zip(self.names, self.boxes, strict=True):
+            if basic(o) in SEATS:
+                continue
             offset = boxes[:, :2] - under[:2]
             c, s = np.cos(under[2]), np.sin(under[2])
             x, y = offset[:, 0] * c + offset[:, 1] * s, offset[:, 1] * c - offset[:, 0] * s

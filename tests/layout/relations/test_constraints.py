@@ -212,3 +212,9 @@ def test_a_drawer_is_used_from_a_lane_that_the_robot_gets_into(lane: float, used
     stand = np.array([1.8 - 0.19, 1.8, -np.pi / 2, 0.4, 0.36, 0, 0.5])
     assert (room.shuts("nightstand", stand) < 0.25) == used
     assert room.shuts("nightstand", stand, loose=True) < 0.25
+
+
+@pytest.mark.parametrize("under, stands", [("nightstand", True), ("chair", False), ("sofa", False), ("cot", False)])
+def test_a_lamp_stands_on_no_seat_and_no_bed(under: str, stands: bool) -> None:
+    there = furniture((under, (0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.5)))
+    assert (price(there, "table_lamp", 0.0, 0.0, 0.0, 0.2, 0.2, 0.5, 0.9) < BROKEN) == stands
