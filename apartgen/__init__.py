@@ -103,8 +103,8 @@ def export(home: "Home", out: str | PathLike[str], formats: Sequence[str], *,
            libraries: Sequence[str] = (), colliders: str = "exact", randomize: bool = False,
            seed: int | None = None) -> "Export":
     """Write a home's files for simulators, viewers and people into the folder `out`, whole or not at all; with
-    `primitive` colliders hulls are boxes; with `randomize` masses, friction and damping are drawn by the seed within the
-    ranges of their kinds.
+    `primitive` colliders hulls are boxes; with `randomize` masses, friction and damping are drawn by the seed within
+    the ranges of their kinds.
     """
     from apartgen.outputs import ExportSettings, finished
     from apartgen.settings import configured, opened
