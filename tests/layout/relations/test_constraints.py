@@ -75,7 +75,7 @@ def test_what_is_put_on_others_stands_on_them(ignorant: str, seed: int) -> None:
 
 
 def test_without_constraints_the_same_weights_break_them(ignorant: str) -> None:
-    found = [hard(made(ignorant, plan(seed), seed, constraints=False)[0]) for seed in range(4)]
+    found = [hard(made(ignorant, plan(seed), seed, constraints=False)[0]) for seed in range(12)]
     assert any((boxes.penetration(boxes.of(stands)) > 0.05).any() for stands in found if len(stands) > 1)
 
 
@@ -93,9 +93,11 @@ def test_the_number_asked_for_is_met_or_said(ignorant: str, seed: int) -> None:
 
 def test_given_objects_stay_as_they_are(ignorant: str) -> None:
     home, _ = made(ignorant, plan(0), 3)
+    given = home.objects[:2]
+    assert len(given) == 2
     config = LayoutConfig(model="relations", weights=ignorant, candidates=1, keep=True)
-    again, _ = furnished(plan(0), config, np.random.default_rng(9), home.objects[:3])
-    assert again.objects[:3] == home.objects[:3]
+    again, _ = furnished(plan(0), config, np.random.default_rng(9), given)
+    assert again.objects[:2] == given
     assert len({o.id for o in again.objects}) == len(again.objects)
 
 
