@@ -131,10 +131,8 @@ class Sampler:
                 fits = followers.fit(there, name, boxes[k], left)
                 if fits and ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
                     return np.asarray(boxes[k])
-                if strict and not fits:
-                    weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
-                    continue
-                second = np.asarray(boxes[k]) if second is None and not runs.spare(name) else second
+                if second is None and (fits or not strict) and not runs.spare(name):
+                    second = np.asarray(boxes[k])
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
         return second
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import torch
 
 from apartgen.stages.layout.relations import contents, order, weights
 from apartgen.stages.layout.relations.config import Training
@@ -56,3 +57,10 @@ def test_contents_come_in_functional_order() -> None:
     found = drawn(5, 12)
     ranks = [order.ranks()[CATEGORIES.index(name)] for name in found]
     assert ranks == sorted(ranks)
+
+
+def test_seven_of_a_kind_are_told_from_six() -> None:
+    """A table for eight has more than six chairs, and an even number of them."""
+    counts = torch.arange(contents.UP_TO + 1, dtype=torch.float32)[:, None]
+    told = contents._reached(counts, 1)
+    assert contents.UP_TO >= 8 and len(torch.unique(told, dim=0)) == contents.UP_TO + 1

@@ -1,0 +1,47 @@
+"""Rooms held out are looked at and not learned from."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from apartgen.schemas.errors import BadInput
+from apartgen.stages.layout.datasets import single_rooms
+from apartgen.stages.layout.datasets._arrays import write_corpus
+from apartgen.stages.layout.relations import corpus, train
+from apartgen.stages.layout.relations.config import Training
+from apartgen.stages.layout.relations.shape import Shape
+
+SMALL = Shape(width=32, heads=2, scene_layers=1, frame_layers=1, key=8)
+
+
+@pytest.fixture(scope="module")
+def rooms(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("corpus") / "corpus.npz"
+    write_corpus(path, ((home, 0) for home in single_rooms.homes(None, rooms=10)))
+    return path
+
+
+def settings(rooms: Path, **more: int) -> Training:
+    return Training(corpus=str(rooms), steps=4, save_every=2, batch=4, shape=SMALL, **more)
+
+
+def test_the_last_rooms_are_never_learned_from(rooms: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    seen, step = [], train.train_step
+    monkeypatch.setattr(train, "train_step", lambda model, optimizer, some, *rest: (
+        seen.extend(some), step(model, optimizer, some, *rest))[1])
+    record = train.train(settings(rooms, held=4), tmp_path / "w.safetensors")
+    every = [room for room in corpus.read(rooms) if room.n]
+    learned = {room.boxes.tobytes() for room in seen}
+    assert learned and learned <= {room.boxes.tobytes() for room in every[:-4]}
+    assert [len(row) for row in record["losses"]] == [3, 3] and np.isfinite(record["losses"]).all()
+
+
+def test_without_any_the_record_has_one_loss(rooms: Path, tmp_path: Path) -> None:
+    record = train.train(settings(rooms), tmp_path / "w.safetensors")
+    assert [len(row) for row in record["losses"]] == [2, 2]
+
+
+def test_all_cannot_be_held_out(rooms: Path, tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match="--held 99.*hold fewer"):
+        train.train(settings(rooms, held=99), tmp_path / "w.safetensors")
