@@ -98,7 +98,7 @@ class Furniture:
         self.upright, self.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
 
     def prices(self, name: str, boxes: Array, loose: bool = False, strict: bool = False) -> Floats:
-        """What candidates (n, 7) for an object break: φ of articulation, bodies, walls, openings, runs and use, (n,)."""
+        """What candidates (n, 7) for an object break: φ of sweeps, bodies, walls, openings, runs and use, (n,)."""
         found, kind = upright(boxes), TABLE[name]
         total = np.zeros(found.n)
         if kind.place == "top":
