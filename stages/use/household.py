@@ -13,6 +13,8 @@ STUDIO = 30.0
 
 PLACES = (("dining_room", 0.0), ("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
 """Where people eat, the likeliest first, with the floor that takes, m²."""
+FOUR, ONE_MORE = 4, 1.2
+"""A kitchen of the least floor has a table for four; each one more who sleeps there takes so much more, m²."""
 
 
 def sleepers(plan: Plan) -> int | None:
@@ -28,7 +30,10 @@ def sleepers(plan: Plan) -> int | None:
 def eats_in(plan: Plan) -> str | None:
     """The room where a home has its meals: a dining room, else a kitchen with floor for a table, else a living room;
     None for a room by itself."""
-    return None if len(plan.rooms) == 1 else _first(plan, PLACES)
+    if len(plan.rooms) == 1:
+        return None
+    more = ONE_MORE * max((sleepers(plan) or 0) - FOUR, 0)
+    return _first(plan, tuple((kind, least + more if kind == "kitchen" else least) for kind, least in PLACES))
 
 
 class Duties(NamedTuple):

@@ -14,6 +14,7 @@ def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, Coll
     masters = [r.id for r in rooms if r.type == "bedroom" and "master" in labels.get(r.id, ())]
     first = next(iter(masters), next((r.id for r in rooms if r.type == "bedroom"), ""))
     beds = sum(r.type == "bedroom" for r in rooms)
+    ranks = {r.id: nth for nth, r in enumerate(r for r in rooms if r.type == "bedroom" and r.id != first)}
     usual = data["area"] | {kind: by[min(beds, len(by) - 1)] for kind, by in data["by_bedrooms"].items()}
     out: dict[str, float] = {}
     for room in rooms:
@@ -22,7 +23,9 @@ def typical(rooms: list[AskedRoom], links: list[Link], labels: Mapping[str, Coll
         traits |= {"private"} if room.private_to else set()
         traits |= {"studio"} if studio and "loft" not in traits else set()
         named = [data["area_of"][key] for t in sorted(traits) if (key := f"{room.type}:{t}") in data["area_of"]]
-        out[room.id] = min(named) if named else usual[room.type]
+        by_rank = data["by_rank"]["bedroom"]
+        ranked = by_rank[min(ranks[room.id], len(by_rank) - 1)] if room.id in ranks else usual[room.type]
+        out[room.id] = min(named) if named else ranked
         if room.type == "hallway":
             doors = sum(room.id in pair for pair in links)
             out[room.id] = data["hallway"]["base"] + data["hallway"]["per_door"] * doors

@@ -68,6 +68,8 @@ def add_rooms(said: Said, home: Household, doors: Doors, named: set[str], rng: G
         _draw(said, home, doors, rng)
     if not said.about.loft:
         _fill(said, home, _data()["order"]["ample" if free else "roomy" if named <= {"bedroom"} else "lavish"])
+    for room in home.rooms:
+        room.factor *= exp(rng.normal(0.0, _data()["spread"].get(room.type, 0.0)))
 
 
 def _draw(said: Said, home: Household, doors: Doors, rng: Generator) -> None:
