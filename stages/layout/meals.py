@@ -4,7 +4,7 @@ import shapely
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.things.categories import CATEGORIES, stand_in, used_for
-from apartgen.stages.use.household import PLACES
+from apartgen.stages.use.household import places
 
 TABLES = tuple(name for name in CATEGORIES if name in used_for("dine"))
 SMALL = 10.0
@@ -24,7 +24,7 @@ def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
     spoken = any(stand_in(asked.category, TABLES) for asked in plan.program.objects)
     if spoken or len(plan.rooms) == 1 or any(room.base == "dining_room" for room in plan.rooms):
         return None
-    for kind, least in PLACES:
+    for kind, least in places(plan):
         fitting = [room for room in plan.rooms if room.base == kind and _area(room) >= least and _holds(plan, room)]
         if fitting:
             room = max(fitting, key=_area)

@@ -11,9 +11,9 @@ DOUBLE = 9.6
 STUDIO = 30.0
 """A home without bedrooms of which the largest room has so much floor sleeps two, m²."""
 
-PLACES = (("dining_room", 0.0), ("kitchen", 11.0), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
-"""Where people eat, the likeliest first, with the floor that takes, m²."""
-FOUR, ONE_MORE = 4, 1.2
+PLACES = (("dining_room", 0.0), ("kitchen", 12.5), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
+"""Where up to four people eat, the likeliest first, with the floor that takes, m²."""
+FOUR, ONE_MORE = 4, 2.2
 """A kitchen of the least floor has a table for four; each one more who sleeps there takes so much more, m²."""
 
 
@@ -30,10 +30,13 @@ def sleepers(plan: Plan) -> int | None:
 def eats_in(plan: Plan) -> str | None:
     """The room where a home has its meals: a dining room, else a kitchen with floor for a table, else a living room;
     None for a room by itself."""
-    if len(plan.rooms) == 1:
-        return None
+    return None if len(plan.rooms) == 1 else _first(plan, places(plan))
+
+
+def places(plan: Plan) -> tuple[tuple[str, float], ...]:
+    """Where those who live in a home may eat, the likeliest first, with the floor that takes, m²."""
     more = ONE_MORE * max((sleepers(plan) or 0) - FOUR, 0)
-    return _first(plan, tuple((kind, least + more if kind == "kitchen" else least) for kind, least in PLACES))
+    return tuple((kind, least + more if kind == "kitchen" else least) for kind, least in PLACES)
 
 
 class Duties(NamedTuple):

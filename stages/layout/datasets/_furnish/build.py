@@ -27,7 +27,7 @@ def furnish(shape: Shape, rng: Generator, home: Household, count: int | None = N
         worth = 100.0 - ESSENTIAL_WORTH * lacking - space.missed + 0.05 * space.n
         if worth > most:
             best, most = space, worth
-        if not lacking and space.missed <= nth // 4 and space.n:
+        if not lacking and space.missed <= nth // 5 and space.n:
             break
     assert best is not None
     return best

@@ -29,7 +29,8 @@ def living_room(space: Space, home: Household) -> None:
     table = home.table if home.table is not None else area > 17 and space.wants("table", 0.88 if area > 21 else 0.6)
     if home.bed:
         sleeping.double(space, bench=False)
-    first = table and rng.random() < 0.2
+        space.need(storing.wardrobe(space, 2.0 if area > 26 else 1.5), 0.8)
+    first = table and rng.random() < (0.2 if home.sleepers <= 4 else 0.4)
     if first:
         _table(space, home)
     if space.lost:
@@ -59,7 +60,7 @@ def living_room(space: Space, home: Household) -> None:
 
 
 def _table(space: Space, home: Household) -> None:
-    space.need(dining.furnish(space, dining.seats_for(space, home.sleepers)), 0.7)
+    space.need(dining.furnish(space, dining.seats_for(space, home.sleepers)), 1.2)
 
 
 def _cabinets(space: Space, count: int) -> None:
