@@ -140,7 +140,7 @@ def _furniture(axes: Axes, objects: Sequence[Box]) -> Geometry:
     fitted, swept = fitted_ovens(objects), []
     for o in objects:
         pen = Pen(axes, o.center[0], o.center[1], o.yaw, _layer(o), f"furniture/{o.id}")
-        _symbols.draw(pen, "fitted_oven" if o.id in fitted else o.category, o.size[0], o.size[1])
+        _symbols.draw(pen, o.category, o.size[0], o.size[1], fitted=o.id in fitted)
         for joint in o.joints if isinstance(o, Furnishing) else []:
             area = _swept(Pen(axes, o.center[0], o.center[1], o.yaw, 4.8, f"sweeps/{o.id}_{joint.name}"), joint)
             swept.append(affinity.translate(affinity.rotate(area, o.yaw, (0, 0), use_radians=True), *o.center[:2]))

@@ -18,10 +18,11 @@ from apartgen.stages.things import categories
 NEEDS = Layout
 SEATS = categories.those(lambda kind: kind.is_for("sit") and kind.faces)
 TABLES = categories.parents(SEATS)
-BEDSIDE = ("nightstand",)
+BEDSIDE = categories.those(
+    lambda kind: kind.is_for("store") and not categories.used_for("sleep").isdisjoint(kind.belongs))
 BEDS = categories.parents(BEDSIDE)
 SCREENS = categories.used_for("watch")
-SOFAS = categories.those(lambda kind: kind.serves == categories.TABLE["sofa"].serves)
+SOFAS = categories.those(lambda kind: kind.is_for("lounge") and not kind.loose)
 APART = 0.35
 """Companions stand no further apart, m."""
 WALL = 0.12

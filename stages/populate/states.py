@@ -13,17 +13,15 @@ from apartgen.schemas.retrieve import Furnishing, Joint
 from apartgen.stages import seeds
 from apartgen.stages.populate.config import PopulateConfig
 from apartgen.stages.space import sweeps
-from apartgen.stages.things import affordances, categories
+from apartgen.stages.things import affordances, categories, small
 from apartgen.stages.things.receptacles import Receptacle
 
 State = dict[str, bool | float]
 
-ON = {"ceiling_lamp": 0.8, "floor_lamp": 0.5, "table_lamp": 0.5, "wall_lamp": 0.5, "tv": 0.3, "monitor": 0.3,
-      "fridge": 1.0, "radiator": 0.5, "water_heater": 1.0, "laptop": 0.3, "speaker": 0.3, "hob": 0.05, "oven": 0.05}
-"""How likely what can be switched is on; anything else is off."""
 AJAR = 0.15
 """Share of parts that stand open where these are drawn."""
-SWITCHED = ("ceiling_lamp", "wall_lamp", "floor_lamp", "table_lamp")
+LAMPS = [categories.those(lambda kind, place=place: kind.is_for("light") and kind.place == place)  # type: ignore[misc]
+         for place in ("ceiling", "wall", "floor", "top")]
 """What a switch at the door switches: the lamps of the first of these kinds that the room has."""
 
 
@@ -51,13 +49,13 @@ def said(home: Plan, objects: Sequence[Furnishing], offered: dict[str, tuple[Rec
 
 
 def _is_on(o: Box, rng: Generator) -> bool:
-    kind = categories.stand_in(o.category, ON) or o.category
-    return bool(seeds.lane(rng, f"on {o.id}").random() < ON.get(kind, 0.0))
+    kind = small.TABLE.get(o.category) or categories.TABLE.get(o.category)
+    return bool(seeds.lane(rng, f"on {o.id}").random() < (kind.on if kind else 0.0))
 
 
 def _lamps(switch: Box, objects: Sequence[Box]) -> list[str]:
-    for kind in SWITCHED:
-        found = [o.id for o in objects if o.room == switch.room and categories.stand_in(o.category, (kind,))]
+    for kinds in LAMPS:
+        found = [o.id for o in objects if o.room == switch.room and o.category in kinds]
         if found:
             return found
     return []

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from apartgen.schemas.plan import Plan, Room
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.space import boxes, polygons, sweeps
-from apartgen.stages.things import small
+from apartgen.stages.things import categories, small
 from apartgen.stages.things.small import Design
 
 Array = NDArray[np.float64]
@@ -31,9 +31,9 @@ ASIDE = 0.15
 """From the edge of a door to its switch, m."""
 _WALLED = ("living_room", "bedroom", "hallway", "study", "dining_room", "kitchen", "bathroom", "utility", "storage",
            "closet")
-_UNDER = ("sofa", "corner_sofa", "double_bed", "single_bed", "sideboard", "console_table", "desk", "chest")
+_UNDER = categories.those(lambda kind: kind.pictures > 0)
 """Furniture that pictures are hung over."""
-_POWERED = ("tv_stand", "desk", "nightstand", "sofa", "console_table")
+_POWERED = categories.those(lambda kind: kind.socket)
 """Furniture that sockets are beside."""
 
 
@@ -231,9 +231,10 @@ def _pictures(
 
 
 def _over(faces: Sequence[Face], here: Sequence[Furnishing]) -> Iterator[tuple[Face, float, float]]:
-    for o in sorted(here, key=lambda o: (_UNDER.index(o.category) if o.category in _UNDER else 99, o.id)):
+    under = [o for o in here if o.category in _UNDER]
+    for o in sorted(under, key=lambda o: (categories.TABLE[o.category].pictures, o.id)):
         top = o.center[2] + o.size[2] / 2
-        if o.category in _UNDER and top < 1.3:
+        if top < 1.3:
             back = np.array([np.cos(o.yaw), np.sin(o.yaw)]) * -o.size[0] / 2 + o.center[:2]
             for face in faces:
                 s, off = _seen(face, back[None])

@@ -31,6 +31,8 @@ from apartgen.stages.things.dressed import dressed
 
 log = logging.getLogger("apartgen")
 LoadAsset = Callable[[str, str], Asset]
+OVERHEAD = next(kind.lumens for kind in TABLE.values() if kind.lumens and kind.place == "ceiling")
+"""Of the light that a room without a ceiling lamp has all the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +71,7 @@ class Scene:
         dark = [room for room in self.home.rooms if room.id not in lit and room.base != "balcony"]
         middles = [np.array(polygons.floor(room).representative_point().coords[0]) for room in dark]
         plain = [
-            Light(f"light_{room.id}", room.id, np.array([*xy, self.home.height - 0.15]), TABLE["ceiling_lamp"].lumens)
+            Light(f"light_{room.id}", room.id, np.array([*xy, self.home.height - 0.15]), OVERHEAD)
             for room, xy in zip(dark, middles, strict=True)
         ]
         return lamps + plain

@@ -13,10 +13,6 @@ BY_USE: dict[str, tuple[str, ...]] = {
     "relieve": ("sittable", "water_source"), "launder": ("switchable",), "cool": ("switchable",),
 }  # fmt: skip
 """What furniture affords that is for this. What is switchable is on or off: a tap runs, a hob is hot, a lamp shines."""
-BY_KIND = {"tv": ("switchable",), "monitor": ("switchable",), "radiator": ("switchable", "heat_source"),
-           "water_heater": ("switchable", "heat_source"), "dishwasher": ("switchable",), "hood": ("switchable",),
-           "microwave": ("switchable", "heat_source"), "towel_rail": ("heat_source",)}  # fmt: skip
-"""What kinds afford besides."""
 
 
 def affordances(o: Furnishing, places: Sequence[str], held: bool) -> list[str]:
@@ -26,8 +22,7 @@ def affordances(o: Furnishing, places: Sequence[str], held: bool) -> list[str]:
         found |= set(small.TABLE[o.category].affords)
     elif o.category in categories.TABLE:
         kind = categories.TABLE[o.category]
-        found |= {name for use in kind.uses for name in BY_USE.get(use, ())}
-        found |= set(BY_KIND.get(categories.stand_in(o.category, BY_KIND) or "", ()))
+        found |= {*kind.affords, *(name for use in kind.uses for name in BY_USE.get(use, ()))}
     found |= {"openable"} if o.joints else set()
     found |= {"graspable"} if held else set()
     found |= {"container"} if {"inside", "drawer", "basin"} & set(places) else set()

@@ -73,6 +73,11 @@ class Category:
     family: str = ""
     run: Literal["", "unit", "fitted", "beside", "hung"] = ""
     stands: Stands = Stands()
+    symbol: str = ""
+    pictures: int = 0
+    socket: bool = False
+    affords: tuple[str, ...] = ()
+    on: float = 0.0
     lumens: float = 0.0
     called: str = ""
     thor: str = ""

@@ -40,6 +40,7 @@ class Small:
     fixed: bool = False
     wide: bool = False
     affords: tuple[str, ...] = ()
+    on: float = 0.0
 
     @property
     def round(self) -> bool:

@@ -10,7 +10,7 @@ from inhabited import furnished, library
 
 from apartgen.schemas.populate import furniture_only
 from apartgen.stages import export, populate, seeds
-from apartgen.stages.things import affordances, small
+from apartgen.stages.things import affordances, categories, small
 
 
 def lived(seed=0, **settings):
@@ -37,7 +37,8 @@ def test_uses_say_what_things_afford():
         assert ("openable" in names) == bool(o.joints)
         assert ("graspable" in names) == bool(getattr(o, "grasps", []))
     assert {name for kind in small.TABLE.values() for name in kind.affords} <= {
-        name for names in (*affordances.BY_USE.values(), *affordances.BY_KIND.values()) for name in names}
+        name for names in (*affordances.BY_USE.values(), *(k.affords for k in categories.TABLE.values()))
+        for name in names}
 
 
 def test_switches_switch_lamps_of_their_room():
