@@ -20,13 +20,15 @@ class Inside(Record):
 
 class Grasp(Record):
     """How a parallel gripper takes hold, in the thing's frame: where between its jaws, from where it comes, along which
-    way it closes, and how far it is open before, m.
+    way it closes, and how far it is open before, m; fingers reach 1 cm beyond. It is `clear` where two fingers and the
+    thing between them touch nothing else in the home, what stands before it being open.
     """
 
     at: Vector
     approach: Vector
     close: Vector
     width: Number
+    clear: bool = False
 
 
 class Thing(Furnishing):

@@ -90,7 +90,8 @@ HAND = """<body name="hand" gravcomp="1" sleep="never"><freejoint name="hand"/>
 <geom name="f1" type="box" size=".004 .01 .02" mass=".05" friction="1" condim="4" solref="0.008 1"/></body></body>
 <body name="led" mocap="true"/></worldbody><equality><weld body1="led" body2="hand" solref="0.008 1"/>
 <joint joint1="f0" joint2="f1"/></equality>"""
-"""Fingers 8 mm thick, 20 mm wide and 40 mm long, without palm and arm."""
+"""Fingers 8 mm thick, 20 mm wide and 40 mm long, 10 mm of them beyond where they hold, without palm and arm."""
+BEYOND = 0.01
 FORCE, LIFT, BACK, AWAY = 30.0, 0.1, 0.12, 9.0
 """N; how far a thing is lifted, from how far the hand comes, and where it is when nobody needs it, m."""
 COMES, CLOSES, LIFTS, HOLDS = 0.5, 0.3, 1.0, 2.0
@@ -122,9 +123,16 @@ def _put(made, data, at, turn):
     data.mocap_pos[0], data.mocap_quat[0] = at, quat
 
 
-def taken(made, rested, o, part=None, along=()):
+def under_boards(home):
+    """Ids of things that lie below a board: on shelves and in cupboards."""
+    kinds = {(id, place.name): place.kind for id, places in home.receptacles.items() for place in places}
+    return {o.id for o in home.objects if (inside := getattr(o, "in_", None))
+            and kinds[inside.object, inside.receptacle] in ("shelf", "inside")}
+
+
+def taken(made, rested, o, part=None, along=(), under=False):
     """Empty where one of the grasps that are told of a thing takes it, else what came of the last. The part before it
-    is wide open, with what is `along` in it.
+    is wide open, with what is `along` in it; what is `under` a board leaves by the side that it is taken from.
     """
     why = "no grasp"
     for grasp in o.grasps:
@@ -132,7 +140,7 @@ def taken(made, rested, o, part=None, along=()):
         mujoco.mj_copyData(data, made, rested)
         if part:
             _open(made, data, part, along)
-        why = _grasped(made, data, o.id, grasp, part is not None)
+        why = _grasped(made, data, o.id, grasp, under)
         if not why:
             return ""
     return why
@@ -150,7 +158,7 @@ def _open(made, data, part, along):
     mujoco.mj_forward(made, data)
 
 
-def _grasped(made, data, id, grasp, inside):
+def _grasped(made, data, id, grasp, under):
     turn, start = data.body(id).xmat.reshape(3, 3), data.body(id).xpos.copy()
     approach, close = turn @ grasp.approach, turn @ grasp.close
     at = start + turn @ grasp.at
@@ -158,13 +166,13 @@ def _grasped(made, data, id, grasp, inside):
     fingers = [made.geom(name).id for name in ("f0", "f1")]
     made.geom_sameframe[fingers] = 0
     for k, finger in enumerate(fingers):
-        made.geom_pos[finger] = [(1 - 2 * k) * (grasp.width / 2 + 0.004), 0, 0]
+        made.geom_pos[finger] = [(1 - 2 * k) * (grasp.width / 2 + 0.004), 0, BEYOND - 0.02]
     _put(made, data, at - BACK * approach, hand)
     mujoco.mj_forward(made, data)
     if any(c.dist < -1e-3 and {c.geom1, c.geom2} & {*fingers} for c in data.contact[:data.ncon]):
         return "no room"
-    # Out of a cupboard by the side that it is taken from, else straight up.
-    away = np.array([0, 0, 0.02]) - LIFT * approach if inside and abs(approach[2]) < 0.5 else np.array([0, 0, LIFT])
+    # From under a board by the side that it is taken from, else straight up.
+    away = np.array([0, 0, 0.01]) - LIFT * approach if under and approach[2] > -0.9 else np.array([0, 0, LIFT])
     dofs, begin = [made.joint(name).dofadr[0] for name in ("f0", "f1")], data.time
     while 0 <= (t := data.time - begin) < COMES + CLOSES + LIFTS + HOLDS:  # time begins anew where a simulation bursts
         data.mocap_pos[0] = (at - BACK * approach * np.clip(1 - t / COMES, 0, 1)

@@ -8,11 +8,11 @@ import numpy as np
 from apartgen.schemas import populate
 from apartgen.schemas.carrying import FLOOR, WALL
 from apartgen.schemas.plan import Room
-from apartgen.schemas.populate import Grasp, Inside, Populate, Thing
+from apartgen.schemas.populate import Inside, Populate, Thing
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import seeds
-from apartgen.stages.populate import arrange, rules, states, walls
+from apartgen.stages.populate import arrange, reached, rules, states, walls
 from apartgen.stages.populate.arrange import Put
 from apartgen.stages.populate.boards import Board, boards, offers
 from apartgen.stages.populate.config import PopulateConfig
@@ -20,7 +20,6 @@ from apartgen.stages.populate.rules import Rule
 from apartgen.stages.things import categories, small
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.carrying import told
-from apartgen.stages.things.grasps import Hold, holds
 from apartgen.stages.things.receptacles import Receptacle
 from apartgen.stages.things.small import Design
 from apartgen.stages.use import household
@@ -58,21 +57,9 @@ def populated(previous: Retrieve, config: PopulateConfig, rng: np.random.Generat
         here = boards(before, room.id, offered, hung, library.load_asset)
         groups = furnished(here, rules.table().get(room.base, ()), home, seeds.lane(rng, room.id))
         things += [*_recorded(room.id, groups, names), *hung]
-    things = _held(things, library) if config.grasps else things
+    things = reached.held(before, things, offered, library.load_asset) if config.grasps else things
     told_of = states.said(before, [*before.objects, *things], offered, config, seeds.lane(rng, "states"))
     return _body(before, things, offered, told_of)
-
-
-def _held(things: list[Thing], library: Library) -> list[Thing]:
-    """The things, each that is free with how a gripper takes hold of it; those of one model alike."""
-    models = {o.asset.id for o in things if o.on != WALL}
-    known = {id: [_grasp(hold) for hold in holds(library.load_asset(LIBRARY, id).links[0])] for id in sorted(models)}
-    return [o.model_copy(update={"grasps": known.get(o.asset.id, [])}) for o in things]
-
-
-def _grasp(hold: Hold) -> Grasp:
-    at, approach, close = (tuple(round(float(v), 4) + 0.0 for v in vector) for vector in hold[:3])
-    return Grasp(at=at, approach=approach, close=close, width=round(hold.width, 4))
 
 
 def _hung(before: Retrieve, room: Room, home: Home, names: "_Names", rng: np.random.Generator) -> list[Thing]:

@@ -1,8 +1,9 @@
 """How a parallel gripper takes hold of a small thing: across one of its collision pieces, near its centre of mass.
 
-From above where it is narrow enough that way, else across its thickness from a side.
+From above, from a side and from between where it is narrow enough across, else across its thickness from a side.
 """
 
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,13 +16,15 @@ WIDEST = 0.075
 """A gripper of 80 mm stroke takes nothing wider, m."""
 CLEAR = 0.004
 """How much wider than the thing it is open before, m."""
-DEEP = 0.02
-"""How far the fingers reach over an edge, m."""
-MOST = 3
-"""So many ways are told of a thing."""
-_LEAST = 0.006
-"""Pieces lower or thinner than this are not what one holds, m."""
-_AXES = np.eye(3)
+TIP, THICK, BROAD = 0.01, 0.008, 0.02
+"""Fingers reach so far beyond where they hold, and are so thick and so broad, m."""
+BITES = (0.01, 0.03)
+"""How far below or behind an edge a thing is held, m."""
+_ABOVE = 0.0015
+"""Between the tips and what a thing stands on, m."""
+_UP = np.array([0.0, 0.0, 1.0])
+_BESIDE, _SLANTING, _FLAT = 0.03, 0.02, 0.08
+"""What it costs to come from a side, to come slanting, and to close up and down, m off the centre of mass."""
 
 
 class Hold(NamedTuple):
@@ -36,46 +39,83 @@ class Hold(NamedTuple):
 
 
 def holds(link: Link) -> list[Hold]:
-    """The best ways first: from above, near the vertical through the centre of mass."""
+    """Every way, the best first: from above, near the vertical through the centre of mass."""
     middle = inertia(link).center
-    found = [(cost, k, hold) for k, (cost, hold) in enumerate(
-        (_cost(hold, middle), hold) for piece in link.colliders for hold in _across(piece, middle))]
+    bounds = [corners(piece) for piece in link.colliders]
+    low = min(float(points[:, 2].min()) for points in bounds)
+    found = [hold for piece, points in zip(link.colliders, bounds) for hold in _across(piece, points, middle, low)]
+    cost = [_cost(hold, middle) for hold in found]
+    return [found[k] for k in np.argsort(cost, kind="stable")]
+
+
+def unlike(ways: Sequence[Hold], most: int) -> list[Hold]:
+    """The first so many that are not nearly the same."""
     chosen: list[Hold] = []
-    for _, _, hold in sorted(found, key=lambda row: row[:2]):
-        if len(chosen) < MOST and not any(_alike(hold, other) for other in chosen):
+    for hold in ways:
+        if len(chosen) < most and not any(_alike(hold, other) for other in chosen):
             chosen.append(hold)
     return chosen
 
 
-def _across(piece: Collider, middle: Array) -> list[Hold]:
-    """Ways across a piece: between its sides from above, and between its top and underside from each side."""
-    points = corners(piece)
+def _across(piece: Collider, points: Array, middle: Array, low: float) -> Iterator[Hold]:
+    """Ways across a piece of a thing that stands at height `low`."""
     lo, hi = points.min(0), points.max(0)
-    size, center = hi - lo, (lo + hi) / 2
-    found = []
-    for axis in (0, 1):
-        if size[axis] <= WIDEST and size[2] >= _LEAST:
-            at = np.clip(middle, lo, hi)
-            at[axis] = center[axis]
-            at[1 - axis] = center[1 - axis] if piece.kind == "cylinder" else at[1 - axis]
-            at[2] = min(max(middle[2], hi[2] - 2 * DEEP), hi[2] - min(DEEP, size[2] / 2))
-            found.append(Hold(at, -_AXES[2], _AXES[axis], float(size[axis]) + CLEAR))
+    size = hi - lo
+    for turn in np.arange(4) * np.pi / 4 if piece.kind == "cylinder" else (0.0, np.pi / 2):
+        close = np.array([np.cos(turn), np.sin(turn), 0.0]).round(9)
+        width = float(piece.size[0] * 2 if piece.kind == "cylinder" else abs(close @ size))
+        if width <= WIDEST:
+            yield from _between(piece, lo, hi, middle, low, close, width + CLEAR)
     if size[2] <= WIDEST:
         for axis, side in ((0, 1.0), (1, 1.0), (0, -1.0), (1, -1.0)):
-            at = center.copy()
-            at[1 - axis] = center[1 - axis] if piece.kind == "cylinder" else np.clip(middle, lo, hi)[1 - axis]
-            edge = hi[axis] if side > 0 else lo[axis]
-            at[axis] = edge - side * min(2 * DEEP, size[axis] / 2)
-            found.append(Hold(at, -side * _AXES[axis], _AXES[2], float(size[2]) + CLEAR))
-    return found
+            at = (lo + hi) / 2
+            at[1 - axis] = at[1 - axis] if piece.kind == "cylinder" else np.clip(middle, lo, hi)[1 - axis]
+            for bite in BITES[::-1]:
+                at[axis] = (hi[axis] if side > 0 else lo[axis]) - side * min(bite, size[axis] / 2)
+                yield Hold(at.copy(), -side * np.eye(3)[axis], _UP, float(size[2]) + CLEAR)
+
+
+def _between(
+    piece: Collider, lo: Array, hi: Array, middle: Array, low: float, close: Array, width: float
+) -> Iterator[Hold]:
+    """Ways with the jaws level: from above, from both sides, and from between these."""
+    along = np.cross(_UP, close)
+    half, center = float(abs(along @ (hi - lo))) / 2, (lo + hi) / 2
+    off = float(along @ (np.clip(middle, lo, hi) - center)) if piece.kind == "box" else 0.0
+    lowest = low + TIP + _ABOVE
+    for z in _heights(hi[2], middle[2], lo[2], lowest):
+        for shift in (off, *((off - half / 2, off + half / 2) if piece.kind == "box" and half > BROAD else ())):
+            shift = float(np.clip(shift, min(BROAD / 2 - half, 0.0), max(half - BROAD / 2, 0.0)))
+            yield Hold(_level(center + shift * along, z), -_UP, close, width)
+    deep = [min(bite, half) for bite in BITES] if piece.kind == "box" else [half]
+    for side in (1.0, -1.0):
+        for z in _heights(hi[2] - 0.002, middle[2], lo[2], max(lowest, low + BROAD / 2 + _ABOVE)):
+            for bite in deep:
+                yield Hold(_level(center + side * (half - bite) * along, z), -side * along, close, width)
+        slanting = (-side * along - _UP) / np.sqrt(2)
+        z = max(float(hi[2]) - BITES[0], low + (TIP + BROAD / 2) / np.sqrt(2) + _ABOVE)
+        for bite in (half, min(deep[0], half)) if z < hi[2] else ():
+            yield Hold(_level(center + side * (half - bite) * along, z), slanting, close, width)
+
+
+def _heights(top: float, middle: float, bottom: float, lowest: float) -> list[float]:
+    """Below the top, and near the middle; at least so high that the tips are clear of the ground."""
+    wanted = [top - bite for bite in BITES if top - bite > bottom or bite == BITES[0]]
+    wanted += [middle] if bottom < middle < top - 2 * BITES[1] else []
+    return sorted({round(max(float(z), lowest), 5) for z in wanted}, reverse=True)
+
+
+def _level(at: Array, z: float) -> Array:
+    return np.array([at[0], at[1], z])
 
 
 def _cost(hold: Hold, middle: Array) -> float:
     """How far the weight is off the hold: what turns in the jaws; from above is the better the narrower."""
     off = hold.at - middle
     level = float(np.hypot(off[0], off[1]))
-    sideways = 0.0 if hold.approach[2] < -0.5 else 0.03
-    return round(level + 0.3 * abs(float(off[2])) + sideways + 0.1 * hold.width, 5)
+    down = float(hold.approach[2])
+    way = _FLAT if hold.close[2] > 0.5 else _BESIDE if down > -0.5 else _SLANTING if down > -0.9 else 0.0
+    return round(level + 0.3 * abs(float(off[2])) + way + 0.1 * hold.width, 5)
 
 
 def _alike(a: Hold, b: Hold) -> bool:

@@ -8,7 +8,7 @@ from inhabited import library, lived_in, things
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.things import small
 from apartgen.stages.things.body import inertia
-from apartgen.stages.things.grasps import WIDEST, holds
+from apartgen.stages.things.grasps import TIP, WIDEST, holds
 from apartgen.stages.things.solids import corners
 
 STROKE, FORCE, LIFT, STEP = 0.08, 30.0, 0.1, 0.004
@@ -21,9 +21,9 @@ SCENE = """<mujoco><option timestep="{step}" cone="elliptic" impratio="10" integ
 <body pos="{at}"><joint name="lift" type="slide" axis="0 0 1" damping="200"/><inertial pos="0 0 0" mass="1"
 diaginertia=".01 .01 .01"/>
 <body quat="{turn}"><joint name="left" type="slide" axis="-1 0 0" damping="10"/>
-<geom type="box" size=".004 .01 .02" pos="{open} 0 0" mass=".05" friction="1"/></body>
+<geom type="box" size=".004 .01 .02" pos="{open} 0 -.01" mass=".05" friction="1"/></body>
 <body quat="{turn}"><joint name="right" type="slide" axis="1 0 0" damping="10"/>
-<geom type="box" size=".004 .01 .02" pos="-{open} 0 0" mass=".05" friction="1"/></body></body></worldbody>
+<geom type="box" size=".004 .01 .02" pos="-{open} 0 -.01" mass=".05" friction="1"/></body></body></worldbody>
 <equality><joint joint1="left" joint2="right"/></equality>
 <actuator><position joint="lift" kp="20000" forcerange="-500 500"/><motor joint="left"/><motor joint="right"/>
 </actuator></mujoco>"""
@@ -81,7 +81,10 @@ def test_holds_are_within_the_stroke_and_across_the_thing(name):
     asset = furniture.load_asset(small.drawn(small.TABLE[name], np.random.default_rng(2)).id())
     half = np.array(asset.size) / 2
     for hold in holds(asset.links[0]):
-        assert hold.width <= STROKE and (np.abs(hold.at) <= half + 1e-6).all()
+        assert hold.width <= STROKE and (np.abs(hold.at[:2]) <= half[:2] + 1e-6).all()
+        assert -half[2] - 1e-6 <= hold.at[2] <= max(half[2], TIP + 0.002 - half[2]) + 1e-6
+        lowest = hold.at[2] + min(TIP * hold.approach[2], 0)
+        assert hold.close[2] == 1 or lowest > -half[2], "the tips are in what it stands on"
         assert abs(hold.approach @ hold.close) < 1e-9
         assert np.isclose(np.linalg.norm([hold.approach, hold.close], axis=1), 1).all()
 

@@ -31,6 +31,7 @@ def test_most_things_are_taken_from_where_they_are(tmp_path):
     along = {part: ids for (part, _), ids in held.items()}
     fit = [o for o in things(home) if o.on != "wall" and min(o.size) <= WIDEST
            and library().load_asset(o.asset.library, o.asset.id).links[0].mass <= HEAVIEST][::2]
-    outcomes = Counter(handling.taken(made, rested, o, part, along.get(part, ()))
+    under = handling.under_boards(home)
+    outcomes = Counter(handling.taken(made, rested, o, part, along.get(part, ()), o.id in under)
                        for o in fit for part in [part_of.get(o.id)])
     assert len(fit) > 25 and outcomes[""] >= LEAST_TAKEN * len(fit), outcomes
