@@ -1,5 +1,6 @@
 """What comes of looking at an apartment: a page to walk about in, pictures with labels, and questions about them."""
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
@@ -16,16 +17,19 @@ from apartgen.schemas.plan import Plan
 from apartgen.schemas.qa import Question
 from apartgen.schemas.render import Render
 from apartgen.stages import qa, render
+from apartgen.stages.qa import card
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.render.photo import photographed
 from apartgen.stages.scene.folder import add
-from apartgen.steps import lane, made
+from apartgen.steps import BY, lane, made
 
 if TYPE_CHECKING:
     from apartgen.stages.things.asset import Asset
 
-VIEWS = "views.json"
+VIEWS, CARD = "views.json", "README.md"
+FILM = {"film": 480, "rate": 5}
+"""Films that are asked about: pixels from left to right, frames a second."""
 WHOLE, OURS = "apartment", "ours"
 """What is compared side by side: figures of whole homes, by our own definitions."""
 
@@ -69,18 +73,32 @@ class QaSettings(QaConfig):
 
     views: int = Field(12, ge=1, le=200, description="views at the height of eyes")
     frames: int = Field(16, ge=2, le=2000, description="frames along the robot's way")
+    video: bool = Field(False, description="film the robot's way, too, there or back, and ask about it")
     libraries: list[str] = Field(default_factory=list, description="folders of indexed asset libraries in use")
 
 
 def questioned(read: Artifact[Any], settings: QaSettings, seed: int | None, out: Path) -> list[Question]:
     """Write questions about one apartment, a line each, and their pictures into the folder beside them."""
     folder, used = out.with_suffix(""), read.made.seed if seed is None else seed
-    looks = RenderSettings(views=settings.views, frames=settings.frames, points=0, libraries=settings.libraries)
+    back = bool(lane(used, "qa-film", read.body).integers(2))
+    looks = RenderSettings(views=settings.views, frames=settings.frames, points=0, libraries=settings.libraries,
+                           video=settings.video, back=back, **FILM)
     seen = rendered(read, looks, used, folder)
     found = qa.run(read.body, seen, settings, lane(used, "qa", read.body))
     qa.numbered(found, folder)
     artifact.write(qa.lines(found, folder.name), out)
     return found
+
+
+def carded(folder: Path) -> Path | None:
+    """Write what the files of questions in a folder hold beside them; None where somebody else's page has its name."""
+    page = folder / CARD
+    if page.exists() and card.MARK not in page.read_text(encoding="utf-8", errors="replace"):
+        return None
+    files = {path.name: [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
+             for path in sorted(folder.glob("*.jsonl"))}
+    artifact.write(card.text(files, BY), page)
+    return page
 
 
 def viewed(homes: Sequence[Artifact[Plan]], out: Path, libraries: Sequence[str] = ()) -> None:

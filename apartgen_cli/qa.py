@@ -21,7 +21,7 @@ NAMES = {"libraries": "library"}
 
 def commands() -> dict[str, Callable[..., Any]]:
     """The commands of this module."""
-    from apartgen.viewing import QaSettings, questioned
+    from apartgen.viewing import QaSettings, carded, questioned
 
     def run(out: FILE, inputs: INPUTS = None, seed: SEED = None, config: CONFIG = None, trust: TRUST = False,
             failures: FAILURES = None, retry: RETRY = None, *, given: Any) -> int:
@@ -35,6 +35,10 @@ def commands() -> dict[str, Callable[..., Any]]:
             found = questioned(read, settings, seed, file)
             say(f"wrote {file}: {len(found)} questions of {len({one.kind for one in found})} kinds")
 
-        return into_folders("qa", Layout, homes, out, write, trust=trust, failures=failures or retry, below=below)
+        status = into_folders("qa", Layout, homes, out, write, trust=trust, failures=failures or retry, below=below)
+        if below and Path(out).is_dir():
+            card = carded(Path(out))
+            say(f"wrote {card}" if card else f"{out}: its README.md is not ours and was left as it is")
+        return status
 
     return {"qa": with_options(run, QaSettings, NAMES)}

@@ -57,10 +57,31 @@ class View(Record):
         return self.pose[0][3], self.pose[1][3], self.pose[2][3]
 
 
+class Shown(Record):
+    """A frame of a film: when it is seen, in which room its camera stands, and of each instance that it shows the
+    number and the pixels.
+    """
+
+    seconds: Number
+    room: str = ""
+    visible: list[tuple[int, int]] = Field(default_factory=list)
+
+
+class Film(Record):
+    """A film of the robot's way: its file, frames a second, and what each frame shows."""
+
+    file: str
+    rate: int
+    width: int
+    height: int
+    frames: list[Shown] = Field(default_factory=list)
+
+
 class Render(Record):
     """Body of a `render` artifact."""
 
     views: list[View] = Field(default_factory=list)
+    film: Film | None = None
     instances: list[Instance] = Field(default_factory=list)
     labels: dict[str, int] = Field(default_factory=dict, description="number of each class")
     files: list[File] = Field(default_factory=list)

@@ -47,9 +47,11 @@ def lines(questions: Sequence[Question], folder: str) -> str:
 
 def _line(question: Question, folder: str) -> dict[str, object]:
     options = "\n".join(f"{chr(65 + k)}. {option}" for k, option in enumerate(question.options))
-    text = f"{'<image>' * len(question.images)}\n{question.text}\n{options}\nAnswer with the letter."
+    shown = "<image>" * len(question.images) + "<video>" * len(question.videos)
+    text = f"{shown}\n{question.text}\n{options}\nAnswer with the letter."
     messages = [{"role": "user", "content": text}, {"role": "assistant", "content": question.answer}]
     images = [f"{folder}/{marks.file_of(name)}" for name in question.images]
-    told = question.model_dump(mode="json", exclude={"images", "marks"})
-    return {"messages": messages, "images": images, **told,
+    videos = [f"{folder}/{name}" for name in question.videos]
+    told = question.model_dump(mode="json", exclude={"images", "videos", "marks"})
+    return {"messages": messages, "images": images, "videos": videos, **told,
             "marks": [[int(number), *at] for number, at in question.marks.items()]}

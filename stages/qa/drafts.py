@@ -19,7 +19,8 @@ MOST, FEWEST = 4, 3
 class Draft:
     """A question, the right answer and wrong ones; `number` is the right one where it is a measured one.
 
-    What is `barred` would be no fair wrong answer; `marks` are pixels of numbers in the first picture.
+    What is `barred` would be no fair wrong answer; `marks` are pixels of numbers in the first picture. One about films
+    has no images.
     """
 
     text: str
@@ -31,6 +32,7 @@ class Draft:
     hard: int = 0
     barred: frozenset[str] = frozenset()
     marks: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    videos: Sequence[str] = ()
 
 
 @dataclass
@@ -53,7 +55,7 @@ def shared(drafts: Sequence[Draft], rng: np.random.Generator, most: int, fewest:
     known: set[tuple[str, ...]] = set()
     for k in rng.permutation(len(drafts)):
         draft = drafts[k]
-        key = (draft.text, *draft.images)
+        key = (draft.text, *draft.images, *draft.videos)
         if key in known:
             continue
         group = next((group for group in groups if group.takes(draft)), None)
@@ -133,7 +135,8 @@ def asked(kind: str, drafts: Sequence[Draft], rng: np.random.Generator) -> list[
         options = [*wrong[:place], draft.answer, *wrong[place:]]
         found.append(Question(
             id=f"{kind}_{k}", kind=kind, text=draft.text, options=options, answer=chr(65 + place), value=draft.answer,
-            images=list(draft.images), marks=dict(draft.marks), difficulty=_difficulty(draft), evidence=draft.evidence))
+            images=list(draft.images), videos=list(draft.videos), marks=dict(draft.marks),
+            difficulty=_difficulty(draft), evidence=draft.evidence))
     return found
 
 

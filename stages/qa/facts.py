@@ -107,6 +107,16 @@ class Facts:
                 found[room.id] = f"the {room.type.replace('_', ' ')} with {one(o.category)}"
         return found
 
+    def type_of(self, room: str) -> str:
+        """A room's type in sentences."""
+        return self.rooms[room].type.replace("_", " ")
+
+    def joined(self, types: Sequence[str]) -> bool:
+        """Whether rooms of two of these types lie open to each other, so that it is hard to say where one is."""
+        pairs = ({self.type_of(room) for room in o.rooms} for o in self.home.openings
+                 if o.kind == "opening" and all(room in self.rooms for room in o.rooms))
+        return any(len(pair) == 2 and pair <= set(types) for pair in pairs)
+
     def _large(self, o: Box) -> bool:
         """Whether it is something that a room is known by."""
         return o.category in TABLE and TABLE[o.category].place == "floor" and max(o.size) > 0.7
@@ -125,6 +135,16 @@ class Facts:
                 if f"with {one(o.category)}" not in room:
                     found[o.id] = f"the {spoken(o.category)} in {room}"
         return found
+
+    @cached_property
+    def alike(self) -> dict[str, int]:
+        """By object, how many there are in the home that its category's name could mean, it among them: an office
+        chair is a chair, too.
+        """
+        called = {o.id: spoken(o.category).lower() for o in self.home.objects}
+        counts = Counter(called.values())
+        meant = {name: sum(n for other, n in counts.items() if other.endswith(name)) for name in counts}
+        return {id: meant[name] for id, name in called.items()}
 
     def named_in(self, room: str) -> list[str]:
         """Ids of what can be spoken of in a room."""

@@ -59,11 +59,11 @@ def run(home: Plan, config: RenderConfig, rng: np.random.Generator, out: Path, l
             cloud = points.cloud(looked_at, config.points, config.eye, seeds.lane(rng, "points"))
             (folder / "points.ply").write_bytes(cloud)
             files.append(_file(folder / "points.ply", "ply"))
-        if config.video:
-            films = film.filmed(scene, looked_at, config, TILT, folder)
-            files += [_file(path, path.suffix[1:]) for path in films]
+        shown = film.filmed(scene, looked_at, config, TILT, folder) if config.video else None
+        if shown is not None:
+            files += [_file(folder / name, name.partition(".")[2]) for name in (film.FILE, film.WAY)]
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "render"))
-    return Render(views=views, instances=things, labels=labels, files=files)
+    return Render(views=views, film=shown, instances=things, labels=labels, files=files)
 
 
 def shots(home: HomeWorld, config: RenderConfig) -> Iterator[Shot]:

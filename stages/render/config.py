@@ -23,3 +23,5 @@ class RenderConfig(Record):
     video: bool = Field(False, description="film the robot's way, doors opening before it, as walk.mp4")
     rate: int = Field(10, ge=1, le=60, description="frames a second of the film")
     speed: Positive = Field(1.0, le=5, description="how fast the robot goes in it, m/s")
+    film: int = Field(0, ge=0, le=4096, description="pixels from left to right of it, by default those of pictures")
+    back: bool = Field(False, description="film the way from its end back to the entrance")

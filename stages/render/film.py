@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.errors import BadInput
+from apartgen.schemas.render import Film, Shown
 from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.render.frames import pose
 from apartgen.stages.render.route import along, length
 from apartgen.stages.render.stands import Stand
 from apartgen.stages.scene.camera import Camera
-from apartgen.stages.scene.picture import metered, taken
+from apartgen.stages.scene.looking import first
+from apartgen.stages.scene.picture import MIDDLE, metered, taken
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.soup import Array
 from apartgen.stages.scene.world import HomeWorld, ajar_world
@@ -42,29 +44,47 @@ class Moment(NamedTuple):
     doors: Shares
 
 
-def filmed(scene: Scene, home: HomeWorld, config: RenderConfig, tilt: float, folder: Path) -> list[Path]:
-    """The film and the list of its frames; none where the robot gets nowhere. BadInput without an encoder."""
+class Look(NamedTuple):
+    """What is known of a frame before it is taken: the exposure that suits it, and pixels by number of things."""
+
+    meter: float
+    visible: list[tuple[int, int]]
+
+
+def filmed(scene: Scene, home: HomeWorld, config: RenderConfig, tilt: float, folder: Path) -> Film | None:
+    """Write the film and the list of its frames; None where the robot gets nowhere. BadInput without an encoder."""
     encoder()
     some = moments(home, config)
     if not some:
-        return []
-    field, size = np.radians(config.field), (config.width // 2 * 2, config.height // 2 * 2)
-    cameras = [Camera.looking(m.stand.place, m.stand.yaw, tilt, field, *size) for m in some]
-    written(folder / FILE, pictures(scene, home, some, cameras, config.rate), config.rate, size)
-    rooms = [room.id for room in home.plan.rooms]
-    rows = [{"seconds": round(k / config.rate, 3), "room": rooms[m.stand.room] if m.stand.room >= 0 else "",
-             "pose": pose(camera), "doors": dict(m.doors)} for k, (m, camera) in enumerate(zip(some, cameras))]
+        return None
+    cameras = lenses(some, config, tilt)
+    looked = list(looks(scene, home, some, cameras))
+    size = cameras[0].columns, cameras[0].rows
+    frames = developed(scene, home, some, cameras, evened([look.meter for look in looked], config.rate))
+    written(folder / FILE, frames, config.rate, size)
+    rooms = ["", *(room.id for room in home.plan.rooms)]
+    shown = [Shown(seconds=round(k / config.rate, 3), room=rooms[m.stand.room + 1], visible=look.visible)
+             for k, (m, look) in enumerate(zip(some, looked))]
+    rows = [{**frame.model_dump(), "pose": pose(camera), "doors": dict(m.doors)}
+            for frame, m, camera in zip(shown, some, cameras)]
     told = {"file": FILE, "rate": config.rate, "width": size[0], "height": size[1],
             "intrinsics": cameras[0].intrinsics, "frames": rows}
     (folder / WAY).write_text(json.dumps(told, separators=(",", ":")) + "\n", encoding="utf-8")
-    return [folder / FILE, folder / WAY]
+    return Film(file=FILE, rate=config.rate, width=size[0], height=size[1], frames=shown)
+
+
+def lenses(some: list[Moment], config: RenderConfig, tilt: float) -> list[Camera]:
+    """The camera of each moment; a film has the shape of pictures, and even sides."""
+    wide = config.film or config.width
+    field, size = np.radians(config.field), (wide // 2 * 2, round(wide * config.height / config.width / 2) * 2)
+    return [Camera.looking(m.stand.place, m.stand.yaw, tilt, field, *size) for m in some]
 
 
 def moments(home: HomeWorld, config: RenderConfig) -> list[Moment]:
     """Frames along the way at an even speed; the camera turns no faster than `TURN`, a door opens once and stays so."""
     way = along(home, 2, config.robot)
     frames = round(length(home) / config.speed * config.rate) if way else 0
-    stands = along(home, max(frames, 2), config.robot) if way else []
+    stands = along(home, max(frames, 2), config.robot, config.back) if way else []
     yaws = _slowed(np.array([stand.yaw for stand in stands]), TURN / config.rate)
     places = np.array([stand.place[:2] for stand in stands]).reshape(-1, 2)
     shares = {name: _opening(places, at) for name, at in doors(home).items()}
@@ -99,11 +119,30 @@ def _slowed(yaws: Array, most: float) -> Array:
 def pictures(scene: Scene, home: HomeWorld, some: list[Moment], cameras: list[Camera], rate: int,
              ) -> Iterator[NDArray[np.uint8]]:
     """The frames, their exposure evened over a second."""
-    meters = [metered(world, _small(camera)) for world, camera in zip(worlds(scene, home, some), cameras)]
+    meters = [look.meter for look in looks(scene, home, some, cameras)]
+    yield from developed(scene, home, some, cameras, evened(meters, rate))
+
+
+def looks(scene: Scene, home: HomeWorld, some: list[Moment], cameras: list[Camera]) -> Iterator[Look]:
+    """What each frame shows, and how bright that is."""
+    for world, camera in zip(worlds(scene, home, some), cameras):
+        hits = first(world, camera, np.arange(camera.rows * camera.columns), MIDDLE).hits
+        count = np.bincount(world.every.soup.owner[hits.triangle[hits.triangle >= 0]] + 1)
+        visible = [(int(number), int(count[number])) for number in np.flatnonzero(count)]
+        yield Look(metered(world, _small(camera)), visible)
+
+
+def evened(meters: list[float], rate: int) -> Array:
+    """Exposures, each that of half a second before and after it."""
     reach = max(1, round(STEADY * rate / 2))
     padded = np.pad(np.log(meters), reach, mode="edge")
-    even = np.exp(np.convolve(padded, np.ones(2 * reach + 1) / (2 * reach + 1), "valid"))
-    for world, camera, exposure in zip(worlds(scene, home, some), cameras, even):
+    return np.asarray(np.exp(np.convolve(padded, np.ones(2 * reach + 1) / (2 * reach + 1), "valid")))
+
+
+def developed(scene: Scene, home: HomeWorld, some: list[Moment], cameras: list[Camera], exposures: Array,
+              ) -> Iterator[NDArray[np.uint8]]:
+    """The frames at these exposures."""
+    for world, camera, exposure in zip(worlds(scene, home, some), cameras, exposures):
         yield taken(world, camera, float(exposure))
 
 

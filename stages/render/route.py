@@ -12,9 +12,9 @@ AHEAD = 0.8
 """How far along its way the robot looks ahead, m."""
 
 
-def along(world: HomeWorld, frames: int, height: float) -> list[Stand]:
-    """So many stands evenly along the way; none where the robot gets nowhere."""
-    way = _through(world)
+def along(world: HomeWorld, frames: int, height: float, back: bool = False) -> list[Stand]:
+    """So many stands evenly along the way, or `back` to the entrance; none where the robot gets nowhere."""
+    way = _through(world)[::-1] if back else _through(world)
     if len(way) < 2:
         return []
     length = _lengths(way)

@@ -64,7 +64,8 @@ def test_a_shut_door_is_met_and_an_open_one_is_not(seen):
 def test_the_film_has_the_frames_that_are_listed(seen, some, tmp_path):
     av = pytest.importorskip("av")
     few = RenderConfig(width=64, height=48, rate=1, speed=2.0)
-    assert [path.name for path in film.filmed(*seen, few, TILT, tmp_path)] == [film.FILE, film.WAY]
+    shown = film.filmed(*seen, few, TILT, tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {film.FILE, film.WAY} and shown.file == film.FILE
     told = json.loads((tmp_path / film.WAY).read_text())
     with av.open(str(tmp_path / film.FILE)) as container:
         frames = [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]

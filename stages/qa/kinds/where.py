@@ -7,12 +7,13 @@ from apartgen.stages.qa.facts import Facts
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Rooms by their types, of which the home may have several."""
+    """Rooms by their types, of which the home may have several; what lies open to each other is not told apart."""
     drafts = []
     for view in facts.render.views:
         if view.kind in ("eye", "panorama") and view.room in facts.rooms:
-            answer = facts.rooms[view.room].type.replace("_", " ")
+            answer = facts.type_of(view.room)
+            unfair = frozenset(name for name in map(facts.type_of, facts.rooms) if facts.joined([answer, name]))
             text = "In what room was this picture taken?"
             drafts.append(Draft(f"{text}{'' if view.kind == 'eye' else ' It shows all around.'}", answer, [view.name],
-                                {"view": view.name}))
+                                {"view": view.name}, barred=unfair))
     return shared(drafts, rng, most)
