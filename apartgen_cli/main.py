@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 import typer
 from typer.core import TyperGroup
 
-from apartgen import __version__
+from apartgen import __version__, garbage
 from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import registry
 from apartgen_cli.console import fail, listen
@@ -89,6 +89,7 @@ def main() -> None:
         raise KeyboardInterrupt  # what is half done is cleared away, as after Ctrl-C
 
     signal.signal(signal.SIGTERM, end)
+    garbage.seldom()
     code = status(sys.argv[1:])
     sys.exit(128 + ended[0] if ended and code == INTERRUPTED else code)
 

@@ -54,3 +54,10 @@ def test_a_plan_needs_nothing_heavy():
 
 def test_metrics_need_nothing_heavy(plan):
     assert not loaded("metrics", stdin=plan) & HEAVY
+
+
+def test_nobody_looks_through_all_that_is_loaded_again_and_again():
+    code = ("import gc, sys; from apartgen_cli.main import main\nsys.argv = ['apartgen', '-q', 'plan', 'studio']\n"
+            "try: main()\nfinally: print(gc.get_stats()[2]['collections'], file=sys.stderr)")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0 and int(done.stderr.splitlines()[-1]) <= 1, done.stderr

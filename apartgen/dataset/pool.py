@@ -13,6 +13,8 @@ from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from typing import TypeVar
 
+from apartgen import garbage
+
 Work = TypeVar("Work")
 Result = TypeVar("Result")
 AHEAD = 8
@@ -115,6 +117,7 @@ def _started(workers: int) -> ProcessPoolExecutor:
 def _settle() -> None:
     """A worker is interrupted by nobody, and ends when who started it has ended, however that was."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    garbage.seldom()
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

@@ -113,7 +113,7 @@ def _brought_in(plugin: Plugin, protocols: tuple[type, ...]) -> ModuleType:
 def sound(package: str) -> dict[str, ModuleType]:
     """Every member by name; broken ones of other packages are left out with a warning."""
     found = {}
-    for name in members(package):
+    for name in sorted({*_own(package), *_brought(package)}):
         try:
             found[name] = load(package, name)
         except BadInput as error:

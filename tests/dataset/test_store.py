@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from apartgen import garbage
 from apartgen.dataset import pool
 from apartgen.dataset.home import Done
 from apartgen.dataset.store import HOMES, MANIFEST, Store, Writer
@@ -113,3 +114,8 @@ def test_a_row_that_no_run_wrote_is_bad_input(tmp_path, change):
     (tmp_path / MANIFEST).write_bytes(json.dumps(json.loads(first) | change).encode() + b"\n" + b"".join(others))
     with pytest.raises(BadInput, match=r"manifest\.jsonl:1: "):
         list(Store(tmp_path).rows())
+
+
+def test_workers_seldom_look_for_garbage():
+    [fresh, *_] = {*pool.results(eval, ["__import__('gc').get_threshold()[0]"] * 2, 2, str)}
+    assert fresh == garbage.FRESH
