@@ -17,7 +17,7 @@ from apartgen.schemas.plan import Opening, Plan, Room
 from apartgen.schemas.populate import without_things
 from apartgen.schemas.retrieve import Furnishing, Joint
 from apartgen.stages.export import _symbols
-from apartgen.stages.export._labels import LEADING, Label, extent, labels, radius, size_of, title
+from apartgen.stages.export._labels import LEADING, Label, extent, labels, measures, radius, size_of, title
 from apartgen.stages.export._pen import FAINT, INK, PAPER, Pen
 from apartgen.stages.scene import shell
 from apartgen.stages.scene.scene import Scene
@@ -29,7 +29,9 @@ INCH = 0.72
 LARGEST = 13.0  # inches, longer side of the plan
 MARGIN = 1.1  # m about the outer walls, for dimensions and the scale bar
 ARROW = 0.42  # m about the walls of a bare plan, for the mark before the entrance
-LIST = 1.75  # inches beside the plan for the list of rooms
+LIST = 2.35  # inches beside the plan for the list of rooms
+COLUMNS = ((0.22, "right"), (0.32, "left"), (1.6, "right"), (1.68, "left"))
+"""Where its numbers, names, areas and measures begin or end, inches."""
 ROW = 11.0  # points from row to row of it
 CHARACTER = 0.06  # m of the plan that a character of the sentence takes
 POCHE, PARAPET = "#2f2d2b", "#d5d1ca"
@@ -227,19 +229,26 @@ def _names(axes: Axes, home: Plan, found: Sequence[Label], inch: float) -> None:
 
 
 def _list(axes: Axes, home: Plan, left: float, top: float, inch: float) -> None:
-    """Numbers, names and areas of all rooms beside the plan."""
+    """Numbers, names, areas and measures of all rooms beside the plan."""
     step = ROW / 72 / inch
     for k, room in enumerate(home.rooms):
         y, name = top - k * step, f"list/list_{room.id}"
-        for x, text, side in ((0.22, str(k + 1), "right"), (0.32, title(room), "left"), (1.6, size_of(room), "right")):
+        told = str(k + 1), title(room), size_of(room), measures(room)
+        for (x, side), text in zip(COLUMNS, told):
             axes.text(left + x / inch, y, text, fontsize=6.5, color=INK, ha=side, va="center", zorder=8, gid=name)
+
+
+def dimensions(home: Plan) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """Ends of the dimension lines beside the outer walls, above and on the left."""
+    x0, y0, x1, y1 = polygons.shell(home).bounds
+    return [((x0, y1 + 0.45), (x1, y1 + 0.45)), ((x0 - 0.45, y0), (x0 - 0.45, y1))]
 
 
 def _frame(axes: Axes, home: Plan) -> None:
     """Overall dimensions, scale bar, north, area, and the sentence asked for."""
     x0, y0, x1, y1 = polygons.shell(home).bounds
-    _dimension(axes, (x0, y1 + 0.45), (x1, y1 + 0.45))
-    _dimension(axes, (x0 - 0.45, y0), (x0 - 0.45, y1))
+    for a, b in dimensions(home):
+        _dimension(axes, a, b)
     pen = Pen(axes, x0, y0 - 0.75, 0.0, 6, "frame/scale")
     for k in range(4):
         pen.rect(k, k + 1, 0, 0.07, POCHE if k % 2 == 0 else PAPER, width=0.5)

@@ -51,6 +51,12 @@ def size_of(room: Room) -> str:
     return f"{polygons.floor(room).area:.1f} m²"
 
 
+def measures(room: Room) -> str:
+    """Width and depth of a room's clear floor as they are written, m; of one that is no rectangle the largest."""
+    x0, y0, x1, y1 = polygons.floor(room).bounds
+    return f"{x1 - x0:.2f} × {y1 - y0:.2f}"
+
+
 def labels(home: Plan, objects: Sequence[Box], moving: Geometry, inch: float) -> list[Label]:
     """A label for every room, numbered in the plan's order; `moving` is the floor that open parts take, `inch` the
     inches of paper to a metre.

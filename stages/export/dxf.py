@@ -1,6 +1,7 @@
 """DXF drawing for CAD programs: rooms, walls, doors, windows and furniture, in metres, on layers by AIA's names.
 
-Heights are the thickness of lines; sills and heads are attributes of blocks. It takes the extra `apartgen[cad]`.
+Symbols, swept floor, tiles, dimensions and places of names are those of `plan.svg`, by the same pen. Heights are the
+thickness of lines; sills and heads are attributes of blocks. It takes the extra `apartgen[cad]`.
 """
 
 import io
@@ -9,19 +10,26 @@ from typing import Any
 
 import numpy as np
 import shapely
+from matplotlib.figure import Figure
 
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Plan, Room
+from apartgen.stages.export._drawing import dimensions, sheet
 from apartgen.stages.export._readback import Refused
+from apartgen.stages.export._strokes import Stroke, strokes, words
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import polygons
 
-LAYERS = {"A-WALL": 7, "A-AREA": 8, "A-AREA-IDEN": 2, "A-DOOR": 3, "A-GLAZ": 4, "A-FURN": 6}
+SYMBOLS, SWEPT, TILES, DIMENSIONS = "A-FURN-SYMB", "A-FURN-SWEP", "A-FLOR-PATT", "A-ANNO-DIMS"
+LAYERS = {"A-WALL": 7, "A-AREA": 8, "A-AREA-IDEN": 2, "A-DOOR": 3, "A-GLAZ": 4, "A-FURN": 6,
+          SYMBOLS: 6, SWEPT: 30, TILES: 9, DIMENSIONS: 8}
 """Layers and their colours."""
 METRES = 6
 TEXT = 0.18
 """Height of text, m."""
+DASH = 0.1
+"""Length of dashes, of those of drawings in inches."""
 
 
 def write(scene: Scene, out: Path) -> list[Path]:
@@ -35,7 +43,7 @@ def write(scene: Scene, out: Path) -> list[Path]:
     ezdxf.options.write_fixed_meta_data_for_testing = True  # no dates and no identifiers drawn by chance
     try:
         text = io.StringIO()
-        _drawing(ezdxf.new("R2010"), scene.home).write(text)
+        _drawing(ezdxf.new("R2010", setup=["linetypes"]), scene.home, sheet(scene)).write(text)
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = fixed
     path.write_text(text.getvalue(), encoding="utf-8")
@@ -50,7 +58,7 @@ def read_back(files: list[Path]) -> None:
         raise Refused(found[0].message)
 
 
-def _drawing(doc: Any, home: Plan) -> Any:
+def _drawing(doc: Any, home: Plan, drawn: Figure) -> Any:
     doc.header["$INSUNITS"] = METRES
     doc.header["$MEASUREMENT"] = 1
     doc.header.custom_vars.append("program", "apartgen")
@@ -61,13 +69,36 @@ def _drawing(doc: Any, home: Plan) -> Any:
     for body in shapely.get_parts(polygons.walls(home)):
         for ring in (body.exterior, *body.interiors):
             _outline(space, ring.coords[:-1], "A-WALL", home.height)
+    places = {word.thing.removeprefix("label_"): word.at for word in reversed(words(drawn)) if word.layer == "labels"}
     for room in home.rooms:
-        _room(space, room)
+        _room(space, room, places[room.id])
     for o in home.openings:
         _opening(space, o, home)
+    lines = strokes(drawn)
     for thing in home.objects if isinstance(home, Layout) else []:
-        _thing(doc, space, thing)
+        _thing(doc, space, thing, [line for line in lines if (line.layer, line.thing) == ("furniture", thing.id)])
+    for line in lines:
+        if line.layer == "sweeps" or line.thing.startswith("tiles_"):
+            _stroke(space, line, SWEPT if line.layer == "sweeps" else TILES)
+    for a, b in dimensions(home):
+        _dimension(doc, space, a, b)
     return doc
+
+
+def _stroke(space: Any, line: Stroke, layer: str) -> None:
+    kind = "DASHED" if line.dashed else "BYLAYER"
+    attributes = {"layer": layer, "linetype": kind, "ltscale": DASH}
+    space.add_lwpolyline([(float(x), float(y)) for x, y in line.points], close=line.closed, dxfattribs=attributes)
+
+
+def _dimension(doc: Any, space: Any, a: tuple[float, float], b: tuple[float, float]) -> None:
+    """A dimension of the program that reads it, along the line that the plan draws."""
+    angle = 0.0 if a[1] == b[1] else 90.0
+    told = {"dimtxt": TEXT, "dimasz": 0.1, "dimexe": 0.05, "dimexo": 0.05, "dimtsz": 0.07, "dimdec": 2, "dimtad": 1,
+            "dimgap": 0.05, "dimlfac": 1.0, "dimrnd": 0.0, "dimzin": 0}
+    dimension = space.add_linear_dim(base=a, p1=a, p2=b, angle=angle, dimstyle="Standard", override=told,
+                                     dxfattribs={"layer": DIMENSIONS})
+    dimension.render()
 
 
 def _outline(space: Any, points: Any, layer: str, height: float = 0.0) -> None:
@@ -75,13 +106,12 @@ def _outline(space: Any, points: Any, layer: str, height: float = 0.0) -> None:
     line.dxf.thickness = height
 
 
-def _room(space: Any, room: Room) -> None:
-    """Its clear floor, with its name and area in it."""
+def _room(space: Any, room: Room, at: tuple[float, float]) -> None:
+    """Its clear floor, with its name and area where the plan has them."""
     floor = polygons.floor(room)
     _outline(space, room.polygon, "A-AREA")
-    middle = floor.representative_point()
     name = room.id.replace("_", " ").capitalize()
-    attributes = {"layer": "A-AREA-IDEN", "char_height": TEXT, "insert": (middle.x, middle.y), "attachment_point": 5}
+    attributes = {"layer": "A-AREA-IDEN", "char_height": TEXT, "insert": at, "attachment_point": 5}
     space.add_mtext(f"{name}\\P{floor.area:.1f} m²", dxfattribs=attributes)
 
 
@@ -122,15 +152,18 @@ def _opening(space: Any, o: Opening, home: Plan) -> None:
     put.add_auto_attribs({"ID": o.id, "SILL": f"{o.sill:.4f}", "HEAD": f"{o.head:.4f}"})
 
 
-def _thing(doc: Any, space: Any, o: Box) -> None:
-    """A box with a mark in the middle of its front, which is x of the block."""
+def _thing(doc: Any, space: Any, o: Box, lines: list[Stroke]) -> None:
+    """A box with a mark in the middle of its front, which is x of the block, and the symbol of the plan."""
     d, w, h = o.size
-    name = f"{o.category}_{1000 * d:.0f}x{1000 * w:.0f}x{1000 * h:.0f}"
+    # Things alike that are drawn otherwise, as an oven that is built in, have a block each.
+    name = f"{o.category}_{1000 * d:.0f}x{1000 * w:.0f}x{1000 * h:.0f}x{len(lines)}"
     if name not in doc.blocks:
         block = doc.blocks.new(name)
         _outline(block, [(-d / 2, -w / 2), (d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2)], "0", h)
         block.add_line((d / 4, 0), (d / 2, 0))
         block.add_attdef("ID", (0, 0), dxfattribs={"height": 0.05, "invisible": 1})
+        for line in lines:
+            _stroke(block, line.seen_from(o.center[:2], o.yaw), SYMBOLS)
     x, y, z = o.center
     put = space.add_blockref(
         name, (x, y, z - h / 2), dxfattribs={"layer": "A-FURN", "rotation": float(np.degrees(o.yaw))}

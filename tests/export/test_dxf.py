@@ -1,6 +1,8 @@
 """The DXF drawing as ezdxf reads it: areas, places and sizes are the home's."""
 
+import re
 import sys
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -12,6 +14,9 @@ from apartgen.stages import export
 from apartgen.stages.space import polygons
 
 ezdxf = pytest.importorskip("ezdxf")
+
+
+SYMBOLS, SVG = "A-FURN-SYMB", "{http://www.w3.org/2000/svg}"
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +82,7 @@ def test_furniture_is_blocks_of_its_size(drawing):
     put = {insert.get_attrib_text("ID"): insert for insert in on(drawing, "A-FURN", "INSERT")}
     assert set(put) == {o.id for o in home.objects}
     for o in home.objects:
-        (box,) = [e for e in put[o.id].virtual_entities() if e.dxftype() == "LWPOLYLINE"]
+        (box,) = [e for e in put[o.id].virtual_entities() if e.dxftype() == "LWPOLYLINE" and e.dxf.layer != SYMBOLS]
         ring = outline(box)
         assert ring.area == pytest.approx(o.size[0] * o.size[1], rel=1e-4)
         assert (ring.centroid.x, ring.centroid.y) == pytest.approx(o.center[:2], abs=1e-4)
@@ -86,6 +91,44 @@ def test_furniture_is_blocks_of_its_size(drawing):
         (front,) = [e for e in put[o.id].virtual_entities() if e.dxftype() == "LINE"]
         way = np.array(front.dxf.end - front.dxf.start)[:2]
         assert np.cos(np.arctan2(way[1], way[0]) - o.yaw) == pytest.approx(1)
+
+
+def test_symbols_are_those_of_the_plan_as_text(drawing, exported):
+    """Every symbol has its edges at the same places in both, but for the scale and place of the sheet."""
+    root = ElementTree.parse(exported("svg") / "plan.svg").getroot()
+    groups = {one.get("id"): one for one in root.iter(f"{SVG}g")}
+    put = {insert.get_attrib_text("ID"): insert for insert in on(drawing, "A-FURN", "INSERT")}
+    there, here = [], []
+    for o in sample.home().objects:
+        lines = [e for e in put[o.id].virtual_entities() if e.dxf.layer == SYMBOLS]
+        paths = [path.get("d") for path in groups[o.id].iter(f"{SVG}path")]
+        assert len(lines) == len(paths) > 0
+        points = np.array([(x, y) for line in lines for x, y, *_ in line.get_points()])
+        sheet = np.array(re.findall(r"(-?[\d.]+) (-?[\d.]+)", " ".join(paths)), float) * (1, -1)
+        here.append([points.min(0), points.max(0)])
+        there.append([sheet.min(0), sheet.max(0)])
+    here, there = (np.array(a).reshape(-1, 2) for a in (here, there))
+    scale = (here - here.mean(0)).std() / (there - there.mean(0)).std()
+    assert np.abs(here - here.mean(0) - scale * (there - there.mean(0))).max() < 0.005
+
+
+def test_dimensions_are_of_the_whole_plan(drawing):
+    x0, y0, x1, y1 = polygons.shell(sample.plan()).bounds
+    found = [one.get_measurement() for one in drawing.modelspace().query("DIMENSION")]
+    assert sorted(found) == pytest.approx(sorted([x1 - x0, y1 - y0]))
+
+
+def test_what_parts_sweep_is_dashed_before_their_fronts(drawing):
+    lines = on(drawing, "A-FURN-SWEP", "LWPOLYLINE")
+    assert len(lines) >= 5 and {line.dxf.linetype for line in lines} == {"DASHED"}
+    opens = [Polygon(boxed(o)) for o in sample.home().objects if o.joints]
+    assert all(min(outline(line).distance(box) for box in opens) < 0.02 for line in lines)
+
+
+def boxed(o):
+    c, s = np.cos(o.yaw), np.sin(o.yaw)
+    d, w = o.size[0] / 2, o.size[1] / 2
+    return [(o.center[0] + c * x - s * y, o.center[1] + s * x + c * y) for x, y in ((d, w), (-d, w), (-d, -w), (d, -w))]
 
 
 @pytest.mark.parametrize("format", ["dxf", "ifc"])

@@ -70,7 +70,10 @@ def test_every_room_is_in_the_list_with_its_number(name):
     texts = [(group, text) for group, text, _ in written(home) if group.startswith("list")]
     for k, room in enumerate(home.rooms, 1):
         rows = [text for group, text in texts if group == f"list/list_{room.id}"]
-        assert rows == [str(k), room.type.replace("_", " ").title(), f"{shapely.Polygon(room.polygon).area:.1f} m²"]
+        floor = shapely.Polygon(room.polygon)
+        x0, y0, x1, y1 = floor.bounds
+        assert rows == [str(k), room.type.replace("_", " ").title(), f"{floor.area:.1f} m²",
+                        f"{x1 - x0:.2f} × {y1 - y0:.2f}"]
         label = [text for group, text, _ in written(home) if group == f"labels/label_{room.id}"]
         assert label[0].split()[0] == str(k)
 
