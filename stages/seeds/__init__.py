@@ -24,11 +24,8 @@ def lane(rng: Generator, name: str) -> Generator:
 
 
 def plan_digest(home: Plan) -> str:
-    """Digest of the plan's part of an apartment: the same for its layout and for all that is made of it.
-
-    What rooms are finished with is left out: another paint moves no furniture.
-    """
-    part = home.model_dump(mode="json", include=set(Plan.model_fields)) | {"finishes": {}}
+    """Digest of the plan's part of an apartment: the same for its layout and for all that is made of it."""
+    part = home.model_dump(mode="json", include=set(Plan.model_fields))
     return hashlib.sha256(json.dumps(part, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 
 

@@ -15,7 +15,7 @@ SCREEN = 0.3
 """What a television stand without its television costs."""
 NIGHTSTAND, CHAIR, TABLE = 0.5, 0.4, 0.8
 """What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, and a table."""
-GUESTS, MOST_CHAIRS = 4, 6
+GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
 """At a table no longer than this two sit, m."""
@@ -85,10 +85,12 @@ def _of_groups(room: Furnished) -> Iterator[Lack]:
 
 
 def seats_wanted(room: Furnished, table: int) -> int:
-    """Chairs for those who sleep in the home, as far as the table has places; an even number of them."""
+    """Chairs for those who sleep in the home, an even number of them; at a little table beside the one where they eat,
+    two."""
     people = GUESTS if room.site.sleepers is None else max(2, min(room.site.sleepers, MOST_CHAIRS))
     longest = max(room.width[table], room.depth[table])
-    return min(people + people % 2, 2 if longest <= LITTLE_TABLE and room.names[table] == "dining_table" else 8)
+    little = longest <= LITTLE_TABLE and room.names[table] == "dining_table" and not room.site.meals
+    return min(people + people % 2, 2 if little else MOST_CHAIRS)
 
 
 def _few(room: Furnished) -> Iterator[Lack]:

@@ -3,6 +3,8 @@
 import numpy as np
 
 from apartgen.schemas.base import ROOM_TYPES
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.relations.standing import Furniture
 from apartgen.stages.layout.rooms import MAX_CORNERS, MAX_OPENINGS, Rooms, oriented
 from apartgen.stages.things.categories import CATEGORIES
 
@@ -28,3 +30,17 @@ def some_rooms(n: int, seed: int = 0) -> Rooms:
             np.zeros((n, 2), np.float32),
         )
     )
+
+
+def room(width: float = 4.0, depth: float = 4.0) -> Furniture:
+    """A room about the origin with a door in its south wall."""
+    rooms = some_rooms(1)
+    x, y = width / 2, depth / 2
+    rooms.polygon[0, :4] = np.array([[-x, -y], [x, -y], [x, y], [-x, y]], np.float32)
+    rooms.openings[0] = np.nan
+    rooms.openings[0, 0] = [-0.4, -y, 0.4, -y, 0, -1, 0]
+    return Furniture(space_of(rooms, 0))
+
+
+def box(size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0) -> np.ndarray:
+    return np.array([x, y, yaw, *size[:2], 0, size[2]], np.float32)

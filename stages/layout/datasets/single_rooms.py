@@ -3,7 +3,9 @@
 They vary more than the rooms of planned flats do. `homes(None)` needs no files and never ends by itself.
 """
 
+import os
 from collections.abc import Iterator
+from functools import partial
 from itertools import count, islice
 from pathlib import Path
 
@@ -14,9 +16,12 @@ from shapely.geometry import Polygon
 from apartgen.schemas.base import ROOM_TYPES, RoomType
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import AskedRoom, Opening, Plan, Program, Room
+from apartgen.stages.layout.batch import spreading
 from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.space.boxes import Array
 
+MANY = 200
+"""Rooms that are worth processes of their own."""
 AREA: dict[str, tuple[float, float]] = {
     "living_room": (26.0, 0.34), "kitchen": (9.8, 0.3), "dining_room": (12.5, 0.28), "bedroom": (12.6, 0.26),
     "bathroom": (5.2, 0.28), "hallway": (7.5, 0.4), "study": (9.5, 0.28), "utility": (4.5, 0.35),
@@ -45,11 +50,15 @@ OUTER, INNER = 0.15, 0.05
 
 
 def homes(root: Path | None = None, seed: int = 0, rooms: int | None = None) -> Iterator[Layout]:
-    """`rooms` furnished rooms, endlessly many when None; `root` is not used."""
-    for k in islice(count(), rooms):
-        rng = np.random.default_rng([seed, k])
-        plan = draw(rng)
-        yield Layout(**dict(plan), objects=furnish(plan, rng))
+    """`rooms` furnished rooms on all cores, endlessly many on one when None; `root` is not used."""
+    with spreading((os.cpu_count() or 1) if rooms is not None and rooms > MANY else 1) as spread:
+        yield from spread(partial(_furnished, seed), islice(count(), rooms))
+
+
+def _furnished(seed: int, k: int) -> Layout:
+    rng = np.random.default_rng([seed, k])
+    plan = draw(rng)
+    return Layout(**dict(plan), objects=furnish(plan, rng))
 
 
 def draw(rng: Generator, type: RoomType | None = None) -> Plan:

@@ -98,7 +98,8 @@ def _extent(boxes: Array, turn: Array) -> Array:
 def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
     """Which candidates (n, 7) could not be used with what stands there (m, 7), or keep it from being used."""
     kind, others = kinds.basic(name), [kinds.basic(o) for o in names]
-    found = np.zeros(len(boxes), bool)
+    lost = any(kind in mine and not partners & set(others) for mine, partners in LED)
+    found = np.full(len(boxes), lost)
     for mine, partners, wanted in RULES:
         if kind in mine and (some := [k for k, o in enumerate(others) if o in partners]):
             found |= ~wanted(Seen(boxes, there[some]), [others[k] for k in some])
@@ -154,6 +155,12 @@ def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table"}
+LED = (
+    (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS),
+    (frozenset({"nightstand"}), kinds.BEDS),
+    (frozenset({"coffee_table"}), kinds.SOFAS),
+)
+"""What is of no use at all where none of these stands."""
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),

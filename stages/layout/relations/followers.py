@@ -32,7 +32,7 @@ def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
         return True
     places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat}[follower](kind, box)
     group = there.besides(name, box)
-    open_ = places[group.prices(follower, places) < BROKEN]
+    open_ = places[group.prices(follower, places, strict=follower == CHAIR) < BROKEN]
     due = min(due, len(places))
     if len(open_) < due:
         return False

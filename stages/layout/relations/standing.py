@@ -12,7 +12,7 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import company, fixtures, hung, order, runs
+from apartgen.stages.layout.relations import company, elbowroom, fixtures, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.robot.reach import LEVER
@@ -37,6 +37,8 @@ APART = 6.0
 ALONE = 8.0
 """Price of a leader that is not where it is used with what stands there, once nothing better was found; what follows
 is rather left out."""
+CRAMPED = 4.0
+"""Price of what has no floor for its use, or takes that of others, once nothing better was found."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -115,6 +117,8 @@ class Furniture:
         total += np.where(hung.spoils(name, found, self.names, self.upright), 2 * BROKEN, 0.0)
         useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
         total += np.where(company.alone(name, boxes, self.names, self.boxes), useless, 0.0)
+        cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
+        total += np.where(cramped, 2 * BROKEN if strict else CRAMPED, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 

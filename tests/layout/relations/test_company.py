@@ -66,10 +66,12 @@ def test_the_same_wherever_the_room_lies(name: str) -> None:
                                                                           moved(host))).mean() > 0.99
 
 
-def test_where_there_is_nothing_to_be_used_with_all_places_do() -> None:
-    boxes = np.stack([token(o) for o in scattered("chair", 50)])
-    assert not company.alone("chair", boxes, ["wardrobe"], token(thing("wardrobe", 1, 1))[None]).any()
-    assert not company.alone("wardrobe", boxes, [], np.zeros((0, 7), np.float32)).any()
+@pytest.mark.parametrize("name, lost", [("chair", True), ("nightstand", True), ("coffee_table", True),
+                                        ("side_table", False), ("balcony_chair", False)])
+def test_what_only_serves_something_has_no_place_without_it(name: str, lost: bool) -> None:
+    boxes = np.stack([token(o) for o in scattered(name, 50)])
+    found = company.alone(name, boxes, ["wardrobe"], token(thing("wardrobe", 1, 1))[None])
+    assert found.all() if lost else not found.any()
 
 
 @pytest.mark.parametrize("name", [o for o in ("wardrobe", "piano", "dining_table") if o in TABLE])

@@ -2,27 +2,11 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import some_rooms
+from rooms_for_tests import box, room
 
-from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import followers
-from apartgen.stages.layout.relations.standing import Furniture
 
 TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
-
-
-def room(width: float = 4.0, depth: float = 4.0) -> Furniture:
-    """A room about the origin with a door in its south wall."""
-    rooms = some_rooms(1)
-    x, y = width / 2, depth / 2
-    rooms.polygon[0, :4] = np.array([[-x, -y], [x, -y], [x, y], [-x, y]], np.float32)
-    rooms.openings[0] = np.nan
-    rooms.openings[0, 0] = [-0.4, -y, 0.4, -y, 0, -1, 0]
-    return Furniture(space_of(rooms, 0))
-
-
-def box(size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0) -> np.ndarray:
-    return np.array([x, y, yaw, *size[:2], 0, size[2]], np.float32)
 
 
 @pytest.mark.parametrize("y, chairs, fits", [

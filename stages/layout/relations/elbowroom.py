@@ -1,0 +1,72 @@
+"""Floor that the use of something takes: a chair is drawn back, one stands before shelves and drawers."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.use import kinds
+
+BACK, BEFORE = 0.34, 0.45
+"""Behind a chair, and before what is used from its front, m (less than one wants, NKBA 8: what is closer bars it)."""
+SHARE = 0.8
+"""Of the width that has to be free."""
+LOW, HIGH = 0.05, 0.9
+"""Between these heights, m: what lies flat or hangs above takes nothing."""
+HINTED = 0.06
+"""So deep in it something is no hindrance yet, m."""
+MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS | kinds.SLENDER
+"""What one pushes aside."""
+CASES = kinds.CASES | {"chest", "dressing_table"}
+SEATS = kinds.CHAIRS - {"balcony_chair"}
+USED = SEATS | CASES
+Flags = NDArray[np.bool_]
+
+
+def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Flags:
+    """Which candidates (n, 7) lack floor for their use among what stands there (m, 7), or take that of the others."""
+    kind, found = kinds.basic(name), np.zeros(len(boxes), bool)
+    if kind not in kinds.ON_THE_FLOOR:
+        return found
+    others = [kinds.basic(o) for o in names]
+    if kind in USED:
+        zones = _zones(kind, boxes)
+        found |= outside(zones, space) > HINTED
+        solid = [k for k, o in enumerate(others) if _bars(o, kind)]
+        if solid:
+            found |= (penetration(zones, _bodies(there[solid])) > HINTED).any(1)
+    used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
+    if used:
+        theirs = _joined([_zones(others[k], there[k:k + 1]) for k in used])
+        found |= (penetration(_bodies(boxes), theirs) > HINTED).any(1)
+    return found
+
+
+def _bars(kind: str, used: str) -> bool:
+    """Whether one thing before or behind another is in the way of its use."""
+    own = used in SEATS and kind in kinds.TABLES | kinds.DESKS
+    return kind in kinds.ON_THE_FLOOR and kind not in MOVED and not own
+
+
+def _zones(kind: str, boxes: Array) -> Boxes:
+    """The floor that the use of each takes."""
+    far = -BACK if kind in SEATS else BEFORE
+    away = np.sign(far) * boxes[:, 3] / 2 + far / 2
+    c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
+    center = np.column_stack([boxes[:, 0] + c * away, boxes[:, 1] + s * away, np.full(len(boxes), (LOW + HIGH) / 2)])
+    size = np.column_stack([np.full(len(boxes), abs(far)), SHARE * boxes[:, 4], np.full(len(boxes), HIGH - LOW)])
+    return Boxes(np.asarray(center, float), np.asarray(size, float), np.asarray(boxes[:, 2], float))
+
+
+def _joined(some: Sequence[Boxes]) -> Boxes:
+    center, size, yaw = zip(*((one.center, one.size, one.yaw) for one in some), strict=True)
+    return Boxes(np.concatenate(center), np.concatenate(size), np.concatenate(yaw))
+
+
+def _bodies(boxes: Array) -> Boxes:
+    rows = np.asarray(boxes, float)
+    center = np.column_stack([rows[:, 0:2], (rows[:, 5] + rows[:, 6]) / 2])
+    return Boxes(center, np.column_stack([rows[:, 3:5], rows[:, 6] - rows[:, 5]]), rows[:, 2].copy())

@@ -1,0 +1,66 @@
+"""Floor for the use of chairs and shelves, in a room of 4 x 4 m about the origin, in cases by hand."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import box, room
+
+from apartgen.stages.layout.relations import elbowroom
+from apartgen.stages.layout.relations.standing import BROKEN
+
+TABLE, CHAIR, CASE, SOFA = (0.9, 1.4, 0.75), (0.5, 0.5, 0.9), (0.35, 0.8, 1.8), (0.9, 1.8, 0.8)
+
+
+def taken(name: str, at: np.ndarray, *there: tuple[str, np.ndarray]) -> bool:
+    boxes = np.stack([o for _, o in there]) if there else np.zeros((0, 7), np.float32)
+    return bool(elbowroom.taken(name, at[None], [o for o, _ in there], boxes, room().space)[0])
+
+
+@pytest.mark.parametrize("gap, barred", [(0.1, True), (0.2, True), (0.3, False), (0.5, False)])
+def test_a_chair_is_drawn_back_before_a_wall(gap: float, barred: bool) -> None:
+    """It looks east, its back `gap` from the west wall; .34 m less what is nothing yet has to be free."""
+    assert taken("chair", box(CHAIR, -2 + gap + 0.25, 0)) == barred
+
+
+@pytest.mark.parametrize("name, size, barred", [
+    ("sideboard", CASE, True), ("sofa", SOFA, True), ("plant", (0.3, 0.3, 1.0), False), ("chair", CHAIR, False),
+    ("rug", (1.4, 1.4, 0.01), False), ("dining_table", TABLE, False),
+])
+def test_what_stands_behind_a_chair_bars_it_unless_it_is_pushed_aside_or_a_table(name: str, size, barred: bool) -> None:
+    behind = box(size, -0.25 - 0.1 - size[0] / 2, 0)
+    assert taken("chair", box(CHAIR, 0, 0), (name, behind)) == barred
+    assert taken(name, behind, ("chair", box(CHAIR, 0, 0))) == barred, "whichever comes first"
+
+
+@pytest.mark.parametrize("gap, barred", [(0.2, True), (0.35, True), (0.41, False), (0.6, False)])
+def test_one_stands_before_shelves(gap: float, barred: bool) -> None:
+    shelves = box(CASE, -2 + 0.18, 0)
+    sofa = box(SOFA, -2 + 0.355 + gap + 0.45, 0)
+    assert taken("bookshelf", shelves, ("sofa", sofa)) == barred
+    assert taken("sofa", sofa, ("bookshelf", shelves)) == barred
+
+
+def test_what_stands_beside_takes_nothing() -> None:
+    shelves = box(CASE, -2 + 0.18, 0)
+    assert not taken("sideboard", box(CASE, -2 + 0.18, 0.85), ("bookshelf", shelves))
+    assert not taken("sofa", box(SOFA, -2 + 0.45, 1.05 + 0.4), ("bookshelf", shelves))
+
+
+@pytest.mark.parametrize("turn", range(4))
+def test_it_does_not_hang_on_how_things_are_turned(turn: int) -> None:
+    a, (c, s) = turn * np.pi / 2, (round(np.cos(turn * np.pi / 2)), round(np.sin(turn * np.pi / 2)))
+
+    def at(x: float, y: float) -> tuple[float, float]:
+        return c * x - s * y, s * x + c * y
+
+    sofa = box(SOFA, *at(-0.25 - 0.2 - 0.45, 0), yaw=a)
+    assert taken("chair", box(CHAIR, 0, 0, yaw=a), ("sofa", sofa))
+    assert not taken("chair", box(CHAIR, 0, 0, yaw=a + np.pi), ("sofa", sofa))
+
+
+def test_a_table_draws_no_chairs_to_a_wall_at_first() -> None:
+    """The price of a place without room to draw the chair back: none at a strict look, a bad one later."""
+    there = room()
+    there.add("dining_table", box(TABLE, -2 + 0.5 + 0.33 + 0.45, 0))
+    at_wall = box(CHAIR, -2 + 0.27 + 0.05, 0)[None]
+    assert there.prices("chair", at_wall, strict=True)[0] >= BROKEN
+    assert there.prices("chair", at_wall)[0] < BROKEN
