@@ -86,7 +86,7 @@ def shown(page, browser):
     tab.set_default_timeout(60_000)
     said = []
     tab.on("pageerror", lambda error: said.append(str(error)))
-    tab.on("console", lambda message: said.append(message.text) if message.type == "error" else None)
+    tab.on("console", lambda message: said.append(message.text))
     tab.goto(page.as_uri(), wait_until="commit")
     tab.wait_for_selector("body[data-ready]")
     tab.evaluate("document.querySelectorAll('details').forEach((part) => (part.open = true))")

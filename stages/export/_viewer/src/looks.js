@@ -4,6 +4,7 @@ import { ACESFilmicToneMapping, Color, DirectionalLight, HemisphereLight, MeshLa
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 
 const SKY = 2.2; // light from above and below where nothing is mirrored
+const ASKED = 4; // ms after which it is asked again whether a frame is drawn
 const GROUND = { light: 0xe6eaee, dark: 0x1b1f24 };
 
 export class Looks {
@@ -52,6 +53,21 @@ export class Looks {
     this.sky.intensity = SKY;
     this.renderer.shadowMap.enabled = this.sun.castShadow = false;
     for (const mesh of this.meshes) mesh.material = mesh.userData.plain;
+  }
+
+  // Done once all that was asked for is drawn: it is asked now and then, as waiting for a pixel would stall the page.
+  drawn() {
+    const gl = this.renderer.getContext();
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    return new Promise((done) => {
+      const ask = () => {
+        if (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return setTimeout(ask, ASKED);
+        gl.deleteSync(fence);
+        done();
+      };
+      setTimeout(ask, 0);
+    });
   }
 
   // Shadows are cast again when something has moved.

@@ -216,11 +216,11 @@ export class View {
   #judge(began) {
     this.frames += 1;
     if (this.looks.fine || this.frames > 3) return;
-    const gl = this.looks.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until it is drawn
-    const took = performance.now() - began;
-    if (this.frames === 3 && took < QUICK) this.refine();
-    else if (this.frames < 3) setTimeout(() => this.draw(), 0);
+    const third = this.frames === 3;
+    this.looks.drawn().then(() => {
+      if (third && performance.now() - began < QUICK) this.refine();
+      else if (!third) this.draw();
+    });
   }
 
   refine() {
