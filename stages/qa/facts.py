@@ -1,7 +1,7 @@
 """What is known of a home and its pictures: names that mean one thing only, what each view shows, distances."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import hypot
@@ -31,6 +31,13 @@ def one(category: str) -> str:
     """A thing of a category in sentences."""
     name = spoken(category)
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
+
+
+def meanings(things: Collection[Box]) -> dict[str, int]:
+    """By category, how many of these things its name could mean: an office chair is a chair, too."""
+    counts = Counter(spoken(o.category).lower() for o in things)
+    meant = {name: sum(n for other, n in counts.items() if other.endswith(name)) for name in counts}
+    return {o.category: meant[spoken(o.category).lower()] for o in things}
 
 
 @dataclass(frozen=True)
@@ -90,9 +97,9 @@ class Facts:
         return [self.objects[id] for id, share in self.shares[view].items() if share > CLEARLY and id in self.objects]
 
     def alone(self, view: str) -> dict[str, Box]:
-        """Those of them that nothing else of their kind is seen beside, by their name in that picture."""
-        shown = Counter(self.objects[id].category for id in self.shares[view] if id in self.objects)
-        return {f"the {spoken(o.category)}": o for o in self.clear(view) if shown[o.category] == 1}
+        """Those of them that nothing else of their name is seen beside, by their name in that picture."""
+        meant = meanings([self.objects[id] for id in self.shares[view] if id in self.objects])
+        return {f"the {spoken(o.category)}": o for o in self.clear(view) if meant[o.category] == 1}
 
     @cached_property
     def room_names(self) -> dict[str, str]:
@@ -124,9 +131,9 @@ class Facts:
     @cached_property
     def names(self) -> dict[str, str]:
         """Objects that can be spoken of: the only one of their kind in the home, or in a room that can be."""
-        whole = Counter(o.category for o in self.home.objects)
-        inside = Counter((o.room, o.category) for o in self.home.objects)
-        found = {}
+        whole, found = self.meanings, {}
+        inside = {(room, category): n for room in {o.room for o in self.home.objects} for category, n in
+                  meanings([o for o in self.home.objects if o.room == room]).items()}
         for o in self.home.objects:
             if whole[o.category] == 1:
                 found[o.id] = f"the {spoken(o.category)}"
@@ -137,14 +144,9 @@ class Facts:
         return found
 
     @cached_property
-    def alike(self) -> dict[str, int]:
-        """By object, how many there are in the home that its category's name could mean, it among them: an office
-        chair is a chair, too.
-        """
-        called = {o.id: spoken(o.category).lower() for o in self.home.objects}
-        counts = Counter(called.values())
-        meant = {name: sum(n for other, n in counts.items() if other.endswith(name)) for name in counts}
-        return {id: meant[name] for id, name in called.items()}
+    def meanings(self) -> dict[str, int]:
+        """By category, how many things of the home its name could mean."""
+        return meanings(self.home.objects)
 
     def named_in(self, room: str) -> list[str]:
         """Ids of what can be spoken of in a room."""

@@ -15,7 +15,8 @@ TRIES = 200
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Things of which each is seen clearly before there is a glimpse of the next."""
     film = facts.render.film
-    seen = {id: sight for id, sight in sights(facts, film).items() if facts.alike[id] == 1} if film else {}
+    alone = {o.id for o in facts.home.objects if facts.meanings[o.category] == 1}
+    seen = {id: sight for id, sight in sights(facts, film).items() if id in alone} if film else {}
     ids, drafts = sorted(seen), []
     for _ in range(TRIES if film and len(ids) >= 4 else 0):
         four = sorted((ids[k] for k in rng.permutation(len(ids))[:4]), key=lambda id: seen[id].clear)
