@@ -172,7 +172,7 @@ def test_parts_go_two_centimetres_into_cabinets_and_five_into_others():
 
 
 def test_before_and_behind_doors_is_a_way():
-    """The door from 1.0 to 1.9 at x = 4.05 in walls of 10 cm: 20 cm before it, below 1.8 m, are free, but for 2 or 5 cm."""
+    """The door from 1.0 to 1.9 at x = 4.05 in walls of 10 cm: 20 cm before it and 1.8 m up, but for 2 or 5 cm."""
     for x, met in ((3.83, True), (3.81, False)):
         found = strictly(h.thing("bin", x - 0.1, 1.5, id="bin", size=(0.2, 0.2, 0.5)))
         assert found == ([("door_1", "bin")] if met else []), x
