@@ -9,8 +9,9 @@ BIN := .venv/bin
 READY := .venv/.ready
 CONSUMERS := build/consumers
 TYPED := build/typed
+AUDIT := build/audit
 
-.PHONY: demo test acceptance consumers mutants pictures site digests weights lint types check docs lock clean
+.PHONY: demo test acceptance consumers mutants pictures site digests weights lint types check docs sbom audit lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -68,6 +69,14 @@ docs: $(READY)
 	-APARTGEN_WRITE_DOCS=1 $(BIN)/python -m pytest -q tests/test_docs.py tests/populate/test_mechanisms.py -k "not part"
 	$(BIN)/python -m pytest -q tests/test_docs.py
 
+# What .venv is made of, with versions and licences, as CycloneDX.
+sbom: $(READY) $(AUDIT)/.ready
+	$(AUDIT)/bin/cyclonedx-py environment $(BIN)/python --pyproject pyproject.toml --output-file build/sbom.json
+
+# Whether faults are known of the pinned versions; asks pypi.org, and fails where it cannot.
+audit: $(AUDIT)/.ready
+	$(AUDIT)/bin/pip-audit --strict --progress-spinner off --disable-pip --no-deps -r constraints.txt
+
 $(READY): pyproject.toml setup.py constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed: make PYTHON=python3.12 ...")'
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
@@ -78,6 +87,11 @@ $(READY): pyproject.toml setup.py constraints.txt
 $(CONSUMERS)/.ready: pyproject.toml constraints.txt
 	test -x $(CONSUMERS)/bin/python || $(PYTHON) -m venv $(CONSUMERS)
 	$(CONSUMERS)/bin/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) -c constraints.txt -e ".[dev,consumers]"
+	@touch $@
+
+$(AUDIT)/.ready:
+	test -x $(AUDIT)/bin/python || $(PYTHON) -m venv $(AUDIT)
+	$(AUDIT)/bin/python -m pip install --quiet --disable-pip-version-check $(PIP_ARGS) "cyclonedx-bom>=7,<8" "pip-audit>=2.7,<3"
 	@touch $@
 
 # Pins what is installed now, after trying newer versions.
