@@ -11,6 +11,8 @@ from apartgen.stages.use import kinds
 
 LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(28), np.radians(43)
 """Within these angles one sits at a table, watches a screen, and is a screen seen."""
+FAR = 4.0
+"""A television stands no farther from its sofa, m."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
 """So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
 HEAD, BESIDE = 0.7, (-0.08, 0.3)
@@ -130,12 +132,12 @@ def _before_seat(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _watched(seen: Seen, hosts: Sequence[str]) -> Flags:
-    """A screen is seen from every sofa, and by nobody from aside."""
-    return np.asarray(((seen.back().off < WATCHES) & (seen.off < SHOWN)).all(1))
+    """A screen is seen from every sofa, and by nobody from aside or afar."""
+    return np.asarray(((seen.back().off < WATCHES) & (seen.off < SHOWN) & (seen.gap < FAR)).all(1))
 
 
 def _watches(seen: Seen, hosts: Sequence[str]) -> Flags:
-    return _any((seen.off < WATCHES) & (seen.back().off < SHOWN))
+    return _any((seen.off < WATCHES) & (seen.back().off < SHOWN) & (seen.gap < FAR))
 
 
 def _apart(seen: Seen, hosts: Sequence[str]) -> Flags:
