@@ -1,7 +1,7 @@
 """What is known of a home and its pictures: names that mean one thing only, what each view shows, distances."""
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import hypot
@@ -33,11 +33,19 @@ def one(category: str) -> str:
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
 
 
-def meanings(things: Collection[Box]) -> dict[str, int]:
-    """By category, how many of these things its name could mean: an office chair is a chair, too."""
-    counts = Counter(spoken(o.category).lower() for o in things)
-    meant = {name: sum(n for other, n in counts.items() if other.endswith(name)) for name in counts}
-    return {o.category: meant[spoken(o.category).lower()] for o in things}
+def alike(one: str, other: str) -> bool:
+    """Whether somebody may take a thing of one category for one of another: their names end alike, as those of all
+    tables do, or plans have one symbol for both, as for chests and sideboards.
+    """
+    a, b = spoken(one).lower().split()[-1], spoken(other).lower().split()[-1]
+    drawn = one in TABLE and other in TABLE and TABLE[one].symbol == TABLE[other].symbol
+    return drawn or a.endswith(b) or b.endswith(a)
+
+
+def meanings(things: Iterable[Box]) -> dict[str, int]:
+    """By category, how many of these things its name could mean."""
+    counts = Counter(o.category for o in things)
+    return {name: sum(n for other, n in counts.items() if alike(name, other)) for name in counts}
 
 
 @dataclass(frozen=True)
@@ -130,7 +138,8 @@ class Facts:
 
     @cached_property
     def names(self) -> dict[str, str]:
-        """Objects that can be spoken of: the only one of their kind in the home, or in a room that can be."""
+        """Objects that can be spoken of: the only one that their name could mean in the home, or in a room that can be.
+        """
         whole, found = self.meanings, {}
         inside = {(room, category): n for room in {o.room for o in self.home.objects} for category, n in
                   meanings([o for o in self.home.objects if o.room == room]).items()}

@@ -3,17 +3,16 @@
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, one, spoken
+from apartgen.stages.qa.facts import Facts, alike, one
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """The others are in other pictures, and nothing that their names could mean is in this one."""
+    """The others are in other pictures, and nothing that one may take for them is in this one."""
     drafts = []
     for view in facts.eyes:
         shown = {facts.objects[id].category for id in facts.shares[view.name] if id in facts.objects}
-        words = [spoken(category).lower() for category in shown]
         barred = frozenset(one(category) for category in {o.category for o in facts.home.objects}
-                           if any(word.endswith(spoken(category).lower()) for word in words))
+                           if any(alike(category, other) for other in shown))
         for o in facts.clear(view.name):
             if facts.shares[view.name][o.id] > 0.01:
                 drafts.append(Draft("Which of these does the picture show?", one(o.category), [view.name],
