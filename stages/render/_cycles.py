@@ -4,7 +4,7 @@
     blender -b -P _cycles.py -- JOB.json
 
 JOB has `glb`, `out`, `views` (name, pose, fx, width, height), `sun` (the way to it), `panes` (corner, across, up and
-normal of each window), `samples` and `threads`.
+normal of each window), `uneven` (what materials are of that are not quite flat), `samples` and `threads`.
 """
 
 import json
@@ -23,6 +23,10 @@ EDGE = 0.002
 """Radius of edges, m."""
 GROUND = -9.0
 """Height of the ground outside, m."""
+MEADOW, FIELD = (0.07, 0.11, 0.04, 1), (0.16, 0.16, 0.08, 1)
+"""Its colours, that go over into each other within some metres."""
+UNEVEN = {"plaster": ((1.3, 0.003), (60.0, 0.0003)), "cloth": ((5.0, 0.008), (19.0, 0.003))}
+"""Swells of surfaces: how many a metre, and how deep they are, m."""
 MIDDLE = 0.2
 """What the median of a photograph is exposed to."""
 STOPS = (-3.0, 6.0)
@@ -39,7 +43,7 @@ def built(job):
         one.data.energy *= LAMPS
         one.data.shadow_soft_size = 0.06
     for material in bpy.data.materials:
-        finished(material)
+        finished(material, UNEVEN.get(job["uneven"].get(material.name.partition(".")[0]), ()))
     sky(scene, Vector(job["sun"]))
     for k, pane in enumerate(job["panes"]):
         portal(scene, f"portal_{k}", *(Vector(v) for v in pane))
@@ -47,8 +51,10 @@ def built(job):
     return scene
 
 
-def finished(material):
-    """Glass of windows lets light through undimmed but for what it mirrors; all else has edges that catch light."""
+def finished(material, swells):
+    """Glass of windows lets light through undimmed but for what it mirrors; all else has edges that catch light, and
+    swells.
+    """
     tree = material.node_tree
     surface = next((node for node in tree.nodes if node.type == "BSDF_PRINCIPLED"), None) if tree else None
     if surface is None:
@@ -65,7 +71,21 @@ def finished(material):
     elif not surface.inputs["Normal"].is_linked:
         edge = tree.nodes.new("ShaderNodeBevel")
         edge.samples, edge.inputs["Radius"].default_value = 4, EDGE
-        tree.links.new(edge.outputs[0], surface.inputs["Normal"])
+        tree.links.new(swollen(tree, edge.outputs[0], swells), surface.inputs["Normal"])
+
+
+def swollen(tree, normal, swells):
+    """A normal that noise turns: of every swell its number a metre and its depth."""
+    place = tree.nodes.new("ShaderNodeNewGeometry")
+    for often, deep in swells:
+        noise, bump = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeBump")
+        noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = often, 3.0
+        bump.inputs["Distance"].default_value = deep
+        tree.links.new(place.outputs["Position"], noise.inputs["Vector"])
+        tree.links.new(noise.outputs[0], bump.inputs["Height"])
+        tree.links.new(normal, bump.inputs["Normal"])
+        normal = bump.outputs[0]
+    return normal
 
 
 def sky(scene, way):
@@ -94,7 +114,7 @@ def portal(scene, name, corner, across, up, normal):
 
 
 def ground(scene):
-    """A plain of dull green below the windows."""
+    """A plain of meadows and fields below the windows."""
     far = 500.0
     mesh = bpy.data.meshes.new("ground")
     mesh.from_pydata([(-far, -far, GROUND), (far, -far, GROUND), (far, far, GROUND), (-far, far, GROUND)], [],
@@ -102,7 +122,15 @@ def ground(scene):
     material = bpy.data.materials.new("ground")
     material.use_nodes = True
     surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
-    surface.inputs["Base Color"].default_value, surface.inputs["Roughness"].default_value = (0.10, 0.13, 0.06, 1), 1.0
+    surface.inputs["Roughness"].default_value = 1.0
+    tree, place = material.node_tree, material.node_tree.nodes.new("ShaderNodeNewGeometry")
+    noise, ramp = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeValToRGB")
+    noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = 0.03, 8.0
+    for stop, (at, color) in zip(ramp.color_ramp.elements, ((0.42, MEADOW), (0.58, FIELD))):
+        stop.position, stop.color = at, color
+    for source, target in ((place.outputs["Position"], noise.inputs["Vector"]), (noise.outputs[0], ramp.inputs[0]),
+                           (ramp.outputs[0], surface.inputs["Base Color"])):
+        tree.links.new(source, target)
     mesh.materials.append(material)
     put(scene, "ground", mesh, Matrix())
 

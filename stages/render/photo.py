@@ -9,9 +9,12 @@ from pathlib import Path
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.render import View
 from apartgen.stages.scene.world import HomeWorld
+from apartgen.stages.things.body import Body
 
 SCRIPT = Path(__file__).with_name("_cycles.py")
 END = ".photo.png"
+CLOTH = 0.8
+"""Roughness from which what is patterned gives way and creases."""
 LAST = 12
 """Lines of what Blender says that are told where it fails."""
 
@@ -40,7 +43,19 @@ def job(home: HomeWorld, glb: Path, views: Sequence[View], samples: int, out: Pa
                 "height": view.height} for view in views if view.intrinsics]
     panes = [[side.tolist() for side in (pane.corner, pane.across, pane.up, pane.normal)] for pane in home.panes]
     return {"glb": str(glb), "out": str(out), "views": cameras, "sun": home.sun.tolist(), "panes": panes,
-            "samples": samples, "threads": 0}
+            "uneven": uneven(home.bodies), "samples": samples, "threads": 0}
+
+
+def uneven(bodies: Sequence[Body]) -> dict[str, str]:
+    """By name, what materials are of that are not quite flat: plaster of walls and ceilings, cloth that is rough."""
+    found: dict[str, str] = {}
+    for body in bodies:
+        for material in (mesh.material for link in body.links for mesh in link.visuals):
+            if body.kind in ("wall", "ceiling", "lining"):
+                found.setdefault(material.name, "plaster")
+            elif body.kind == "object" and material.texture and material.roughness >= CLOTH:
+                found.setdefault(material.name, "cloth")
+    return found
 
 
 def command(program: str, told: Path) -> list[str]:
