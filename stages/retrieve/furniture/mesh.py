@@ -5,7 +5,7 @@ over shared vertices shades right; welding by position closes every shape. Faces
 """
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Faces = NDArray[np.int64]
 
+LATELY = 512
+"""Shapes that are at hand: pieces have many of one, homes few in common."""
 _SHEAR = np.array([[1.0, 0.0], [0.0, 1.0], [0.7, 0.7]])
 """Texture coordinates of smooth shapes: one linear map, so there is no seam; no axis-aligned face collapses."""
 
@@ -116,7 +118,7 @@ def sharp_edges(profile: Array, loop: bool, angle: float = 0.6) -> tuple[int, ..
     return tuple(int(i) + 1 for i in np.flatnonzero(turn > angle))
 
 
-@cache
+@lru_cache(LATELY)
 def _lathe(profile: tuple[tuple[float, float], ...], points: int, caps: bool) -> Shape:
     line = np.array(profile, float)
     c = circle(points)

@@ -1,6 +1,6 @@
 """Pot plants and planters: leaves are thin closed blades."""
 
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from apartgen.stages.retrieve.furniture.mesh import Array, Shape
 _STEPS = 5
 
 
-@cache
+@lru_cache(mesh.LATELY)
 def _blade(width: float, droop: float, widest: float) -> Shape:
     """A unit leaf along +x, `width` wide, curving down by `droop` at its tip; its section is a thin diamond."""
     t = np.linspace(0.0, 1.0, _STEPS + 1)

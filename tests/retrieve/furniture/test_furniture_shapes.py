@@ -1,5 +1,7 @@
 """The shape kernel against volumes known by formula, and the palette's textures."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 import trimesh
@@ -84,3 +86,15 @@ def test_a_plain_material_has_no_texture():
     assert materials.PALETTE["white"].texture is None
     with pytest.raises(BadInput):
         materials.texture("white")
+
+
+def test_shapes_that_nobody_needs_are_let_go():
+    """However many homes a worker makes, each of whose legs and pots are of other sizes."""
+    held = []
+    tracemalloc.start()
+    for first in (1, 2, 3):
+        for i in range(mesh.LATELY):
+            mesh.rod((0, 0, 0), (0, 0, first + i / mesh.LATELY), 0.02)
+        held.append(tracemalloc.get_traced_memory()[0])
+    tracemalloc.stop()
+    assert held[2] - held[0] < 0.1 * held[0]
