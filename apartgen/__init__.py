@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from apartgen import compiled
+from apartgen.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from apartgen.schemas.artifact import Artifact
@@ -28,13 +29,10 @@ if TYPE_CHECKING:
     from apartgen.schemas.render import Render
     from apartgen.schemas.retrieve import Retrieve
     from apartgen.schemas.walkable import Walkable
+    from apartgen.settings import Home
     from apartgen.stages.check import Fault
     from apartgen.steps import Step
 
-    Home = Artifact[Any] | str | PathLike[str]
-    """An apartment: what an earlier function gave, or the path of its file."""
-
-__version__ = "0.2.0"
 __all__ = ["check", "export", "layout", "load", "make", "metrics", "plan", "populate", "qa", "render", "retrieve",
            "view", "walkable"]
 

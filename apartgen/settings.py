@@ -1,9 +1,10 @@
 """Settings of stages from plain values, and artifacts as the functions of the library hand them on."""
 
 from collections.abc import Callable, Mapping
+from os import PathLike
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -15,10 +16,9 @@ from apartgen.schemas.errors import ApartgenError, BadInput
 from apartgen.schemas.plan import Plan
 from apartgen.steps import Step, lane, made
 
-if TYPE_CHECKING:
-    from apartgen import Home
-
 Config = TypeVar("Config", bound=BaseModel)
+Home = Artifact[Any] | str | PathLike[str]
+"""An apartment: what an earlier function gave, or the path of its file."""
 
 
 def configured(config: type[Config], values: Mapping[str, Any], shown: Callable[[str], str] = str) -> Config:
@@ -79,7 +79,7 @@ def by_stage(settings: Mapping[str, Mapping[str, Any]], formats: list[str]) -> d
     return {word: configured(kind, given.get(word, {}) | dict(settings.get(word, {}))) for word, kind in KINDS.items()}
 
 
-def opened(home: "Home") -> Artifact[Any]:
+def opened(home: Home) -> Artifact[Any]:
     """An artifact itself, or the one in a file."""
     return home if isinstance(home, Artifact) else artifact.read(Path(home), Record, whole=True)
 
@@ -92,7 +92,7 @@ def planned(text: str, seed: int, settings: Mapping[str, Any]) -> Artifact[Plan]
     return artifact.finish(drawn, record)[1]
 
 
-def advanced(step: Step, home: "Home", seed: int | None, settings: Mapping[str, Any]) -> Artifact[Any]:
+def advanced(step: Step, home: Home, seed: int | None, settings: Mapping[str, Any]) -> Artifact[Any]:
     """The next artifact of one apartment."""
     config, began = configured(step.config, settings), perf_counter()
     read = opened(home)

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field
 
-from apartgen import __version__
 from apartgen.schemas.artifact import Artifact, Made, kind_of
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
@@ -24,6 +23,7 @@ from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.populate.config import PopulateConfig
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.walkable.config import WalkableConfig
+from apartgen.version import __version__
 
 if TYPE_CHECKING:
     from apartgen.stages.retrieve import LibrarySet

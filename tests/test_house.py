@@ -121,6 +121,20 @@ def test_there_is_no_import_cycle():
     assert not cycles
 
 
+def needed(file: str) -> Iterator[str]:
+    """Modules that a file imports anywhere, a function included, but no package for one of its modules."""
+    found = list(imported(file))
+    for line, name in found:
+        if name in MODULES and not any(at == line and other.startswith(f"{name}.") for at, other in found):
+            yield name
+
+
+def test_no_module_of_the_library_needs_one_that_needs_it():
+    graph = networkx.DiGraph((module(file), name) for file in RELATIVE if file.startswith("apartgen/")
+                             for name in needed(file))
+    assert [sorted(some) for some in networkx.strongly_connected_components(graph) if len(some) > 1] == []
+
+
 def too_long(file: str) -> Iterator[str]:
     lines = (ROOT / file).read_text(encoding="utf-8").count("\n")
     if lines > LONGEST_FILE:

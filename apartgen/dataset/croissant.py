@@ -4,8 +4,8 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from apartgen import __version__
 from apartgen.dataset.store import HOMES, MANIFEST, Store
+from apartgen.version import __version__
 
 _CONTEXT = {
     "@language": "en", "@vocab": "https://schema.org/", "sc": "https://schema.org/",
