@@ -34,18 +34,22 @@ SPLIT = Annotated[str | None, typer.Option("--split", help="The homes of this pa
 FORMAT = Annotated[list[str], typer.Option("--format", help="What to write, any number of times, as of `export`.")]
 POPULATE = Annotated[bool, typer.Option("--populate/--no-populate", help="Put small things into the homes.")]
 ENGINE = Annotated[str, typer.Option("--engine", help="Who makes the homes: local, ray or submitit.")]
+COPY = Annotated[str | None, typer.Option(
+    "--copy-to", metavar="URL", help="Copy full shards and, at the end, all files there: any address of fsspec.")]
 AS_JSON = Annotated[bool, typer.Option("--json", help="Write JSON.")]
 PARTS = Annotated[str, typer.Option("--parts", metavar="NAME=SHARE,…", help="The parts and their shares.")]
 
 
 def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: GRAMMAR = None, seed: SEED = 0,
            config: CONFIG = None, workers: WORKERS = None, shard: SHARD = 1000, populate: POPULATE = True,
-           engine: ENGINE = "local") -> int:
+           engine: ENGINE = "local", copy: COPY = None) -> int:
     """Make a home for every prompt; a run that ended, however it did, goes on where it was."""
     from apartgen.dataset.build import build
+    from apartgen.dataset.copies import Place
     from apartgen.dataset.source import source
     from apartgen.dataset.store import Store
 
+    copies = None if copy is None else Place(copy)
     asked = source(prompts, grammar, count, seed)
     there = sum(1 for _ in Store(out).rows())
     failed = 0
@@ -61,7 +65,7 @@ def _build(out: FOLDER, prompts: PROMPTS = None, count: COUNT = None, grammar: G
                 fail(f"{row['id']}: {row['error']}")
 
         build(asked, out, seed=seed, given=tables(config), workers=workers, per_shard=shard, populate=populate,
-              engine=engine, report=told)
+              engine=engine, report=told, copies=copies)
     say(f"{done - there - failed} homes made, {failed} failed, {there} were there; {out}/failures.jsonl has failures")
     return 1 if failed else 0
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from apartgen import settings
 from apartgen.dataset import engines, finish
+from apartgen.dataset.copies import Place
 from apartgen.dataset.home import Asked, Done, Settings, home, row_of, steps_of
 from apartgen.dataset.rows import Row
 from apartgen.dataset.source import Source
@@ -20,11 +21,11 @@ Report = Callable[[Row], None]
 
 def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None = None, workers: int | None = None,
           per_shard: int = PER_SHARD, populate: bool = True, engine: str = engines.LOCAL,
-          report: Report = lambda row: None) -> Store:
+          report: Report = lambda row: None, copies: Place | None = None) -> Store:
     """The data set of all requests of the source, with small things in the homes or without, made by an engine of
-    `engines.ENGINES`; `report` gets the row of every home that is made.
+    `engines.ENGINES`; `report` gets the row of every home that is made, `copies` every shard when it is full.
 
-    BadInput where the folder holds another data set.
+    BadInput where the folder, or the place of the copies, holds another data set; Unmet where that can't be written.
     """
     settings.by_stage(given or {}, ["svg"])
     maker = engines.engine(engine)
@@ -32,6 +33,8 @@ def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None
     _begun(store, source, {"apartgen_dataset": 1, "by": BY, "seed": seed, "per_shard": per_shard,
                            "stages": ["plan", *(step.word for step in steps_of(populate))],
                            "settings": {word: dict(table) for word, table in (given or {}).items()}})
+    if copies is not None:
+        copies.take(store.folder)
     writer = Writer(store, per_shard)
     try:
         before = writer.count
@@ -39,10 +42,14 @@ def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None
                 for one in islice(source.requests(), before, None))
         for done in maker.results(home, work, workers, _lost, store.folder):
             report(writer.add(done))
+            if copies is not None and writer.count % per_shard == 0:
+                copies.try_taking(store.folder)
     finally:
         writer.close()
     if writer.count != before or not finish.is_finished(store):
         finish.finish(store)
+    if copies is not None:
+        copies.take(store.folder)
     return store
 
 
