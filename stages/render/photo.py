@@ -13,8 +13,8 @@ from apartgen.stages.things.body import Body
 
 SCRIPT = Path(__file__).with_name("_cycles.py")
 END = ".photo.png"
-CLOTH = 0.8
-"""Roughness from which what is patterned gives way and creases."""
+PLASTER, CLOTH = 0.6, 0.8
+"""Roughness from which walls are of plaster and not of tiles, and what is patterned gives way and creases."""
 LAST = 12
 """Lines of what Blender says that are told where it fails."""
 
@@ -51,7 +51,7 @@ def uneven(bodies: Sequence[Body]) -> dict[str, str]:
     found: dict[str, str] = {}
     for body in bodies:
         for material in (mesh.material for link in body.links for mesh in link.visuals):
-            if body.kind in ("wall", "ceiling", "lining"):
+            if body.kind in ("wall", "ceiling", "lining") and material.roughness >= PLASTER:
                 found.setdefault(material.name, "plaster")
             elif body.kind == "object" and material.texture and material.roughness >= CLOTH:
                 found.setdefault(material.name, "cloth")
