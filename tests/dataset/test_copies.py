@@ -10,7 +10,8 @@ from apartgen.dataset.store import Store, Writer
 from apartgen.schemas.errors import BadInput, Unmet
 
 HOME = {"prompt": "studio", "seed": 1, "seconds": {"all": 0.5}, "kind": "plan", "digests": {"plan": "x"},
-        "certified": True, "metrics": {}, "rooms": {}, "objects": {}, "signature": "s", "sides": [2.0, 3.0], "area": 6.0}
+        "certified": True, "metrics": {}, "rooms": {}, "objects": {}, "signature": "s", "sides": [2.0, 3.0],
+        "area": 6.0}
 
 fsspec = pytest.importorskip("fsspec")
 
