@@ -1,0 +1,26 @@
+"""Sentences that break off: read or refused, never a traceback."""
+
+import json
+from itertools import accumulate
+from pathlib import Path
+
+import pytest
+
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.reader import read
+
+LINES = (Path(__file__).parents[2] / "sentences/sentences.jsonl").read_text(encoding="utf-8").splitlines()
+PROMPTS = [json.loads(line)["prompt"] for line in LINES]
+PARTS = 6
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_a_sentence_may_break_off_behind_any_word(part: int) -> None:
+    """Every twelfth prompt of the benchmark, shorter ones and longer ones."""
+    for prompt in sorted(PROMPTS, key=len)[part * 2 :: 2 * PARTS]:
+        for begun in accumulate(prompt.split()[:40], "{} {}".format):
+            try:
+                assert isinstance(read(begun), Program)
+            except (BadInput, Unmet) as error:
+                assert str(error), begun
