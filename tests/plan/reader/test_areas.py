@@ -15,7 +15,8 @@ def test_what_is_said_of_a_room_decides_its_typical_area() -> None:
     plain = typical(asked, [], {})
     said = typical(asked, [], {"bedroom_2": {"kids"}, "bedroom_3": {"small"}, "bathroom_1": {"half"}})
     assert said["bedroom_1"] == plain["bedroom_1"]
-    assert plain["bedroom_2"] == plain["bedroom_3"] and said["bedroom_3"] < said["bedroom_2"]
+    assert plain["bedroom_1"] > plain["bedroom_2"] > plain["bedroom_3"], "for two, for two children, for one"
+    assert said["bedroom_3"] < said["bedroom_2"] < plain["bedroom_2"]
     assert said["bathroom_1"] < plain["bathroom_1"]
 
 
