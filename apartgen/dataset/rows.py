@@ -48,7 +48,7 @@ class _Made(_Asked):
     rooms: dict[str, int]
     objects: dict[str, int]
     signature: str
-    sides: list[float]
+    sides: list[float] = Field(min_length=2)
     area: float
     split: str = ""
 
