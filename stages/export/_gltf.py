@@ -7,15 +7,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.scene.pieces import cut_out, digest, image, mesh_digest, names, pieces, shaded
+from apartgen.stages.scene.pieces import cut_out, digest, image, mesh_digest, names, pieces, relief_image, shaded
 from apartgen.stages.things.asset import Array, Link, Material, Mesh
 from apartgen.stages.things.body import Body, Light, mass
+from apartgen.stages.things.relief import standing
+from apartgen.stages.things.shading import tangents
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
 VERTICES, INDICES = 34962, 34963
 GROUPS = {"ceiling": "ceilings", "object": "furniture"}
 """Nodes that hold the bodies of a kind; the rest are under `shell`."""
 LIGHT_COLOR = [1.0, 0.93, 0.82]
+RELIEF = "_normal"
+"""How the normal map of a pattern is called after it."""
 
 Node = dict[str, Any]
 
@@ -59,7 +63,9 @@ class _Store:
     def __init__(self, bodies: list[Body]) -> None:
         used = (mesh.material for body in bodies for link in body.links for mesh in link.visuals)
         self.materials = names(used)
-        self.textures = sorted({m.texture for m in self.materials if m.texture})
+        textures = sorted({m.texture for m in self.materials if m.texture})
+        self.images = {name: image(name) for name in textures}
+        self.images |= {f"{name}{RELIEF}": relief_image(name) for name in sorted({*map(standing, textures)} - {""})}
         self.nodes: list[Node] = []
         self.meshes: list[Node] = []
         self.accessors: list[Node] = []
@@ -110,12 +116,14 @@ class _Store:
         return int(self.known[key])
 
     def _primitive(self, mesh: Mesh, origin: Array) -> Node:
-        key = mesh_digest(mesh) + digest(origin)
+        embossed = mesh.uv is not None and bool(standing(mesh.material.texture or ""))
+        key = mesh_digest(mesh) + digest(origin) + "embossed" * embossed
         if key not in self.known:
             vertices, normals, uv, faces = shaded(mesh)
             attributes = {"POSITION": self._floats(vertices - origin, limits=True), "NORMAL": self._floats(normals)}
             if uv is not None:
                 attributes["TEXCOORD_0"] = self._floats(uv * [1, -1] + [0, 1])
+                attributes |= {"TANGENT": self._floats(tangents(vertices, normals, uv, faces))} if embossed else {}
             kind = (SHORT, "<u2") if len(vertices) < 65535 else (INT, "<u4")
             indices = self._accessor(faces.ravel().astype(kind[1]), kind[0], "SCALAR", INDICES)
             self.known[key] = {"attributes": attributes, "indices": indices}
@@ -146,7 +154,7 @@ class _Store:
 
     def document(self, root: int, lights: list[Light], credits: list[str]) -> tuple[Node, bytes]:
         png = {"mimeType": "image/png"}
-        images = [{"name": name, **png, "bufferView": self._view(image(name))} for name in self.textures]
+        images = [{"name": name, **png, "bufferView": self._view(data)} for name, data in self.images.items()]
         self.binary += b"\0" * (-len(self.binary) % 4)
         document: Node = {
             "asset": {"version": "2.0", "generator": "apartgen", "copyright": "; ".join(credits)},
@@ -154,7 +162,7 @@ class _Store:
             "extensions": {"KHR_lights_punctual": {"lights": _lights(lights)}} if lights else {},
             "scene": 0, "scenes": [{"name": "apartment", "nodes": [root]}],
             "nodes": self.nodes, "meshes": self.meshes, "accessors": self.accessors, "bufferViews": self.views,
-            "materials": [_material(m, name, self.textures) for m, name in self.materials.items()],
+            "materials": [_material(m, name, list(self.images)) for m, name in self.materials.items()],
             "images": images,
             "samplers": [{"wrapS": 10497, "wrapT": 10497, "magFilter": 9729, "minFilter": 9987}] if images else [],
             "textures": [{"sampler": 0, "source": k} for k in range(len(images))],
@@ -187,6 +195,8 @@ def _material(m: Material, name: str, textures: list[str]) -> Node:
         surface["baseColorTexture"] = {"index": textures.index(m.texture)}
     mode = "BLEND" if m.color[3] < 1 else "MASK" if m.texture and cut_out(m.texture) else ""
     made: Node = {"name": name, "pbrMetallicRoughness": surface} | ({"alphaMode": mode} if mode else {})
+    if pattern := standing(m.texture or ""):
+        made["normalTexture"] = {"index": textures.index(f"{pattern}{RELIEF}")}
     if m.emission:
         made["emissiveFactor"] = [m.emission * _linear(c) for c in m.color[:3]]
     if _clear(m):

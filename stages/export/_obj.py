@@ -5,8 +5,9 @@ from pathlib import Path
 import numpy as np
 
 from apartgen.stages.export._xml import number, numbers
-from apartgen.stages.scene.pieces import image, image_name, mesh_digest, shaded
+from apartgen.stages.scene.pieces import image, image_name, mesh_digest, relief_image, shaded
 from apartgen.stages.things.asset import Array, Material, Mesh
+from apartgen.stages.things.relief import standing
 
 
 class Files:
@@ -41,6 +42,16 @@ class Files:
         if name not in self._known:
             self._known[name] = name
             self._write(name, image(texture))
+        return name
+
+    def relief(self, texture: str) -> str:
+        """File name of the normal map of a texture's pattern; empty where its surface is flat."""
+        if not (pattern := standing(texture)):
+            return ""
+        name = f"{pattern}_normal.png"
+        if name not in self._known:
+            self._known[name] = name
+            self._write(name, relief_image(pattern))
         return name
 
     def surface(self, m: Material) -> str:

@@ -54,8 +54,11 @@ class Looks:
         opacity.Set(m.color[3])
         color = shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f)
         if m.texture:
-            image = self._texture(path, m.texture).ConnectableAPI()
+            image = self._texture(path, self.files.texture(m.texture)).ConnectableAPI()
             color.ConnectToSource(image, "rgb")
+            if relief := self.files.relief(m.texture):
+                normal = shader.CreateInput("normal", Sdf.ValueTypeNames.Normal3f)
+                normal.ConnectToSource(self._relief(path, relief).ConnectableAPI(), "rgb")
             if cut_out(m.texture):
                 opacity.ConnectToSource(image, "a")
                 shader.CreateInput("opacityThreshold", Sdf.ValueTypeNames.Float).Set(0.5)
@@ -64,21 +67,34 @@ class Looks:
         made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
         return made
 
-    def _texture(self, path: str, texture: str) -> Any:
+    def _texture(self, path: str, file: str) -> Any:
+        """What reads the image of a colour."""
         reader = UsdShade.Shader.Define(self.stage, f"{path}/st")
         reader.CreateIdAttr("UsdPrimvarReader_float2")
         reader.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
         reader.CreateOutput("result", Sdf.ValueTypeNames.Float2)
-        image = UsdShade.Shader.Define(self.stage, f"{path}/image")
+        image = self._image(path, "image", file, "sRGB")
+        image.CreateOutput("a", Sdf.ValueTypeNames.Float)
+        return image
+
+    def _relief(self, path: str, file: str) -> Any:
+        """What reads a normal map; a byte of it is from -1 to 1."""
+        image = self._image(path, "relief", file, "raw")
+        image.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(2, 2, 2, 1))
+        image.CreateInput("bias", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(-1, -1, -1, 0))
+        return image
+
+    def _image(self, path: str, name: str, file: str, space: str) -> Any:
+        image = UsdShade.Shader.Define(self.stage, f"{path}/{name}")
         image.CreateIdAttr("UsdUVTexture")
-        file = f"./{self.files.folder.name}/{self.files.texture(texture)}"
-        image.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(file))
-        image.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+        place = Sdf.AssetPath(f"./{self.files.folder.name}/{file}")
+        image.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(place)
+        image.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set(space)
         for wrap in ("wrapS", "wrapT"):
             image.CreateInput(wrap, Sdf.ValueTypeNames.Token).Set("repeat")
-        image.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(reader.ConnectableAPI(), "result")
+        reader = UsdShade.Shader.Get(self.stage, f"{path}/st").ConnectableAPI()
+        image.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(reader, "result")
         image.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
-        image.CreateOutput("a", Sdf.ValueTypeNames.Float)
         return image
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.errors import BadInput
-from apartgen.stages.things import materials
+from apartgen.stages.things import materials, relief
 from apartgen.stages.things.asset import Array, Link, Material, Mesh
 from apartgen.stages.things.shading import corner_normals, distinct
 
@@ -115,6 +115,16 @@ def image(texture: str) -> bytes:
         ) from None
     buffer = io.BytesIO()
     picture.save(buffer, "PNG", compress_level=QUICK)
+    return buffer.getvalue()
+
+
+@cache
+def relief_image(pattern: str) -> bytes:
+    """The normal map of a pattern that stands up, as PNG."""
+    from PIL import Image
+
+    buffer = io.BytesIO()
+    Image.fromarray(np.array(relief.normals(pattern))).save(buffer, "PNG", compress_level=QUICK)
     return buffer.getvalue()
 
 

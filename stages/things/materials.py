@@ -129,7 +129,23 @@ def density(name: str) -> float:
 
 def span(name: str) -> float:
     """Metres that one repeat of the material's texture covers; 1 for plain ones."""
-    return _SPAN.get(_TABLE[name][3], 1.0)
+    return repeat(_TABLE[name][3])
+
+
+def repeat(pattern: str) -> float:
+    """Metres that one repeat of a pattern covers."""
+    return _SPAN.get(pattern, 1.0)
+
+
+def shades(pattern: str, size: int) -> NDArray[np.float64]:
+    """How light a pattern is on a grey ground, (size, size)."""
+    rng = np.random.default_rng(zlib.crc32(pattern.encode()))
+    return np.asarray((PATTERNS | LAID)[pattern](rng, size, np.full(3, 128.0)).mean(2))
+
+
+def pattern(name: str) -> str:
+    """Name of the pattern that the material's texture is drawn by, empty for plain ones."""
+    return _TABLE[name][3]
 
 
 def textures() -> tuple[str, ...]:

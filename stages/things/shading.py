@@ -42,3 +42,19 @@ def corner_normals(mesh: Mesh) -> Array:
     np.add.at(total, mine[smooth], area[other[smooth] // 3])
     length = np.linalg.norm(total, axis=1, keepdims=True)
     return np.where(length > 1e-15, total / np.maximum(length, 1e-15), np.repeat(flat, 3, 0))
+
+
+def tangents(vertices: Array, normals: Array, uv: Array, faces: NDArray[np.int64]) -> Array:
+    """Where texture coordinates' u runs at each vertex, and on which side v does, (k, 4), v being counted upwards."""
+    (a, b, c), (p, q, r) = vertices[faces].transpose(1, 0, 2), uv[faces].transpose(1, 0, 2)
+    u, v = q - p, r - p
+    turn = np.sign(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])[:, None]
+    along = turn * ((b - a) * v[:, 1:] - (c - a) * u[:, 1:])
+    corner = faces.ravel()
+    total = np.stack([np.bincount(corner, np.repeat(column, 3), len(vertices)) for column in (*along.T, *turn.T)], 1)
+    flat = total[:, :3] - (total[:, :3] * normals).sum(1, keepdims=True) * normals
+    length = np.linalg.norm(flat, axis=1, keepdims=True)
+    other = np.cross(normals, np.eye(3)[np.abs(normals).argmin(1)])
+    other /= np.maximum(np.linalg.norm(other, axis=1, keepdims=True), 1e-12)
+    return np.column_stack([np.where(length > 1e-9, flat / np.maximum(length, 1e-12), other),
+                            np.where(total[:, 3] < 0, -1.0, 1.0)])
