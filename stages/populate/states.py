@@ -20,8 +20,13 @@ State = dict[str, bool | float]
 
 AJAR = 0.15
 """Share of parts that stand open where these are drawn."""
-LAMPS = [categories.those(lambda kind, place=place: kind.is_for("light") and kind.place == place)  # type: ignore[misc]
-         for place in ("ceiling", "wall", "floor", "top")]
+
+
+def _lamps_at(place: str) -> frozenset[str]:
+    return categories.those(lambda kind: kind.is_for("light") and kind.place == place)
+
+
+LAMPS = [_lamps_at(place) for place in ("ceiling", "wall", "floor", "top")]
 """What a switch at the door switches: the lamps of the first of these kinds that the room has."""
 
 
