@@ -45,6 +45,10 @@ def test_a_symbol_keeps_to_its_box(name):
         assert again == pytest.approx(drawn @ np.array([[c, s], [-s, c]]) + [1.0, -2.0], abs=1e-6)
 
 
+def test_every_symbol_that_a_category_has_is_drawn_and_no_other():
+    assert {kind.symbol for kind in TABLE.values()} | {_symbols.FITTED} == set(_symbols.SYMBOLS)
+
+
 @pytest.mark.parametrize("name", ["sofa", "corner_sofa"])
 def test_cushions_lie_between_back_and_arms(name):
     axes = blank()
