@@ -12,8 +12,10 @@ from shapely.geometry import Polygon
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Opening, Room
 from apartgen.schemas.render import Render, View
+from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.drafts import Draft
 from apartgen.stages.qa.marks import MARKED, Marks
+from apartgen.stages.qa.whole import before_front, whole
 from apartgen.stages.space import boxes, polygons
 from apartgen.stages.things.categories import TABLE
 
@@ -157,6 +159,19 @@ class Facts:
         """By category, how many things of the home its name could mean."""
         return meanings(self.home.objects)
 
+    def stands(self, id: str) -> bool:
+        """Whether it stands on the floor and does not lie flat on it, as a rug does."""
+        o = self.objects[id]
+        return o.on == "floor" and o.category in TABLE and TABLE[o.category].place == "floor"
+
+    def faces(self, id: str) -> bool:
+        """Whether everybody sees where its front is: a bin has none, a bed may have it at either end, and the unit in
+        the corner of a kitchen on either side.
+        """
+        o, kind = self.objects[id], TABLE.get(self.objects[id].category)
+        opens = isinstance(o, Furnishing) and bool(o.joints)
+        return kind is not None and kind.faces and "sleep" not in kind.uses and (opens or not kind.run)
+
     def named_in(self, room: str) -> list[str]:
         """Ids of what can be spoken of in a room."""
         return [id for id in self.names if self.objects[id].room == room]
@@ -175,12 +190,25 @@ class Facts:
             left -= shown[best]
         return chosen if not left else []
 
+    def uncut(self, view: str) -> set[str]:
+        """Ids of objects of which a view shows nearly all from side to side and from end to end."""
+        boxes_of = {thing.number: thing for thing in self.render.instances if thing.box}
+        found = set()
+        for part in (part for part in self.views[view].visible if part.number in boxes_of):
+            o = self.objects.get(boxes_of[part.number].id)
+            if o is not None and whole(self.views[view], o, part.rectangle):
+                found.add(o.id)
+        return found
+
     @cached_property
     def marked(self) -> list["Marked"]:
-        """Each object with a number, in the view that shows most of it."""
+        """Each object with a number, in the view that shows most of it, of those that show it nearly whole and, of what
+        opens, its front.
+        """
         best: dict[str, Marked] = {}
         for view, numbers in self.marks.items():
-            for id, number in numbers.items():
+            uncut = {id for id in self.uncut(view) if before_front(self.views[view], self.objects[id])}
+            for id, number in ((id, number) for id, number in numbers.items() if id in uncut):
                 if id not in best or self.shares[view][id] > self.shares[best[id].view][id]:
                     best[id] = Marked(id, number, view)
         return list(best.values())

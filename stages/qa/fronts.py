@@ -10,19 +10,28 @@ from apartgen.stages.space import boxes, polygons
 
 FARTHEST = 12.0
 """How far ahead is looked, m."""
+MIDDLE, SAME = 0.2, 0.1
+"""Share of a thing's width that is its middle, and how much further it may be there, m."""
 THIN = 0.1
 """What is lower lies on the floor and is in nobody's way, m."""
 _SKIN = 0.02  # m, by which what only touches the side of the way is left out
 
 
-def before(facts: Facts, id: str) -> tuple[float, str]:
-    """How far it is to the first thing or the wall over the thing's whole width, m, and which thing; empty for a wall.
+def before(facts: Facts, id: str) -> tuple[float, str] | None:
+    """How far it is to the first thing or the wall, m, and which thing; empty for a wall. None where what comes first
+    is not the same before the thing's middle and over its whole width.
 
     Things are met that reach into the thing's own height.
     """
+    half = facts.objects[id].size[1] / 2
+    whole, middle = (_first(facts, id, wide) for wide in (half - _SKIN, MIDDLE * half))
+    return whole if whole[1] == middle[1] and middle[0] - whole[0] < SAME else None
+
+
+def _first(facts: Facts, id: str, half: float) -> tuple[float, str]:
+    """What comes first so far to both sides of the middle."""
     o = facts.objects[id]
-    strip = boxes.spread(boxes.of([o]), [[o.size[0] / 2, -o.size[1] / 2 + _SKIN, 0]],
-                         [[FARTHEST, o.size[1] / 2 - _SKIN, 1]])
+    strip = boxes.spread(boxes.of([o]), [[o.size[0] / 2, -half, 0]], [[FARTHEST, half, 1]])
     way: Polygon = boxes.footprints(strip)[0]
     heading = np.array([np.cos(o.yaw), np.sin(o.yaw)])
     face = float(np.array(o.center[:2]) @ heading) + o.size[0] / 2

@@ -155,10 +155,15 @@ class Anew:
         return min(near, key=lambda option: self.apart(anchor, near[option]))
 
     def direction(self, q):
-        here, there, of = (np.array(self.objects[q.evidence[k]].center[:2]) for k in ("at", "facing", "of"))
-        ahead, way = there - here, of - here
-        side = "left" if ahead[0] * way[1] - ahead[1] * way[0] > 0 else "right"
-        return f"{'ahead' if ahead @ way > 0 else 'behind'} to the {side}"
+        """From the middle of the thing and from its four corners, which is where somebody beside it may stand."""
+        there, of = (np.array(self.objects[q.evidence[k]].center[:2]) for k in ("facing", "of"))
+        at, found = self.objects[q.evidence["at"]], set()
+        for here in (at.center[:2], *self.corners(at)):
+            ahead, way = there - np.array(here), of - np.array(here)
+            side = "left" if ahead[0] * way[1] - ahead[1] * way[0] > 0 else "right"
+            found.add(f"{'ahead' if ahead @ way > 0 else 'behind'} to the {side}")
+        (answer,) = found
+        return answer
 
     def object_size(self, q):
         return f"{5 * round(max(self.it(q).size) / 0.05)} cm"
@@ -202,7 +207,7 @@ class Anew:
         for j in self.it(q).joints:
             ways.add("slide" if j.type == "slide" else
                      f"turn about {'an upright' if abs(j.axis[2]) > 0.7 else 'a level'} hinge")
-        return " and ".join(sorted(ways)) or "nothing of it moves"
+        return " and ".join(sorted(ways)) or "it has none"
 
     def reach_out(self, q):
         o, far = self.it(q), 0.0
@@ -347,6 +352,23 @@ def test_what_is_asked_about_is_in_the_pictures(seen, asked_of):
                if v in anew.objects]
         for id in ids:
             assert any(anew.share(view, id) > 0 for view in one.images), (one, id)
+
+
+def test_sizes_and_parts_are_asked_of_what_is_seen_nearly_whole_and_from_its_front(seen, asked_of):
+    anew, many = Anew(*seen), 0
+    for one in (one for one in asked_of if one.kind in ("object_size", "parts", "mechanism", "reach_out", "taller")):
+        view = anew.views[one.images[0].removesuffix(".marks")]
+        into = np.linalg.inv(np.array(view.pose))
+        for o in (anew.objects[id] for id in anew.told(one)):
+            heights = (o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2)
+            points = np.array([(x, y, z, 1) for x, y in anew.corners(o) for z in heights]) @ into.T
+            spans = np.ptp(points[:, :2] / points[:, 2:3], axis=0) * view.intrinsics[0]
+            rows, columns = np.nonzero(anew.image(view.name) == anew.numbers[o.id])
+            assert np.ptp(columns) + 1 > 0.84 * spans[0] and np.ptp(rows) + 1 > 0.84 * spans[1]
+            way = np.array(view.pose)[:2, 3] - o.center[:2]
+            assert one.kind == "taller" or not o.joints or cos(o.yaw) * way[0] + sin(o.yaw) * way[1] > o.size[0] / 2
+            many += 1
+    assert many > 20
 
 
 def test_options_differ_and_letters_are_even(asked_of):

@@ -9,16 +9,20 @@ from apartgen.stages.qa.fronts import before
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Straight ahead, over its whole width, up to the first thing or wall; the room is shown all around, too."""
+    """Straight ahead up to the first thing or wall, the same over its whole width; the room is shown all around, too.
+    """
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        if not isinstance(o, Furnishing) or not o.joints:
+        if not isinstance(o, Furnishing) or not o.joints or not facts.faces(it.id):
             continue
-        far, met = before(facts, it.id)
+        ahead = before(facts, it.id)
+        if ahead is None:
+            continue
+        far, met = round(ahead[0], 3), ahead[1]
         images = facts.room_pictures(o.room)
         if far > 0.25 and images and (not met or facts.shares[images[0]].get(met, 0) > 0):
             text = f"How far is it from the front of {it} straight ahead to the first thing or wall?"
-            evidence = {"object": it.id, "met": met, "metres": round(far, 3)}
+            evidence = {"object": it.id, "met": met, "metres": far}
             drafts.append(facts.numbered(it.view, text, metres(far), evidence, number=far, hard=1, more=images))
     return shared(drafts, rng, most)

@@ -5,13 +5,15 @@ from collections import Counter
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, spoken
+from apartgen.stages.qa.facts import Facts, alike, spoken
 
 LEAST = 5e-4
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Of the rooms of panoramas that show all of them and none of another room; each kind has several answers."""
+    """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
+    each kind has several answers.
+    """
     kinds = sorted({spoken(o.category) for o in facts.home.objects})
     asked = [_of(facts, kinds[k]) for k in rng.permutation(len(kinds))]
     found: list[Draft] = []
@@ -21,6 +23,11 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     return found
 
 
+def _called(facts: Facts, kind: str) -> set[str]:
+    """Categories of the home that are called so."""
+    return {o.category for o in facts.home.objects if spoken(o.category) == kind}
+
+
 def _of(facts: Facts, kind: str) -> list[Draft]:
     drafts = []
     for room in facts.rooms:
@@ -28,6 +35,9 @@ def _of(facts: Facts, kind: str) -> list[Draft]:
             seen = {id for id, share in facts.shares[image].items()
                     if id in facts.objects and kind in spoken(facts.objects[id].category)}
             there = {o.id for o in facts.home.objects if o.room == room and kind in spoken(o.category)}
+            if any(spoken(other) != kind and alike(one, other) for one in _called(facts, kind)
+                   for other in {facts.objects[id].category for id in facts.shares[image] if id in facts.objects}):
+                continue
             names = Counter(spoken(facts.objects[id].category) for id in there)
             if seen == there and set(names) <= {kind} and all(facts.shares[image][id] > LEAST for id in there):
                 text = f"How many things of this kind are there in the room that this picture shows all around: {kind}?"

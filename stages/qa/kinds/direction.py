@@ -4,6 +4,7 @@ from itertools import permutations
 from math import atan2, degrees, dist
 
 import numpy as np
+from shapely import get_coordinates
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
@@ -13,22 +14,36 @@ NEAREST = 0.8
 SLACK = 12.0
 """What is nearer to a border between quarters is not asked for, degrees."""
 QUARTERS = ("ahead to the left", "behind to the left", "behind to the right", "ahead to the right")
+BESIDE = 0.35
+"""Somebody who stands by a thing is anywhere about it up to so far from it, m."""
 MANY = 400
+
+Place = tuple[float, float]
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """By the middles of three things of one room."""
+    """By the middles of three things of one room, from the middle of the first, which stands on the floor, and from
+    everywhere beside it.
+    """
     triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
     drafts = []
     for k in rng.permutation(len(triples))[:MANY]:
         at, to, of = triples[k]
         here, there, where = (facts.objects[id].center[:2] for id in triples[k])
-        if dist(here, there) < NEAREST or dist(here, where) < NEAREST:
+        if not facts.stands(at) or dist(here, there) < NEAREST or dist(here, where) < NEAREST:
             continue
-        angle = degrees(atan2(where[1] - here[1], where[0] - here[0]) - atan2(there[1] - here[1], there[0] - here[0]))
-        quarter, rest = divmod(angle % 360, 90)
+        quarter, rest = _quarter(here, there, where)
+        around = get_coordinates(facts.print(at).buffer(BESIDE, join_style="mitre"))
+        if any(_quarter((x, y), there, where)[0] != quarter for x, y in around.tolist()):
+            continue
         if SLACK < rest < 90 - SLACK and (images := facts.pictures((at, to, of), 3)):
             names = facts.names
             text = f"You stand by {names[at]} and face {names[to]}. Where is {names[of]}?"
             drafts.append(Draft(text, QUARTERS[int(quarter)], images, {"at": at, "facing": to, "of": of}, hard=2))
     return shared(drafts, rng, most)
+
+
+def _quarter(here: Place, there: Place, where: Place) -> tuple[float, float]:
+    """Which quarter about the way from here to there a place lies in, and how far it is into it, degrees."""
+    angle = degrees(atan2(where[1] - here[1], where[0] - here[0]) - atan2(there[1] - here[1], there[0] - here[0]))
+    return divmod(angle % 360, 90)

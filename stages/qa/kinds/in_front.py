@@ -13,8 +13,9 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """The first thing straight ahead of its front, over its whole width, among others of the same picture."""
     drafts = []
     for view, numbers in facts.marks.items():
-        for id in numbers:
-            _, met = before(facts, id) if facts.objects[id].room in facts.rooms else (0.0, "")
+        for id in (id for id in numbers if facts.faces(id)):
+            ahead = before(facts, id) if facts.objects[id].room in facts.rooms else None
+            met = ahead[1] if ahead else ""
             others = [other for other in numbers if other not in (id, met)]
             if met in numbers and len(others) >= WRONG - 1:
                 wrong = tuple(marked(numbers[others[k]]) for k in rng.permutation(len(others))[:WRONG])

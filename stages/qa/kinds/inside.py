@@ -8,13 +8,16 @@ import numpy as np
 from apartgen.schemas.layout import Box
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts, spoken
+from apartgen.stages.things.categories import TABLE
 
 LEAST = 6e-4
 """Share of a picture from which small things can be told."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Of homes with small things, where all that a thing holds is seen."""
+    """Of homes with small things, where all that a thing holds is seen; not of what stands under a worktop that goes on
+    over others.
+    """
     held: dict[str, list[Box]] = defaultdict(list)
     for o in facts.home.objects:
         put: Any = getattr(o, "in_", None)
@@ -25,7 +28,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         things = held.get(it.id, [])
         unseen = [o.id for o in things if facts.shares[it.view].get(o.id, 0) <= LEAST]
         more = facts.pictures(unseen, 2, LEAST)
-        if things and (more or not unseen):
+        category = facts.objects[it.id].category
+        if things and (more or not unseen) and category in TABLE and not TABLE[category].run:
             answer = ", ".join(sorted({spoken(o.category) for o in things}))
             drafts.append(facts.numbered(it.view, f"What is on or inside {it}?", answer, {"object": it.id}, hard=1,
                                          more=more))

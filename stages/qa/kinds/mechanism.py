@@ -1,4 +1,4 @@
-"""How the parts of a thing move."""
+"""How the parts of a thing open."""
 
 import numpy as np
 
@@ -14,8 +14,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         o = facts.objects[it.id]
         if isinstance(o, Furnishing):
             ways = {_way(joint.type, joint.axis) for joint in o.joints}
-            answer = " and ".join(sorted(ways)) or "nothing of it moves"
-            text = f"How do the moving parts of {it} move?"
+            answer = " and ".join(sorted(ways)) or "it has none"
+            text = f"How do the doors, drawers, flaps and lids of {it} open?"
             drafts.append(facts.numbered(it.view, text, answer, {"object": it.id}))
     return shared(drafts, rng, most)
 

@@ -12,10 +12,11 @@ MOST = 0.85
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """From its underside to its top."""
+    """Of things that stand on the floor, from their undersides to their tops, both seen nearly whole."""
     drafts = []
     for view, numbers in facts.marks.items():
-        for a, b in combinations(numbers, 2):
+        uncut = facts.uncut(view)
+        for a, b in combinations((id for id in numbers if facts.stands(id) and id in uncut), 2):
             short, tall = sorted((a, b), key=lambda id: facts.objects[id].size[2])
             if facts.objects[short].size[2] < MOST * facts.objects[tall].size[2]:
                 one, other = sorted((numbers[a], numbers[b]))
