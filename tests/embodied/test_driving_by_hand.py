@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import networkx
 import numpy as np
 import pytest
+from embodied import blocks
 
-from apartgen.schemas.plan import Room
 from apartgen.stages.embodied import base, drive, goals, planner, pursuit
 from apartgen.stages.embodied.floor import Field, clearance_at
 from apartgen.stages.embodied.pursuit import Pursuit
@@ -246,11 +246,11 @@ def test_goals_are_the_roomiest_cells_and_of_equal_ones_the_nearest():
     assert met([0.3, 0.6], [0, 0], [0, 1]).missing == "planner" and met([0.3], [1], [0]).missing == "no standing room"
 
 
-def test_it_starts_where_most_room_is_inside_the_entrance():
-    room = Room(id="hallway_1", type="hallway", polygon=[(0, 0), (4, 0), (4, 1), (0, 1)])
+def test_it_starts_where_most_room_is_inside_the_entrance_and_looks_in():
+    home = blocks.corridor(4, 1)
+    south = home.openings[0].model_copy(update={"segment": ((1.0, -0.15), (1.9, -0.15))})
     clearance = np.array([[0.3, 0.5, 0.4, 0.9]])
-    space = SimpleNamespace(entry=np.array([[1, 1, 1, 0]], bool), plan=SimpleNamespace(rooms=[room], openings=[]))
+    space = SimpleNamespace(entry=np.array([[1, 1, 1, 0]], bool), plan=home.model_copy(update={"openings": [south]}))
     for free, cell in (([1, 1, 1, 1], (0, 1)), ([1, 0, 1, 1], (0, 2)), ([0, 0, 0, 1], None)):
-        it = SimpleNamespace(free=np.array([free], bool), clearance=clearance, space=space)
-        found = goals.start(it)
-        assert (found and found[0]) == cell
+        found = goals.start(SimpleNamespace(free=np.array([free], bool), clearance=clearance, space=space))
+        assert found == ((cell, pytest.approx(pi / 2)) if cell else None)
