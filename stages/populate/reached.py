@@ -1,4 +1,4 @@
-"""Which of the ways to hold a thing there is room for, where it lies: for two fingers that come, and for it to leave."""
+"""Which of the ways to hold a thing are clear where it lies: for two fingers that come, and for it to leave."""
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
@@ -42,7 +42,7 @@ class _Shape(NamedTuple):
 
 
 class _Place(NamedTuple):
-    """Where a thing is: the part that is opened first, by how much it moves what lies in it, and if a board is above."""
+    """Where a thing is: the furniture it is in, the part that is opened first, and whether a board is above it."""
 
     owner: str = ""
     joint: Joint | None = None
@@ -85,7 +85,8 @@ def _places(before: Retrieve, things: Sequence[Thing], offered: Offered) -> dict
     for o in things:
         place = known.get((o.in_.object, o.in_.receptacle)) if o.in_ else None
         joint = joints.get((o.in_.object, place.part)) if o.in_ and place else None
-        places[o.id] = _Place(o.in_.object if o.in_ else "", joint, bool(place) and place.kind in ("inside", "shelf"))
+        under = place is not None and place.kind in ("inside", "shelf")
+        places[o.id] = _Place(o.in_.object if o.in_ else "", joint, under)
     return places
 
 
@@ -166,6 +167,8 @@ def _clear(o: Thing, ways: list[Hold], room: _Room, place: _Place) -> NDArray[np
 
 
 class _Around(NamedTuple):
+    """Solids near a thing (n, 9), with its own and without."""
+
     every: Array
     others: Array
 
