@@ -27,8 +27,26 @@ tags:
 configs:
 - config_name: default
   data_files: "*.jsonl"
+dataset_info:
+  features:
+  - name: messages
+    list:
+    - name: role
+      dtype: string
+    - name: content
+      dtype: string
+{columns}
+  - name: marks
+    sequence:
+      sequence: int64
+  - name: evidence
+    struct:
+{evidence}
 ---
 """
+COLUMNS = {"images": True, "videos": True, "id": False, "kind": False, "text": False, "options": True, "answer": False,
+           "value": False, "difficulty": False}
+"""Columns of text, and whether they hold several."""
 BODY = """{mark}
 # Questions about {homes} furnished homes
 
@@ -36,7 +54,7 @@ BODY = """{mark}
 computed; nobody was asked and no model wrote any of it.
 
     from datasets import load_dataset
-    questions = load_dataset("json", data_files="*.jsonl", split="train")
+    questions = load_dataset("FOLDER", split="train")  # the one with this page, which tells the columns' types
 
 | column | holds |
 |---|---|
@@ -73,10 +91,30 @@ def text(files: Mapping[str, Sequence[Row]], by: str) -> str:
     kinds = sorted({str(row["kind"]) for row in rows})
     letters = Counter(str(row["answer"]) for row in rows)
     size = next((name for most, name in SIZES if len(rows) < most), LARGEST)
-    return HEAD.format(size=size) + BODY.format(
+    columns = "\n".join(_column(name, several, "string", "  ") for name, several in COLUMNS.items())
+    return HEAD.format(size=size, columns=columns, evidence=_evidence(rows)) + BODY.format(
         mark=MARK, homes=len(files), many=len(rows), kinds=len(kinds), pictures=len(pictures), by=by,
         films=f" and {len(films)} films" if films else "", rows="\n".join(_row(kind, rows) for kind in kinds),
         letters=", ".join(f"{letter} {letters[letter]}" for letter in sorted(letters)))
+
+
+def _column(name: str, several: bool, type_: str, indent: str) -> str:
+    """A column's lines of the head; a bare `on` would be read as yes."""
+    return f'{indent}- name: "{name}"\n{indent}  {"sequence" if several else "dtype"}: {type_}'
+
+
+def _evidence(rows: Sequence[Row]) -> str:
+    """The parts of evidence and their types, of all kinds: files alone do not tell those of what they lack."""
+    found: dict[str, Any] = {}
+    for row in rows:
+        for name, value in row["evidence"].items():
+            found[name] = found.get(name) or value
+    parts = []
+    for name, value in sorted(found.items()):
+        several = isinstance(value, list)
+        first = (value[0] if value else "") if several else value
+        parts.append(_column(name, several, "string" if isinstance(first, str) else "float64", "    "))
+    return "\n".join(parts)
 
 
 def _row(kind: str, rows: Sequence[Row]) -> str:
