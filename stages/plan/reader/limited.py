@@ -3,7 +3,13 @@
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.positions import known
 from apartgen.stages.plan.reader.statements import Asked, Said
+from apartgen.stages.plan.reader.vocabulary import Det
 
+EACH = ("each other", "one another", "side by side", "back to back", "nebeneinander", "einander gegenuber",
+        "cote a cote", "face a face")
+ACROSS = ("opposite", "across", "fac", "einander geg")
+VERBAL, PLACED = ("with", "copula", "relative", "conjunction"), ("side", "place", "area", "reach")
+DOOR = ("door", "doors", "tur", "turen", "porte", "portes", "puerta", "puertas")
 BETWEEN = ("link", "with", "copula", "reach", "relative", "front")
 """What may stand between a limit of doors and its room: `at most four doors off the hallway`."""
 
@@ -39,9 +45,56 @@ def undoored(items: list[Item]) -> list[Item]:
         if denied and pair and (link.value in ("between", "door", "from") or link.text == "entre"):
             out += [Item("mark", ".", "."), a, Item("negation", "not", no.text), Item("link", "door", link.text), b]
             k += 5
+        elif denied and _has_none(out, items[k : k + 4]):
+            owner = next(i for i in reversed(out) if i.room is not None)
+            while out[-1].kind in VERBAL:
+                out.pop()
+            out += [] if out[-1] is owner else [Item("mark", ".", "."), owner]
+            k += 1 + (link.kind == "link")
+            out += [Item("negation", "not", no.text), Item("link", "door", "door to"), items[k]]
+            k += 1 + (k + 1 < len(items) and items[k + 1].value == "has")
+            out += [Item("mark", ".", ".")] if _new_room(items[k : k + 2]) else []
         else:
             out.append(items[k])
             k += 1
+    return out
+
+
+def _has_none(out: list[Item], ahead: list[Item]) -> bool:
+    """`the kitchen has no door to the hall`, `keine Tür zum Flur`, after the room spoken of."""
+    owner = next((i for i in reversed(out) if i.kind not in (*VERBAL, *PLACED)), None)
+    no, link, *rest = [*ahead, Item("")]
+    doors = link.value == "door" or any(word in no.text.split() for word in DOOR)
+    other = link if link.room is not None else rest[0] if rest and link.value in ("door", "to") else Item("")
+    return owner is not None and owner.room is not None and doors and other.room is not None
+
+
+def _new_room(ahead: list[Item]) -> bool:
+    """`…, two bedrooms`: a list of rooms goes on after what was denied."""
+    room = ahead[1].room if len(ahead) > 1 and is_mark(ahead[0], ",") else None
+    return room is not None and (room.count is not None or room.quantifier == Det.A)
+
+
+def mutual(items: list[Item], said: Said) -> list[Item]:
+    """Takes out what rooms of one phrase are to one another: `two bedrooms opposite each other`."""
+    out: list[Item] = []
+    skip = 0
+    for k, item in enumerate(items):
+        if skip:
+            skip -= 1
+            continue
+        each = item.text.endswith(EACH) or any(i.value == "mutual" for i in items[k + 1 : k + 2])
+        rooms = next((i.room for i in reversed(out) if i.kind not in ("copula", "relative", "negation")), None)
+        several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
+        if item.kind == "link" and item.value == "near" and each and rooms is not None and several:
+            denied = out[-1].kind == "negation"
+            kind = "opposite" if item.text.startswith(ACROSS) else "apart" if denied else "adjacent"
+            while out[-1].room is None:
+                out.pop()
+            said.asked.append(Asked(kind, [rooms], [rooms], "", f"{rooms.text} {item.text} each other"))
+            skip = int(not item.text.endswith(EACH))
+        else:
+            out.append(item)
     return out
 
 

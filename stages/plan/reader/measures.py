@@ -177,7 +177,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if items[k].kind == "share" and leading and rooms_of(is_of[:1]):
         return rooms_of(is_of[:1])
     j = len(before) - 1
-    while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in SKIPPED):
+    while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in SKIPPED or before[j].value == "it"):
         j -= 1
     last = before[j].room if j >= 0 else None
     if last is not None:
@@ -186,7 +186,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if j >= 0 and before[j].kind == "dwelling":
         return []
     follows = k + 1 < len(items) and items[k + 1].kind in ("with", "link", "front")
-    homely = any(i.kind == "dwelling" for i in items[:k])
+    homely = any(i.kind in ("dwelling", "main_rooms") for i in items[:k])
     if items[k].kind == "share" or (follows and not homely):
         return rooms_of(items[k + 1 : k + 4])[:1]
     return []

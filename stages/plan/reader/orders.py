@@ -22,6 +22,10 @@ def orders(items: list[Item], said: Said) -> list[Item]:
     for k, item in enumerate(items):
         if skip:
             skip -= 1
+        elif _than_all(items, k) and (last := _before(out)) is not None:
+            most = "largest" if item.number > 1 else "smallest"
+            said.asked.append(Asked("order", [last], "", most, f"{last.text} {item.text} all others"))
+            skip = 1
         elif item.kind != "extreme":
             out.append(item)
         elif (last := _before(out)) is not None:
@@ -35,6 +39,12 @@ def orders(items: list[Item], said: Said) -> list[Item]:
         else:
             said.unread.append(item.text)
     return out
+
+
+def _than_all(items: list[Item], k: int) -> bool:
+    """`larger than all other rooms`."""
+    others = items[k + 1].room if k + 1 < len(items) else None
+    return items[k].kind == "compare" and others is not None and (others.type, others.quantifier) == ("any", Det.OTHER)
 
 
 def _before(out: list[Item]) -> RoomPhrase | None:

@@ -8,7 +8,7 @@ from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
-from apartgen.stages.plan.reader.limited import limited, undoored
+from apartgen.stages.plan.reader.limited import limited, mutual, undoored
 from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
@@ -42,7 +42,7 @@ def parse(prompt: str) -> Said:
     phraser = Phraser(lexicon).walk(words)
     said.unread += phraser.unread
     _whole(phraser.items, said)
-    phraser.items = positions(orders(uses(limited(undoored(phraser.items), said), said), said), said)
+    phraser.items = positions(orders(uses(limited(mutual(undoored(phraser.items), said), said), said), said), said)
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []

@@ -11,6 +11,8 @@ from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.vocabulary import Relation
 
 FAR = ("away from", "far from")
+MUTUAL = ("adjacent", "apart", "opposite", "no_door")
+"""What holds of two rooms either way round."""
 LONG = 6.0
 """Metres from which on a hallway is a long one."""
 LARGER, SMALLER = (1.15, 1.3, 1.6), (0.9, 0.75, 0.6)
@@ -26,7 +28,9 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
         others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
         of = [ids[id(e)] for e in entities(wish.of, home)] if wish.of else ["home"]
         rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
-        found += [row for row in rows if row not in found]
+        for row in rows:
+            again = (row[0], row[2], row[1], *row[3:]) if row[0] in MUTUAL else row
+            found += [] if row in found or again in found else [row]
     found += _short(said, home, ids)
     return [
         Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=text)

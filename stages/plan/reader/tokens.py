@@ -14,6 +14,12 @@ _INCHES = re.compile(
 )
 _FEET = re.compile(r"(\d)'(?=\s?(?:x|by)\b)|(?<=[xy] )(\d+)'(?![\d'])")
 _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
+_BOUNDS = {"(?:>=|≥)": "at least", "(?:<=|≤)": "at most"}
+_NUMBERED = re.compile(r"(?:(?<=\s)|^)(\d{1,2})[.)]\s+(?=[^\W\d])")
+_KEYED = re.compile(r"\b(area) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?\s*:\s*(\d+(?:\.\d+)?)")
+_NESTED = re.compile(r'"([\w ]+)"\s*:\s*\{\s*"area(?: m2)?"\s*:\s*([\d.]+)\s*\}')
+_PAIRED = re.compile(r"(:\s?\d+(?:\.\d+)?\s?(?:sqm|m2|sqft)?)\s+(?=[a-z ]+:\s?\d)")
+_SQUARED = re.compile(r"(?<=\d)\s?(?:m|met(?:er|re)s?) squared?\b|(?<=\d\d)\s?met(?:er|re)s? square\b")
 _QUOTES = str.maketrans(
     {
         "’": "'",
@@ -36,6 +42,7 @@ _QUOTES = str.maketrans(
         "{": "(",
         "}": ")",
         "_": " ",
+        "|": ";",
     }
 )
 _TOKEN = re.compile(
@@ -60,7 +67,10 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
+    text = _NESTED.sub(r'"\1": \2 m2', text.replace("_", " "))
     text = re.sub(r'(?<=["\w])"?\s*,\s*(?="[\w ]+"\s*:)', '" . ', text)  # `"kitchen": "open", "bath": …`
+    for sign, words in _BOUNDS.items():
+        text = re.sub(rf"\s*{sign}\s*(?=\d)", f" {words} ", text)
     text = re.sub(r"(?<![-=<>])>", "->", text)
     text = re.sub(r"(?<=\d)â(?:€[™²])?", "'", text)  # a prime that came through a wrong encoding
     text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
@@ -70,10 +80,21 @@ def fold(text: str) -> str:
     text = unicodedata.normalize("NFKC", text.translate(_QUOTES)).lower().replace("ß", "ss")
     text = _INCHES.sub(lambda found: f"{float(found[1]) + float(found[2]) / 12:.4f} ft ", text)
     text = _FEET.sub(lambda found: f"{found[1] or found[2]} ft", text)
+    text = _SQUARED.sub(" m2", _KEYED.sub(r"\1: \3 \2", _unnumbered(text)))
+    text = _PAIRED.sub(r"\1, ", text)
+    text = re.sub(r"\b(?:extras?|additional|misc)\s*:", ",", text)
+    text = re.sub(r"\bd'(?=au (?:moins|plus)\b)", "", text)
     text = re.sub(r"\.\.+", ", ", text)  # a pause ends no sentence
     text = re.sub(r"(?<=\d)\s?\*\s?(?=\d)", " x ", text)
     parts = unicodedata.normalize("NFD", text)
     return unicodedata.normalize("NFC", "".join(c for c in parts if not unicodedata.combining(c)))
+
+
+def _unnumbered(text: str) -> str:
+    """Without the numbers of a list, `1. kitchen 2. bath`, that count up from one."""
+    numbers = [int(found[1]) for found in _NUMBERED.finditer(text)]
+    counted = len(numbers) > 1 and numbers == list(range(1, len(numbers) + 1))
+    return _NUMBERED.sub("; ", text) if counted else text
 
 
 def tokenize(text: str) -> list[Token]:
