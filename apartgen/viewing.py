@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from apartgen.stages.things.asset import Asset
 
 VIEWS, CARD = "views.json", "README.md"
-FILM = {"film": 480, "rate": 5}
+FILM, RATE = 480, 5
 """Films that are asked about: pixels from left to right, frames a second."""
 WHOLE, OURS = "apartment", "ours"
 """What is compared side by side: figures of whole homes, by our own definitions."""
@@ -82,7 +82,7 @@ def questioned(read: Artifact[Any], settings: QaSettings, seed: int | None, out:
     folder, used = out.with_suffix(""), read.made.seed if seed is None else seed
     back = bool(lane(used, "qa-film", read.body).integers(2))
     looks = RenderSettings(views=settings.views, frames=settings.frames, points=0, libraries=settings.libraries,
-                           video=settings.video, back=back, **FILM)
+                           video=settings.video, back=back, film=FILM, rate=RATE)
     seen = rendered(read, looks, used, folder)
     found = qa.run(read.body, seen, settings, lane(used, "qa", read.body))
     qa.numbered(found, folder)

@@ -46,7 +46,8 @@ def strokes(sheet: Figure) -> list[Stroke]:
             continue
         path, whole = artist.get_path(), artist.get_transform()
         dashed = artist.get_linestyle() not in ("-", "solid")
-        for points in path.to_polygons(whole, closed_only=False):
+        for line in path.to_polygons(whole, closed_only=False):
+            points = np.asarray(line, float)
             if len(points) > 1:
                 shut = bool(np.allclose(points[0], points[-1]))
                 found.append(Stroke(layer, thing, metres.transform(points)[:-1 if shut else None], shut, dashed))
