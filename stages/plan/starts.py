@@ -76,7 +76,8 @@ def _two_rows(program: Program, hall: int, room: Ints, share: Floats, grown: _Gr
     upright = int(rng.integers(2)) if axis is None or rng.random() >= ALONG else 1 - axis
     suites = _suites(program, hall, rng)
     sizes = [float(share[_leaves(room, suite)].sum()) for suite in suites]
-    across = _across(sizes, float(share[room == hall].sum())) if rng.random() < ENDED else None
+    private = [i for i, suite in enumerate(suites) if all(program.rooms[r].base != "living_room" for r in suite)]
+    across = _across(sizes, float(share[room == hall].sum()), private) if rng.random() < ENDED else None
     rows: tuple[list[int], list[int]] = ([], [])
     filled = [0.0, 0.0]
     for i, (first, *behind) in enumerate(suites):
@@ -101,14 +102,17 @@ def _two_rows(program: Program, hall: int, room: Ints, share: Floats, grown: _Gr
         grown.cut(*((whole, end) if low else (end, whole)), upright)
 
 
-def _across(areas: list[float], hall: float) -> int | None:
-    """The suite to lie across a corridor's end where it is too short for the home, the smallest that will do."""
+def _across(areas: list[float], hall: float, private: list[int]) -> int | None:
+    """The suite to lie across a corridor's end where it is too short for the home, the smallest that will do.
+
+    Not that of the living room: one would come to all bedrooms before it.
+    """
     whole = sum(areas) + hall
     spare = 1 - hall / SLIM / sqrt(LONG * whole)
-    if spare <= 0 or len(areas) < 4:
+    if spare <= 0 or len(areas) < 4 or not private:
         return None
-    enough = [i for i, area in enumerate(areas) if area >= spare * whole]
-    return min(enough, key=lambda i: areas[i]) if enough else int(np.argmax(areas))
+    enough = [i for i in private if areas[i] >= spare * whole]
+    return min(enough, key=lambda i: areas[i]) if enough else max(private, key=lambda i: areas[i])
 
 
 def _leaves(room: Ints, rooms: list[int]) -> list[int]:

@@ -48,7 +48,8 @@ def test_values_of_keys_are_areas() -> None:
 
 
 def test_the_size_behind_a_count_of_rooms_is_the_flats() -> None:
-    assert sum(r.area or 0 for r in read("Un deux-pièces de 45 m² avec cuisine ouverte").rooms) == pytest.approx(45, rel=0.01)
+    flat = read("Un deux-pièces de 45 m² avec cuisine ouverte")
+    assert sum(room.area or 0 for room in flat.rooms) == pytest.approx(45, rel=0.01)
 
 
 @pytest.mark.parametrize(("prompt", "wanted"), [
