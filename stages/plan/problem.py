@@ -13,7 +13,6 @@ from apartgen.schemas.plan import AskedRoom, Envelope, Program, Walls
 from apartgen.stages.plan.balconies import fronts, indoors
 from apartgen.stages.plan.blocks import Outline
 from apartgen.stages.plan.check import entrance_room, links, neighbours
-from apartgen.stages.plan.corridors import MANY, along, doors, hub
 from apartgen.stages.plan.outline import wish
 from apartgen.stages.plan.slicing import Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
@@ -73,15 +72,7 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     if rng.random() >= CUT_OFF:
         near += _pairs(program, "kitchen", "living_room", COOK)
     about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
-    return Whim(parts, near, shape, _drawn_out(program, about, aspect, rng), about, fronts(whole))
-
-
-def _drawn_out(program: Program, about: Envelope, aspect: float, rng: Generator) -> float:
-    """The aspect, mostly turned so that a busy corridor runs along the longer side: its rows are less deep then."""
-    middle, axis = hub(program), along(about)
-    if middle is None or axis is None or rng.random() >= doors(program, program.rooms[middle].id) / MANY:
-        return aspect
-    return max(aspect, 1 / aspect) if axis == 0 else min(aspect, 1 / aspect)
+    return Whim(parts, near, shape, aspect, about, fronts(whole))
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:

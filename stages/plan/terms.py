@@ -1,7 +1,6 @@
 """Reward terms and requirements of a state, compiled.
 
-A cost is the weighted sum of the reward terms plus `LACK` times what the requirements lack, in metres; those of the
-entrance count `ENTER` times, those of windows `LIGHT` times.
+A cost is the weighted sum of the reward terms plus `LACK` times what the requirements lack, in metres.
 """
 
 from apartgen.stages.plan.slicing import (
@@ -61,8 +60,9 @@ from apartgen.stages.plan.slicing import (
 )
 from apartgen.stages.plan.wished import gap, wished
 
-LACK, ENTER, LIGHT = 60.0, 2.5, 2.0
-ROOMY = 1.5  # width from which no passage is narrow, m
+LACK = 60.0
+ROOMY = 1.5
+"""Width from which no passage is narrow, m."""
 ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
 
@@ -210,9 +210,9 @@ def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:  # of the ro
                 room[R_FACE] = max(room[R_FACE], long)
             if r == hall and edge[5] > 0:
                 _enter(p.limits[L_ENTRY], entry, axis, at, max(lo, q[1 - axis]), min(hi, q[3 - axis]))
-    lack = ENTER * max(0.0, p.limits[L_ENTRY] - entry[2]) + 0.6 * entry[3]
+    lack = max(0.0, p.limits[L_ENTRY] - entry[2]) + 0.3 * entry[3]
     for r in range(p.spec.shape[0]):
-        lack += LIGHT * max(0.0, p.spec[r, S_FACE] - z.room[r, R_FACE])
+        lack += max(0.0, p.spec[r, S_FACE] - z.room[r, R_FACE])
     z.terms[LACKING] += lack
 
 
