@@ -108,6 +108,13 @@ def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
     return found
 
 
+def next_of(left: Sequence[str], there: Sequence[str]) -> list[str]:
+    """What of what is left may come next: what only serves something waits for it as long as that is to come."""
+    kinds_left, kinds_there = {kinds.basic(o) for o in left}, {kinds.basic(o) for o in there}
+    waiting = {mine for mine, partners in LED if partners & kinds_left and not partners & kinds_there}
+    return [name for name in left if not any(kinds.basic(name) in mine for mine in waiting)]
+
+
 def follows(name: str) -> bool:
     """Whether something is of no use where nothing else stands."""
     return kinds.basic(name) in FOLLOWERS
@@ -157,7 +164,7 @@ def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table"}
-LED = (
+LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS),
     (frozenset({"nightstand"}), kinds.BEDS),
     (frozenset({"coffee_table"}), kinds.SOFAS),

@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from apartgen.stages.layout.relations import around, features, learning
+from apartgen.stages.layout.relations import around, company, features, learning
 from apartgen.stages.layout.relations.network import SHUT_OUT, Seen
 from apartgen.stages.layout.relations.speak import LEAST, Asked, Lanes, drawn, speak
 from apartgen.stages.layout.relations.standing import Furniture
@@ -139,7 +139,8 @@ class _Rooms:
         mask = learning.scene_mask(self.s, self.n - self.s, t, 1)
         mask[:, t, :t] = torch.from_numpy(self.real)
         tokens, asking = self.network.look(view, self.network.bag(left)[:, None], mask)
-        logits = self.network.next(asking[:, 0]).masked_fill(left == 0, SHUT_OUT)
+        may = self._left([company.next_of(p.left, p.furniture.names) for p in self.particles])
+        logits = self.network.next(asking[:, 0]).masked_fill(may == 0, SHUT_OUT)
         chosen = drawn(logits.numpy().astype(float), self.lanes)[:, 0]
         names = [next(name for name in p.left if self.known.category(name) == c)
                  for p, c in zip(self.particles, chosen.tolist(), strict=True)]

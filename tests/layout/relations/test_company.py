@@ -81,3 +81,13 @@ def test_nothing_large_is_put_right_before_a_sofa(name: str) -> None:
     right, far = thing(name, 3.0, 0.5 + depth / 2 + 0.45, NORTH), thing(name, 3.0, 4.2, NORTH)
     found = company.alone(name, np.stack([token(right), token(far)]), ["sofa"], token(sofa)[None])
     assert found.tolist() == [True, False]
+
+
+@pytest.mark.parametrize("left, there, may", [
+    (["chair", "dining_table", "plant"], [], {"dining_table", "plant"}),
+    (["chair", "plant"], [], {"chair", "plant"}),                       # there is none to wait for
+    (["chair", "dining_table"], ["desk"], {"chair", "dining_table"}),   # it may be the desk's
+    (["nightstand", "coffee_table", "double_bed"], ["sofa"], {"coffee_table", "double_bed"}),
+])
+def test_what_only_serves_something_waits_for_it(left: list[str], there: list[str], may: set[str]) -> None:
+    assert set(company.next_of(left, there)) == may
