@@ -93,4 +93,4 @@ def test_things_in_a_home_say_how_they_are_held():
     free = [o for o in things(lived_in(0)) if o.on != "wall"]
     narrow = [o for o in free if min(o.size) <= WIDEST
               and library().load_asset(o.asset.library, o.asset.id).links[0].mass <= HEAVIEST]
-    assert all(o.grasps for o in narrow) and len(narrow) > 0.6 * len(free)
+    assert all(o.grasps for o in narrow) and len(narrow) > 0.5 * len(free)

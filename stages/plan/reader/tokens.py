@@ -91,10 +91,12 @@ def fold(text: str) -> str:
 
 
 def _unnumbered(text: str) -> str:
-    """Without the numbers of a list, `1. kitchen 2. bath`, that count up from one."""
-    numbers = [int(found[1]) for found in _NUMBERED.finditer(text)]
+    """Without the numbers of a list, `1. kitchen 2. bath`, that count up from one; not so `of bedroom 1. Bedroom 2.`"""
+    found = list(_NUMBERED.finditer(text))
+    numbers = [int(one[1]) for one in found]
     counted = len(numbers) > 1 and numbers == list(range(1, len(numbers) + 1))
-    return _NUMBERED.sub("; ", text) if counted else text
+    begins = counted and text[: found[0].start()].rstrip(" ")[-1:] in ("", "\n", ":", ";", ",", ".", "-")
+    return _NUMBERED.sub("; ", text) if begins else text
 
 
 def tokenize(text: str) -> list[Token]:
