@@ -17,6 +17,7 @@ from apartgen.outputs import opened_libraries
 from apartgen.schemas import artifact
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import qa, render, seeds
+from apartgen.stages.qa import marks
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.drafts import Draft, asked, balanced, either_way, shared
 from apartgen.stages.qa.facts import Facts
@@ -319,10 +320,13 @@ def test_answers_worked_out_anew_are_the_same(seen, asked_of, kind):
 def test_what_is_inside_is_asked_where_all_of_it_is_seen(seen):
     """Things that a view shows side by side are said to hold one another."""
     home, views, _ = seen
-    facts, holders = Facts(home, views), {}
+    dealt = marks.dealt(views, (o.id for o in home.objects), seeds.lane(seeds.drawn(0, "qa"), "marks"))
+    facts, holders = Facts(home, views, dealt), {}
+    whole = {one.id for one in facts.marked if not TABLE[facts.objects[one.id].category].run}
     for view in facts.eyes:
         clear = [o for o in facts.clear(view.name) if o.id in facts.names and o.id not in {*holders, *holders.values()}]
-        holders |= {held.id: holder.id for holder, held in zip(clear[::2], clear[1::2])}
+        heads, rest = ([o for o in clear if (o.id in whole) == yes] for yes in (True, False))
+        holders |= {held.id: holder.id for holder, held in zip(heads, rest)}
     put = [SimpleNamespace(**(vars(o) | {"in_": SimpleNamespace(object=holders[o.id])})) if o.id in holders else o
            for o in home.objects]
     stuffed = home.model_copy(update={"objects": put})
