@@ -73,7 +73,7 @@ docs: $(READY)
 sbom: $(READY) $(AUDIT)/.ready
 	$(AUDIT)/bin/cyclonedx-py environment $(BIN)/python --pyproject pyproject.toml --output-file build/sbom.json
 
-# Whether faults are known of the pinned versions; asks pypi.org, and fails where it cannot.
+# Whether faults are known of the pinned versions; asks a public list of faults, and fails where it cannot.
 audit: $(AUDIT)/.ready
 	$(AUDIT)/bin/pip-audit --strict --progress-spinner off --disable-pip --no-deps -r constraints.txt
 
