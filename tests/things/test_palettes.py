@@ -127,6 +127,7 @@ def test_a_window_stays_in_its_hole(design, half):
 
 @pytest.mark.parametrize("part", ["floor", "wall", "joinery", "metal", "door", "window"])
 def test_a_finish_that_is_none_is_passed_over(part, caplog):
+    caplog.set_level("WARNING", logger="apartgen")
     home = furnished()
     said, usual = ({room.id: Finish(**{part: name}) for room in home.rooms} for name in ("unobtainium", ""))
     finishes_module.named.cache_clear()
