@@ -20,8 +20,8 @@ def along(world: HomeWorld, frames: int, height: float, back: bool = False) -> l
     length = _lengths(way)
     at = np.linspace(0, length[-1], frames)
     place, ahead = _at(way, length, at), _at(way, length, np.minimum(at + AHEAD, length[-1]))
-    back = _at(way, length, np.maximum(at - AHEAD, 0))
-    look = np.where((np.linalg.norm(ahead - place, axis=1) > 0.1)[:, None], ahead - place, place - back)
+    behind = _at(way, length, np.maximum(at - AHEAD, 0))
+    look = np.where((np.linalg.norm(ahead - place, axis=1) > 0.1)[:, None], ahead - place, place - behind)
     room = world.room_at(place)
     return [Stand(int(i), np.array([*p, height]), float(np.arctan2(d[1], d[0]))) for i, p, d in zip(room, place, look)]
 

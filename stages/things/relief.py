@@ -35,6 +35,6 @@ def normals(pattern: str, size: int = 256) -> Image:
     right, down = ((np.roll(height, -1, axis) - np.roll(height, 1, axis)) / step for axis in (1, 0))
     slope = np.stack([-right, down, np.ones_like(height)], -1)
     unit = slope / np.linalg.norm(slope, axis=2, keepdims=True)
-    image = np.clip(np.rint(unit * 127.5 / _LEVELS) * _LEVELS + 128, 0, 255).astype(np.uint8)
+    image: Image = np.clip(np.rint(unit * 127.5 / _LEVELS) * _LEVELS + 128, 0, 255).astype(np.uint8)
     image.flags.writeable = False
     return image
