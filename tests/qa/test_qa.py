@@ -494,12 +494,12 @@ def test_numbers_are_where_they_are_said_to_be(seen, tmp_path):
     some = {one.images[0]: one.marks for one in asked if one.marks}
     assert some and all((folder / f"{name}.png").is_file() for name in some)
     anew = Anew(home, views, folder)
-    for name, marks in some.items():
+    for name, points in some.items():
         view = name.removesuffix(".marks")
         bare, drawn = (np.asarray(Image.open(folder / f"{n}.png")).astype(int) for n in (f"{view}.rgb", name))
         rows, columns = np.indices(bare.shape[:2])
         near = np.zeros(bare.shape[:2], bool)
-        for x, y in marks.values():
+        for x, y in points.values():
             disc = np.hypot(rows - y, columns - x) <= 4.7
             assert len(set(anew.image(view)[np.hypot(rows - y, columns - x) <= 3])) == 1
             assert (bare != drawn)[disc].any()
