@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.use import kinds
 
@@ -16,11 +16,11 @@ SHARE = 0.8
 """Of the width that has to be free."""
 LOW, HIGH = 0.05, 0.9
 """Between these heights, m: what lies flat or hangs above takes nothing."""
-HINTED = 0.06
+SHALLOW = 0.06
 """So deep in it something is no hindrance yet, m."""
 MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS | kinds.SLENDER
 """What one pushes aside."""
-CASES = kinds.CASES | {"chest", "dressing_table"}
+CASES = kinds.CASES | {"dressing_table"}
 SEATS = kinds.CHAIRS - {"balcony_chair"}
 USED = SEATS | CASES
 Flags = NDArray[np.bool_]
@@ -34,14 +34,14 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     others = [kinds.basic(o) for o in names]
     if kind in USED:
         zones = _zones(kind, boxes)
-        found |= outside(zones, space) > HINTED
+        found |= outside(zones, space) > SHALLOW
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
-            found |= (penetration(zones, _bodies(there[solid])) > HINTED).any(1)
+            found |= (penetration(zones, upright(there[solid])) > SHALLOW).any(1)
     used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
     if used:
         theirs = _joined([_zones(others[k], there[k:k + 1]) for k in used])
-        found |= (penetration(_bodies(boxes), theirs) > HINTED).any(1)
+        found |= (penetration(upright(boxes), theirs) > SHALLOW).any(1)
     return found
 
 
@@ -64,9 +64,3 @@ def _zones(kind: str, boxes: Array) -> Boxes:
 def _joined(some: Sequence[Boxes]) -> Boxes:
     center, size, yaw = zip(*((one.center, one.size, one.yaw) for one in some), strict=True)
     return Boxes(np.concatenate(center), np.concatenate(size), np.concatenate(yaw))
-
-
-def _bodies(boxes: Array) -> Boxes:
-    rows = np.asarray(boxes, float)
-    center = np.column_stack([rows[:, 0:2], (rows[:, 5] + rows[:, 6]) / 2])
-    return Boxes(center, np.column_stack([rows[:, 3:5], rows[:, 6] - rows[:, 5]]), rows[:, 2].copy())

@@ -14,7 +14,7 @@ from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import company, elbowroom, fixtures, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
@@ -46,13 +46,6 @@ ABOVE = 0.25
 ASKEW = np.cos(np.pi / 4)
 """A seat that is drawn under a table looks at it within this cosine."""
 Floats = NDArray[np.float64]
-
-
-def upright(boxes: Array) -> Boxes:
-    """Token boxes (n, 7) as the geometry of the floor below the stages has them."""
-    rows = np.asarray(boxes, float)
-    center = np.column_stack([rows[:, 0:2], (rows[:, 5] + rows[:, 6]) / 2])
-    return Boxes(center, np.column_stack([rows[:, 3:5], rows[:, 6] - rows[:, 5]]), rows[:, 2].copy())
 
 
 @cache

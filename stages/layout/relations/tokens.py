@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
+from apartgen.stages.space.boxes import Boxes
 
 ROOM, WALL, DOOR, OPENING, ENTRANCE, WINDOW, OBJECT, ASKING = range(8)
 """Kinds of token; `ASKING` stands for the object that is to be placed."""
@@ -120,3 +121,10 @@ def seen(boxes: Array, viewer: Array) -> Array:
         x * c + y * s, y * c - x * s, yaw, (depth * across + width * along) / 2, (depth * along + width * across) / 2,
         boxes[..., 5], boxes[..., 6], depth, width,
     ), -1)
+
+
+def upright(boxes: Array) -> Boxes:
+    """Token boxes (n, 7) as the geometry of the floor below the stages has them."""
+    rows = np.asarray(boxes, float)
+    center = np.column_stack([rows[:, 0:2], (rows[:, 5] + rows[:, 6]) / 2])
+    return Boxes(center, np.column_stack([rows[:, 3:5], rows[:, 6] - rows[:, 5]]), rows[:, 2].copy())

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from apartgen.stages.layout.relations import hung
-from apartgen.stages.layout.relations.standing import upright
+from apartgen.stages.layout.relations.tokens import upright
 
 
 def row(x: float, y: float, yaw: float, *rest: float) -> np.ndarray:
