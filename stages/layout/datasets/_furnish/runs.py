@@ -19,11 +19,13 @@ from apartgen.stages.space.boxes import Array
 TALL = ("fridge", "tower")
 LOW = ("kitchen_base", "kitchen_drawers", "dishwasher", "washing_machine")
 """Units with worktop."""
-WORKTOP = 1.2
-"""Worktop in one piece beside sink or hob, m."""
+WORKTOP, GOOD = 1.2, 4.0
+"""Worktop in one piece beside sink or hob, m, and what a run that has it is worth."""
+AROUND = 1.7
+"""What meets in a corner stands no further from the unit that fills it, middle to middle, m."""
 AISLE, AISLE_LEAST = 1.0, 0.8
-TRIES, ENOUGH = 90, 24
-"""Runs drawn up, and of how many the most liked is tried first."""
+TRIES, ENOUGH, MORE = 90, 24, 4
+"""Runs drawn up, of how many the most liked is tried first, and how often so many are drawn while none has worktop."""
 
 
 @dataclass(frozen=True)
@@ -59,14 +61,18 @@ def furnish(space: Space, reserve: int, laundry: bool) -> list[int]:
 def _liked(space: Space, ways: list[list[Leg]], style: Style, budget: int, laundry: bool, apart: bool) -> list[Group]:
     """Runs that could stand, the most liked first; where `apart`, none of their units open into one another."""
     tries: list[tuple[float, Group]] = []
-    for k in range(TRIES):
-        if len(tries) == ENOUGH:
+    good = False
+    for k in range(MORE * TRIES):
+        if len(tries) >= ENOUGH and good or k >= TRIES and good:
             break
         path = ways[int(space.rng.integers(len(ways)))]
-        units = _units(path, style, space.rng, budget, laundry, k)
-        aisle = AISLE if k < TRIES // 2 else AISLE_LEAST
+        nth = k % TRIES
+        units = _units(path, style, space.rng, budget, laundry, nth)
+        aisle = AISLE if nth < TRIES // 2 else AISLE_LEAST
         if group := _built(space, path, units, style, space.rng, budget, aisle, apart):
-            tries.append((_worth(space, group, path) + space.rng.gumbel(0, 0.5), group))
+            worth = _worth(space, group, path)
+            good |= worth > GOOD
+            tries.append((worth + space.rng.gumbel(0, 0.5), group))
     return [group for _, group in sorted(tries, key=lambda row: -row[0])]
 
 
@@ -240,19 +246,28 @@ def _before(p: Part, depth: float) -> Zone:
 
 
 def _worth(space: Space, group: Group, path: list[Leg]) -> float:
-    """What a run is liked for: units, worktop in one piece beside sink or hob, a sink at the window, corners."""
+    """What a run is liked for: worktop in one piece beside sink or hob, units, a sink at the window, corners."""
     stand = [p for p in group.parts if p.z == 0 and p.name != corners.NAME]
+    best = _worktop(stand, [p for p in group.parts if p.name == corners.NAME])
+    sink = [p for p in stand if p.name == "kitchen_sink"]
+    xy = np.array([[p.x, p.y] for p in sink])
+    near = float(anchors.to_windows(xy, space)[0]) if len(sink) else 9.0
+    good = GOOD * (best >= WORKTOP - 1e-6)
+    return 0.45 * len(stand) + good + 0.5 * best + min(best, WORKTOP) - 0.15 * min(near, 4.0) + 0.2 * len(path)
+
+
+def _worktop(stand: list[Part], filling: list[Part]) -> float:
+    """The longest piece of worktop beside sink or hob, m; on round a corner where a unit fills it."""
     best, piece, hot = 0.0, 0.0, False
     for before, p in zip([None, *stand], [*stand, None], strict=True):
-        turned = before is not None and p is not None and abs(np.cos(before.yaw - p.yaw)) < 0.9
-        if turned:  # a worktop ends in the corner
-            best, piece, hot = max(best, piece if hot else 0.0), 0.0, False
+        if before is not None and p is not None and abs(np.cos(before.yaw - p.yaw)) < 0.9:
+            between = [c for c in filling if max(np.hypot(c.x - q.x, c.y - q.y) for q in (before, p)) < AROUND]
+            if not between:
+                best, piece, hot = max(best, piece if hot else 0.0), 0.0, False
+            piece += sum(float(c.size[1]) for c in between)
         if p is not None and p.name in LOW:
             piece += float(p.size[1])
             continue
         wet = p is not None and p.name in ("kitchen_sink", "hob", "oven")
         best, piece, hot = max(best, piece if wet or hot else 0.0), 0.0, wet
-    sink = [p for p in stand if p.name == "kitchen_sink"]
-    xy = np.array([[p.x, p.y] for p in sink])
-    near = float(anchors.to_windows(xy, space)[0]) if len(sink) else 9.0
-    return 0.45 * len(stand) + 4.0 * (best >= WORKTOP - 1e-6) + 0.5 * best - 0.15 * min(near, 4.0) + 0.2 * len(path)
+    return best

@@ -9,8 +9,8 @@ from apartgen.stages.layout.datasets._furnish.space import Space
 from apartgen.stages.space.boxes import Array
 
 BEDS = ("double_bed", "single_bed", "bunk_bed", "cot")
-SIDE, FOOT = 0.5, 0.55
-"""Floor beside and before a bed, m."""
+SIDE, FOOT = 0.56, 0.6
+"""Floor beside a bed (HUD 1973) and before it, m."""
 STANDS = ("nightstand", "table_lamp", "pouffe", "laundry_basket", "bench")
 
 
