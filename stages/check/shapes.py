@@ -68,7 +68,8 @@ def _along(a: Boxes, b: Boxes) -> Array:
 
 def meeting(shapes: Sequence[Geometry] | NDArray[np.object_]) -> list[tuple[int, int]]:
     """Pairs of shapes that touch, each once."""
-    return sorted((i, j) for i, j in shapely.STRtree(shapes).query(shapes, "intersects").T.tolist() if i < j)
+    every = np.asarray(shapes, object)  # of none, too
+    return sorted((i, j) for i, j in shapely.STRtree(every).query(every, "intersects").T.tolist() if i < j)
 
 
 def common(a: Boxes, i: int, b: Boxes, j: int) -> tuple[float, ...]:

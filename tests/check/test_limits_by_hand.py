@@ -96,6 +96,7 @@ def test_rooms_are_reached_and_linked_as_asked():
     assert codes(home.model_copy(update={"program": asked})) == []
     assert codes(shut.model_copy(update={"program": asked})) == ["cut-off", "no-link"]
     assert "no-entrance" in codes(home.model_copy(update={"openings": home.openings[1:]}))
+    assert {"no-entrance", "cut-off"} <= set(codes(home.model_copy(update={"openings": []})))
 
 
 def furnished(*objects):
