@@ -1,7 +1,6 @@
 """What comes of an apartment: files for simulators and people, and figures."""
 
 import hashlib
-from functools import cache
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Literal
@@ -43,12 +42,11 @@ def export(home: Plan, settings: ExportSettings, folder: Path, seed: int = 0) ->
                       settings.colliders)
 
 
-@cache
 def opened_libraries(*folders: str) -> "LibrarySet":
     """Opened when the first asset is needed; a picture of a bare plan needs none."""
     from apartgen.stages import retrieve
 
-    return retrieve.open_libraries(RetrieveConfig(libraries=list(folders)))
+    return retrieve.shared_libraries(RetrieveConfig(libraries=list(folders)))
 
 
 def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path, seed: int | None = None) -> Export:

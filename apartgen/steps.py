@@ -174,7 +174,7 @@ def missed(home: Walkable, config: WalkableSettings) -> Unmet | None:
 def _opened(config: WalkableSettings) -> "LibrarySet":
     from apartgen.stages import retrieve
 
-    return retrieve.open_libraries(_as_retrieved(config))
+    return retrieve.shared_libraries(_as_retrieved(config))
 
 
 def _as_retrieved(config: WalkableSettings) -> RetrieveConfig:
@@ -191,7 +191,7 @@ def fill(home: Retrieve, config: PopulateSettings, rng: np.random.Generator) -> 
     """One apartment with its small things; BadInput where a library of its assets is not open."""
     from apartgen.stages import populate, retrieve
 
-    return populate.run(home, config, rng, retrieve.open_libraries(RetrieveConfig(libraries=config.libraries)))
+    return populate.run(home, config, rng, retrieve.shared_libraries(RetrieveConfig(libraries=config.libraries)))
 
 
 def tables(config: PopulateSettings) -> dict[str, Path]:

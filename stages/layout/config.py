@@ -46,7 +46,7 @@ class TrainConfig(Record):
     )
     device: Literal["auto", "cpu", "cuda"] = Field("auto", description="auto is a GPU where torch finds one")
     threads: int = Field(0, ge=0, description="cores; 0 is one for the network, all for the class bias")
-    bf16: bool = Field(True, description="network in bfloat16, sums and weights in float32")
+    bf16: bool = Field(True, description="network in bfloat16 where the processor has it, sums and weights in float32")
     save_every: int = Field(500, ge=1, description="steps between checkpoints")
     model: ModelConfig = Field(default_factory=ModelConfig)
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from apartgen.schemas.errors import BadInput, Unmet
-from apartgen.stages.layout import curve, diffusion, weights
+from apartgen.stages.layout import curve, diffusion, precision, weights
 from apartgen.stages.layout.calibration import calibrate
 from apartgen.stages.layout.config import N_MAX, T, TrainConfig
 from apartgen.stages.layout.corpus import Corpus, batch, read_corpus, shape_latents
@@ -158,7 +158,7 @@ def train_step(
 ) -> float:
     """One gradient step of Eq. 1; returns its loss, NaN where its gradient is not finite."""
     objects, rooms = batch(corpus, index, slots, rng, shapes, config)
-    with torch.autocast(network.encoder.device.type, torch.bfloat16, enabled=config.bf16):
+    with precision.autocast(network.encoder.device.type, config.bf16):
         loss = step_loss(network, objects, rooms, rng, config)
     for group in optimizer.param_groups:
         group["lr"] = lr

@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from apartgen.stages.retrieve.matching.indexing import kinds as kinds
     from apartgen.stages.retrieve.matching.libraries import LibrarySet as LibrarySet
     from apartgen.stages.retrieve.matching.libraries import open_libraries as open_libraries
+    from apartgen.stages.retrieve.matching.libraries import shared_libraries as shared_libraries
     from apartgen.stages.retrieve.matching.stage import run as run
 
 _HOME = {
     "RetrieveConfig": "config", "Failure": "indexing", "Report": "indexing", "build": "indexing", "check": "indexing",
-    "kinds": "indexing", "LibrarySet": "libraries", "open_libraries": "libraries", "run": "stage",
+    "kinds": "indexing", "LibrarySet": "libraries", "open_libraries": "libraries", "shared_libraries": "libraries",
+    "run": "stage",
 }  # fmt: skip
 
 

@@ -7,7 +7,7 @@ import pytest
 import torch
 
 from apartgen.schemas.errors import BadInput, Unmet
-from apartgen.stages.layout import train, weights
+from apartgen.stages.layout import precision, train, weights
 from apartgen.stages.layout.config import ModelConfig, TrainConfig
 from apartgen.stages.layout.corpus import batch, read_corpus, shape_latents
 from apartgen.stages.layout.datasets import _arrays, single_rooms
@@ -108,3 +108,20 @@ def test_every_tensor_of_a_step_is_on_the_networks_device(corpus: Path, slots: i
     loss = train.step_loss(network, objects, rooms, rng, settings(corpus))
     loss.backward()
     assert loss.is_meta and all(p.grad is not None and p.grad.is_meta for p in network.blocks.parameters())
+
+
+def test_bfloat16_is_computed_in_only_where_the_processor_has_it() -> None:
+    cpuinfo = Path("/proc/cpuinfo")
+    if not cpuinfo.exists():
+        pytest.skip("says what a processor can under Linux")
+    flags = set(next((line for line in cpuinfo.read_text().splitlines() if line.startswith("flags")), "").split())
+
+    def computed(wanted: bool) -> torch.dtype:
+        with precision.autocast("cpu", wanted):
+            return (torch.ones(2, 2) @ torch.ones(2, 2)).dtype
+
+    assert computed(False) == torch.float32
+    if {"avx512_bf16", "amx_bf16"} & flags:
+        assert computed(True) == torch.bfloat16
+    elif not any(flag.startswith("avx512") or flag == "avx_ne_convert" for flag in flags):
+        assert computed(True) == torch.float32

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from apartgen.schemas.errors import BadInput
-from apartgen.stages.retrieve import RetrieveConfig, build, check, kinds
+from apartgen.stages.retrieve import RetrieveConfig, build, check, kinds, shared_libraries
 from apartgen.stages.retrieve.matching import store
 from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
 from apartgen.stages.retrieve.matching.table import Table
@@ -114,6 +114,23 @@ def shop(tmp_path) -> Path:
         lines = "".join(f"v {x} {y} {z}\n" for x, y, z in corners)
         (root / f"{name}.obj").write_text(lines + FACES)
     return root
+
+
+def test_libraries_are_opened_once_for_all_homes_and_anew_when_indexed_anew(shop, tmp_path, trained, monkeypatch):
+    from apartgen.stages.retrieve.shape import encoder
+
+    monkeypatch.setattr(encoder.latents, "__defaults__", (trained[0],))
+    out = tmp_path / "lib"
+    build(shop, "folder", out)
+    config = RetrieveConfig(libraries=[str(out)])
+    first = shared_libraries(config)
+    assert shared_libraries(config.model_copy()) is first and shared_libraries() is not first
+    assert first.load_asset("shop", "wardrobe") is shared_libraries(config).load_asset("shop", "wardrobe")
+    (shop / "stool.obj").write_text((shop / "wardrobe.obj").read_text())
+    build(shop, "folder", out)
+    assert shared_libraries(config).load_asset("shop", "stool").id == "stool"
+    with pytest.raises(BadInput, match="no indexed library"):
+        shared_libraries(RetrieveConfig(libraries=[str(tmp_path / "none")]))
 
 
 def test_an_indexed_library_serves_its_assets_and_the_embedded_one_what_does_not_fit(

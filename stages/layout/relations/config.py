@@ -20,6 +20,6 @@ class Training(Record):
     held: int = Field(0, ge=0, description="last rooms of the corpus that are only looked at, beside the loss")
     seed: int = Field(0, ge=0, description="fixes everything drawn")
     threads: int = Field(1, ge=1, description="cores")
-    bf16: bool = Field(True, description="network in bfloat16, sums and weights in float32")
+    bf16: bool = Field(True, description="network in bfloat16 where the processor has it, sums and weights in float32")
     save_every: int = Field(250, ge=1, description="steps between checkpoints")
     shape: Shape = Field(default_factory=Shape)

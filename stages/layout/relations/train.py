@@ -13,7 +13,7 @@ import torch
 from numpy.typing import NDArray
 
 from apartgen.schemas.errors import BadInput, Unmet
-from apartgen.stages.layout import curve
+from apartgen.stages.layout import curve, precision
 from apartgen.stages.layout.relations import contents, corpus, learning, order, weights
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.layout.relations.corpus import Furnished
@@ -91,7 +91,9 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
         model.load_state_dict(weights.tensors(Path(config.start)), strict=False)
     average = copy.deepcopy(model).requires_grad_(False)
     optimizer = torch.optim.AdamW(model.parameters(), config.lr, betas=(0.9, 0.98), weight_decay=0.01)
-    facts = {"corpus": digest(config.corpus), "rooms": len(rooms), "held": len(held)}
+    facts: dict[str, Any] = {"corpus": digest(config.corpus), "rooms": len(rooms), "held": len(held)}
+    if config.start:
+        facts["start"] = {"weights": digest(config.start)} | weights.history(Path(config.start))
     settings = config.model_dump(exclude=FREE) | {"corpus": facts["corpus"]}
     saved = out.with_suffix(".checkpoint")
     record: dict[str, Any] = {"losses": [], "step": 0}
@@ -133,7 +135,7 @@ def _looked_at(model: weights.Model, held: list[Furnished], config: Training) ->
     if not held:
         return []
     alike, total, worth = sorted(held, key=lambda room: len(room.kind)), 0.0, 0
-    with torch.inference_mode(), torch.autocast("cpu", torch.bfloat16, enabled=config.bf16):
+    with torch.inference_mode(), precision.autocast("cpu", config.bf16):
         for first in range(0, len(alike), config.batch):
             some = alike[first : first + config.batch]
             losses = step_losses(model, some, config.objects, np.random.default_rng([config.seed, first]), HUNG)
@@ -145,7 +147,7 @@ def _looked_at(model: weights.Model, held: list[Furnished], config: Training) ->
 def train_step(model: weights.Model, optimizer: torch.optim.Optimizer, rooms: list[Furnished],
                rng: np.random.Generator, config: Training, lr: float) -> dict[str, float]:
     """One gradient step; its losses by name."""
-    with torch.autocast("cpu", torch.bfloat16, enabled=config.bf16):
+    with precision.autocast("cpu", config.bf16):
         losses = step_losses(model, rooms, config.objects, rng, HUNG)
     for group in optimizer.param_groups:
         group["lr"] = lr

@@ -65,7 +65,8 @@ class Vocabulary:
 def save(model: Model, path: Path, config: Training, record: dict[str, Any]) -> None:
     """Write half-precision weights; the header holds config, vocabulary and `record`."""
     halves = {name: value.detach().half().contiguous() for name, value in model.state_dict().items()}
-    named = config.model_copy(update={"corpus": Path(config.corpus).name})
+    names = {"corpus": Path(config.corpus).name, "start": Path(config.start).name if config.start else None}
+    named = config.model_copy(update=names)
     header = {
         "config": named.model_dump_json(), "categories": json.dumps(CATEGORIES), "types": json.dumps(ROOM_TYPES),
         "rank": json.dumps(order.ranks().tolist()), "record": json.dumps(record),
@@ -73,6 +74,13 @@ def save(model: Model, path: Path, config: Training, record: dict[str, Any]) -> 
     part = path.with_suffix(".part")
     save_file(halves, part, header)
     part.replace(path)
+
+
+def history(path: Path) -> dict[str, Any]:
+    """What weights say of their training: corpus, rooms, steps, and from which weights they started themselves."""
+    with safe_open(path, "pt") as file:
+        record = json.loads((file.metadata() or {}).get("record", "{}"))
+    return {name: record[name] for name in ("corpus", "rooms", "step", "start") if name in record}
 
 
 def tensors(path: Path) -> dict[str, Tensor]:

@@ -10,11 +10,13 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages.retrieve.matching import embedded
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.embedded import Embedded
-from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
+from apartgen.stages.retrieve.matching.indexed import TABLE_FILE, IndexedLibrary
 from apartgen.stages.things.asset import Asset
 
 KEPT = 512
 """Assets kept in memory."""
+AT_ONCE = 4
+"""Sets of libraries kept open."""
 
 
 class LibrarySet:
@@ -69,3 +71,19 @@ def open_libraries(config: RetrieveConfig | None = None) -> LibrarySet:
     """The libraries a configuration names, ready to search and load from."""
     config = config or RetrieveConfig()
     return LibrarySet(Embedded(config), [IndexedLibrary(Path(folder), config) for folder in config.libraries])
+
+
+def shared_libraries(config: RetrieveConfig | None = None) -> LibrarySet:
+    """As `open_libraries`, but once for all homes of a process; a library indexed anew is opened anew.
+
+    What is remembered of assets by their loader, here and in later stages, serves the next home instead of piling up.
+    """
+    config = config or RetrieveConfig()
+    tables = [Path(folder) / TABLE_FILE for folder in config.libraries]
+    written = tuple(table.stat().st_mtime_ns if table.exists() else 0 for table in tables)
+    return _shared(config.model_dump_json(), written)
+
+
+@lru_cache(maxsize=AT_ONCE)
+def _shared(config: str, _written: tuple[int, ...]) -> LibrarySet:
+    return open_libraries(RetrieveConfig.model_validate_json(config))

@@ -15,7 +15,7 @@ from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
 from apartgen.stages.retrieve.matching import placing, seats, sets, supports
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.embedded import NAME
-from apartgen.stages.retrieve.matching.libraries import LibrarySet, open_libraries
+from apartgen.stages.retrieve.matching.libraries import LibrarySet, shared_libraries
 from apartgen.stages.retrieve.matching.placing import Site
 from apartgen.stages.space import anchors, boxes
 from apartgen.stages.space.boxes import Boxes
@@ -37,7 +37,7 @@ def run(
 
     The result depends on the layout and the libraries alone: nothing is drawn, `rng` is left untouched.
     """
-    libraries = libraries or open_libraries(config)
+    libraries = libraries or shared_libraries(config)
     sites = placing.sites(previous)
     _check(previous, set(sites))
     wanted = _wanted(previous, libraries)

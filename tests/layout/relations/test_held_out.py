@@ -1,4 +1,4 @@
-"""Rooms held out are looked at and not learned from."""
+"""Rooms held out are looked at and not learned from; weights say what they started from."""
 
 from pathlib import Path
 
@@ -8,7 +8,7 @@ import pytest
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.layout.datasets import single_rooms
 from apartgen.stages.layout.datasets._arrays import write_corpus
-from apartgen.stages.layout.relations import corpus, train
+from apartgen.stages.layout.relations import corpus, train, weights
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.layout.relations.shape import Shape
 
@@ -22,8 +22,9 @@ def rooms(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def settings(rooms: Path, **more: int) -> Training:
-    return Training(corpus=str(rooms), steps=4, save_every=2, batch=4, shape=SMALL, **more)
+def settings(rooms: Path, **more: int | str) -> Training:
+    own = {"corpus": str(rooms), "steps": 4, "save_every": 2, "batch": 4, "shape": SMALL}
+    return Training.model_validate(own | more)
 
 
 def test_the_last_rooms_are_never_learned_from(rooms: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -45,3 +46,13 @@ def test_without_any_the_record_has_one_loss(rooms: Path, tmp_path: Path) -> Non
 def test_all_cannot_be_held_out(rooms: Path, tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="--held 99.*hold fewer"):
         train.train(settings(rooms, held=99), tmp_path / "w.safetensors")
+
+
+def test_weights_say_what_they_started_from_but_not_where_it_lay(rooms: Path, tmp_path: Path) -> None:
+    first, second = tmp_path / "first.safetensors", tmp_path / "second.safetensors"
+    train.train(settings(rooms), first)
+    train.train(settings(rooms, start=str(first), steps=2), second)
+    _, _, record = weights.load(second)
+    assert record["step"] == 2 and record["start"]["step"] == 4 and record["start"]["corpus"] == record["corpus"]
+    assert record["start"]["weights"] == train.digest(str(first))
+    assert str(tmp_path) not in second.read_bytes().decode("latin1")
