@@ -42,6 +42,11 @@ def about(text: str) -> tuple[About, str]:
     return About(people, dwelling, facades, any(p.search(text) for p in _patterns(_data()["loft"]))), text
 
 
+def numbers() -> dict[str, int]:
+    """Words for numbers of people."""
+    return dict(_data()["numbers"])
+
+
 @cache
 def _data() -> dict[str, Any]:
     return tomllib.loads((Path(__file__).parent / "about.toml").read_text(encoding="utf-8"))

@@ -196,6 +196,12 @@ def unfolded(items: list[Item]) -> list[Item]:
     return out
 
 
+def _leads(last: RoomPhrase, phrase: RoomPhrase) -> bool:
+    """Whether two rooms in a row are subject and object: `…, le séjour sur la terrasse`."""
+    both = last.quantifier == phrase.quantifier == Det.THE and not last.plural and last.type != phrase.type
+    return last.type == "hallway" or both
+
+
 def shared_verb(items: list[Item]) -> list[Item]:
     """`one has an en suite, the other a balcony`: the second verb, which is not said."""
     out: list[Item] = []
@@ -214,7 +220,7 @@ def shared_verb(items: list[Item]) -> list[Item]:
         new = phrase is not None and (phrase.quantifier in (Det.A, Det.OWN, Det.ANOTHER) or bool(phrase.count))
         if has is not None and gap and known and new and k and items[k - 1].room is last:
             out.append(Item("with", "has", has.text))
-        elif verb and gap and last and last.type == "hallway" and phrase and items[k - 1].room is last:
+        elif verb and gap and last and phrase and items[k - 1].room is last and _leads(last, phrase):
             out.append(verb)  # "the hall serves the lounge, the inner one the bedrooms"
         verb = item if item.kind == "link" and item.form in ("s", "p") else verb
         out.append(item)

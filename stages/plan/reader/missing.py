@@ -77,7 +77,8 @@ def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:
 
 def _of_many(bedroom: Entity) -> bool:
     """Whether it may be one of several nobody counted: `a three-room flat, the bedroom to the east`."""
-    return not bedroom.counted and (bedroom.vague or Trait.MASTER in bedroom.labels)
+    told = bedroom.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS}
+    return not bedroom.counted and (bedroom.vague or bool(told))
 
 
 def _around_living(said: Said, home: Household, doors: Doors) -> bool:

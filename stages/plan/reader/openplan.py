@@ -21,7 +21,7 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         )
         within = end < len(items) and (items[end].kind == "copula" or items[end].value == "in")
         closing = end + (within and len(group) > 1)
-        after = closing < len(items) and items[closing].kind == "open"
+        after = closing < len(items) and (items[closing].kind == "open" or (closing > end and _in_one(items, closing)))
         _one_space(items, i)
         if len(group) == 1 and after:
             group[0].labels.add(Trait.OPEN)
@@ -33,6 +33,12 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         kept += items[i : end + 1] if not after else items[i:end]
         i = (closing if after else end) + 1
     return kept, out
+
+
+def _in_one(items: list[Item], k: int) -> bool:
+    """`kitchen and living room in one`."""
+    one, ends = items[k].room, k + 1 == len(items) or items[k + 1].kind in ("mark", "conjunction", "boundary")
+    return one is not None and one.type == "" and one.text == "one" and ends
 
 
 def _one_space(items: list[Item], i: int) -> None:
@@ -109,6 +115,8 @@ def _separator(item: Item) -> bool:
 
 def _open_after(items: list[Item], j: int) -> bool:
     kinds = [i.kind for i in items[j + 1 : j + 3]]
+    if kinds == ["with", "room"] and items[j + 1].value == "in" and _in_one(items, j + 2):
+        return True
     within = kinds == ["with", "open"] and items[j + 1].value == "in"  # "living and kitchen in one open space"
     return kinds[:1] == ["open"] or kinds == ["copula", "open"] or within
 

@@ -1,8 +1,11 @@
 """The stages of reading chained: tokens, lexemes, phrases, statements."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
@@ -13,8 +16,10 @@ from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
+from apartgen.stages.plan.reader.people import housed
 from apartgen.stages.plan.reader.phrases import Phraser
 from apartgen.stages.plan.reader.positions import positions, role_of
+from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.relations import place, relations
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
@@ -32,9 +37,11 @@ def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
     folded = fold(prompt)
-    whole, text = about(folded)
+    people, text = housed(folded)
+    whole, text = about(text)
+    whole = whole if people is None else replace(whole, people=people)
     words = lexemes(tokenize(text), lexicon)
-    words = quantities(words)
+    words = purposes(quantities(words))
     said = Said(about=whole, prompt=prompt, beyond=limits(folded))
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
@@ -42,7 +49,7 @@ def parse(prompt: str) -> Said:
     phraser = Phraser(lexicon).walk(words)
     said.unread += phraser.unread
     _whole(phraser.items, said)
-    phraser.items = positions(orders(uses(limited(mutual(undoored(phraser.items), said), said), said), said), said)
+    phraser.items = _asked(all_denied(phraser.items), said)
     before: list[RoomPhrase] = []
     known = 0
     last: list[Item] = []
@@ -60,6 +67,12 @@ def parse(prompt: str) -> Said:
         before = _sentence(sentence, said, before, trail)
     said.rooms += [room for room in said.seen_from if room not in said.rooms]
     return said
+
+
+def _asked(items: list[Item], said: Said) -> list[Item]:
+    """Adds what is asked of rooms beside doors and areas to `said`; returns the items without it."""
+    items = limited(mutual(undoored(items), said), said)
+    return positions(orders(uses(items, said), said), said)
 
 
 def _whole(items: list[Item], said: Said) -> None:

@@ -116,6 +116,10 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
     if not numbers or phrase.count is not None or not fits:
         return i
     phrase.ordinals = tuple(numbers)
+    area = j < len(words) and words[j].kind == "number" and words[j].text[0].isdigit() and 3 < words[j].number <= 200
+    if area and len(numbers) == 1 and not counts_next(words, j):  # "bedroom 1 14, bedroom 2 11"
+        phrase.areas = (words[j].number,)
+        return j + 1
     return j
 
 

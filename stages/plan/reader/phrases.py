@@ -22,6 +22,9 @@ OTHER_NOUNS = frozenset("side end level storey story floor person persons people
 """`one side` counts no rooms."""
 
 
+GERMAN = ("die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
+"""What tells German `links`, left, from the English word."""
+
 ELSE = ("else", "ander", "autre", "demas")
 """What tells the other rooms from all."""
 
@@ -50,6 +53,8 @@ class Phraser:
         following = words[i + 1] if i + 1 < len(words) else None
         if word.text == "den" and following is not None and following.kind == "room":
             return i + 1  # German article
+        if word.text == "links" and following is not None and following.text in GERMAN:
+            word = words[i] = replace(word, kind="place", value="left")
         if word.text == "that" and following is not None and following.kind == "room" and self._clause_begins():
             self._determiner(replace(word, kind="determiner", value="the"))
             self.pending.texts.append(word.text)
@@ -143,7 +148,7 @@ class Phraser:
         if (
             word.text not in self.lexicon.also_object
             or word.joined
-            or (following is not None and following.kind in ("dwelling", "room", "number", "shorthand"))
+            or (following is not None and following.kind in ("dwelling", "room", "number", "shorthand", "area"))
         ):
             return False
         if word.text == "bed" and self.pending.quantifier == Det.A and self.pending.number is None:
@@ -167,6 +172,8 @@ class Phraser:
     def _room(self, words: list[Lexeme], i: int) -> int:
         word, p = words[i], self.pending
         phrase = p.room(word)
+        if phrase.quantifier == Det.ONE_OF and "which" in p.texts[0] and not word.plural:
+            phrase.quantifier = Det.A  # "three rooms, one of which is a study"
         key = [w.text if w.kind == "mark" else w.kind for w in words[max(i - 2, 0) : i]]
         if key in (["unknown", ":"], ["label", ":"]) and any(r.type == phrase.type for r in rooms_of(self.items)):
             phrase.quantifier = Det.THE  # "1 living; hub: living"

@@ -4,6 +4,9 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
+LEADING = ("on", "at", "in", "to", "along", "im", "an", "auf", "links", "rechts", "hinten", "vorne", "a", "au",
+           "en", "al")  # fmt: skip
+"""First words of a place that is said of the rooms behind it."""
 WAYS_IN = ("entry", "entrada", "entree", "l'entree")
 """Halls, and also where one comes in."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
@@ -29,6 +32,7 @@ def role_of(items: list[Item], k: int) -> str:
 def positions(items: list[Item], said: Said) -> list[Item]:
     """Adds what is asked of places to `said`; returns the items without the words that say only that."""
     out: list[Item] = []
+    seen_from: RoomPhrase | None = None
     k = 0
     while k < len(items):
         item = items[k]
@@ -39,7 +43,9 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             continue
         if item.kind == "place" or (item.kind == "side" and not role_of(items, k)):
             rooms = [known(room, items) for room in _rooms(items, k)]
-            said.asked += [_placed(item, room, text) for room in rooms]
+            again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
+            seen_from = seen_from if again else _whose(items, k)
+            said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
         elif _near_behind(items, k) and (rooms := _rooms(items, k)):
             said.asked += [
@@ -108,7 +114,17 @@ def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
     return room
 
 
-def _placed(item: Item, room: RoomPhrase, text: str) -> Asked:
+def _whose(items: list[Item], k: int) -> RoomPhrase | None:
+    """The room that `on its left side` is said of."""
+    if (other := _of_other(items, k)) is not None:
+        return other
+    rooms = [i.room for i in items[:k] if i.room is not None] if " its " in items[k].text else []
+    return rooms[-1] if rooms else None
+
+
+def _placed(item: Item, room: RoomPhrase, text: str, seen_from: RoomPhrase | None) -> Asked:
+    if seen_from is not None:
+        return Asked("position", [room], [seen_from], item.value, f"{room.text} {text}")
     kind = "orientation" if item.kind == "side" and any(word in item.text for word in FACING) else "position"
     return Asked(kind, [room], "", item.value, f"{room.text} {text}")
 
@@ -150,12 +166,39 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     following = items[after].room if after < len(items) else None
     if following is not None and following.headline:
         following = None  # "in the corner of a one-bedroom flat"
+    if following is not None and opens and items[k].text.split()[0] in LEADING:
+        return _list(items, after)
     if following is not None and (opens or items[k].kind == "side"):
         return [following]
     for j in range(k - 1, -1, -1):
         if is_mark(items[j], ".") or items[j].room is not None:
-            return _pair(items, j, k)
+            return _pair(items, j - 1 if _of_other(items, k) else j, k)
     return [following] if following else []
+
+
+def _of_other(items: list[Item], k: int) -> RoomPhrase | None:
+    """The other room of Chinese `A at B's north side`, which has no word between the two."""
+    near = items[k - 1].room if k > 1 and not items[k].text.isascii() and not items[k].text.startswith("朝") else None
+    return near if near is not None and items[k - 2].room is not None else None
+
+
+def _list(items: list[Item], k: int) -> list[RoomPhrase]:
+    """The rooms from `k` on that stand behind a place: `on the left the kitchen, the bath and the study`."""
+    rooms: list[RoomPhrase] = []
+    closed = False
+    while k < len(items) and (room := items[k].room) is not None and not room.negated:
+        rooms.append(room)
+        joint, following = (items[k + 1 : k + 3] + [Item("mark", "."), Item("mark", ".")])[:2]
+        k += 1
+        if not (joint.kind == "conjunction" or is_mark(joint, ",")) or following.room is None:
+            break
+        closed = closed or joint.kind == "conjunction"
+        k += 1
+    after = items[k] if k < len(items) else Item("mark", ".")
+    if len(rooms) > 1 and after.kind in ("place", "side", "copula", "link", "beside", "with", "relative"):
+        rooms.pop()  # "on the left the kitchen, the bath is on the right"
+    again = k + 1 < len(items) and items[k + 1].kind in ("place", "side")
+    return rooms if closed or again else rooms[:1]
 
 
 def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.bounds import bounded
+from apartgen.stages.plan.reader.denied import limits_denied
 from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
@@ -29,7 +30,7 @@ JOINTS = {
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return _listing(_bare(bounded(_areas(_by_percent(_shares(extents(dimensions(_numbers(words)))))))))
+    return _listing(_bare(bounded(limits_denied(_areas(_by_percent(_shares(extents(dimensions(_numbers(words))))))))))
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:

@@ -5,6 +5,7 @@ from itertools import product
 
 from apartgen.schemas.plan import Requirement
 from apartgen.stages.plan.reader.doors import entities
+from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.relations import OPPOSITE
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
@@ -13,6 +14,7 @@ from apartgen.stages.plan.reader.vocabulary import Relation
 FAR = ("away from", "far from")
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
 """What holds of two rooms either way round."""
+HABITABLE = ("living_room", "dining_room", "bedroom", "study")
 LONG = 6.0
 """Metres from which on a hallway is a long one."""
 LARGER, SMALLER = (1.15, 1.3, 1.6), (0.9, 0.75, 0.6)
@@ -26,7 +28,7 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
     found: list[tuple[str, str, str | None, str | None, str]] = []
     for wish in [*said.asked, *_dimensions(said), *_limits(said), *_neighbours(said.statements)]:
         others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
-        of = [ids[id(e)] for e in entities(wish.of, home)] if wish.of else ["home"]
+        of = [ids[id(e)] for e in _meant(wish, home)] if wish.of else ["home"]
         rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
         for row in rows:
             again = (row[0], row[2], row[1], *row[3:]) if row[0] in MUTUAL else row
@@ -36,6 +38,12 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
         Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=text)
         for n, (kind, a, b, value, text) in enumerate(found, 1)
     ]
+
+
+def _meant(wish: Asked, home: Household) -> list[Entity]:
+    """`no room smaller than 8 m²` is said of rooms that people spend the day or the night in."""
+    every = wish.kind in ("at_least", "at_most") and any(phrase.type == "any" for phrase in wish.of)
+    return [e for kind in HABITABLE for e in home.of(kind)] if every else entities(wish.of, home)
 
 
 def _dimensions(said: Said) -> Iterator[Asked]:

@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 def negate_links(items: list[Item]) -> list[Item]:
     """`neither the kitchen nor the bathroom opens onto the hall`: of known rooms the link is denied, not the rooms."""
-    out = items = _neither_is(_without_contrast(items))
+    out = items = _instead(_neither_is(_without_contrast(items)))
     for k, item in enumerate(items):
         if item.text != "neither":
             continue
@@ -24,6 +24,25 @@ def negate_links(items: list[Item]) -> list[Item]:
             for room in rooms:
                 room.negated = False
             out = [*items[:k], *items[k + 1 : end], Item("negation", "not", item.text), *items[end:]]
+    return out
+
+
+INSTEAD = ("instead of", "rather than", "in place of", "statt", "anstatt", "anstelle", "plutot que")
+IN_PLACE = ("au lieu", "en lugar", "en vez")
+
+
+def _instead(items: list[Item]) -> list[Item]:
+    """`opens off the bedroom instead of the hall`: that door is denied, not the hall."""
+    out: list[Item] = []
+    for k, item in enumerate(items):
+        room = items[k + 1].room if k + 1 < len(items) else None
+        told = item.kind == "negation" and item.text.startswith((*INSTEAD, *IN_PLACE))
+        linked = any(i.kind in ("link", "front") for i in items[max(k - 3, 0) : k])
+        if told and linked and room is not None and out and out[-1].room is not None:
+            room.negated = False
+            out += [Item("conjunction", "and", "and"), Item("negation", "not", item.text)]
+        else:
+            out.append(item)
     return out
 
 

@@ -5,6 +5,8 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Literal, cast
 
+from apartgen.stages.plan.reader.notation import worded
+
 Kind = Literal["number", "word", "mark"]
 
 CJK = "\u3400-\u9fff"
@@ -16,7 +18,6 @@ _FEET = re.compile(r"(\d)'(?=\s?(?:x|by)\b)|(?<=[xy] )(\d+)'(?![\d'])")
 _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
 _BOUNDS = {"(?:>=|≥)": "at least", "(?:<=|≤)": "at most"}
 _NUMBERED = re.compile(r"(?:(?<=\s)|^)(\d{1,2})[.)]\s+(?=[^\W\d])")
-_KEYED = re.compile(r"\b(area) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?\s*:\s*(\d+(?:\.\d+)?)")
 _NESTED = re.compile(r'"([\w ]+)"\s*:\s*\{\s*"area(?: m2)?"\s*:\s*([\d.]+)\s*\}')
 _PAIRED = re.compile(r"(:\s?\d+(?:\.\d+)?\s?(?:sqm|m2|sqft)?)\s+(?=[a-z ]+:\s?\d)")
 _SQUARED = re.compile(r"(?<=\d)\s?(?:m|met(?:er|re)s?) squared?\b|(?<=\d\d)\s?met(?:er|re)s? square\b")
@@ -78,9 +79,10 @@ def fold(text: str) -> str:
         text = re.sub(rf"(?<=\d)\s?{sign}", plain, text)
         text = text.replace(sign, "0" + plain)
     text = unicodedata.normalize("NFKC", text.translate(_QUOTES)).lower().replace("ß", "ss")
+    text = worded(text)
     text = _INCHES.sub(lambda found: f"{float(found[1]) + float(found[2]) / 12:.4f} ft ", text)
     text = _FEET.sub(lambda found: f"{found[1] or found[2]} ft", text)
-    text = _SQUARED.sub(" m2", _KEYED.sub(r"\1: \3 \2", _unnumbered(text)))
+    text = _SQUARED.sub(" m2", _unnumbered(text))
     text = _PAIRED.sub(r"\1, ", text)
     text = re.sub(r"\b(?:extras?|additional|misc)\s*:", ",", text)
     text = re.sub(r"\bd'(?=au (?:moins|plus)\b)", "", text)

@@ -1,0 +1,74 @@
+"""What no room of a type is to be: `no bedroom next to the kitchen` denies a neighbour, not the bedrooms."""
+
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.mention import Item
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
+
+NONE = ("none", "no", "kein", "keine", "keines", "keiner", "keins", "aucun", "aucune",
+        "ninguno", "ninguna", "ningun", "没有")  # fmt: skip
+"""Words that say of how many rooms something holds: of none."""
+OTHER = {"at_least": "at_most", "at_most": "at_least"}
+BETWEEN = ("copula", "relative", "reach")
+SKIPPED = ("stop", "pronoun", "adjective", "negation", "determiner")
+"""What may stand between `none` and the limit it denies: `none of them should be …`."""
+
+
+def limits_denied(words: list[Lexeme]) -> list[Lexeme]:
+    """`none of them under 10 m²` as `all of them at least 10 m²`."""
+    out = list(words)
+    for k, word in enumerate(out):
+        if word.kind not in ("bound", "compare") or (bound := _bound(word)) is None:
+            continue
+        following = out[k + 1] if k + 1 < len(out) else None
+        if following is None or following.kind not in ("number", "area"):
+            continue
+        at = _none_before(out, k)
+        if at is not None:
+            out[at] = Lexeme("determiner", "each" if _one(out[at + 1]) else "all", out[at].text)
+            out[k] = Lexeme("bound", OTHER[bound], word.text)
+    return out
+
+
+def _bound(word: Lexeme) -> str | None:
+    if word.kind == "bound":
+        return word.value
+    other = word.reading("bound")
+    return other.value if other is not None else None
+
+
+def _one(word: Lexeme) -> bool:
+    return word.kind in ("room", "main_rooms")
+
+
+def _none_before(words: list[Lexeme], k: int) -> int | None:
+    """Where the `none` stands that the limit at `k` is said with."""
+    j, room = k - 1, False
+    while j >= 0:
+        if words[j].text.split()[0] in NONE:
+            return j
+        if words[j].kind not in SKIPPED and (room or not _one(words[j])):
+            return None
+        room = room or _one(words[j])
+        j -= 1
+    return None
+
+
+def all_denied(items: list[Item]) -> list[Item]:
+    """`no bedroom adjoins the kitchen` as `all bedrooms: not next to the kitchen`."""
+    out: list[Item] = []
+    for k, item in enumerate(items):
+        no, phrase = (out[-1] if out else Item("")), item.room
+        denied = no.kind == "negation" and no.text.split()[0] in NONE and phrase is not None and phrase.negated
+        at = k + 1
+        while denied and at < len(items) and items[at].kind in BETWEEN:
+            at += 1
+        link, other = (items[at : at + 2] + [Item(""), Item("")])[:2]
+        finite = link.form in ("s", "p") or at > k + 1
+        near = link.value in (Relation.NEAR, Relation.APART)
+        if denied and phrase is not None and link.kind == "link" and other.room is not None and (finite or near):
+            out.pop()
+            phrase.negated, phrase.quantifier = False, Det.ALL
+            out += [item, Item("negation", "not", no.text)]
+        else:
+            out.append(item)
+    return out

@@ -1,0 +1,52 @@
+"""What programs, engineers and Chinese numerals write, put into the words that the lexicon knows."""
+
+import re
+
+CODES = {"k": "kitchen", "kt": "kitchen", "lr": "living room", "dr": "dining room", "br": "bedroom", "bd": "bedroom",
+         "ba": "bathroom", "bth": "bathroom"}  # fmt: skip
+"""Abbreviations of rooms that are read as such only where a text has two of them."""
+DIGITS = {sign: n for n, sign in enumerate("一二三四五六七八九", 1)} | {"两": 2, "兩": 2}
+
+_TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
+_KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
+_UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
+_KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*(\d+(?:\.\d+)?)')
+_COUNT = re.compile(r'\b(\w+) (?:count|number|qty)"?\s*:(?=\s*"?\d)')
+_UNITS = r"m2|m\^2|sqm|sq m|sqft|ft2"
+_TOLERANCE = re.compile(rf"(\d+(?:\.\d+)?)\s*({_UNITS})?\s*(?:\+/-|\+-|±)\s*(\d+(?:\.\d+)?)\s*(?:{_UNITS})?")
+_CODE = re.compile(rf"\b({'|'.join(CODES)})(\d?)\b(?!['-])")
+_CODED = re.compile(rf"\b(?:(?:{'|'.join(CODES)})\d?|mbr|\d ?(?:br|ba|bd|b))\b")
+_TENS = re.compile(r"(?:([一二三四五六七八九两兩])百)?零?(?:([一二三四五六七八九]?)十)?([一二三四五六七八九]?)")
+
+
+def worded(text: str) -> str:
+    """A folded text with truth values as yes and no, areas behind their units, codes and numerals written out."""
+    text = _TRUTH.sub(lambda found: f"{found[1]}{'yes' if found[2] == 'true' else 'none'}", text)
+    text = _COUNT.sub(r"\1s:", text)
+    text = _KEYED.sub(r"\1: \3 \2", text)
+    text = _UNIT_KEY.sub(r"area: \2 \1", _KEY.sub(r"\1: \2 m2", text))
+    text = _TOLERANCE.sub(_range, text)
+    text = re.sub(r"\b1 of (?=which|them|these)", "one of ", text)
+    return _decoded(_TENS.sub(_numeral, text))
+
+
+def _range(found: re.Match[str]) -> str:
+    """`95 m2 +/- 5` as both limits."""
+    middle, off = float(found[1]), float(found[3])
+    return f"between {middle - off:g} and {middle + off:g} {found[2] or ''}"
+
+
+def _decoded(text: str) -> str:
+    """`K open to LR`: one letter is a room among other codes only."""
+    if len({found.group() for found in _CODED.finditer(text)}) < 2:
+        return text
+    return _CODE.sub(lambda found: CODES[found[1]] + (f" {found[2]}" if found[2] else ""), text)
+
+
+def _numeral(found: re.Match[str]) -> str:
+    """八十 as 80; signs without tens or hundreds stay as they are."""
+    whole, (hundreds, _, ones) = found.group(), found.groups()
+    if "十" not in whole and "百" not in whole:
+        return whole
+    tens = DIGITS.get(found[2] or "", 1) if "十" in whole else 0
+    return str(100 * DIGITS.get(hundreds or "", 0) + 10 * tens + DIGITS.get(ones or "", 0))

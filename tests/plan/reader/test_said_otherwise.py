@@ -1,0 +1,159 @@
+"""Wishes in other forms: keys and codes, people in the place of rooms, purposes, denials of all, lists of places."""
+
+import pytest
+
+from apartgen.schemas.plan import Program
+from apartgen.stages.plan.reader import read
+
+SHORT = {"dining_room": "D", "bedroom": "B", "bathroom": "W", "storage": "T", "balcony": "Y"}
+
+
+def rooms(program: Program) -> str:
+    """`B2 H K L W`: how many of each, in alphabetical order."""
+    kinds = [SHORT.get(r.type, r.type[0].upper()) for r in program.rooms]
+    return " ".join(f"{k}{kinds.count(k)}" if kinds.count(k) > 1 else k for k in sorted(set(kinds)))
+
+
+def doors(program: Program) -> set[frozenset[str]]:
+    return {frozenset(link) for link in program.links}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wanted"),
+    [
+        ('{"bedrooms": 2, "study": true, "balcony": false}', "B2 H K L S W"),
+        ('{"kind": "flat", "bedroom_count": 3, "bathroom_count": 1, "utility": true}', "B3 H K L U W"),
+        ("2BR/1BA, DR, K open to LR", "B2 D H K L W"),
+        ("flat, 4 habitable rooms, 1 of which is a study", "B2 H K L S W"),
+        ("十二平米的单间", "K L W"),
+    ],
+)
+def test_keys_and_codes(prompt: str, wanted: str) -> None:
+    assert rooms(read(prompt)) == wanted
+
+
+def test_a_letter_is_a_room_among_other_codes_only() -> None:
+    asked = read("LR 24, K 8, BR1 13, BR2 10, BA 4")
+    assert [r.area for r in asked.rooms[:5]] == [24, 8, 13, 10, 4]
+    assert any(entry.startswith("k (") for entry in read("two bedrooms and a K").unread)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "total"),
+    [("八十五平米两居室", 85), ("一百二十平方米四室两厅", 120), ('{"bedrooms": 2, "area_m2": 64}', 64),
+     ('{"bedrooms": 2, "sqm": 64}', 64), ("two bedrooms, total 90 m2 +/- 5", 90)],
+)  # fmt: skip
+def test_areas_of_the_home(prompt: str, total: float) -> None:
+    assert read(prompt).total_area == total
+
+
+@pytest.mark.parametrize(
+    ("prompt", "bedrooms"),
+    [
+        ("Three sons, each needs a room; our bedroom has a balcony.", 4),
+        ("The twins share a room, grandma has a room of her own, and our bedroom is large.", 3),
+        ("For my husband, me and our three daughters.", 4),
+        ("A flat for two adults, their son and a lodger.", 3),
+        ("Flat for my wife, me and two boys. Every boy has his own room.", 3),
+        ("Wohnung für meine Frau, mich und zwei Kinder, jedes Kind bekommt ein eigenes Zimmer", 3),
+        ("Die Zwillinge teilen sich ein Zimmer, Oma braucht ein Zimmer beim Bad, dazu unser Schlafzimmer.", 3),
+        ("Les jumeaux partagent une chambre, ma mère a besoin d'une chambre, une cuisine", 2),
+        ("Casa para una pareja con cuatro hijos: los dos pequeños comparten habitación", 4),
+    ],
+)
+def test_people_have_rooms(prompt: str, bedrooms: int) -> None:
+    assert rooms(read(prompt)).startswith(f"B{bedrooms}"), read(prompt).unread
+
+
+def test_rooms_of_people_are_no_people() -> None:
+    assert rooms(read("Two-bedroom flat; the kids' room has bunk beds")) == "B2 H K L W"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wanted"),
+    [
+        ("Two bedrooms, somewhere to work, a place to do laundry and a room for the skis.", "B2 H K L S T U W"),
+        ("Four rooms: two for sleeping, one to work, one for guests.", "B3 H K L S W2"),
+        ("Zwei Zimmer zum Schlafen, eins zum Arbeiten", "B2 H K L S W"),
+        ("deux pièces pour dormir, une pour travailler, une cuisine", "B2 H K L S W"),
+        ("dos dormitorios y un sitio para trabajar", "B2 H K L S W"),
+        ("two-bedroom flat with space for a piano", "B2 H K L W"),
+        ("two-bedroom flat with a place to work in the living room", "B2 H K L W"),
+    ],
+)
+def test_rooms_said_by_what_they_are_for(prompt: str, wanted: str) -> None:
+    assert rooms(read(prompt)) == wanted
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("Three bedrooms, none under 11 m².", "at_least"), ("Three bedrooms, none of them over 11 m².", "at_most"),
+        ("No bedroom should be smaller than 11 m²; three bedrooms.", "at_least"),
+        ("Drei Schlafzimmer, keines kleiner als 11 m²", "at_least"),
+        ("Trois chambres, aucune plus petite que 11 m²", "at_least"),
+        ("Tres dormitorios, ninguno de menos de 11 m²", "at_least"),
+    ],
+)  # fmt: skip
+def test_a_limit_denied_of_all_is_the_other_limit(prompt: str, kind: str) -> None:
+    asked = {(r.kind, r.of, r.value) for r in read(prompt).requirements}
+    assert asked == {(kind, f"bedroom_{n}", "11") for n in (1, 2, 3)}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("Two-bedroom flat, no bedroom next to the kitchen.", "apart"),
+        ("A flat in which no bedroom adjoins the kitchen; two bedrooms.", "apart"),
+        ("Two-bedroom flat where no bedroom opens onto the kitchen.", "no_door"),
+        ("Dreizimmerwohnung, kein Schlafzimmer neben der Küche", "apart"),
+        ("appartement de deux chambres, aucune chambre à côté de la cuisine", "apart"),
+    ],
+)
+def test_what_no_room_of_a_kind_is_to_be(prompt: str, kind: str) -> None:
+    program = read(prompt)
+    assert {(r.kind, r.of, r.to) for r in program.requirements} == {(kind, f"bedroom_{n}", "kitchen_1") for n in (1, 2)}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "One bedroom, on the left the kitchen, the bathroom and the study, on the right the living room.",
+        "Ein Schlafzimmer, links die Küche, das Bad und das Büro, rechts das Wohnzimmer.",
+        "Une chambre, à gauche la cuisine, la salle de bains et le bureau, à droite le séjour.",
+    ],
+)
+def test_a_place_holds_for_the_list_behind_it(prompt: str) -> None:
+    asked = {(r.of, r.value) for r in read(prompt).requirements}
+    left = {(f"{room}_1", "left") for room in ("kitchen", "bathroom", "study")}
+    assert asked == left | {("living_room_1", "right")}
+
+
+@pytest.mark.parametrize("prompt", ["一居室，厨房在客厅的北边", "One bedroom, the kitchen is north of the living room"])
+def test_sides_of_other_rooms(prompt: str) -> None:
+    assert ("kitchen_1", "living_room_1", "north") in {(r.of, r.to, r.value) for r in read(prompt).requirements}
+
+
+def test_its_sides_are_those_of_the_room_before() -> None:
+    program = read("A hall; on its left side a kitchen and a bath. One bedroom.")
+    asked = {(r.of, r.to, r.value) for r in program.requirements}
+    assert asked == {("kitchen_1", "hallway_1", "left"), ("bathroom_1", "hallway_1", "left")}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "One-bedroom flat, the bathroom opens off the bedroom instead of the hallway.",
+        "One-bedroom flat, the bathroom is entered from the bedroom rather than the hallway.",
+    ],
+)
+def test_a_door_here_instead_of_there(prompt: str) -> None:
+    near = {"bathroom_1": "bedroom_1", "bedroom_1": "hallway_1", "kitchen_1": "hallway_1", "living_room_1": "hallway_1"}
+    assert doors(read(prompt)) == {frozenset(pair) for pair in near.items()}
+
+
+@pytest.mark.parametrize(
+    "prompt", ["One bedroom, kitchen and living room in one", "客厅和厨房连在一起，一间卧室"]
+)
+def test_two_rooms_in_one(prompt: str) -> None:
+    assert read(prompt).open_links == [("kitchen_1", "living_room_1")]
