@@ -1,7 +1,7 @@
 """What no room of a type is to be: `no bedroom next to the kitchen` denies a neighbour, not the bedrooms."""
 
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.mention import Item
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 NONE = ("none", "no", "kein", "keine", "keines", "keiner", "keins", "aucun", "aucune",
@@ -72,3 +72,11 @@ def all_denied(items: list[Item]) -> list[Item]:
         else:
             out.append(item)
     return out
+
+
+def of_all(phrases: list[RoomPhrase]) -> list[RoomPhrase]:
+    """`not next to a bedroom` asks for no bedroom and is said of all of them."""
+    for phrase in phrases:
+        if phrase.quantifier == Det.A and phrase.count is None:
+            phrase.quantifier = Det.ALL
+    return phrases

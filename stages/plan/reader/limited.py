@@ -86,9 +86,10 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         each = item.text.endswith(EACH) or any(i.value == "mutual" for i in items[k + 1 : k + 2])
         rooms = next((i.room for i in reversed(out) if i.kind not in ("copula", "relative", "negation")), None)
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
-        if item.kind == "link" and item.value == "near" and each and rooms is not None and several:
+        if item.kind == "link" and item.value in ("near", "apart") and each and rooms is not None and several:
             denied = out[-1].kind == "negation"
-            kind = "opposite" if item.text.startswith(ACROSS) else "apart" if denied else "adjacent"
+            apart = denied or item.value == "apart"
+            kind = "opposite" if item.text.startswith(ACROSS) else "apart" if apart else "adjacent"
             while out[-1].room is None:
                 out.pop()
             said.asked.append(Asked(kind, [rooms], [rooms], "", f"{rooms.text} {item.text} each other"))

@@ -163,7 +163,7 @@ def _total_near(items: list[Item], k: int) -> bool:
     return any(i.kind == "area_word" and i.value == "total" for i in before[-1:] + items[k + 1 : k + 2])
 
 
-SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", "compare", "sum", "open")
+SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", "compare", "sum", "open", "only")
 """What may stand between a room and its area."""
 
 
@@ -254,7 +254,9 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         elif before and after and not (" that " in item.text and len(before) > 1):
             if after[0].quantifier == Det.A:
                 after[0].quantifier = Det.THE  # "three times as large as a bedroom" asks for no further one
-            found.append(Statement(Relation.COMPARE, before[-1:], after[:1], item.number))
+            again = found[-1:] and found[-1].right == before[-1:] and found[-1].kind == Relation.COMPARE
+            left = found[-1].left if again else before[-1:]  # "smaller than the lounge but larger than the bath"
+            found.append(Statement(Relation.COMPARE, left, after[:1], item.number))
             other = Item("room", after[0].type, after[0].text, after[0])
             aside = any(i.kind == "relative" for i in out[-2:])  # "the lounge, which is larger than the bedroom"
             asides += [Item("boundary", "while"), other] if aside else []

@@ -11,23 +11,60 @@ _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
 _KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*(\d+(?:\.\d+)?)')
+_NAMED = re.compile(
+    r'"?\b(?:name|type|room|kind|id)"?\s*:\s*"?([a-z][a-z ]*?)(?: ?\d+)?"?[\s.,;]*'
+    r'"?(?:area|size)(?: ?(?:m2|sqm))?"?\s*:\s*"?(\d+(?:\.\d+)?)'
+)
+_COMBINED = re.compile(r"(?<![\w/])([kld])([/+])([kld])(?:\2([kld]))?(?![\w/])")
+_TIMES = re.compile(
+    r"\b(bedroom|bathroom|bed|bath|br|ba|wc|balcony|closet|storage|study)s? ?x ?(\d)\b(?! ?[xm.]\d)(?!\.\d)"
+)
+_NOT_HAVE = re.compile(r"\b((?:must|should|may|do|does|shall) not (?:have|include|contain)|without|excluding|no)\s*:")
+_OPEN_PLAN = re.compile(r"\bopen (?:plan|concept|space)\"?\s*:\s*yes\b(?:\s*\(([^)]*)\))?")
+_LETTERS = re.compile(r"[+,&] ?k ?[+,&] ?b\b")
+_SHORT = {"k": "kitchen", "l": "living room", "d": "dining room"}
+_IN_EACH = re.compile(
+    r"\b(?:in|for) each (?:one )?(?:(?:of them|of these|of those) ?)?,? ?(?:there is |is )?(?:an? |its )|"
+    r"\bin jedem (?:davon )?(?:ein )|\bdans chacune? (?:d'elles )?(?:une? )|\ben cada uno (?:de ellos )?(?:una? )"
+)
 _COUNT = re.compile(r'\b(\w+) (?:count|number|qty)"?\s*:(?=\s*"?\d)')
 _UNITS = r"m2|m\^2|sqm|sq m|sqft|ft2"
 _TOLERANCE = re.compile(rf"(\d+(?:\.\d+)?)\s*({_UNITS})?\s*(?:\+/-|\+-|±)\s*(\d+(?:\.\d+)?)\s*(?:{_UNITS})?")
 _CODE = re.compile(rf"\b({'|'.join(CODES)})(\d?)\b(?!['-])")
-_CODED = re.compile(rf"\b(?:(?:{'|'.join(CODES)})\d?|mbr|\d ?(?:br|ba|bd|b))\b")
+_CODED = re.compile(rf"\b(?:(?:{'|'.join(CODES)})\d?|mbr|\d ?(?:br|ba|bd|b)|[kld](?:[/+][kld])+)\b")
 _TENS = re.compile(r"(?:([一二三四五六七八九两兩])百)?零?(?:([一二三四五六七八九]?)十)?([一二三四五六七八九]?)")
+
+
+_COMPASS = re.compile(r"(?<=[a-z0-9)])[ :]\s?(N|S|E|W|NE|NW|SE|SW)(?=\s*(?:[,;.\n)]|$))")
+_SIDES = {"N": "north", "S": "south", "E": "east", "W": "west", "NE": "north east", "NW": "north west",
+          "SE": "south east", "SW": "south west"}  # fmt: skip
+
+
+def sided(text: str) -> str:
+    """A text as written with `bedrooms N` as `bedrooms north`; later a capital is not told from others."""
+    return re.sub(r"\bentry (?=(?:north|south|east|west)\b)", "entrance ", _COMPASS.sub(_side, text))
+
+
+def _side(found: re.Match[str]) -> str:
+    return f" {_SIDES[found[1]]}"
 
 
 def worded(text: str) -> str:
     """A folded text with truth values as yes and no, areas behind their units, codes and numerals written out."""
+    coded = len({found.group() for found in _CODED.finditer(text)}) > 1
     text = _TRUTH.sub(lambda found: f"{found[1]}{'yes' if found[2] == 'true' else 'none'}", text)
+    text = _COMBINED.sub(lambda found: "/".join(_SHORT[c] for c in found.group(1, 3, 4) if c), text)
+    text = _decoded(_LETTERS.sub("+ kitchen + bathroom", text)) if coded else _LETTERS.sub("+ kitchen + bathroom", text)
+    text = _NAMED.sub(r"\1: \2 m2", text)
+    text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
+    text = _TIMES.sub(r"\2 \1s", _NOT_HAVE.sub(r"\1", text))
     text = _COUNT.sub(r"\1s:", text)
     text = _KEYED.sub(r"\1: \3 \2", text)
     text = _UNIT_KEY.sub(r"area: \2 \1", _KEY.sub(r"\1: \2 m2", text))
+    text = _IN_EACH.sub("each with a ", text)
     text = _TOLERANCE.sub(_range, text)
     text = re.sub(r"\b1 of (?=which|them|these)", "one of ", text)
-    return _decoded(_TENS.sub(_numeral, text))
+    return _TENS.sub(_numeral, text)
 
 
 def _range(found: re.Match[str]) -> str:
@@ -38,8 +75,7 @@ def _range(found: re.Match[str]) -> str:
 
 def _decoded(text: str) -> str:
     """`K open to LR`: one letter is a room among other codes only."""
-    if len({found.group() for found in _CODED.finditer(text)}) < 2:
-        return text
+    text = re.sub(r"\b([ld]) (?=\d)", lambda found: f"{_SHORT[found[1]]} ", text)
     return _CODE.sub(lambda found: CODES[found[1]] + (f" {found[2]}" if found[2] else ""), text)
 
 

@@ -138,7 +138,8 @@ def _areas_said(words: list[Lexeme], i: int) -> bool:
     before = [w for a, w in zip(words, words[1:], strict=False) if a.text == words[i - 1].text and w.kind == "number"]
     last = [w for w in before if w is not words[i] and w.number == words[i].number - 1]
     areas = [b for a, b in zip(words[:i], words[1:i], strict=False) if a.kind == "room" and b.kind == "number"]
-    return not last and any(w.number > 6 for w in areas)
+    said = any(w.kind == "area" for w in words[:i])
+    return not last and (said or any(w.number > 6 for w in areas))
 
 
 def _lettered(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:

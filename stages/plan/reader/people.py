@@ -27,11 +27,45 @@ def housed(text: str) -> tuple[People | None, str]:
     if not any(stem in text for stem in _data()["stems"]):
         return None, text
     text = _pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
-    text, claimed = _claims(text)
+    fewer, text = _told_again(text)
+    if fewer is not None:
+        people, text = _household(text)
+        people = people and replace(people, children=max(people.children - fewer, 0))
+        return people, text
+    text, claimed = _claims(_placed(text))
     if claimed:
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
     people, text = _household(text)
     return _without_sharing(people, text) if people is not None else (people, text)
+
+
+def _told_again(text: str) -> tuple[int | None, str]:
+    """`two daughters and a son; the daughters share a room`: so many rooms fewer, None where nobody is told again."""
+    fewer: list[int] = []
+
+    def shared(match: re.Match[str]) -> str:
+        noun = (match.groupdict().get(_kind(match)) or "").removesuffix("s")
+        counted = re.search(rf"\b({words}) (?:\w+ )?{noun}", text) if noun and not match["n"] else None
+        if counted is None:
+            return match.group()
+        fewer.append(_value(counted[1]) - 1)
+        return ""
+
+    words = r"\d+|" + "|".join(numbers())
+    out = _pattern("{who}{relative}? ?(?:will |can |must )?{share} ?{article}*{room}").sub(shared, text)
+    alone = _pattern("{who} (?:is |sleeps |schlaft )?(?:alone|allein|seule?|sol[oa])")
+    return (sum(fewer), alone.sub("", out)) if fewer else (None, text)
+
+
+def _placed(text: str) -> str:
+    """`two boys in one room, the girl in another, us in a third` as rooms that these people have."""
+    first = _pattern("{who} in {article}*{room}").search(text)
+    if first is None:
+        return text
+    other = "in (?:another|the other|a (?:second|third|fourth)|{article}+)(?: one| room| bedroom)?(?=[,.;]|$| and)"
+    text = _pattern("{self} " + other).sub("a parents' bedroom", text)
+    text = _pattern("{who} " + other).sub(lambda match: _rooms(match, 1), text)
+    return _pattern("{who} in {article}*{room}").sub(lambda match: _rooms(match, 1), text)
 
 
 def _claims(text: str) -> tuple[str, bool]:
@@ -52,12 +86,24 @@ def _claims(text: str) -> tuple[str, bool]:
         found.append(match.group())
         return _rooms(match, 1)
 
+    def own_each(match: re.Match[str]) -> str:
+        found.append(match.group())
+        return _rooms(match, _number(match) or 2)
+
+    def bathed(match: re.Match[str]) -> str:
+        if _kind(match) not in ("adult", "couple") or "own" not in match["bath"] + " " and "propi" not in match["bath"]:
+            return match.group()
+        found.append(match.group())
+        return f"{_rooms(match, 1)} with its own bathroom"
+
     text = _pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = _pattern(
         "{who}{relative}?,? ?(?P<one>(?:{every}|alle|jeweils|各)(?: one| of them)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
         "(?P<each>{each})?(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
     ).sub(own, text)
+    text = _pattern("{who}[:,] {article}{room}{each}").sub(own_each, text)
+    text = _pattern("{who} {need} (?P<bath>{article}+{bathroom}\\b)").sub(bathed, text)
     if found:  # "then my parents also a room, and I a room"
         also = "(?:also |too |auch |aussi |tambien )?"
         gapped = _pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
@@ -78,9 +124,10 @@ def _others(text: str) -> str:
 
     def room(match: re.Match[str]) -> str:
         count = _number(match) or (2 if _plural(match) else 1)
-        return f"{match['lead']}{_rooms(match, 1 if _kind(match) in ('couple', 'spouse') else count)}"
+        lead = match["lead"].replace("- ", ", ")
+        return f"{lead}{_rooms(match, 1 if _kind(match) in ('couple', 'spouse') else count)}"
 
-    begins, ends = "^|[:,;.] |\\b(?:and|with|und|et|y) ", "[,.;:]| (?:and|with|und|et|y)\\b|$"
+    begins, ends = "^|[:,;.-] |\\b(?:and|with|und|et|y) ", " ?[-,.;:]| (?:and|with|und|et|y)\\b|$"
     return _pattern(f"(?P<lead>{begins})(?={{number}}|{{before}}){{who}}(?={ends})").sub(room, text)
 
 

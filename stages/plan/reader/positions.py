@@ -92,7 +92,9 @@ def _beside(items: list[Item], k: int) -> bool:
 def _seen_from(items: list[Item], k: int, said: Said) -> None:
     """Adds the place of a room as seen from another one, or from the entrance."""
     rooms, other = _rooms(items, k), items[k + 1].room
-    if other is None and items[k + 1].value == "it":
+    if other is None and items[k + 1].value == "it" and (again := _it_before(items, k, said)) is not None:
+        other = again
+    elif other is None and items[k + 1].value == "it":
         other = next((r for i in reversed(items[:k]) if (r := i.room) is not None and r not in rooms), None)
     to: list[RoomPhrase] | str = "entrance" if items[k + 1].value == "entrance" else [other] if other else ""
     if other is not None and items[k + 1].room is not None:
@@ -104,6 +106,14 @@ def _seen_from(items: list[Item], k: int, said: Said) -> None:
     said.asked += [
         Asked("position", [known(room, items)], to, _side(items[k]), f"{room.text} {text}") for room in rooms
     ]
+
+
+def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | None:
+    """What `it` stood for just before: `a hall, a lounge to the west of it, a kitchen to the east of it`."""
+    start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
+    told = any(_side(items[j]) and items[j + 1].value == "it" for j in range(start, k - 1))
+    to = said.asked[-1].to if told and said.asked else ""
+    return to[0] if isinstance(to, list) and to else None
 
 
 def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
@@ -171,6 +181,8 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     if following is not None and (opens or items[k].kind == "side"):
         return [following]
     for j in range(k - 1, -1, -1):
+        if items[j].room is not None and j and items[j - 1].value == "except":
+            continue  # "every room other than the bathroom has a window to the west"
         if is_mark(items[j], ".") or items[j].room is not None:
             return _pair(items, j - 1 if _of_other(items, k) else j, k)
     return [following] if following else []

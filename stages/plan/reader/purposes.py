@@ -12,6 +12,7 @@ BEHIND = ("for", "to", "for to", "fur", "zum", "zur", "pour", "para", "where")
 """What stands before a purpose."""
 BETWEEN = ("the", "our", "my", "their", "a", "an", "die", "das", "den", "der", "unsere", "meine", "les", "le", "la",
            "nos", "los", "las", "i", "we", "you", "one", "do", "can", "could", "man", "ich", "wir", "zu")  # fmt: skip
+OPEN = {"living_room", "kitchen", "dining_room"}
 ENDS = ("mark", "conjunction", "boundary", "relative", "with", "link", "area", "bound")
 
 
@@ -21,12 +22,19 @@ def purposes(words: list[Lexeme]) -> list[Lexeme]:
     i = 0
     while i < len(words):
         kind, end = _purpose(words, i)
+        named = words[i].kind == "room" and {"to", "for"} & set(words[i].text.split())
+        if named and _second(words, i + 1)[0]:
+            kind, end = words[i].value, i + 1  # "a room to live and cook in"
         if kind:
             text = " ".join(w.text for w in words[i:end])
             count = words[i].kind == "number" and words[i].text[0] != "a"
             out += [words[i]] if count else []
             out.append(Lexeme("room", kind, text, plural=count and words[i].number > 1))
-            i = end
+            other, last = _second(words, end)
+            if other and other != kind and {kind, other} <= OPEN:
+                out += [Lexeme("mark", "/", "/"), Lexeme("room", other, words[last - 1].text)]
+                end = last
+            i = end + (end < len(words) and words[end].text == "in" and _ends(words, end + 1))
         else:
             out.append(words[i])
             i += 1
@@ -61,12 +69,18 @@ def _purpose(words: list[Lexeme], i: int) -> tuple[str, int]:
     return ("storage", j) if thing and not head.plural else ("", i)
 
 
+def _second(words: list[Lexeme], end: int) -> tuple[str, int]:
+    """The other purpose of `one room to live and cook in`."""
+    and_ = end + 1 < len(words) and words[end].kind == "conjunction"
+    return _known(words, end + 1) if and_ else ("", end)
+
+
 def _known(words: list[Lexeme], j: int) -> tuple[str, int]:
-    """The room for the longest purpose at `j`; together with words that the lexicon keeps as one."""
+    """The room for the longest purpose at `j`; none for `a place to work in the living room`."""
     for n in (3, 2, 1):
         text = " ".join(w.text for w in words[j : j + n])
         kind = _data().get(text)
-        inside = j + n < len(words) and words[j + n].text == "in"  # "a place to work in the living room"
+        inside = j + n + 1 < len(words) and words[j + n].text == "in" and not _ends(words, j + n + 1)
         if kind and not inside and _ends(words, j + n):
             return kind, j + n
     return "", j

@@ -244,9 +244,25 @@ def _by_percent(words: list[Lexeme]) -> list[Lexeme]:
     return out
 
 
+def _each_in_brackets(words: list[Lexeme]) -> list[Lexeme]:
+    """`3 bedrooms (12/12/16)`, `2 BA (4, 6)` as areas of each."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        values, joints, end = _numbers_joined(words, i + 1) if words[i].text == "(" else ([], [], i)
+        closed = len(values) > 1 and set(joints) == {"and"} and end < len(words) and words[end].text == ")"
+        if closed and out and out[-1].kind in ("room", "shorthand"):
+            out.append(_made(values, words, i + 1, end))
+            i = end + 1
+        else:
+            out.append(words[i])
+            i += 1
+    return out
+
+
 def _listing(words: list[Lexeme]) -> list[Lexeme]:
     """`Bedrooms: 3` and `bedrooms (3)` are counts, `kitchen (10)` is an area."""
-    out = list(words)
+    out = _each_in_brackets(words)
     in_brackets = [c.number for a, b, c in zip(words, words[1:], words[2:], strict=False) if _bracketed(a, b, c)]
     areas = sum(n > 3 for n in in_brackets) > 1
     for i in range(len(out) - 2):

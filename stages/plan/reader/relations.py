@@ -1,6 +1,7 @@
 """Doors between rooms: finds the subject and the objects of every relation in a sentence."""
 
 from apartgen.stages.plan.reader.anaphora import JOINING
+from apartgen.stages.plan.reader.denied import of_all
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.objects import objects
 from apartgen.stages.plan.reader.openplan import chain
@@ -49,7 +50,7 @@ def relations(
             else []
         )
         if not right and p.form in ("s", "p"):
-            right = _relative_object(items, p)
+            right = _relative_object(items, p) or (place(out) or trail if _onward(items[p.at]) else [])
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
             topic = _rooms(items, 0, p.subject[0])[:1]
             right = [r for r in (trail if trail and _onward(items[p.at]) else topic or before) if r not in left]
@@ -90,7 +91,7 @@ def _alike(rooms: tuple[RoomPhrase, ...]) -> bool:
 def _onward(item: Item) -> bool:
     """`from there`, `beyond it`: the place one came to last, not what the sentence before was about."""
     words = item.text.split()
-    return bool({"there", "beyond", "that"} & set(words)) if item.value == "from_which" else "beyond" in words
+    return bool({"there", "beyond", *(["that"] if item.value == "from_which" else [])} & set(words))
 
 
 def _crossed(phrase: RoomPhrase | None) -> bool:
@@ -278,9 +279,8 @@ def _comma_and(items: list[Item], j: int) -> bool:
 
 def _worded(p: Predicate, words: str) -> str:
     """One wording in all languages for neighbours and for rooms far apart."""
-    if p.kind == Relation.NEAR and words not in OPPOSITE:
-        return "next to"
-    return "far from" if p.kind == Relation.APART and words not in DOORLESS else words
+    far = p.kind == Relation.APART and words not in DOORLESS
+    return "next to" if p.kind == Relation.NEAR and words not in OPPOSITE else "far from" if far else words
 
 
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
@@ -296,4 +296,5 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
         living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
         kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
     relation = f"not {_worded(p, words)}" if p.negated else _worded(p, words)
+    right = of_all(right) if kind == Relation.NOT else right
     return [Statement(kind, left, right, relation=relation)] if left and right else []

@@ -42,8 +42,12 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
 
 def _meant(wish: Asked, home: Household) -> list[Entity]:
     """`no room smaller than 8 m²` is said of rooms that people spend the day or the night in."""
-    every = wish.kind in ("at_least", "at_most") and any(phrase.type == "any" for phrase in wish.of)
-    return [e for kind in HABITABLE for e in home.of(kind)] if every else entities(wish.of, home)
+    every = next((phrase for phrase in wish.of if phrase.type == "any"), None)
+    if every is None:
+        return entities(wish.of, home)
+    kinds = HABITABLE if wish.kind in ("at_least", "at_most") else (*HABITABLE, "kitchen", "bathroom")
+    excluded = entities(every.excluded, home)
+    return [e for kind in kinds for e in home.of(kind) if e not in excluded]
 
 
 def _dimensions(said: Said) -> Iterator[Asked]:

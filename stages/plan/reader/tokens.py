@@ -5,7 +5,7 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Literal, cast
 
-from apartgen.stages.plan.reader.notation import worded
+from apartgen.stages.plan.reader.notation import sided, worded
 
 Kind = Literal["number", "word", "mark"]
 
@@ -68,7 +68,7 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
-    text = _NESTED.sub(r'"\1": \2 m2', text.replace("_", " "))
+    text = _NESTED.sub(r'"\1": \2 m2', sided(text.replace("_", " ")))
     text = re.sub(r'(?<=["\w])"?\s*,\s*(?="[\w ]+"\s*:)', '" . ', text)  # `"kitchen": "open", "bath": …`
     for sign, words in _BOUNDS.items():
         text = re.sub(rf"\s*{sign}\s*(?=\d)", f" {words} ", text)

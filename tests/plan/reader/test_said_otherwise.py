@@ -157,3 +157,77 @@ def test_a_door_here_instead_of_there(prompt: str) -> None:
 )
 def test_two_rooms_in_one(prompt: str) -> None:
     assert read(prompt).open_links == [("kitchen_1", "living_room_1")]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wanted"),
+    [
+        ('[{"name": "kitchen", "area": 9}, {"name": "bedroom", "area": 14}, {"name": "bath", "area": 4}]', [9, 14, 4]),
+        ("2 BR (13/11), kitch 8 m2, BA 4", [8, 13, 11, 4]),
+        ("two bedrooms (12 and 10 m²), K 8 m², BA 5 m²", [8, 12, 10, 5]),
+    ],
+)
+def test_areas_of_lists(prompt: str, wanted: list[float]) -> None:
+    program = read(prompt)
+    assert [r.area for r in program.rooms if r.type in ("kitchen", "bedroom", "bathroom")] == wanted
+    assert not program.unread
+
+
+def test_capitals_are_sides() -> None:
+    asked = {(r.of, r.value) for r in read("two bedrooms N, kitchen SE, entry W").requirements}
+    assert asked == {("bedroom_1", "north"), ("bedroom_2", "north"), ("kitchen_1", "south_east")}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wanted"),
+    [
+        ("Two daughters and a son and us. The daughters share a room.", "B3 H K L W2"),
+        ("Our two girls in one room, the boy in another, us in a third.", "B3 H K L W2"),
+        ("Drei Freunde: ein Zimmer für jeden", "B3 H K L W2"),
+        ("Cinco estudiantes: una habitación para cada uno, dos baños", "B5 H K L W2"),
+        ("A lodger needs his own shower, and our bedroom is large.", "B2 H K L W2"),
+    ],
+)
+def test_who_sleeps_where(prompt: str, wanted: str) -> None:
+    assert rooms(read(prompt)) == wanted, read(prompt).unread
+
+
+def test_what_is_denied_of_one_of_a_kind_is_denied_of_all() -> None:
+    asked = {(r.kind, r.of, r.to) for r in read("Two bedrooms; the study mustn't be next to a bedroom.").requirements}
+    assert asked == {("apart", "study_1", f"bedroom_{n}") for n in (1, 2)}
+
+
+def test_what_rooms_are_to_one_another() -> None:
+    asked = {(r.kind, r.of, r.to) for r in read("Two studies as far from each other as possible, a bed.").requirements}
+    assert asked == {("apart", "study_1", "study_2")}
+
+
+def test_a_second_comparison_is_of_the_same_room() -> None:
+    program = read("One bedroom, the kitchen is larger than the bathroom but smaller than the bedroom.")
+    asked = {(r.of, r.to, r.value) for r in program.requirements}
+    assert asked == {("kitchen_1", "bathroom_1", "larger"), ("kitchen_1", "bedroom_1", "smaller")}
+
+
+def test_a_side_of_all_rooms_but_one() -> None:
+    program = read("A one-bedroom flat; every room except the kitchen has a window to the east.")
+    assert {r.of for r in program.requirements} == {"living_room_1", "bedroom_1", "bathroom_1"}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    ["Two bedrooms, in each of them a bathroom", "zwei Schlafzimmer, in jedem ein Bad",
+     "deux chambres, dans chacune une salle de bains", "dos dormitorios, en cada uno un baño"],
+)  # fmt: skip
+def test_one_in_each(prompt: str) -> None:
+    pairs = {frozenset((f"bedroom_{n}", f"bathroom_{n}")) for n in (1, 2)}
+    assert pairs <= doors(read(prompt))
+
+
+def test_from_there_is_where_the_last_clause_led() -> None:
+    program = read("The hall ends in the living room, and the kitchen is reached from there. One bedroom.")
+    assert frozenset(("kitchen_1", "living_room_1")) in doors(program)
+
+
+def test_a_room_after_an_unknown_thing_is_not_the_things() -> None:
+    program = read("Zwei Schlafzimmer, Bad mit Bullauge, Abstellraum neben der Küche")
+    assert {(r.kind, r.of, r.to) for r in program.requirements} == {("adjacent", "storage_1", "kitchen_1")}
