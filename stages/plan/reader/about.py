@@ -27,19 +27,24 @@ class People:
 
 @dataclass(frozen=True)
 class About:
-    """What a prompt says about the home as a whole: `dwelling` and `facades` as in `schemas.plan.Envelope`."""
+    """What a prompt says about the home as a whole: `dwelling` and `facades` as in `schemas.plan.Envelope`.
+
+    `lived` says that people speak of their home, which has more rooms than they name.
+    """
 
     people: People | None = None
     dwelling: str = ""
     facades: int | None = None
     loft: bool = False
+    lived: bool = False
 
 
 def about(text: str) -> tuple[About, str]:
     """What a folded text says of people and surroundings, and the text without the words that say it."""
+    lived = any(pattern.search(text) for pattern in _patterns(_data()["lived"]))
     people, text = _people(text)
     dwelling, facades, text = _dwelling(text)
-    return About(people, dwelling, facades, any(p.search(text) for p in _patterns(_data()["loft"]))), text
+    return About(people, dwelling, facades, any(p.search(text) for p in _patterns(_data()["loft"])), lived), text
 
 
 def numbers() -> dict[str, int]:

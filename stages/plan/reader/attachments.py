@@ -152,7 +152,7 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
                     item.room.quantifier = Det.EACH
                     k += 1
                 k += _beyond(item.room, items[k + 1 : k + 5])
-        elif first and is_mark(item, ",") and not bare:
+        elif first and is_mark(item, ","):
             break  # "a bath with a window, a closet": what was with it is not known
         elif item.kind == "negation" or item.kind == "conjunction" or is_mark(item, ","):
             k += 1

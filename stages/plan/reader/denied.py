@@ -23,7 +23,12 @@ def limits_denied(words: list[Lexeme]) -> list[Lexeme]:
         if following is None or following.kind not in ("number", "area"):
             continue
         at = _none_before(out, k)
-        if at is not None:
+        no = k - 1
+        while no > 0 and out[no].kind == "stop" and out[no].value != "word":
+            no -= 1  # "may not be smaller than"
+        if no >= 0 and out[no].kind == "negation" and out[no].value == "not":
+            out[no], out[k] = Lexeme("stop", "", out[no].text), Lexeme("bound", OTHER[bound], word.text)
+        elif at is not None:
             out[at] = Lexeme("determiner", "each" if _one(out[at + 1]) else "all", out[at].text)
             out[k] = Lexeme("bound", OTHER[bound], word.text)
     return out

@@ -11,11 +11,22 @@ if TYPE_CHECKING:
     from apartgen.stages.plan.reader.household import Household
 
 
+WHOSE = (("boy", "son"), ("girl", "daughter"), ("twin",), ("bab", "nursery", "toddler"), ("teen",),
+         ("grandm", "granny", "nan"), ("grandf", "grandpa"), ("mother", "mum", "mom"), ("father", "dad"))  # fmt: skip
+"""Words of people whose rooms are not one another's."""
+
+
+def _of_others(text: str, name: str) -> bool:
+    """Whether `the girls' room` is not `the boys' room`."""
+    a, b = (next((k for k, words in enumerate(WHOSE) if said.startswith(words)), None) for said in (text, name))
+    return None not in (a, b) and a != b
+
+
 def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[Entity]:
     """Rooms that their traits tell from others of their type: known ones, or new ones."""
     several = len(home.of("bedroom")) if Trait.ENSUITE in labels else 0  # "a house with attached bathrooms"
     count = int(phrase.count or (max(2, several) if phrase.plural else 1))
-    known = [e for e in home.of(phrase.type) if labels & e.labels]
+    known = [e for e in home.of(phrase.type) if labels & e.labels and not _of_others(phrase.text, e.name)]
     if known and (phrase.quantifier in (Det.THE, Det.BARE) or id(phrase) in home.mentions) and phrase.count is None:
         return known
     if known and phrase.count and all(e.vague for e in known):

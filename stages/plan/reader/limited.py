@@ -25,7 +25,7 @@ def limited(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         elif (ahead := _ahead(items, k)) is not None:
             _ask(item, ahead, said)
-            skip = 1
+            skip = int(items[k + 1].room is None)
         elif (room := _before(items, k)) is not None:
             _ask(item, known(room, items), said)
             _without_verb(out, items[k + 1 : k + 3])
@@ -109,6 +109,8 @@ def _ask(item: Item, room: RoomPhrase, said: Said) -> None:
 
 def _ahead(items: list[Item], k: int) -> RoomPhrase | None:
     """The room behind `at most four doors off`; that before it has doors of its own: `the hall has four doors`."""
+    if k + 1 < len(items) and items[k + 1].value == "hallway" and items[k].value.endswith("doors"):
+        return items[k + 1].room
     if k + 2 >= len(items) or items[k + 1].kind not in BETWEEN or not items[k].value.endswith("doors"):
         return None
     opens = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary", "reach")

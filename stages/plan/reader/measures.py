@@ -177,7 +177,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if items[k].kind == "share" and leading and rooms_of(is_of[:1]):
         return rooms_of(is_of[:1])
     j = len(before) - 1
-    while j >= 0 and (is_mark(before[j], "(:,-") or before[j].kind in SKIPPED or before[j].value == "it"):
+    while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value == "it"):
         j -= 1
     last = before[j].room if j >= 0 else None
     if last is not None:

@@ -38,6 +38,7 @@ def _lone(said: Said, home: Household) -> bool:
         or home.totals
         or said.main_rooms
         or said.about.people
+        or said.about.lived
         or said.total_area
         or home.banned
         or len(home.of("bedroom")) > 1

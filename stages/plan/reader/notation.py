@@ -11,6 +11,11 @@ _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
 _KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*(\d+(?:\.\d+)?)')
+_WHOSE = re.compile(r"\b(kitchen|(?:living|dining|bath|bed) ?room|hall(?:way)?|corridor|study|balcony|lounge|flat)'s\b")
+_SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
+_ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
+_VALUE = re.compile(r"(?<=[a-z])\"?: \"?(?=(?:open to|off|next to|near|opposite|with|at|on|in|beside|adjacent to)\b)")
+_TAG = re.compile(r"</?\w+([^<>]*?)/?->")
 _NAMED = re.compile(
     r'"?\b(?:name|type|room|kind|id)"?\s*:\s*"?([a-z][a-z ]*?)(?: ?\d+)?"?[\s.,;]*'
     r'"?(?:area|size)(?: ?(?:m2|sqm))?"?\s*:\s*"?(\d+(?:\.\d+)?)'
@@ -52,11 +57,17 @@ def _side(found: re.Match[str]) -> str:
 def worded(text: str) -> str:
     """A folded text with truth values as yes and no, areas behind their units, codes and numerals written out."""
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
+    text = _WHOSE.sub(r"\1", _TAG.sub(r"\1 ;", text))
+    text = re.sub(r" / ", " ; ", text) if text.count(" / ") > 1 else text
+    text = re.sub(r"\(n ?: ?(\d)\)", r"(\1)", _VALUE.sub(" ", text))
+    text = re.sub(r"(?<!\d)\bldk\b", "kitchen/dining room/living room", text)
+    text = _ADDED.sub(r"2 \1s (\2, \3)", text)
     text = _TRUTH.sub(lambda found: f"{found[1]}{'yes' if found[2] == 'true' else 'none'}", text)
     text = _COMBINED.sub(lambda found: "/".join(_SHORT[c] for c in found.group(1, 3, 4) if c), text)
     text = _decoded(_LETTERS.sub("+ kitchen + bathroom", text)) if coded else _LETTERS.sub("+ kitchen + bathroom", text)
     text = _NAMED.sub(r"\1: \2 m2", text)
     text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
+    text = _SIZED.sub(r"\1 \2: \3 m2", text)
     text = _TIMES.sub(r"\2 \1s", _NOT_HAVE.sub(r"\1", text))
     text = _COUNT.sub(r"\1s:", text)
     text = _KEYED.sub(r"\1: \3 \2", text)

@@ -26,6 +26,7 @@ def housed(text: str) -> tuple[People | None, str]:
     """
     if not any(stem in text for stem in _data()["stems"]):
         return None, text
+    text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
     text = _pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
     fewer, text = _told_again(text)
     if fewer is not None:
@@ -222,7 +223,7 @@ def _pattern(text: str, unnamed: bool = False) -> re.Pattern[str]:
     )
     modified = rf"(?:{words['before']})*(?:{count} ?)?(?:{words['adjective']})*"
     words["number"] = rf"(?:{words['numbers']})\b"
-    words["who"] = rf"(?<![\w']){modified}(?:{nouns})(?![\w'])(?! ?(?:bed|bath|room|suite|bunk))"
+    words["who"] = rf"(?<![a-z']){modified}(?:{nouns})(?![a-z'])(?! ?(?:bed|bath|room|suite|bunk))"
     words["self"] = r"\b(?:me|myself|us|we|i|mich|mir|uns|ich|moi|nous|yo|nosotros)\b"
     for name in ("who", "self", *words):
         text = text.replace("{" + name + "}", words[name])

@@ -1,6 +1,7 @@
 """What was said as a programme: rooms with ids, links, areas, furniture, weights."""
 
 import logging
+from dataclasses import replace
 
 from numpy.random import Generator
 
@@ -47,7 +48,8 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     home = Household(mentions(said.statements))
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
-    if not home.rooms and not said.dwelling and not said.main_rooms and said.about == About():
+    silent = replace(said.about, lived=False) == About()
+    if not home.rooms and not said.dwelling and not said.main_rooms and silent:
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
         )
@@ -62,10 +64,20 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
         if rng is not None:
             add_rooms(said, home, doors, named, rng)
     every_room(said.statements, home, doors)
+    _every_area(said, home)
     ensuites(home, doors)
     if len(home.rooms) > MOST:
         raise BadInput(f"the prompt asks for more than {MOST} rooms; ask for fewer")
     return _program(said, home, doors, complete)
+
+
+def _every_area(said: Said, home: Household) -> None:
+    """`every room is 12 m²`, hallways apart."""
+    for phrase in said.rooms:
+        excluded = {id(e) for p in phrase.excluded for e in home.refs.get(id(p), [])}
+        for room in home.rooms if phrase.type == "any" and len(phrase.areas) == 1 and not phrase.bounds else []:
+            if room.area is None and room.type != "hallway" and id(room) not in excluded:
+                room.area = phrase.areas[0]
 
 
 def bounded(prompt: str) -> Said:

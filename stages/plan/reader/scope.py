@@ -77,7 +77,9 @@ def spread_negation(items: list[Item]) -> None:
     word, scope = "", False
     for k, item in enumerate(items):
         if item.kind == "negation":
-            word = item.value
+            word, scope = item.value, item.text == "neither"
+        elif item.kind == "object":
+            continue
         elif item.room is not None:
             phrase = item.room
             joint = items[k - 1].value if k and items[k - 1].kind == "conjunction" else ""

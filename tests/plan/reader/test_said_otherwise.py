@@ -231,3 +231,57 @@ def test_from_there_is_where_the_last_clause_led() -> None:
 def test_a_room_after_an_unknown_thing_is_not_the_things() -> None:
     program = read("Zwei Schlafzimmer, Bad mit Bullauge, Abstellraum neben der Küche")
     assert {(r.kind, r.of, r.to) for r in program.requirements} == {("adjacent", "storage_1", "kitchen_1")}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("Two bedrooms; the kitchen must not exceed 9 m².", "at_most"),
+        ("Two bedrooms; the kitchen may not be smaller than 9 m².", "at_least"),
+        ("Zwei Schlafzimmer; die Küche darf nicht kleiner als 9 m² sein.", "at_least"),
+        ("Two bedrooms; the kitchen's area must not exceed 9 m².", "at_most"),
+    ],
+)
+def test_a_limit_denied_is_the_other_limit(prompt: str, kind: str) -> None:
+    assert {(r.kind, r.of) for r in read(prompt).requirements} == {(kind, "kitchen_1")}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        '<room type="kitchen" area="9"/> <room type="living_room" area="21"/> <room type="bedroom" area="13"/>',
+        "kit 9 / liv 21 / bed 13", "kitchen (9), LR (21), BR1 (13)",
+    ],
+)  # fmt: skip
+def test_areas_between_marks(prompt: str) -> None:
+    area = {r.id: r.area for r in read(prompt).rooms}
+    assert (area["kitchen_1"], area["living_room_1"], area["bedroom_1"]) == (9, 21, 13)
+
+
+def test_keys_with_a_place_behind_them() -> None:
+    program = read("bedrooms: 1\nkitchen: open to living room\nbalcony: off bedroom")
+    assert program.open_links == [("kitchen_1", "living_room_1")]
+    assert frozenset(("balcony_1", "bedroom_1")) in doors(program)
+
+
+def test_every_room_has_one_area() -> None:
+    program = read("A flat where every room is 11 m²: kitchen, lounge, one bedroom, bathroom")
+    assert {r.area for r in program.rooms if r.type != "hallway"} == {11}
+
+
+def test_neither_things_nor_rooms() -> None:
+    assert rooms(read("Neither a bathtub nor a study, but two bedrooms")) == "B2 H K L W"
+
+
+def test_doors_of_a_hall_are_limited() -> None:
+    asked = {(r.kind, r.of, r.to, r.value) for r in read("Two beds, no more than 5 doors on the hall.").requirements}
+    assert asked == {("at_most", "hallway_1", "doors", "5")}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "bedrooms"),
+    [("The boys' room and the girl's room side by side, two bathrooms", "B2"), ("两个孩子各有一间房，主卧朝南", "B3"),
+     ("Four people, two bathrooms", "B3"), ("The kids' room beside ours, a lounge", "B2")],
+)  # fmt: skip
+def test_rooms_of_different_people(prompt: str, bedrooms: str) -> None:
+    assert rooms(read(prompt)).startswith(bedrooms)
