@@ -63,7 +63,8 @@ def all_denied(items: list[Item]) -> list[Item]:
     out: list[Item] = []
     for k, item in enumerate(items):
         no, phrase = (out[-1] if out else Item("")), item.room
-        denied = no.kind == "negation" and no.text.split()[0] in NONE and phrase is not None and phrase.negated
+        denied = no.kind == "negation" and phrase is not None and phrase.negated
+        denied = denied and phrase is not None and (no.text.split()[0] in NONE or phrase.quantifier == Det.THE)
         at = k + 1
         while denied and at < len(items) and items[at].kind in BETWEEN:
             at += 1
@@ -72,7 +73,8 @@ def all_denied(items: list[Item]) -> list[Item]:
         near = link.value in (Relation.NEAR, Relation.APART)
         if denied and phrase is not None and link.kind == "link" and other.room is not None and (finite or near):
             out.pop()
-            phrase.negated, phrase.quantifier = False, Det.ALL
+            phrase.negated = False
+            phrase.quantifier = Det.THE if phrase.quantifier == Det.THE else Det.ALL
             out += [item, Item("negation", "not", no.text)]
         else:
             out.append(item)

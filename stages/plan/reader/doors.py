@@ -149,6 +149,8 @@ def _share(users: list[Entity], shared: list[Entity], out: Doors, home: Househol
         users, shared = shared, users
     users = [u for u in users if u.type == "bedroom"] if shared and shared[0].type == "bathroom" else users
     for room in shared:
+        if room.type in OPEN_TYPES and all(u.type == "bedroom" for u in users):
+            continue  # "two sisters' rooms, sharing the kitchen"
         others = [e for e in home.of("bathroom") if e is not room and e.owner is None and Trait.HALF not in e.labels]
         if room.type == "bathroom" and (
             Trait.SHARED_PAIR not in room.labels and not others or len(shared) > 1 or len(users) > 3

@@ -69,6 +69,7 @@ def worded(text: str) -> str:
     text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
     text = _SIZED.sub(r"\1 \2: \3 m2", text)
     text = _TIMES.sub(r"\2 \1s", _NOT_HAVE.sub(r"\1", text))
+    text = re.sub(r"\b(bed|bath)(?:room)? count:? (\d)\b", r"\2 \1s", re.sub(r"\b(sqm|m2) (\d{2,3})$", r"\2 \1", text))
     text = _COUNT.sub(r"\1s:", text)
     text = _KEYED.sub(r"\1: \3 \2", text)
     text = _UNIT_KEY.sub(r"area: \2 \1", _KEY.sub(r"\1: \2 m2", text))

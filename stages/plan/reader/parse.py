@@ -94,11 +94,18 @@ def _whole(items: list[Item], said: Said) -> None:
             ):
                 said.unread.append(item.text)
             case "main_rooms":
-                said.main_rooms = int(item.number)
+                said.main_rooms = int(item.number) + _beside_living(items, k)
             case "flat_size":
                 said.flat_size *= item.number
             case "side" if role := role_of(items, k):
                 said.sides.append((role, item.value))
+
+
+def _beside_living(items: list[Item], k: int) -> bool:
+    """`a living room and three other rooms`: it is none of the three."""
+    around = (*items[max(k - 2, 0) : k], *items[k + 1 : k + 3])
+    near = [i.value for i in around if i.kind in ("room", "conjunction")]
+    return set(near[:2]) in ({"living_room", "and"}, {"living_room", "plus"})
 
 
 def _of_room(after: list[Item]) -> bool:

@@ -27,6 +27,7 @@ def housed(text: str) -> tuple[People | None, str]:
     if not any(stem in text for stem in _data()["stems"]):
         return None, text
     text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
+    text = re.sub(r"\b(?:our|my) (?:own )?bedroom\b", "the parents' bedroom", text)
     text = _pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
     fewer, text = _told_again(text)
     if fewer is not None:
@@ -81,7 +82,8 @@ def _claims(text: str) -> tuple[str, bool]:
         found.append(match.group())
         if not count:
             count = 2 if apart and _plural(match) else 1
-        return _rooms(match, count if apart or _plural(match) else 1)
+        rooms = _rooms(match, count if apart or _plural(match) else 1)
+        return rooms + " each with its own bathroom" if match["bath"] else rooms
 
     def shared(match: re.Match[str]) -> str:
         found.append(match.group())
@@ -101,7 +103,8 @@ def _claims(text: str) -> tuple[str, bool]:
     text = _pattern(
         "{who}{relative}?,? ?(?P<one>(?:{every}|alle|jeweils|各)(?: one| of them)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
-        "(?P<each>{each})?(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
+        "(?P<each>{each})?(?P<bath> and (?:a )?{bathroom}\\b)?"
+        "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
     ).sub(own, text)
     text = _pattern("{who}[:,] {article}{room}{each}").sub(own_each, text)
     text = _pattern("{who} {need} (?P<bath>{article}+{bathroom}\\b)").sub(bathed, text)
@@ -185,7 +188,7 @@ def _without_sharing(people: People, text: str) -> tuple[People, str]:
         people = People(people.pairs, people.singles, max(people.children - fewer, 0))
         text = text[: shared.start()] + text[shared.end() :]
     own = _pattern("{before}(?:\\w+ )?(?:\\w+ )?{need} {hers}", unnamed=True)
-    each = _pattern("(?:{every} (?:\\w+ )?(?:{need}|with|in) ?{article}*{room})")
+    each = _pattern("(?:{every} (?:of (?:the |my |our )?)?(?:\\w+ )?(?:{need}|with|in) ?{article}*{room})")
     return people, each.sub("", own.sub("", text))
 
 

@@ -111,6 +111,7 @@ class Phraser:
                 pass
             case "unknown" if not p.empty() and noun_ahead(words, i + 1):
                 self.unread.append(word.text)
+                p.labels |= {Trait.PLACED} if p.negated else set()  # "no internal bathrooms"
             case "style" if not p.empty() and noun_ahead(words, i + 1):
                 self.items.append(Item("style", word.value, word.text))
             case "stop" if (

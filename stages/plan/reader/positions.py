@@ -145,7 +145,8 @@ def _at_entrance(items: list[Item], k: int, said: Said) -> bool:
     told = bool(said.asked) and said.asked[-1].to == "entrance"
     it = items[k].value == "it" and (told or _of_entrance(items[:k]))
     room = items[k].room
-    the = room is not None and (room.quantifier == Det.THE or items[k - 1].text.endswith((" la", " der", " zum")))
+    article = room is not None and (room.quantifier == Det.THE or room.text.startswith("l'"))
+    the = article or items[k - 1].text.endswith((" la", " der", " zum"))
     way_in = room is not None and room.text in WAYS_IN and the
     return near and (it or way_in or (items[k].kind == "side_role" and items[k].value == "entrance"))
 

@@ -285,3 +285,15 @@ def test_doors_of_a_hall_are_limited() -> None:
 )  # fmt: skip
 def test_rooms_of_different_people(prompt: str, bedrooms: str) -> None:
     assert rooms(read(prompt)).startswith(bedrooms)
+
+
+def test_who_shares_a_kitchen_has_no_door_to_it() -> None:
+    program = read("A flat for two sisters, each with her own bedroom and bathroom, sharing kitchen and living room.")
+    assert frozenset(("bedroom_1", "bathroom_1")) in doors(program)
+    assert not any({"bedroom_1", other} in doors(program) for other in ("kitchen_1", "living_room_1"))
+
+
+def test_what_is_not_wanted_beside_a_room_is_still_wanted() -> None:
+    program = read("We don't want the bathroom next to the kitchen. Two bedrooms, no internal kitchen.")
+    assert rooms(program) == "B2 H K L W"
+    assert {(r.kind, r.of, r.to) for r in program.requirements} == {("apart", "bathroom_1", "kitchen_1")}
