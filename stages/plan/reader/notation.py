@@ -65,6 +65,7 @@ def worded(text: str) -> str:
     text = _TRUTH.sub(lambda found: f"{found[1]}{'yes' if found[2] == 'true' else 'none'}", text)
     text = _COMBINED.sub(lambda found: "/".join(_SHORT[c] for c in found.group(1, 3, 4) if c), text)
     text = _decoded(_LETTERS.sub("+ kitchen + bathroom", text)) if coded else _LETTERS.sub("+ kitchen + bathroom", text)
+    text = re.sub(r"\bopen kitchen\"?\s*:\s*\"?(?:no|none)\b", "separate kitchen", text)
     text = _NAMED.sub(r"\1: \2 m2", text)
     text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
     text = _SIZED.sub(r"\1 \2: \3 m2", text)

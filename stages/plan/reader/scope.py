@@ -35,7 +35,8 @@ def _instead(items: list[Item]) -> list[Item]:
     """`opens off the bedroom instead of the hall`: that door is denied, not the hall."""
     out: list[Item] = []
     for k, item in enumerate(items):
-        room = items[k + 1].room if k + 1 < len(items) else None
+        again = k + 1 < len(items) and items[k + 1].kind in ("link", "front")  # "off the hall rather than off …"
+        room = items[k + 1 + again].room if k + 1 + again < len(items) else None
         told = item.kind == "negation" and item.text.startswith((*INSTEAD, *IN_PLACE))
         linked = any(i.kind in ("link", "front") for i in items[max(k - 3, 0) : k])
         if told and linked and room is not None and out and out[-1].room is not None:

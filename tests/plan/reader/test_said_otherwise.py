@@ -145,6 +145,7 @@ def test_its_sides_are_those_of_the_room_before() -> None:
     [
         "One-bedroom flat, the bathroom opens off the bedroom instead of the hallway.",
         "One-bedroom flat, the bathroom is entered from the bedroom rather than the hallway.",
+        "One-bedroom flat, the bathroom opens off the bedroom rather than off the hallway.",
     ],
 )
 def test_a_door_here_instead_of_there(prompt: str) -> None:
@@ -297,3 +298,10 @@ def test_what_is_not_wanted_beside_a_room_is_still_wanted() -> None:
     program = read("We don't want the bathroom next to the kitchen. Two bedrooms, no internal kitchen.")
     assert rooms(program) == "B2 H K L W"
     assert {(r.kind, r.of, r.to) for r in program.requirements} == {("apart", "bathroom_1", "kitchen_1")}
+
+
+@pytest.mark.parametrize("prompt", ["Two bedrooms, no open kitchen", "Zwei Schlafzimmer, keine offene Küche",
+                                    "bedrooms: 2, open kitchen: no"])  # fmt: skip
+def test_no_open_kitchen_is_a_closed_one(prompt: str) -> None:
+    program = read(prompt)
+    assert rooms(program) == "B2 H K L W" and not program.open_links
