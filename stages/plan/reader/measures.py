@@ -216,7 +216,7 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
         return False
     usual = sense()["area"].get(phrase.type, 12.0)
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
-    whole = phrase.headline and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
+    whole = bool(phrase.headline) and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
     return whole or area.values[0] > (2.2 if apart else 5.0) * usual
 
 
