@@ -29,7 +29,8 @@ def randomized(scene: Scene, seed: int) -> list[Body]:
 def drawn(body: Body, rng: Generator) -> Body:
     """A body with physics drawn: parts get heavier or lighter together, and rub alike."""
     scale, rubs = _heavier(body, rng), rng.uniform(*mechanisms.surface())
-    links = [replace(link, mass=scale * link.mass, friction=rubs * link.friction) for link in body.links]
+    links = [replace(link, mass=scale * link.mass, friction=_within(_rubbing(body.category), link.friction, rubs))
+             for link in body.links]
     moving = [link for link in links if link.joint is not None]
     return replace(body, links=links, motions={
         link.name: mechanisms.motion(body.category, link, seeds.lane(rng, link.name)) for link in moving})
@@ -41,8 +42,18 @@ def _heavier(body: Body, rng: Generator) -> float:
     span = _span(body.category)
     if span is None or usual <= 0:
         return float(factor)
-    # A library's own model may weigh less or more than its kind does.
-    return float(min(max(factor * usual, min(span[0], usual)), max(span[1], usual)) / usual)
+    return _within(span, usual, factor) / usual
+
+
+def _within(span: mechanisms.Range, usual: float, factor: float) -> float:
+    """`factor` times the usual, as far as the span goes; a library's own model may be outside as it is."""
+    return float(min(max(factor * usual, min(span[0], usual)), max(span[1], usual)))
+
+
+def _rubbing(category: str) -> mechanisms.Range:
+    """Between what and what surfaces of such a thing rub."""
+    kind = small.TABLE[category].surface if category in small.TABLE else "hard"
+    return mechanisms.surfaces()[kind].friction
 
 
 def _span(category: str) -> tuple[float, float] | None:

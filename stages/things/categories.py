@@ -51,7 +51,9 @@ class Category:
     max: tuple[float, float, float]
     rule: tuple[float, float, float] | None = None
     mass: tuple[float, float] | None = None
-    weighed: str = ""
+    weighed: tuple[str, ...] = ()
+    listed: tuple[float, float] | None = None
+    entry: str = ""
     mechanism: Literal["", "cabinet_door", "sealed_door", "latched_door", "sprung_flap", "flap"] = ""
     uses: tuple[str, ...] = ()
     opens: Opens = ""

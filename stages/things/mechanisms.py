@@ -3,6 +3,7 @@
 """
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -33,6 +34,20 @@ class Mechanism:
     rest: Range = (0.0, 0.0)
     travel: float = 0.0
     source: str
+    force: Range
+    turn: Range = (0.0, 0.0)
+    out: Range = (0.0, 0.0)
+    turned: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """What one kind of surface rubs at rest, and where that is from."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid")
+
+    friction: Range
+    source: str
 
 
 class Motion(NamedTuple):
@@ -62,9 +77,23 @@ def surface() -> Range:
     return float(least), float(most)
 
 
+@cache
+def surfaces() -> dict[str, Surface]:
+    """Every kind of surface by its name."""
+    return TypeAdapter(dict[str, Surface]).validate_python(_rows()["surfaces"])
+
+
 def sources() -> dict[str, str]:
     """Where figures are from, by the names that tables give."""
     return dict(_rows()["sources"])
+
+
+def allowed(names: Sequence[str], listed: Range) -> Range:
+    """Between what and what a thing may weigh, kg, by what its sources list: from half to twice that where they give
+    averages or single things.
+    """
+    alone = set(names) <= set(_rows()["average"])
+    return (listed[0] / 2, listed[1] * 2) if alone else listed
 
 
 def kind(category: str, joint: Joint) -> str:

@@ -30,7 +30,11 @@ class Small:
     min: Size
     max: Size
     mass: tuple[float, float]
+    weighed: tuple[str, ...]
+    listed: tuple[float, float] | None = None
+    entry: str = ""
     friction: float = 0.5
+    surface: str = "hard"
     looks: dict[str, tuple[str, ...]]
     styles: dict[str, tuple[Part, ...]]
     collide: tuple[Part, ...] = (("box",),)

@@ -29,13 +29,59 @@ def test_furniture_weighs_what_such_things_weigh(category):
         assert weighed[0] <= weighed[2] + 0.01
 
 
-def test_every_category_has_a_weight_and_every_figure_a_source():
-    known = mechanisms.sources()
-    assert all(kind.mass and kind.mass[0] < kind.mass[1] and kind.weighed in known for kind in TABLE.values())
-    assert all(row.source in known for row in mechanisms.table().values())
-    named = [kind.weighed != "own" for kind in TABLE.values()]
-    assert np.mean(named) > 0.6, "weights of lists that are named"
-    assert all(0 < kind.mass[0] <= kind.mass[1] for kind in small.TABLE.values())
+UNKNOWN = {"remote"}
+"""Things that no source was found for."""
+
+
+def test_every_figure_has_a_source_that_is_known():
+    known = set(mechanisms.sources())
+    weighed = {name: kind for name, kind in (TABLE | small.TABLE).items()}
+    assert {name for name, kind in weighed.items() if not kind.weighed} == UNKNOWN
+    assert all(set(kind.weighed) <= known and kind.mass[0] <= kind.mass[1] for kind in weighed.values())
+    rows = [*mechanisms.table().values(), *mechanisms.surfaces().values()]
+    assert {row.source for row in rows} | {row.turned for row in mechanisms.table().values()} <= known | {""}
+    named = {name for kind in weighed.values() for name in kind.weighed} | {row.source for row in rows}
+    assert named | {row.turned for row in mechanisms.table().values()} | {"surfaces"} >= known, "named by nothing"
+
+
+@pytest.mark.parametrize("name", sorted((set(TABLE) | set(small.TABLE)) - UNKNOWN))
+def test_weights_lie_within_what_their_sources_allow(name):
+    kind = (TABLE | small.TABLE)[name]
+    least, most = mechanisms.allowed(kind.weighed, kind.listed)
+    assert least - 1e-9 <= kind.mass[0] <= kind.mass[1] <= most + 1e-9, (least, most)
+
+
+def test_what_sources_allow_is_half_to_twice_an_average_and_a_range_as_it_is():
+    assert mechanisms.allowed(["ycb"], (0.2, 0.3)) == (0.1, 0.6)
+    assert mechanisms.allowed(["fridges"], (30.0, 130.0)) == (30.0, 130.0)
+
+
+def test_surfaces_rub_within_what_their_sources_give():
+    known = mechanisms.surfaces()
+    for name, kind in small.TABLE.items():
+        assert known[kind.surface].friction[0] <= kind.friction <= known[kind.surface].friction[1], name
+    usual = {link.friction for name in TABLE for link in furniture.build(
+        name, furniture.styles(name)[0], TABLE[name].size, 0).links}
+    assert all(known["hard"].friction[0] <= friction <= known["hard"].friction[1] for friction in usual)
+
+
+@pytest.mark.parametrize("category", ARTICULATED)
+def test_parts_pull_and_turn_within_what_their_sources_give(category):
+    """By the force that holds a part shut and its dry friction, at the handle; and how far it turns or slides."""
+    for style in furniture.styles(category):
+        asset = furniture.build(category, style, TABLE[category].size, 0)
+        for link in asset.links[1:]:
+            row, arm = mechanisms.table()[mechanisms.kind(category, link.joint)], mechanisms.lever(link)
+            for k in (0, 1):
+                friction = min(row.friction[k], mechanisms.LIGHT * link.mass * arm)
+                assert row.force[0] <= row.catch[k] + friction / arm <= row.force[1], (style, link.name)
+            if any(row.turn):
+                turns = np.degrees(np.ptp(link.joint.range))
+                assert row.turn[0] - 1e-6 <= turns <= row.turn[1], (style, link.name, turns)
+            if any(row.out):
+                depth = np.ptp(np.concatenate([mesh.vertices[:, 0] for mesh in link.visuals]))
+                share = np.ptp(link.joint.range) / depth
+                assert row.out[0] - 1e-6 <= share <= row.out[1], (style, link.name, share)
 
 
 class _Scene:
