@@ -105,9 +105,8 @@ def _of_link(asset: Asset, k: int, solids: _Solids) -> list[Receptacle]:
         if z > _HIGHEST_TOP - asset.size[2] / 2:
             continue
         for lo, hi in _rectangles(at, z, solids):
-            place = _place(asset, k, lo, hi, z, solids)
-            if place.room >= LEAST_ROOM:
-                found.append(place)
+            whole = _place(asset, k, lo, hi, z, solids)
+            found += [place for place in _by_door(whole, asset, solids) if place.room >= LEAST_ROOM]
     return found
 
 
@@ -249,10 +248,35 @@ def _sunk(lo: Array, hi: Array, z: float, solids: _Solids) -> bool:
 
 def _door(asset: Asset, lo: Array, hi: Array, z: float, room: float, solids: _Solids) -> str:
     """The joint of the first moving part that stands before a place, empty where none does."""
+    before = _before(lo, hi, z, room, solids)
+    return _joint(asset, int(solids.link[before[0]])) if len(before) else ""
+
+
+def _before(lo: Array, hi: Array, z: float, room: float, solids: _Solids) -> NDArray[np.int64]:
+    """Pieces of moving parts that stand before a place."""
     low, high = np.array([lo[1] + 0.03, z + 0.02]), np.array([hi[1] - 0.03, z + min(room, 0.3) - 0.02])
     before = (solids.link > 0) & (solids.hi[:, 0] > hi[0] - 0.01)
     before &= (solids.lo[:, 1:] < high).all(1) & (solids.hi[:, 1:] > low).all(1)
-    if not before.any():
-        return ""
-    joint = asset.links[int(solids.link[np.flatnonzero(before)[0]])].joint
+    return np.flatnonzero(before)
+
+
+def _joint(asset: Asset, link: int) -> str:
+    joint = asset.links[link].joint
     return joint.name if joint is not None else ""
+
+
+def _by_door(whole: Receptacle, asset: Asset, solids: _Solids) -> list[Receptacle]:
+    """A place cut where two doors that stand side by side before it meet: one for each of them, which opens it."""
+    if whole.kind != "inside":
+        return [whole]
+    lo, hi = np.array(whole.lo), np.array(whole.hi)
+    pieces = _before(lo, hi, whole.z, whole.room, solids)
+    doors = sorted((float(solids.lo[own, 1].min()), float(solids.hi[own, 1].max()), int(link))
+                   for link in np.unique(solids.link[pieces]) for own in [pieces[solids.link[pieces] == link]])
+    if len(doors) < 2 or any(a[1] > b[0] + EDGE for a, b in zip(doors, doors[1:])):
+        return [whole]
+    cuts = [(a[1] + b[0]) / 2 for a, b in zip(doors, doors[1:])]
+    sides = zip([lo[1], *(cut + EDGE for cut in cuts)], [*(cut - EDGE for cut in cuts), hi[1]])
+    return [whole._replace(lo=(whole.lo[0], round(float(y0), 4)), hi=(whole.hi[0], round(float(y1), 4)),
+                           part=_joint(asset, link))
+            for (y0, y1), (_, _, link) in zip(sides, doors) if y1 - y0 >= LEAST_SIDE]

@@ -61,6 +61,16 @@ def test_a_shelf_is_open_and_a_cupboard_is_behind_its_door():
     assert (inside.kind, inside.part, inside.open) == ("inside", "door_0", False)
 
 
+def test_what_is_behind_a_pair_of_doors_is_one_place_for_each_of_them():
+    doors = [moving(f"door_{k}", "hinge", (0, 0, 1), (0.0, 1.5), ((0.28, y, -0.4), (0.3, y + 0.498, 0.38)))
+             for k, y in enumerate((0.001, -0.499))]
+    places = [place for place in receptacles(asset(base(*SIDES, BOTTOM, TOP), *doors)) if place.kind == "inside"]
+    assert {place.part: (place.lo[1] < 0, place.hi[1] > 0) for place in places} == {
+        "door_0": (False, True), "door_1": (True, False)}
+    drawn = moving("door_0", "hinge", (0, 0, 1), (0.0, 1.5), ((0.28, -0.5, -0.4), (0.3, 0.5, 0.38)))
+    assert len([p for p in receptacles(asset(base(*SIDES, BOTTOM, TOP), drawn)) if p.kind == "inside"]) == 1
+
+
 def test_a_drawer_holds_what_passes_under_all_that_it_slides_under():
     tray = [((-0.28, -0.4, 0.0), (0.28, 0.4, 0.01)), ((-0.28, -0.4, 0.01), (-0.27, 0.4, 0.1)),
             ((0.27, -0.4, 0.01), (0.28, 0.4, 0.1))]
