@@ -94,3 +94,28 @@ def test_things_in_a_home_say_how_they_are_held():
     narrow = [o for o in free if min(o.size) <= WIDEST
               and library().load_asset(o.asset.library, o.asset.id).links[0].mass <= HEAVIEST]
     assert all(o.grasps for o in narrow) and len(narrow) > 0.5 * len(free)
+
+
+def room_for_fingers(asset, hold):
+    """Whether open fingers touch neither the thing nor the ground that it stands on."""
+    (link,) = asset.links
+    turn = np.stack([hold.close, np.cross(hold.approach, hold.close), hold.approach], 1)
+    quat = np.zeros(4)
+    mujoco.mju_mat2Quat(quat, turn.ravel())
+    at = [hold.at + turn @ [side * (hold.width / 2 + 0.004), 0, TIP - 0.02] for side in (-1, 1)]
+    fingers = "".join(f'<geom type="box" size=".004 .01 .02" pos="{numbers(a)}" quat="{numbers(quat)}"/>' for a in at)
+    model = mujoco.MjModel.from_xml_string(
+        f'<mujoco><worldbody><geom type="plane" size="1 1 1" pos="0 0 {-asset.size[2] / 2}"/>'
+        f'{"".join(geom(piece, 1) for piece in link.colliders)}<body><freejoint/><inertial pos="0 0 0" mass="1" '
+        f'diaginertia=".01 .01 .01"/>{fingers}</body></worldbody></mujoco>')
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    return not any(contact.dist < -1e-5 for contact in data.contact[:data.ncon])
+
+
+@pytest.mark.parametrize("name", ["plate", "cup", "mug", "game_controller", "clothes", "towel"])
+def test_rims_handles_and_edges_are_held_from_a_table(name):
+    rng = np.random.default_rng(3)
+    for _ in range(6):
+        asset = furniture.load_asset(small.drawn(small.TABLE[name], rng).id())
+        assert any(room_for_fingers(asset, hold) for hold in holds(asset.links[0])), asset.id
