@@ -5,13 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from apartgen.stages.populate.boards import Board, Spot
+from apartgen.stages.populate.boards import Array, Board, Spot
 from apartgen.stages.things.small import Design
 
 APART = 0.0015
 """Between books, and between other things in a row or grid that there is no more room for, m."""
 FINGERS = 0.012
 """Between things where there is room: what fingers need that take one, m."""
+STANDS_OUT = (0.025, 0.04)
+"""So far before its neighbours stands a book that stands out for fingers, m."""
 LIFT = 0.0005
 """Things are put down so far above what carries them, m."""
 AROUND = (2 * FINGERS, 0.008)
@@ -47,27 +49,48 @@ def _claimed(
 
 
 def row(designs: Sequence[Design], lying: bool, board: Board, where: str, rng: np.random.Generator) -> list[Put]:
-    """Things side by side from right to left, as many of them as there is room for, books close together."""
+    """Things side by side from right to left, as many as there is room for, books close together and, where there is
+    depth, some of them further out.
+    """
     close = designs[0].kind.rests
+    out = _standing_out(len(designs), rng) if close else np.zeros(len(designs))
     for n in range(len(designs), 0, -1):
-        for apart in (APART,) if close else (FINGERS, APART):
-            if row := _row(designs[:n], lying, board, where, apart, rng):
+        for apart, so_far in ((APART, out), (APART, 0 * out)) if close else ((FINGERS, out), (APART, out)):
+            if row := _row(designs[:n], lying, board, where, apart, so_far[:n], rng):
                 return row
     return []
 
 
+def _standing_out(n: int, rng: np.random.Generator) -> Array:
+    """How far before its neighbours each book of a row stands, m: every second or third of them does."""
+    chosen = np.cumsum([rng.integers(0, 2), *rng.integers(2, 4, n)])
+    return np.where(np.isin(np.arange(n), chosen), rng.uniform(*STANDS_OUT, n), 0.0)
+
+
 def _row(
-    designs: Sequence[Design], lying: bool, board: Board, where: str, apart: float, rng: np.random.Generator
+    designs: Sequence[Design], lying: bool, board: Board, where: str, apart: float, out: Array,
+    rng: np.random.Generator,
 ) -> list[Put]:
     sizes = np.array([design.size_of(lying) for design in designs])
-    deep, wide, high = sizes[:, 0].max(), sizes[:, 1].sum() + apart * (len(sizes) - 1), sizes[:, 2].max()
+    fronts = _fronts(sizes[:, 0], where, out)
+    deep, wide, high = fronts.max(), sizes[:, 1].sum() + apart * (len(sizes) - 1), sizes[:, 2].max()
     at = board.claim(deep + 2 * APART, wide + max(AROUND[1], 2 * apart), high, where, rng)
     if at is None:
         return []
     left = at[1] - wide / 2 + np.concatenate([[0.0], np.cumsum(sizes[:-1, 1] + apart)]) + sizes[:, 1] / 2
-    edge = (deep - sizes[:, 0]) / 2 * (1 if where == "front" else -1 if where == "back" else 0)
-    return [Put(design, lying, board, Spot(float(at[0] + e), float(y), board.place.z + LIFT, 0.0))
-            for design, y, e in zip(designs, left, edge)]
+    middle = at[0] - deep / 2 + fronts - sizes[:, 0] / 2
+    return [Put(design, lying, board, Spot(float(x), float(y), board.place.z + LIFT, 0.0))
+            for design, x, y in zip(designs, middle, left)]
+
+
+def _fronts(depths: Array, where: str, out: Array) -> Array:
+    """How far from the back of a row the front of each thing is, m: their fronts, backs or middles in one line, but for
+    those that stand `out` so far before what is beside them.
+    """
+    free = depths.max() - depths
+    line = depths + free * (1.0 if where == "front" else 0.0 if where == "back" else 0.5)
+    beside = np.maximum(np.append(0.0, line[:-1]), np.append(line[1:], 0.0))
+    return np.where(out > 0, np.maximum(line, beside + out), line)
 
 
 def grid(designs: Sequence[Design], lying: bool, board: Board, where: str, rng: np.random.Generator) -> list[Put]:

@@ -10,13 +10,15 @@ from apartgen.schemas import carrying
 from apartgen.schemas.populate import Populate
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import populate, seeds
-from apartgen.stages.populate import rules
+from apartgen.stages.populate import arrange, rules
+from apartgen.stages.populate.boards import Board
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.robot.wedged import wedged
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import sweeps
 from apartgen.stages.things import small
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.receptacles import Receptacle
 
 SEEDS = range(3)
 
@@ -156,6 +158,21 @@ def test_a_room_draws_from_a_lane_of_its_own():
     lane = seeds.drawn(0, "populate", seeds.plan_digest(home))
     without = things(populate.run(bare, populate.PopulateConfig(), lane, library()))
     assert [o for o in things(lived_in(0)) if o.room != "kitchen_1"] == [o for o in without if o.room != "kitchen_1"]
+
+
+@pytest.mark.parametrize("deep", [0.3, 0.21])
+def test_books_at_the_front_stand_out_for_fingers_where_there_is_depth(deep):
+    rng = np.random.default_rng(4)
+    owner = next(o for o in furnished().objects if o.category == "bookshelf" or o.category == "sideboard")
+    for _ in range(20):
+        place = Receptacle("shelf_0", "shelf", (-deep / 2, -0.4), (deep / 2, 0.4), 0.0, 0.35)
+        books = [small.drawn(small.TABLE["book"], rng) for _ in range(6)]
+        row = arrange.row(books, False, Board(owner, place, np.zeros((0, 5))), "front", rng)
+        fronts = np.array([put.spot.x + put.design.size[0] / 2 for put in row])
+        backs = np.array([put.spot.x - put.design.size[0] / 2 for put in row])
+        assert len(row) == 6 and fronts.max() <= deep / 2 and backs.min() >= -deep / 2
+        ahead = fronts[1:-1] - np.maximum(fronts[:-2], fronts[2:])
+        assert (ahead > 0.02).any() if deep > 0.25 else np.ptp(fronts) < 0.04 + 1e-9
 
 
 def test_density_says_how_much_there_is():
