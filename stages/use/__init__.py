@@ -8,9 +8,11 @@ from apartgen.stages import registry
 from apartgen.stages.use.fault import Fault, activities, weights
 from apartgen.stages.use.room import Furnished, of_plan
 from apartgen.stages.use.site import alone, site
-from apartgen.stages.use.wants import Lack, lacks
+from apartgen.stages.use.wants import Lack, lacks, lacks_of
 
-__all__ = ["Fault", "Furnished", "Lack", "activities", "alone", "faults", "lacks", "of_plan", "site", "weights"]
+__all__ = [
+    "Fault", "Furnished", "Lack", "activities", "alone", "faults", "lacks", "lacks_of", "of_plan", "site", "weights",
+]
 
 
 @cache

@@ -1,20 +1,23 @@
 """What a room lacks for those who live there, and what it has too much of (`wants.toml`)."""
 
 import tomllib
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from apartgen.stages.use.kinds import BEDSIDE, DOUBLE, TABLES
+from apartgen.stages.use.kinds import BEDS, BEDSIDE, CHAIRS, CLOTHES, COUNTERS, DOUBLE, ON_THE_FLOOR, TABLES, basic
 from apartgen.stages.use.room import Furnished
 from apartgen.stages.use.rules.eat import diners
 from apartgen.stages.use.rules.sleep import within_reach
+from apartgen.stages.use.site import Site
 
 SCREEN = 0.3
 """What a television stand without its television costs."""
-NIGHTSTAND, CHAIR, TABLE = 0.5, 0.4, 0.8
-"""What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, and a table."""
+NIGHTSTAND, CHAIR, TABLE, CLOSET = 0.5, 0.4, 0.8, 0.8
+"""What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, and a
+place for clothes where one sleeps in the living room."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
@@ -52,18 +55,53 @@ def _wants(group: str, kind: str) -> tuple[_Want, ...]:
 
 def lacks(room: Furnished) -> Iterator[Lack]:
     """Everything a room lacks or has too much of; nothing of a type of room that nothing is known about."""
-    kind, area = room.site.kind, room.site.area
-    for want in _wants("want", kind):
-        number = min(want.each, len(room.site.windows)) if want.each else want.number
-        missing = number - room.number(want.of)
-        if area >= want.least_area and missing > 0:
+    yield from _by_number(room.site, room.count, len(room.upright))
+    yield from _of_groups(room)
+
+
+def lacks_of(site: Site, names: Sequence[str]) -> Iterator[Lack]:
+    """What a room with things of these categories lacks, wherever they are going to stand."""
+    count = Counter(map(basic, names))
+    yield from _by_number(site, count, sum(count[name] for name in ON_THE_FLOOR))
+    beside = _number(count, BEDSIDE)
+    if site.kind == "bedroom" and count["double_bed"] and beside < 2:
+        yield Lack("few nightstands", 2 - beside, (2 - beside) * NIGHTSTAND)
+    yield from _of_home(site, count)
+    missing = _guests(site) - _number(count, CHAIRS)
+    if _number(count, TABLES) and site.meals and missing > 0:
+        yield Lack("few chairs", missing, missing * CHAIR)
+
+
+def _by_number(site: Site, count: Counter[str], upright: int) -> Iterator[Lack]:
+    """What there is too little or too much of, `upright` things standing on the floor."""
+    for want in _wants("want", site.kind):
+        number = min(want.each, len(site.windows)) if want.each else want.number
+        missing = number - _number(count, want.of)
+        if site.area >= want.least_area and missing > 0:
             yield Lack(f"no {want.name}" if number == 1 or want.each else f"few {want.name}", missing,
                        missing * want.weight)
-    for want in _wants("most", kind):
-        if (over := room.number(want.of) - want.number) > 0:
+    for want in _wants("most", site.kind):
+        if (over := _number(count, want.of) - want.number) > 0:
             yield Lack(f"too many {want.name}", over, over * want.weight)
-    yield from _of_groups(room)
-    yield from _few(room)
+    fixed, by_area = _table()["few"].get(site.kind, (0.0, 0.0))
+    missing = fixed + by_area * site.area - upright
+    if missing > 0:
+        yield Lack("few things", missing, missing * _table()["few_weight"])
+
+
+def _number(count: Counter[str], names: Iterable[str]) -> int:
+    return sum(count[name] for name in names)
+
+
+def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
+    """What is missed where people eat, where they sleep beside a sofa, and at a television's stand."""
+    if site.meals and not _number(count, COUNTERS):
+        yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
+    if site.kind == "living_room" and _number(count, BEDS) and not _number(count, CLOTHES):
+        yield Lack("no place for clothes", 1, CLOSET)
+    bare = count["tv_stand"] - count["tv"]
+    if bare > 0:
+        yield Lack("stand without television", bare, bare * SCREEN)
 
 
 def _of_groups(room: Furnished) -> Iterator[Lack]:
@@ -73,29 +111,22 @@ def _of_groups(room: Furnished) -> Iterator[Lack]:
         if room.site.kind == "bedroom" and there < 2:
             yield Lack("double bed without nightstand" if not there else "double bed with one nightstand", 2 - there,
                        (2 - there) * NIGHTSTAND)
-    if room.site.meals and not room.number(TABLES | {"island"}):
-        yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
+    yield from _of_home(room.site, room.count)
     for table in room.which(TABLES):
         missing = seats_wanted(room, table) - len(diners(room, table))
         if missing > 0:
             yield Lack("few chairs at the table", missing, missing * CHAIR)
-    bare = room.count["tv_stand"] - room.count["tv"]
-    if bare > 0:
-        yield Lack("stand without television", bare, bare * SCREEN)
 
 
 def seats_wanted(room: Furnished, table: int) -> int:
     """Chairs for those who sleep in the home, an even number of them; at a little table beside the one where they eat,
     two."""
-    people = GUESTS if room.site.sleepers is None else max(2, min(room.site.sleepers, MOST_CHAIRS))
     longest = max(room.width[table], room.depth[table])
     little = longest <= LITTLE_TABLE and room.names[table] == "dining_table" and not room.site.meals
-    return min(people + people % 2, 2 if little else MOST_CHAIRS)
+    return min(_guests(room.site), 2 if little else MOST_CHAIRS)
 
 
-def _few(room: Furnished) -> Iterator[Lack]:
-    """How empty it is."""
-    fixed, by_area = _table()["few"].get(room.site.kind, (0.0, 0.0))
-    missing = fixed + by_area * room.site.area - len(room.upright)
-    if missing > 0:
-        yield Lack("few things", missing, missing * _table()["few_weight"])
+def _guests(site: Site) -> int:
+    """An even number of those who eat together."""
+    people = GUESTS if site.sleepers is None else max(2, min(site.sleepers, MOST_CHAIRS))
+    return people + people % 2

@@ -61,6 +61,30 @@ def test_everyone_who_sleeps_there_has_a_chair(people: int | None, missing: int)
     assert found.get("few chairs at the table", 0) == missing
 
 
+@pytest.mark.parametrize("kind", ROOMS)
+def test_what_is_lacking_by_name_alone_is_the_least_that_can_be_lacking(kind: str) -> None:
+    """Where everything stands well nothing more is; where things stand anyhow, as much or more."""
+    width, depth, things = ROOMS[kind]
+    well, rng = room(kind, width, depth, *things()), np.random.default_rng(5)
+
+    def by_name(place: use.Furnished) -> float:
+        return sum(lack.cost for lack in use.lacks_of(place.site, [o.category for o in place.objects]))
+
+    assert by_name(well) == pytest.approx(sum(lack.cost for lack in use.lacks(well)))
+    for _ in range(30):
+        some = [o.model_copy(update={"center": (rng.uniform(0, width), rng.uniform(0, depth), o.center[2])})
+                for o in things() if rng.random() < 0.7]
+        anyhow = room(kind, width, depth, *some)
+        assert by_name(anyhow) <= sum(lack.cost for lack in use.lacks(anyhow)) + 1e-9
+
+
+def test_who_sleeps_in_the_living_room_wants_a_place_for_clothes() -> None:
+    bed = thing("double_bed", 1.06, 2.0, EAST)
+    assert lacking(room("living_room", 6, 5, bed))["no place for clothes"] == 1
+    assert "no place for clothes" not in lacking(room("living_room", 6, 5, bed, thing("wardrobe", 3, 0.3, NORTH)))
+    assert "no place for clothes" not in lacking(room("living_room", 6, 5))
+
+
 def test_too_much_is_named() -> None:
     things = [thing("desk", 1, 0.35 + k, NORTH, id=f"desk{k}") for k in range(3)]
     assert lacking(room("bedroom", 4, 4, *things))["too many desks"] == 2

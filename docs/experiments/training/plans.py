@@ -1,4 +1,4 @@
-"""Floor plans to train the layout model on: `python plans.py FOLDER` draws four for every line of prompts.txt."""
+"""Floor plans to train the layout model on: `python plans.py FOLDER` draws three for every line of prompts.txt."""
 
 import sys
 from concurrent.futures import ProcessPoolExecutor
@@ -7,7 +7,7 @@ from pathlib import Path
 import apartgen
 
 PROMPTS = (Path(__file__).parent / "prompts.txt").read_text().splitlines()
-TIMES = 4
+TIMES = 3
 
 
 def draw(folder: Path, i: int) -> None:

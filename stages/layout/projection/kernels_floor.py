@@ -200,7 +200,7 @@ def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more
     """What of a floor is cut off, see `paths.Paths.cut_off`.
 
     `inside`, `count` (radii, rows, columns); `bodies` all that stands, `more` those of them that `count` lacks, rows
-    of [x, y, depth, width, yaw, how far it opens or -1].
+    of [x, y, depth, width, yaw, how far it opens, -1 where it does not, or -2 where nobody need get at it].
     """
     (radii, worth), (_, _, _, rows, columns), (door_row, door_column, door_of) = walkers, raster, doors
     free, labels = np.empty((rows, columns), np.bool_), np.empty((rows, columns), np.int32)
@@ -230,7 +230,8 @@ def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more
             break
         if r == 0:
             for k in range(len(bodies)):
-                if home == 0 or not _touched(bodies[k], labels, parent, home, prices.beside, raster):
+                got_at = bodies[k, 5] >= -1
+                if got_at and (home == 0 or not _touched(bodies[k], labels, parent, home, prices.beside, raster)):
                     total += prices.unreached
         elif r == len(radii) - 1:
             for k in range(len(bodies)):

@@ -33,8 +33,8 @@ LOW, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 Bodies = Mapping[int, Boxes]
 NOTHING: Bodies = {}
-SHUT = -1.0
-"""How far what nobody opens does so."""
+SHUT, HUNG = -1.0, -2.0
+"""How far what nobody opens does so, and what hangs above something, over which one gets at it."""
 SHUT_ALL: Mapping[int, float] = {}
 
 

@@ -132,18 +132,18 @@ def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wa
                 torch.from_numpy(np.stack([row.so_far for row in some])).float(),
                 torch.tensor([row.left for row in some]),
                 torch.from_numpy(np.stack([row.wanted for row in some])).float()).numpy()
-        going = [i for k, i in enumerate(going) if _further(rows[i], logits[k], rules, rngs[i])]
+        may = np.stack([allowed(row.so_far, row.last, row.left, row.wanted, rules) for row in some])
+        shown = np.where(may, SHARP * logits.astype(float), SHUT_OUT)
+        likely = np.exp(shown - shown.max(1, keepdims=True)).cumsum(1)
+        chosen = [int(np.searchsorted(one, rngs[i].random() * one[-1])) for i, one in zip(going, likely, strict=True)]
+        going = [i for i, c in zip(going, chosen, strict=True) if _further(rows[i], c, rules)]
         if not going:
             break
     return [row.found for row in rows]
 
 
-def _further(row: _Drawing, logits: NDArray[np.float32], rules: Rules, rng: np.random.Generator) -> bool:
-    """Draw the next category; False where the room ends."""
-    may = allowed(row.so_far, row.last, row.left, row.wanted, rules)
-    shown = np.where(may, SHARP * logits.astype(float), SHUT_OUT)
-    weight = np.exp(shown - shown.max())
-    chosen = int(np.searchsorted(np.cumsum(weight) / weight.sum(), rng.random()))
+def _further(row: _Drawing, chosen: int, rules: Rules) -> bool:
+    """Take the next category; False where the room ends."""
     if chosen >= len(row.wanted):
         return False
     row.found.append(chosen)

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Collection, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -27,11 +28,16 @@ from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
+from apartgen.stages.use import lacks_of, site
 from apartgen.stages.use.household import duties, sleepers
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
 
+DRAWN = 3
+"""Contents drawn for every sample, where several are made: those are furnished that lack least."""
+GOOD, POOR = 0.3, 0.8
+"""Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
 SHARP = 1.5
 """What logits of places are multiplied with before anything is drawn."""
 
@@ -44,32 +50,61 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     style = int(home.integers(1 << 16))
     due = [i for i, room in enumerate(plan.rooms) if not config.room or room.id in config.room]
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
-    rooms = [_sampler(plan, i, arrays, config, seeds.lane(rng, plan.rooms[i].id), there[i]) for i in due]
-    made = dict(zip(due, sampler.furnished(rooms), strict=True))
+    best: dict[int, Furnished] = {}
+    for name, samples, limit in _rounds(config.candidates):
+        some = [i for i in due if i not in best or best[i].cost > limit]
+        lanes = [seeds.lane(rng, plan.rooms[i].id + name) for i in some]
+        rooms = [_sampler(plan, i, arrays, config, samples, lane, there[i])
+                 for i, lane in zip(some, lanes, strict=True)]
+        for i, made in zip(some, sampler.furnished(rooms), strict=True):
+            one = _best(plan, plan.rooms[i], made, arrays.origin[i], style, there[i])
+            best[i] = min(best.get(i, one), one, key=lambda one: one.cost)
     objects: list[Box] = []
     notes: list[str] = []
     for i, room in enumerate(plan.rooms):
-        if i not in made:
+        if i not in best:
             objects += [o for o in given if o.room == room.id]
             continue
-        found = [_boxes(room, p, arrays.origin[i], style, there[i]) for p in made[i]]
-        best = choice.best(plan, room.id, found) if len(found) > 1 else 0
-        objects += found[best]
-        notes += [f"{room.id}: {note}" for note in made[i][best].notes]
-        if lacks := wishes.unmet(plan.program, room.id, found[best]):
+        objects += best[i].objects
+        notes += [f"{room.id}: {note}" for note in best[i].notes]
+        if lacks := wishes.unmet(plan.program, room.id, best[i].objects):
             notes.append(f"{room.id}: has {'; '.join(lacks)}")
     return Layout(**plan.model_dump(include=set(Plan.model_fields)), objects=objects), notes
 
 
-def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, rng: Generator,
+def _rounds(candidates: int) -> list[tuple[str, int, float]]:
+    """(name, samples, energy) of the rounds: each is for the rooms whose best sample has more than that energy."""
+    if candidates == 1:
+        return [("", 1, 0.0)]
+    half = -(-candidates // 2)
+    return [("", half, 0.0), (" once more", candidates - half, GOOD), (" again", candidates, POOR)]
+
+
+class Furnished(NamedTuple):
+    """A furnishing of a room: its objects, what is to be said about it, and its energy."""
+
+    objects: list[Box]
+    notes: list[str]
+    cost: float
+
+
+def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style: int, given: list[Box]) -> Furnished:
+    """The sample of least energy, the first of equals."""
+    some = [(_boxes(room, p, origin, style, given), p.notes) for p in made]
+    rows = [Furnished(found, notes, choice.cost(plan, room.id, found)) for found, notes in some]
+    return min(rows, key=lambda row: row.cost)
+
+
+def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rng: Generator,
              given: list[Box]) -> tuple[Sampler, list[list[str]]]:
-    """What furnishes a room, and the contents of each of its K samples."""
+    """What furnishes a room, and the contents of each of its k samples."""
     model, known, _ = weights.load(Path(config.weights) if config.weights else None)
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     rules = rules_of(known, room, wanted_of(arrays, i, plan, room))
-    lanes = rng.spawn(config.candidates + 1)
-    names = _contents(task, rules, arrays, i, plan, room, lanes[1:])
+    lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
+    drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
+    names = sorted(drawn, key=lambda some: _lacking(plan, room, task, some))[:k]
     return Sampler(task, lanes[0], config.constraints, config.places), names
 
 
@@ -144,6 +179,11 @@ def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room:
     model, type_ = task.speaker.model.contents, task.speaker.type
     drawn = contents.draw(model, type_, facts, count, wanted, rules.drawn, rngs, there)
     return [likes + [known.categories[c] for c in one] for one in drawn]
+
+
+def _lacking(plan: Plan, room: Room, task: Task, names: list[str]) -> float:
+    """What a room with these contents and those given lacks."""
+    return sum(lack.cost for lack in lacks_of(site(plan, room.id), [*names, *(name for name, _ in task.given)]))
 
 
 def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box]) -> list[Box]:

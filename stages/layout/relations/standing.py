@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
-from apartgen.stages.layout.projection.paths import SHUT, Paths
+from apartgen.stages.layout.projection.paths import HUNG, SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import company, elbowroom, fixtures, hung, order, runs
@@ -32,6 +32,8 @@ OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
+ABOVE_TOPS = 0.7
+"""What hangs higher at a wall may hang above a low cabinet, a basin or a bed, m."""
 APART = 6.0
 """Price of a hood that is not above what cooks, and where nothing better is left of a unit apart from its run."""
 ALONE = 8.0
@@ -216,7 +218,9 @@ def _grown(name: str, found: Boxes) -> Boxes:
 
 
 def _opens(name: str, box: Array) -> float:
-    """How far what is opened from the floor before it does so, m."""
+    """How far what is opened from the floor before it does so, m; what hangs at a wall may hang above something."""
+    if TABLE[name].place == "wall" and box[5] > ABOVE_TOPS:
+        return HUNG
     far = float(reach(name, np.append(box[3:5], box[6] - box[5])))
     return far if far > 0 and TABLE[name].opens else SHUT
 

@@ -1,15 +1,17 @@
 """Homes by the shipped weights: the same alone and in batches, rooms redone, newcomers placed."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import AskedObjects, Plan
-from apartgen.stages import layout, seeds
-from apartgen.stages.layout import batch
+from apartgen.stages import layout, seeds, use
+from apartgen.stages.layout import batch, choice
 from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.relations import home as relations_home
 from apartgen.stages.layout.relations import weights
 from apartgen.stages.plan import build
 from apartgen.stages.plan.config import PlanConfig
@@ -55,6 +57,43 @@ def test_a_room_does_not_hang_on_the_rooms_that_are_done_with_it() -> None:
         assert [o.id for o in alone] == [o.id for o in there]
         for one, other in zip(alone, there, strict=True):
             assert np.allclose([*one.center, *one.size, one.yaw], [*other.center, *other.size, other.yaw], atol=1e-3)
+
+
+def test_poor_rooms_are_drawn_again_and_the_better_ones_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    def costs(good: float, poor: float) -> dict[tuple[int, str], float]:
+        monkeypatch.setattr(relations_home, "GOOD", good)
+        monkeypatch.setattr(relations_home, "POOR", poor)
+        return {(seed, room.id): choice.cost(done, room.id, done.objects)
+                for seed in (5, 6, 7) for done in [made(home(seed))] for room in done.rooms}
+
+    limits = (0.4, 0.2)
+    once, twice, thrice = costs(np.inf, np.inf), costs(limits[0], np.inf), costs(*limits)
+    for limit, before, after in ((limits[0], once, twice), (limits[1], twice, thrice)):
+        redrawn = {id for id, cost in before.items() if cost > limit}
+        assert all(after[id] <= before[id] for id in redrawn) and any(after[id] < before[id] for id in redrawn)
+        assert all(after[id] == before[id] for id in before.keys() - redrawn) and before.keys() - redrawn
+
+
+def test_of_contents_those_are_furnished_that_lack_least(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: list[list[float]] = []
+    sampler = relations_home._sampler
+
+    def watched(plan: Plan, i: int, *more: Any) -> Any:
+        made, names = sampler(plan, i, *more)
+        place = use.site(plan, plan.rooms[i].id)
+        seen.append([sum(lack.cost for lack in use.lacks_of(place, some)) for some in names])
+        return made, names
+
+    monkeypatch.setattr(relations_home, "_sampler", watched)
+    monkeypatch.setattr(relations_home, "GOOD", np.inf)
+    monkeypatch.setattr(relations_home, "POOR", np.inf)
+    for drawn in (1, 3):
+        monkeypatch.setattr(relations_home, "DRAWN", drawn)
+        for seed in (3, 4, 5):
+            made(home(seed))
+    few, many = seen[: len(seen) // 2], seen[len(seen) // 2 :]
+    assert all(sorted(b) == b and max(b) <= max(a) and min(b) <= min(a) for a, b in zip(few, many, strict=True))
+    assert np.sum(many) < 0.8 * np.sum(few)
 
 
 def test_a_part_furnished_home_is_completed() -> None:

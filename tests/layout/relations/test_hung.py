@@ -39,3 +39,31 @@ def test_the_hood_hangs_over_what_cooks_and_wall_units_over_low_units_beside_it(
     assert hung.spoils("wall_unit", upright(moved), names, upright(there)).all()
     assert not hung.spoils("hood", upright(hood), names, upright(there)).any()
     assert not len(hung.over("plant", unit, names, there))
+
+
+def test_one_gets_at_a_mirror_over_its_basin() -> None:
+    """Though it is out of reach of who walks on the floor, as a bin behind the basin would be."""
+    from apartgen.stages.layout.datasets import furnisher, single_rooms
+    from apartgen.stages.layout.projection.space import space_of
+    from apartgen.stages.layout.relations.standing import Furniture
+    from apartgen.stages.layout.rooms import of_plan
+
+    seen = 0
+    for seed in range(8):
+        plan = single_rooms.draw(np.random.default_rng(seed), "bathroom")
+        origin = of_plan(plan).origin[0]
+        there = Furniture(space_of(of_plan(plan), 0))
+        mirrors = []
+        for o in furnisher.furnish(plan, np.random.default_rng(seed)):
+            low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
+            box = row(o.center[0] - origin[0], o.center[1] - origin[1], o.yaw, *o.size[:2], low, high)
+            if o.category == "mirror":
+                mirrors.append(box)
+            elif low < 0.02:
+                there.add(o.category, box)
+        for box in mirrors:
+            seen += 1
+            assert there.shuts("mirror", box) == 0
+            box[5:] = 0.0, 0.4
+            assert there.shuts("bin", box) > 0
+    assert seen > 4

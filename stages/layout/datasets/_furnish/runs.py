@@ -24,6 +24,8 @@ WORKTOP, GOOD = 1.2, 4.0
 AROUND = 1.7
 """What meets in a corner stands no further from the unit that fills it, middle to middle, m."""
 AISLE, AISLE_LEAST = 1.0, 0.8
+BAKES = 0.8
+"""Share of the hobs with drawers below that have an oven there instead, where no tall one stands."""
 TRIES, ENOUGH, MORE = 90, 24, 4
 """Runs drawn up, of how many the most liked is tried first, and how often so many are drawn while none has worktop."""
 
@@ -123,6 +125,8 @@ def _units(path: list[Leg], style: Style, rng: Generator, budget: int, laundry: 
     left -= 0.6 * len(ends)
     towers = [("tower", 0.6)] if not cooker and left > 1.0 and rng.random() < 0.55 else []
     left -= 0.6 * len(towers)
+    if not towers and rng.random() < BAKES:
+        heat, hob = "oven", min(hob, 0.6)
     limit = min(3 + int(room > 5), max(0, budget - 9))
     while left > 0.32 and len(ends) < limit and (rng.random() < 0.85 or room < 4.5):
         w = _sold(min(left, 0.9), rng, 0.6)
