@@ -90,7 +90,7 @@ def _fronts(depths: Array, where: str, out: Array) -> Array:
     free = depths.max() - depths
     line = depths + free * (1.0 if where == "front" else 0.0 if where == "back" else 0.5)
     beside = np.maximum(np.append(0.0, line[:-1]), np.append(line[1:], 0.0))
-    return np.where(out > 0, np.maximum(line, beside + out), line)
+    return np.asarray(np.where(out > 0, np.maximum(line, beside + out), line), np.float64)
 
 
 def grid(designs: Sequence[Design], lying: bool, board: Board, where: str, rng: np.random.Generator) -> list[Put]:
