@@ -217,7 +217,7 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
     usual = sense()["area"].get(phrase.type, 12.0)
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
     whole = bool(phrase.headline) and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
-    return whole or area.values[0] > (2.2 if apart else 5.0) * usual
+    return whole or bool(area.values[0] > (2.2 if apart else 5.0) * usual)
 
 
 def _split_share(group: list[RoomPhrase], whole: float) -> None:
