@@ -1,4 +1,4 @@
-"""Furnish every room of a plan with a guided diffusion model."""
+"""Furnish every room of a plan, by relations to walls and things or by guided diffusion."""
 
 from collections.abc import Callable
 from typing import Any

@@ -21,16 +21,19 @@ TURN = 0.5
 """A turn by 90° counts as this many metres."""
 ALIGNED = 0.99
 """What hangs over an object faces as it does, by this cosine."""
+_BESIDE = 0.06
+"""Units no farther apart are of one run, m."""
+_RUN = categories.those(lambda kind: kind.run in ("unit", "fitted"))
 _APART = 0.002  # from a wall, so that rounding puts nothing into it, m
 
 
 def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """Places near first: with its back to any wall for what stands at walls, else anywhere with the same heading.
 
-    What stands on the object, hangs over it or belongs to it comes along. Whether a door stays within reach is not
-    looked at.
+    What stands on the object, hangs over it or belongs to it comes along; a unit of a kitchen's run has no other place.
+    Whether a door stays within reach is not looked at.
     """
-    if o.category not in categories.TABLE or categories.TABLE[o.category].place != "floor":
+    if o.category not in categories.TABLE or categories.TABLE[o.category].place != "floor" or _in_run(o, scene):
         return
     floor = site.floors[o.room]
     group = [o, *kin(o, scene), *hung(o, scene)]
@@ -42,6 +45,12 @@ def places(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     way = np.hypot(*(spots[:, :2] - o.center[:2]).T) + TURN * (1 - np.cos(spots[:, 2] - o.yaw))
     for x, y, yaw in spots[np.argsort(way, kind="stable")][:MOST].tolist():
         yield {p.id: _along(p, o, (x, y, yaw)) for p in company}
+
+
+def _in_run(o: Furnishing, scene: Scene) -> bool:
+    """Whether it stands side by side with another unit of a run."""
+    units = [p for p in in_room(scene, o.room) if p.id != o.id and p.category in _RUN]
+    return o.category in _RUN and bool(units) and float(boxes.gap(boxes.of([o]), boxes.of(units)).min()) < _BESIDE
 
 
 def kin(o: Furnishing, scene: Scene) -> list[Furnishing]:

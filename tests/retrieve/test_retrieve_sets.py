@@ -35,3 +35,10 @@ def test_units_under_one_worktop_are_as_high_and_deep(embedded: Embedded) -> Non
     objects = [unit("hob", 0.9), unit("kitchen_base", 0.88), unit("oven", 0.86), unit("fridge", 1.8)]
     sizes = [wish.size for wish in sets.wishes(objects, 2.6)]
     assert len({(size[0], size[2]) for size in sizes[:3]}) == 1 and sizes[3][2] == 1.8
+
+
+@pytest.mark.parametrize(("deeper", "kept"), [(0.017, False), (0.08, True)])
+def test_what_fills_a_corner_reaches_the_units_round_it(deeper: float, kept: bool) -> None:
+    corner = unit("kitchen_corner").model_copy(update={"size": (0.6 + deeper, 1.2, 0.9)})
+    depth = sets.wishes([unit("kitchen_sink"), corner, unit("kitchen_base")], 2.6)[1].size[0]
+    assert depth == pytest.approx(0.6 + deeper if kept else 0.6)

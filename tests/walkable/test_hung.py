@@ -6,8 +6,9 @@ from typing import Any
 import handmade as h
 import numpy as np
 import pytest
+from shapely.geometry import Polygon
 
-from apartgen.stages.walkable.places import hung
+from apartgen.stages.walkable.places import hung, places
 from apartgen.stages.walkable.unblock import _raised
 
 NORTH = -np.pi / 2
@@ -43,3 +44,15 @@ def test_to_the_floor_is_within_the_room() -> None:
     site: Any = SimpleNamespace(world=SimpleNamespace(plan=SimpleNamespace(height=2.5)))
     lowered = [changes["shelf"].center[2] for changes in _raised(site, (shelf,), shelf)]  # type: ignore[union-attr]
     assert min(lowered) == pytest.approx(low)
+
+
+def test_a_unit_of_a_run_has_no_other_place() -> None:
+    """Beside its neighbour it stays where it is; alone, or no unit, it may go elsewhere along the walls."""
+    room = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
+    site: Any = SimpleNamespace(floors={"room": Polygon(room)}, doors=Polygon())
+    sink, base = (h.thing(name, x, 2.7, NORTH, size=(0.6, 0.6, 0.9), id=name).model_copy(update={"room": "room"})
+                  for name, x in (("kitchen_sink", 1.0), ("kitchen_base", 1.6)))
+    far = base.model_copy(update={"center": (3.0, 2.7, 0.45)})
+    assert not list(places(site, (sink, base), sink)) and not list(places(site, (sink, base), base))
+    for scene in ((sink,), (sink, far)):
+        assert list(places(site, scene, sink))

@@ -32,6 +32,8 @@ OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
+EYES = 1.1
+"""Nothing to look at stands on what is higher, m: the eyes of who sits are at 1.1 to 1.2."""
 ABOVE_TOPS = 0.7
 """What hangs higher at a wall may hang above a low cabinet, a basin or a bed, m."""
 APART = 6.0
@@ -99,7 +101,7 @@ class Furniture:
         found, kind = upright(boxes), TABLE[name]
         total = np.zeros(found.n)
         if kind.place == "top":
-            total += np.where(self._carried(boxes), 0.0, 2 * BROKEN)
+            total += np.where(self._carried(name, boxes), 0.0, 2 * BROKEN)
         if kind.place == "wall":
             total += np.where(self.space.behind(found) > OFF_WALL, 2 * BROKEN, 0.0)
         total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
@@ -185,11 +187,12 @@ class Furniture:
             total += np.where(penetration(found, doors).max(1) > SLACK, 3 * BROKEN, 0.0)
         return np.asarray(total)
 
-    def _carried(self, boxes: Array) -> NDArray[np.bool_]:
-        """Whether candidates stand on the top of something, wholly, that nobody sits or lies on."""
+    def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
+        """Whether candidates stand on the top of something, wholly, that nobody sits or lies on, and no screen above
+        where one looks."""
         found = np.zeros(len(boxes), bool)
         for o, under in zip(self.names, self.boxes, strict=True):
-            if basic(o) in SEATS:
+            if basic(o) in SEATS or under[6] > EYES and TABLE[name].is_for("watch"):
                 continue
             offset = boxes[:, :2] - under[:2]
             c, s = np.cos(under[2]), np.sin(under[2])

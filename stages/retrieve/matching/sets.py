@@ -9,17 +9,22 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.layout import Box
 from apartgen.stages.retrieve.matching.embedded import Embedded
-from apartgen.stages.things.categories import OVEN_TOWER, TABLE, fitted_ovens, used_for
+from apartgen.stages.things.categories import OVEN_TOWER, TABLE, fitted_ovens, those, used_for
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
 Design = tuple[str, int]
 Name = TypeVar("Name", str, int)
 
+CLOSED = those(lambda kind: kind.run == "unit" and not kind.articulated)
+"""Units that fill corners."""
 KITCHEN = "kitchen"
 """The family of kitchen units, whose styles fitted ovens have, too."""
 CLOSE = 1.15
 """Sides within this ratio are made equal."""
+FILLING = 0.03
+"""What fills a corner keeps what it is deeper than its neighbours by more than this, m: there units round the corner
+begin farther off."""
 LACKING = 4.0
 """Cost of a style that a member's category does not come in; that member then takes its own nearest."""
 
@@ -55,7 +60,9 @@ def _level(size: Array, rows: list[int], names: list[str], axes: Sequence[int]) 
     for axis in axes:
         sides = size[rows, axis]
         if len(rows) > 1 and sides.max() <= CLOSE * sides.min():
-            size[rows, axis] = np.minimum(sides, max(float(sides.min()), float(least[axis])))
+            level = np.minimum(sides, max(float(sides.min()), float(least[axis])))
+            fills = np.array([axis == 0 and name in CLOSED for name in names]) & (sides - level > FILLING)
+            size[rows, axis] = np.where(fills, sides, level)
 
 
 def _grouped(objects: Sequence[Box], key: Callable[[Box], Hashable]) -> list[list[int]]:
