@@ -1,6 +1,7 @@
 """What comes of an apartment: files for simulators and people, and figures."""
 
 import hashlib
+import os
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Literal
@@ -39,7 +40,7 @@ def export(home: Plan, settings: ExportSettings, folder: Path, seed: int = 0) ->
         return opened_libraries(*settings.libraries).load_asset(library, id)
 
     return export.run(home, settings.format, folder, load_asset, seed if settings.randomize else None,
-                      settings.colliders)
+                      settings.colliders, processes=min(2, os.cpu_count() or 1))
 
 
 def opened_libraries(*folders: str) -> "LibrarySet":

@@ -13,6 +13,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
+from apartgen.stages.export._aside import aside
 from apartgen.stages.export._primitive import primitive
 from apartgen.stages.export._randomized import randomized, told
 from apartgen.stages.scene.folder import CONTENTS, listed, replaced
@@ -31,12 +32,13 @@ def formats() -> dict[str, str]:
 
 def run(
     home: Plan, formats: list[str], out: Path, load_asset: LoadAsset, randomize: int | None = None,
-    colliders: Colliders = "exact",
+    colliders: Colliders = "exact", processes: int = 1,
 ) -> Export:  # fmt: skip
     """Write every format into the folder `out`, which appears, or is replaced, whole or not at all.
 
     `load_asset(library, id)` gives the assets; `randomize` is the seed by which physics are drawn, where they are;
-    `primitive` colliders are boxes, cylinders and spheres, no hulls.
+    `primitive` colliders are boxes, cylinders and spheres, no hulls. With two `processes` all formats but the first
+    are written beside it, which changes no byte.
     BadInput for an unknown format, a layout without assets where a format needs them, and an `out` that holds what no
     export put there, and files that their format's own reader refuses.
     """
@@ -47,17 +49,25 @@ def run(
     scene = scene if colliders == "exact" else scene.of(primitive(scene.bodies))
     scene = scene if randomize is None else scene.of(randomized(scene, randomize))
     with replaced(out) as folder:
-        files = [
-            _file(path, name, folder)
-            for name, writer in writers.items()
-            for path in _written(name, writer, scene, folder)
-        ]
+        files = _all_written(list(writers.items()), scene, folder, processes)
         if randomize is not None:
             files.append(_file(told(scene.bodies, randomize, folder), "json", folder))
         credits = scene.credits if any(name not in BARE for name in writers) else []
         files.append(_credits(folder, credits))
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "export"))
     return Export(files=files, credits=credits)
+
+
+def _all_written(writers: list[tuple[str, Any]], scene: Scene, folder: Path, processes: int) -> list[File]:
+    def some(part: list[tuple[str, Any]]) -> list[File]:
+        return [_file(path, name, folder) for name, writer in part for path in _written(name, writer, scene, folder)]
+
+    if processes == 1 or len(writers) == 1:
+        return some(writers)
+    if any(name not in BARE for name, _ in writers):
+        _ = scene.bodies  # both need them
+    with aside(lambda: some(writers[1:])) as rest:
+        return some(writers[:1]) + rest()
 
 
 def _written(name: str, writer: Any, scene: Scene, folder: Path) -> list[Path]:

@@ -38,8 +38,8 @@ DRAWN = 3
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
 GOOD, POOR = 0.3, 0.8
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
-SHARP = 1.5
-"""What logits of places are multiplied with before anything is drawn."""
+SHARP, SURE = 3.0, 2.0
+"""What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
 
 def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[Box] = ()) -> tuple[Layout, list[str]]:
@@ -114,7 +114,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     told = sleepers(plan)
     facts = learning.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
-    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP)
+    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE)
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room))
 

@@ -37,7 +37,8 @@ class Particle:
 @dataclass(frozen=True)
 class Speaker:
     """The model before a room: its shell, type and facts, and how much is drawn of an object: `frames` references at
-    most, `branches` of each, `offsets` of each branch."""
+    most, `branches` of each, `offsets` of each branch; what logits of attributes (`sharp`) and of references (`sure`)
+    are multiplied with."""
 
     model: Model
     known: Vocabulary
@@ -48,6 +49,7 @@ class Speaker:
     branches: int
     offsets: int
     sharp: float
+    sure: float = 1.0
 
 
 class Ask(NamedTuple):
@@ -148,7 +150,7 @@ class _Rooms:
         related = around.known_of(self.boxes, self.kind, self.category, chosen[:, None], self.n[:, None], bodies,
                                   np.where(self.real, sort, 0))
         refer = self.network.reference(asking, torch.from_numpy(chosen)[:, None], tokens, related)[:, 0]
-        return names, np.where(self.real, refer.numpy(), SHUT_OUT)
+        return names, np.where(self.real, self.speaker.sure * refer.numpy(), SHUT_OUT)
 
     def _frames(self, refer: Array) -> tuple[Ints, Ints, Array]:
         """References without repetition: their rows, tokens and weights, which sum to 1 in every row."""
