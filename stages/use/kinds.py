@@ -19,6 +19,9 @@ DINERS = CHAIRS | {"stool", "bench", "armchair"}
 MOVED = those(lambda kind: kind.loose) | those(lambda kind: kind.place == "flat")
 """What one pushes aside, or steps on."""
 CLOTHES = used_for("dress")
+HANGING = frozenset({"wardrobe", "sliding_wardrobe", "clothes_rail"})
+"""What clothes hang in."""
+COATS = HANGING | {"coat_rack"}
 CASES = CLOTHES | {
     "bookshelf", "shelving", "filing_cabinet", "sideboard", "display_cabinet", "shoe_cabinet", "console_table",
 }

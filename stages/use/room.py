@@ -157,6 +157,20 @@ class Furnished:
         points = np.concatenate([self.corners, middles], 1)
         return np.asarray(self._to_walls(points.reshape(-1, 2)).reshape(-1, 8).min(1))
 
+    def wall_beside(self, i: int) -> float:
+        """From the sides of an object to the nearest wall, m; walls at its back do not count."""
+        (x, y), ahead, left = self.boxes.center[i, :2], *self.axes[i]
+        ends = [(x, y) + 0.2 * self.depth[i] * ahead + side * self.width[i] / 2 * left for side in (-1, 1)]
+        return float(self._to_walls(np.array(ends)).min())
+
+    def lies_between(self, i: int, a: int, b: int) -> bool:
+        """Whether an object's footprint is on the straight line between two others' middles."""
+        p, q = (self.boxes.center[k, :2] - self.boxes.center[i, :2] for k in (a, b))
+        (px, py), (qx, qy) = self.axes[i] @ p, self.axes[i] @ q
+        t = np.linspace(0, 1, 33)
+        inside = (np.abs(px + t * (qx - px)) < self.depth[i] / 2) & (np.abs(py + t * (qy - py)) < self.width[i] / 2)
+        return bool(inside.any())
+
     @cached_property
     def outside(self) -> Array:
         """How far each footprint's corners lie beyond the walls, (n,)."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.plan import Plan, Room
-from apartgen.stages.use.household import eats_in, sleepers
+from apartgen.stages.use.household import eats_in, sleepers, washes_in
 
 Array = NDArray[np.float64]
 PASSAGES = ("door", "opening", "entrance")
@@ -47,7 +47,8 @@ class Hole:
 
 @dataclass(frozen=True)
 class Site:
-    """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`."""
+    """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`,
+    one is where clothes are washed (`laundry`)."""
 
     id: str
     kind: str
@@ -55,6 +56,7 @@ class Site:
     holes: tuple[Hole, ...]
     sleepers: int | None
     meals: bool = False
+    laundry: bool = False
 
     @cached_property
     def start(self) -> Array:
@@ -101,7 +103,7 @@ def site(plan: Plan, room_id: str) -> Site:
     rows = tuple((o.id, o.kind, *o.segment, o.sill, o.head, o.into == room_id, o.hinge)
                  for o in plan.openings if room_id in o.rooms)
     return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan),
-                 eats_in(plan) == room_id)
+                 eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1)
 
 
 def alone(room: Room) -> Site:
@@ -111,9 +113,9 @@ def alone(room: Room) -> Site:
 
 @lru_cache(maxsize=256)
 def _site(id: str, kind: str, corners: tuple[tuple[float, float], ...], rows: tuple[tuple[object, ...], ...],
-          people: int | None, meals: bool = False) -> Site:
+          people: int | None, meals: bool = False, laundry: bool = False) -> Site:
     bare = Site(id, kind, corners, (), people)
-    return replace(bare, holes=tuple(_hole(bare, *row) for row in rows), meals=meals)  # type: ignore[arg-type]
+    return replace(bare, holes=tuple(_hole(bare, *row) for row in rows), meals=meals, laundry=laundry)  # type: ignore[arg-type]
 
 
 def _hole(bare: Site, id: str, kind: str, a: tuple[float, float], b: tuple[float, float], sill: float, head: float,

@@ -7,12 +7,25 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from apartgen.stages.use.kinds import BEDS, BEDSIDE, CHAIRS, CLOTHES, COUNTERS, DOUBLE, ON_THE_FLOOR, TABLES, basic
+from apartgen.stages.use.kinds import (
+    BEDS,
+    BEDSIDE,
+    CHAIRS,
+    CLOTHES,
+    COUNTERS,
+    DOUBLE,
+    MACHINES,
+    ON_THE_FLOOR,
+    TABLES,
+    basic,
+)
 from apartgen.stages.use.room import Furnished
 from apartgen.stages.use.rules.eat import diners
 from apartgen.stages.use.rules.sleep import within_reach
 from apartgen.stages.use.site import Site
 
+MACHINE = 0.6
+"""What it costs that nothing washes clothes where the home has its place for that."""
 SCREEN = 0.3
 """What a television stand without its television costs."""
 NIGHTSTAND, CHAIR, TABLE, CLOSET = 0.5, 0.4, 0.8, 0.8
@@ -89,16 +102,23 @@ def _by_number(site: Site, count: Counter[str], upright: int) -> Iterator[Lack]:
         yield Lack("few things", missing, missing * _table()["few_weight"])
 
 
+def belongings(site: Site) -> list[str]:
+    """What a home keeps in this room for want of another: its washing machine."""
+    return [_table()["home"]["laundry"]] if site.laundry else []
+
+
 def _number(count: Counter[str], names: Iterable[str]) -> int:
     return sum(count[name] for name in names)
 
 
 def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
-    """What is missed where people eat, where they sleep beside a sofa, and at a television's stand."""
+    """What is missed where people eat, wash their clothes or sleep beside a sofa, and at a television's stand."""
     if site.meals and not _number(count, COUNTERS):
         yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
     if site.kind == "living_room" and _number(count, BEDS) and not _number(count, CLOTHES):
         yield Lack("no place for clothes", 1, CLOSET)
+    if site.laundry and site.kind != "utility" and not _number(count, MACHINES):
+        yield Lack("no machine to wash", 1, MACHINE)
     bare = count["tv_stand"] - count["tv"]
     if bare > 0:
         yield Lack("stand without television", bare, bare * SCREEN)

@@ -73,6 +73,10 @@ SPOILED = [
     ("living_room", "sofa", (2.5, 0.47, SOUTH), "sofa looks at a near wall"),
     ("living_room", "armchair", (0.5, 3.5, WEST), "armchair looks at nothing"),
     ("living_room", "armchair", (2.5, 1.3, NORTH), "something right before the sofa"),
+    ("living_room", "armchair", (0.8, 1.9, WEST), "armchair turned from the group"),
+    ("kitchen", "hob", (3.96, 0.31, NORTH), "hob in the corner"),
+    ("kitchen", "hob", (2.85, 0.31, NORTH), "no worktop between sink and hob"),
+    ("kitchen", "fridge", (2.9, 0.31, NORTH), "tall unit between sink and hob"),
     ("bedroom", "double_bed", (1.6, 2.0, EAST), "bed head off the wall"),
     ("bedroom", "double_bed", (1.06, 0.85, EAST), "one side to get into double bed"),
     ("bedroom", "nightstand", (2.5, 3.7, SOUTH), "nightstand away from bed"),
@@ -100,6 +104,52 @@ def test_what_is_put_out_of_order_is_named_with_what_it_is_about(kind, category,
     found = [fault for fault in use.faults(room(kind, width, depth, *out)) if fault.name == name]
     assert found and (name.startswith(("no floor", "no elbow", "something", "little"))
                       or any(out[k].id in fault.objects or category in ("kitchen_sink", "tv_stand") for fault in found))
+
+
+def said(kind: str, *things: Box, size: tuple[float, float] = (6.0, 6.0)) -> set[str]:
+    return names(room(kind, *size, *things))
+
+
+def test_who_sits_at_a_sofas_end_sees_the_television_too() -> None:
+    group = [thing("sofa", 3.0, 0.47, NORTH, (0.9, 2.2, 0.8)), thing("tv_stand", 3.0, 5.77, SOUTH)]
+    barred = {x: said("living_room", *group, thing("chair", x, 2.0, NORTH)) for x in (3.0, 2.4, 1.2)}
+    assert "view of the television barred" in barred[3.0]
+    assert "view of the television barred in part" in barred[2.4] - barred[3.0]
+    assert not any(name.startswith("view") for name in barred[1.2])
+
+
+@pytest.mark.parametrize(("wide", "small"), [(1.0, True), (1.5, False)])
+def test_a_screen_is_watched_from_no_further_than_three_diagonals(wide: float, small: bool) -> None:
+    """4.5 m away: 3.9 times the diagonal of 1 m of width at 16 : 9, 2.6 times that of 1.5 m."""
+    group = [thing("sofa", 3.0, 0.5, NORTH, (1.0, 2.0, 0.8)), thing("tv_stand", 3.0, 5.7, SOUTH, (0.4, 1.6, 0.5)),
+             thing("tv", 3.0, 5.7, SOUTH, (0.1, wide, 0.6), 0.5)]
+    assert ("television small for its distance" in said("living_room", *group)) == small
+
+
+def test_two_hang_their_clothes_in_more_than_a_narrow_wardrobe() -> None:
+    bed = thing("double_bed", 1.06, 2.0, EAST)
+    for widths, little in (((0.8,), True), ((0.8, 0.8), False), ((1.2,), False)):
+        robes = [thing("wardrobe", 5.69, 1.5 + 2 * k, WEST, (0.6, wide, 2.0)) for k, wide in enumerate(widths)]
+        assert ("little wardrobe for two" in said("bedroom", bed, *robes)) == little
+    assert "little wardrobe for two" not in said("bedroom", thing("single_bed", 1.06, 2.0, EAST),
+                                                 thing("wardrobe", 5.69, 1.5, WEST, (0.6, 0.8, 2.0)))
+
+
+def test_an_armchair_belongs_to_the_group_and_leaves_chairs_to_be_drawn_back() -> None:
+    group = [thing("sofa", 1.0, 0.47, NORTH, (0.9, 2.0, 0.8)), thing("coffee_table", 1.0, 1.6, NORTH)]
+    assert "armchair apart from the group" in said("living_room", *group, thing("armchair", 5.4, 5.4, WEST))
+    table = [thing("dining_table", 4.4, 4.0, NORTH), *(thing("chair", 4.4 + dx, 4.0 + dy, SOUTH if dy > 0 else NORTH)
+                                                      for dx in (-0.4, 0.4) for dy in (-0.6, 0.6))]
+    chair = thing("armchair", 4.2, 2.65, WEST)
+    assert "armchair against the dining table" in said("living_room", *group, *table, chair)
+    assert "armchair against the dining table" not in said("living_room", *group, chair)
+
+
+def test_coats_hang_near_the_entrance() -> None:
+    for x, far in ((1.0, False), (7.5, True)):
+        place = room("hallway", 8.0, 2.0, thing("coat_rack", x, 1.7, SOUTH))
+        place.site = replace(place.site, holes=(Hole("d", "entrance", (0.4, 0.0), (1.3, 0.0), 0.0, 2.1, True, 0),))
+        assert ("coats far from the entrance" in names(place)) == far
 
 
 def test_doors_and_windows_are_kept_clear() -> None:

@@ -99,3 +99,14 @@ def test_newcomers_are_used_as_what_they_are_like(monkeypatch: pytest.MonkeyPatc
     own = room("bedroom", 4, 4, thing("water_bed", 1.06, 2.0, EAST), *bedroom()[1:])
     usual = room("bedroom", 4, 4, *bedroom())
     assert lacking(own) == lacking(usual) and not list(use.faults(own))
+
+
+def test_clothes_are_washed_in_one_room_of_a_home() -> None:
+    from dataclasses import replace
+
+    here = room("bathroom", 2.45, 3.0).site
+    there = replace(here, laundry=True)
+    assert "no machine to wash" in {lack.name for lack in use.lacks_of(there, [])}
+    assert "no machine to wash" not in {lack.name for lack in use.lacks_of(there, ["washing_machine"])}
+    assert "no machine to wash" not in {lack.name for lack in use.lacks_of(here, [])}
+    assert (use.belongings(there), use.belongings(here)) == (["washing_machine"], [])

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.use import kinds
 
-LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(28), np.radians(43)
+LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(18), np.radians(35)
 """Within these angles one sits at a table, watches a screen, and is a screen seen."""
-FAR = 4.0
+FAR = 3.3
 """A television stands no farther from its sofa, m."""
+TURNED, STRANDED = np.radians(68), 1.9
+"""An armchair looks at a sofa or its table within this angle, and stands no farther from it, m."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
 """So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
 HEAD, BESIDE = 0.7, (-0.08, 0.3)
@@ -147,6 +149,10 @@ def _watches(seen: Seen, hosts: Sequence[str]) -> Flags:
     return _any((seen.off < WATCHES) & (seen.back().off < SHOWN) & (seen.gap < FAR))
 
 
+def _in_group(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return _any((seen.off < TURNED) & (seen.gap < STRANDED))
+
+
 def _apart(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray((seen.gap >= AGAINST).all(1))
 
@@ -177,6 +183,7 @@ RULES = (
     (frozenset({"coffee_table"}), kinds.SOFAS, _before_seat),
     (frozenset({"tv_stand"}), kinds.SOFAS, _watched),
     (kinds.SOFAS, frozenset({"tv_stand"}), _watches),
+    (frozenset({"armchair"}), kinds.SOFAS | {"coffee_table"}, _in_group),
     (kinds.TABLES, kinds.SOFAS | {"coffee_table"}, _apart),
     (kinds.SOFAS | {"coffee_table"}, kinds.TABLES, _apart),
     (frozenset({"side_table"}), kinds.EASY | kinds.BEDS, _within(REACH)),

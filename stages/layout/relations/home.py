@@ -28,8 +28,9 @@ from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
-from apartgen.stages.use import lacks_of, site
-from apartgen.stages.use.household import duties, sleepers
+from apartgen.stages.use import belongings, lacks_of, site
+from apartgen.stages.use.household import DOUBLE, duties, sleepers
+from apartgen.stages.use.kinds import HANGING
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
@@ -38,6 +39,8 @@ DRAWN = 3
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
 GOOD, POOR = 0.3, 0.8
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
+LENGTHS = dict.fromkeys(HANGING, 1.2)
+"""Least widths at a first look in bedrooms of two, m."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -101,7 +104,7 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     model, known, _ = weights.load(Path(config.weights) if config.weights else None)
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
-    rules = rules_of(known, room, wanted_of(arrays, i, plan, room))
+    rules = rules_of(known, room, Counter({**_kept(plan, room, given), **wanted_of(arrays, i, plan, room)}))
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     names = sorted(drawn, key=lambda some: _lacking(plan, room, task, some))[:k]
@@ -114,7 +117,8 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     told = sleepers(plan)
     facts = learning.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
-    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE)
+    speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
+                      wide=LENGTHS if room.base == "bedroom" and arrays.area[i] >= DOUBLE else {})
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room))
 
@@ -138,6 +142,14 @@ def wanted_of(arrays: Rooms, i: int, plan: Plan, room: Room) -> Counter[str]:
     for category, count in wishes.of_room(plan.program, room.id).items():
         wanted[category] = count
     return wanted
+
+
+def _kept(plan: Plan, room: Room, given: list[Box]) -> Counter[str]:
+    """What the room is to hold for the whole home, unless there is no place; nothing where things are counted."""
+    if room.id in plan.program.counts:
+        return Counter()
+    there = {o.category for o in given}
+    return Counter(name for name in belongings(site(plan, room.id)) if name not in there)
 
 
 class Rules:

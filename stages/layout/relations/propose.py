@@ -3,7 +3,7 @@
 Rooms that are alike in size are seen together, each drawing from a generator of its own.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -38,7 +38,7 @@ class Particle:
 class Speaker:
     """The model before a room: its shell, type and facts, and how much is drawn of an object: `frames` references at
     most, `branches` of each, `offsets` of each branch; what logits of attributes (`sharp`) and of references (`sure`)
-    are multiplied with."""
+    are multiplied with. What is `wide` is at least so wide, unless it finds no place at a first look."""
 
     model: Model
     known: Vocabulary
@@ -50,6 +50,7 @@ class Speaker:
     offsets: int
     sharp: float
     sure: float = 1.0
+    wide: Mapping[str, float] = field(default_factory=dict)
 
 
 class Ask(NamedTuple):
@@ -93,7 +94,7 @@ class _Rooms:
         self.speaker, self.known = asks[0].speaker, asks[0].speaker.known
         self.network = self.speaker.model.places
         self.particles = [p for ask in asks for p in ask.particles]
-        rooms = [ask.speaker for ask in asks for _ in ask.particles]
+        self.rooms = rooms = [ask.speaker for ask in asks for _ in ask.particles]
         self.lanes = Lanes([ask.rng for ask in asks], np.repeat(np.arange(len(asks)), [len(a.particles) for a in asks]))
         self.s = np.array([len(room.shell.kind) for room in rooms])
         self.n = self.s + np.array([len(p.furniture.names) for p in self.particles])
@@ -189,8 +190,11 @@ class _Rooms:
         height = self.boxes[rows, 0, 6].astype(float)
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
+        least = np.array([k.min for k in kinds], np.float32)
+        wide = [self.rooms[i].wide.get(names[i], 0.0) if self.particles[i].tries == 0 else 0.0 for i in rows.tolist()]
+        least[:, 1] = np.maximum(least[:, 1], wide)
         asked = Asked(
-            view, real, real & (kind == OBJECT), frame, np.array([k.min for k in kinds], np.float32), most,
+            view, real, real & (kind == OBJECT), frame, least, most,
             np.array([k.place in ("wall", "top") for k in kinds]),
             np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height,
             seen(bodies, frame), sort, taken)

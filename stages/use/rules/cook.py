@@ -19,6 +19,8 @@ TOP, LITTLE_TOP = 1.2, 0.6
 SMALL = 5.5
 TRIANGLE = 7.92
 """Longest way from sink to hob to fridge and back, m (NKBA kitchen guideline 3)."""
+PUT_DOWN, CORNER = 0.28, 0.2
+"""Worktop between sink and hob, and from a hob to a wall at its side, m (NKBA wants more)."""
 TALL = 1.3
 """An oven this high is no hob, m."""
 
@@ -82,6 +84,20 @@ def _worktop(room: Furnished, units: list[int]) -> Iterator[Fault]:
     for i in hobs(room):
         if any(room.gap[i, k] <= JOINED and room.top[k] > TALL for k in units):
             yield Fault("hob beside a tall unit", room.ids(i))
+        if room.wall_beside(i) < CORNER:
+            yield Fault("hob in the corner", room.ids(i))
+    yield from _between(room)
+
+
+def _between(room: Furnished) -> Iterator[Fault]:
+    """Of what is between sink and hob: worktop to put down on, and nothing tall."""
+    for i in room.which(WET):
+        for k in hobs(room):
+            if room.site.area >= SMALL and room.gap[i, k] < PUT_DOWN:
+                yield Fault("no worktop between sink and hob", room.ids(i, k))
+            tall = [t for t in room.which(COLD) if room.top[t] > TALL and room.lies_between(t, i, k)]
+            if tall:
+                yield Fault("tall unit between sink and hob", room.ids(i, k, *tall))
 
 
 def _triangle(room: Furnished) -> Iterator[Fault]:

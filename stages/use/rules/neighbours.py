@@ -6,7 +6,7 @@ import numpy as np
 
 from apartgen.stages.space.boxes import Array
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import BEDS
+from apartgen.stages.use.kinds import BEDS, COATS
 from apartgen.stages.use.room import Furnished
 from apartgen.stages.use.rules.sit import before, main_sofa, shown
 from apartgen.stages.use.site import Hole
@@ -15,6 +15,8 @@ STEP = 0.9
 """Floor into which one steps from a door, m."""
 GLARE = 0.6
 """A screen whose back is so near a window has the light behind it, m."""
+COATS_FAR = 4.0
+"""One does not walk further in coat and shoes, m."""
 LIGHT = 2.5
 """A desk further from the window needs its lamp by day, m."""
 
@@ -36,6 +38,9 @@ def faults(room: Furnished) -> Iterator[Fault]:
             yield Fault("bed beside the door of a room that others use", room.ids(i))
         if any(hole.kind != "opening" and _far(room, i, hole) < 0.5 for hole in room.site.passages):
             yield Fault("bed right at the door", room.ids(i))
+    coats, entrances = room.which(COATS), [hole for hole in room.site.holes if hole.kind == "entrance"]
+    if coats and entrances and min(_far(room, i, hole) for i in coats for hole in entrances) > COATS_FAR:
+        yield Fault("coats far from the entrance", room.ids(*coats))
     main = main_sofa(room)
     if main is not None:
         for hole in room.site.passages:

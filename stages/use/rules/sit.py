@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from apartgen.stages.use.fault import Fault
-from apartgen.stages.use.kinds import BEDS, BEFORE_A_SEAT, DESKS, EASY, SMALL_SEATS, SOFAS, TABLE_TOPS, TABLES
+from apartgen.stages.use.kinds import BEDS, BEFORE_A_SEAT, CHAIRS, DESKS, EASY, SMALL_SEATS, SOFAS, TABLE_TOPS, TABLES
 from apartgen.stages.use.room import Furnished
 
 FACING, HALF_FACING = 30.0, 60.0
@@ -16,8 +16,13 @@ NEAR, NEAR_BED, DISTANT = 1.0, 0.5, 5.5
 """From a seat, or the foot of a bed, to a screen at least, and at most, m."""
 AGAINST = 0.35
 """Between a dining table and a sofa one passes, m."""
+SMALL = 3.0 * 1.147
+"""A screen is watched from no further than three times its diagonal, in its widths (16 : 9)."""
 REACH = 0.45
 """A side table is within reach of its seat, m."""
+TURNED, STRANDED, ELBOW = 70.0, 2.0, 0.2
+"""An armchair beside a sofa looks at the sofa or its table within so many degrees, stands no further from them, and
+leaves a chair at a table room to be drawn back, m."""
 
 
 def faults(room: Furnished) -> Iterator[Fault]:
@@ -28,12 +33,24 @@ def faults(room: Furnished) -> Iterator[Fault]:
     for i in room.which("armchair"):
         if room.site.kind != "study" and not _in_company(room, i, screens):
             yield Fault("armchair looks at nothing", room.ids(i))
-        for table in room.which(TABLES):
-            if room.gap[i, table] < AGAINST and room.look[i, table] > 35:
-                yield Fault("armchair against the dining table", room.ids(i, table))
+        yield from _armchair(room, i)
     for i in screens:
         yield from _screen(room, i)
     yield from _companions(room)
+
+
+def _armchair(room: Furnished, i: int) -> Iterator[Fault]:
+    """What keeps an armchair from the group of a sofa, or is kept from moving by it."""
+    for table in room.which(TABLES):
+        wedged = [c for c in room.which(CHAIRS) if room.gap[c, table] < AGAINST and room.gap[i, c] < ELBOW]
+        if (room.gap[i, table] < AGAINST or wedged) and room.look[i, table] > 35:
+            yield Fault("armchair against the dining table", room.ids(i, table))
+    group = [*room.which(SOFAS), *room.which("coffee_table")]
+    if room.count["sofa"] + room.count["corner_sofa"] and not room.beside(i, DESKS, 0.5):
+        if min(room.aside[i, k] for k in group) > TURNED:
+            yield Fault("armchair turned from the group", room.ids(i))
+        if min(room.gap[i, k] for k in group) > STRANDED:
+            yield Fault("armchair apart from the group", room.ids(i))
 
 
 def shown(room: Furnished) -> list[int]:
@@ -93,17 +110,20 @@ def _walled_in(room: Furnished, i: int) -> Iterator[Fault]:
     for screen in shown(room):
         if room.aside[i, screen] < FACING and (between := _between(room, i, screen)):
             yield Fault("view of the television barred", room.ids(i, screen, *between))
+        elif room.aside[i, screen] < FACING and (between := [
+                k for side in (-0.3, 0.3) for k in _between(room, i, screen, side * room.width[i])]):
+            yield Fault("view of the television barred in part", room.ids(i, screen, *between))
 
 
-def _between(room: Furnished, seat: int, screen: int) -> list[int]:
-    """What stands between a seat's middle and a screen and is higher than a low table."""
+def _between(room: Furnished, seat: int, screen: int, beside: float = 0.0) -> list[int]:
+    """What stands between a place on a seat, so far beside its middle, and a screen and is higher than a low table."""
     far = float(room.ahead[seat, screen])
-    slope = float(room.left[seat, screen]) / max(far, 1e-6)
+    slope = (float(room.left[seat, screen]) - beside) / max(far, 1e-6)
     found = []
     for k in room.upright:
         if k in (seat, screen) or room.top[k] < 0.6 or not room.depth[seat] / 2 < room.ahead[seat, k] < far:
             continue
-        at = slope * float(room.ahead[seat, k])
+        at = beside + slope * float(room.ahead[seat, k])
         if room.least[seat, k, 1] < at < room.most[seat, k, 1]:
             found.append(k)
     return found
@@ -149,8 +169,15 @@ def _screen(room: Furnished, i: int) -> Iterator[Fault]:
         yield Fault("television that nobody watches", room.ids(i))
     elif not any((NEAR_BED if room.names[s] in BEDS else NEAR) < room.gap[s, i] < DISTANT for s in viewers):
         yield Fault("television too near or too far", room.ids(i, *viewers))
+    elif (wide := _screen_width(room, i)) and min(room.gap[s, i] for s in viewers) > SMALL * wide:
+        yield Fault("television small for its distance", room.ids(i, *viewers))
     if room.names[i] == "tv_stand" and room.back[i] > 0.2:
         yield Fault("television off the wall", room.ids(i))
+
+
+def _screen_width(room: Furnished, i: int) -> float:
+    """Of a television, by itself or on its stand, m; 0 where the stand has none."""
+    return max((room.width[k] for k in room.which("tv") if k == i or room.gap[k, i] < 0.01), default=0.0)
 
 
 def _companions(room: Furnished) -> Iterator[Fault]:

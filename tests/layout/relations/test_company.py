@@ -15,13 +15,14 @@ HOSTS = {
     "coffee_table": thing("sofa", 3.0, 0.5, NORTH),
     "tv_stand": thing("sofa", 3.0, 0.5, NORTH),
     "side_table": thing("armchair", 3.0, 2.5, NORTH),
-    "pouffe": thing("sofa", 3.0, 2.5, NORTH),
+    "pouffe": thing("sofa", 3.0, 2.5, NORTH), "armchair": thing("sofa", 3.0, 0.5, NORTH),
 }
 FAULTS = {
     "chair": {"chair at nothing"}, "nightstand": {"nightstand away from bed"},
     "coffee_table": {"coffee table not before the sofa"},
     "tv_stand": {"sofa not facing the television", "sofa aside of the television", "television that nobody watches"},
     "side_table": {"side table at no seat"}, "pouffe": {"stool at nothing"},
+    "armchair": {"armchair turned from the group", "armchair apart from the group"},
 }
 
 

@@ -119,3 +119,24 @@ def test_weights_say_what_they_were_made_of() -> None:
     assert {"corpus", "rooms", "losses", "step"} <= record.keys()
     assert "sofa" in known.categories and known.category("sofa") == known.categories.index("sofa")
     assert weights.SHIPPED.stat().st_size < 8e6
+
+
+def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
+    """Nobody asked: machines stand where there is a place for them, and one wardrobe for two is seldom a narrow one."""
+    machines, robes = [], []
+    for seed in range(3, 9):
+        plan = home(seed)
+        things = made(plan, config=ONE.model_copy(update={"candidates": 1})).objects
+        laundry = next(room.id for room in plan.rooms if use.site(plan, room.id).laundry)
+        machines.append(any(o.room == laundry and o.category == "washing_machine" for o in things))
+        robes += [o.size[1] for o in things if o.category in ("wardrobe", "sliding_wardrobe") and any(
+            p.category == "double_bed" and p.room == o.room for p in things)]
+    assert np.mean(machines) >= 0.8 and robes and np.mean(np.array(robes) >= 1.15) >= 0.6
+
+
+def test_no_machine_comes_where_none_is_wanted() -> None:
+    plan = home()
+    laundry = next(room for room in plan.rooms if use.site(plan, room.id).laundry)
+    none = AskedObjects(room=laundry.id, category="washing_machine", count=0)
+    asked = plan.model_copy(update={"program": plan.program.model_copy(update={"objects": [none]})})
+    assert not any(o.category == "washing_machine" for o in made(asked).objects)
