@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Iterator
 
-import numpy as np
 from shapely.geometry import Polygon
 
 from apartgen.schemas.layout import Box, Layout
@@ -15,7 +14,7 @@ from apartgen.stages.things.categories import TABLE
 FLAT = 0.03
 """What is no higher is part of the floor, m."""
 USE = 0.05
-"""How far what belongs together may stand in one another, m."""
+"""How far what belongs together may stand in one another, or what is carried in what carries it, m."""
 BACK = (-0.35, 0.5, 0.5)
 """Front left upper corner of a seat's back, in shares of its size."""
 SQUARE, ROUND = ((0.5, 0.5),), ((0.5, 0.2), (0.2, 0.5), (0.354, 0.354))
@@ -72,6 +71,7 @@ def _overlaps(objects: list[Box]) -> Iterator[Fault]:
         one, two, deep, allowed = objects[i], objects[j], float(depth(each[i], each[j])[0, 0]), TOUCH
         for child, parent in ((one, two), (two, one)):
             a, b = TABLE.get(child.category), TABLE.get(parent.category)
+            allowed = USE if getattr(child, "on", None) == parent.id else allowed
             if a and b and not set(a.belongs).isdisjoint(b.lineage):
                 allowed = USE
                 if is_seat(child) and (b.kneehole or not b.back):
@@ -87,12 +87,13 @@ def _supports(home: Layout, site: Site) -> Iterator[Fault]:
     marks = shapes.marks()
     for i, o in enumerate(home.objects):
         low, high = float(shapes.low[i]), float(shapes.high[i])
-        below = [j for j in np.flatnonzero(np.abs(shapes.high - low) <= 1.5 * TOUCH).tolist() if j != i]
+        said, place = getattr(o, "on", None), TABLE[o.category].place if o.category in TABLE else ""
+        most = [USE if other.id == said else 1.5 * TOUCH for other in home.objects]
+        below = [j for j, far in enumerate(shapes.high - low) if j != i and -1.5 * TOUCH <= far <= most[j]]
         held = {home.objects[j].id for j in below if marks[i].intersection(marks[j]).area >= HELD * marks[i].area}
         held |= {"floor"} if low <= TOUCH else set()
         held |= {"ceiling"} if high >= home.height - 2 * TOUCH else set()
         held |= {"wall"} if _hangs(o, marks[i], low, high, site) else set()
-        said, place = getattr(o, "on", None), TABLE[o.category].place if o.category in TABLE else ""
         if said is not None and said not in held:
             yield Fault("not-on", (o.id, said), o.center)
         if not held - NOT_HELD.get(place, set()):

@@ -149,6 +149,15 @@ def test_a_third_of_it_must_stand_on_something():
         assert furnished(low, lamp) == found
 
 
+def test_what_is_said_to_carry_may_have_an_edge_of_five_centimetres():
+    """A lamp on a shelf whose frame is higher than its top; what nothing is said of must touch."""
+    low = h.chest(2, 1.5, id="low").model_copy(update={"on": "floor"})
+    for sunk, on, found in ((0.04, "low", []), (0.04, None, ["unsupported"]),
+                            (0.06, "low", ["not-on", "overlap", "unsupported"])):
+        lamp = h.thing("table_lamp", 2, 1.5, size=(0.2, 0.2, 0.4), bottom=0.8 - sunk, id="lamp")
+        assert furnished(low, lamp.model_copy(update={"on": on})) == found
+
+
 def test_pictures_hang_no_further_than_three_centimetres_from_a_wall():
     for gap, found in ((0.029, []), (0.031, ["unsupported"])):
         assert furnished(h.thing("mirror", gap + 0.02, 2.4, size=(0.04, 0.5, 0.6), bottom=1.0)) == found
