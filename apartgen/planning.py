@@ -9,7 +9,7 @@ from numpy.random import Generator
 from pydantic import Field
 
 from apartgen.schemas.base import Polygon
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.schemas.plan import Envelope, Plan, Program, Side
 from apartgen.stages import seeds
 from apartgen.stages.plan.config import PlanConfig
@@ -56,9 +56,23 @@ def draw(prompt: str, config: PlanSettings, seed: int, id: str = "") -> tuple[Pl
     """The plan for one prompt, and what a language model took to read it; it draws by its id, else by its words."""
     from apartgen.stages import plan
 
-    rng = seeds.drawn(seed, "plan", id or prompt)
+    rng, again = (seeds.drawn(seed, "plan", id or prompt, *more) for more in ((), ("again",)))
     program, used = read(prompt, config, rng.spawn(1)[0])
-    return plan.build(program, config, rng, prompt), used
+    try:
+        return plan.build(program, config, rng, prompt), used
+    except Unmet:
+        other = program if config.llm else _drawn_anew(prompt, config, again)
+        if other == program:
+            raise
+        log.warning("%s: what the request leaves open is drawn anew, as no plan had room for it", prompt)
+        return plan.build(other, config, again, prompt), used
+
+
+def _drawn_anew(prompt: str, config: PlanSettings, rng: Generator) -> Program:
+    """The programme with other rooms and areas where the prompt leaves them open."""
+    from apartgen.stages.plan import reader
+
+    return enclosed(reader.read(prompt, rng.spawn(1)[0]), config)
 
 
 def checked(text: str) -> str:
