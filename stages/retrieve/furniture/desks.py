@@ -10,6 +10,9 @@ from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.looks import Look, look
 
+KNEE = 0.36
+"""Depth of drawers over one's knees, which open before a chair that is drawn up, m."""
+
 
 def _low(own: Look) -> Look:
     """The look with the base that a table's legs give it."""
@@ -33,7 +36,8 @@ def desk(kit: Kit) -> None:
         return
     z = (h - t - 0.12, h - t)
     inset = 0.1 if kit.style != "industrial" else 0.06
-    hung_drawers(kit, own, (kit.y[0] + inset, kit.y[1] - inset), z, 2 if kit.w > 1.1 else 1, (kit.x[0] + 0.04, front))
+    deep = (max(kit.x[0] + 0.04, front - KNEE), front)
+    hung_drawers(kit, own, (kit.y[0] + inset, kit.y[1] - inset), z, 2 if kit.w > 1.1 else 1, deep)
     leg, y = own.leg, (kit.y[0] + 0.01, kit.y[1] - 0.01)
     if kit.style == "industrial":
         for py in (kit.y[0] + 0.02, kit.y[1] - 0.045):
