@@ -51,10 +51,11 @@ def cases(half: str | None = None) -> list[Case]:
     """The benchmark, or its `tune` or `held` half."""
     lines = (Path(__file__).parent / "sentences.jsonl").read_text(encoding="utf-8").splitlines()
     rows = [json.loads(line) for line in lines]
-    return [_case(row) for row in rows if half in (None, row["half"])]
+    return [case_of(row) for row in rows if half in (None, row["half"])]
 
 
-def _case(row: dict[str, Any]) -> Case:
+def case_of(row: dict[str, Any]) -> Case:
+    """The case of a line."""
     types = {room: room.rsplit("_", 1)[0] for room in row["rooms"]}
     areas = _areas(row, types)
     stated = row.get("areas", {})

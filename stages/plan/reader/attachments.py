@@ -71,7 +71,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
 
 def _inside(before: list[Item], item: Item, after: list[Item]) -> bool:
     """`a kitchenette in the living room`, `through a vestibule into the lounge`."""
-    inner, outer = (before or [item])[-1].room, (after or [item])[0].room
+    last = next((i for i in reversed(before) if i.text != "should be"), item)
+    inner, outer = last.room, (after or [item])[0].room
     if inner is not None and inner.type == "any" and item.value == "in":
         return True  # "all doors in the hall"
     if item.text == "for" and after and after[0].kind == "mark":
@@ -234,7 +235,7 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
         if (
             inside is not None
             and inside + 1 < len(after)
-            and all(x.kind in ("object", "conjunction", "mark", "objects") for x in after[:inside])
+            and all(x.kind in ("object", "conjunction", "mark", "objects") or x.value == "with" for x in after[:inside])
         ):
             holder = after[inside + 1].room
     if holder is None and not (after and after[0].kind == "with"):

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.entity import Entity, whose
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
@@ -14,12 +14,16 @@ Pair = tuple[Entity, Entity]
 
 @dataclass
 class Doors:
-    """Doors said and doors forbidden, between entities; `only` are the rooms that are to have no others."""
+    """Doors said and doors forbidden, between entities; `only` are the rooms that are to have no others.
+
+    `near` are neighbours that a door may stand for, `beside` all.
+    """
 
     links: list[Pair] = field(default_factory=list)
     open: list[Pair] = field(default_factory=list)
     forbidden: list[Pair] = field(default_factory=list)
     near: list[Pair] = field(default_factory=list)
+    beside: list[Pair] = field(default_factory=list)
     only: list[Entity] = field(default_factory=list)
 
 
@@ -41,6 +45,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
             case Relation.NOT:
                 out.forbidden += pairs
             case Relation.NEAR:
+                out.beside += pairs
                 out.near += [
                     (a, b)
                     for a, b in pairs
@@ -195,7 +200,7 @@ def ensuites(home: Household, doors: Doors) -> None:
         if not any(r.type == "bathroom" and (r.owner is e or (e, r) in doors.links) for r in home.rooms)
         and not any(c.owner is e and b.type == "bathroom" for c, b in _ways(doors) if c.type == "closet")
     ]
-    beds.sort(key=lambda e: Trait.MASTER not in e.labels)
+    beds.sort(key=whose)
     if ("bathroom", Trait.ENSUITE) in home.banned:
         beds = []
     plain = [e for e in home.of("bathroom") if Trait.HALF not in e.labels and e.owner is None and not linked(e)]
@@ -203,6 +208,7 @@ def ensuites(home: Household, doors: Doors) -> None:
     others = [
         e for e in plain if e not in named and not e.labels & {Trait.FAMILY, Trait.SHARED, Trait.GUEST, Trait.SEPARATE}
     ]
+    others.sort(key=lambda e: any(e in pair for pair in doors.beside))  # "near the bathroom": that which serves all
     serves = len(plain) - len(others) - len(named) + sum(_serves(e, doors) for e in home.of("bathroom"))
     spare = others if serves else others[: len(others) - 1] if len(beds) > 0 else []
     if len(home.of("bedroom")) < 2 and not home.totals.get("bathroom") and not named:
@@ -212,7 +218,7 @@ def ensuites(home: Household, doors: Doors) -> None:
         doors.links.append((bed, bath))
     for closet in home.of("closet"):
         if closet.owner is None and not linked(closet) and home.of("bedroom"):
-            closet.owner = min(home.of("bedroom"), key=lambda e: Trait.MASTER not in e.labels)
+            closet.owner = min(home.of("bedroom"), key=whose)
             doors.links.append((closet.owner, closet))
 
 

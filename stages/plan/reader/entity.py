@@ -26,6 +26,9 @@ DISTINCT = (
 
 PAIRED = (Det.ALL, Det.EACH, Det.BOTH)
 
+OTHERS = {Trait.KIDS, Trait.GUEST, Trait.RELATIVE, Trait.STAFF}
+"""Labels of bedrooms that are not those of whom the home is for."""
+
 MOST = 40
 """Rooms of one home."""
 
@@ -46,3 +49,8 @@ class Entity:
     picked: bool = False
     vague: bool = False
     name: str = ""
+
+
+def whose(bedroom: Entity) -> int:
+    """Rank of a bedroom: the main one, others, those of children, guests and staff."""
+    return 0 if Trait.MASTER in bedroom.labels else 2 if OTHERS & bedroom.labels else 1

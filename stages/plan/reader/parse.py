@@ -22,6 +22,7 @@ from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.relations import place, relations
+from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import fold, tokenize
@@ -36,7 +37,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = fold(prompt)
+    folded = rephrased(fold(prompt))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)
@@ -138,7 +139,8 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
     for item in items:
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
-    items = merge_ensuites(intended(items))
+    _it_is(items)
+    items = [i for i in merge_ensuites(intended(items)) if i.kind != "stop"]
     items = _closed(attach_areas(of_the_last(items, before), said))
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))
@@ -187,6 +189,7 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
     for k, item in enumerate(items):
         last = next((i.room for i in reversed(out) if i.kind != "copula"), None)
         if item.kind == "size":
+            last = last or _headed_by(out)
             if last is not None:
                 last.factor *= item.number
             else:
@@ -198,6 +201,20 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
         elif not any(i.kind == "dwelling" for i in out):
             said.unread.append(item.text)
     return out
+
+
+def _headed_by(before: list[Item]) -> RoomPhrase | None:
+    """The room of `living room: large`."""
+    return before[-2].room if len(before) > 1 and is_mark(before[-1], ":") else None
+
+
+def _it_is(items: list[Item]) -> None:
+    """`there is a study for my work and it is small`: lays a size on the room that the sentence began with."""
+    for k, item in enumerate(items):
+        rooms = rooms_of(items[:k])
+        if item.kind == "size" and rooms and [i.kind for i in items[k - 2 : k]] == ["pronoun", "copula"]:
+            rooms[0].factor *= item.number
+            items[k] = Item("stop", "", item.text)
 
 
 def _headed(items: list[Item], k: int) -> RoomPhrase | None:

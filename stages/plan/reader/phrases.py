@@ -12,7 +12,7 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
     ("are", "sind", "sont", "son", "lie"), "p"
 )
-COPULAS["be"] = ""
+COPULAS |= {"be": "", "should be": ""}
 """Words like `is`, and whether they are singular or plural."""
 
 ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
@@ -24,6 +24,12 @@ OTHER_NOUNS = frozenset("side end level storey story floor person persons people
 
 GERMAN = ("die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
 """What tells German `links`, left, from the English word."""
+
+CONTRACTED = ("zum", "zur", "im", "am", "beim", "ins", "del", "al", "au")
+"""Prepositions that have an article in them: `im Bad` is `in the bathroom`."""
+
+IN = ("im", "in", "en", "dans", "ins", "在")
+"""Words for `in` of other languages, of furniture; elsewhere they say nothing."""
 
 ELSE = ("else", "ander", "autre", "demas")
 """What tells the other rooms from all."""
@@ -70,6 +76,15 @@ class Phraser:
             return i + 1
         if word.text == "shower" and following is not None and following.kind == "area":
             word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
+        if word.kind == "stop" and self._holds(word, words[i + 1 : i + 3]):
+            self._flush(word)
+            self.items.append(Item("with", "in", word.text))
+            return i + 1
+        if word.text in CONTRACTED and word.kind == "stop" and following is not None and following.kind == "room":
+            self._flush(word)
+            self._determiner(replace(word, kind="determiner", value="the"))
+            self.pending.texts.append(word.text)
+            return i + 1
         if self._modifier(word, words, i):
             return i + 1
         if word.text in ("cupboard", "cupboards") and not self._in_hall():
@@ -120,6 +135,8 @@ class Phraser:
                 and noun_ahead(words, i + 1 + (i + 1 < len(words) and words[i + 1].kind == "determiner"))
             ):
                 p.quantifier = Det.THE
+            case "stop" if p.negated and word.text == "any":
+                pass  # "we don't want any hallway"
             case "negation" if word.value in ("no", "without"):
                 self._flush()
                 self.pending.negated = True
@@ -128,6 +145,11 @@ class Phraser:
                 return False
         self.pending.texts.append(word.text)
         return True
+
+    def _holds(self, word: Lexeme, after: list[Lexeme]) -> bool:
+        """Whether this is the `in` of `ein Esstisch im Wohnzimmer`."""
+        room = [w.kind for w in after if w.kind != "determiner"][:1] == ["room"]
+        return word.text in IN and room and bool(self.items) and self.items[-1].kind == "object"
 
     def _after_room(self, p: Pending) -> bool:
         """An area right behind a room belongs to it: `bedroom 12 m² kitchen 8 m²`."""

@@ -106,7 +106,8 @@ def _but_to(items: list[Item], k: int, before: list[Predicate]) -> bool:
 
 
 def _between_rooms(items: list[Item], k: int) -> bool:
-    return 0 < k < len(items) - 1 and items[k - 1].room is not None and items[k + 1].room is not None
+    before = k - 2 if k > 1 and items[k - 1].text == "should be" else k - 1
+    return 0 < k < len(items) - 1 and items[before].room is not None and items[k + 1].room is not None
 
 
 def _new(item: Item, *also: str) -> bool:

@@ -14,7 +14,7 @@ from apartgen.stages.plan.reader.about import About
 from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import consistent
 from apartgen.stages.plan.reader.doors import Doors, Pair, doors_said, ensuites, every_room
-from apartgen.stages.plan.reader.entity import MOST, Entity
+from apartgen.stages.plan.reader.entity import MOST, Entity, whose
 from apartgen.stages.plan.reader.halls import hall_rank
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.languages import understood
@@ -165,9 +165,7 @@ def _ordered(home: Household) -> list[Entity]:
 
 
 def _rank(room: Entity) -> int:
-    return (
-        hall_rank(room) if room.type == "hallway" else int(room.type == "bedroom" and Trait.MASTER not in room.labels)
-    )
+    return hall_rank(room) if room.type == "hallway" else whose(room) if room.type == "bedroom" else 0
 
 
 def _ids(home: Household) -> dict[int, str]:

@@ -295,6 +295,8 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
     if kind in (Relation.TO, Relation.IN, Relation.GAP):
         living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
         kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
+    if kind == Relation.OPEN and p.form == "part" and any(x.type in OPEN_TYPES for x in left):
+        left = [x for x in left if x.type not in ANNEXES]  # "a small bathroom and kitchen open to the living room"
     relation = f"not {_worded(p, words)}" if p.negated else _worded(p, words)
     right = of_all(right) if kind == Relation.NOT else right
     return [Statement(kind, left, right, relation=relation)] if left and right else []

@@ -9,7 +9,7 @@ from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.relations import OPPOSITE
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
-from apartgen.stages.plan.reader.vocabulary import Relation
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 FAR = ("away from", "far from")
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
@@ -29,6 +29,7 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
     for wish in [*said.asked, *_dimensions(said), *_limits(said), *_neighbours(said.statements)]:
         others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
         of = [ids[id(e)] for e in _meant(wish, home)] if wish.of else ["home"]
+        others += [ids[id(e)] for e in _all_others(wish, home) if ids[id(e)] not in (*of, *others)]
         rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
         for row in rows:
             again = (row[0], row[2], row[1], *row[3:]) if row[0] in MUTUAL else row
@@ -38,6 +39,13 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
         Requirement(id=f"asked_{n}", kind=kind, of=a, to=b, value=value, text=text)
         for n, (kind, a, b, value, text) in enumerate(found, 1)
     ]
+
+
+def _all_others(wish: Asked, home: Household) -> list[Entity]:
+    """`larger than the other bedrooms`: all of them, also those that have been spoken of."""
+    phrases = wish.to if wish.kind == "order" and not isinstance(wish.to, str) else []
+    kinds = [p.type for p in phrases if p.quantifier == Det.OTHER and (p.plural or not p.text.isascii())]
+    return [e for kind in kinds for e in home.of(kind)]
 
 
 def _meant(wish: Asked, home: Household) -> list[Entity]:
