@@ -27,13 +27,14 @@ from apartgen.schemas.errors import ApartgenError  # noqa: E402
 from apartgen.schemas.plan import Program  # noqa: E402
 from apartgen.stages.plan.reader import read  # noqa: E402
 from apartgen.stages.plan.reader.areas import typical  # noqa: E402
+from apartgen.stages.plan.reader.lexicon import read_lexicon  # noqa: E402
 from apartgen.stages.plan.reader.tokens import fold  # noqa: E402
 from apartgen.stages.space import graphs  # noqa: E402
 
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
 NEAR = 0.03
 """Part by which numbers may differ."""
-LARGER, SMALLER = 1.15, 0.87
+LARGER, SMALLER = 1.15, 0.9
 """What a large and what a small room has at least and at most, of the typical area."""
 NAMINGS = 50_000
 Row = dict[str, Any]
@@ -89,10 +90,11 @@ def _shares(wanted: str, told: str) -> bool:
 def _compared(row: Row, program: Program) -> tuple[list[str], list[str]]:
     """Facts lost and added, under the naming of rooms with the fewest."""
     truth = _written(row)
+    told = {*row.get("traits", {}), *row.get("areas", {})}
     given = {r.id: r.type for r in program.rooms}
     best: tuple[list[str], list[str]] | None = None
     for names in islice(_namings(row["rooms"], list(given)), NAMINGS):
-        found = _read(program, names)
+        found = _read(program, names, told)
         found["asked"] = [q for q in found["asked"] if q in truth["asked"] or not _implied(q, truth["door"])]
         found["object"] = [o for o in found["object"] if o in truth["object"] or not _slept_in(o, given)]
         lost = [f"{k} {f}" for k in truth for f in _without(truth[k], found[k])]
@@ -147,30 +149,37 @@ def _written(row: Row) -> Facts:
             if {"large", "small", "long"} & set(traits) and r not in row.get("areas", {})
         ],
         "asked": [_asked(q["kind"], q["of"], q.get("to"), q.get("value")) for q in row.get("requirements", [])],
-        "object": [(o["room"], o["category"].replace(" ", "_"), o.get("count", 1)) for o in row.get("objects", [])],
+        "object": [(o["room"], _category(o["category"]), o.get("count", 1)) for o in row.get("objects", [])],
     }
 
 
-def _read(program: Program, names: dict[str, str]) -> Facts:
-    """The facts of a programme under a naming."""
+def _read(program: Program, names: dict[str, str], told: set[str]) -> Facts:
+    """The facts of a programme under a naming; of the rooms `told` of, areas say nothing of the others."""
     named = {**names, "home": "home", "entrance": "entrance"}
     opened = [_pair(names[a], names[b]) for a, b in program.open_links]
     areas = [(names[r.id], float(r.area or 0)) for r in program.rooms]
     return {
         "room": [(names[r.id],) for r in program.rooms],
         "door": sorted({_pair(names[a], names[b]) for a, b in program.links} | set(opened)),
-        "opening": opened, "area": areas, "scaled": _scaled(program, names),
+        "opening": opened, "area": areas, "scaled": _scaled(program, names, told),
         "total": [(float(program.total_area),)] if program.total_area else [],
         "asked": [_asked(q.kind, named[q.of], named.get(q.to or "", q.to), q.value) for q in program.requirements],
         "object": [(names[o.room], o.category, o.count) for o in program.objects],
     }  # fmt: skip
 
 
-def _scaled(program: Program, names: dict[str, str]) -> list[tuple[Any, ...]]:
+def _category(word: str) -> str:
+    """What the project calls a piece of furniture."""
+    readings = read_lexicon().entries.get(tuple(word.replace("_", " ").split())) or ()
+    return next((r.value for r in readings if r.kind == "furniture"), word.replace(" ", "_"))
+
+
+def _scaled(program: Program, names: dict[str, str], told: set[str]) -> list[tuple[Any, ...]]:
     """Rooms that are large or small beside the others of their home, for what they are."""
     usual = typical(program.rooms, program.links, {})
     factors = {r.id: (r.area or 0.0) / usual[r.id] for r in program.rooms}
-    middle = sorted(factors.values())[len(factors) // 2]
+    plain = sorted(f for r, f in factors.items() if names[r] not in told)
+    middle = plain[len(plain) // 2] if plain else 1.0
     large = [(names[r], "large") for r, f in factors.items() if f >= LARGER * middle]
     return [*large, *((names[r], "small") for r, f in factors.items() if f <= SMALLER * middle)]
 

@@ -97,6 +97,8 @@ def _in_each(before: list[Item], after: list[Item]) -> bool:
 
 def _subject(before: list[Item]) -> RoomPhrase | None:
     """The kitchen of `the kitchen is next to the living room and has a balcony`."""
+    if len(before) > 2 and before[-2].kind == "copula" and before[-3].room is not None:
+        return before[-3].room  # "the bedroom is large and has a balcony"
     links = [k for k, i in enumerate(before) if i.kind == "link"]
     rooms = rooms_of(before[: links[-1]]) if links else []
     return rooms[-1] if rooms else None
@@ -238,8 +240,11 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
             and all(x.kind in ("object", "conjunction", "mark", "objects") or x.value == "with" for x in after[:inside])
         ):
             holder = after[inside + 1].room
+    known = [i.room for i in before if i.room is not None]
+    in_it = [i.value for i in after[:1]] == ["in"] and (len(after) == 1 or after[1].kind in ("mark", "conjunction"))
+    if holder is None and in_it and known:
+        holder = known[0]  # "the baby's room is small, and we need a cot in it"
     if holder is None and not (after and after[0].kind == "with"):
-        known = [i.room for i in before if i.room is not None]
         holder = known[-1] if known and (item.kind == "objects" or known[-1].objects) else None
     if holder is None:
         said.loose_objects.append((item.value if item.kind == "object" else "", int(item.number)))

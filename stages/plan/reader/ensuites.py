@@ -8,7 +8,7 @@ def merge_ensuites(items: list[Item]) -> list[Item]:
     """`two ensuite bedrooms`, `master bedroom en suite`, `one of them ensuite`."""
     out: list[Item] = []
     for item in items:
-        near = [i for i in out if i.kind not in ("copula", "relative", "pronoun")]
+        near = [i for i in out if i.kind not in ("copula", "relative", "pronoun") and i.value != "including"]
         last = near[-1].room if near else None
         phrase = item.room
         if (

@@ -38,6 +38,7 @@ class Entity:
     """One room of the home being described."""
 
     type: str
+    exact: bool = field(default=False, kw_only=True)
     labels: set[Trait] = field(default_factory=set)
     area: float | None = None
     share: float | None = None

@@ -36,6 +36,8 @@ def _limit(words: list[Lexeme], i: int, out: list[Lexeme]) -> tuple[list[Lexeme]
         return [words[i]], i + 1
     value, there, end = _measured(words, j)
     behind = "" if sense or not there and value is None else _behind(words, end)
+    if not (sense or behind) and there == "width" and not (end < len(words) and words[end].kind == "room"):
+        sense = "at_least"  # "the living room is 5 m wide"
     if value is None or not (sense or behind):
         return [words[i]], i + 1
     before = _named_before(out) if not (span or there) else 0

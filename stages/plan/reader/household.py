@@ -201,7 +201,9 @@ class Household:
             return found
         count = int(phrase.count or (2 if phrase.quantifier == Det.BOTH else 0))
         if labels and not known:
-            return self.add(phrase.type, max(count, 2 if phrase.plural else 1), labels=set(labels))
+            count = max(count, 2 if phrase.plural else 1)
+            free = [e for e in self.of(phrase.type) if e.counted and not e.picked and not e.labels & set(DISTINCT)]
+            return free[-count:] if len(free) >= count else self.add(phrase.type, count, labels=set(labels))
         if phrase.quantifier == Det.THE and len(known) > count > 0:
             free = [e for e in known if not e.picked and not e.labels & set(DISTINCT)]
             return (free if len(free) >= count else known)[:count]

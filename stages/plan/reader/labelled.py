@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from apartgen.stages.plan.reader.entity import DISTINCT, Entity
+from apartgen.stages.plan.reader.entity import DISTINCT, OTHERS, Entity
 from apartgen.stages.plan.reader.halls import may_be
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -40,7 +40,7 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     free = [e for e in free if may_be(phrase, e)]
     total = phrase.type in home.totals or phrase.subset
     take = free if _among_known(phrase, labels, free, total) else []
-    found = take[:count]
+    found = take[-count:] if labels & OTHERS else take[:count]  # the first bedroom is whose the home is
     if phrase.type in home.totals and phrase.quantifier != Det.ANOTHER and Trait.HALF not in labels:
         count = max(len(found), 1) if found else count
     found += home.add(phrase.type, count - len(found))
@@ -57,7 +57,7 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
     bare = (
         phrase.quantifier == Det.BARE
         and phrase.count is None
-        and (phrase.text == "master" or bool(phrase.owned or phrase.areas))
+        and (phrase.text == "master" or bool(phrase.owned or phrase.areas or phrase.objects) or phrase.factor != 1.0)
     )
     attribute = Trait.MASTER in labels and bare and len([e for e in free if e.counted]) > 1
     return total or phrase.quantifier == Det.THE or attribute or _counted(free)

@@ -119,6 +119,9 @@ def _ahead(items: list[Item], k: int) -> RoomPhrase | None:
 
 def _before(items: list[Item], k: int) -> RoomPhrase | None:
     """The last room before a limit in its sentence; None where furniture stands between."""
+    start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
+    if k > start and items[k - 1].kind == "conjunction":  # "the store is far from the bathroom and 1.5 m wide"
+        return next((i.room for i in items[start:k] if i.room is not None and not i.room.headline), None)
     for item in reversed(items[:k]):
         if is_mark(item, ".") or item.kind == "object":
             return None

@@ -179,6 +179,8 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value == "it"):
         j -= 1
+    while j > 0 and is_mark(before[j - 1], ",") is False and before[j].kind in ("side", "place"):
+        j -= 1  # "living room on the south side, 27 m²"
     last = before[j].room if j >= 0 else None
     if last is not None:
         each = any(r.quantifier == Det.EACH for r in rooms_of(items[k + 1 : k + 2]))

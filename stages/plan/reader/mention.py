@@ -33,6 +33,7 @@ class RoomPhrase:
     headline: bool = False
     whole: int | None = None
     together: bool = False
+    exact: bool = False
     another: bool = False
     subset: bool = False
     among: list["RoomPhrase"] = field(default_factory=list)

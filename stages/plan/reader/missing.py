@@ -122,6 +122,8 @@ def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:
     common = [e for e in full if (e.owner is None or e.owner.type == "hallway") and Trait.ENSUITE not in e.labels]
     if not have:
         home.add("bathroom", data["bathrooms"][min(beds, len(data["bathrooms"]) - 1)])
+    elif any(e.exact for e in full) and beds < 2:
+        return  # "one bedroom, one bathroom", whatever it is
     elif "bathroom" not in home.totals and not common and (not full or beds > served):
         home.add("bathroom")
 
@@ -129,7 +131,8 @@ def _add_missing(kind: str, home: Household, data: dict[str, Any]) -> None:
 def _studio(said: Said, home: Household) -> None:
     """One room to live and sleep in, the kitchen open to it."""
     for living in home.of("living_room")[:1]:
-        if not any(c in ("double_bed", "single_bed", "bunk_bed") for c, _ in living.objects) and home.of("bathroom"):
+        told = [c for c, _ in [*living.objects, *said.loose_objects]]
+        if not {"double_bed", "single_bed", "bunk_bed"} & set(told) and home.of("bathroom"):
             living.objects.append(("double_bed", 1))
         living.labels |= {Trait.LOFT} if said.about.loft else set()
     for kitchen in home.of("kitchen"):

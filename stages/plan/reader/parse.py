@@ -209,11 +209,16 @@ def _headed_by(before: list[Item]) -> RoomPhrase | None:
 
 
 def _it_is(items: list[Item]) -> None:
-    """`there is a study for my work and it is small`: lays a size on the room that the sentence began with."""
+    """`there is a study for my work and it is small`, `12 m²`: said of the room that the sentence began with."""
     for k, item in enumerate(items):
         rooms = rooms_of(items[:k])
-        if item.kind == "size" and rooms and [i.kind for i in items[k - 2 : k]] == ["pronoun", "copula"]:
+        if not rooms or [i.kind for i in items[k - 2 : k]] != ["pronoun", "copula"]:
+            continue
+        if item.kind == "size":
             rooms[0].factor *= item.number
+            items[k] = Item("stop", "", item.text)
+        elif item.kind == "area" and not item.value and not rooms[0].areas and not rooms[0].headline:
+            rooms[0].areas, rooms[0].sides, rooms[0].bounds = item.values, item.sides, item.bounds
             items[k] = Item("stop", "", item.text)
 
 

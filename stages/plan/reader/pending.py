@@ -6,7 +6,9 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import PARTITIVE, RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
-MODIFIERS = ("size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
+MODIFIERS = ("side", "size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
+EXACT = {"1", "one", "single", "sole", "only one", "just one"}
+"""Words for one that are no article."""
 LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房", "卫")
 """Words of listings, whose numbers are totals."""
 
@@ -40,6 +42,7 @@ class Pending:
         phrase.count = self.number or None
         if self.area:
             phrase.areas, phrase.sides, phrase.bounds = self.area.values, self.area.sides, self.area.bounds
+        phrase.exact = self.number == 1 and bool(EXACT & set(self.texts))
         if kind == "bathroom" and Trait.OWN in phrase.labels:
             phrase.labels.add(Trait.ENSUITE)
         if phrase.quantifier == Det.BOTH and _both(self.texts) and not word.plural:
@@ -129,8 +132,17 @@ def _bare_area(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:
     if not plain:
         return False
     counts_up = phrase.type in ("bedroom", "bathroom") and not (words[i].number > 3 and _areas_said(words, i))
+    if _one_of(words, i):
+        return False
     most = 2.5 if words[i].number % 1 else 6 if counts_up else 3
     return words[i].text[0].isdigit() and most < words[i].number <= 200 and not counts_next(words, i)
+
+
+def _one_of(words: list[Lexeme], i: int) -> bool:
+    """Whether so many rooms of the type were counted that the number tells one of them: `5 bedrooms … bedroom 5`."""
+    kind = words[i - 1].value
+    counts = [a.number for a, b in zip(words[:i], words[1:i], strict=False) if a.kind == "number" and b.value == kind]
+    return words[i].number % 1 == 0 and any(words[i].number <= count for count in counts)
 
 
 def _areas_said(words: list[Lexeme], i: int) -> bool:

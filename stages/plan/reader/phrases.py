@@ -22,8 +22,8 @@ OTHER_NOUNS = frozenset("side end level storey story floor person persons people
 """`one side` counts no rooms."""
 
 
-GERMAN = ("die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
-"""What tells German `links`, left, from the English word."""
+GERMAN = ("man", "wir", "ich", "die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
+"""What tells German `links`, left, and `den`, the, from the English words."""
 
 CONTRACTED = ("zum", "zur", "im", "am", "beim", "ins", "del", "al", "au")
 """Prepositions that have an article in them: `im Bad` is `in the bathroom`."""
@@ -57,7 +57,7 @@ class Phraser:
         if word.value == "word" and word.kind in ("stop", "adjective"):
             self.unread.append(word.text)
         following = words[i + 1] if i + 1 < len(words) else None
-        if word.text == "den" and following is not None and following.kind == "room":
+        if word.text == "den" and following is not None and _german(following):
             return i + 1  # German article
         if word.text == "links" and following is not None and following.text in GERMAN:
             word = words[i] = replace(word, kind="place", value="left")
@@ -127,8 +127,8 @@ class Phraser:
             case "unknown" if not p.empty() and noun_ahead(words, i + 1):
                 self.unread.append(word.text)
                 p.labels |= {Trait.PLACED} if p.negated else set()  # "no internal bathrooms"
-            case "style" if not p.empty() and noun_ahead(words, i + 1):
-                self.items.append(Item("style", word.value, word.text))
+            case "style" | "side" if not p.empty() and noun_ahead(words, i + 1):
+                self.items.append(Item(word.kind, word.value, word.text))
             case "stop" if (
                 word.text in ("of", "de", "von")
                 and p.number is not None
@@ -187,7 +187,7 @@ class Phraser:
 
     def _furnishes(self, word: Lexeme, last: list[Item]) -> bool:
         owner = next((i.room.type for i in reversed(self.items) if i.room), "")
-        return {"bed": "bedroom", "beds": "bedroom"}.get(word.text, "bathroom") == owner and last[-1].kind in (
+        return {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom") == owner and last[-1].kind in (
             "object",
             "with",
         )
@@ -200,12 +200,18 @@ class Phraser:
         key = [w.text if w.kind == "mark" else w.kind for w in words[max(i - 2, 0) : i]]
         if key in (["unknown", ":"], ["label", ":"]) and any(r.type == phrase.type for r in rooms_of(self.items)):
             phrase.quantifier = Det.THE  # "1 living; hub: living"
+        phrase.headline = phrase.headline or (phrase.count is not None and self._of_dwelling(words, i))
         listed = [i.value for i in self.items[-2:]]  # "kitchen, dining and living areas" are three rooms
         if phrase.type in OPEN_TYPES and phrase.count is None and listed[:1] and listed[0] in OPEN_TYPES:
             phrase.plural = phrase.plural and self.items[-1].kind != "conjunction"
         self.items.append(Item("room", phrase.type, word.text, phrase, joined=word.joined and p.empty()))
         self.pending = Pending()
         return trailing_number(words, i + 1, phrase)
+
+    def _of_dwelling(self, words: list[Lexeme], i: int) -> bool:
+        """`un appartement d'une chambre avec …`: the flat has what follows."""
+        before = [w for w in words[max(i - 3, 0) : i] if w.kind != "number"]
+        return [w.kind for w in before] == ["dwelling", "stop"] and before[1].text in ("of", "de", "von")
 
     def _object(self, word: Lexeme, category: str) -> None:
         p, self.pending = self.pending, Pending()
@@ -311,10 +317,18 @@ class Phraser:
             self.unread.append(text)
         elif p.factor != 1.0:
             self.items.append(Item("size", "", p.texts[-1], number=p.factor))
+        elif p.labels == {Trait.SEPARATE}:
+            self.items.append(Item("label", Trait.SEPARATE, text))
         elif p.labels or p.ordinals:
             self.unread.append(text)
         if p.area:
             self.items.append(_area("", p.area))
+
+
+def _german(following: Lexeme) -> bool:
+    """Whether `den` before it is an article."""
+    noun = following.kind in ("room", "determiner", "number", "size", "ordinal", "label")
+    return (noun and not following.text[0].isdigit()) or following.text in GERMAN
 
 
 def _area(value: str, area: Lexeme) -> Item:

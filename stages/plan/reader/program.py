@@ -186,12 +186,15 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
     wanted: dict[tuple[str, str], int] = {}
     for e in _ordered(home):
         for category, count in e.objects:
+            category = "vanity" if (category, e.type) == ("kitchen_sink", "bathroom") else category
             wanted[ids[id(e)], category] = wanted.get((ids[id(e)], category), 0) + count
     for e in _ordered(home):
         for category, count in kinds()[e.type].objects.items():
             wanted.setdefault((ids[id(e)], category), count)
     for category, count in said.loose_objects:
         homes = [e for kind in (TABLE[category].rooms if category else ()) for e in home.of(kind)]
+        if category and not home.of("bedroom") and "bedroom" in TABLE[category].rooms:
+            homes = home.of("living_room")
         if homes:
             key = ids[id(homes[0])], category
             wanted[key] = wanted.get(key, 0) + count

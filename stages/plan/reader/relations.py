@@ -38,7 +38,7 @@ def relations(
         if p.kind == Relation.BETWEEN and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):
             left = []  # "also a door between the kitchen and the lounge"
         stop = found[k + 1] if k + 1 < len(found) else None
-        right = objects(items, p, stop, left)
+        right = [] if _next_to_it(items, p) else objects(items, p, stop, left)
         left = _annexes(left, right) if p.form == "part" else left
         if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
@@ -68,6 +68,12 @@ def relations(
             continue
         out += _statement(p, left, right, items[p.at].text)
     return out
+
+
+def _next_to_it(items: list[Item], p: Predicate) -> bool:
+    """`a kitchen, a dining room next to it, three bedrooms`: what follows is listed on."""
+    named = p.at > 0 and items[p.at - 1].room is not None
+    return named and p.kind == Relation.NEAR and p.form == "part" and [i.value for i in items[p.at + 1 : p.at + 2]] == ["it"]
 
 
 def _line(items: list[Item], p: Predicate) -> list[RoomPhrase]:
@@ -283,12 +289,19 @@ def _worded(p: Predicate, words: str) -> str:
     return "next to" if p.kind == Relation.NEAR and words not in OPPOSITE else "far from" if far else words
 
 
+def _dines(hubs: list[RoomPhrase], ends: list[RoomPhrase]) -> bool:
+    """`a dining room between the kitchen and the living room` is where one always is; no door is told from others."""
+    return [h.type for h in hubs[-1:]] == ["dining_room"] and {e.type for e in ends} == {"kitchen", "living_room"}
+
+
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
     if p.kind == Relation.HAS:
         return []
     kind = Relation.NOT if p.negated or p.kind == Relation.APART else p.kind
     if p.kind == Relation.BETWEEN:
         hubs = left if left and left[-1] not in right else []
+        if _dines(hubs, right):
+            return []
         if hubs:
             return [Statement(Relation.DOOR, hubs[-1:], right)] if right else []
         return [Statement(Relation.DOOR, right[:1], right[1:])] if len(right) > 1 else []

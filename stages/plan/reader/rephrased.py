@@ -16,6 +16,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "Es soll vom Flur aus zugänglich sein."
     (r"\b(?:vom|von d(?:er|em)|uber d(?:en|ie|as)|durch d(?:en|ie|as)) (\w+) (?:aus )?"
      r"(?:zuganglich|erreichbar|begehbar|betretbar|zu erreichen|zu betreten)\b(?: sein)?", r"zuganglich vom \1"),
+    (r",? (?:der|die|das) (?:nur )?(?:vom|von d(?:er|em)|uber d(?:en|ie|as)|durch d(?:en|ie|as)) (\w+) (?:aus )?"
+     r"(?:betreten|erreicht|zuganglich|erreichbar|begehbar) (?:wird|ist|sein soll|werden (?:kann|soll))\b",
+     r" zuganglich vom \1"),
     # "Das Bad soll größer sein als das WC."
     (r"\b(grosser|kleiner) sein als\b", r"\1 als"),
     # "Küche und Wohnzimmer gehen ineinander über."
@@ -25,8 +28,25 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\bgehen (?:offen |fliessend )?ineinander uber\b", "sind offen"),
     # "The bedrooms are set apart from each other."
     (r"\b(?:set|placed|kept|well|far|located) (?:well |far )?apart from\b", "far from"),
+    # "Küche, Essbereich und Wohnzimmer bilden einen offenen Raum."
+    (r"\bbilden (?:zusammen )?eine?n? (?:(?:grosse[ns]?|gemeinsame[ns]?|einzige[ns]?|offene[ns]?) )+(?:raum|bereich|einheit)\b",
+     "sind offen"),
+    (r"\b(balkon|terrasse|loggia) (?:am|beim|vor d(?:em|er)|an der) (\w+)", r"\1 zuganglich vom \2"),
+    # "Im Wohnzimmer stehen ein Sofa und zwei Sessel"; "ein Wohnraum, in dem ein Bett steht"
+    (r"\b(?:im|in d(?:er|em)) (\w+) (?:steht|stehen) ", r"das \1 hat "),
+    (r",? in (?:dem|der|denen) ([^,.;]+?) (?:steht|stehen)(?=[,.;]|$)", r" mit \1"),
+    # "ein Balkon, den man nur von dort betritt"
+    (r", d(?:en|ie|as) man nur von dort (?:aus )?(?:betritt|erreicht|betreten kann|erreichen kann)\b", ""),
+    (r"\bd'(?=une?\b)", "de "),  # "un appartement d'une chambre"
+    # "Un trastero al que se entre desde el despacho"
+    (r"\b(?:al|a la) que se (?:entra|entre|accede|acceda|llega|llegue) (?:desde|por) ", "accesible desde "),
+    # "书房的门开在客厅里", "次卧要离客厅远一点"
+    (r"([^,.;:的]{1,6})的门(?:要|应该)?(?:开在|开向|通向|朝)([^,.;:里]{1,6}?)(?:里|开)*(?:[,.;]|$)", r"\1通向\2."),
+    (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?远(?:一点|一些|些|点)?(?=[,.;]|$)", r" far from \1"),
+    (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?近(?:一点|一些|些|点)?(?=[,.;]|$)", r"靠近\1"),
+    (r"(?<![一两二三四个间1-9])次卧", "第二卧室"),
     # "一个储藏室，从厨房进去"
-    (r"从([^,.;:从]{1,8}?)(?:进去|进入|进出|进)(?=[,.;]|$)", r"通向\1"),
+    (r"从([^,.;:从]{1,8}?)(?:进去|进入|进出|进)(?:[,.;]|$)", r"通向\1."),
 )]  # fmt: skip
 
 

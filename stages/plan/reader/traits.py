@@ -14,6 +14,7 @@ def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:
         if phrase.together and phrase.areas:
             entity.area = phrase.areas[0] / len(rooms)
         entity.factor *= phrase.factor
+        entity.exact = entity.exact or phrase.exact
         entity.labels |= phrase.labels - {Trait.SIZED, Trait.MAYBE_ENSUITE, Trait.OWN, Trait.HALLS}
         entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
         entity.objects += phrase.objects

@@ -64,8 +64,9 @@ def _is_a(items: list[Item], k: int, before: list[RoomPhrase]) -> bool:
     assert one is not None
     alike = same is not None and same.quantifier == Det.A and same.type == before[-1].type and not same.plural
     named = same is not None and one.type in ("", same.type) and not one.labels  # "one bathroom should be an ensuite"
-    told = bool(one.ordinals) or one.count == 1 or one.quantifier == Det.OTHER
-    return named and (one.type == "" or one.count == 1) and told and alike
+    told = bool(one.ordinals) or one.count == 1 or one.quantifier in (Det.OTHER, Det.ONE_OF)
+    the_one = one.type == "bathroom" and one.quantifier == Det.THE  # "the bathroom is an ensuite"
+    return named and (the_one or ((one.type == "" or one.count == 1) and told)) and alike
 
 
 def _same(one: RoomPhrase | None, same: RoomPhrase | None) -> None:
