@@ -34,6 +34,8 @@ from apartgen.stages.space import graphs  # noqa: E402
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
 NEAR = 0.03
 """Part by which numbers may differ."""
+READER = ("area", "scaled", "ratio")
+"""Facts that a programme has of all rooms, said or not."""
 LARGER, SMALLER = 1.15, 0.9
 """What a large and what a small room has at least and at most, of the typical area."""
 NAMINGS = 50_000
@@ -98,7 +100,7 @@ def _compared(row: Row, program: Program) -> tuple[list[str], list[str]]:
         found["asked"] = [q for q in found["asked"] if q in truth["asked"] or not _implied(q, truth["door"])]
         found["object"] = [o for o in found["object"] if o in truth["object"] or not _slept_in(o, given)]
         lost = [f"{k} {f}" for k in truth for f in _without(truth[k], found[k])]
-        added = [f"{k} {f}" for k in truth if k not in ("area", "scaled") for f in _without(found[k], truth[k])]
+        added = [f"{k} {f}" for k in truth if k not in READER for f in _without(found[k], truth[k])]
         if best is None or len(lost) + len(added) < len(best[0]) + len(best[1]):
             best = lost, added
         if not lost and not added:
@@ -148,6 +150,7 @@ def _written(row: Row) -> Facts:
             for r, traits in row.get("traits", {}).items()
             if {"large", "small", "long"} & set(traits) and r not in row.get("areas", {})
         ],
+        "ratio": [(a, b, float(n)) for a, b, n in row.get("ratios", [])],
         "asked": [_asked(q["kind"], q["of"], q.get("to"), q.get("value")) for q in row.get("requirements", [])],
         "object": [(o["room"], _category(o["category"]), o.get("count", 1)) for o in row.get("objects", [])],
     }
@@ -162,6 +165,7 @@ def _read(program: Program, names: dict[str, str], told: set[str]) -> Facts:
         "room": [(names[r.id],) for r in program.rooms],
         "door": sorted({_pair(names[a], names[b]) for a, b in program.links} | set(opened)),
         "opening": opened, "area": areas, "scaled": _scaled(program, names, told),
+        "ratio": [(a, b, m / n) for (a, m), (b, n) in permutations(areas, 2)],
         "total": [(float(program.total_area),)] if program.total_area else [],
         "asked": [_asked(q.kind, named[q.of], named.get(q.to or "", q.to), q.value) for q in program.requirements],
         "object": [(names[o.room], o.category, o.count) for o in program.objects],
@@ -170,8 +174,8 @@ def _read(program: Program, names: dict[str, str], told: set[str]) -> Facts:
 
 def _category(word: str) -> str:
     """What the project calls a piece of furniture."""
-    readings = read_lexicon().entries.get(tuple(word.replace("_", " ").split())) or ()
-    return next((r.value for r in readings if r.kind == "furniture"), word.replace(" ", "_"))
+    readings = read_lexicon().entries.get(tuple(word.replace("_", " ").replace("-", " ").lower().split())) or ()
+    return next((r.value for r in readings if r.kind == "furniture"), word.lower().replace(" ", "_"))
 
 
 def _scaled(program: Program, names: dict[str, str], told: set[str]) -> list[tuple[Any, ...]]:

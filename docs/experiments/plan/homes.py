@@ -1,5 +1,6 @@
-"""Plans of the data sets' prompts beside real flats: `python homes.py 1000 FOLDER` draws so many, then prints a table.
+"""Plans beside real flats: `python homes.py 1000 FOLDER [GRAMMAR]` draws so many, then prints a table of figures.
 
+Prompts are of households.toml, sizes and households alone, or of another grammar (`default`: that of the data sets).
 FOLDER keeps a line of figures a plan, so that an interrupted run goes on. Real figures: 289 flats of RPLAN with two and
 three bedrooms, 503 of Polish developers (kitchenettes), homes of Robot@VirtualHome (shapes of rooms).
 """
@@ -97,11 +98,11 @@ def together(floors: dict[str, shapely.Polygon], rooms: list[str]) -> bool:
     return known == set(rooms)
 
 
-def drawn(count: int, kept: Path) -> Iterator[Figures]:
+def drawn(count: int, kept: Path, name: str) -> Iterator[Figures]:
     """Figures of every plan, of those kept first."""
     done = kept.read_text().splitlines() if kept.exists() else []
     yield from map(json.loads, done)
-    grammar = Grammar.read("default")
+    grammar = Grammar.read(name)
     with kept.open("a") as log:
         for i in range(len(done), count):
             prompt = grammar.sentence(SEED, i)
@@ -145,4 +146,5 @@ if __name__ == "__main__":
     warm()
     folder = Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    print("\n".join(table(list(drawn(int(sys.argv[1]), folder / "plans.jsonl")))))
+    grammar = sys.argv[3] if len(sys.argv) > 3 else str(Path(__file__).parent / "households.toml")
+    print("\n".join(table(list(drawn(int(sys.argv[1]), folder / "plans.jsonl", grammar)))))

@@ -38,6 +38,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             if opens
             else None
         )
+        if owner is not None and owner.negated:
+            owner = None  # "a house without a hallway with four bedrooms"
         if item.value == "has" and out and out[-1].kind == "conjunction":
             owner = _subject(out) or owner
         if is_mark(item, ":") and said.graph:

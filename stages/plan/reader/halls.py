@@ -41,8 +41,13 @@ def spoken_of_before(phrase: RoomPhrase, known: list[Entity]) -> bool:
     """`Living room has a balcony`, `big bedroom has a bath`: known rooms, though no article says so."""
     if phrase.quantifier != Det.BARE or phrase.labels or phrase.plural:
         return False
+    lone = len(known) == 1 and phrase.count is None
+    if lone and phrase.type in ("living_room", "kitchen", "dining_room") and phrase.areas and known[0].area is None:
+        return True  # "kitchen + living: open plan, living room: 32 m²"
     if phrase.type in ("living_room", "kitchen"):
         return any(e.name == phrase.text and not e.labels for e in known)
+    if lone and phrase.objects and phrase.type in ("utility", "storage", "study", "dining_room"):
+        return known[0].name == phrase.text  # "utility room has a washing machine"
     counted = len(known) > 1 and all(e.counted for e in known)
     return phrase.type == "bedroom" and counted and phrase.factor != 1.0 and bool(phrase.owned)
 

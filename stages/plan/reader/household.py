@@ -272,6 +272,7 @@ class Household:
             return self.add(phrase.type)
         if known and refers:
             free = [e for e in known if e.owner is None] or known
+            free = [e for e in free if Trait.HALF not in e.labels] or free  # "the bathroom" is not the guests' WC
             last = [e for e in self.last if e in free]
             return (last or ([e for e in free if not e.picked] or free))[:1]
         if known and phrase.subset:

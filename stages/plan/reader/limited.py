@@ -84,7 +84,8 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
             skip -= 1
             continue
         each = item.text.endswith(EACH) or any(i.value == "mutual" for i in items[k + 1 : k + 2])
-        rooms = next((i.room for i in reversed(out) if i.kind not in ("copula", "relative", "negation")), None)
+        between = ("copula", "relative", "negation")
+        rooms = next((i.room for i in reversed(out) if i.kind not in between and not is_mark(i, ",")), None)
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
         if item.kind == "link" and item.value in ("near", "apart") and each and rooms is not None and several:
             denied = out[-1].kind == "negation"

@@ -2,7 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.statements import Asked, Said
-from apartgen.stages.plan.reader.vocabulary import Det
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 LARGEST = ("largest", "biggest", "greatest", "plus grande", "plus grand", "grosste", "grosster", "mas grande", "最大")
 SMALLEST = ("smallest", "tiniest", "plus petite", "plus petit", "kleinste", "kleinster", "mas pequena", "最小")
@@ -26,6 +26,10 @@ def orders(items: list[Item], said: Said) -> list[Item]:
             most = "largest" if item.number > 1 else "smallest"
             said.asked.append(Asked("order", [last], "", most, f"{last.text} {item.text} all others"))
             skip = 1
+        elif (end := _is_most(items, k)) > k:
+            said.asked.append(_most(items[k].room, items[k + 2].room))
+            out.append(item)
+            skip = end - k - 1
         elif item.kind != "extreme":
             out.append(item)
         elif (last := _before(out)) is not None:
@@ -39,6 +43,29 @@ def orders(items: list[Item], said: Said) -> list[Item]:
         else:
             said.unread.append(item.text)
     return out
+
+
+def _is_most(items: list[Item], k: int) -> int:
+    """Where `the main bedroom is the largest of the bedrooms` ends that begins at `k`; `k` where it does not."""
+    room, most = (items[k].room, items[k + 2].room) if k + 2 < len(items) else (None, None)
+    if room is None or most is None or not room.type or items[k + 1].kind != "copula":
+        return k
+    named = most.type == room.type and most.text.split()[:1] and extreme(most.text.split()[:1])
+    if not named and (most.type or Trait.SIZED not in most.labels):
+        return k
+    group = items[k + 3].room if k + 3 < len(items) else None
+    return k + 3 + (group is not None and group.plural and group.type in ("", room.type, "any"))
+
+
+def _most(room: RoomPhrase | None, most: RoomPhrase | None) -> Asked:
+    """A room beside all others of its type; a living room beside all rooms."""
+    assert room is not None and most is not None
+    small = most.factor < 1 or extreme(most.text.split()[:1]) == "smallest"
+    text = f"{room.text} is the {'smallest' if small else 'largest'}"
+    if room.type not in ("bedroom", "bathroom"):
+        return Asked("order", [room], "", "smallest" if small else "largest", text)
+    others = RoomPhrase(room.type, quantifier=Det.OTHER, plural=True, text="others")
+    return Asked("order", [room], [others], "smaller" if small else "larger", text)
 
 
 def _than_all(items: list[Item], k: int) -> bool:

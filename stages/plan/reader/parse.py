@@ -209,17 +209,30 @@ def _headed_by(before: list[Item]) -> RoomPhrase | None:
 
 
 def _it_is(items: list[Item]) -> None:
-    """`there is a study for my work and it is small`, `12 m²`: said of the room that the sentence began with."""
+    """`there is a study for my work and it is small`, `12 m²`, `far from the bathroom`: said of the study."""
     for k, item in enumerate(items):
-        rooms = rooms_of(items[:k])
-        if not rooms or [i.kind for i in items[k - 2 : k]] != ["pronoun", "copula"]:
+        told = _it(items[:k])
+        if told is None:
             continue
-        if item.kind == "size":
-            rooms[0].factor *= item.number
+        if item.value == "it" and [i.kind for i in items[k + 1 : k + 3]] == ["copula", "link"]:
+            items[k] = Item("room", told.type, item.text, told)
+        elif [i.kind for i in items[max(k - 2, 0) : k]] != ["pronoun", "copula"]:
+            continue
+        elif item.kind == "size":
+            told.factor *= item.number
             items[k] = Item("stop", "", item.text)
-        elif item.kind == "area" and not item.value and not rooms[0].areas and not rooms[0].headline:
-            rooms[0].areas, rooms[0].sides, rooms[0].bounds = item.values, item.sides, item.bounds
+        elif item.kind == "area" and not item.value and not told.areas and not told.headline:
+            told.areas, told.sides, told.bounds = item.values, item.sides, item.bounds
             items[k] = Item("stop", "", item.text)
+
+
+def _it(before: list[Item]) -> RoomPhrase | None:
+    """What `it` is after a clause: its subject, or the last of the rooms that it lists."""
+    at = [k for k, i in enumerate(before) if i.room is not None and not i.room.plural and (i.room.count or 1) == 1]
+    if not at:
+        return None
+    verb = any(i.kind == "link" or i.value == "has" for i in before[at[0] :])
+    return before[at[0 if verb else -1]].room
 
 
 def _headed(items: list[Item], k: int) -> RoomPhrase | None:

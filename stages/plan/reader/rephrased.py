@@ -7,6 +7,8 @@ _DOING = "kochen|essen|wohnen"
 _TOGETHER = re.compile(rf"\b(?:{_DOING})(?:(?:, ?| und |/| & | \+ )(?:{_DOING})){{1,2}}\b")
 _WHOSE = {"eltern": "elternschlafzimmer", "kinder": "kinderzimmer", "gaste": "gastezimmer"}
 _OF_WHOM = re.compile(r"\b(?:schlaf)?zimmer (?:der|unserer|meiner|fur (?:die|unsere)) (eltern|kinder|gaste)n?\b")
+_LIVED = r"(?:kitchen|dining|living)(?: room)?"
+_OPENED = re.compile(rf"\b({_LIVED}(?: ?\+ ?{_LIVED}){{1,2}}) ?: ?open(?:[ -]?plan)?\b")
 _COMPARED = re.compile(r"比([^,.;:]{1,10}?)(?:还要|还|更|要)?(大|小)(?:一些|一点|些)?(?=[,.;]|$)")
 _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
@@ -26,6 +28,12 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      "sind offen"),
     (r"\b(?:offen |fliessend )?ineinander ubergehen(?:d)?\b", "offen"),
     (r"\bgehen (?:offen |fliessend )?ineinander uber\b", "sind offen"),
+    # "for a long-term study of robots" is no room
+    (r"\bfor (?:an? |our |my |the )?(?:[\w-]+ ){0,3}stud(?:y|ies) (?:of|on|about|into) (?![^,.;]{0,20}\d)",
+     "for research on "),
+    # "zwei Bäder, davon eines am Elternschlafzimmer"
+    (r"\bdavon ein(?:e[sr]?)? (?:direkt )?(?:am|beim|im|vom) (?:eltern|haupt)(?:schlaf)?zimmer(?: aus)?"
+     r"(?: zuganglich| erreichbar)?\b", "davon eines en suite"),
     # "The bedrooms are set apart from each other."
     (r"\b(?:set|placed|kept|well|far|located) (?:well |far )?apart from\b", "far from"),
     # "Küche, Essbereich und Wohnzimmer bilden einen offenen Raum."
@@ -44,6 +52,8 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"([^,.;:的]{1,6})的门(?:要|应该)?(?:开在|开向|通向|朝)([^,.;:里]{1,6}?)(?:里|开)*(?:[,.;]|$)", r"\1通向\2."),
     (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?远(?:一点|一些|些|点)?(?=[,.;]|$)", r" far from \1"),
     (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?近(?:一点|一些|些|点)?(?=[,.;]|$)", r"靠近\1"),
+    (r"(?:面积)?是([^,.;:]{1,8}?)的(?:两|2|二)倍", r" twice as large as \1"),
+    (r"(?:面积)?是([^,.;:]{1,8}?)的一半", r" half as large as \1"),
     (r"(?<![一两二三四个间1-9])次卧", "第二卧室"),
     # "一个储藏室，从厨房进去"
     (r"从([^,.;:从]{1,8}?)(?:进去|进入|进出|进)(?:[,.;]|$)", r"通向\1."),
@@ -53,6 +63,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
 def rephrased(text: str) -> str:
     """A folded text whose verbs and comparisons stand where the rules look for them."""
     text = _OF_WHOM.sub(lambda found: _WHOSE[found[1]], text)
+    text = _OPENED.sub(lambda found: f"open plan {found[1].replace('+', ', ')}", text)
     text = _TOGETHER.sub(_doing, text)
     text = _COMPARED.sub(lambda found: f" {'larger' if found[2] == '大' else 'smaller'} than {found[1]}", text)
     for pattern, words in _ORDERED:

@@ -218,7 +218,7 @@ def test_places_and_neighbours_are_requirements(
     [
         ("one bedroom, ceiling height 3 m", ["ceiling height", "3 m"]),
         ("a bed of 1.6 m in the bedroom, a kitchen", ["1.6 m"]),
-        ("one bedroom, a corridor 1.2 m wide", ["1.2 m"]),
+        ("one bedroom, a corridor 1.2 m high", ["1.2 m", "high"]),
         ("a quiet one-bedroom flat", ["quiet"]),
         ("one-bedroom flat of 60 m², 75 m²", ["75 m²"]),
     ],
