@@ -1,4 +1,4 @@
-"""Outlines of six shapes filled with the flats that their areas are usual for: `python outlines.py 50`, so many a shape.
+"""Outlines of six shapes, filled with flats that their areas are usual for: `python outlines.py 50`, so many a shape.
 
 Prints for each shape how many were filled without a fault, how many gave something up, and CPU seconds of a plan.
 """

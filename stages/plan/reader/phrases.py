@@ -6,34 +6,11 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import Lexicon
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
 from apartgen.stages.plan.reader.orders import extreme
+from apartgen.stages.plan.reader.particles import (
+    ADJECTIVES, CONTRACTED, COPULAS, ELSE, GERMAN, OTHER_NOUNS, holds, is_german, of_dwelling,
+)  # fmt: skip
 from apartgen.stages.plan.reader.pending import Pending, noun_ahead, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
-
-COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
-    ("are", "sind", "sont", "son", "lie"), "p"
-)
-COPULAS |= {"be": "", "should be": ""}
-"""Words like `is`, and whether they are singular or plural."""
-
-ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
-"""Relations that describe the room after them: `an adjoining kitchen`."""
-
-OTHER_NOUNS = frozenset("side end level storey story floor person persons people students student family".split())
-"""`one side` counts no rooms."""
-
-
-GERMAN = ("man", "wir", "ich", "die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
-"""What tells German `links`, left, and `den`, the, from the English words."""
-
-CONTRACTED = ("zum", "zur", "im", "am", "beim", "ins", "del", "al", "au")
-"""Prepositions that have an article in them: `im Bad` is `in the bathroom`."""
-
-IN = ("im", "in", "en", "dans", "ins", "在")
-"""Words for `in` of other languages, of furniture; elsewhere they say nothing."""
-
-ELSE = ("else", "ander", "autre", "demas")
-"""What tells the other rooms from all."""
-
 
 class Phraser:
     """Walks lexemes once, left to right; `items` and `unread` hold the outcome."""
@@ -57,7 +34,7 @@ class Phraser:
         if word.value == "word" and word.kind in ("stop", "adjective"):
             self.unread.append(word.text)
         following = words[i + 1] if i + 1 < len(words) else None
-        if word.text == "den" and following is not None and _german(following):
+        if word.text == "den" and following is not None and is_german(following):
             return i + 1  # German article
         if word.text == "links" and following is not None and following.text in GERMAN:
             word = words[i] = replace(word, kind="place", value="left")
@@ -76,7 +53,7 @@ class Phraser:
             return i + 1
         if word.text == "shower" and following is not None and following.kind == "area":
             word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
-        if word.kind == "stop" and self._holds(word, words[i + 1 : i + 3]):
+        if word.kind == "stop" and holds(word, words[i + 1 : i + 3], self.items):
             self._flush(word)
             self.items.append(Item("with", "in", word.text))
             return i + 1
@@ -146,11 +123,6 @@ class Phraser:
         self.pending.texts.append(word.text)
         return True
 
-    def _holds(self, word: Lexeme, after: list[Lexeme]) -> bool:
-        """Whether this is the `in` of `ein Esstisch im Wohnzimmer`."""
-        room = [w.kind for w in after if w.kind != "determiner"][:1] == ["room"]
-        return word.text in IN and room and bool(self.items) and self.items[-1].kind == "object"
-
     def _after_room(self, p: Pending) -> bool:
         """An area right behind a room belongs to it: `bedroom 12 m² kitchen 8 m²`."""
         return p.empty() and bool(self.items) and self.items[-1].kind == "room"
@@ -200,18 +172,13 @@ class Phraser:
         key = [w.text if w.kind == "mark" else w.kind for w in words[max(i - 2, 0) : i]]
         if key in (["unknown", ":"], ["label", ":"]) and any(r.type == phrase.type for r in rooms_of(self.items)):
             phrase.quantifier = Det.THE  # "1 living; hub: living"
-        phrase.headline = phrase.headline or (phrase.count is not None and self._of_dwelling(words, i))
+        phrase.headline = phrase.headline or (phrase.count is not None and of_dwelling(words, i))
         listed = [i.value for i in self.items[-2:]]  # "kitchen, dining and living areas" are three rooms
         if phrase.type in OPEN_TYPES and phrase.count is None and listed[:1] and listed[0] in OPEN_TYPES:
             phrase.plural = phrase.plural and self.items[-1].kind != "conjunction"
         self.items.append(Item("room", phrase.type, word.text, phrase, joined=word.joined and p.empty()))
         self.pending = Pending()
         return trailing_number(words, i + 1, phrase)
-
-    def _of_dwelling(self, words: list[Lexeme], i: int) -> bool:
-        """`un appartement d'une chambre avec …`: the flat has what follows."""
-        before = [w for w in words[max(i - 3, 0) : i] if w.kind != "number"]
-        return [w.kind for w in before] == ["dwelling", "stop"] and before[1].text in ("of", "de", "von")
 
     def _object(self, word: Lexeme, category: str) -> None:
         p, self.pending = self.pending, Pending()
@@ -323,12 +290,6 @@ class Phraser:
             self.unread.append(text)
         if p.area:
             self.items.append(_area("", p.area))
-
-
-def _german(following: Lexeme) -> bool:
-    """Whether `den` before it is an article."""
-    noun = following.kind in ("room", "determiner", "number", "size", "ordinal", "label")
-    return (noun and not following.text[0].isdigit()) or following.text in GERMAN
 
 
 def _area(value: str, area: Lexeme) -> Item:

@@ -24,8 +24,8 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "Das Bad soll größer sein als das WC."
     (r"\b(grosser|kleiner) sein als\b", r"\1 als"),
     # "Küche und Wohnzimmer gehen ineinander über."
-    (r"\b(?:finden|liegen|sind) in einem (?:(?:grossen|gemeinsamen|einzigen) )*offenen (?:bereich|raum)(?: statt)?\b",
-     "sind offen"),
+    (r"\b(?:finden|liegen|sind) in einem (?:(?:grossen|gemeinsamen|einzigen) )*offenen (?:bereich|raum)"
+     r"(?: statt)?\b", "sind offen"),
     (r"\b(?:offen |fliessend )?ineinander ubergehen(?:d)?\b", "offen"),
     (r"\bgehen (?:offen |fliessend )?ineinander uber\b", "sind offen"),
     # "for a long-term study of robots" is no room
@@ -37,8 +37,8 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "The bedrooms are set apart from each other."
     (r"\b(?:set|placed|kept|well|far|located) (?:well |far )?apart from\b", "far from"),
     # "Küche, Essbereich und Wohnzimmer bilden einen offenen Raum."
-    (r"\bbilden (?:zusammen )?eine?n? (?:(?:grosse[ns]?|gemeinsame[ns]?|einzige[ns]?|offene[ns]?) )+(?:raum|bereich|einheit)\b",
-     "sind offen"),
+    (r"\bbilden (?:zusammen )?eine?n? (?:(?:grosse[ns]?|gemeinsame[ns]?|einzige[ns]?|offene[ns]?) )+"
+     r"(?:raum|bereich|einheit)\b", "sind offen"),
     (r"\b(balkon|terrasse|loggia) (?:am|beim|vor d(?:em|er)|an der) (\w+)", r"\1 zuganglich vom \2"),
     # "Im Wohnzimmer stehen ein Sofa und zwei Sessel"; "ein Wohnraum, in dem ein Bett steht"
     (r"\b(?:im|in d(?:er|em)) (\w+) (?:steht|stehen) ", r"das \1 hat "),

@@ -1,4 +1,4 @@
-"""Verbs at the end, pronouns, rooms of one list spoken of again: what prompts of people that the rules had missed said."""
+"""Verbs at the end, pronouns, rooms of a list spoken of again: what rounds of fresh prompts had shown to be missed."""
 
 import pytest
 
@@ -19,9 +19,10 @@ def asked(program: Program) -> set[tuple[str, str, str | None, str | None]]:
 @pytest.mark.parametrize(
     ("prompt", "door"),
     [
-        ("Wohnung mit einem Schlafzimmer und Abstellraum. Er soll von der Küche aus zugänglich sein.", "kitchen_1 storage_1"),
+        ("Wohnung mit einem Schlafzimmer und Abstellraum. Er soll von der Küche aus zugänglich sein.",
+         "kitchen_1 storage_1"),
         ("Wohnung mit zwei Schlafzimmern. Zum Elternschlafzimmer gehört eine Ankleide.", "bedroom_1 closet_1"),
-        ("Drei Schlafzimmer, ein Bad, ein Abstellraum, der nur von der Küche aus betreten wird.", "kitchen_1 storage_1"),
+        ("Drei Schlafzimmer, ein Abstellraum, der nur von der Küche aus betreten wird.", "kitchen_1 storage_1"),
         ("Zweizimmerwohnung mit Balkon am Schlafzimmer.", "balcony_1 bedroom_1"),
         ("Das Elternschlafzimmer ist groß und hat einen Balkon. Zwei Schlafzimmer.", "balcony_1 bedroom_1"),
         ("Piso de dos dormitorios con un trastero al que se entra desde el despacho.", "storage_1 study_1"),
@@ -57,8 +58,10 @@ def test_one_space_however_it_is_said(prompt: str) -> None:
 @pytest.mark.parametrize(
     ("prompt", "row"),
     [
-        ("Drei Schlafzimmer. Der Hauswirtschaftsraum soll an die Küche grenzen.", ("adjacent", "utility_1", "kitchen_1", None)),
-        ("Ein Bad und ein Gäste-WC. Das Bad soll größer sein als das Gäste-WC.", ("order", "bathroom_1", "bathroom_2", "larger")),
+        ("Drei Schlafzimmer. Der Hauswirtschaftsraum soll an die Küche grenzen.",
+         ("adjacent", "utility_1", "kitchen_1", None)),
+        ("Ein Bad und ein Gäste-WC. Das Bad soll größer sein als das Gäste-WC.",
+         ("order", "bathroom_1", "bathroom_2", "larger")),
         ("两室一厅，主卧要比次卧大。", ("order", "bedroom_1", "bedroom_2", "larger")),
         ("两室一厅，次卧要离客厅远一点。", ("apart", "bedroom_2", "living_room_1", None)),
         ("Two bedrooms, set well apart from each other.", ("apart", "bedroom_1", "bedroom_2", None)),

@@ -1,0 +1,47 @@
+"""Small words that are read by what they are rather than by the lexicon: copulas, articles in prepositions, `den`."""
+
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.mention import Item
+
+COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
+    ("are", "sind", "sont", "son", "lie"), "p"
+)
+COPULAS |= {"be": "", "should be": ""}
+"""Words like `is`, and whether they are singular or plural."""
+
+ADJECTIVES = ("adjoining", "adjacent", "connecting", "attached", "connected", "neighbouring", "neighboring")
+"""Relations that describe the room after them: `an adjoining kitchen`."""
+
+OTHER_NOUNS = frozenset("side end level storey story floor person persons people students student family".split())
+"""`one side` counts no rooms."""
+
+
+GERMAN = ("man", "wir", "ich", "die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
+"""What tells German `links`, left, and `den`, the, from the English words."""
+
+CONTRACTED = ("zum", "zur", "im", "am", "beim", "ins", "del", "al", "au")
+"""Prepositions that have an article in them: `im Bad` is `in the bathroom`."""
+
+IN = ("im", "in", "en", "dans", "ins", "在")
+"""Words for `in` of other languages, of furniture; elsewhere they say nothing."""
+
+ELSE = ("else", "ander", "autre", "demas")
+"""What tells the other rooms from all."""
+
+
+def is_german(following: Lexeme) -> bool:
+    """Whether `den` before it is an article."""
+    noun = following.kind in ("room", "determiner", "number", "size", "ordinal", "label")
+    return (noun and not following.text[0].isdigit()) or following.text in GERMAN
+
+
+def holds(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
+    """Whether this is the `in` of `ein Esstisch im Wohnzimmer`."""
+    room = [w.kind for w in after if w.kind != "determiner"][:1] == ["room"]
+    return word.text in IN and room and bool(items) and items[-1].kind == "object"
+
+
+def of_dwelling(words: list[Lexeme], i: int) -> bool:
+    """`un appartement d'une chambre avec …`: the flat has what follows the room at `i`."""
+    before = [w for w in words[max(i - 3, 0) : i] if w.kind != "number"]
+    return [w.kind for w in before] == ["dwelling", "stop"] and before[1].text in ("of", "de", "von")
