@@ -24,8 +24,8 @@ from apartgen.stages.plan.reader import read
 NAMES = re.compile(
     r"\b(master|common|guest|second|child|children|bath|living|dining|storage|study|bed|balcony|kitchen)"
     r"(?: ?(?:bed)? ?(?:rooms?|area))?s?(?: ?#? ?(\d))?(?![a-z])", re.IGNORECASE)
-TYPES = {"master": "bedroom", "common": "bedroom", "guest": "bedroom", "second": "bedroom", "child": "bedroom",
-         "children": "bedroom", "bed": "bedroom", "bath": "bathroom", "living": "living_room", "dining": "dining_room"}  # fmt: skip
+TYPES = dict.fromkeys("master common guest second child children bed".split(), "bedroom") | {
+    "bath": "bathroom", "living": "living_room", "dining": "dining_room"}  # fmt: skip
 COLOURS = {"living_room": (238, 232, 170), "kitchen": (240, 128, 128), "bathroom": (173, 216, 230),
            "common": (255, 215, 0), "master": (255, 165, 0), "balcony": (107, 142, 35)}  # fmt: skip
 OUTSIDE = ((255, 255, 255), (0, 0, 0), (255, 0, 0))
@@ -112,14 +112,16 @@ def _read_all(files: list[Path]) -> None:
         except ApartgenError:
             scores.append(np.nan)
     refused = int(np.isnan(scores).sum())
-    print(f"read {len(files)}: refused {refused} ({refused / len(files):.3f}), S_node {np.nanmean(scores):.4f}", flush=True)
+    share = refused / len(files)
+    print(f"read {len(files)}: refused {refused} ({share:.3f}), S_node {np.nanmean(scores):.4f}", flush=True)
 
 
 def _plan_all(files: list[Path], images: Path | None, each: bool) -> None:
     asked, ious, failed = Counter[str](), [], 0
     for file in files:
         try:
-            made = plan.build(read(file.read_text()), plan.PlanConfig(processes=1), np.random.default_rng(int(file.stem)))
+            rng = np.random.default_rng(int(file.stem))
+            made = plan.build(read(file.read_text()), plan.PlanConfig(processes=1), rng)
         except ApartgenError:
             failed += 1
             continue
