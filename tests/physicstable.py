@@ -6,8 +6,8 @@ from apartgen.stages.things.categories import TABLE
 
 def text() -> str:
     """What weighs how much, what moves how, what rubs how, and where that is from."""
-    return "\n".join([*_weights(), "", *_mechanisms(), "", *_ranges(), "", *_small(), "", *_surfaces(), "",
-                      *_sources(), ""])
+    tables = (_weights(), _mechanisms(), _ranges(), _damped(), _small(), _surfaces(), _sources())
+    return "\n".join(line for table in tables for line in (*table, ""))
 
 
 def _weights():
@@ -33,10 +33,17 @@ def _mechanisms():
 
 
 def _ranges():
-    yield "| mechanism | pull, N | source | turns, degrees | slides, of its depth | source |\n|---|---|---|---|---|---|"
+    yield ("| mechanism | pull, N | source | turns, degrees | slides, of its depth or width | source |\n"
+           "|---|---|---|---|---|---|")
     for name, row in mechanisms.table().items():
         cells = (_span(row.force), row.source, _span(row.turn), _span(row.out), row.turned or "none found")
         yield f"| {name} | {' | '.join(cells)} |"
+
+
+def _damped():
+    yield "| mechanism | damping | sources give | of | source |\n|---|---|---|---|---|"
+    for name, row in mechanisms.table().items():
+        yield f"| {name} | {_span(row.damping)} | {_span(row.drag)} | {row.drags or '-'} | {', '.join(row.dragged)} |"
 
 
 def _span(span):

@@ -38,6 +38,9 @@ class Mechanism:
     turn: Range = (0.0, 0.0)
     out: Range = (0.0, 0.0)
     turned: str = ""
+    drag: Range
+    dragged: tuple[str, ...]
+    drags: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
