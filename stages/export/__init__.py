@@ -46,7 +46,7 @@ def run(
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
     writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats)}
     scene = Scene(home, load_asset)
-    scene = scene if colliders == "exact" else scene.of(primitive(scene.bodies))
+    scene = scene if colliders == "exact" else scene.of(primitive(scene.bodies), masked=True)
     scene = scene if randomize is None else scene.of(randomized(scene, randomize))
     with replaced(out) as folder:
         files = _all_written(list(writers.items()), scene, folder, processes)

@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from apartgen.schemas.plan import Room
+from apartgen.stages.export._masks import masks
 from apartgen.stages.export._obj import Files
 from apartgen.stages.export._rotation import about_z, quaternion
 from apartgen.stages.export._xml import Element, add, number, numbers, save
@@ -56,6 +57,8 @@ class _Writer:
         overhead = (link for body in scene.bodies if body.kind == "ceiling" for link in body.links)
         self.glowing = {mesh.material for link in overhead for mesh in link.visuals}
         self.meshes: set[str] = set()
+        self.masks = masks(scene.bodies) if scene.masked else {}
+        self.still = {body.name for body in scene.bodies if scene.masked and not body.free}
         self._materials()
         self._lights(scene)
         for body in scene.bodies:
@@ -145,7 +148,8 @@ class _Writer:
                 part.set("gravcomp", "1")
             self._joint(part, body, link)
             self._link(part, body, link, weight)
-            add(self.contact, "exclude", body1=body.name, body2=body.link_name(link))
+            if not body.free or not self.still:  # MuJoCo lets no part touch what it hangs on where that moves
+                self._exclude(body.name, body.link_name(link))
 
     def _apart(self, bodies: list[Body]) -> None:
         """No contact between what stands in something and that."""
@@ -153,7 +157,14 @@ class _Writer:
         for body in bodies:
             for other in (known[name] for name in body.within):
                 for a, b in product(body.links, other.links):
-                    add(self.contact, "exclude", body1=body.link_name(a), body2=other.link_name(b))
+                    self._exclude(body.link_name(a), other.link_name(b))
+
+    def _exclude(self, a: str, b: str) -> None:
+        """No contact between two bodies, where masks do not say so and neither moves for certain."""
+        found = [self.masks[name] for name in (a, b) if name in self.masks]
+        told = len(found) == 2 and not found[0].meets(found[1])
+        if not told and not {a, b} <= self.still:
+            add(self.contact, "exclude", body1=a, body2=b)
 
     def _joint(self, part: Element, body: Body, link: Link) -> None:
         assert link.joint is not None
@@ -187,7 +198,9 @@ class _Writer:
             if body.kind == "ceiling":
                 geom.set("group", "4")
         for k, collider in enumerate(link.colliders):
-            self._collider(element, f"{body.link_name(link)}__c{k}", collider, link.friction)
+            geom = self._collider(element, f"{body.link_name(link)}__c{k}", collider, link.friction)
+            if mask := self.masks.get(body.link_name(link)):
+                geom.attrib.update(contype=str(mask.contype), conaffinity=str(mask.conaffinity))
         if link.handle is not None:
             add(element, "site", name=f"{body.link_name(link)}__handle", pos=link.handle, size=0.015, group=3)
 
@@ -200,14 +213,14 @@ class _Writer:
             add(self.assets, "mesh", name=name, file=f"assets/{file}", inertia="shell")
         return name
 
-    def _collider(self, element: Element, name: str, c: Collider, friction: float) -> None:
+    def _collider(self, element: Element, name: str, c: Collider, friction: float) -> Element:
         geom = add(element, "geom", class_="collider", name=name, type=GEOMS[c.kind], friction=number(friction))
         if c.kind == "hull":
             assert c.vertices is not None
             add(self.assets, "mesh", name=name, vertex=(c.vertices @ c.rotation.T + c.center).ravel())
             geom.set("mesh", name)
-            return
+            return geom
         extents = {"box": c.size / 2, "cylinder": c.size[[0, 2]] * [1, 0.5], "sphere": c.size[:1]}
         for key, value in (("size", extents[c.kind]), ("pos", c.center), ("quat", quaternion(c.rotation))):
             geom.set(key, numbers(value))
-
+        return geom

@@ -39,12 +39,14 @@ OVERHEAD = next(kind.lumens for kind in TABLE.values() if kind.lumens and kind.p
 class Scene:
     """An apartment to export; `home` is the artifact itself. Bodies are built when first asked for.
 
-    Not `shown`, what only shows is left out, but for parts of which nothing else is known.
+    Not `shown`, what only shows is left out, but for parts of which nothing else is known. `masked`, bits and not lists
+    of pairs say what does not touch, where a format has them.
     """
 
     home: Plan
     load_asset: LoadAsset
     shown: bool = True
+    masked: bool = False
 
     @cached_property
     def bodies(self) -> list[Body]:
@@ -81,9 +83,9 @@ class Scene:
         """Who made the assets used, sorted."""
         return sorted({self.load_asset(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
 
-    def of(self, bodies: list[Body]) -> "Scene":
+    def of(self, bodies: list[Body], masked: bool = False) -> "Scene":
         """The same scene of other bodies."""
-        found = replace(self)
+        found = replace(self, masked=self.masked or masked)
         vars(found)["bodies"] = bodies
         return found
 
