@@ -19,6 +19,8 @@ NEAR = 0.12
 PICTURES = {"living_room": (2, 4), "bedroom": (1, 3), "hallway": (1, 2), "study": (1, 2), "dining_room": (1, 2),
             "kitchen": (0, 1), "bathroom": (0, 1)}
 """How many hang in a room at least and at most."""
+BARE = {"living_room": 1.5}
+"""A wall of a room of this type has nothing on a stretch so long, m: a picture more is hung in its middle."""
 WIDEST = {"bathroom": 0.5, "kitchen": 0.7, "hallway": 0.8}
 """Pictures are no wider in a room of this type, m."""
 EYE = 1.5
@@ -29,6 +31,8 @@ SWITCH, SOCKET, COUNTER = 1.05, 0.30, 1.12
 """Heights of switches, of sockets, and of sockets above worktops, m."""
 ASIDE = 0.15
 """From the edge of a door to its switch, m."""
+_UPRIGHT = (0.25, 2.2)
+"""From skirting to lintel, m."""
 _WALLED = ("living_room", "bedroom", "hallway", "study", "dining_room", "kitchen", "bathroom", "utility", "storage",
            "closet")
 _UNDER = categories.those(lambda kind: kind.pictures > 0)
@@ -95,7 +99,10 @@ def hung(
     own = [every[k] for k in rng.permutation(np.arange(first, len(every), len(home.rooms)))]
     rest = [every[k] for k in rng.permutation(len(every)) if every[k] not in own]
     pictures = [design for design in [*own, *rest] if design.size[1] <= WIDEST.get(room.base, np.inf)]
-    return [*found, *_pictures(faces, here, pictures, count)]
+    chosen = list(_pictures([*_over(faces, here), *_bare(faces)], pictures, count))
+    left = [design for design in pictures if not any(design is other.design for other in chosen)]
+    empty = list(_bare(faces, BARE.get(room.base, np.inf), *_UPRIGHT))
+    return [*found, *chosen, *_pictures(empty, left, len(left) if density > 0 else 0)]
 
 
 def _faces(home: Retrieve, room: Room, here: Sequence[Furnishing]) -> list[Face]:
@@ -213,10 +220,10 @@ def _anywhere(faces: Sequence[Face], design: Design, z: float, rng: np.random.Ge
 
 
 def _pictures(
-    faces: Sequence[Face], here: Sequence[Furnishing], models: Sequence[Design], count: int
+    places: Sequence[tuple[Face, float, float]], models: Sequence[Design], count: int
 ) -> Iterator[Hung]:
-    """Over furniture that has a wall behind it, then in the middle of what is bare; each once, the first that fits."""
-    places, left = [*_over(faces, here), *_bare(faces)], list(models)
+    """At the first of these places; each picture once, the first that fits."""
+    left = list(models)
     for face, s, low in places:
         if count <= 0:
             return
@@ -242,14 +249,16 @@ def _over(faces: Sequence[Face], here: Sequence[Furnishing]) -> Iterator[tuple[F
                     yield face, float(s[0]), top
 
 
-def _bare(faces: Sequence[Face]) -> Iterator[tuple[Face, float, float]]:
-    """Middles of the longest stretches that nothing covers at eye height, the longest first."""
+def _bare(
+    faces: Sequence[Face], least: float = 0.6, low: float = EYE - 0.2, high: float = EYE + 0.2
+) -> Iterator[tuple[Face, float, float]]:
+    """Middles of the stretches longer than that which nothing covers at these heights, the longest first."""
     found = []
     for face in faces:
-        cuts = sorted((a, b) for a, b, z0, z1 in face.covered if z0 < EYE + 0.2 and z1 > EYE - 0.2)
+        cuts = sorted((a, b) for a, b, z0, z1 in face.covered if z0 < high and z1 > low)
         at = 0.0
         for a, b in [*cuts, (face.length, face.length)]:
-            if a - at > 0.6:
+            if a - at > least:
                 found.append((a - at, face, (a + at) / 2))
             at = max(at, b)
     for _, face, s in sorted(found, key=lambda row: -row[0]):

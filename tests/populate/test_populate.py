@@ -145,6 +145,23 @@ def test_no_picture_hangs_twice_in_a_home_that_has_enough_of_them(seed):
     assert len(hung) > 2 and len(set(hung)) == len(hung)
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_no_wall_of_a_living_room_is_bare(seed):
+    """Furniture taken away, there is a door, a window or something that hangs at every wall."""
+    home = furnished()
+    empty = home.model_copy(update={"objects": [o for o in home.objects if o.room != "living_room_1"]})
+    home = populate.run(empty, populate.PopulateConfig(), seeds.drawn(seed, "walls"), library())
+    ring = np.array(next(room.polygon for room in home.rooms if room.id == "living_room_1"))
+    there = [shapely.Polygon(corners(o)) for o in things(home) if o.room == "living_room_1" and o.on == carrying.WALL]
+    there += [shapely.LineString(o.segment) for o in home.openings if "living_room_1" in o.rooms]
+    walls = [shapely.LineString([a, b]) for a, b in zip(ring, np.roll(ring, -1, axis=0))]
+    long = [wall for wall in walls if wall.length > 1.8]
+    assert len(long) > 2
+    for wall in long:
+        stretch = shapely.LineString([wall.interpolate(0.1), wall.interpolate(wall.length - 0.1)])
+        assert min(one.distance(stretch) for one in there) < 0.35, list(wall.coords)
+
+
 def test_the_same_seed_gives_the_same_and_another_another():
     home = furnished()
     lane = seeds.drawn(2, "populate", seeds.plan_digest(home))
