@@ -15,12 +15,20 @@ from apartgen.schemas.render import Render, View
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.drafts import Draft
 from apartgen.stages.qa.marks import MARKED, Marks
-from apartgen.stages.qa.whole import before_front, whole
+from apartgen.stages.qa.whole import WHOLE, before_front, whole
 from apartgen.stages.space import boxes, polygons
 from apartgen.stages.things.categories import TABLE
 
 CLEARLY = 0.004
 """Share of a picture that a thing must cover to be asked about."""
+SMALL = 0.3
+"""Longest side of things that are too small to be told by their names, m."""
+MOSTLY = 0.6
+"""Share of its width and height of which a thing shows at least where one knows it and sees how far it reaches."""
+SINKS = {"basin", "sink"}
+"""Symbols of cabinets with something to wash in."""
+LARGE = 0.015
+"""Share of a picture from which one sees into what parts a front is divided."""
 ABOVE = "above"
 
 
@@ -40,7 +48,8 @@ def alike(one: str, other: str) -> bool:
     tables do, or plans have one symbol for both, as for chests and sideboards.
     """
     a, b = spoken(one).lower().split()[-1], spoken(other).lower().split()[-1]
-    drawn = one in TABLE and other in TABLE and TABLE[one].symbol == TABLE[other].symbol
+    drawn = one in TABLE and other in TABLE and (TABLE[one].symbol == TABLE[other].symbol
+                                                 or {TABLE[one].symbol, TABLE[other].symbol} <= SINKS)
     return drawn or a.endswith(b) or b.endswith(a)
 
 
@@ -108,8 +117,12 @@ class Facts:
 
     def alone(self, view: str) -> dict[str, Box]:
         """Those of them that nothing else of their name is seen beside, by their name in that picture."""
-        meant = meanings([self.objects[id] for id in self.shares[view] if id in self.objects])
-        return {f"the {spoken(o.category)}": o for o in self.clear(view) if meant[o.category] == 1}
+        meant, known = meanings([self.objects[id] for id in self.shares[view] if id in self.objects]), self.known(view)
+        return {f"the {spoken(o.category)}": o for o in self.clear(view) if meant[o.category] == 1 and o.id in known}
+
+    def known(self, view: str) -> set[str]:
+        """Ids of objects that are large enough to be named and of which a view shows most."""
+        return {id for id in self.uncut(view, MOSTLY) if max(self.objects[id].size) > SMALL}
 
     @cached_property
     def room_names(self) -> dict[str, str]:
@@ -190,13 +203,13 @@ class Facts:
             left -= shown[best]
         return chosen if not left else []
 
-    def uncut(self, view: str) -> set[str]:
-        """Ids of objects of which a view shows nearly all from side to side and from end to end."""
+    def uncut(self, view: str, share: float = WHOLE) -> set[str]:
+        """Ids of objects of which a view shows nearly all, or this share, from side to side and from end to end."""
         boxes_of = {thing.number: thing for thing in self.render.instances if thing.box}
         found = set()
         for part in (part for part in self.views[view].visible if part.number in boxes_of):
             o = self.objects.get(boxes_of[part.number].id)
-            if o is not None and whole(self.views[view], o, part.rectangle):
+            if o is not None and whole(self.views[view], o, part.rectangle, share):
                 found.add(o.id)
         return found
 
@@ -212,6 +225,10 @@ class Facts:
                 if id not in best or self.shares[view][id] > self.shares[best[id].view][id]:
                     best[id] = Marked(id, number, view)
         return list(best.values())
+
+    def fine(self, it: "Marked") -> bool:
+        """Whether a thing is seen large enough to tell its parts."""
+        return self.shares[it.view][it.id] > LARGE
 
     def numbered(self, view: str, text: str, answer: str, evidence: dict[str, Any], wrong: tuple[str, ...] = (), *,
                  number: float | None = None, hard: int = 0, more: Sequence[str] = ()) -> Draft:

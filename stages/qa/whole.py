@@ -16,12 +16,12 @@ BEFORE = 0.45
 """Cosine of the angle to the way ahead of a front within which one sees what opens there."""
 
 
-def whole(view: View, o: Box, rectangle: tuple[int, int, int, int]) -> bool:
-    """Whether what is seen of an object, within a rectangle [x, y, width, height], goes nearly from side to side and
-    from end to end of its box.
+def whole(view: View, o: Box, rectangle: tuple[int, int, int, int], share: float = WHOLE) -> bool:
+    """Whether what is seen of an object, within a rectangle [x, y, width, height], goes nearly, or over this share,
+    from side to side and from end to end of its box.
     """
     across, along = _extent(view, o)
-    return across > 0 and rectangle[2] > WHOLE * across and rectangle[3] > WHOLE * along
+    return across > 0 and rectangle[2] > share * across and rectangle[3] > share * along
 
 
 def _extent(view: View, o: Box) -> tuple[float, float]:

@@ -5,17 +5,18 @@ from itertools import combinations
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, marked, metres
+from apartgen.stages.qa.facts import MOSTLY, Facts, marked, metres
 
 NEAREST = 0.4
 """What is nearer is not asked for, m."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Between the nearest points of the boxes of two things in one picture and room."""
+    """Between the nearest points of the boxes of two things in one picture and room, most of both in sight."""
     drafts = []
     for view, numbers in facts.marks.items():
-        for a, b in combinations(numbers, 2):
+        seen = facts.uncut(view, MOSTLY)
+        for a, b in combinations((id for id in numbers if id in seen), 2):
             far = facts.apart(a, b)
             if far > NEAREST and facts.objects[a].room == facts.objects[b].room:
                 one, other = sorted((numbers[a], numbers[b]))

@@ -15,10 +15,12 @@ TRIES = 60
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Things whose first pictures are all different and before which they were not seen at all."""
+    """The only ones of their names, whose first pictures are all different and before which they were not seen at all.
+    """
     frames = [view.name for view in facts.render.views if view.kind == "route"]
     frames = frames[:: max(1, -(-len(frames) // FRAMES))]
-    firsts = {id: k for id in facts.names if (k := _first(facts, frames, id)) is not None}
+    alone = [id for id in facts.names if facts.meanings[facts.objects[id].category] == 1]
+    firsts = {id: k for id in alone if (k := _first(facts, frames, id)) is not None}
     drafts = []
     for _ in range(TRIES if len(firsts) >= 4 else 0):
         ids = sorted(firsts)

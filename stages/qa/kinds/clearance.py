@@ -6,6 +6,7 @@ from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts, metres
 from apartgen.stages.qa.fronts import before
+from apartgen.stages.qa.plain import fronted
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
@@ -14,7 +15,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        if not isinstance(o, Furnishing) or not o.joints or not facts.faces(it.id):
+        if not isinstance(o, Furnishing) or not o.joints or not fronted(facts, it.id):
             continue
         ahead = before(facts, it.id)
         if ahead is None:

@@ -6,15 +6,16 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts, alike, spoken
-
-LEAST = 5e-4
+from apartgen.stages.qa.plain import countable
+from apartgen.stages.things.categories import TABLE
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
-    each kind has several answers.
+    each kind has several answers. Cloth is not counted: a curtain may be two.
     """
-    kinds = sorted({spoken(o.category) for o in facts.home.objects})
+    firm = [o.category for o in facts.home.objects if o.category in TABLE and not TABLE[o.category].soft]
+    kinds = sorted({spoken(category) for category in firm})
     asked = [_of(facts, kinds[k]) for k in rng.permutation(len(kinds))]
     found: list[Draft] = []
     for drafts in sorted(asked, key=lambda some: -len({draft.answer for draft in some})):
@@ -39,7 +40,7 @@ def _of(facts: Facts, kind: str) -> list[Draft]:
                    for other in {facts.objects[id].category for id in facts.shares[image] if id in facts.objects}):
                 continue
             names = Counter(spoken(facts.objects[id].category) for id in there)
-            if seen == there and set(names) <= {kind} and all(facts.shares[image][id] > LEAST for id in there):
+            if seen == there and set(names) <= {kind} and countable(facts, image, there):
                 text = f"How many things of this kind are there in the room that this picture shows all around: {kind}?"
                 evidence = {"room": room, "kind": kind}
                 drafts.append(Draft(text, str(len(there)), [image], evidence, hard=len(there) // 3))

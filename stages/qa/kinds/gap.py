@@ -5,7 +5,7 @@ from itertools import combinations
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, balanced
-from apartgen.stages.qa.facts import Facts, marked
+from apartgen.stages.qa.facts import MOSTLY, Facts, marked
 
 WIDTH = 0.5
 NARROW, WIDE = 0.4, 0.65
@@ -18,7 +18,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Between things that stand on the floor of one room, not farther apart than one would ask for."""
     drafts = []
     for view, numbers in facts.marks.items():
-        for a, b in combinations((id for id in numbers if _low(facts, id)), 2):
+        seen = facts.uncut(view, MOSTLY)
+        for a, b in combinations((id for id in numbers if id in seen and _low(facts, id)), 2):
             wide = float(facts.print(a).distance(facts.print(b)))
             if facts.objects[a].room == facts.objects[b].room and (0.05 < wide < NARROW or WIDE < wide < 1.6):
                 one, other = sorted((numbers[a], numbers[b]))

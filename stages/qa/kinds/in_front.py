@@ -3,17 +3,22 @@
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, some
-from apartgen.stages.qa.facts import Facts, marked
+from apartgen.stages.qa.facts import MOSTLY, Facts, marked
 from apartgen.stages.qa.fronts import before
+from apartgen.stages.qa.plain import fronted
+from apartgen.stages.qa.whole import before_front
 
 WRONG = 3
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """The first thing straight ahead of its front, over its whole width, among others of the same picture."""
+    """The first thing straight ahead of its front, over its whole width, among others of the same picture, which shows
+    most of it and, of what opens, the front.
+    """
     drafts = []
     for view, numbers in facts.marks.items():
-        for id in (id for id in numbers if facts.faces(id)):
+        seen = {id for id in facts.uncut(view, MOSTLY) if before_front(facts.views[view], facts.objects[id])}
+        for id in (id for id in numbers if id in seen and fronted(facts, id)):
             ahead = before(facts, id) if facts.objects[id].room in facts.rooms else None
             met = ahead[1] if ahead else ""
             others = [other for other in numbers if other not in (id, met)]

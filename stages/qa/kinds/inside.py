@@ -15,22 +15,30 @@ LEAST = 6e-4
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Of homes with small things, where all that a thing holds is seen; not of what stands under a worktop that goes on
-    over others.
+    """Of homes with small things, where all that a thing holds or carries is seen and holds nothing itself; not of what
+    stands under a worktop that goes on over others.
     """
-    held: dict[str, list[Box]] = defaultdict(list)
-    for o in facts.home.objects:
-        put: Any = getattr(o, "in_", None)
-        if put is not None:
-            held[put.object].append(o)
+    held = _held(facts)
     drafts = []
     for it in facts.marked:
         things = held.get(it.id, [])
         unseen = [o.id for o in things if facts.shares[it.view].get(o.id, 0) <= LEAST]
         more = facts.pictures(unseen, 2, LEAST)
         category = facts.objects[it.id].category
-        if things and (more or not unseen) and category in TABLE and not TABLE[category].run:
+        plain = things and not any(o.id in held for o in things)
+        if plain and (more or not unseen) and category in TABLE and not TABLE[category].run:
             answer = ", ".join(sorted({spoken(o.category) for o in things}))
             drafts.append(facts.numbered(it.view, f"What is on or inside {it}?", answer, {"object": it.id}, hard=1,
                                          more=more))
     return shared(drafts, rng, most)
+
+
+def _held(facts: Facts) -> dict[str, list[Box]]:
+    """What each thing holds, small things and such as stand on it, a lamp or a television."""
+    held: dict[str, list[Box]] = defaultdict(list)
+    for o in facts.home.objects:
+        put: Any = getattr(o, "in_", None)
+        holder = put.object if put is not None else o.on
+        if holder in facts.objects:
+            held[holder].append(o)
+    return held

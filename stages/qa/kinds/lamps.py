@@ -4,9 +4,8 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.plain import countable
 from apartgen.stages.things.categories import TABLE
-
-LEAST = 5e-4
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
@@ -16,7 +15,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         lamps = [o.id for o in facts.home.objects
                  if o.room == room and o.category in TABLE and TABLE[o.category].lumens > 0]
         images = facts.room_pictures(room)
-        if images and all(facts.shares[images[0]].get(id, 0) > LEAST for id in lamps):
+        if images and countable(facts, images[0], lamps):
             text = "How many lamps are there in the room that this picture shows all around?"
             drafts.append(Draft(text, str(len(lamps)), images, {"room": room}))
     return shared(drafts, rng, most, fewest=2)

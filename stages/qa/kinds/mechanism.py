@@ -5,14 +5,16 @@ import numpy as np
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.plain import hides_how
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Of things that open in one way or in several, and of such as do not."""
+    """Of things that open in one way or in several, and of such as do not; none that is much like what opens otherwise.
+    """
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        if isinstance(o, Furnishing):
+        if isinstance(o, Furnishing) and facts.fine(it) and not hides_how(o.category):
             ways = {_way(joint.type, joint.axis) for joint in o.joints}
             answer = " and ".join(sorted(ways)) or "it has none"
             text = f"How do the doors, drawers, flaps and lids of {it} open?"

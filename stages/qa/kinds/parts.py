@@ -12,7 +12,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        if isinstance(o, Furnishing):
+        if isinstance(o, Furnishing) and facts.fine(it):
             text = f"How many doors, drawers, flaps and lids of {it} can be opened?"
             drafts.append(facts.numbered(it.view, text, str(len(o.joints)), {"object": it.id}))
     return shared(drafts, rng, most)

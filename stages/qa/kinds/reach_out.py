@@ -17,7 +17,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         o = facts.objects[it.id]
         joints = [joint for joint in o.joints if joint.extent] if isinstance(o, Furnishing) else []
         out = max((float(sweeps.moved(joint, joint.range[1])[1][0]) for joint in joints), default=0.0) - o.size[0] / 2
-        if out > LEAST:
+        if out > LEAST and facts.fine(it):
             text = f"All parts of {it} are fully opened. How far do they stand out before its closed front?"
             evidence = {"object": it.id, "metres": round(out, 3)}
             drafts.append(facts.numbered(it.view, text, centimetres(out), evidence, number=out, hard=1))

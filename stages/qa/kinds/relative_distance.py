@@ -3,18 +3,19 @@
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, some
-from apartgen.stages.qa.facts import Facts, marked
+from apartgen.stages.qa.facts import MOSTLY, Facts, marked
 
 CLEARLY = 0.75
 """The nearest is nearer than this share of the next one's distance."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
-    """Things of one room in one picture, by the nearest points of their boxes."""
+    """Things of one room in one picture, most of each in sight, by the nearest points of their boxes."""
     drafts = []
     for view, numbers in facts.marks.items():
-        for anchor in numbers:
-            others = [id for id in numbers if id != anchor and facts.objects[id].room == facts.objects[anchor].room]
+        seen = [id for id in numbers if id in facts.uncut(view, MOSTLY)]
+        for anchor in seen:
+            others = [id for id in seen if id != anchor and facts.objects[id].room == facts.objects[anchor].room]
             if len(others) < 3:
                 continue
             four = [others[k] for k in rng.permutation(len(others))[:4]]

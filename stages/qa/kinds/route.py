@@ -8,6 +8,7 @@ import numpy as np
 from apartgen.schemas.plan import Opening
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.plain import in_its_room
 from apartgen.stages.space import polygons
 
 SIDES = (("straight on", -35.0, 35.0), ("left", 50.0, 130.0), ("right", -130.0, -50.0))
@@ -23,7 +24,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Seen on coming through the entrance and through each door, square to the wall."""
     drafts = []
     for entrance in (o for o in facts.home.openings if o.kind == "entrance"):
-        for view in facts.eyes:
+        for view in (view for view in facts.eyes if in_its_room(facts, view)):
             way = facts.way(entrance.rooms[0], view.room) if view.room in facts.rooms else None
             if not way or len(way) > FARTHEST or not facts.above():
                 continue

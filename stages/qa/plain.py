@@ -1,0 +1,64 @@
+"""What pictures show beyond doubt: where they were taken, fronts, counts, how the camera turned."""
+
+from collections.abc import Iterable
+
+from apartgen.schemas.render import View
+from apartgen.stages.qa.facts import Facts, alike
+from apartgen.stages.things.categories import TABLE
+
+INSIDE = 0.65
+"""Share of a picture that is of the room it was taken in, where nobody takes it for one of another."""
+COUNTED = 0.002
+"""Share of a panorama that a thing covers that nobody overlooks."""
+TURNED = 0.08
+"""Share of the picture's width by which what stays in sight moves at least when the camera turns."""
+COMMON = 0.004
+"""Share of both pictures that a thing covers by which one can tell."""
+
+
+def in_its_room(facts: Facts, view: View) -> bool:
+    """Whether nearly all that a view shows is of the room that it was taken in, and not of one behind a door."""
+    rooms = {thing.number: thing.room for thing in facts.render.instances}
+    own = sum(part.pixels for part in view.visible if rooms[part.number] == view.room)
+    return own > INSIDE * sum(part.pixels for part in view.visible if rooms[part.number])
+
+
+def fronted(facts: Facts, id: str) -> bool:
+    """Whether everybody sees where its front is: what stands on the floor and is no table for people all round."""
+    kind = TABLE.get(facts.objects[id].category)
+    return kind is not None and kind.place == "floor" and "table" not in kind.symbol and facts.faces(id)
+
+
+def countable(facts: Facts, view: str, ids: Iterable[str]) -> bool:
+    """Whether a panorama shows each of these well and none in two parts, at its left and its right end."""
+    numbers = {thing.id: thing.number for thing in facts.render.instances}
+    wide = facts.views[view].width
+    across = {part.number: part.rectangle[0] == 0 and part.rectangle[2] == wide for part in facts.views[view].visible}
+    return all(facts.shares[view].get(id, 0) > COUNTED and not across[numbers[id]] for id in ids)
+
+
+def shifted(facts: Facts, a: View, b: View) -> float | None:
+    """How far to the right, as a share of the width, what two views show moves from the one to the other; None where
+    nothing is in both, or not all of it moves one way.
+    """
+    things = {thing.number for thing in facts.render.instances if thing.box}
+    middle = [{part.number: part.rectangle[0] + part.rectangle[2] / 2 for part in view.visible
+               if part.number in things and part.pixels > COMMON * view.width * view.height} for view in (a, b)]
+    moves = [(middle[1][k] - middle[0][k]) / a.width for k in middle[0].keys() & middle[1].keys()]
+    if not moves or min(map(abs, moves)) < TURNED or len({move > 0 for move in moves}) > 1:
+        return None
+    return sum(moves) / len(moves)
+
+
+def usual(facts: Facts, view: str) -> set[str]:
+    """Categories that rooms such as a view shows have in this home, of which one may think where little is seen."""
+    types = {facts.type_of(room) for room in {facts.objects[id].room for id in facts.shares[view]
+                                              if id in facts.objects} | {facts.views[view].room} if room in facts.rooms}
+    return {o.category for o in facts.home.objects if o.room in facts.rooms and facts.type_of(o.room) in types}
+
+
+def hides_how(category: str) -> bool:
+    """Whether things that look much alike open in another way, as wardrobes with sliding doors do."""
+    sliding = {name for name, kind in TABLE.items() if kind.opens == "sliding"}
+    return any(category in (name, other) for name in sliding for other in TABLE
+               if other != name and TABLE[other].opens and alike(name, other))
