@@ -25,8 +25,8 @@ SMALL = 0.3
 """Longest side of things that are too small to be told by their names, m."""
 MOSTLY = 0.6
 """Share of its width and height of which a thing shows at least where one knows it and sees how far it reaches."""
-SINKS = {"basin", "sink"}
-"""Symbols of cabinets with something to wash in."""
+LOOKALIKES = ({"basin", "sink"}, {"worktop", "table"})
+"""Symbols of things that look much alike, cabinets with something to wash in, and tables at walls."""
 LARGE = 0.015
 """Share of a picture from which one sees into what parts a front is divided."""
 ABOVE = "above"
@@ -48,8 +48,8 @@ def alike(one: str, other: str) -> bool:
     tables do, or plans have one symbol for both, as for chests and sideboards.
     """
     a, b = spoken(one).lower().split()[-1], spoken(other).lower().split()[-1]
-    drawn = one in TABLE and other in TABLE and (TABLE[one].symbol == TABLE[other].symbol
-                                                 or {TABLE[one].symbol, TABLE[other].symbol} <= SINKS)
+    symbols = {TABLE[name].symbol for name in (one, other) if name in TABLE}
+    drawn = one in TABLE and other in TABLE and (len(symbols) == 1 or any(symbols <= some for some in LOOKALIKES))
     return drawn or a.endswith(b) or b.endswith(a)
 
 
@@ -122,7 +122,13 @@ class Facts:
 
     def known(self, view: str) -> set[str]:
         """Ids of objects that are large enough to be named and of which a view shows most."""
-        return {id for id in self.uncut(view, MOSTLY) if max(self.objects[id].size) > SMALL}
+        return {id for id in self.uncut(view, MOSTLY) if max(self.objects[id].size) > SMALL
+                and not self.hidden(id)}
+
+    def hidden(self, id: str) -> bool:
+        """Whether it is fitted among units that may look like it, as a dishwasher is."""
+        kind = TABLE.get(self.objects[id].category)
+        return kind is not None and kind.run in ("unit", "fitted")
 
     @cached_property
     def room_names(self) -> dict[str, str]:
@@ -153,12 +159,13 @@ class Facts:
 
     @cached_property
     def names(self) -> dict[str, str]:
-        """Objects that can be spoken of: the only one that their name could mean in the home, or in a room that can be.
+        """Larger objects that can be spoken of: the only one that their name could mean in the home, or in a room that
+        can be.
         """
         whole, found = self.meanings, {}
         inside = {(room, category): n for room in {o.room for o in self.home.objects} for category, n in
                   meanings([o for o in self.home.objects if o.room == room]).items()}
-        for o in self.home.objects:
+        for o in (o for o in self.home.objects if max(o.size) > SMALL):
             if whole[o.category] == 1:
                 found[o.id] = f"the {spoken(o.category)}"
             elif inside[o.room, o.category] == 1 and o.room in self.room_names:

@@ -3,15 +3,20 @@
 from collections.abc import Iterable
 
 from apartgen.schemas.render import View
+from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.facts import Facts, alike
 from apartgen.stages.things.categories import TABLE
 
 INSIDE = 0.65
 """Share of a picture that is of the room it was taken in, where nobody takes it for one of another."""
+TOLD = 0.01
+"""Share of a picture from which a thing tells what a room is for."""
 COUNTED = 0.002
 """Share of a panorama that a thing covers that nobody overlooks."""
 TURNED = 0.08
 """Share of the picture's width by which what stays in sight moves at least when the camera turns."""
+LEVEL = 0.5
+"""Upward part of a hinge's axis below which it is level."""
 COMMON = 0.004
 """Share of both pictures that a thing covers by which one can tell."""
 
@@ -21,6 +26,18 @@ def in_its_room(facts: Facts, view: View) -> bool:
     rooms = {thing.number: thing.room for thing in facts.render.instances}
     own = sum(part.pixels for part in view.visible if rooms[part.number] == view.room)
     return own > INSIDE * sum(part.pixels for part in view.visible if rooms[part.number])
+
+
+def could_be(facts: Facts, view: View) -> set[str]:
+    """Types of the home's rooms in which all that a view shows well is at home, so that it may be of one of them; a
+    living room has a bed only where there is no bedroom.
+    """
+    shown = [TABLE[facts.objects[id].category] for id, share in facts.shares[view.name].items()
+             if id in facts.objects and share > TOLD and facts.objects[id].category in TABLE]
+    bedrooms = any(room.base == "bedroom" for room in facts.rooms.values())
+    slept = bedrooms and any("sleep" in kind.uses for kind in shown)
+    return {facts.type_of(id) for id, room in facts.rooms.items() if (not slept or room.base == "bedroom")
+            and all(not kind.rooms or room.base in kind.rooms for kind in shown)}
 
 
 def fronted(facts: Facts, id: str) -> bool:
@@ -57,8 +74,13 @@ def usual(facts: Facts, view: str) -> set[str]:
     return {o.category for o in facts.home.objects if o.room in facts.rooms and facts.type_of(o.room) in types}
 
 
-def hides_how(category: str) -> bool:
-    """Whether things that look much alike open in another way, as wardrobes with sliding doors do."""
+def hides_how(o: Furnishing) -> bool:
+    """Whether things that look much alike open in another way: wardrobes with sliding doors, flaps one above another
+    that may be drawers.
+    """
+    if sum(joint.type == "hinge" and abs(joint.axis[2]) < LEVEL for joint in o.joints) > 1:
+        return True
+    category = o.category
     sliding = {name for name, kind in TABLE.items() if kind.opens == "sliding"}
     return any(category in (name, other) for name in sliding for other in TABLE
                if other != name and TABLE[other].opens and alike(name, other))

@@ -34,7 +34,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
 
 
 def _first(facts: Facts, frames: list[str], id: str) -> int | None:
-    """The first frame that shows a thing; None where it was faintly seen before."""
+    """The first frame that shows a thing; None where it was faintly seen before, or is cut there."""
     shares = [facts.shares[name].get(id, 0.0) for name in frames]
     first = next((k for k, share in enumerate(shares) if share > SEEN), None)
-    return first if first is not None and max(shares[:first], default=0.0) < SEEN / 5 else None
+    known = first is not None and id in facts.known(frames[first])
+    return first if known and max(shares[:first], default=0.0) < SEEN / 5 else None

@@ -12,10 +12,11 @@ from apartgen.stages.things.categories import TABLE
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
-    each kind has several answers. Cloth is not counted: a curtain may be two.
+    each kind has several answers. Cloth is not counted, a curtain may be two, nor what is
+    part of a kitchen, a dishwasher may look like a cabinet.
     """
-    firm = [o.category for o in facts.home.objects if o.category in TABLE and not TABLE[o.category].soft]
-    kinds = sorted({spoken(category) for category in firm})
+    known = {o.category for o in facts.home.objects if o.category in TABLE}
+    kinds = sorted({spoken(name) for name in known if not (TABLE[name].soft or TABLE[name].run)})
     asked = [_of(facts, kinds[k]) for k in rng.permutation(len(kinds))]
     found: list[Draft] = []
     for drafts in sorted(asked, key=lambda some: -len({draft.answer for draft in some})):

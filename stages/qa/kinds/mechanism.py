@@ -14,7 +14,7 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     drafts = []
     for it in facts.marked:
         o = facts.objects[it.id]
-        if isinstance(o, Furnishing) and facts.fine(it) and not hides_how(o.category):
+        if isinstance(o, Furnishing) and facts.fine(it) and not hides_how(o):
             ways = {_way(joint.type, joint.axis) for joint in o.joints}
             answer = " and ".join(sorted(ways)) or "it has none"
             text = f"How do the doors, drawers, flaps and lids of {it} open?"

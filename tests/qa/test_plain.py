@@ -1,0 +1,97 @@
+"""What is asked of pictures is beyond doubt: by views made up by hand of a flat of two rooms."""
+
+from math import pi
+
+import handmade as h
+import numpy as np
+import pytest
+
+from apartgen.schemas.render import Instance, Render, View, Visible
+from apartgen.schemas.retrieve import Joint
+from apartgen.stages import qa, seeds
+from apartgen.stages.qa import plain
+from apartgen.stages.qa.config import QaConfig
+from apartgen.stages.qa.facts import Facts, alike
+from apartgen.stages.things.categories import TABLE
+
+SIDE = 100
+LEVEL = ((1, 0, 0, 2), (0, 0, 1, 1.5), (0, -1, 0, 1.2), (0, 0, 0, 1))
+
+
+def facts(shown, objects, kind="eye", room=h.LIVING):
+    """Facts of views, each told as pixels and rectangles by id; `floor_ROOM` is a room's own."""
+    ids = [*(o.id for o in objects), f"floor_{h.LIVING}", f"floor_{h.BEDROOM}"]
+    rooms = {o.id: o.room for o in objects} | {f"floor_{room}": room for room in (h.LIVING, h.BEDROOM)}
+    boxed = {o.id: (*o.center, *o.size, o.yaw) for o in objects}
+    things = [Instance(number=k, id=id, category="", label=1, room=rooms[id], box=boxed.get(id))
+              for k, id in enumerate(ids, 1)]
+    views = [View(name=f"{kind}_{k}", kind=kind, room=room, width=SIDE, height=SIDE, pose=LEVEL,
+                  intrinsics=None if kind == "panorama" else (60, 60, 50, 50),
+                  visible=[Visible(number=ids.index(id) + 1, pixels=pixels, rectangle=rectangle)
+                           for id, (pixels, rectangle) in one.items()]) for k, one in enumerate(shown)]
+    return Facts(h.home(*objects), Render(views=views, instances=things))
+
+
+ALL = (0, 0, SIDE, SIDE)
+BED = h.thing("double_bed", 5.5, 1.5, room=h.BEDROOM)
+SOFA, CURTAIN = h.thing("sofa", 1, 1), h.thing("curtain", 2, 2.9)
+
+
+@pytest.mark.parametrize(("own", "yes"), [(9000, True), (5000, False), (0, False)])
+def test_a_picture_is_of_the_room_that_it_shows(own, yes):
+    found = facts([{f"floor_{h.LIVING}": (own, ALL), f"floor_{h.BEDROOM}": (10_000 - own, ALL)}], [SOFA])
+    assert plain.in_its_room(found, found.views["eye_0"]) == yes
+    asked = qa.run(found.home, found.render, QaConfig(kind=["where", "doors_between", "route"]), seeds.drawn(0, "qa"))
+    assert not asked, "one view has no others to be told from"
+
+
+def test_a_picture_may_be_of_every_room_that_may_have_what_it_shows():
+    found = facts([{CURTAIN.id: (900, ALL)}, {CURTAIN.id: (900, ALL), BED.id: (900, ALL)}, {BED.id: (50, ALL)}],
+                  [BED, CURTAIN])
+    could = [plain.could_be(found, view) for view in found.eyes]
+    assert could == [{"living room", "bedroom"}, {"bedroom"}, {"living room", "bedroom"}]
+
+
+@pytest.mark.parametrize(("pixels", "rectangle", "yes"), [
+    (400, (10, 10, 20, 20), True), (4, (10, 10, 2, 2), False), (400, (0, 10, SIDE, 20), False)])
+def test_what_is_counted_is_seen_well_and_in_one_piece(pixels, rectangle, yes):
+    found = facts([{SOFA.id: (pixels, rectangle)}], [SOFA], "panorama")
+    assert plain.countable(found, "panorama_0", [SOFA.id]) == yes
+
+
+@pytest.mark.parametrize(("before", "after", "way"), [(10, 60, 1), (60, 10, -1), (40, 42, 0)])
+def test_what_stays_in_sight_tells_how_a_camera_turned(before, after, way):
+    shown = [{SOFA.id: (900, (x, 10, 30, 30))} for x in (before, after)]
+    found = facts(shown, [SOFA])
+    move = plain.shifted(found, *found.eyes)
+    assert (move is None) if way == 0 else move is not None and np.sign(move) == way
+    assert plain.shifted(found, found.eyes[0], found.eyes[0].model_copy(update={"visible": []})) is None
+
+
+def test_tables_and_curtains_have_no_front():
+    things = [BED, SOFA, CURTAIN, *(h.thing(name, 1, 2) for name in ("dining_table", "coffee_table", "chest", "desk"))]
+    found = facts([], things)
+    assert {TABLE[o.category].name for o in things if plain.fronted(found, o.id)} == {"sofa", "chest", "desk"}
+
+
+def flap(k):
+    return Joint(name=f"flap_{k}", type="hinge", axis=(0, 1, 0), origin=(0, 0, 0), range=(0, pi / 3), part="hinge_door")
+
+
+def test_what_looks_like_what_opens_otherwise_is_not_asked_for_it():
+    leaf = Joint(name="leaf", type="hinge", axis=(0, 0, 1), origin=(0, 0, 0), range=(0, pi / 2), part="hinge_door")
+    cases = [("shoe_cabinet", (flap(0), flap(1)), True), ("dishwasher", (flap(0),), False),
+             ("wardrobe", (leaf,), True), ("sliding_wardrobe", (), True), ("fridge", (leaf,), False)]
+    for name, joints, yes in cases:
+        assert plain.hides_how(h.thing(name, 1, 1, joints=joints)) == yes, name
+
+
+@pytest.mark.parametrize(("one", "other", "yes"), [
+    ("vanity", "kitchen_sink", True), ("desk", "dining_table", True), ("sofa", "double_bed", False)])
+def test_things_of_one_look_are_not_told_apart_by_name(one, other, yes):
+    assert alike(one, other) == yes == alike(other, one)
+
+
+def test_only_what_is_large_is_named():
+    large, small = h.thing("plant", 1, 1, size=(0.4, 0.4, 0.9)), h.thing("plant", 2, 1, size=(0.2, 0.2, 0.2))
+    assert facts([], [large]).names and not facts([], [small]).names
