@@ -21,7 +21,7 @@ from apartgen.stages.things.categories import TABLE
 
 CLEARLY = 0.004
 """Share of a picture that a thing must cover to be asked about."""
-SMALL = 0.3
+SMALL = 0.35
 """Longest side of things that are too small to be told by their names, m."""
 MOSTLY = 0.6
 """Share of its width and height of which a thing shows at least where one knows it and sees how far it reaches."""

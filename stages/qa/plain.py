@@ -17,6 +17,8 @@ TURNED = 0.08
 """Share of the picture's width by which what stays in sight moves at least when the camera turns."""
 LEVEL = 0.5
 """Upward part of a hinge's axis below which it is level."""
+COMPANY = 2
+"""How many things tell how a camera turned, at least."""
 COMMON = 0.004
 """Share of both pictures that a thing covers by which one can tell."""
 
@@ -56,13 +58,13 @@ def countable(facts: Facts, view: str, ids: Iterable[str]) -> bool:
 
 def shifted(facts: Facts, a: View, b: View) -> float | None:
     """How far to the right, as a share of the width, what two views show moves from the one to the other; None where
-    nothing is in both, or not all of it moves one way.
+    too little is in both, or not all of it moves one way.
     """
     things = {thing.number for thing in facts.render.instances if thing.box}
     middle = [{part.number: part.rectangle[0] + part.rectangle[2] / 2 for part in view.visible
                if part.number in things and part.pixels > COMMON * view.width * view.height} for view in (a, b)]
     moves = [(middle[1][k] - middle[0][k]) / a.width for k in middle[0].keys() & middle[1].keys()]
-    if not moves or min(map(abs, moves)) < TURNED or len({move > 0 for move in moves}) > 1:
+    if len(moves) < COMPANY or min(map(abs, moves)) < TURNED or len({move > 0 for move in moves}) > 1:
         return None
     return sum(moves) / len(moves)
 

@@ -61,8 +61,8 @@ def test_what_is_counted_is_seen_well_and_in_one_piece(pixels, rectangle, yes):
 
 @pytest.mark.parametrize(("before", "after", "way"), [(10, 60, 1), (60, 10, -1), (40, 42, 0)])
 def test_what_stays_in_sight_tells_how_a_camera_turned(before, after, way):
-    shown = [{SOFA.id: (900, (x, 10, 30, 30))} for x in (before, after)]
-    found = facts(shown, [SOFA])
+    shown = [{o.id: (900, (x, 10, 30, 30)) for o in (SOFA, CURTAIN)} for x in (before, after)]
+    found = facts(shown, [SOFA, CURTAIN])
     move = plain.shifted(found, *found.eyes)
     assert (move is None) if way == 0 else move is not None and np.sign(move) == way
     assert plain.shifted(found, found.eyes[0], found.eyes[0].model_copy(update={"visible": []})) is None
