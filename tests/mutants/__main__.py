@@ -4,6 +4,7 @@
 
 Runs in a clone of the last commit, outside the suite, for hours; started again it goes on where it stopped. Of tests
 only those are run that run the changed line, the quickest first, until one fails or `--budget` seconds are spent.
+With `--tests digests` the digests alone are asked; asked with more tests later, what survived is tried again.
 `equivalent.toml` names changes that change nothing one could ask of the program, and why.
 """
 
@@ -177,6 +178,7 @@ def main() -> None:
     parser.add_argument("--many", type=int, default=120)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--stage", action="append", help="only these parts of the code")
+    parser.add_argument("--tests", action="append", help="only files of tests whose names so begin, and those before")
     parser.add_argument("--at", type=Path, default=ROOT / "build" / "mutants")
     parser.add_argument("--budget", type=float, default=120.0, help="seconds of tests that a change may cost")
     parser.add_argument("--commit", default="HEAD", help="whose code and tests")
@@ -189,15 +191,17 @@ def main() -> None:
     draw = list(drawn(work, asked.many, asked.seed))
     seen, kernels = at / f"seen.{asked.many}.{asked.seed}", covered.kernels(ROOT, work, at / "kernels")
     telling = covered.Seen(work, seen).telling
-    covered.measure(work, seen, kernels, sorted({file for _, some in draw for one in some for file in telling(one)}))
+    watched = sorted({file for _, some in draw for one in some for file in telling(one)})
+    covered.measure(work, seen, kernels, watched, asked.tests or [""])
     bench = Bench(work, covered.Seen(work, seen), kernels, at / "results.jsonl", asked.budget)
     lines = bench.results.read_text(encoding="utf-8").splitlines() if bench.results.exists() else []
     known = {(one["file"], one["start"], one["new"]): one for one in map(json.loads, lines)}
     found = []
     for part, some in draw:
         for change in some if not asked.stage or part in asked.stage else []:
-            new = change.lines((work / change.file).read_bytes())[1]
-            found.append(known.get((change.file, change.start, new)) or judged(bench, part, change))
+            was = known.get((change.file, change.start, change.lines((work / change.file).read_bytes())[1]))
+            again = was is None or was["fate"] in ("survived", "not run") and was["tests"] < len(ordered(bench, change))
+            found.append(judged(bench, part, change) if again or was is None else was)
     print("\n".join(told(found)))
 
 

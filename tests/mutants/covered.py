@@ -53,13 +53,16 @@ def place_of_kernels(work: Path, folder: str) -> str:
     return f"{path.name}_{hashlib.sha1(str(path).encode()).hexdigest()}"
 
 
-def measure(work: Path, to: Path, cache: Path, only: Sequence[str]) -> None:
-    """Runs each file of tests that was not run yet; leaves `<name>.cover` and `<name>.json` in `to`."""
+def measure(work: Path, to: Path, cache: Path, only: Sequence[str], below: Sequence[str] = ("",)) -> None:
+    """Runs each file of tests that was not run yet, of those whose names so begin.
+
+    It leaves `<name>.cover` and `<name>.json` in `to`.
+    """
     to.mkdir(parents=True, exist_ok=True)
     for test in sorted((work / "tests").rglob("test_*.py")):
         name = str(test.relative_to(work / "tests"))
         cost = to / (name.replace("/", ".") + ".json")
-        if name in ELSEWHERE or cost.exists():
+        if name in ELSEWHERE or cost.exists() or not name.startswith(tuple(below)):
             continue
         unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
         os.environ["MUTANTS_COST"] = str(unfinished)
