@@ -124,6 +124,10 @@ class Seen:
         files = {test.partition("::")[0] for test in direct}
         return direct, {test for file in files for test in self._files[file]} - direct
 
+    def imports(self, change: Change) -> bool:
+        """Whether a change is run when its module is imported."""
+        return any("" in self._by_line(change.file).get(line, ()) for line in range(change.first, change.last + 1))
+
     def telling(self, change: Change) -> set[str]:
         """Files to watch, so that one may tell who runs a change: what is compiled or imported tells by its callers."""
         if change.function and not change.compiled:
@@ -135,7 +139,7 @@ class Seen:
         """Files with compiled functions that import a file, or what imports it."""
         found, open_ = {file}, [file]
         while open_:
-            name = _module(open_.pop())
+            name = module(open_.pop())
             more = {other for other, tree in self._trees.items() if other not in found
                     and any(_imported(tree, name, set()))}
             found |= more
@@ -149,10 +153,10 @@ class Seen:
 
     def _mentions(self, file: str, names: set[str], before: frozenset[str] = frozenset()) -> Iterator[tuple[str, int]]:
         """Lines in functions that mention some names of a file (all without), in it or where it is imported."""
-        module = _module(file)
+        name = module(file)
         yield from ((file, line) for line in _lines(self._trees[file], names))
         for other, tree in self._trees.items():
-            known = set(_imported(tree, module, names))
+            known = set(_imported(tree, name, names))
             if known and other not in before | {file}:
                 yield from ((other, line) for line in _lines(tree, known))
                 if "numba" in ast.dump(tree) or "kernels" in other:
@@ -164,9 +168,10 @@ def compiles(source: bytes) -> bool:
     return b"njit" in source or b"import inner" in source or b"    inner,\n" in source
 
 
-def _module(file: str) -> str:
-    module = file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-    return module if module.startswith("apartgen") else f"apartgen.{module}"
+def module(file: str) -> str:
+    """The name under which a file is imported."""
+    name = file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+    return name if name.startswith("apartgen") else f"apartgen.{name}"
 
 
 def _named(tree: ast.Module, change: Change) -> set[str]:

@@ -4,7 +4,7 @@ import subprocess
 
 import pytest
 from mutants import __main__ as mutants
-from mutants import covered
+from mutants import covered, trying
 from mutants.changes import changes
 
 SOURCE = '''
@@ -76,7 +76,7 @@ def test_fails():
 
 
 @pytest.fixture(scope="module")
-def bench(tmp_path_factory) -> mutants.Bench:
+def bench(tmp_path_factory) -> trying.Bench:
     root = tmp_path_factory.mktemp("project")
     empty = '"""A package."""\n'
     files = {"apartgen/__init__.py": empty, "schemas/__init__.py": empty, "stages/sizes/__init__.py": CODE,
@@ -91,7 +91,7 @@ def bench(tmp_path_factory) -> mutants.Bench:
     at = tmp_path_factory.mktemp("at")
     work = covered.clone(root, at / "clone", commit.stdout.strip())
     covered.measure(work, at / "seen", at / "kernels", ["stages/sizes/__init__.py"])
-    return mutants.Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results", 60.0)
+    return trying.Bench(work, covered.Seen(work, at / "seen"), at / "kernels", at / "results", 60.0)
 
 
 def test_fates_of_changes(bench) -> None:
@@ -100,14 +100,14 @@ def test_fates_of_changes(bench) -> None:
     by = {change.lines(source)[1]: change for change in changes(file, source)}
     larger, near, alone = (by[line] for line in (
         "return a if a <= b else b", "return abs(a + b) < 1", "return a - 1"))
-    tests = {name: mutants.ordered(bench, change) for name, change in (("l", larger), ("n", near), ("a", alone))}
+    tests = {name: trying.ordered(bench, change) for name, change in (("l", larger), ("n", near), ("a", alone))}
     assert tests == {"l": ["tests/test_sizes.py::test_larger", "tests/test_sizes.py::test_near"],
                      "n": ["tests/test_sizes.py::test_near", "tests/test_sizes.py::test_larger"], "a": []}
-    fate, first = mutants.tried(bench, larger, tests["l"])
+    fate, first = trying.tried(bench, larger, tests["l"])
     assert fate == "killed" and "test_larger" in first
-    assert mutants.tried(bench, near, tests["n"])[0] == "killed", "1 and 1 are near, and 1 + 1 is not below 1"
-    assert mutants.tried(bench, by["return abs(a - b) < 2"], tests["n"]) == ("survived", "")
-    assert mutants.tried(bench, alone, tests["a"]) == ("not run", "")
+    assert trying.tried(bench, near, tests["n"])[0] == "killed", "1 and 1 are near, and 1 + 1 is not below 1"
+    assert trying.tried(bench, by["return abs(a - b) < 2"], tests["n"]) == ("survived", "")
+    assert trying.tried(bench, alone, tests["a"]) == ("not run", "")
     assert (bench.work / file).read_bytes() == source
 
 
@@ -119,3 +119,15 @@ def test_what_is_told(bench) -> None:
     assert [line.split() for line in lines[1:4]] == [
         ["plan", "2", "1", "0", "67%"], ["space", "0", "1", "1", "0%"], ["all", "2", "2", "1", "50%"]]
     assert sum("- a\n+ b" in line for line in lines) == 2
+
+
+def test_changes_of_functions_are_tried_in_one_process(bench) -> None:
+    """They end as those tried in a process each."""
+    file = "stages/sizes/__init__.py"
+    by = {change.lines((bench.work / file).read_bytes())[1]: change for change in changes(file, CODE.encode())}
+    found = trying.quickly(bench, list(by.values()))
+    killed, survived = by["return a if a <= b else b"], by["return abs(a - b) < 2"]
+    assert found[trying.key(killed)] == ("killed", "tests/test_sizes.py::test_larger")
+    assert found[trying.key(survived)] == ("survived", "")
+    assert trying.key(by["return a - 1"]) not in found, "no test runs it"
+    assert not bench.seen.imports(killed)
