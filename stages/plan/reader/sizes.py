@@ -118,7 +118,7 @@ def _compared(
     right = [ids[id(e)] for e in entities(s.right, home)]
     if not left or not right or s.number <= 0 or set(left + right) & set(stated):
         return filled
-    both = sum(filled[i] for i in {*left, *right})
+    both = sum(filled[i] for i in dict.fromkeys([*left, *right]))
     unit = both / (len(left) * s.number + len([j for j in right if j not in left]))
     fixed = dict(stated) | {j: unit for j in right} | {i: unit * s.number for i in left}
     return fill(rooms, filled, fixed, shares, total)

@@ -1,0 +1,47 @@
+"""What sentences that nobody wrote are read as, or why not, as it was."""
+
+from collections.abc import Iterable
+from itertools import islice
+
+import numpy as np
+import pytest
+from digests import composed, kept
+
+from apartgen.schemas.errors import BadInput, Unmet
+from apartgen.stages.plan import reader
+
+GROUP = 20
+"""Sentences a digest."""
+
+
+def told(texts: Iterable[str]) -> dict[str, list[object]]:
+    """What becomes of sentences, in groups."""
+    found, rest = dict[str, list[object]](), iter(texts)
+    while some := list(islice(rest, GROUP)):
+        found[f"{len(found)}"] = [read(text, k) for k, text in enumerate(some)]
+    return found
+
+
+def read(text: str, seed: int) -> object:
+    """A programme, or why there is none."""
+    try:
+        return reader.read(text, np.random.default_rng(seed))
+    except (BadInput, Unmet) as error:
+        return str(error)
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr", "es", "zh"])
+def test_clauses(language):
+    kept.same("reader", f"clauses {language}", told(composed.clauses(language, 400 if language == "en" else 160)))
+
+
+def test_known_prompts():
+    kept.same("reader", "known", told(composed.prompts()))
+
+
+def test_spliced():
+    kept.same("reader", "spliced", told(composed.spliced(500)))
+
+
+def test_spoiled():
+    kept.same("reader", "spoiled", told(composed.spoiled(600)))
