@@ -78,3 +78,23 @@ def test_what_gives_another_type_is_told() -> None:
     vars(member)["double"] = str
     with pytest.raises(BadInput, match="gave a str, not a int"):
         contract.guarded(member, (Doubles,), str).double(1)
+
+
+class Both(Protocol):
+    """A contract of two functions."""
+
+    def double(self, number: int) -> int:
+        """Twice as much."""
+
+    def half(self, number: int) -> int:
+        """Half as much."""
+
+
+def test_a_member_that_keeps_part_of_a_contract_is_told_the_rest() -> None:
+    member = ModuleType("stranger")
+    vars(member)["double"] = lambda number: 2 * number
+    said = contract.fault(member, (Both,))
+    assert "half" in said and "double" not in said
+    vars(member)["half"] = lambda number: number // 2
+    assert contract.fault(member, (Both,)) == ""
+    assert "double" in contract.fault(ModuleType("other"), (Both,)) and contract.fault(ModuleType("other"), ()) == ""

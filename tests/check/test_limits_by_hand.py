@@ -200,3 +200,11 @@ def test_joints_open_by_more_than_five_centimetres_and_less_than_ten_metres():
 
     assert [told((0.0, far)) for far in (0.049, 0.051, 9.9, 10.1)] == [True, False, False, True]
     assert told((0.3, 0.34)) and not told((-0.3, 0.2))
+
+
+def test_what_stands_on_the_floor_and_goes_through_the_ceiling_is_marked_at_its_top():
+    """And what lies below the floor at its bottom."""
+    for bottom, at in ((0.0, 2.8), (-0.05, -0.05)):
+        tall = h.thing("wardrobe", 2.0, 2.5, bottom=bottom, size=(0.6, 1.5, 2.8))
+        (fault,) = (fault for fault in check.run(h.home(tall)) if fault.code == "storey")
+        assert fault.at[2] == pytest.approx(at)

@@ -88,3 +88,19 @@ def test_furniture_is_boxes_in_its_space(model):
         assert (corners.min(0) + corners.max(0)) / 2 == pytest.approx(np.array(o.center), abs=1e-4)
         (held,) = things[o.id].ContainedInStructure
         assert held.RelatingStructure.Name == o.room and things[o.id].ObjectType == o.category
+
+
+def test_what_is_in_a_railing_is_no_hole_in_a_wall(tmp_path):
+    """A window of a room becomes a passage through the rail once the room is a balcony; the door stays in its wall."""
+    import handmade as h
+
+    from apartgen.stages import export
+
+    names = {}
+    for kind in ("bedroom", "balcony"):
+        home = h.home()
+        rooms = [room.model_copy(update={"type": kind}) if room.id == h.BEDROOM else room for room in home.rooms]
+        export.run(home.model_copy(update={"rooms": rooms}), ["ifc"], tmp_path / kind, sample.load)
+        found = ifcopenshell.open(str(next((tmp_path / kind).rglob("*.ifc"))))
+        names[kind] = {part.Name for part in found.by_type("IfcOpeningElement")}
+    assert names == {"bedroom": {"entrance_1", "door_1", "window_1"}, "balcony": {"entrance_1", "door_1"}}
