@@ -10,6 +10,7 @@ import json
 import os
 import resource
 import signal
+import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,8 +18,12 @@ from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
+import numpy as np
 import pytest
 from _pytest.runner import runtestprotocol
+
+PLAIN = (int, float, tuple, list, dict, frozenset, set, str, np.ndarray)
+"""Types of values that are only looked at, whose names may be given others."""
 
 
 @dataclass(frozen=True)
@@ -90,17 +95,35 @@ def _first_failed(items: Sequence[pytest.Item]) -> str:
 
 
 def swapped(module: ModuleType, task: Task) -> bool:
-    """Whether the function of a change could be given its other code."""
+    """Whether the function of a change could be given its other code, or names of a module their other values."""
+    source = Path(task.path).read_bytes()
+    texts = source, source[: task.start] + task.new.encode() + source[task.end:]
+    if not task.function:
+        return _valued(module, compile(texts[1], task.path, "exec"))
     function = _function(module, task.function.split("."))
     if function is None:
         return False
-    source = Path(task.path).read_bytes()
-    before, after = (_code(compile(text, task.path, "exec"), function.__code__) for text in (
-        source, source[: task.start] + task.new.encode() + source[task.end:]))
+    before, after = (_code(compile(text, task.path, "exec"), function.__code__) for text in texts)
     if before is None or after is None or before == after or after.co_freevars != function.__code__.co_freevars:
         return False
     function.__code__ = after
     return True
+
+
+def _valued(module: ModuleType, code: CodeType) -> bool:
+    """Gives names of a module, here and wherever they are imported to, the plain values that other code gives them."""
+    found: dict[str, Any] = {name: vars(module)[name] for name in ("__name__", "__file__", "__package__", "__path__")
+                             if name in vars(module)}
+    exec(code, found)
+    new = {name: value for name, value in found.items() if isinstance(value, PLAIN) and name in vars(module)
+           and repr(value) != repr(vars(module)[name])}
+    for name, value in new.items():
+        old = vars(module)[name]
+        for other in [one for key, one in sys.modules.items() if key.startswith("apartgen")]:
+            for alias in [alias for alias, held in vars(other).items() if held is old]:
+                if other is module or alias == name:
+                    setattr(other, alias, value)
+    return bool(new)
 
 
 def _function(owner: Any, names: Sequence[str]) -> FunctionType | None:

@@ -108,7 +108,7 @@ def quickly(bench: Bench, some: Sequence[Change]) -> dict[str, tuple[Fate, str]]
     """
     tasks, fates = bench.results.with_suffix(".tasks"), bench.results.with_suffix(".fates")
     tests = {key(change): ordered(bench, change) for change in some
-             if change.function and not change.compiled and not bench.seen.imports(change)}
+             if not change.function or not (change.compiled or bench.seen.imports(change))}
     told = [json.loads(line) for line in fates.read_text(encoding="utf-8").splitlines()] if fates.exists() else []
     known = {name: (fate, by) for name, many, fate, by in told
              if fate in ("killed", "too long") or len(tests.get(name, ())) <= many}
