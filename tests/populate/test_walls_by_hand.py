@@ -1,0 +1,36 @@
+"""One wall with a worktop before it: where a socket above it goes."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from apartgen.stages.populate import walls
+
+SOCKET = SimpleNamespace(size=(0.01, 0.08, 0.08))
+
+
+def above(top, *more):
+    """The sockets above a worktop from .5 to 2.5 m along a wall of 3 m, whose top is so high; `more` covers it, too."""
+    face = walls.Face(np.zeros(2), np.array([1.0, 0.0]), np.array([0.0, 1.0]), 3.0, [(0.5, 2.5, 0.0, top), *more])
+    return list(walls._above_worktops([face], SOCKET, np.random.default_rng(0)))
+
+
+@pytest.mark.parametrize(("top", "found"), [(0.79, 0), (0.81, 1), (0.9, 1), (0.99, 1), (1.01, 0), (2.0, 0)])
+def test_a_socket_hangs_over_what_is_as_high_as_a_worktop(top, found):
+    hung = above(top)
+    assert len(hung) == found
+    for one in hung:
+        assert one.center[1:] == pytest.approx((0.0055, walls.COUNTER)) and 0.58 <= one.center[0] <= 2.42
+        assert one.yaw == pytest.approx(np.pi / 2)
+
+
+@pytest.mark.parametrize(("low", "found"), [(1.20, 1), (1.18, 0), (0.95, 0)])
+def test_not_where_something_else_begins_just_above(low, found):
+    """Three centimetres are left about it, whose upper edge is at 1.16 m."""
+    assert len(above(0.9, (0.0, 3.0, low, 2.0))) == found
+
+
+def test_it_goes_where_there_is_room():
+    (one,) = above(0.9, (0.0, 2.2, 1.0, 2.0))
+    assert one.center[0] - 0.04 - 0.03 >= 2.2
