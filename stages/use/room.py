@@ -159,8 +159,9 @@ class Furnished:
 
     def wall_beside(self, i: int) -> float:
         """From the sides of an object to the nearest wall, m; walls at its back do not count."""
-        (x, y), ahead, left = self.boxes.center[i, :2], *self.axes[i]
-        ends = [(x, y) + 0.2 * self.depth[i] * ahead + side * self.width[i] / 2 * left for side in (-1, 1)]
+        ahead, left = self.axes[i]
+        middle = self.boxes.center[i, :2] + 0.2 * self.depth[i] * ahead
+        ends = [middle + side * self.width[i] / 2 * left for side in (-1, 1)]
         return float(self._to_walls(np.array(ends)).min())
 
     def lies_between(self, i: int, a: int, b: int) -> bool:
