@@ -1,5 +1,5 @@
-"""What follows a leader of a group: no table or desk is put where its chairs, and no bed where its nightstands, would
-find no place, or would shut a way."""
+"""What follows a leader of a group: no table or desk is put where its chairs, no bed where its nightstands, no sofa where
+its low table would find no place, or would shut a way."""
 
 from collections.abc import Sequence
 
@@ -10,17 +10,19 @@ from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
-CHAIR, STAND, SEAT = "chair", "nightstand", "office_chair"
+CHAIR, STAND, SEAT, LOW = "chair", "nightstand", "office_chair", "coffee_table"
 ELBOW = 0.62
 """Of a table's edge each diner has, m."""
 IN = 0.12
 """How far a chair is drawn under its table, m."""
 OFF, ASIDE = 0.01, 0.05
 """From the wall to a nightstand's back, and from it to its bed, m."""
+BEFORE = 0.36
+"""From a sofa's front to its low table, m."""
 MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
-LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT))
+LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"sofa"}, LOW))
 
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
@@ -30,7 +32,7 @@ def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
     due = left.count(follower)
     if not due:
         return True
-    places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat}[follower](kind, box)
+    places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}[follower](kind, box)
     group = there.besides(name, box)
     open_ = places[group.prices(follower, places, strict=follower == CHAIR) < BROKEN]
     due = min(due, len(places))
@@ -59,6 +61,11 @@ def _stands(kind: str, bed: Array) -> Array:
 def _seat(kind: str, desk: Array) -> Array:
     size = TABLE[SEAT].size
     return _about(desk, [(float(desk[3]) / 2 + size[0] / 2 - IN, 0.0, np.pi)], size)
+
+
+def _low_table(kind: str, sofa: Array) -> Array:
+    size = TABLE[LOW].size
+    return _about(sofa, [(float(sofa[3]) / 2 + BEFORE + size[0] / 2, 0.0, 0.0)], size)
 
 
 def _about(leader: Array, places: Sequence[tuple[float, float, float]], size: tuple[float, float, float]) -> Array:

@@ -44,5 +44,11 @@ def test_a_desk_faces_where_one_sits() -> None:
     assert not followers.fit(there, "desk", facing, ["office_chair"])
 
 
+@pytest.mark.parametrize("y, tables, fits", [(0.0, 1, True), (1.0, 1, False), (1.0, 0, True)])
+def test_a_sofa_leaves_the_floor_before_it_to_its_low_table(y: float, tables: int, fits: bool) -> None:
+    """It looks north; at the latter place .55 m are left before it."""
+    assert followers.fit(room(), "sofa", box((0.9, 2.0, 0.8), 0, y, np.pi / 2), ["coffee_table"] * tables) == fits
+
+
 def test_others_lead_nothing() -> None:
     assert followers.fit(room(), "wardrobe", box((0.6, 1.8, 2.1), 0, 0), ["chair", "nightstand"])
