@@ -1,5 +1,5 @@
-"""What follows a leader of a group: no table or desk is put where its chairs, no bed where its nightstands, no sofa where
-its low table would find no place, or would shut a way."""
+"""What follows a leader of a group: no table or desk is put where its chairs, no bed where its nightstands, no sofa
+where its low table would find no place, or would shut a way."""
 
 from collections.abc import Sequence
 
