@@ -10,7 +10,7 @@ from pathlib import Path
 
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.rooms import kinds
-from apartgen.stages.plan.reader.tokens import fold, tokenize
+from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
 from apartgen.stages.things.categories import by_word
 
 Phrase = tuple[str, ...]
@@ -27,6 +27,7 @@ PRIORITY = (
 
 _RANK = {kind: k for k, kind in enumerate(PRIORITY)}
 _PLAIN = re.compile(r"[a-z -]+")
+_SIGNS = re.compile(f"[{CJK}]+")
 _WORD = re.compile(r"[^\W\d_]+(?:'[^\W\d_]+)*")
 _PATTERN = re.compile(r"[a-z -]*(?:(?:(?<= )|(?<!.)){[a-z, -]*}(?= |$)[a-z -]*)*")
 """Patterns whose braces stand between whole words."""
@@ -144,6 +145,8 @@ def phrase(text: str) -> Phrase:
     """The words of a phrase, without hyphens."""
     if _PLAIN.fullmatch(text):  # as tokens would be, without their cost: a process's first sentence waits for this
         return tuple(text.replace("-", " ").split())
+    if _SIGNS.fullmatch(text) and not {"十", "百"} & set(text):  # a token each; tens become digits
+        return tuple(text)
     return tuple(t.text for t in tokenize(fold(text)) if t.text != "-")
 
 
