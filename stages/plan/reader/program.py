@@ -27,7 +27,7 @@ from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.style import style_of
 from apartgen.stages.plan.reader.unread import with_clauses
-from apartgen.stages.plan.reader.vocabulary import Det, Trait
+from apartgen.stages.plan.reader.vocabulary import Det
 from apartgen.stages.plan.reader.wanted import add_bedrooms, add_rooms
 from apartgen.stages.things.categories import TABLE
 
