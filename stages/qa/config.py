@@ -9,4 +9,4 @@ class QaConfig(Record):
     """Settings of the stage."""
 
     kind: list[str] = Field(default_factory=list, description="kinds of question, all by default")
-    each: int = Field(6, ge=1, le=100, description="most questions of a kind")
+    each: int = Field(8, ge=1, le=100, description="most questions of a kind")

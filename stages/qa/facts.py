@@ -27,7 +27,7 @@ MOSTLY = 0.6
 """Share of its width and height of which a thing shows at least where one knows it and sees how far it reaches."""
 LOOKALIKES = ({"basin", "sink"}, {"worktop", "table"})
 """Symbols of things that look much alike, cabinets with something to wash in, and tables at walls."""
-LARGE = 0.015
+LARGE = 0.025
 """Share of a picture from which one sees into what parts a front is divided."""
 ABOVE = "above"
 

@@ -4,7 +4,8 @@
     blender -b -P _cycles.py -- JOB.json
 
 JOB has `glb`, `out`, `views` (name, pose, fx, width, height), `sun` (the way to it), `panes` (corner, across, up and
-normal of each window), `uneven` (what materials are of that are not quite flat), `samples` and `threads`.
+normal of each window), `uneven` (what materials are of that are not quite flat), `lamps` (their names), `shades` (what
+they have that light goes through), `samples` and `threads`.
 """
 
 import json
@@ -21,6 +22,8 @@ SUN, SKY, LAMPS = 4.0, 1.0, 15.0
 """Sunlight, W/m²; how bright the sky is; how much brighter than their lumens lamps are, as by day one turns them up."""
 EDGE = 0.002
 """Radius of edges, m."""
+THROUGH = 0.6
+"""Share of what falls on a lampshade that goes on through it."""
 GROUND = -9.0
 """Height of the ground outside, m."""
 MEADOW, FIELD = (0.07, 0.11, 0.04, 1), (0.16, 0.16, 0.08, 1)
@@ -44,6 +47,10 @@ def built(job):
         one.data.shadow_soft_size = 0.06
     for material in bpy.data.materials:
         finished(material, UNEVEN.get(job["uneven"].get(material.name.partition(".")[0]), ()))
+    shades = {name: lit_through(bpy.data.materials[name]) for name in job["shades"] if name in bpy.data.materials}
+    for one in (one for one in scene.objects if one.name.partition(".")[0] in job["lamps"]):
+        for slot in (slot for slot in one.material_slots if slot.material and slot.material.name in shades):
+            slot.link, slot.material = "OBJECT", shades[slot.material.name]
     sky(scene, Vector(job["sun"]))
     for k, pane in enumerate(job["panes"]):
         portal(scene, f"portal_{k}", *(Vector(v) for v in pane))
@@ -72,6 +79,24 @@ def finished(material, swells):
         edge = tree.nodes.new("ShaderNodeBevel")
         edge.samples, edge.inputs["Radius"].default_value = 4, EDGE
         tree.links.new(swollen(tree, edge.outputs[0], swells), surface.inputs["Normal"])
+
+
+def lit_through(material):
+    """A copy of a lampshade's material that glows by the light within and not by itself."""
+    shade = material.copy()
+    tree = shade.node_tree
+    surface = next(node for node in tree.nodes if node.type == "BSDF_PRINCIPLED")
+    output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+    surface.inputs["Emission Strength"].default_value = 0.0
+    behind, mixed = tree.nodes.new("ShaderNodeBsdfTranslucent"), tree.nodes.new("ShaderNodeMixShader")
+    mixed.inputs[0].default_value = THROUGH
+    color = surface.inputs["Base Color"]
+    behind.inputs[0].default_value = color.default_value
+    links = [(surface.outputs[0], mixed.inputs[1]), (behind.outputs[0], mixed.inputs[2]),
+             (mixed.outputs[0], output.inputs[0]), *((link.from_socket, behind.inputs[0]) for link in color.links)]
+    for source, target in links:
+        tree.links.new(source, target)
+    return shade
 
 
 def swollen(tree, normal, swells):

@@ -10,6 +10,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.render import View
 from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.things.body import Body
+from apartgen.stages.things.categories import TABLE
 
 SCRIPT = Path(__file__).with_name("_cycles.py")
 END = ".photo.png"
@@ -43,7 +44,8 @@ def job(home: HomeWorld, glb: Path, views: Sequence[View], samples: int, out: Pa
                 "height": view.height} for view in views if view.intrinsics]
     panes = [[side.tolist() for side in (pane.corner, pane.across, pane.up, pane.normal)] for pane in home.panes]
     return {"glb": str(glb), "out": str(out), "views": cameras, "sun": home.sun.tolist(), "panes": panes,
-            "uneven": uneven(home.bodies), "samples": samples, "threads": 0}
+            "uneven": uneven(home.bodies), "lamps": lamps(home.bodies), "shades": shades(home.bodies),
+            "samples": samples, "threads": 0}
 
 
 def uneven(bodies: Sequence[Body]) -> dict[str, str]:
@@ -56,6 +58,18 @@ def uneven(bodies: Sequence[Body]) -> dict[str, str]:
             elif body.kind == "object" and material.texture and material.roughness >= CLOTH:
                 found.setdefault(material.name, "cloth")
     return found
+
+
+def lamps(bodies: Sequence[Body]) -> list[str]:
+    """Names of bodies that give light."""
+    return [body.name for body in bodies if body.category in TABLE and TABLE[body.category].lumens > 0]
+
+
+def shades(bodies: Sequence[Body]) -> list[str]:
+    """What lamps have that light goes through: paper and cloth."""
+    lit = set(lamps(bodies))
+    return sorted({mesh.material.name for body in bodies if body.name in lit for link in body.links
+                   for mesh in link.visuals if mesh.material.roughness >= CLOTH})
 
 
 def command(program: str, told: Path) -> list[str]:

@@ -14,6 +14,7 @@ from apartgen.schemas.walkable import Walkable
 from apartgen.stages.render import photo
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.world import world
+from apartgen.stages.things.categories import TABLE
 from apartgen.viewing import RenderSettings, rendered
 
 HOME = Path(__file__).parent.parent / "golden/v2/walkable.json"
@@ -59,6 +60,11 @@ def test_photographs_are_listed_and_blender_is_told_of_cameras_windows_and_the_s
              if body.kind == "wall" for link in body.links for mesh in link.visuals} - {"tile_white"}
     assert walls and walls <= plaster and "tile_white" not in plaster
     assert set(job["uneven"].values()) == {"plaster", "cloth"}
+    lit = {o.id for o in read.body.objects if TABLE[o.category].lumens > 0}
+    assert lit and set(job["lamps"]) == lit
+    rough = {material.name: material.roughness for body in world(Scene(read.body, opened_libraries().load_asset)).bodies
+             if body.name in lit for link in body.links for material in (mesh.material for mesh in link.visuals)}
+    assert job["shades"] and set(job["shades"]) == {name for name, value in rough.items() if value >= photo.CLOTH}
 
 
 @pytest.mark.parametrize("skip, status, told", [(0, 1, "failed"), (1, 0, "without a picture")])
