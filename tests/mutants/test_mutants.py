@@ -1,10 +1,12 @@
 """Changes of a few lines by hand, and a project of three functions: one tested, one badly, one not at all."""
 
 import subprocess
+import sys
+from types import ModuleType
 
 import pytest
 from mutants import __main__ as mutants
-from mutants import covered, trying
+from mutants import covered, swift, trying
 from mutants.changes import changes
 
 SOURCE = '''
@@ -131,3 +133,15 @@ def test_changes_of_functions_are_tried_in_one_process(bench) -> None:
     assert found[trying.key(survived)] == ("survived", "")
     assert trying.key(by["return a - 1"]) not in found, "no test runs it"
     assert not bench.seen.imports(killed)
+
+
+def test_names_of_a_module_get_other_values_wherever_they_are_imported(monkeypatch) -> None:
+    code = "NEAR, FAR = 0.5, 3\nSIDES = {'wide': 2 * NEAR}\ndef wide():\n    return SIDES['wide'] + FAR\n"
+    one, other = ModuleType("apartgen.one"), ModuleType("apartgen.other")
+    exec(code, vars(one))
+    vars(other).update(FAR=one.FAR, SIDES=one.SIDES, NEAR=7.0)
+    for module in (one, other):
+        monkeypatch.setitem(sys.modules, module.__name__, module)
+    assert swift._valued(one, compile(code.replace("0.5", "1.0"), "one.py", "exec"))
+    assert (one.wide(), one.NEAR, other.SIDES, other.NEAR) == (5.0, 1.0, {"wide": 2.0}, 7.0)
+    assert not swift._valued(one, compile(code.replace("0.5", "1.0"), "one.py", "exec")), "nothing is another value"
