@@ -21,8 +21,6 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from sentences import case_of  # noqa: E402
-
 from apartgen.schemas.errors import ApartgenError  # noqa: E402
 from apartgen.schemas.plan import Program  # noqa: E402
 from apartgen.stages.plan.reader import read  # noqa: E402
@@ -30,6 +28,7 @@ from apartgen.stages.plan.reader.areas import typical  # noqa: E402
 from apartgen.stages.plan.reader.lexicon import read_lexicon  # noqa: E402
 from apartgen.stages.plan.reader.tokens import fold  # noqa: E402
 from apartgen.stages.space import graphs  # noqa: E402
+from sentences import case_of  # noqa: E402
 
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
 NEAR = 0.03

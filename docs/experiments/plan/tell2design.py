@@ -133,7 +133,8 @@ def _plan_all(files: list[Path], images: Path | None, each: bool) -> None:
             ious.append(overlap(drawn(made), *painted(images / f"{file.stem}.png")))
     met = sum(n for name, n in asked.items() if name.endswith(" met"))
     print(f"planned {len(files) - failed} of {len(files)}: places {met} of {asked.total()} met "
-          f"({met / max(asked.total(), 1):.3f}) {dict(asked)}; macro IoU {np.mean(ious or [np.nan]):.3f} of {len(ious)}")
+          f"({met / max(asked.total(), 1):.3f}) {dict(asked)}; "
+          f"macro IoU {np.mean(ious or [np.nan]):.3f} of {len(ious)}")
 
 
 if __name__ == "__main__":

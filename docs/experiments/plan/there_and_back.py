@@ -54,7 +54,8 @@ def main(count: int) -> None:
         lost = [[id for id in k.lost if format != "roomplan" or id.split(".")[1][:-2] in writers.APPLE] for k in kept]
         whole = sum(k.iou >= 0.97 and not k.openings and not gone and k.moved < 0.05
                     for k, gone in zip(kept, lost, strict=True))
-        print(f"| {format} | {whole} of {count} | {min(k.iou for k in kept):.3f} | {sum(len(k.openings) for k in kept)} | "
+        print(f"| {format} | {whole} of {count} | {min(k.iou for k in kept):.3f} "
+              f"| {sum(len(k.openings) for k in kept)} | "
               f"{sum(map(len, lost))} | {1000 * max(k.moved for k in kept):.1f} | {seconds / count:.2f} |", flush=True)
 
 

@@ -16,7 +16,8 @@ OTHER_NOUNS = frozenset("side end level storey story floor person persons people
 """`one side` counts no rooms."""
 
 
-GERMAN = ("man", "wir", "ich", "die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon", "zwei", "drei")
+GERMAN = ("man", "wir", "ich", "die", "der", "das", "ein", "eine", "liegt", "liegen", "ist", "sind", "davon",
+          "zwei", "drei")
 """What tells German `links`, left, and `den`, the, from the English words."""
 
 CONTRACTED = ("zum", "zur", "im", "am", "beim", "ins", "del", "al", "au")

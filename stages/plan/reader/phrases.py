@@ -7,10 +7,19 @@ from apartgen.stages.plan.reader.lexicon import Lexicon
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
 from apartgen.stages.plan.reader.orders import extreme
 from apartgen.stages.plan.reader.particles import (
-    ADJECTIVES, CONTRACTED, COPULAS, ELSE, GERMAN, OTHER_NOUNS, holds, is_german, of_dwelling,
+    ADJECTIVES,
+    CONTRACTED,
+    COPULAS,
+    ELSE,
+    GERMAN,
+    OTHER_NOUNS,
+    holds,
+    is_german,
+    of_dwelling,
 )  # fmt: skip
 from apartgen.stages.plan.reader.pending import Pending, noun_ahead, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
 
 class Phraser:
     """Walks lexemes once, left to right; `items` and `unread` hold the outcome."""
@@ -159,10 +168,8 @@ class Phraser:
 
     def _furnishes(self, word: Lexeme, last: list[Item]) -> bool:
         owner = next((i.room.type for i in reversed(self.items) if i.room), "")
-        return {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom") == owner and last[-1].kind in (
-            "object",
-            "with",
-        )
+        of = {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom")
+        return of == owner and last[-1].kind in ("object", "with")
 
     def _room(self, words: list[Lexeme], i: int) -> int:
         word, p = words[i], self.pending
