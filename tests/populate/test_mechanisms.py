@@ -93,7 +93,7 @@ class _Scene:
     """One body and what an exporter asks for besides."""
 
     def __init__(self, body, home):
-        self.bodies, self.lights, self.home, self.credits = [body], [], home, []
+        self.bodies, self.lights, self.home, self.credits, self.masked = [body], [], home, [], False
 
 
 @pytest.fixture(scope="module")

@@ -46,3 +46,10 @@ def of_dwelling(words: list[Lexeme], i: int) -> bool:
     """`un appartement d'une chambre avec …`: the flat has what follows the room at `i`."""
     before = [w for w in words[max(i - 3, 0) : i] if w.kind != "number"]
     return [w.kind for w in before] == ["dwelling", "stop"] and before[1].text in ("of", "de", "von")
+
+
+def furnishes(word: Lexeme, last: list[Item], items: list[Item]) -> bool:
+    """Whether a word that may be a room or furniture goes on with the furniture of the room spoken of."""
+    owner = next((i.room.type for i in reversed(items) if i.room), "")
+    of = {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom")
+    return of == owner and last[-1].kind in ("object", "with")

@@ -13,6 +13,7 @@ from apartgen.stages.plan.reader.particles import (
     ELSE,
     GERMAN,
     OTHER_NOUNS,
+    furnishes,
     holds,
     is_german,
     of_dwelling,
@@ -163,13 +164,8 @@ class Phraser:
             furnishing
             and any(i.kind in ("object", "room") for i in last)
             and last[0].kind != "dwelling"
-            and self._furnishes(word, last)
+            and furnishes(word, last, self.items)
         )
-
-    def _furnishes(self, word: Lexeme, last: list[Item]) -> bool:
-        owner = next((i.room.type for i in reversed(self.items) if i.room), "")
-        of = {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom")
-        return of == owner and last[-1].kind in ("object", "with")
 
     def _room(self, words: list[Lexeme], i: int) -> int:
         word, p = words[i], self.pending
