@@ -81,7 +81,7 @@ def a_room_is_grown(body, rng):
     room = one([r for r in body["rooms"] if len(body["rooms"]) > 1], rng)
     if room is None:
         return None
-    grown = Polygon(room["polygon"]).buffer(0.3, join_style="mitre")
+    grown = Polygon(room["polygon"]).buffer(0.5, join_style="mitre")  # balconies stand a thick wall apart
     room["polygon"] = [list(p) for p in grown.exterior.coords[:-1]]
     if not grown.exterior.is_ccw:
         room["polygon"].reverse()
