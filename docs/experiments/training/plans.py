@@ -1,4 +1,4 @@
-"""Floor plans to train the layout model on: `python plans.py FOLDER` draws three for every line of prompts.txt."""
+"""Floor plans to train the layout model on: `python plans.py FOLDER [FIRST]` draws three for every line of prompts.txt."""
 
 import sys
 from concurrent.futures import ProcessPoolExecutor
@@ -20,6 +20,7 @@ def draw(folder: Path, i: int) -> None:
 if __name__ == "__main__":
     where = Path(sys.argv[1])
     where.mkdir(parents=True, exist_ok=True)
-    numbers = range(TIMES * len(PROMPTS))
+    first = int(sys.argv[2]) if len(sys.argv) > 2 else 0
+    numbers = range(first, first + TIMES * len(PROMPTS))
     with ProcessPoolExecutor() as workers:
         list(workers.map(draw, [where] * len(numbers), numbers, chunksize=8))
