@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from apartgen.stages.use.household import DOUBLE as FOR_TWO
 from apartgen.stages.use.kinds import (
     BEDS,
     BEDSIDE,
@@ -28,9 +29,9 @@ MACHINE = 0.6
 """What it costs that nothing washes clothes where the home has its place for that."""
 SCREEN = 0.3
 """What a television stand without its television costs."""
-NIGHTSTAND, CHAIR, TABLE, CLOSET = 0.5, 0.4, 0.8, 0.8
-"""What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, and a
-place for clothes where one sleeps in the living room."""
+NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 0.8, 1.0
+"""What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, a place
+for clothes where one sleeps in the living room, and a place to sleep for the second in a bedroom of two."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
@@ -112,7 +113,10 @@ def _number(count: Counter[str], names: Iterable[str]) -> int:
 
 
 def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
-    """What is missed where people eat, wash their clothes or sleep beside a sofa, and at a television's stand."""
+    """What is missed where people eat, wash their clothes, sleep by twos or beside a sofa, and at a television's
+    stand."""
+    if site.kind == "bedroom" and site.sleepers is not None and site.area >= FOR_TWO and _sleep(count) == 1:
+        yield Lack("bed for one where two sleep", 1, BERTH)
     if site.meals and not _number(count, COUNTERS):
         yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
     if site.kind == "living_room" and _number(count, BEDS) and not _number(count, CLOTHES):
@@ -122,6 +126,11 @@ def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
     bare = count["tv_stand"] - count["tv"]
     if bare > 0:
         yield Lack("stand without television", bare, bare * SCREEN)
+
+
+def _sleep(count: Counter[str]) -> int:
+    """How many can sleep in such beds."""
+    return 2 * (count["double_bed"] + count["bunk_bed"]) + count["single_bed"]
 
 
 def _of_groups(room: Furnished) -> Iterator[Lack]:

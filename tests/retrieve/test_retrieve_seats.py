@@ -7,6 +7,7 @@ import pytest
 from shapely import Polygon
 
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Joint
+from apartgen.stages.retrieve import furniture
 from apartgen.stages.retrieve.matching import seats
 from apartgen.stages.space import boxes, polygons
 
@@ -67,6 +68,19 @@ def test_a_chair_at_a_desk_too_narrow_to_pass_moves_outwards(flat):
     assert met(after) <= seats.MET
     # The drawer comes out by 0.45, the chair stood 0.15 under the top, and steps are 0.05.
     assert np.allclose(moved, [0.6, 0, 0], atol=1e-6)
+
+
+def test_a_chair_goes_aside_by_a_hand_rather_than_far_off_for_the_sake_of_a_panel(flat):
+    """Beside a pedestal of a third of a metre a chair of .6 m is .0115 m clear at .16 m aside, and never .02 m."""
+    size = (0.6, 1.0, 0.72)
+    table, seat = desk(pedestal=(-0.4885, -0.1515), size=size), chair((1.48, 2.5), side=0.6)
+    after = seats.cleared([table, seat], flat())
+    moved = shift(seat, after[1])
+    assert met(after) <= seats.MET
+    assert abs(moved[0]) < 1e-6 and 0.15 <= moved[1] <= 0.2
+    wide = seats.cleared([table, chair((1.48, 2.5), side=0.66)], flat())
+    moved = shift(chair((1.48, 2.5)), wide[1])
+    assert met(wide) <= seats.MET and abs(moved[0]) < 1e-6 and 0.17 <= moved[1] <= 0.27
 
 
 def test_a_stool_leaves_an_island_that_has_no_kneehole(flat):
@@ -147,3 +161,14 @@ def test_random_rooms_only_ever_lose_entries(flat):
         assert after == seats.cleared(objects, flat())
         freed += met(objects) > seats.MET >= met(after)
     assert freed > 10
+
+
+@pytest.mark.parametrize("style", ["modern", "scandi", "industrial", "classic", "midcentury"])
+@pytest.mark.parametrize("width", [0.9, 1.0, 1.2, 1.4, 1.6])
+def test_a_chair_drawn_up_to_a_desk_finds_a_place_beside_its_drawers(style, width):
+    """Within a tenth of a metre beyond its ends, and without going back from it."""
+    for variant in range(4):
+        found = furniture.load_asset(f"desk/{style}/600x{round(1000 * width)}x720/{variant}")
+        table = thing("desk", "desk", (0.0, 0.0, 0.36), (0.6, width, 0.72), 0.0, found.joints)
+        spots = [chair((0.42, y), side=0.6) for y in np.arange(-30, 31) * 0.02 if abs(y) <= width / 2 - 0.2]
+        assert any(met([table, spot]) <= seats.MET for spot in spots), (style, width, variant)

@@ -15,6 +15,8 @@ from apartgen.stages.plan.reader.vocabulary import Relation, Trait
 
 CLEARLY = 1.3
 """How much larger than the others the largest room is."""
+SHARED = 11.5
+"""Floor of a bedroom that two share, as it is asked for, m²: what is built may be a sixth less."""
 
 
 def room_areas(
@@ -27,6 +29,7 @@ def room_areas(
         base[ids[id(e)]] *= e.factor * (style["hallway"] if e.type == "hallway" else 1.0)
         base[ids[id(e)]] *= style["scale"] * said.flat_size if said.total_area is None else 1.0
     stated = {ids[id(e)]: e.area for e in home.rooms if e.area is not None}
+    _for_all(said, home, ids, base, stated)
     shares = {ids[id(e)]: e.share for e in home.rooms if e.share is not None and e.area is None}
     for s in said.statements:
         _share_compared(s, home, ids, shares)
@@ -40,6 +43,18 @@ def room_areas(
         if statement.kind == Relation.COMPARE and said.total_area is not None:
             filled = _compared(statement, home, ids, filled, rooms, stated, shares, said.total_area)
     return filled
+
+
+def _for_all(
+    said: Said, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]
+) -> None:
+    """Where more people live than there are bedrooms, so many of these have floor for two, the largest first."""
+    people = said.about.people
+    if people is None:
+        return
+    beds = sorted((ids[id(e)] for e in home.of("bedroom")), key=lambda i: -stated.get(i, base[i]))
+    for room in beds[: max(people.count - len(beds), people.pairs)]:
+        base[room] = max(base[room], SHARED)
 
 
 def _extremes(

@@ -12,6 +12,8 @@ from apartgen.stages.retrieve.furniture.looks import Look, look
 
 KNEE = 0.36
 """Depth of drawers over one's knees, which open before a chair that is drawn up, m."""
+SEAT, NARROW = 0.66, 0.26
+"""Between drawers beneath a desk's top a chair has so much, or a single one is so wide, m."""
 
 
 def _low(own: Look) -> Look:
@@ -37,7 +39,8 @@ def desk(kit: Kit) -> None:
     z = (h - t - 0.12, h - t)
     inset = 0.1 if kit.style != "industrial" else 0.06
     deep = (max(kit.x[0] + 0.04, front - KNEE), front)
-    hung_drawers(kit, own, (kit.y[0] + inset, kit.y[1] - inset), z, 2 if kit.w > 1.1 else 1, deep)
+    for span in _beside_knees(kit, inset):
+        hung_drawers(kit, own, span, z, 1, deep)
     leg, y = own.leg, (kit.y[0] + 0.01, kit.y[1] - 0.01)
     if kit.style == "industrial":
         for py in (kit.y[0] + 0.02, kit.y[1] - 0.045):
@@ -48,12 +51,22 @@ def desk(kit: Kit) -> None:
         splayed(kit, leg, h - t, (kit.x[0] + 0.02, kit.x[1] - 0.03), y, 0.014, 0.024)
 
 
+def _beside_knees(kit: Kit, inset: float) -> list[Span]:
+    """Where drawers are beside a chair that is drawn up: on both sides, or on one of a short desk."""
+    low, high = kit.y[0] + inset, kit.y[1] - inset
+    wide = (high - low - SEAT) / 2
+    if wide >= NARROW:
+        return [(low, low + wide), (high - wide, high)]
+    wide = max(high - low - SEAT, NARROW)
+    return [(low, low + wide)] if kit.rng.random() < 0.5 else [(high - wide, high)]
+
+
 def _pedestal_desk(kit: Kit, own: Look, front: float, z: float) -> None:
     b = kit.base
-    wide = min(0.42, 0.34 * kit.w)
     left = kit.rng.random() < 0.5
     own = own.with_(base="none")
     sides = [left] if kit.style != "classic" or kit.w < 1.4 else [True, False]
+    wide = min(0.42, 0.34 * kit.w, (kit.w - SEAT - 0.02) / len(sides))
     for at_left in sides:
         y = (kit.y[1] - wide - 0.01, kit.y[1] - 0.01) if at_left else (kit.y[0] + 0.01, kit.y[0] + wide + 0.01)
         b.box(

@@ -29,8 +29,11 @@ MET = 0.002
 CONTACT = 0.005
 """Nothing may be entered deeper than this, or than it was, m."""
 PANEL = 0.02
-"""Kept free beside a moving part where possible, for the panel that carries it, m."""
-ASIDE = np.arange(-20, 21) * 0.04
+"""Kept free beside a moving part where that is no further than `WORTH`, for the panel that carries it, m."""
+WORTH = 0.1
+BEYOND = 0.1
+"""How far a seat may stand beyond the end of its table, m."""
+ASIDE = np.arange(-40, 41) * 0.02
 """Shifts along a piece's front, m."""
 OUT = np.arange(17) * 0.05
 """Shifts away from it, m."""
@@ -103,13 +106,18 @@ def _shift(i: int, things: list[Furnishing], site: Site) -> Array:
         near = _beside(own, thing, [things[j] for j in sorted(set(met.tolist()))])
         shifts = near if TABLE[thing.category].belongs else np.concatenate([near, shifts])
     fits = shifts[_fits(i, things, site, shifts)]
-    for wide in (PANEL, 0.0):
-        grown = swept._replace(size=swept.size + np.array([0.0, 2 * wide, 0.0]))
-        free = fits[(boxes.penetration(_at(own, fits), grown) <= MET).all(-1)]
-        if len(free):
-            return np.asarray(free[0])
-    LOG.info("%s stands in the way of %s; no free place near by", thing.id, _named(things, met))
-    return np.zeros(2)
+    ways = [way for wide in (PANEL, 0.0) if (way := _free(own, fits, swept, wide)) is not None]
+    if not ways:
+        LOG.info("%s stands in the way of %s; no free place near by", thing.id, _named(things, met))
+        return np.zeros(2)
+    return ways[0] if np.hypot(*ways[0]) <= np.hypot(*ways[-1]) + WORTH else ways[-1]
+
+
+def _free(own: Boxes, shifts: Array, swept: Boxes, wide: float) -> Array | None:
+    """The first shift (2,) that is clear of all parts and of so much beside them."""
+    grown = swept._replace(size=swept.size + np.array([0.0, 2 * wide, 0.0]))
+    free = shifts[(boxes.penetration(_at(own, shifts), grown) <= MET).all(-1)]
+    return np.asarray(free[0]) if len(free) else None
 
 
 def _named(things: list[Furnishing], met: NDArray[np.int64]) -> str:
@@ -132,7 +140,7 @@ def _beside(own: Boxes, thing: Furnishing, met: Sequence[Furnishing]) -> Array:
     away = int(np.argmax(np.abs(at) - half))  # the side it stands at: 0 front or back, 1 left or right
     out, aside = (grid.ravel() for grid in np.meshgrid(OUT, ASIDE, indexing="ij"))
     if kin:  # A seat stays at its table.
-        far = max(half[1 - away] - reach[1 - away], abs(at[1 - away]))
+        far = max(half[1 - away] + BEYOND - reach[1 - away], abs(at[1 - away]))
         kept = np.abs(at[1 - away] + aside) <= far + 1e-9
         out, aside = out[kept], aside[kept]
     steps = np.stack([out * (1 if at[away] >= 0 else -1), aside], -1)[:, :: 1 if away == 0 else -1]
