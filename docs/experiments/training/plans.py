@@ -1,4 +1,4 @@
-"""Floor plans to train the layout model on: `python plans.py FOLDER [FIRST]` draws three for every line of prompts.txt."""
+"""Floor plans to train the layout model on, three for every line of prompts.txt: `python plans.py FOLDER [FIRST]`."""
 
 import sys
 from concurrent.futures import ProcessPoolExecutor

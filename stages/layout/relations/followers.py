@@ -1,10 +1,12 @@
-"""What follows a leader of a group: no table or desk is put where its chairs, no bed where its nightstands, no sofa
-where its low table would find no place, or would shut a way."""
+"""What follows a leader of a group: no table or desk is put where its chairs, no bed where its nightstands or the
+wardrobe of those who sleep there, no sofa where its low table or the television before it would find no place, or would
+shut a way."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
+from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
@@ -23,22 +25,60 @@ MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
 LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"sofa"}, LOW))
+BOTH = 2
+"""Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
+LATER = (
+    (kinds.DOUBLE, {"wardrobe", "sliding_wardrobe"}, (0.6, 1.2, 2.1)),
+    (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
+)
+"""What comes to some wall later on: a place for one of such a size, m, is left."""
+STEP, TRIED = 0.3, 3
+"""From one place along a wall to the next, m; so many of the good ones are tried for the ways they leave."""
 
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
-    """Whether as many followers as are `left` to come find places about a leader (7,), as far as it has places."""
-    kind = kinds.basic(name)
+    """Whether as many followers as are `left` to come find places about a leader (7,), as far as it has places, and what
+    comes to a wall later on finds one."""
+    kind, group = kinds.basic(name), [(name, box)]
     follower = next((name for leaders, name in LEADERS if kind in leaders), "")
-    due = left.count(follower)
-    if not due:
-        return True
-    places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}[follower](kind, box)
-    group = there.besides(name, box)
-    open_ = places[group.prices(follower, places, strict=follower == CHAIR) < BROKEN]
-    due = min(due, len(places))
-    if len(open_) < due:
-        return False
-    return there.shut_by([(name, box), *((follower, place) for place in open_[:due])]) < MOST
+    if due := max(left.count(follower), BOTH if follower == STAND else 0):
+        places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}[follower](kind, box)
+        open_ = places[there.besides(name, box).prices(follower, places, strict=follower == CHAIR) < BROKEN]
+        due = min(due, len(places))
+        if len(open_) < due:
+            return False
+        group += [(follower, place) for place in open_[:due]]
+    later = _later(there, kind, group, left)
+    if later is None:
+        return len(group) == 1 or there.shut_by(group) < MOST
+    return any(there.shut_by([*group, one]) < MOST for one in later)
+
+
+def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
+           left: Sequence[str]) -> list[tuple[str, Array]] | None:
+    """Some places at walls of what comes there later on beside a group; None where nothing does."""
+    due = ((name, size) for leaders, names, size in LATER if kind in leaders for name in left
+           if kinds.basic(name) in names and not names & set(map(kinds.basic, there.names)))
+    name, size = next(due, ("", (0.0, 0.0, 0.0)))
+    if not name:
+        return None
+    for o, box in group:
+        there = there.besides(o, box)
+    places = _along(there.space, size)
+    good = places[there.prices(name, places, strict=True) < BROKEN] if len(places) else places
+    return [(name, place) for place in good[:: max(1, len(good) // TRIED)]]
+
+
+def _along(space: Space, size: tuple[float, float, float]) -> Array:
+    """Boxes (n, 7) of a size along all walls."""
+    out = [np.zeros((0, 7))]
+    for start, along, normal, length in zip(space.start, space.along, space.normal, space.length, strict=True):
+        if (room := length - size[1] - 2 * OFF) >= 0:
+            t = OFF + size[1] / 2 + np.linspace(0.0, room, int(np.ceil(room / STEP)) + 1)
+            middle = start + t[:, None] * along + (OFF + size[0] / 2) * normal
+            rest = np.broadcast_to([np.arctan2(normal[1], normal[0]), *size[:2], 0.0, size[2]], (len(t), 5))
+            out.append(np.column_stack([middle, rest]))
+    return np.concatenate(out).astype(np.float32)
 
 
 def _chairs(kind: str, table: Array) -> Array:

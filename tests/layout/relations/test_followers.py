@@ -24,9 +24,9 @@ def test_a_table_along_a_wall_has_no_place_for_those_at_the_wall() -> None:
     assert followers.fit(room(), "dining_table", at_wall, ["chair"] * 4), "one side and both ends"
 
 
-@pytest.mark.parametrize("x, stands, fits", [(0.0, 2, True), (0.95, 2, False), (0.95, 1, True), (0.95, 0, True)])
-def test_a_bed_leaves_its_sides_to_nightstands(x: float, stands: int, fits: bool) -> None:
-    """Its head at the north wall; .25 m is left beside it at one side."""
+@pytest.mark.parametrize("x, stands, fits", [(0.0, 2, True), (0.0, 0, True), (0.95, 2, False), (0.95, 0, False)])
+def test_a_bed_of_two_leaves_both_its_sides(x: float, stands: int, fits: bool) -> None:
+    """Its head at the north wall; .25 m is left beside it at one side, whether nightstands come or not."""
     assert followers.fit(room(), "double_bed", box(BED, x, 0.98, -np.pi / 2), ["nightstand"] * stands) == fits
 
 
@@ -48,6 +48,23 @@ def test_a_desk_faces_where_one_sits() -> None:
 def test_a_sofa_leaves_the_floor_before_it_to_its_low_table(y: float, tables: int, fits: bool) -> None:
     """It looks north; at the latter place .55 m are left before it."""
     assert followers.fit(room(), "sofa", box((0.9, 2.0, 0.8), 0, y, np.pi / 2), ["coffee_table"] * tables) == fits
+
+
+@pytest.mark.parametrize(
+    "depth, clothes, fits", [(4.0, ["wardrobe"], True), (2.9, ["wardrobe"], False), (2.9, [], True)])
+def test_a_bed_leaves_a_wall_to_a_wardrobe_of_two(depth: float, clothes: list[str], fits: bool) -> None:
+    """A bed in the middle of a room of 3 m: .9 m before its foot are too little for a wardrobe and its doors, and beside
+    it there are .7 m."""
+    bed = box(BED, 0, depth / 2 - 1.02, -np.pi / 2)
+    assert followers.fit(room(3.0, depth), "double_bed", bed, clothes) == fits
+
+
+@pytest.mark.parametrize("width, fits", [(3.0, True), (4.0, True), (6.5, False)])
+def test_a_sofa_leaves_a_wall_before_it_to_the_television(width: float, fits: bool) -> None:
+    """Where that is no farther off than one watches from."""
+    sofa = box((0.9, 2.0, 0.8), 0.46 - width / 2, 0.5)
+    assert followers.fit(room(width, 4.0), "sofa", sofa, ["tv_stand"]) == fits
+    assert followers.fit(room(width, 4.0), "sofa", sofa, [])
 
 
 def test_others_lead_nothing() -> None:
