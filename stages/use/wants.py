@@ -7,7 +7,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from apartgen.stages.use.household import DOUBLE as FOR_TWO
 from apartgen.stages.use.kinds import (
     BEDS,
     BEDSIDE,
@@ -32,6 +31,8 @@ SCREEN = 0.3
 NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 0.8, 1.0
 """What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, a place
 for clothes where one sleeps in the living room, and a place to sleep for the second in a bedroom of two."""
+FOR_TWO = 10.4
+"""A bedroom of so much floor is for two, m²."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0

@@ -43,6 +43,8 @@ ALONE = 8.0
 is rather left out."""
 CRAMPED = 4.0
 """Price of what has no floor for its use, or takes that of others, once nothing better was found."""
+SINKS, BETWEEN = {"kitchen_sink"}, 0.28
+"""Between a hob and one of these is so much worktop, m."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -146,8 +148,15 @@ class Furniture:
             away |= ~runs.in_corner(upright(boxes), self.space.behind)
         alone = ~runs.touching(name, boxes, self.names, self.boxes)
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
-        dark = 2 * BROKEN if strict else APART
-        return total + (np.where(self._lit(boxes), dark, 0.0) if TABLE[name].is_for("cook") else 0.0)
+        worse = 2 * BROKEN if strict else APART
+        total += np.where(self._beside_other(name, boxes), worse, 0.0)
+        return total + (np.where(self._lit(boxes), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
+
+    def _beside_other(self, name: str, boxes: Array) -> NDArray[np.bool_]:
+        """Which candidates for a hob leave no worktop to a sink, or for a sink to a hob."""
+        cooks, wet = TABLE[name].is_for("cook"), name in SINKS
+        some = [k for k, o in enumerate(self.names) if cooks and o in SINKS or wet and TABLE[o].is_for("cook")]
+        return np.asarray((company.Seen(boxes, self.boxes[some]).gap < BETWEEN).any(1))
 
     def _lit(self, boxes: Array) -> NDArray[np.bool_]:
         """Above which candidates a hood would hang before a window."""
