@@ -1,4 +1,5 @@
-"""Floor that the use of something takes: a chair is drawn back, one stands before shelves and drawers."""
+"""Floor that the use of something takes: a chair is drawn back, one stands before shelves and drawers; nobody gets to a
+window over the head of a bed."""
 
 from collections.abc import Sequence
 
@@ -18,6 +19,8 @@ LOW, HIGH = 0.05, 0.9
 """Between these heights, m: what lies flat or hangs above takes nothing."""
 SHALLOW = 0.06
 """So deep in it something is no hindrance yet, m."""
+HEAD, SILL = 0.35, 0.3
+"""A window is behind the head of a bed that is no farther from it and has so much of it behind, m."""
 MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS | kinds.SLENDER
 """What one pushes aside."""
 CASES = kinds.CASES | {"dressing_table"}
@@ -31,6 +34,8 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     kind, found = kinds.basic(name), np.zeros(len(boxes), bool)
     if kind not in kinds.ON_THE_FLOOR:
         return found
+    if kind in kinds.BEDS:
+        found |= _at_window(boxes, space)
     others = [kinds.basic(o) for o in names]
     if kind in USED:
         zones = _zones(kind, boxes)
@@ -43,6 +48,20 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
         theirs = _joined([_zones(others[k], there[k:k + 1]) for k in used])
         found |= (penetration(upright(boxes), theirs) > SHALLOW).any(1)
     return found
+
+
+def _at_window(boxes: Array, space: Space) -> Flags:
+    """Which beds (n, 7) have their heads at a window."""
+    ends = space.spans[space.window]
+    if not len(ends):
+        return np.zeros(len(boxes), bool)
+    offset = ends[None] - boxes[:, None, None, :2]
+    c, s = np.cos(boxes[:, 2])[:, None, None], np.sin(boxes[:, 2])[:, None, None]
+    x, y = offset[..., 0] * c + offset[..., 1] * s, offset[..., 1] * c - offset[..., 0] * s
+    half = boxes[:, None, 4] / 2
+    behind = -x - boxes[:, None, None, 3] / 2
+    shared = np.minimum(y.max(-1), half) - np.maximum(y.min(-1), -half)
+    return np.asarray(((behind > -HEAD) & (behind < HEAD)).all(-1) & (shared > SILL)).any(1)
 
 
 def _bars(kind: str, used: str) -> bool:

@@ -37,8 +37,8 @@ STEP, TRIED = 0.3, 3
 
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
-    """Whether as many followers as are `left` to come find places about a leader (7,), as far as it has places, and what
-    comes to a wall later on finds one."""
+    """Whether as many followers as are `left` to come find places about a leader (7,), as far as it has places, and
+    what comes to a wall later on finds one."""
     kind, group = kinds.basic(name), [(name, box)]
     follower = next((name for leaders, name in LEADERS if kind in leaders), "")
     if due := max(left.count(follower), BOTH if follower == STAND else 0):

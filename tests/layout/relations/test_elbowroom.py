@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import box, room
+from rooms_for_tests import box, room, some_rooms
 
+from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import elbowroom
 from apartgen.stages.layout.relations.standing import BROKEN
 
@@ -64,3 +65,15 @@ def test_a_table_draws_no_chairs_to_a_wall_at_first() -> None:
     at_wall = box(CHAIR, -2 + 0.27 + 0.05, 0)[None]
     assert there.prices("chair", at_wall, strict=True)[0] >= BROKEN
     assert there.prices("chair", at_wall)[0] < BROKEN
+
+
+@pytest.mark.parametrize("x, away, barred", [(0.0, 0.0, True), (1.0, 0.0, True), (1.2, 0.0, False), (0.0, 0.5, False)])
+def test_no_bed_has_its_head_at_a_window(x: float, away: float, barred: bool) -> None:
+    """A window from -.6 to .6 in the north wall; a bed 1.6 m wide, at `x`, so far off the wall."""
+    rooms = some_rooms(1, 4)
+    north = float(rooms.polygon[0, :4, 1].max())
+    bed = box((2.0, 1.6, 0.9), x, north - 1.02 - away, -np.pi / 2)
+    space = space_of(rooms, 0)
+    assert bool(elbowroom.taken("double_bed", bed[None], [], np.zeros((0, 7)), space)[0]) == barred
+    beside = box((0.6, 1.6, 0.75), x, north - 0.32, -np.pi / 2)
+    assert not elbowroom.taken("desk", beside[None], [], np.zeros((0, 7)), space)[0], "a desk has light there"

@@ -53,8 +53,8 @@ def test_a_sofa_leaves_the_floor_before_it_to_its_low_table(y: float, tables: in
 @pytest.mark.parametrize(
     "depth, clothes, fits", [(4.0, ["wardrobe"], True), (2.9, ["wardrobe"], False), (2.9, [], True)])
 def test_a_bed_leaves_a_wall_to_a_wardrobe_of_two(depth: float, clothes: list[str], fits: bool) -> None:
-    """A bed in the middle of a room of 3 m: .9 m before its foot are too little for a wardrobe and its doors, and beside
-    it there are .7 m."""
+    """A bed in the middle of a room of 3 m: .9 m before its foot are too little for a wardrobe and its doors, and
+    beside it there are .7 m."""
     bed = box(BED, 0, depth / 2 - 1.02, -np.pi / 2)
     assert followers.fit(room(3.0, depth), "double_bed", bed, clothes) == fits
 
