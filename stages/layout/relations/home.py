@@ -35,7 +35,7 @@ from apartgen.stages.use.kinds import HANGING
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
 
-DRAWN = 3
+DRAWN = 6
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
 GOOD, POOR = 0.3, 0.8
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
