@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.plan import Plan, Room
-from apartgen.stages.use.household import eats_in, sleepers, washes_in
+from apartgen.stages.use.household import duties, eats_in, sleepers, washes_in
 
 Array = NDArray[np.float64]
 PASSAGES = ("door", "opening", "entrance")
@@ -48,7 +48,7 @@ class Hole:
 @dataclass(frozen=True)
 class Site:
     """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`,
-    one is where clothes are washed (`laundry`)."""
+    one is where clothes are washed (`laundry`), one is the largest of the bedrooms (`main`)."""
 
     id: str
     kind: str
@@ -57,6 +57,7 @@ class Site:
     sleepers: int | None
     meals: bool = False
     laundry: bool = False
+    main: bool = False
 
     @cached_property
     def start(self) -> Array:
@@ -103,7 +104,8 @@ def site(plan: Plan, room_id: str) -> Site:
     rows = tuple((o.id, o.kind, *o.segment, o.sill, o.head, o.into == room_id, o.hinge)
                  for o in plan.openings if room_id in o.rooms)
     return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan),
-                 eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1)
+                 eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1,
+                 duties(plan, room).main > 0)
 
 
 def alone(room: Room) -> Site:
@@ -113,9 +115,10 @@ def alone(room: Room) -> Site:
 
 @lru_cache(maxsize=256)
 def _site(id: str, kind: str, corners: tuple[tuple[float, float], ...], rows: tuple[tuple[object, ...], ...],
-          people: int | None, meals: bool = False, laundry: bool = False) -> Site:
+          people: int | None, meals: bool = False, laundry: bool = False, main: bool = False) -> Site:
     bare = Site(id, kind, corners, (), people)
-    return replace(bare, holes=tuple(_hole(bare, *row) for row in rows), meals=meals, laundry=laundry)  # type: ignore[arg-type]
+    holes = tuple(_hole(bare, *row) for row in rows)  # type: ignore[arg-type]
+    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main)
 
 
 def _hole(bare: Site, id: str, kind: str, a: tuple[float, float], b: tuple[float, float], sill: float, head: float,

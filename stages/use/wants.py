@@ -31,8 +31,8 @@ SCREEN = 0.3
 NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 0.8, 1.0
 """What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, a place
 for clothes where one sleeps in the living room, and a place to sleep for the second in a bedroom of two."""
-FOR_TWO = 10.4
-"""A bedroom of so much floor is for two, m²."""
+FOR_TWO, LEAST_FOR_TWO = 10.4, 8.5
+"""A bedroom of so much floor is for two, m², and the largest of a home from less on."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
@@ -118,6 +118,8 @@ def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
     stand."""
     if site.kind == "bedroom" and site.sleepers is not None and site.area >= FOR_TWO and _sleep(count) == 1:
         yield Lack("bed for one where two sleep", 1, BERTH)
+    if site.main and site.area >= LEAST_FOR_TWO and not count["double_bed"]:
+        yield Lack("no double bed in the largest bedroom", 1, BERTH)
     if site.meals and not _number(count, COUNTERS):
         yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
     if site.kind == "living_room" and _number(count, BEDS) and not _number(count, CLOTHES):

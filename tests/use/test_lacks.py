@@ -110,3 +110,19 @@ def test_clothes_are_washed_in_one_room_of_a_home() -> None:
     assert "no machine to wash" not in {lack.name for lack in use.lacks_of(there, ["washing_machine"])}
     assert "no machine to wash" not in {lack.name for lack in use.lacks_of(here, [])}
     assert (use.belongings(there), use.belongings(here)) == (["washing_machine"], [])
+
+
+@pytest.mark.parametrize(("width", "main", "bed", "lacks"), [
+    (2.6, False, "single_bed", set()), (3.0, False, "single_bed", {"bed for one where two sleep"}),
+    (2.6, True, "single_bed", {"no double bed in the largest bedroom"}), (2.6, True, "double_bed", set()),
+    (3.0, False, "bunk_bed", set()), (2.3, True, "single_bed", set()),
+])
+def test_two_sleep_where_there_is_floor_and_a_couple_in_the_largest_bedroom(
+        width: float, main: bool, bed: str, lacks: set[str]) -> None:
+    """Rooms of 2.3, 2.6 and 3 by 3.6 m: 8.3, 9.4 and 10.8 m²."""
+    from dataclasses import replace
+
+    site = replace(room("bedroom", width, 3.6).site, sleepers=4, main=main)
+    found = {lack.name for lack in use.lacks_of(site, [bed])}
+    assert found & {"bed for one where two sleep", "no double bed in the largest bedroom"} == lacks
+    assert "bed for one where two sleep" not in {x.name for x in use.lacks_of(replace(site, sleepers=None), [bed])}

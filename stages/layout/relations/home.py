@@ -40,7 +40,7 @@ DRAWN = 6
 GOOD, POOR = 0.3, 0.8
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
 LENGTHS = dict.fromkeys(HANGING, 1.2)
-"""Least widths at a first look in bedrooms of two, m."""
+"""Least widths, where there is a place for them, in bedrooms of two and where one sleeps in the living room, m."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -114,11 +114,11 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
 def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, known: weights.Vocabulary,
           given: list[Box]) -> Task:
     walls = shell(arrays, i)
-    told = sleepers(plan)
+    told, sleeps = sleepers(plan), duties(plan, room).sleeps > 0
     facts = learning.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
-                      wide=LENGTHS if room.base == "bedroom" and arrays.area[i] >= DOUBLE else {})
+                      wide=LENGTHS if arrays.area[i] >= DOUBLE and (room.base == "bedroom" or sleeps) else {})
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room))
 

@@ -38,7 +38,7 @@ class Particle:
 class Speaker:
     """The model before a room: its shell, type and facts, and how much is drawn of an object: `frames` references at
     most, `branches` of each, `offsets` of each branch; what logits of attributes (`sharp`) and of references (`sure`)
-    are multiplied with. What is `wide` is at least so wide, unless it finds no place at a first look."""
+    are multiplied with. What is `wide` is at least so wide, unless it finds no place at two looks."""
 
     model: Model
     known: Vocabulary
@@ -191,7 +191,7 @@ class _Rooms:
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
         least = np.array([k.min for k in kinds], np.float32)
-        wide = [self.rooms[i].wide.get(names[i], 0.0) if self.particles[i].tries == 0 else 0.0 for i in rows.tolist()]
+        wide = [self.rooms[i].wide.get(names[i], 0.0) if self.particles[i].tries < 2 else 0.0 for i in rows.tolist()]
         least[:, 1] = np.maximum(least[:, 1], wide)
         asked = Asked(
             view, real, real & (kind == OBJECT), frame, least, most,

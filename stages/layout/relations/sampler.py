@@ -21,7 +21,7 @@ from apartgen.stages.things.categories import TABLE
 BEGUN = 3
 """How often a room is begun at most."""
 TRIES = 2
-"""How often candidates are drawn for an object before its room is begun again."""
+"""How often candidates are drawn for an object before its room is begun again, and once more for what is wide."""
 LOOKS = 8
 """Candidates whose ways are looked at before new ones are drawn."""
 CUT = 0.25
@@ -90,7 +90,7 @@ class Sampler:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
         left = _without(p.left, name)
         found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
-        if found is None and p.tries + 1 < TRIES:
+        if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.wide):
             p.tries += 1
             return p
         needed = found is None and self.room.needs(name, p.furniture.names)
