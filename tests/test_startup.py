@@ -52,6 +52,16 @@ def test_a_plan_needs_nothing_heavy():
     assert not loaded("plan", "studio") & HEAVY
 
 
+@pytest.mark.parametrize("word", ["layout", "dataset"])
+def test_rooms_are_furnished_without_torch(plan, word, tmp_path):
+    """It costs a second and hundreds of MB, and only training and the diffusion model need it."""
+    if word == "layout":
+        assert not loaded("layout", "--candidates", "1", stdin=plan) & HEAVY
+    else:
+        args = ("dataset", "build", "-", "--workers", "1", "--out", str(tmp_path / "set"))
+        assert "torch" not in loaded(*args, stdin="studio\n")
+
+
 def test_metrics_need_nothing_heavy(plan):
     assert not loaded("metrics", stdin=plan) & HEAVY
 

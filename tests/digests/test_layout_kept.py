@@ -18,7 +18,7 @@ from apartgen.stages.layout.projection.project import project
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.projection.standing import Item
 from apartgen.stages.layout.relations import corpus as tokens
-from apartgen.stages.layout.relations import train, weights
+from apartgen.stages.layout.relations import train, trained
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.layout.relations.shape import Shape
 from apartgen.stages.layout.rooms import of_plan
@@ -122,7 +122,7 @@ def test_steps_of_training(rows):
     shape = Shape(width=32, heads=2, scene_layers=1, frame_layers=1, key=8)
     config = Training(corpus=str(rows), steps=2, batch=4, shape=shape)
     rooms = [one for one in tokens.read(rows) if one.n]
-    model = weights.empty(config)
+    model = trained.empty(config)
     optimizer = torch.optim.AdamW(model.parameters(), 1e-3)
     found = {}
     for step, (some, rng) in enumerate(train.chosen(rooms, config, 0)):

@@ -1,19 +1,28 @@
 """What stands around a place: how near others of a category are, how tokens lie to each other, what is in the way."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import clear, describe
-from apartgen.stages.layout.relations.network import Known
 from apartgen.stages.layout.relations.tokens import OBJECT, WALL, Array, Ints, seen
 
 SLACK = 0.015
 """Contact that is none, m; offsets are known to half a bin."""
 NEAR = 0.3
 """Others of a category that are so near to a token are at it, m."""
+
+
+class Known(NamedTuple):
+    """`alike` (B, Q, T), how near others of the category asked for are to each token; `relations` (B, J, T, RELATIONS),
+    how each lies to each; `there` (B, Q, J), objects that stand; `lacks` (B, Q, T, FITS) free stretches of walls."""
+
+    alike: NDArray[np.float32]
+    relations: NDArray[np.float32]
+    there: NDArray[np.bool_]
+    lacks: NDArray[np.float32]
 
 
 def known_of(boxes: Array, kind: Ints, category: Ints, asked: Ints, there: Ints, solid: Array, sort: Ints) -> Known:
@@ -26,8 +35,7 @@ def known_of(boxes: Array, kind: Ints, category: Ints, asked: Ints, there: Ints,
         np.ascontiguousarray(boxes, np.float32), kind == WALL, np.ascontiguousarray(solid, np.float32),
         np.ascontiguousarray(sort), np.ascontiguousarray(there), clear.DEEP)
     lacks = np.maximum(1 - free[..., None] / clear.LONG, 0) * (kind == WALL)[:, None, :, None, None]
-    return Known(torch.from_numpy(near), torch.from_numpy(relations(view)), torch.from_numpy(stands),
-                 torch.from_numpy(lacks.reshape(*lacks.shape[:3], -1).astype(np.float32)))
+    return Known(near, relations(view), stands, lacks.reshape(*lacks.shape[:3], -1).astype(np.float32))
 
 
 def relations(view: Array) -> NDArray[np.float32]:
@@ -51,14 +59,22 @@ def alike(view: Array, boxes: Array, category: Ints, asked: Ints, there: Ints) -
 def beside(view: Array, half: Array, kind: Ints, sort: Ints, same: NDArray[np.bool_]) -> NDArray[np.float32]:
     """What stands at each side of references with half extents (R, 2), (R, SIDES, SORTS): others of the category asked
     for, `same` (R, T); and what leaves no room there. Tokens are seen (R, T, 9), their kinds and sorts (R, T)."""
-    said = describe.describe(view, np.broadcast_to(half[:, None], (*kind.shape, 2)), np.full_like(kind, OBJECT))
+    near = at_sides(view, np.broadcast_to(half[:, None], (*kind.shape, 2)), sort, same)
+    return _sides(np.asarray(near.any(1)))
+
+
+def at_sides(view: Array, half: Array, sort: Ints, same: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Whether tokens (..., 9) are others of the category asked for at a side of references with half extents (..., 2),
+    and whether they leave no room there, (..., SIDES, 2)."""
+    said = describe.describe(view, half, np.full(view.shape[:-1], OBJECT))
     gap = np.where(said.side == describe.OVER, 0.0, describe.GAPS[said.gap])
-    out = np.zeros((len(view), describe.SIDES, clear.SORTS), np.float32)
-    for k in range(describe.SIDES):
-        here = said.side == k
-        out[:, k, 0] = (here & same & (gap < 2 * NEAR)).any(1)
-        out[:, k, 1] = (here & (sort > 0) & (sort < 3) & (gap < NEAR)).any(1)
-    return out
+    near = np.stack([same & (gap < 2 * NEAR), (sort > 0) & (sort < 3) & (gap < NEAR)], -1)
+    return np.asarray(near[..., None, :] & (said.side[..., None] == np.arange(describe.SIDES))[..., None])
+
+
+def _sides(near: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """As numbers among as many as there are sorts, (R, SIDES, SORTS)."""
+    return np.pad(near, ((0, 0), (0, 0), (0, clear.SORTS - 2))).astype(np.float32)
 
 
 @dataclass
@@ -73,15 +89,22 @@ class Met:
         """How deep objects stand in what there is, and what they lack of some free room on each side, at every offset
         along an axis (R,), as numbers (R, OFFSETS, MEETS); the other coordinate is that of their gap, or of `along`
         where they are over their reference and the axis is the front."""
-        ex, ey = describe.extents(said.heading, said.size)
-        sign = np.where((said.side == describe.BACK) | (said.side == describe.RIGHT), -1.0, 1.0)
-        own, reach = np.where(axis == 1, self.half[:, 0], self.half[:, 1]), np.where(axis == 1, ex, ey)
-        other = np.where(said.side == describe.OVER, said.along, sign * (own + describe.GAPS[said.gap] + reach))
-        place = np.stack([other, said.low, said.low + said.size[..., 2]], -1)
-        half = np.stack([np.where(axis == 1, ey, ex), reach], -1)
-        unknown = (said.side == describe.OVER) & (axis == 1)
+        place, half, unknown = standing(said, axis, self.half)
         sort = np.where(unknown[:, None], 0, self.sort)
         there = (np.ascontiguousarray(self.view, np.float32), np.ascontiguousarray(sort), np.ascontiguousarray(axis),
-                 place.astype(np.float32), half.astype(np.float32), describe.OFFSETS, describe.OFFSET, SLACK)
+                 place, half, describe.OFFSETS, describe.OFFSET, SLACK)
         lacks = np.maximum(1 - clear.rooms(*there)[..., None] / clear.NEEDS, 0)
         return np.concatenate([clear.depths(*there), lacks.reshape(*lacks.shape[:2], -1)], -1)
+
+
+def standing(said: describe.Attributes, axis: Ints, own: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Where objects stand whose offset along an axis (R,) is not known yet, as `clear.depths` has it: place (R, 3),
+    half extents (R, 2), and whether the other coordinate is not known either; references have half extents `own`
+    (R, 2)."""
+    ex, ey = describe.extents(said.heading, said.size)
+    sign = np.where((said.side == describe.BACK) | (said.side == describe.RIGHT), -1.0, 1.0)
+    host, reach = np.where(axis == 1, own[:, 0], own[:, 1]), np.where(axis == 1, ex, ey)
+    other = np.where(said.side == describe.OVER, said.along, sign * (host + describe.GAPS[said.gap] + reach))
+    place = np.stack([other, said.low, said.low + said.size[..., 2]], -1).astype(np.float32)
+    half = np.stack([np.where(axis == 1, ey, ex), reach], -1).astype(np.float32)
+    return place, half, (said.side == describe.OVER) & (axis == 1)

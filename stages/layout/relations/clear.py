@@ -25,6 +25,31 @@ def compiled(signature: str) -> Callable[[F], F]:
     return cast(Callable[[F], F], njit(signature, cache=True))
 
 
+@compiled("void(float32[:,:],int64[:],int64,float32[:],float32[:],float64,float64,float32[:,:])")
+def _add_depths(
+    seen: Floats, sort: Ints, a: int, place: Floats, half: Floats, step: float, slack: float, found: Floats
+) -> None:
+    """Of one object, as `depths` has them, into `found` (bins, SORTS)."""
+    bins = len(found)
+    for t in range(len(sort)):
+        s = sort[t]
+        if s == 0:
+            continue
+        aside = half[1] + seen[t, 4 - a] - abs(place[0] - seen[t, 1 - a])
+        tall = min(place[2], seen[t, 6]) - max(place[1], seen[t, 5])
+        least = min(aside, tall) - slack
+        if least <= 0:
+            continue
+        reach = half[0] + seen[t, 3 + a] - slack
+        middle = seen[t, a]
+        first = max(0, int(np.ceil((middle - reach) / step)) + bins // 2)
+        last = min(bins - 1, int(np.floor((middle + reach) / step)) + bins // 2)
+        for k in range(first, last + 1):
+            deep = min(least, reach - abs((k - bins // 2) * step - middle)) / DEEPEST
+            if deep > found[k, s - 1]:
+                found[k, s - 1] = min(deep, 1.0)
+
+
 @compiled("float32[:,:,:](float32[:,:,:],int64[:,:],int64[:],float32[:,:],float32[:,:],int64,float64,float64)")
 def depths(
     seen: Floats, sort: Ints, axis: Ints, place: Floats, half: Floats, bins: int, step: float, slack: float
@@ -34,27 +59,9 @@ def depths(
     seen (R, T, 9) solids in the frames of the references, sort (R, T), axis (R,) along which the offset runs (0 front,
     1 left); place (R, 3): [other coordinate, low, high], half (R, 2) half extents along the axis and across it.
     """
-    rows, tokens = sort.shape
-    found = np.zeros((rows, bins, SORTS), np.float32)
-    for r in range(rows):
-        a = axis[r]
-        for t in range(tokens):
-            s = sort[r, t]
-            if s == 0:
-                continue
-            aside = half[r, 1] + seen[r, t, 4 - a] - abs(place[r, 0] - seen[r, t, 1 - a])
-            tall = min(place[r, 2], seen[r, t, 6]) - max(place[r, 1], seen[r, t, 5])
-            least = min(aside, tall) - slack
-            if least <= 0:
-                continue
-            reach = half[r, 0] + seen[r, t, 3 + a] - slack
-            middle = seen[r, t, a]
-            first = max(0, int(np.ceil((middle - reach) / step)) + bins // 2)
-            last = min(bins - 1, int(np.floor((middle + reach) / step)) + bins // 2)
-            for k in range(first, last + 1):
-                deep = min(least, reach - abs((k - bins // 2) * step - middle)) / DEEPEST
-                if deep > found[r, k, s - 1]:
-                    found[r, k, s - 1] = min(deep, 1.0)
+    found = np.zeros((len(sort), bins, SORTS), np.float32)
+    for r in range(len(sort)):
+        _add_depths(seen[r], sort[r], axis[r], place[r], half[r], step, slack, found[r])
     return found
 
 
@@ -66,40 +73,79 @@ MEETS = SORTS + 4 * len(NEEDS)
 """Numbers that tell what an object meets at an offset: depths, and what it lacks of each free room on each side."""
 
 
+@compiled("void(float32[:,:],int64[:],int64,float32[:],float32[:],float64,float64,float32[:,:])")
+def _take_rooms(
+    seen: Floats, sort: Ints, a: int, place: Floats, half: Floats, step: float, slack: float, found: Floats
+) -> None:
+    """Of one object, as `rooms` has them, out of `found` (bins, 4)."""
+    bins = len(found)
+    for t in range(len(sort)):
+        if sort[t] == 0 or sort[t] == SORTS:
+            continue
+        if min(place[2], seen[t, 6]) - max(place[1], seen[t, 5]) <= slack:
+            continue
+        middle, reach = seen[t, a], seen[t, 3 + a]
+        off = abs(place[0] - seen[t, 1 - a]) - half[1] - seen[t, 4 - a]
+        if off < FAR:
+            # Beside it: it is as far off across the axis as it is.
+            way = 2 if seen[t, 1 - a] > place[0] else 3
+            wide = half[0] + reach - slack
+            first = max(0, int(np.ceil((middle - wide) / step)) + bins // 2)
+            last = min(bins - 1, int(np.floor((middle + wide) / step)) + bins // 2)
+            for k in range(first, last + 1):
+                found[k, way] = min(found[k, way], max(off, 0.0))
+        if off < -slack:
+            # On its way: how far off hangs on the offset.
+            wide = half[0] + reach + FAR
+            first = max(0, int(np.ceil((middle - wide) / step)) + bins // 2)
+            last = min(bins - 1, int(np.floor((middle + wide) / step)) + bins // 2)
+            for k in range(first, last + 1):
+                at = (k - bins // 2) * step
+                way = 0 if middle > at else 1
+                found[k, way] = min(found[k, way], max(abs(at - middle) - half[0] - reach, 0.0))
+
+
 @compiled("float32[:,:,:](float32[:,:,:],int64[:,:],int64[:],float32[:,:],float32[:,:],int64,float64,float64)")
 def rooms(
     seen: Floats, sort: Ints, axis: Ints, place: Floats, half: Floats, bins: int, step: float, slack: float
 ) -> Floats:
     """Free room (R, bins, 4), m, at most `FAR`: farther along the axis, back along it, outwards and inwards from it;
     what it is to objects, walls and ways, arguments as of `depths`."""
-    rows, tokens = sort.shape
-    found = np.full((rows, bins, 4), np.float32(FAR))
-    for r in range(rows):
-        a = axis[r]
-        for t in range(tokens):
-            if sort[r, t] == 0 or sort[r, t] == SORTS:
-                continue
-            if min(place[r, 2], seen[r, t, 6]) - max(place[r, 1], seen[r, t, 5]) <= slack:
-                continue
-            middle, reach = seen[r, t, a], seen[r, t, 3 + a]
-            off = abs(place[r, 0] - seen[r, t, 1 - a]) - half[r, 1] - seen[r, t, 4 - a]
-            if off < FAR:
-                # Beside it: it is as far off across the axis as it is.
-                way = 2 if seen[r, t, 1 - a] > place[r, 0] else 3
-                wide = half[r, 0] + reach - slack
-                first = max(0, int(np.ceil((middle - wide) / step)) + bins // 2)
-                last = min(bins - 1, int(np.floor((middle + wide) / step)) + bins // 2)
-                for k in range(first, last + 1):
-                    found[r, k, way] = min(found[r, k, way], max(off, 0.0))
-            if off < -slack:
-                # On its way: how far off hangs on the offset.
-                wide = half[r, 0] + reach + FAR
-                first = max(0, int(np.ceil((middle - wide) / step)) + bins // 2)
-                last = min(bins - 1, int(np.floor((middle + wide) / step)) + bins // 2)
-                for k in range(first, last + 1):
-                    at = (k - bins // 2) * step
-                    way = 0 if middle > at else 1
-                    found[r, k, way] = min(found[r, k, way], max(abs(at - middle) - half[r, 0] - reach, 0.0))
+    found = np.full((len(sort), bins, 4), np.float32(FAR))
+    for r in range(len(sort)):
+        _take_rooms(seen[r], sort[r], axis[r], place[r], half[r], step, slack, found[r])
+    return found
+
+
+@compiled("float32[:,:](float32[:,:],int64[:],int64[:,:],int64[:],float32[:,:],float32[:,:],float32[:,:],int64,float64,"
+          "float64)")
+def met(
+    seen: Floats, sort: Ints, parts: Ints, axis: Ints, place: Floats, half: Floats, counts: Floats, bins: int,
+    step: float, slack: float
+) -> Floats:
+    """What objects meet at every offset, (R, bins): the depths and what is lacking of `NEEDS`, each as far as it
+    `counts` (R, MEETS); the solids (N, 9) of row r are those from and to `parts` (R, 2), none where these are equal."""
+    found = np.zeros((len(axis), bins), np.float32)
+    deep, free = np.empty((bins, SORTS), np.float32), np.empty((bins, 4), np.float32)
+    for r in range(len(axis)):
+        a, b = parts[r]
+        if a == b:
+            continue
+        deep[:] = 0
+        free[:] = FAR
+        _add_depths(seen[a:b], sort[a:b], axis[r], place[r], half[r], step, slack, deep)
+        _take_rooms(seen[a:b], sort[a:b], axis[r], place[r], half[r], step, slack, free)
+        for k in range(bins):
+            total = np.float32(0)
+            for s in range(SORTS):
+                total += deep[k, s] * counts[r, s]
+            for way in range(4):
+                if free[k, way] < NEEDS[-1]:
+                    for i in range(len(NEEDS)):
+                        lacking = np.float32(1) - free[k, way] / NEEDS[i]
+                        if lacking > 0:
+                            total += lacking * counts[r, SORTS + way * len(NEEDS) + i]
+            found[r, k] = total
     return found
 
 

@@ -7,13 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor, nn
 
 from apartgen.stages.layout.config import N_MAX
-from apartgen.stages.layout.relations.network import SHUT_OUT
-from apartgen.stages.layout.relations.shape import Shape
+from apartgen.stages.layout.relations.features import SHUT_OUT
+from apartgen.stages.layout.relations.infer import Contents
 from apartgen.stages.layout.relations.tokens import DOOR, ENTRANCE, OPENING, WALL, WINDOW, Array, Ints
 from apartgen.stages.use.household import OPEN
 
@@ -23,36 +21,6 @@ UP_TO = 9
 UNKNOWN = -1
 SHARP = 1.25
 """What logits are multiplied with before a category is drawn."""
-ASKED, SILENT, COUNTED = 0.6, 0.5, 0.4
-"""While training: share of categories that may be told, of rooms that tell none, of rooms that tell their count."""
-
-
-class Contents(nn.Module):
-    """Logits of the next category, the last one being the end."""
-
-    def __init__(self, shape: Shape, categories: int, types: int) -> None:
-        super().__init__()
-        w = shape.width
-        self.room_type, self.facts = nn.Embedding(types, w), nn.Linear(FACTS, w)
-        self.so_far, self.wanted = nn.Linear(UP_TO * categories, w), nn.Linear((UP_TO + 1) * categories, w)
-        self.left = nn.Embedding(N_MAX + 2, w)
-        self.mix = nn.Sequential(
-            nn.GELU(approximate="tanh"), nn.Linear(w, 2 * w), nn.GELU(approximate="tanh"), nn.Linear(2 * w, w),
-            nn.GELU(approximate="tanh"), nn.Linear(w, categories + 1))
-
-    def forward(self, type: Tensor, facts: Tensor, so_far: Tensor, left: Tensor, wanted: Tensor) -> Tensor:
-        """Logits (..., C + 1): room types (...,), facts (..., FACTS), counts so far (..., C), objects left (...,) or
-        -1, counts still wanted (..., C) or -1."""
-        x = self.room_type(type) + self.facts(facts)
-        x = x + self.so_far(_reached(so_far, 1)) + self.wanted(_reached(wanted, 0))
-        found: Tensor = self.mix(x + self.left(torch.where(left < 0, N_MAX + 1, left.clamp_max(N_MAX))))
-        return found.float()
-
-
-def _reached(counts: Tensor, least: int) -> Tensor:
-    """Which of `least` … UP_TO counts (..., C) reach, (..., (UP_TO + 1 - least) * C)."""
-    steps = torch.arange(least, UP_TO + 1, dtype=counts.dtype)
-    return (counts[..., None] >= steps).float().flatten(-2)
 
 
 def facts(boxes: Array, kind: Ints, area: float, sleepers: int, duties: Sequence[int]) -> NDArray[np.float32]:
@@ -103,6 +71,17 @@ def allowed(so_far: Ints, last: int, left: int, wanted: Ints, rules: Rules) -> N
     return np.append(may, end or not may.any())
 
 
+def reached(counts: Ints, least: int) -> NDArray[np.float32]:
+    """Which of `least` … UP_TO counts (..., C) reach, (..., C * (UP_TO + 1 - least))."""
+    found = counts[..., None] >= np.arange(least, UP_TO + 1)
+    return found.reshape(*counts.shape[:-1], -1).astype(np.float32)
+
+
+def _left(count: int) -> int:
+    """The row that is learned for so many objects to come, or for an unknown number."""
+    return N_MAX + 1 if count < 0 else min(count, N_MAX)
+
+
 @dataclass
 class _Drawing:
     """Contents that are being drawn: counts so far, what is still wanted (C,), objects left or -1, last rank."""
@@ -123,15 +102,12 @@ def draw(network: Contents, type: int, room: NDArray[np.float32], count: int, wa
     """
     there = np.zeros(len(wanted), np.int64) if given is None else given
     rows = [_Drawing(there.copy(), wanted.copy(), count, -1, []) for _ in rngs]
-    going = list(range(len(rows)))
+    told, going = network.told(type, room), list(range(len(rows)))
     for _ in range(N_MAX - int(there.sum())):
         some = [rows[i] for i in going]
-        with torch.inference_mode():
-            logits = network(
-                torch.full((len(some),), type), torch.from_numpy(room).expand(len(some), -1),
-                torch.from_numpy(np.stack([row.so_far for row in some])).float(),
-                torch.tensor([row.left for row in some]),
-                torch.from_numpy(np.stack([row.wanted for row in some])).float()).numpy()
+        logits = network(
+            told, reached(np.stack([row.so_far for row in some]), 1), np.array([_left(row.left) for row in some]),
+            reached(np.stack([row.wanted for row in some]), 0))
         may = np.stack([allowed(row.so_far, row.last, row.left, row.wanted, rules) for row in some])
         shown = np.where(may, SHARP * logits.astype(float), SHUT_OUT)
         likely = np.exp(shown - shown.max(1, keepdims=True)).cumsum(1)
@@ -152,31 +128,3 @@ def _further(row: _Drawing, chosen: int, rules: Rules) -> bool:
     row.left -= row.left > 0
     row.wanted[chosen] -= row.wanted[chosen] > 0
     return True
-
-
-def loss(network: Contents, rooms: "list[tuple[int, NDArray[np.float32], Ints]]", rank: Ints,
-         rng: np.random.Generator) -> Tensor:
-    """Mean cross-entropy of what comes next in rooms (type, facts, counts by category), of which some do not tell how
-    many objects they hold, and most not which."""
-    order = np.argsort(rank)
-    c = len(rank)
-    kinds, told, so_fars, lefts, wants, nexts = [], [], [], [], [], []
-    for type, room, counts in rooms:
-        drawn = np.repeat(order, counts[order])
-        n = len(drawn)
-        steps = np.zeros((n + 1, c), np.int64)
-        steps[np.arange(1, n + 1), drawn] = 1
-        so_far = steps.cumsum(0)
-        asked = (rng.random(c) < rng.random() * ASKED) & ((counts > 0) | (rng.random(c) < 0.05))
-        if rng.random() < SILENT:
-            asked[:] = False
-        lefts.append(n - np.arange(n + 1) if rng.random() < COUNTED else np.full(n + 1, UNKNOWN))
-        wants.append(np.where(asked, counts - so_far, UNKNOWN))
-        kinds.append(np.full(n + 1, type))
-        told.append(np.broadcast_to(room, (n + 1, FACTS)))
-        so_fars.append(so_far)
-        nexts.append(np.append(drawn, c))
-    arrays = (np.concatenate(part) for part in (kinds, told, so_fars, lefts, wants))
-    type_, facts_, so_far_, left_, wanted_ = (torch.from_numpy(np.ascontiguousarray(a)) for a in arrays)
-    logits = network(type_, facts_, so_far_.float(), left_, wanted_.float())
-    return torch.nn.functional.cross_entropy(logits, torch.from_numpy(np.concatenate(nexts)))

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import torch
 from numpy.random import Generator
 
 from apartgen.schemas import rooms as room_types
@@ -18,7 +17,7 @@ from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import contents, learning, sampler, weights
+from apartgen.stages.layout.relations import contents, features, sampler, weights
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
@@ -47,7 +46,6 @@ SHARP, SURE = 3.0, 2.0
 
 def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[Box] = ()) -> tuple[Layout, list[str]]:
     """One apartment, and what is to be said about it; `given` objects stay, and `config.room` names the rooms to do."""
-    torch.set_num_threads(1)  # sums over several threads are rounded differently
     home = seeds.lane(rng, "home")
     arrays = room_arrays.of_plan(plan, home.random())
     style = int(home.integers(1 << 16))
@@ -115,7 +113,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
           given: list[Box]) -> Task:
     walls = shell(arrays, i)
     told, sleeps = sleepers(plan), duties(plan, room).sleeps > 0
-    facts = learning.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
+    facts = features.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       wide=LENGTHS if arrays.area[i] >= DOUBLE and (room.base == "bedroom" or sleeps) else {})

@@ -11,7 +11,8 @@ from torch import Tensor
 from apartgen.stages.layout.relations import describe, features
 from apartgen.stages.layout.relations.around import Met, beside, known_of
 from apartgen.stages.layout.relations.corpus import Furnished, earlier
-from apartgen.stages.layout.relations.network import ROOM_FACTS, SHUT_OUT, Head, Relations, Seen
+from apartgen.stages.layout.relations.features import ROOM_FACTS, SHUT_OUT
+from apartgen.stages.layout.relations.network import Head, Known, Relations, Seen
 from apartgen.stages.layout.relations.tokens import OBJECT, Array, Ints, mirrored, seen, solids, turned
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
@@ -74,7 +75,7 @@ def batch(rooms: Sequence[Furnished], categories: int, rng: np.random.Generator)
         out.kind[i, :n], out.category[i, :n] = room.kind[order], room.category[order]
         out.deep[i, :n] = room.deep[order]
         told = room.sleepers if rng.random() > UNTOLD else -1
-        out.facts[i] = room_facts(room.area, float(room.boxes[0, 6]), told)
+        out.facts[i] = features.room_facts(room.area, float(room.boxes[0, 6]), told)
         out.asked[i, : room.n] = room.category[room.shell :][place]
         out.reference[i, : room.n], out.said[i, : room.n] = earlier(room, place)
         coming = np.eye(categories, dtype=np.float32)[out.asked[i, : room.n]]
@@ -85,11 +86,6 @@ def batch(rooms: Sequence[Furnished], categories: int, rng: np.random.Generator)
 def _flipped(room: Furnished, order: Ints) -> Array:
     """What turns the mirrored hinges of openings to the other end: one where there is an opening."""
     return np.stack([np.zeros(len(order)), (room.kind[order] >= 2) & (room.kind[order] < OBJECT)], -1)
-
-
-def room_facts(area: float, height: float, sleepers: int) -> NDArray[np.float32]:
-    """What the room's token tells beside its box, (3,)."""
-    return np.array([np.log(max(area, 0.5)), height - 2.5, max(sleepers, 0) / 3], np.float32)
 
 
 def as_seen(of: Batch, viewed: Array, viewer: Ints | None, real: NDArray[np.bool_], rows: Ints | None = None) -> Seen:
@@ -131,7 +127,7 @@ def scene_losses(network: Relations, of: Batch) -> dict[str, Tensor]:
     bodies, sort = solids(of.boxes, of.kind, of.swing, of.deep, soft)
     known = known_of(of.boxes, of.kind, of.category, of.asked, of.shell[:, None] + np.arange(q), bodies,
                      np.where(real, sort, 0))
-    refer = network.reference(asking, asked.clamp_min(0), tokens, known)
+    refer = network.reference(asking, asked.clamp_min(0), tokens, Known(*map(torch.from_numpy, known)))
     before = np.arange(t)[None, None] < of.shell[:, None, None] + np.arange(q)[None, :, None]
     refer = refer.masked_fill(~torch.from_numpy(before), SHUT_OUT)[there & torch.from_numpy(of.said)]
     chosen = torch.from_numpy(of.reference)[there & torch.from_numpy(of.said)]

@@ -12,16 +12,12 @@ from torch import Tensor, nn
 
 from apartgen.stages.layout.relations import describe, features
 from apartgen.stages.layout.relations.clear import FITS, MEETS, SORTS
+from apartgen.stages.layout.relations.features import METRES, ROOM_FACTS, SHUT_OUT
 from apartgen.stages.layout.relations.shape import Shape
 from apartgen.stages.layout.relations.tokens import N_KINDS
 
-ROOM_FACTS = 3
-"""log of floor area, ceiling height, sleepers in the home (0 unknown)."""
-SHUT_OUT = -1e9
 RELATIONS = 11
 """Numbers that say how one token lies to another."""
-METRES = 3.0
-"""What standing in something counts at first, so that little has to be learned."""
 
 
 class Layer(nn.Module):

@@ -1,37 +1,39 @@
 """What the network says of rooms that are being furnished: which object is next, and candidates for its box.
 
-Rooms that are alike in size are seen together, each drawing from a generator of its own.
+All rooms are seen together, one token after another, each drawing from a generator of its own.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache, cached_property
 from typing import NamedTuple
 
 import numpy as np
-import torch
-from torch import Tensor
+from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import around, company, features, learning
-from apartgen.stages.layout.relations.network import SHUT_OUT, Seen
+from apartgen.stages.layout.relations import company, looking
+from apartgen.stages.layout.relations.features import SHUT_OUT
+from apartgen.stages.layout.relations.memory import Memory
 from apartgen.stages.layout.relations.speak import LEAST, Asked, Lanes, drawn, speak
 from apartgen.stages.layout.relations.standing import Furniture
-from apartgen.stages.layout.relations.tokens import OBJECT, Array, Ints, Shell, seen, solids
+from apartgen.stages.layout.relations.tokens import Array, Ints, Shell
 from apartgen.stages.layout.relations.weights import Model, Vocabulary
 from apartgen.stages.things.categories import TABLE
 
-ALIKE = 1.5
-"""Rooms are seen together whose tokens are not so many times as many as those of others."""
+Floats = NDArray[np.float32]
 
 
 @dataclass
 class Particle:
-    """A room on its way: what stands there, names still to come, notes on what found no place."""
+    """A room on its way: what stands there, names still to come, notes on what found no place; what the encoder
+    remembers of it, as long as that is of the same furniture."""
 
     furniture: Furniture
     left: list[str]
     notes: list[str] = field(default_factory=list)
     tries: int = 0
     begun: int = 1
+    memory: tuple[Furniture, Memory] | None = None
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,14 @@ class Speaker:
     sure: float = 1.0
     wide: Mapping[str, float] = field(default_factory=dict)
 
+    @cached_property
+    def empty(self) -> Memory:
+        """What the encoder remembers of the room without objects."""
+        places = self.model.places
+        memory = Memory(self.shell, self.type, self.facts, places.shape)
+        looking.look(places, [memory])
+        return memory
+
 
 class Ask(NamedTuple):
     """Particles of one room, of each of which the next object is asked for, and what draws it."""
@@ -60,10 +70,6 @@ class Ask(NamedTuple):
     particles: Sequence[Particle]
     rng: np.random.Generator
 
-    def tokens(self) -> int:
-        """How many tokens the largest of them has."""
-        return len(self.speaker.shell.kind) + max(len(p.furniture.names) for p in self.particles)
-
 
 Said = tuple[str, Array, Array]
 """The next object's name, candidate boxes (n, 7), and their weights (n,)."""
@@ -71,45 +77,38 @@ Said = tuple[str, Array, Array]
 
 def propose(asks: Sequence[Ask]) -> list[list[Said]]:
     """What is said of each particle of each room; the model and how much is drawn are those of the first."""
-    order = sorted(range(len(asks)), key=lambda k: asks[k].tokens())
-    together: list[list[int]] = []
-    for k in order:
-        if together and asks[k].tokens() <= ALIKE * asks[together[-1][0]].tokens():
-            together[-1].append(k)
-        else:
-            together.append([k])
-    found: dict[int, list[Said]] = {}
-    with torch.inference_mode():
-        for group in together:
-            found |= dict(zip(group, _Rooms([asks[k] for k in group]).propose(), strict=True))
-    return [found[k] for k in range(len(asks))]
+    return _Rooms(asks).propose() if asks else []
+
+
+@cache
+def _soft(name: str) -> bool:
+    """Whether a category gives way to others."""
+    return TABLE[name].soft or TABLE[name].place == "flat"
 
 
 class _Rooms:
-    """Particles of several rooms as rows: boxes (B, T, 7), kind, category (B, T), swing (B, T, 2), deep (B, T), how
-    many tokens are there and how many of these are the shell's (B,), type (B,), facts (B, 3)."""
+    """Particles of several rooms, and what is remembered of each."""
 
     def __init__(self, asks: Sequence[Ask]) -> None:
         self.asks = asks
         self.speaker, self.known = asks[0].speaker, asks[0].speaker.known
-        self.network = self.speaker.model.places
+        self.places = self.speaker.model.places
         self.particles = [p for ask in asks for p in ask.particles]
-        self.rooms = rooms = [ask.speaker for ask in asks for _ in ask.particles]
+        self.rooms = [ask.speaker for ask in asks for _ in ask.particles]
         self.lanes = Lanes([ask.rng for ask in asks], np.repeat(np.arange(len(asks)), [len(a.particles) for a in asks]))
-        self.s = np.array([len(room.shell.kind) for room in rooms])
-        self.n = self.s + np.array([len(p.furniture.names) for p in self.particles])
-        b, t = len(rooms), int(self.n.max())
-        self.boxes, self.kind = np.zeros((b, t, 7), np.float32), np.full((b, t), OBJECT)
-        self.category, self.swing = np.full((b, t), -1), np.zeros((b, t, 2), np.float32)
-        self.deep = np.zeros((b, t), np.float32)
-        self.soft = np.zeros((b, t), bool)
-        self.type, self.facts = np.array([room.type for room in rooms]), np.stack([room.facts for room in rooms])
-        for i, (p, room, s, n) in enumerate(zip(self.particles, rooms, self.s, self.n, strict=True)):
-            self.boxes[i, :s], self.kind[i, :s], self.swing[i, :s], self.deep[i, :s] = room.shell
-            self.boxes[i, s:n] = p.furniture.boxes
-            self.category[i, s:n] = [self.known.category(name) for name in p.furniture.names]
-            self.soft[i, s:n] = [TABLE[o].soft or TABLE[o].place == "flat" for o in p.furniture.names]
-        self.real = np.arange(t)[None] < self.n[:, None]
+        self.memories = [self._recalled(p, room) for p, room in zip(self.particles, self.rooms, strict=True)]
+
+    def _recalled(self, p: Particle, room: Speaker) -> Memory:
+        """What is remembered of a particle, with what has come since."""
+        names = p.furniture.names
+        if p.memory is None or p.memory[0] is not p.furniture:
+            p.memory = p.furniture, room.empty.with_space(len(names) + len(p.left))
+        memory = p.memory[1]
+        known = memory.there - memory.shell
+        if new := names[known:]:
+            memory.add(p.furniture.boxes[known:], np.array([self.known.category(name) for name in new]),
+                       np.array([_soft(name) for name in new]))
+        return memory
 
     def propose(self) -> list[list[Said]]:
         """What is said of each particle, room by room."""
@@ -122,36 +121,22 @@ class _Rooms:
         ends = np.cumsum([len(ask.particles) for ask in self.asks])
         return [said[end - len(ask.particles) : end] for ask, end in zip(self.asks, ends, strict=True)]
 
-    def _seen(self, view: Array, marked: Ints, rows: Ints) -> Seen:
-        arrays = (features.numbers(view), self.kind[rows], self.category[rows], self.swing[rows], marked,
-                  self.real[rows], self.type[rows], self.facts[rows])
-        return Seen(*(torch.from_numpy(np.require(a, requirements=["C", "W"])) for a in arrays))
-
-    def _left(self, lefts: Sequence[Sequence[str]]) -> Tensor:
+    def _left(self, lefts: Sequence[Sequence[str]]) -> Floats:
         counts = np.zeros((len(lefts), len(self.known.categories)), np.float32)
         for i, names in enumerate(lefts):
             for name in names:
                 counts[i, self.known.category(name)] += 1
-        return torch.from_numpy(counts)
+        return counts
 
     def _next(self) -> tuple[list[str], Array]:
         """The next object of each particle, and logits (B, T) of its references."""
-        b, t = self.kind.shape
-        view = self._seen(seen(self.boxes, np.zeros((b, 7), np.float32)), np.zeros((b, t), np.int64), np.arange(b))
-        left = self._left([p.left for p in self.particles])
-        mask = learning.scene_mask(self.s, self.n - self.s, t, 1)
-        mask[:, t, :t] = torch.from_numpy(self.real)
-        tokens, asking = self.network.look(view, self.network.bag(left)[:, None], mask)
+        left = self.places.bag(self._left([p.left for p in self.particles]))
+        asking = looking.look(self.places, self.memories, left)
         may = self._left([company.next_of(p.left, p.furniture.names) for p in self.particles])
-        logits = self.network.next(asking[:, 0]).masked_fill(may == 0, SHUT_OUT)
-        chosen = drawn(logits.numpy().astype(float), self.lanes)[:, 0]
+        chosen = drawn(np.where(may == 0, SHUT_OUT, self.places.next(asking)), self.lanes)[:, 0]
         names = [next(name for name in p.left if self.known.category(name) == c)
                  for p, c in zip(self.particles, chosen.tolist(), strict=True)]
-        bodies, sort = solids(self.boxes, self.kind, self.swing, self.deep, self.soft)
-        related = around.known_of(self.boxes, self.kind, self.category, chosen[:, None], self.n[:, None], bodies,
-                                  np.where(self.real, sort, 0))
-        refer = self.network.reference(asking, torch.from_numpy(chosen)[:, None], tokens, related)[:, 0]
-        return names, np.where(self.real, self.speaker.sure * refer.numpy(), SHUT_OUT)
+        return names, self.speaker.sure * looking.references(self.places, self.memories, asking, chosen)
 
     def _frames(self, refer: Array) -> tuple[Ints, Ints, Array]:
         """References without repetition: their rows, tokens and weights, which sum to 1 in every row."""
@@ -170,34 +155,23 @@ class _Rooms:
 
     def _candidates(self, names: list[str], rows: Ints, reference: Ints) -> Array:
         """Boxes (R, branches * offsets, 7) of the objects `names`, in the frames of references (R,) of rows (R,)."""
-        frame, kind, real = self.boxes[rows, reference], self.kind[rows], self.real[rows]
-        view = seen(self.boxes[rows], frame)
-        marked = np.zeros(real.shape, np.int64)
-        marked[np.arange(len(rows)), reference] = 1
-        rest = []
-        for p, name in zip(self.particles, names, strict=True):
-            others = list(p.left)
-            others.remove(name)
-            rest.append(others)
-        left = self._left(rest)[torch.from_numpy(rows)]
-        asked_for = np.array([self.known.category(name) for name in names])[rows]
-        state, tokens = self.network.view(self._seen(view, marked, rows), torch.from_numpy(asked_for), left)
-        bodies, sort = solids(self.boxes[rows], kind, self.swing[rows], self.deep[rows], self.soft[rows])
-        same = real & (self.category[rows] == asked_for[:, None])
-        sort = np.where(real, sort, 0)
-        taken = around.beside(view, frame[:, 3:5] / 2, kind, sort, same)
+        asked_for = np.array([self.known.category(name) for name in names])
+        rest = self._left([p.left for p in self.particles])
+        rest[np.arange(len(rest)), asked_for] -= 1
+        asking = self.places.ask[asked_for] + self.places.bag(rest)
+        state, seen = looking.framed(self.places, self.memories, rows, reference, asking[rows], asked_for[rows])
+        asked = Asked(seen, *self._kinds(names, rows))
+        speaker = self.speaker
+        return speak(self.places, state, asked, speaker.branches, speaker.offsets, self.lanes.take(rows), speaker.sharp)
+
+    def _kinds(self, names: list[str], rows: Ints) -> tuple[Array, Array, NDArray[np.bool_], Array, Array]:
+        """Sizes from least to most, whose height is spoken, low and high, of the objects `names` in rows (R,)."""
         kinds = [TABLE[names[i]] for i in rows.tolist()]
-        height = self.boxes[rows, 0, 6].astype(float)
+        height = np.array([room.shell.boxes[0, 6] for room in self.rooms], float)[rows]
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
         least = np.array([k.min for k in kinds], np.float32)
         wide = [self.rooms[i].wide.get(names[i], 0.0) if self.particles[i].tries < 2 else 0.0 for i in rows.tolist()]
         least[:, 1] = np.maximum(least[:, 1], wide)
-        asked = Asked(
-            view, real, real & (kind == OBJECT), frame, least, most,
-            np.array([k.place in ("wall", "top") for k in kinds]),
-            np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height,
-            seen(bodies, frame), sort, taken)
-        speaker = self.speaker
-        return speak(self.network, state, tokens, asked, speaker.branches, speaker.offsets, self.lanes.take(rows),
-                     speaker.sharp)
+        return (least, most, np.array([k.place in ("wall", "top") for k in kinds]),
+                np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height)

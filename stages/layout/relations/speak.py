@@ -1,46 +1,49 @@
 """Draws an object's attributes from the heads, one after another: branches of a few, each with several offsets."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor
 
-from apartgen.stages.layout.relations import describe
-from apartgen.stages.layout.relations.around import Met
-from apartgen.stages.layout.relations.clear import picked
-from apartgen.stages.layout.relations.network import SHUT_OUT, Head, Relations
+from apartgen.stages.layout.relations import around, clear, describe, pointing
+from apartgen.stages.layout.relations.infer import Head, Places
+from apartgen.stages.layout.relations.looking import Frames
 from apartgen.stages.layout.relations.tokens import Array, Ints
 
 Floats = NDArray[np.floating[Any]]
+NO_TOKENS = np.zeros((0, 0), np.float32)
 
 
-@dataclass
-class Asked:
-    """Frames in which objects are to be described: tokens as seen (R, T, 9), which are there and which are objects
-    (R, T), the references (R, 7), sizes from least to most (R, 3) each, whose height is spoken (R,), heights of those
-    that are not: `low` (R,), NaN for what hangs from a ceiling of height `high` (R,); solids (R, T, 9) as seen,
-    their sorts (R, T), what is at each side already (R, SIDES, SORTS)."""
+class Asked(NamedTuple):
+    """Frames in which objects are to be described: sizes from least to most (R, 3) each, whose height is spoken (R,),
+    heights of those that are not: `low` (R,), NaN for what hangs from a ceiling of height `high` (R,)."""
 
-    view: Array
-    real: NDArray[np.bool_]
-    objects: NDArray[np.bool_]
-    reference: Array
+    frames: Frames
     least: Array
     most: Array
     hung: NDArray[np.bool_]
     low: Array
     high: Array
-    solid: Array
-    sort: Ints
-    taken: NDArray[np.float32]
 
-    def repeated(self, times: int) -> "Asked":
-        """Each row so many times."""
-        return Asked(*(np.repeat(getattr(self, name), times, 0) for name in Asked.__dataclass_fields__))
+
+class Spans(NamedTuple):
+    """Rows (R,) of some frames, and the tokens that each may point at: those of row r are `which` (P,) from `starts`
+    (R + 1,) r on, `owner` (P,) the row of each."""
+
+    frame: Ints
+    starts: Ints
+    which: Ints
+    owner: Ints
+
+    @classmethod
+    def of(cls, starts: Ints, frame: Ints) -> "Spans":
+        """Of all tokens of these frames, which begin at `starts`."""
+        counts = np.diff(starts)[frame]
+        own = np.append(0, counts.cumsum())
+        owner = np.repeat(np.arange(len(frame)), counts)
+        which = np.arange(own[-1]) + (starts[frame] - own[:-1])[owner]
+        return cls(frame, own, which, owner)
 
 
 class Lanes:
@@ -61,7 +64,7 @@ class Lanes:
 
 def drawn(logits: Floats, lanes: Lanes, sharp: float = 1.0, times: int = 1) -> Ints:
     """An index of each row of logits (R, N), so many times, (R, times); none that is below a share of the likeliest."""
-    found: Ints = picked(np.ascontiguousarray(logits, np.float32), lanes.chance(times), sharp, LEAST)
+    found: Ints = clear.picked(np.ascontiguousarray(logits, np.float32), lanes.chance(times), sharp, LEAST)
     return found
 
 
@@ -69,94 +72,121 @@ LEAST = 0.01
 """What is less likely than this share of the likeliest is not drawn."""
 
 
-def speak(network: Relations, state: Tensor, tokens: Tensor, asked: Asked, branches: int, offsets: int,
-          lanes: "Lanes", sharp: float = 1.0) -> Array:
-    """Candidate boxes (R, branches * offsets, 7) of objects whose states are (R, W), among tokens (R, T, W)."""
-    rows = len(state)
-    pointing = (*network.of_size, network.low, network.along, network.across)
-    keys = {id(head): head.keys(tokens).repeat_interleave(branches, 0) for head in pointing}
-    state, asked = state.repeat_interleave(branches, 0), asked.repeated(branches)
-    lanes = lanes.take(np.repeat(np.arange(rows), branches))
-    heading = drawn(_numbers(network.heading(state)[0]), lanes, sharp)[:, 0]
-    state = state + network.heading.own(torch.from_numpy(heading))
-    state, size = _sizes(network, state, keys, asked, lanes, sharp)
-    side = drawn(_numbers(network.side(state, depths=torch.from_numpy(asked.taken))[0]), lanes, sharp)[:, 0]
-    walls = asked.reference[:, 3] == 0
-    side = np.where(walls, describe.FRONT, side)
-    state = state + network.side.own(torch.from_numpy(side))
-    state, low = _heights(network, state, keys, asked, size, lanes, sharp)
+class _Rows(NamedTuple):
+    """What is spoken of in rows: their frames and tokens, the model, what draws them, how sharply."""
+
+    places: Places
+    asked: Asked
+    spans: Spans
+    lanes: Lanes
+    sharp: float
+
+    def take(self, which: Ints) -> "_Rows":
+        """Some rows, in their order."""
+        spans = Spans.of(self.asked.frames.starts, self.spans.frame[which])
+        return self._replace(spans=spans, lanes=self.lanes.take(which))
+
+    def drawn(self, logits: Floats) -> Ints:
+        """An index of each row of logits."""
+        return drawn(logits, self.lanes, self.sharp)[:, 0]
+
+
+def speak(places: Places, state: NDArray[np.float32], asked: Asked, branches: int, offsets: int, lanes: Lanes,
+          sharp: float = 1.0) -> Array:
+    """Candidate boxes (R, branches * offsets, 7) of objects whose states are (R, W)."""
+    frame = np.repeat(np.arange(len(state)), branches)
+    rows = _Rows(places, asked, Spans.of(asked.frames.starts, frame), lanes.take(frame), sharp)
+    state = state[frame]
+    heading = rows.drawn(places.heading(state))
+    state += places.heading.own[heading]
+    size = _sizes(rows, state)
+    side = _sides(rows, state)
+    low = _heights(rows, state, size)
     over = side == describe.OVER
-    gap = drawn(_numbers(network.gap(state)[0]), lanes, sharp)[:, 0]
-    state = state + network.gap.own(torch.from_numpy(gap)) * torch.from_numpy(~over)[:, None]
+    gap = rows.drawn(places.gap(state))
+    state += places.gap.own[gap] * ~over[:, None]
     said = describe.Attributes(heading, size, side, gap, 0 * low, 0 * low, low, over)
     axis = describe.along_y(side).astype(np.int64)
-    along = _offsets(network.along, state, keys[id(network.along)], asked, said, axis, lanes, sharp, offsets)
+    along = _offsets(rows, places.along, state, said, axis, offsets)
     across = np.zeros_like(along)
     if over.any():
         k = np.flatnonzero(over)
-        pick = torch.from_numpy(k)
         some = said.take(k)._replace(along=along[k, 0])
         along[k] = along[k, :1]
-        across[k] = _offsets(network.across, state[pick], keys[id(network.across)][pick],
-                             Asked(*(getattr(asked, name)[k] for name in Asked.__dataclass_fields__)), some,
-                             np.zeros(len(k), np.int64), lanes.take(k), sharp, offsets)
+        across[k] = _offsets(rows.take(k), places.across, state[k], some, np.zeros(len(k), np.int64), offsets)
     each = np.repeat(np.arange(len(state)), offsets)
     every = said.take(each)._replace(along=along.ravel(), across=across.ravel())
-    return describe.placed(asked.reference[each], every).reshape(rows, branches * offsets, 7)
+    return describe.placed(asked.frames.reference[frame[each]], every).reshape(-1, branches * offsets, 7)
 
 
-def _numbers(logits: Tensor) -> Floats:
-    return logits.numpy().astype(np.float32)
+def _either(rows: _Rows, head: Head, hidden: NDArray[np.float32], values: Array, at: Ints, bins: Array,
+            there: NDArray[np.bool_], times: int = 1, extra: NDArray[np.float32] = NO_TOKENS,
+            met: NDArray[np.float32] = NO_TOKENS) -> Array:
+    """Values (R, times): a bin's, or that of a token, of which `values` (P, ways) in bins `at` are there (P,)."""
+    spans, logits = rows.spans, head.bins(hidden)
+    if len(met):
+        logits += met
+    keys = rows.places.keys(head, rows.asked.frames.keys)
+    points = pointing.scores(head.point(hidden), head.copying(hidden)[:, 0], keys, spans.which, spans.starts, head.ways)
+    chosen = pointing.picked(logits, met, points, head.share, at, extra, there, spans.starts, rows.lanes.chance(times),
+                             rows.sharp, LEAST)
+    return np.concatenate([bins, values.ravel()])[chosen]
 
 
-def _either(head: Head, state: Tensor, keys: Tensor, at: Ints, values: Array, bins: Floats, there: NDArray[np.bool_],
-            lanes: "Lanes", sharp: float, times: int = 1, extra: Array | None = None,
-            depths: Array | None = None) -> Array:
-    """Values (R, times): a bin's, or that of a token, of which `values` (R, T, ways) in bins `at` are there (R, T)."""
-    logits, points = head(state, keys, torch.from_numpy(at), None if depths is None else torch.from_numpy(depths))
-    shown = _numbers(points) + (0 if extra is None else extra)
-    shown = np.where(there[..., None], shown, SHUT_OUT).reshape(len(state), -1)
-    chosen = drawn(np.concatenate([_numbers(logits), shown], 1), lanes, sharp, times)
-    flat = np.concatenate([np.broadcast_to(bins, (len(state), len(bins))), values.reshape(len(state), -1)], 1)
-    return np.take_along_axis(flat, chosen, 1)
+def _sizes(rows: _Rows, state: NDArray[np.float32]) -> Array:
+    """Sizes (R, 3); the states (R, W) know of them."""
+    asked, (frame, _, which, owner) = rows.asked, rows.spans
+    view, there = asked.frames.view[which], asked.frames.objects[which]
+    same = np.zeros(len(which), np.float32)
+    size = np.zeros((len(frame), 3), np.float32)
+    for k, head in enumerate(rows.places.of_size):
+        theirs = view[:, 7 + k] if k < 2 else view[:, 6] - view[:, 5]
+        extra = (rows.places.same[k] * same)[:, None]
+        mine = _either(rows, head, head.hidden(state), theirs[:, None], describe.size_bin(theirs)[:, None],
+                       np.arange(describe.SIZES) * describe.SIZE, there, 1, extra)[:, 0]
+        size[:, k] = np.clip(mine, asked.least[frame, k], asked.most[frame, k])
+        state += head.own[describe.size_bin(size[:, k])]
+        same += np.abs(theirs - size[owner, k]) < describe.CLOSE
+    return size
 
 
-def _sizes(network: Relations, state: Tensor, keys: dict[int, Tensor], asked: Asked, lanes: "Lanes",
-           sharp: float) -> tuple[Tensor, Array]:
-    view = asked.view
-    same = np.zeros(asked.real.shape, np.float32)
-    size = np.zeros((len(view), 3), np.float32)
-    for k, head in enumerate(network.of_size):
-        theirs = view[..., 7 + k] if k < 2 else view[..., 6] - view[..., 5]
-        extra = (float(network.same[k]) * same)[..., None]
-        mine = _either(head, state, keys[id(head)], describe.size_bin(theirs)[..., None], theirs[..., None],
-                       np.arange(describe.SIZES) * describe.SIZE, asked.objects, lanes, sharp, 1, extra)[:, 0]
-        size[:, k] = np.clip(mine, asked.least[:, k], asked.most[:, k])
-        state = state + head.own(torch.from_numpy(describe.size_bin(size[:, k])))
-        same += np.abs(theirs - size[:, k, None]) < describe.CLOSE
-    return state, size
+def _sides(rows: _Rows, state: NDArray[np.float32]) -> Ints:
+    """Sides (R,); walls have one only."""
+    head, frame = rows.places.side, rows.spans.frame
+    hidden = head.hidden(state)
+    counts = head.counts(hidden)
+    side = rows.drawn(head.bins(hidden) + (rows.asked.frames.taken[frame] * counts[:, None]).sum(-1))
+    side = np.where(rows.asked.frames.reference[frame, 3] == 0, describe.FRONT, side)
+    state += head.own[side]
+    return side
 
 
-def _heights(network: Relations, state: Tensor, keys: dict[int, Tensor], asked: Asked, size: Array,
-             lanes: "Lanes", sharp: float) -> tuple[Tensor, Array]:
-    low = np.where(np.isnan(asked.low), asked.high - size[:, 2], asked.low).astype(np.float32)
-    k = np.flatnonzero(asked.hung)
+def _heights(rows: _Rows, state: NDArray[np.float32], size: Array) -> Array:
+    """Heights of undersides (R,)."""
+    asked, frame = rows.asked, rows.spans.frame
+    high = asked.high[frame]
+    low = np.where(np.isnan(asked.low[frame]), high - size[:, 2], asked.low[frame]).astype(np.float32)
+    k = np.flatnonzero(asked.hung[frame])
     if len(k):
-        levels = describe.levelled(asked.view[k], size[k, 2])
-        pick = torch.from_numpy(k)
-        found = _either(network.low, state[pick], keys[id(network.low)][pick], describe.level_bin(levels), levels,
-                        np.arange(describe.LEVELS) * describe.LEVEL, asked.real[k], lanes.take(k), sharp)[:, 0]
-        low[k] = np.clip(found, 0, np.maximum(asked.high[k] - size[k, 2], 0))
-        state = state.clone()
-        state[pick] += network.low.own(torch.from_numpy(describe.level_bin(low[k])))
-    return state, low
+        some = rows.take(k)
+        levels = describe.levelled(asked.frames.view[some.spans.which][:, None], size[k[some.spans.owner], 2])[:, 0]
+        head = rows.places.low
+        found = _either(some, head, head.hidden(state[k]), levels, describe.level_bin(levels),
+                        np.arange(describe.LEVELS) * describe.LEVEL, np.ones(len(levels), bool))[:, 0]
+        low[k] = np.clip(found, 0, np.maximum(high[k] - size[k, 2], 0))
+        state[k] += head.own[describe.level_bin(low[k])]
+    return low
 
 
-def _offsets(head: Head, state: Tensor, keys: Tensor, asked: Asked, said: describe.Attributes, axis: Ints,
-             lanes: "Lanes", sharp: float, times: int) -> Array:
-    ex, ey = describe.extents(said.heading, said.size)
-    lines = describe.aligned(asked.view, axis, np.where(axis == 1, ey, ex))
-    met = Met(asked.solid, asked.sort, asked.reference[:, 3:5] / 2).told(said, axis)
-    middle = describe.OFFSETS // 2
-    return _either(head, state, keys, describe.offset_bin(lines), lines,
-                   (np.arange(describe.OFFSETS) - middle) * describe.OFFSET, asked.real, lanes, sharp, times, None, met)
+def _offsets(rows: _Rows, head: Head, state: NDArray[np.float32], said: describe.Attributes, axis: Ints,
+             times: int) -> Array:
+    """Offsets (R, times) along an axis (R,)."""
+    seen, (frame, _, which, owner), hidden = rows.asked.frames, rows.spans, head.hidden(state)
+    place, half, unknown = around.standing(said, axis, seen.reference[frame, 3:5] / 2)
+    lines = describe.aligned(seen.view[which][:, None], axis[owner], half[owner, 0].astype(float))[:, 0]
+    parts = np.stack([seen.starts[frame], np.where(unknown, seen.starts[frame], seen.starts[frame + 1])], -1)
+    met = clear.met(seen.solid, seen.sort, parts, axis, place, half, head.counts(hidden),
+                    describe.OFFSETS, describe.OFFSET, around.SLACK)
+    return _either(rows, head, hidden, lines, describe.offset_bin(lines),
+                   (np.arange(describe.OFFSETS) - describe.OFFSETS // 2) * describe.OFFSET,
+                   np.ones(len(which), bool), times, met=met)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.errors import BadInput, Unmet
 from apartgen.stages.layout import curve, precision
-from apartgen.stages.layout.relations import contents, corpus, learning, order, weights
+from apartgen.stages.layout.relations import contents, corpus, learning, network_contents, order, trained, weights
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.layout.relations.corpus import Furnished
 from apartgen.stages.layout.relations.tokens import Ints
@@ -56,7 +56,7 @@ def chosen(
         yield [rooms[i] for i in picked], rng
 
 
-def step_losses(model: weights.Model, rooms: list[Furnished], objects: int, rng: np.random.Generator,
+def step_losses(model: trained.Model, rooms: list[Furnished], objects: int, rng: np.random.Generator,
                 hung: NDArray[np.bool_]) -> dict[str, torch.Tensor]:
     """All losses of one step by name."""
     of = learning.batch(rooms, len(CATEGORIES), rng)
@@ -65,7 +65,7 @@ def step_losses(model: weights.Model, rooms: list[Furnished], objects: int, rng:
     held = [(room.type, _facts(room, rng), _counts(room)) for room in rooms]
     return learning.scene_losses(model.places, of) | learning.frame_losses(
         model.places, of, rows[some], which[some], hung) | {
-        "contents": contents.loss(model.contents, held, order.ranks(), rng)}
+        "contents": network_contents.loss(model.contents, held, order.ranks(), rng)}
 
 
 def _facts(room: Furnished, rng: np.random.Generator) -> NDArray[np.float32]:
@@ -86,9 +86,9 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
     """
     torch.set_num_threads(config.threads)
     rooms, held = _parted([room for room in corpus.read(Path(config.corpus)) if room.n], config)
-    model = weights.empty(config)
+    model = trained.empty(config)
     if config.start:
-        model.load_state_dict(weights.tensors(Path(config.start)), strict=False)
+        model.load_state_dict(trained.tensors(Path(config.start)), strict=False)
     average = copy.deepcopy(model).requires_grad_(False)
     optimizer = torch.optim.AdamW(model.parameters(), config.lr, betas=(0.9, 0.98), weight_decay=0.01)
     facts: dict[str, Any] = {"corpus": digest(config.corpus), "rooms": len(rooms), "held": len(held)}
@@ -117,7 +117,7 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
                      "record": record, "settings": settings}
             torch.save(state, saved.with_suffix(".part"))
             saved.with_suffix(".part").replace(saved)
-            weights.save(average, out, config, record | facts)
+            trained.save(average, out, config, record | facts)
             curve.draw(record["losses"], out)
             log.info("step %d of %d: loss %.3f", step + 1, config.steps, sum(mean.values()))
     return record
@@ -130,7 +130,7 @@ def _parted(rooms: list[Furnished], config: Training) -> tuple[list[Furnished], 
     return rooms[: len(rooms) - config.held], rooms[len(rooms) - config.held :]
 
 
-def _looked_at(model: weights.Model, held: list[Furnished], config: Training) -> list[float]:
+def _looked_at(model: trained.Model, held: list[Furnished], config: Training) -> list[float]:
     """[Loss on rooms that were not learned from], the same draws every time; nothing where there are none."""
     if not held:
         return []
@@ -144,7 +144,7 @@ def _looked_at(model: weights.Model, held: list[Furnished], config: Training) ->
     return [round(total / worth, 4)]
 
 
-def train_step(model: weights.Model, optimizer: torch.optim.Optimizer, rooms: list[Furnished],
+def train_step(model: trained.Model, optimizer: torch.optim.Optimizer, rooms: list[Furnished],
                rng: np.random.Generator, config: Training, lr: float) -> dict[str, float]:
     """One gradient step; its losses by name."""
     with precision.autocast("cpu", config.bf16):
@@ -158,7 +158,7 @@ def train_step(model: weights.Model, optimizer: torch.optim.Optimizer, rooms: li
     return {name: value.item() for name, value in losses.items()}
 
 
-def _resumed(saved: Path, settings: dict[str, Any], model: weights.Model, average: weights.Model,
+def _resumed(saved: Path, settings: dict[str, Any], model: trained.Model, average: trained.Model,
              optimizer: torch.optim.Optimizer) -> dict[str, Any]:
     """The record to go on from; BadInput where the checkpoint was left by other settings."""
     try:

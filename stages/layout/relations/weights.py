@@ -1,38 +1,39 @@
 """Weights of the relations model with their vocabulary, configuration and training record, in one safetensors file."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-import torch
+from numpy.typing import NDArray
 from safetensors import SafetensorError, safe_open
-from safetensors.torch import save_file
-from torch import Tensor, nn
 
-from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.rooms import base_of
-from apartgen.stages.layout.relations import order
 from apartgen.stages.layout.relations.config import Training
-from apartgen.stages.layout.relations.contents import Contents
-from apartgen.stages.layout.relations.network import Relations
+from apartgen.stages.layout.relations.infer import Contents, Places
 from apartgen.stages.layout.relations.shape import Shape
 from apartgen.stages.layout.relations.tokens import Ints
-from apartgen.stages.things.categories import CATEGORIES, TABLE, stand_in
+from apartgen.stages.things.categories import TABLE, stand_in
 
 SHIPPED = Path(__file__).parent / "weights.safetensors"
 
 
-class Model(nn.Module):
+class Model(NamedTuple):
     """The network of places and that of contents."""
 
-    def __init__(self, shape: Shape, categories: int, types: int) -> None:
-        super().__init__()
-        self.places = Relations(shape, categories, types)
-        self.contents = Contents(shape, categories, types)
+    places: Places
+    contents: Contents
+
+
+def model_of(tensors: Mapping[str, NDArray[np.float32]], shape: Shape) -> Model:
+    """The networks that have parameters of such names; KeyError where one is missing."""
+    places, contents = ({name.removeprefix(part): value for name, value in tensors.items() if name.startswith(part)}
+                        for part in ("places.", "contents."))
+    return Model(Places(places, shape), Contents(contents))
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,34 +63,11 @@ class Vocabulary:
         return self.types.index(base)
 
 
-def save(model: Model, path: Path, config: Training, record: dict[str, Any]) -> None:
-    """Write half-precision weights; the header holds config, vocabulary and `record`."""
-    halves = {name: value.detach().half().contiguous() for name, value in model.state_dict().items()}
-    names = {"corpus": Path(config.corpus).name, "start": Path(config.start).name if config.start else None}
-    named = config.model_copy(update=names)
-    header = {
-        "config": named.model_dump_json(), "categories": json.dumps(CATEGORIES), "types": json.dumps(ROOM_TYPES),
-        "rank": json.dumps(order.ranks().tolist()), "record": json.dumps(record),
-    }
-    part = path.with_suffix(".part")
-    save_file(halves, part, header)
-    part.replace(path)
-
-
 def history(path: Path) -> dict[str, Any]:
     """What weights say of their training: corpus, rooms, steps, and from which weights they started themselves."""
-    with safe_open(path, "pt") as file:
+    with safe_open(path, "np") as file:
         record = json.loads((file.metadata() or {}).get("record", "{}"))
     return {name: record[name] for name in ("corpus", "rooms", "step", "start") if name in record}
-
-
-def tensors(path: Path) -> dict[str, Tensor]:
-    """Parameters by name; BadInput where there are none."""
-    try:
-        with safe_open(path, "pt") as file:
-            return {name: file.get_tensor(name).float() for name in file.keys()}  # noqa: SIM118
-    except (OSError, SafetensorError) as error:
-        raise BadInput(f"{path}: no weights ({error}); train some with `apartgen train layout`") from error
 
 
 def load(path: Path | None = None) -> tuple[Model, Vocabulary, dict[str, Any]]:
@@ -100,21 +78,16 @@ def load(path: Path | None = None) -> tuple[Model, Vocabulary, dict[str, Any]]:
 @lru_cache(maxsize=2)
 def _load(path: str) -> tuple[Model, Vocabulary, dict[str, Any]]:
     try:
-        with safe_open(path, "pt") as file:
+        with safe_open(path, "np") as file:
             header = file.metadata() or {}
-            found = {name: file.get_tensor(name).float() for name in file.keys()}  # noqa: SIM118
+            found = {name: file.get_tensor(name).astype(np.float32) for name in file.keys()}  # noqa: SIM118
         known = Vocabulary(tuple(json.loads(header["categories"])), tuple(json.loads(header["types"])),
                            np.array(json.loads(header["rank"])))
         shape, record = Training.model_validate_json(header["config"]).shape, json.loads(header["record"])
-        model = Model(shape, len(known.categories), len(known.types))
-        model.load_state_dict(found)
+        model = model_of(found, shape)
+        if len(model.places.ask) != len(known.categories) or len(model.contents.type) != len(known.types):
+            raise ValueError("they are of other names than they say")
     except (OSError, SafetensorError, KeyError, ValueError, RuntimeError) as error:
         raise BadInput(f"{path}: no weights of the relations model ({error}); train some with `apartgen train layout`"
                        ) from error
-    return model.eval().requires_grad_(False), known, record
-
-
-def empty(config: Training) -> Model:
-    """A model that has learned nothing yet; its first weights hang on the seed alone."""
-    torch.manual_seed(config.seed)
-    return Model(config.shape, len(CATEGORIES), len(ROOM_TYPES))
+    return model, known, record

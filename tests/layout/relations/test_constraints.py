@@ -13,7 +13,7 @@ from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.datasets import single_rooms
 from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.layout.projection.space import outside, space_of
-from apartgen.stages.layout.relations import order, runs, weights
+from apartgen.stages.layout.relations import order, runs, trained
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.layout.relations.home import furnished
 from apartgen.stages.layout.relations.shape import Shape
@@ -31,7 +31,7 @@ def ignorant(tmp_path_factory: pytest.TempPathFactory) -> str:
     """Weights that have learned nothing."""
     path: Path = tmp_path_factory.mktemp("weights") / "w.safetensors"
     config = Training(shape=Shape(width=32, heads=2, scene_layers=1, frame_layers=1, key=8))
-    weights.save(weights.empty(config), path, config, {})
+    trained.save(trained.empty(config), path, config, {})
     return str(path)
 
 
