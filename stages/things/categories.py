@@ -190,7 +190,8 @@ def reach(category: str, size: ArrayLike) -> NDArray[np.float64]:
     An upper bound over all designs of the category, used before an asset is chosen and kept by every
     asset of the embedded library. `size` is (..., 3); returns (...,).
     """
-    d, w, h = np.moveaxis(np.asarray(size, float), -1, 0)
+    sizes = np.asarray(size, float)
+    d, w, h = sizes[..., 0], sizes[..., 1], sizes[..., 2]
     kind = TABLE[category]
     match kind.opens:
         case "leaf":

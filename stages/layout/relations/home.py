@@ -30,6 +30,7 @@ from apartgen.stages.things.latents import style_latents
 from apartgen.stages.use import belongings, lacks_of, site
 from apartgen.stages.use.household import DOUBLE, duties, sleepers
 from apartgen.stages.use.kinds import HANGING
+from apartgen.stages.use.site import Site
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 """References of an object that are tried at once, branches of each, offsets of every branch: some 200 candidates."""
@@ -102,10 +103,11 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     model, known, _ = weights.load(Path(config.weights) if config.weights else None)
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
-    rules = rules_of(known, room, Counter({**_kept(plan, room, given), **wanted_of(arrays, i, plan, room)}))
+    place = site(plan, room.id)
+    rules = rules_of(known, room, Counter({**_kept(plan, place, given), **wanted_of(arrays, i, plan, room)}))
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
-    names = sorted(drawn, key=lambda some: _lacking(plan, room, task, some))[:k]
+    names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
     return Sampler(task, lanes[0], config.constraints, config.places), names
 
 
@@ -142,12 +144,12 @@ def wanted_of(arrays: Rooms, i: int, plan: Plan, room: Room) -> Counter[str]:
     return wanted
 
 
-def _kept(plan: Plan, room: Room, given: list[Box]) -> Counter[str]:
+def _kept(plan: Plan, place: Site, given: list[Box]) -> Counter[str]:
     """What the room is to hold for the whole home, unless there is no place; nothing where things are counted."""
-    if room.id in plan.program.counts:
+    if place.id in plan.program.counts:
         return Counter()
     there = {o.category for o in given}
-    return Counter(name for name in belongings(site(plan, room.id)) if name not in there)
+    return Counter(name for name in belongings(place) if name not in there)
 
 
 class Rules:
@@ -191,9 +193,9 @@ def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room:
     return [likes + [known.categories[c] for c in one] for one in drawn]
 
 
-def _lacking(plan: Plan, room: Room, task: Task, names: list[str]) -> float:
+def _lacking(place: Site, task: Task, names: list[str]) -> float:
     """What a room with these contents and those given lacks."""
-    return sum(lack.cost for lack in lacks_of(site(plan, room.id), [*names, *(name for name, _ in task.given)]))
+    return sum(lack.cost for lack in lacks_of(place, [*names, *(name for name, _ in task.given)]))
 
 
 def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box]) -> list[Box]:

@@ -229,14 +229,21 @@ class Contents:
         self.left = tensors["left.weight"]
         self.mix = [linear(tensors, f"mix.{k}") for k in (1, 3, 5)]
 
-    def __call__(self, room: Floats, so_far: Floats, left: Ints, wanted: Floats) -> Floats:
-        """Logits (n, C + 1): what is `told` of the room (W,), counts that are reached so far (n, UP_TO * C) and that
-        are wanted (n, (UP_TO + 1) * C), embedding of objects left (n,)."""
-        x = self.so_far(so_far) + self.wanted(wanted) + room + self.left[left]
+    def begun(self, type: int, facts: Floats, so_far: Floats, wanted: Floats) -> Floats:
+        """What is known of a room's contents (n, W): its type and facts (FACTS,), counts that are reached so far
+        (n, UP_TO * C) and that are wanted (n, (UP_TO + 1) * C)."""
+        room = self.type[type] + self.facts(facts[None])[0]
+        return np.asarray(self.so_far(so_far) + self.wanted(wanted) + room)
+
+    def one_more(self, x: Floats, rows: Ints, category: Ints, so_far: Ints, wanted: Ints, up_to: int) -> None:
+        """The same in rows of x (n, W), in place, when one of a category has come, counts having been so."""
+        reached, asked = so_far < up_to, (wanted > 0) & (wanted <= up_to)
+        x[rows[reached]] += self.so_far.weight[(category * up_to + so_far)[reached]]
+        x[rows[asked]] -= self.wanted.weight[(category * (up_to + 1) + wanted)[asked]]
+
+    def following(self, x: Floats, left: Ints) -> Floats:
+        """Logits (n, C + 1) of what comes next by what is known (n, W), and the rows `left` (n,) of objects to come."""
+        x = x + self.left[left]
         for part in self.mix:
             x = part(gated(x))
         return x
-
-    def told(self, type: int, facts: Floats) -> Floats:
-        """What is known of a room whatever it holds, (W,)."""
-        return np.asarray(self.type[type] + self.facts(facts[None])[0])

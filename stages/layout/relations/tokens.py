@@ -126,5 +126,7 @@ def seen(boxes: Array, viewer: Array) -> Array:
 def upright(boxes: Array) -> Boxes:
     """Token boxes (n, 7) as the geometry of the floor below the stages has them."""
     rows = np.asarray(boxes, float)
-    center = np.column_stack([rows[:, 0:2], (rows[:, 5] + rows[:, 6]) / 2])
-    return Boxes(center, np.column_stack([rows[:, 3:5], rows[:, 6] - rows[:, 5]]), rows[:, 2].copy())
+    center, size = np.empty((len(rows), 3)), np.empty((len(rows), 3))
+    center[:, :2], center[:, 2] = rows[:, :2], (rows[:, 5] + rows[:, 6]) / 2
+    size[:, :2], size[:, 2] = rows[:, 3:5], rows[:, 6] - rows[:, 5]
+    return Boxes(center, size, rows[:, 2].copy())

@@ -223,9 +223,27 @@ def test_contents_are_those_of_torch(seed: int) -> None:
         torch.full((6,), seed), torch.from_numpy(facts).expand(6, -1), torch.from_numpy(so_far).float(),
         torch.from_numpy(left), torch.from_numpy(wanted).float())
     network = weights.load()[0].contents
-    own = network(network.told(seed, facts), contents.reached(so_far, 1), np.array([*map(contents._left, left)]),
-                  contents.reached(wanted, 0))
+    rows = np.where(left < 0, len(network.left) - 1, np.minimum(left, len(network.left) - 2))
+    x = network.begun(seed, facts, contents.reached(so_far, 1), contents.reached(wanted, 0))
+    own = network.following(x, rows)
     assert own == pytest.approx(found.numpy(), abs=CLOSE, rel=1e-5)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_contents_that_grew_are_those_that_are_counted_anew(seed: int) -> None:
+    rng, network = np.random.default_rng(seed), weights.load()[0].contents
+    facts, n = rng.normal(size=contents.FACTS).astype(np.float32), 3
+    so_far, wanted = np.zeros((n, len(CATEGORIES)), np.int64), rng.integers(-1, 12, size=(n, len(CATEGORIES)))
+    x = network.begun(seed, facts, contents.reached(so_far, 1), contents.reached(wanted, 0))
+    some = rng.integers(len(CATEGORIES), size=3)
+    for _ in range(36):
+        rows = np.flatnonzero(rng.random(n) < 0.7)
+        category = rng.choice(some, size=len(rows))
+        network.one_more(x, rows, category, so_far[rows, category], wanted[rows, category], contents.UP_TO)
+        so_far[rows, category] += 1
+        wanted[rows, category] -= wanted[rows, category] > 0
+    anew = network.begun(seed, facts, contents.reached(so_far, 1), contents.reached(wanted, 0))
+    assert x == pytest.approx(anew, abs=CLOSE) and so_far.max() > contents.UP_TO
 
 
 @pytest.mark.parametrize("rows, width, out", [(1, 128, 401), (7, 11, 64), (8, 74, 5), (21, 3, 32), (0, 8, 8)])
