@@ -66,10 +66,10 @@ def beside(view: Array, half: Array, kind: Ints, sort: Ints, same: NDArray[np.bo
 def at_sides(view: Array, half: Array, sort: Ints, same: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether tokens (..., 9) are others of the category asked for at a side of references with half extents (..., 2),
     and whether they leave no room there, (..., SIDES, 2)."""
-    said = describe.describe(view, half, np.full(view.shape[:-1], OBJECT))
-    gap = np.where(said.side == describe.OVER, 0.0, describe.GAPS[said.gap])
+    side, gap, over = describe.sides(view, half, True)
+    gap = np.where(over, 0.0, describe.GAPS[describe.gap_bin(gap)])
     near = np.stack([same & (gap < 2 * NEAR), (sort > 0) & (sort < 3) & (gap < NEAR)], -1)
-    return np.asarray(near[..., None, :] & (said.side[..., None] == np.arange(describe.SIDES))[..., None])
+    return np.asarray(near[..., None, :] & (side[..., None] == np.arange(describe.SIDES))[..., None])
 
 
 def _sides(near: NDArray[np.bool_]) -> NDArray[np.float32]:

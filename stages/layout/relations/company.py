@@ -2,6 +2,7 @@
 bed, a coffee table before the sofa, the sofa before the television."""
 
 from collections.abc import Callable, Sequence
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,7 @@ AHEAD = (0.05, 0.5)
 USED_AT = kinds.EASY | kinds.BEDS | kinds.DESKS | kinds.TABLE_TOPS | {"coffee_table"}
 """Where small seats are used."""
 Flags = NDArray[np.bool_]
+Judge = Callable[["Seen", Sequence[str]], Flags]
 
 
 class Seen:
@@ -101,13 +103,20 @@ def _extent(boxes: Array, turn: Array) -> Array:
 
 def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
     """Which candidates (n, 7) could not be used with what stands there (m, 7), or keep it from being used."""
-    kind, others = kinds.basic(name), [kinds.basic(o) for o in names]
-    lost = any(kind in mine and not partners & set(others) for mine, partners in LED)
-    found = np.full(len(boxes), lost)
-    for mine, partners, wanted in RULES:
-        if kind in mine and (some := [k for k, o in enumerate(others) if o in partners]):
+    led, rules = _of_kind(kinds.basic(name))
+    others = [kinds.basic(o) for o in names] if led or rules else []
+    found = np.full(len(boxes), any(partners.isdisjoint(others) for partners in led))
+    for partners, wanted in rules:
+        if some := [k for k, o in enumerate(others) if o in partners]:
             found |= ~wanted(Seen(boxes, there[some]), [others[k] for k in some])
     return found
+
+
+@cache
+def _of_kind(kind: str) -> tuple[list[frozenset[str]], list[tuple[frozenset[str], Judge]]]:
+    """Without which a kind is of no use, and who judges its place by what."""
+    return ([partners for mine, partners in LED if kind in mine],
+            [(partners, wanted) for mine, partners, wanted in RULES if kind in mine])
 
 
 def next_of(left: Sequence[str], there: Sequence[str]) -> list[str]:

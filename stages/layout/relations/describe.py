@@ -77,15 +77,9 @@ def level_bin(value: NDArray[np.floating]) -> Ints:
 def describe(seen: Array, half: Array, kind: Ints) -> Attributes:
     """Objects (..., 9), as `tokens.seen` sees them from their references, whose half extents are (..., 2) and kinds
     (...,)."""
-    x, y, yaw, ex, ey = (seen[..., k] for k in range(5))
-    a, b = half[..., 0], half[..., 1]
-    gaps = np.stack([x - ex - a, -x - ex - a, y - ey - b, -y - ey - b], -1)
-    less = np.stack([np.minimum(ex, a), np.minimum(ex, a), np.minimum(ey, b), np.minimum(ey, b)], -1)
+    x, y, yaw = (seen[..., k] for k in range(3))
     is_box = (kind == OBJECT) | (kind == ROOM)
-    side = np.where(is_box, gaps.argmax(-1), FRONT)
-    gap = np.take_along_axis(gaps, side[..., None], -1)[..., 0]
-    over = is_box & (gap < INSIDE * 2 * np.take_along_axis(less, side[..., None], -1)[..., 0] - 1e-6)
-    side = np.where(over, OVER, side)
+    side, gap, over = sides(seen, half, is_box)
     along = np.where((side == LEFT) | (side == RIGHT), x, y)
     fit = over | ((gap > np.where(is_box, GAPS[0] - 0.01, BEHIND)) & (gap < GAPS[-1]))
     fit &= np.abs(along) < OFFSET * (OFFSETS // 2)
@@ -93,6 +87,19 @@ def describe(seen: Array, half: Array, kind: Ints) -> Attributes:
     heading = np.rint(yaw / (2 * np.pi / HEADINGS)).astype(np.int64) % HEADINGS
     return Attributes(heading, size, side.astype(np.int64), gap_bin(gap), along, np.where(over, x, 0.0), seen[..., 5],
                       fit)
+
+
+def sides(seen: Array, half: Array, is_box: NDArray[np.bool_] | bool) -> tuple[Ints, Array, NDArray[np.bool_]]:
+    """The side of its reference on which each of (..., 9) stands, how far off its face, and whether it is over it; what
+    is no box has a front alone."""
+    x, y, ex, ey = seen[..., 0], seen[..., 1], seen[..., 3], seen[..., 4]
+    a, b = half[..., 0], half[..., 1]
+    gaps = np.stack([x - ex - a, -x - ex - a, y - ey - b, -y - ey - b], -1)
+    less = np.stack([np.minimum(ex, a), np.minimum(ex, a), np.minimum(ey, b), np.minimum(ey, b)], -1)
+    side = np.where(is_box, gaps.argmax(-1), FRONT)
+    gap = np.take_along_axis(gaps, side[..., None], -1)[..., 0]
+    over = is_box & (gap < INSIDE * 2 * np.take_along_axis(less, side[..., None], -1)[..., 0] - 1e-6)
+    return np.where(over, OVER, side), gap, over
 
 
 def extents(heading: Ints, size: Array) -> tuple[Array, Array]:

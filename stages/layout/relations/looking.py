@@ -6,13 +6,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import around, clear, describe, pointing
+from apartgen.stages.layout.relations import around, clear, describe, pointing, seeing
 from apartgen.stages.layout.relations.features import METRES, ROOM_FACTS, SHUT_OUT
 from apartgen.stages.layout.relations.infer import Places, Rooms
 from apartgen.stages.layout.relations.memory import Memory
-from apartgen.stages.layout.relations.tokens import OBJECT, WALL, Array, Ints, seen
+from apartgen.stages.layout.relations.tokens import OBJECT, WALL, Array, Ints
 
 Floats = NDArray[np.float32]
+HERE = np.zeros((1, 7), np.float32)
+"""Who looks from the room's own frame."""
 
 
 def look(places: Places, memories: Sequence[Memory], asking: Floats | None = None) -> Floats:
@@ -23,7 +25,7 @@ def look(places: Places, memories: Sequence[Memory], asking: Floats | None = Non
         for name in ("boxes", "kind", "category", "swing"))
     bare = np.flatnonzero([memory.n == 0 for memory in memories])
     tokens = places.scene_tokens(
-        seen(boxes, np.zeros(7, np.float32)), kind, category, swing, np.zeros(len(kind), np.int64),
+        seeing.seen(boxes, HERE, np.zeros(len(kind), np.int64)), kind, category, swing, np.zeros(len(kind), np.int64),
         _rooms([memories[k] for k in bare.tolist()], (fresh.cumsum() - fresh)[bare]))
     if asking is None:
         tokens, states = places.look(memories, tokens, False), np.zeros((0, places.shape.width), np.float32)
@@ -54,7 +56,7 @@ def _remember(places: Places, memories: Sequence[Memory], tokens: Floats) -> Non
     """What is asked of fresh tokens (N, W) when references are chosen, and of how they lie to others."""
     referred, tells = places.known(tokens)
     pairs = [memory.fresh_pairs() for memory in memories]
-    views = [seen(m.boxes[t][:, None], m.boxes[j])[:, 0] for m, (j, t) in zip(memories, pairs, strict=True)]
+    views = [seeing.seen(m.boxes[t], m.boxes, j) for m, (j, t) in zip(memories, pairs, strict=True)]
     lies = places.lies(around.relations(np.concatenate(views)))
     at = first = 0
     for memory, (j, t) in zip(memories, pairs, strict=True):
@@ -110,7 +112,7 @@ def framed(places: Places, memories: Sequence[Memory], rows: Ints, reference: In
     starts = np.append(0, counts.cumsum())
     owner = np.repeat(np.arange(len(rows)), counts)
     which = np.arange(len(owner)) + (first - starts[:-1])[owner]
-    view = seen(boxes[which][:, None], frame[owner])[:, 0]
+    view = seeing.seen(boxes[which], frame, owner)
     viewer = np.zeros(len(which), np.int64)
     viewer[starts[:-1] + reference] = 1
     kind, of, sort = kind[which], of[which], sort[which]
@@ -120,5 +122,5 @@ def framed(places: Places, memories: Sequence[Memory], rows: Ints, reference: In
     near = around.at_sides(view, frame[owner, 3:5] / 2, sort, of == category[owner])
     taken = np.zeros((len(rows), describe.SIDES, clear.SORTS), np.float32)
     taken[..., : near.shape[-1]] = np.logical_or.reduceat(near, starts[:-1])
-    bodies = seen(solid[which][:, None], frame[owner])[:, 0]
+    bodies = seeing.seen(solid[which], frame, owner)
     return state, Frames(frame, starts, view, kind == OBJECT, bodies, sort, keys, taken)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import order
+from apartgen.stages.layout.relations import order, seeing
 from apartgen.stages.layout.relations.tokens import WALL, Array, Shell
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE
@@ -37,20 +37,6 @@ def local(xy: Array, at: Array, yaw: float) -> tuple[Array, Array]:
     return offset[:, 0] * c + offset[:, 1] * s, offset[:, 1] * c - offset[:, 0] * s
 
 
-def beside(boxes: Array, box: Array) -> NDArray[np.bool_]:
-    """Which candidates (n, 7) are flush with a unit: side by side with backs in line, or round the corner from it."""
-    x, y = local(boxes[:, :2], box[:2], float(box[2]))
-    turn = boxes[:, 2] - box[2]
-    alike, across = np.cos(turn) > 0.99, np.abs(np.cos(turn)) < 0.01
-    backs = np.abs((x - boxes[:, 3] / 2) - (-box[3] / 2)) < IN_LINE
-    in_line = alike & backs & (np.abs(np.abs(y) - (box[4] + boxes[:, 4]) / 2) < FLUSH)
-    behind = np.abs(x + box[3] / 2) < boxes[:, 4] / 2 + CORNER
-    aside = np.abs(np.abs(y) - (box[4] + boxes[:, 3]) / 2) < 2 * FLUSH
-    ahead = np.abs(x - (box[3] + boxes[:, 4]) / 2) < FLUSH
-    within = np.abs(np.abs(y) - (box[4] - boxes[:, 3]) / 2) < CORNER
-    return np.asarray(in_line | across & (aside & behind | ahead & within))
-
-
 def units(names: list[str], boxes: Array) -> Array:
     """Those boxes (m, 7) that are of units."""
     return boxes[[name in order.runs() for name in names]]
@@ -59,10 +45,8 @@ def units(names: list[str], boxes: Array) -> Array:
 def touching(name: str, boxes: Array, names: list[str], there: Array) -> NDArray[np.bool_]:
     """Which candidates (n, 7) for a unit are flush with another one; all of the first unit, and of what is no unit."""
     some = units(names, there) if name in order.runs() else there[:0]
-    found = np.full(len(boxes), not len(some))
-    for box in some:
-        found |= beside(boxes, box)
-    return found
+    return seeing.beside(_floats(boxes), _floats(some), FLUSH, CORNER, IN_LINE) if len(some) else np.ones(
+        len(boxes), bool)
 
 
 def further(name: str, boxes: Array, names: list[str], there: Array, shell: Shell) -> Array:
@@ -73,10 +57,13 @@ def further(name: str, boxes: Array, names: list[str], there: Array, shell: Shel
     walls = shell.boxes[shell.kind == WALL]
     if name in CLOSED:
         out = [place for size in _sizes(name, boxes) for box in some for place in _turns(name, box, size, walls)]
-    else:
-        out = [place for size in _sizes(name, boxes) for box in some
-               for place in (*_sides(box, size), *_corners(box, size, walls))]
-    return np.array(out, np.float32).reshape(-1, 7)
+        return np.array(out, np.float32).reshape(-1, 7)
+    sizes = np.ascontiguousarray(_sizes(name, boxes), float)
+    return seeing.continued(_floats(some), sizes, _floats(walls), BETWEEN, OFF)
+
+
+def _floats(boxes: Array) -> NDArray[np.float32]:
+    return np.ascontiguousarray(boxes, np.float32)
 
 
 def _sizes(name: str, boxes: Array) -> Array:
@@ -101,27 +88,6 @@ def usual(name: str) -> Array:
     """Somewhere, a unit in the usual size."""
     depth, _, height = TABLE[name].size
     return np.array([0.0, 0.0, 0.0, depth, _width(name), 0.0, height], np.float32)
-
-
-def _sides(box: Array, size: Array) -> list[Array]:
-    """To the left and to the right of a unit, backs in line."""
-    c, s = np.cos(box[2]), np.sin(box[2])
-    x, y = (size[0] - box[3]) / 2, (box[4] + size[1]) / 2 + BETWEEN
-    return [np.concatenate([[box[0] + c * x - s * v, box[1] + s * x + c * v, box[2]], size]) for v in (y, -y)]
-
-
-def _corners(box: Array, size: Array, walls: Array) -> list[Array]:
-    """Round a corner: with the back to a wall that meets the unit's at a right angle, beginning where its front is."""
-    heading = np.array([np.cos(box[2]), np.sin(box[2])])
-    out = []
-    for wall in walls[np.abs(np.cos(walls[:, 2] - box[2])) < 0.02]:
-        normal = np.array([np.cos(wall[2]), np.sin(wall[2])])
-        if abs(float(normal @ heading)) > 0.01:
-            continue
-        ahead = float(box[:2] @ heading) + (box[3] + size[1]) / 2 + BETWEEN
-        xy = ahead * heading + (float(wall[:2] @ normal) + size[0] / 2 + OFF) * normal
-        out.append(np.concatenate([xy, [wall[2]], size]))
-    return out
 
 
 def _turns(name: str, box: Array, size: Array, walls: Array) -> list[Array]:
