@@ -101,7 +101,16 @@ def exceptions(items: list[Item]) -> list[Item]:
             k += 1
         else:
             k = end
+            if _told_on(items, end):  # "every room except the kitchen, which opens off the lounge"
+                out += [Item("boundary", "while"), items[end - 1]]
+                k = end + 2
     return out
+
+
+def _told_on(items: list[Item], k: int) -> bool:
+    """Whether `, which` and a verb stand at `k`."""
+    comma, which, verb = (items[k : k + 3] + [Item("")] * 3)[:3]
+    return is_mark(comma, ",") and which.kind == "relative" and verb.kind in ("link", "copula")
 
 
 def _whole_before(items: list[Item]) -> RoomPhrase | None:
@@ -138,6 +147,14 @@ def counted(items: list[Item]) -> list[Item]:
     return out
 
 
+def _one_in(items: list[Item], k: int) -> bool:
+    """`a desk in the study and one in each bedroom`: another of the furniture named before."""
+    room, joint, ahead = items[k].room, items[k - 1], items[k + 1 : k + 3]
+    counted = room is not None and room.type == "" and (room.count is not None or room.quantifier == Det.ANOTHER)
+    inside = [i.value == "in" or i.room is not None for i in ahead] == [True, True]
+    return counted and inside and joint.kind == "conjunction"
+
+
 def _is_other(items: list[Item]) -> bool:
     last = items[-1].room if items else None
     return last is not None and last.type == "" and last.quantifier == Det.OTHER
@@ -163,7 +180,10 @@ def unfolded(items: list[Item]) -> list[Item]:
     for k, item in enumerate(items):
         links = [i for i in items[:k] if i.kind == "link"]
         near = [i.kind for i in items[max(0, k - 1) : k + 2]]
-        if (
+        thing = next((i for i in reversed(items[:k]) if i.kind == "object"), None)
+        if thing is not None and _one_in(items, k):
+            out.append(Item("object", thing.value, item.text, number=(item.room and item.room.count) or 1))
+        elif (
             item.kind == "sum"
             and item.text == "between them"
             and near[0] == "room"

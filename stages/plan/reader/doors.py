@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
 from apartgen.stages.plan.reader.statements import Statement
-from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
 
 Pair = tuple[Entity, Entity]
 
@@ -49,7 +49,9 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
                 out.near += [
                     (a, b)
                     for a, b in pairs
-                    if a.type in (*OPEN_TYPES, "balcony") and b.type in (*OPEN_TYPES, "balcony")
+                    if s.relation not in OPPOSITE
+                    and a.type in (*OPEN_TYPES, "balcony")
+                    and b.type in (*OPEN_TYPES, "balcony")
                 ]
             case Relation.SHARE:
                 _share(left, right, out, home)

@@ -21,7 +21,7 @@ PRIORITY = (
     "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
     "only", "style", "shape", "side_role", "side", "beside", "place", "bound", "use",
     "furniture", "furniture_count", "graph", "main_rooms",
-    "compound", "sum", "give", "adjective", "stop",
+    "compound", "sum", "anew", "give", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
 

@@ -47,7 +47,8 @@ def undoored(items: list[Item]) -> list[Item]:
             k += 5
         elif denied and _has_none(out, items[k : k + 4]):
             owner = next(i for i in reversed(out) if i.room is not None)
-            while out[-1].kind in VERBAL:
+            owner = _subject_again(out) or owner
+            while out[-1].kind in VERBAL or out[-1].text == "but":
                 out.pop()
             out += [] if out[-1] is owner else [Item("mark", ".", "."), owner]
             k += 1 + (link.kind == "link")
@@ -60,9 +61,17 @@ def undoored(items: list[Item]) -> list[Item]:
     return out
 
 
+def _subject_again(out: list[Item]) -> Item | None:
+    """The kitchen of `the kitchen has a door to the lounge and no door to the hall`."""
+    end = len(out) - (out[-1].value == "has")
+    subject, link, room, joint = ([Item("")] * 4 + out[:end])[-4:]
+    told = link.kind == "link" and link.form == "s" and subject.room is not None and room.room is not None
+    return subject if told and joint.kind in ("conjunction", "boundary") else None
+
+
 def _has_none(out: list[Item], ahead: list[Item]) -> bool:
     """`the kitchen has no door to the hall`, `keine Tür zum Flur`, after the room spoken of."""
-    owner = next((i for i in reversed(out) if i.kind not in (*VERBAL, *PLACED)), None)
+    owner = next((i for i in reversed(out) if i.kind not in (*VERBAL, *PLACED) and i.text != "but"), None)
     no, link, *rest = [*ahead, Item("")]
     doors = link.value == "door" or any(word in no.text.split() for word in DOOR)
     other = link if link.room is not None else rest[0] if rest and link.value in ("door", "to") else Item("")
@@ -84,20 +93,26 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
             skip -= 1
             continue
         each = item.text.endswith(EACH) or any(i.value == "mutual" for i in items[k + 1 : k + 2])
-        between = ("copula", "relative", "negation")
-        rooms = next((i.room for i in reversed(out) if i.kind not in between and not is_mark(i, ",")), None)
+        between = ("copula", "relative", "negation", "area")
+        said_of = (i for i in reversed(out) if not (i.kind in between or is_mark(i, ",") or _each(i)))
+        rooms = next((i.room for i in said_of), None)
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
         if item.kind == "link" and item.value in ("near", "apart") and each and rooms is not None and several:
-            denied = out[-1].kind == "negation"
+            denied = any(i.kind == "negation" for i in out[-2:])
             apart = denied or item.value == "apart"
             kind = "opposite" if item.text.startswith(ACROSS) else "apart" if apart else "adjacent"
-            while out[-1].room is None:
+            while out[-1].kind in VERBAL or out[-1].kind == "negation" or is_mark(out[-1], ","):
                 out.pop()
             said.asked.append(Asked(kind, [rooms], [rooms], "", f"{rooms.text} {item.text} each other"))
             skip = int(not item.text.endswith(EACH))
         else:
             out.append(item)
     return out
+
+
+def _each(item: Item) -> bool:
+    """The `each` of `two bedrooms of 14 m² each`."""
+    return item.room is not None and item.room.type == "" and item.room.quantifier == Det.EACH
 
 
 def _ask(item: Item, room: RoomPhrase, said: Said) -> None:

@@ -14,7 +14,7 @@ _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*
 _WHOSE = re.compile(r"\b(kitchen|(?:living|dining|bath|bed) ?room|hall(?:way)?|corridor|study|balcony|lounge|flat)'s\b")
 _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
-_VALUE = re.compile(r"(?<=[a-z])\"?: \"?(?=(?:open to|off|next to|near|opposite|with|at|on|in|beside|adjacent to)\b)")
+_VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at|on|in|beside|adjacent to)\b)")
 _TAG = re.compile(r"</?\w+([^<>]*?)/?->")
 _NAMED = re.compile(
     r'"?\b(?:name|type|room|kind|id)"?\s*:\s*"?([a-z][a-z ]*?)(?: ?\d+)?"?[\s.,;]*'
@@ -32,6 +32,10 @@ _IN_EACH = re.compile(
     r"\b(?:in|for) each (?:one )?(?:(?:of them|of these|of those) ?)?,? ?(?:there is |is )?(?:an? |its )|"
     r"\bin jedem (?:davon )?(?:ein )|\bdans chacune? (?:d'elles )?(?:une? )|\ben cada uno (?:de ellos )?(?:una? )"
 )
+_EACH_OF = re.compile(
+    r"\b(?:in|for) each (?:one )?(?:of (?:them|these|those))?,? ?(?:there are |are )?(?=(?:\d|two|three|four|several) )"
+)
+_BY_COUNT = re.compile(r"\b((?:bed|bath)?rooms):? (\d) ?x ?(\d+(?:\.\d+)?) ?(m2|sqm)\b")
 _COUNT = re.compile(r'\b(\w+) (?:count|number|qty)"?\s*:(?=\s*"?\d)')
 _UNITS = r"m2|m\^2|sqm|sq m|sqft|ft2"
 _TOLERANCE = re.compile(rf"(\d+(?:\.\d+)?)\s*({_UNITS})?\s*(?:\+/-|\+-|±)\s*(\d+(?:\.\d+)?)\s*(?:{_UNITS})?")
@@ -74,10 +78,17 @@ def worded(text: str) -> str:
     text = _COUNT.sub(r"\1s:", text)
     text = _KEYED.sub(r"\1: \3 \2", text)
     text = _UNIT_KEY.sub(r"area: \2 \1", _KEY.sub(r"\1: \2 m2", text))
-    text = _IN_EACH.sub("each with a ", text)
+    text = _EACH_OF.sub("each with ", _IN_EACH.sub("each with a ", text))
+    text = _BY_COUNT.sub(_counted, text)
     text = _TOLERANCE.sub(_range, text)
     text = re.sub(r"\b1 of (?=which|them|these)", "one of ", text)
     return _TENS.sub(_numeral, text)
+
+
+def _counted(found: re.Match[str]) -> str:
+    """`bedrooms: 3 x 13 m2` as three of 13 m² each, where such lengths and widths would make no bedroom."""
+    a, b = float(found[2]), float(found[3])
+    return found.group() if a * b < 30 and b < 3 * a else f"{found[2]} {found[1]} of {found[3]} {found[4]} each"
 
 
 def _range(found: re.Match[str]) -> str:

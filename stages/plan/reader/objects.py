@@ -49,8 +49,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     assert phrase is not None
     if is_mark(items[j - 1], "/"):
         return True
-    if items[j - 1].value == "plus" and p.form == "part":
-        return False
+    if items[j - 1].value == "plus" and (p.form == "part" or first.definite > phrase.definite):
+        return False  # "the bathroom is off the bedroom, plus a guest toilet"
     if p.form == "which" and items[p.at].text in ("into which", "onto which"):
         return True  # "a hall into which the lounge, the kitchen and the study open"
     if p.kind in (Relation.TO, Relation.IN, Relation.GAP) or (

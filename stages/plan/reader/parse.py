@@ -5,6 +5,7 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
@@ -49,6 +50,7 @@ def parse(prompt: str) -> Said:
         return said
     phraser = Phraser(lexicon).walk(words)
     said.unread += phraser.unread
+    phraser.items = corrected(phraser.items)
     _whole(phraser.items, said)
     phraser.items = _asked(all_denied(phraser.items), said)
     before: list[RoomPhrase] = []

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.mention import PARTITIVE, RoomPhrase
+from apartgen.stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 MODIFIERS = ("side", "size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
@@ -75,6 +75,11 @@ class Pending:
 
 def _both(texts: list[str]) -> bool:
     return any(t.split()[0] == "both" for t in texts)
+
+
+def area_item(value: str, area: Lexeme) -> Item:
+    """An area as it stands in a sentence; `value` is `total` for that of the flat."""
+    return Item("area", value, area.text, values=area.values, sides=area.sides, bounds=area.bounds)
 
 
 def noun_ahead(words: list[Lexeme], i: int) -> bool:

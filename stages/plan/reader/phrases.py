@@ -18,7 +18,7 @@ from apartgen.stages.plan.reader.particles import (
     is_german,
     of_dwelling,
 )  # fmt: skip
-from apartgen.stages.plan.reader.pending import Pending, noun_ahead, trailing_number
+from apartgen.stages.plan.reader.pending import Pending, area_item, noun_ahead, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
@@ -63,6 +63,9 @@ class Phraser:
             return i + 1
         if word.text == "shower" and following is not None and following.kind == "area":
             word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
+        if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():
+            self.items.append(Item("style", word.value, word.text))  # "five private bedrooms"
+            word = words[i] = replace(word, kind="room", value="bedroom", text="bedrooms", plural=True)
         if word.kind == "stop" and holds(word, words[i + 1 : i + 3], self.items):
             self._flush(word)
             self.items.append(Item("with", "in", word.text))
@@ -227,7 +230,7 @@ class Phraser:
     def _dwelling(self, word: Lexeme) -> None:
         p = self.pending
         if p.area:
-            self.items.append(_area("total", p.area))
+            self.items.append(area_item("total", p.area))
         if p.factor != 1.0:
             self.items.append(Item("flat_size", "", word.text, number=p.factor))
         self.items.append(Item("dwelling", word.value, word.text, joined=word.joined, number=p.number or 1))
@@ -292,8 +295,4 @@ class Phraser:
         elif p.labels or p.ordinals:
             self.unread.append(text)
         if p.area:
-            self.items.append(_area("", p.area))
-
-
-def _area(value: str, area: Lexeme) -> Item:
-    return Item("area", value, area.text, values=area.values, sides=area.sides, bounds=area.bounds)
+            self.items.append(area_item("", p.area))

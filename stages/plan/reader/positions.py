@@ -14,6 +14,10 @@ FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
 """Words by which a side is that of a room's windows rather than its place."""
 
 
+VERBS = ("is", "lies", "faces", "looks", "sits")
+"""Verbs of one room, with which a clause of its own begins."""
+
+
 def role_of(items: list[Item], k: int) -> str:
     """What a side is said of: `entrance on the north side`, `party walls to the east and west`, `north entrance`."""
     start = k
@@ -47,6 +51,8 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             seen_from = seen_from if again else _whose(items, k)
             said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
+            if text.split()[0] in VERBS and len(rooms) == 1:
+                _close_before(out, rooms[0])
         elif _near_behind(items, k) and (rooms := _rooms(items, k)):
             said.asked += [
                 Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms
@@ -69,6 +75,12 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _close_before(out: list[Item], room: RoomPhrase) -> None:
+    """`the bath is next to the kitchen, and the bedroom faces south`: the bedroom is no further neighbour."""
+    if len(out) > 3 and out[-1].room is room and out[-2].kind == "conjunction" and room.quantifier == Det.THE:
+        out[-2] = Item("boundary", "while", out[-2].text)
 
 
 def _side(item: Item) -> str:

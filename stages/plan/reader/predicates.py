@@ -90,7 +90,8 @@ def _the_one(last: RoomPhrase | None) -> bool:
 
 
 def _near_room(items: list[Item], k: int) -> bool:
-    return items[k - 1].room is not None or (k > 1 and is_mark(items[k - 1], ",") and items[k - 2].room is not None)
+    room = items[k - 1].room or (items[k - 2].room if k > 1 and is_mark(items[k - 1], ",") else None)
+    return room is not None and not room.plural and room.quantifier != Det.EACH  # "two bedrooms, then a bathroom"
 
 
 def _way_in(items: list[Item], k: int) -> bool:

@@ -7,9 +7,8 @@ from apartgen.stages.plan.reader.openplan import chain
 from apartgen.stages.plan.reader.predicates import Predicate, predicates
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, onward
-from apartgen.stages.plan.reader.vocabulary import Det, Relation
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation
 
-OPPOSITE = ("opposite", "across from")
 DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of")
 """Of `apart`, the words that deny a door and not the neighbourhood."""
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
@@ -104,7 +103,8 @@ def place(doors: list[Statement]) -> list[RoomPhrase]:
 def _annexes(left: list[RoomPhrase], right: list[RoomPhrase]) -> list[RoomPhrase]:
     """`a kitchen and a balcony off the bedroom`: of a list, only what may belong to a bedroom opens off one."""
     private = bool(right) and all(r.type in ("bedroom", "bathroom") for r in right)
-    return [r for r in left if r.type in ANNEXES] or left if private else left
+    own = [r for r in left if r.type in ANNEXES and r.type not in {x.type for x in right}]
+    return own or left if private else left
 
 
 def _barred(items: list[Item], phrase: RoomPhrase) -> bool:

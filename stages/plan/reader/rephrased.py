@@ -10,6 +10,18 @@ _OF_WHOM = re.compile(r"\b(?:schlaf)?zimmer (?:der|unserer|meiner|fur (?:die|uns
 _LIVED = r"(?:kitchen|dining|living)(?: room)?"
 _OPENED = re.compile(rf"\b({_LIVED}(?: ?\+ ?{_LIVED}){{1,2}}) ?: ?open(?:[ -]?plan)?\b")
 _COMPARED = re.compile(r"比([^,.;:]{1,10}?)(?:还要|还|更|要)?(大|小)(?:一些|一点|些)?(?=[,.;]|$)")
+_PEOPLE = "grandparents|parents|children|kids"
+_NAMED = {"grandparents": "grandparents'", "parents": "parents'", "children": "children's", "kids": "kids"}
+
+
+def _whose_room(found: re.Match[str]) -> str:
+    """`two bedrooms for the children` as `two children's bedrooms`."""
+    count, room, own, people = found.groups()
+    if re.search(r"\b(?:one|another|two|others?) for\b", found.string):
+        return found.group()  # "two bedrooms for the children, one for us"
+    return f"{count + ' ' if count else ''}{_NAMED[people]} {room}{own}"
+
+
 _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
     (r"\bzu(?:m|r) (\w+) gehor(?:t|en)\b", r"das \1 hat"),
@@ -49,6 +61,15 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r",? in (?:dem|der|denen) ([^,.;]+?) (?:steht|stehen)(?=[,.;]|$)", r" mit \1"),
     # "ein Balkon, den man nur von dort betritt"
     (r", d(?:en|ie|as) man nur von dort (?:aus )?(?:betritt|erreicht|betreten kann|erreichen kann)\b", ""),
+    # "bathrooms which are both on the corridor", "entered both from the bedroom and from the hall"
+    (r"\bon the (corridor|hallway|hall|landing|passage)\b(?! side|'s)", r"off the \1"),
+    (r"\b(is|are|be) (?:both|all) (?=off|reached|accessed|accessible|reachable|entered|connected|linked|next)", r"\1 "),
+    (r"\b(entered|reached|accessed|accessible|reachable|connected|linked|leads?|doors?|opens?) both "
+     r"(from|to|into|onto|off)\b", r"\1 \2"),
+    (r"\beither (bed|bath)room\b", r"both \1rooms"),
+    # "a bedroom with a bath for the grandparents", "the bedroom of the children"
+    (rf"\b(?:(two|three|2|3) )?(bed ?rooms?)((?: with (?:an? |its own |their own |own )(?:[\w-]+ ){{0,2}}[\w-]+)?) "
+     rf"(?:for|of) (?:the |my |our |their )?({_PEOPLE})\b(?! (?:bed)?rooms?)", _whose_room),
     (r"\bd'(?=une?\b)", "de "),  # "un appartement d'une chambre"
     # "Un trastero al que se entre desde el despacho"
     (r"\b(?:al|a la) que se (?:entra|entre|accede|acceda|llega|llegue) (?:desde|por) ", "accesible desde "),

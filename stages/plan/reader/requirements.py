@@ -7,9 +7,8 @@ from apartgen.schemas.plan import Requirement
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
-from apartgen.stages.plan.reader.relations import OPPOSITE
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
-from apartgen.stages.plan.reader.vocabulary import Det, Relation
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation
 
 FAR = ("away from", "far from")
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")

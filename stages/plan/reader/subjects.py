@@ -133,7 +133,8 @@ def and_group(items: list[Item], at: int, floor: int, whole: bool = False) -> in
 def _clause_start(items: list[Item], rooms: list[int], p: Predicate, last: Predicate | None) -> int:
     """Where the subject of a finite verb begins."""
     one = items[rooms[-1]].room
-    if p.form == "s" and one is not None and not one.plural and one.quantifier not in (Det.ALL, Det.BOTH):
+    single = one is not None and (not one.plural or one.type == "any") and one.quantifier not in (Det.ALL, Det.BOTH)
+    if p.form == "s" and single:
         return rooms[-1]
     start = rooms[0]
     for j in range(rooms[-1] - 1, (last.at if last else -1), -1):

@@ -84,3 +84,7 @@ class Relation(StrEnum):
     CHAIN = "chain"
     COMPARE = "compare"
     EQUAL = "equal"
+
+
+OPPOSITE = ("opposite", "across from")
+"""Of the words for neighbours, those that say nothing of a common wall."""

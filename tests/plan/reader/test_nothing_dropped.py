@@ -17,6 +17,7 @@ from apartgen.stages.plan.reader.tokens import fold, tokenize
 
 FUNCTION = frozenset(
     """
+    exactly precisely
     a ab about above access accommodation account accounts actually add additionally after ah ahead al all also
     am an and another any approx approximately aproximadamente apt are around arrange arranged arrangement as at
     au auf aus aux average basic be beautiful beautifully bedroomed been being bitte both brauche brauchen

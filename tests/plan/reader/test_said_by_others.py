@@ -1,0 +1,77 @@
+"""Sentences as other people type them: floating words, corrections, furniture by room, clauses that go on.
+
+Each with its rooms and what its programme says beside, `!` where it must not; the notation is `sentences.facts`'.
+"""
+
+import pytest
+from sentences.facts import facts, rooms
+
+from apartgen.stages.plan.reader import read
+
+SENTENCES = [
+    # neighbours that are none
+    ("Two bedrooms and a kitchen opposite the living room.", "B2 H K L W", "opposite K1 L1, H1K1, !K1L1"),
+    ("Two bedrooms, a bathroom and a study opposite the bathroom.", "B2 H K L S W", "opposite S1 W1"),
+    ("Two bedrooms of 12 m² each that should not be next to each other.", "B2 H K L W", "apart B1 B2, B1=12, B2=12"),
+    ("Three-bedroom flat; the kitchen is not next to either bathroom.", "B3 H K L W2", "apart K1 W1, apart K1 W2"),
+    ("Two-bedroom flat. The study is next to the kitchen, and the main bedroom faces north.", "B2 H K L S W",
+     "adjacent S1 K1, orientation B1 north, !adjacent S1 B1"),
+    ("A two-bedroom flat. The kitchen opens onto the living room but has no door to the hall.", "B2 H K L W",
+     "K1L1, no_door K1 H1, H1L1"),
+    ("Two bedrooms. The kitchen has a door to the dining room and no door to the living room.", "B2 D H K L W",
+     "D1K1, no_door K1 L1, !no_door D1 L1"),
+    # openings and ways
+    ("The kitchen and the dining room are joined by a wide opening; one bedroom.", "B D H K L W", "D1~K1"),
+    ("The kitchen is in the same space like the living room. Two bedrooms.", "B2 H K L W", "K1~L1"),
+    ("Kitchen off the living room; two bedrooms and a bathroom off a corridor that begins at the living room.",
+     "B2 H K L W", "B1H1, B2H1, H1W1, H1L1, !B1L1, !L1W1"),
+    ("Two bedrooms; the shower room can be reached both from the main bedroom and from the hall.", "B2 H K L W",
+     "B1W1, H1W1"),
+    ("Four bedrooms, two bathrooms which are both on the landing.", "B4 H K L W2", "H1W1, H1W2, !B1W1"),
+    ("Two bathrooms, two bedrooms: one bathroom is inside the main bedroom, the other one is off the corridor.",
+     "B2 H K L W2", "B1W1, H1W2"),
+    ("Two bedrooms. The bathroom is entered through the main bedroom, plus a guest toilet near the entrance.",
+     "B2 H K L W2", "B1W1, H1W2, near W2 entrance, !W1W2"),
+    ("Two bedrooms and a bathroom, no hallway. You step into the living room and every other room opens off it.",
+     "B2 K L W", "B1L1, B2L1, K1L1, L1W1, !B1W1, !K1W1"),
+    ("Bedroom, bathroom, hall. The hall leads to every room but the kitchen, which opens off the living room.",
+     "B H K L W", "B1H1, H1W1, H1L1, K1L1, !B1L1, !H1K1"),
+    ("kitchen:open to living room, hallway:1, study:1, bedrooms:1", "B H K L S W", "K1~L1, H1S1, !K1S1"),
+    # how many, of what
+    ("Flat with exactly two bedrooms, one bathroom, one kitchen and one living room.", "B2 H K L W", "H1K1"),
+    ("Flatshare: four private bedrooms, each with its own bathroom, one shared kitchen.", "B4 H K L W4",
+     "B1W1, B2W2, B3W3, B4W4"),
+    ("Co-living flat with three bedrooms and a kitchen.", "B3 H K L W2", ""),
+    ("bedrooms: 4 x 11 m², kitchen: 14 m²", "B4 H K L W2", "B1=11, B4=11, K1=14"),
+    ("Bedrooms 3 x 4 m, one bathroom.", "B2 H K L W", "dimension B1 3 x 4"),
+    ("A house with five bedrooms. Actually, make it four bedrooms, and two bathrooms.", "B4 H K L W2", ""),
+    ("Flat with two bedrooms, no wait, three.", "B3 H K L W2", ""),
+    ("Make it a two-bedroom flat with a study.", "B2 H K L S W", ""),
+    # whose
+    ("A bedroom with its own bathroom for the grandparents, two bedrooms for the children. The grandparents' room "
+     "should be near the entrance.", "B3 H K L W2", "near B1 entrance, B1W1"),
+    ("Two bedrooms. The bedroom of the kids is more small than the bedroom of the parents.", "B2 H K L W",
+     "order B2 B1 smaller"),
+    ("Main bedroom, nursery, a kids room. The nursery must be next to the main bedroom.", "B3 H K L W2",
+     "adjacent B2 B1, !adjacent B3 B1"),
+    # furniture
+    ("Two bedrooms, a study. Put a desk in the study and one in each bedroom.", "B2 H K L S W",
+     "S1 has 1 desk, B1 has 1 desk, B2 has 1 desk"),
+    ("Two bedrooms, in each of them two single beds and a desk, then one bathroom.", "B2 H K L W",
+     "B1 has 2 single_bed, B2 has 2 single_bed, B2 has 1 desk, H1W1"),
+    ("Zweizimmerwohnung, das Bad mit Badewanne und Waschmaschine.", "B H K L W",
+     "W1 has 1 bath, W1 has 1 washing_machine"),
+    ("Un deux-pièces, la salle de bains avec une baignoire.", "B H K L W", "W1 has 1 bath"),
+    ("Piso de un dormitorio, baño con ducha y bañera.", "B H K L W", "W1 has 1 bath, W1 has 1 shower"),
+    ("One bedroom, in total 600 square feets.", "B H K L W", "all=55.74"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
+def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
+    program = read(prompt)
+    assert rooms(program) == wanted
+    said = facts(program)
+    entries = [entry for entry in told.split(", ") if entry]
+    assert {entry for entry in entries if entry[0] != "!"} <= said
+    assert not {entry[1:] for entry in entries if entry[0] == "!"} & said

@@ -1,0 +1,31 @@
+"""What a programme says, in short: `B2 H K L W`, `K1L1` a door, `K1~L1` no wall, `B1=12` m², `near K1 entrance`."""
+
+from apartgen.schemas.plan import Program
+
+SHORT = {
+    "living_room": "L", "kitchen": "K", "dining_room": "D", "bedroom": "B", "bathroom": "W", "hallway": "H",
+    "study": "S", "utility": "U", "storage": "T", "closet": "C", "balcony": "Y",
+}  # fmt: skip
+
+
+def rooms(program: Program) -> str:
+    """How many rooms of each type, in alphabetical order."""
+    kinds = [SHORT[room.type] for room in program.rooms]
+    return " ".join(f"{k}{kinds.count(k)}" if kinds.count(k) > 1 else k for k in sorted({*kinds}))
+
+
+def facts(program: Program) -> set[str]:
+    """All else: doors, openings, areas, requirements, furniture, and words that are told of as `unread …`."""
+    asked = [[r.kind, _short(r.of), r.to and _short(r.to), r.value] for r in program.requirements]
+    out = [" ".join(str(part) for part in one if part is not None) for one in asked]
+    out += ["".join(sorted((_short(a), _short(b)))) for a, b in program.links]
+    out += ["~".join(sorted((_short(a), _short(b)))) for a, b in program.open_links]
+    out += [f"{_short(room.id)}={room.area:g}" for room in program.rooms if room.area is not None]
+    out += [f"all={program.total_area:g}"] if program.total_area else []
+    out += [f"{_short(o.room)} has {o.count} {o.category}" for o in program.objects]
+    return {*out, *(f"unread {entry.split(' (')[0]}" for entry in program.unread)}
+
+
+def _short(of: str) -> str:
+    kind, _, number = of.rpartition("_")
+    return SHORT[kind] + number if kind in SHORT else of
