@@ -202,6 +202,8 @@ def unfolded(items: list[Item]) -> list[Item]:
             continue  # "the master to have an en suite"
         elif is_mark(item, ",") and _one_each(items, k):
             out.append(Item("with", "with", "with"))  # "two bedrooms, one bath each"
+        elif item.kind == "link" and item.text.startswith("the other ") and not _rooms(items[k + 1 : k + 2]):
+            continue
         elif item.kind == "link" and item.text.startswith("the other "):
             told = any(i.text.split()[0] in ("one", "another") for i in links)
             other = RoomPhrase("", quantifier=Det.OTHER, text="the other")

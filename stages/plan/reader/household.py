@@ -193,6 +193,7 @@ class Household:
                 phrase.type, int(phrase.count or 2) if phrase.quantifier == Det.ONE_OF else max(len(known), 1)
             )
             self.group = whole if phrase.quantifier == Det.ONE_OF and len(whole) > 1 else self.group
+            whole = [e for e in whole if e.owner is None] or whole if phrase.type == "bathroom" else whole
             free = [e for e in whole if not e.picked and (phrase.quantifier == Det.ONE_OF or e not in self.last)]
             many = phrase.quantifier == Det.OTHER and (phrase.plural or phrase.count)
             found = (free or whole[-1:])[: int(phrase.count or MOST) if many else 1]

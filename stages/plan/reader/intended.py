@@ -30,7 +30,8 @@ def intended(items: list[Item]) -> list[Item]:
                 phrase.labels |= {Trait.ENSUITE, Trait.OWN}
                 user.owned.append(phrase)
             else:
-                phrase.quantifier = Det.ANOTHER if one else phrase.quantifier
+                counted = _counted(phrase, [i.room for i in out if i.room is not None])  # "two baths: one for …"
+                phrase.quantifier = (Det.ONE_OF if counted else Det.ANOTHER) if one else phrase.quantifier
                 phrase.labels |= {Trait.FAMILY} if user is not None else {Trait.GUEST}
                 out.append(items[k])
             k += 2

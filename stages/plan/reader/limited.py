@@ -92,6 +92,10 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         if skip:
             skip -= 1
             continue
+        if (pair := _between_two(items, k)) is not None:
+            said.asked.append(Asked("no_door", [pair], [pair], "", f"{item.text} doors between {pair.text}"))
+            skip = 1
+            continue
         each = item.text.endswith(EACH) or any(i.value == "mutual" for i in items[k + 1 : k + 2])
         between = ("copula", "relative", "negation", "area")
         said_of = (i for i in reversed(out) if not (i.kind in between or is_mark(i, ",") or _each(i)))
@@ -108,6 +112,14 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         else:
             out.append(item)
     return out
+
+
+def _between_two(items: list[Item], k: int) -> RoomPhrase | None:
+    """The rooms of `no door between the two bedrooms`."""
+    no, link, rooms, end = (items[k : k + 4] + [Item("mark", ".")] * 4)[:4]
+    pair = rooms.room if no.kind == "negation" and link.value == "between" else None
+    several = pair is not None and (pair.plural or (pair.count or 1) > 1) and end.kind != "conjunction"
+    return pair if several else None
 
 
 def _each(item: Item) -> bool:

@@ -163,7 +163,8 @@ def _total_near(items: list[Item], k: int) -> bool:
     return any(i.kind == "area_word" and i.value == "total" for i in before[-1:] + items[k + 1 : k + 2])
 
 
-SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", "compare", "sum", "open", "only")
+SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", "compare", "sum", "open", "only",
+           "style")  # fmt: skip
 """What may stand between a room and its area."""
 
 

@@ -28,6 +28,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
                 break
             if not phrase.negated and phrase not in left:
                 out.append(phrase)
+        elif out and denied_on(items, j):
+            continue
         elif item.kind in ("boundary", "dwelling", "with") or item.value == "except":
             break
         elif item.kind == "relative" and out and _all_of_them(items[j + 1 : j + 2]):
@@ -39,6 +41,12 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
     return out
 
 
+def denied_on(items: list[Item], j: int) -> bool:
+    """`next to the hall but not to the bedroom`: the relation goes on, denied."""
+    here = items[j : j + 2]
+    return len(here) == 2 and here[0].text == "but" and (here[1].kind, here[1].value) == ("negation", "not")
+
+
 def _all_of_them(after: list[Item]) -> bool:
     return any(i.room is not None and i.room.type == "" and i.room.quantifier in PAIRED for i in after)
 
@@ -47,7 +55,7 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     """Whether the room at `j` is one more object of the relation."""
     phrase, first = items[j].room, out[0]
     assert phrase is not None
-    if is_mark(items[j - 1], "/"):
+    if is_mark(items[j - 1], "/") or any(denied_on(items, i) for i in range(max(j - 3, 0), j)):
         return True
     if items[j - 1].value == "plus" and (p.form == "part" or first.definite > phrase.definite):
         return False  # "the bathroom is off the bedroom, plus a guest toilet"

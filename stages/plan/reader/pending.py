@@ -109,6 +109,9 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
     if _lettered(words, i, phrase):
         phrase.ordinals = ("abcd".index(words[i].text) + 1,)
         return i + 1
+    if phrase.plural and phrase.count is None and (end := _areas_end(words, i)) > i:
+        phrase.areas = tuple(w.number for w in words[i:end] if w.kind == "number")
+        return end
     numbers: list[int] = []
     j = i
     while j < len(words) and _is_ordinal(words, j):
@@ -123,12 +126,25 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
     fits = phrase.plural or (len(numbers) == 1 and (words[i].text[0].isdigit() or spelled))
     if not numbers or phrase.count is not None or not fits:
         return i
+    if phrase.plural and len(numbers) == 1 and phrase.quantifier == Det.BARE:
+        phrase.count = float(numbers[0])  # "bedrooms 3, bath 2"
+        return j
     phrase.ordinals = tuple(numbers)
     area = j < len(words) and words[j].kind == "number" and words[j].text[0].isdigit() and 3 < words[j].number <= 200
     if area and len(numbers) == 1 and not counts_next(words, j):  # "bedroom 1 14, bedroom 2 11"
         phrase.areas = (words[j].number,)
         return j + 1
     return j
+
+
+def _areas_end(words: list[Lexeme], i: int) -> int:
+    """Where the areas of `bedrooms 15 and 12` end; i where no such numbers stand here."""
+    j = i
+    while j < len(words) and words[j].kind == "number" and 6 < words[j].number <= 60 and not counts_next(words, j):
+        j += 1
+        if j + 1 < len(words) and words[j].text in ("and", "&", ",", "/") and words[j + 1].kind == "number":
+            j += 1
+    return j if j > i + 1 and words[j - 1].kind == "number" else i
 
 
 def _bare_area(words: list[Lexeme], i: int, phrase: RoomPhrase) -> bool:

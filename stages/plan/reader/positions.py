@@ -51,12 +51,13 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             seen_from = seen_from if again else _whose(items, k)
             said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
-            if text.split()[0] in VERBS and len(rooms) == 1:
+            if (text.split()[0] in VERBS or not text.isascii()) and len(rooms) == 1:
                 _close_before(out, rooms[0])
-        elif _near_behind(items, k) and (rooms := _rooms(items, k)):
+        elif _near_behind(items, k) and (rooms := _there(items, k + 2) or _rooms(items, k)):
             said.asked += [
                 Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms
             ]
+            _close_before(out, rooms[0])
             k += 2
             continue
         elif _at_entrance(items, k, said) and (rooms := _rooms(items, k)):
@@ -67,6 +68,8 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             said.asked += [
                 Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
             ]
+            if not text.isascii() and len(rooms) == 1:
+                _close_before(out, rooms[0])
             k += 1
             continue
         if item.kind == "beside":
@@ -79,7 +82,9 @@ def positions(items: list[Item], said: Said) -> list[Item]:
 
 def _close_before(out: list[Item], room: RoomPhrase) -> None:
     """`the bath is next to the kitchen, and the bedroom faces south`: the bedroom is no further neighbour."""
-    if len(out) > 3 and out[-1].room is room and out[-2].kind == "conjunction" and room.quantifier == Det.THE:
+    if len(out) < 4 or out[-1].room is not room:
+        return
+    if (out[-2].kind == "conjunction" and room.quantifier == Det.THE) or not room.text.isascii():
         out[-2] = Item("boundary", "while", out[-2].text)
 
 
@@ -169,6 +174,13 @@ def _near_behind(items: list[Item], k: int) -> bool:
     return role and k + 1 < len(items) and items[k + 1].kind == "link" and items[k + 1].value == "near"
 
 
+def _there(items: list[Item], k: int) -> list[RoomPhrase]:
+    """The room behind `near the entrance (is)` that begins a clause."""
+    opens = k < 3 or items[k - 3].kind in ("mark", "conjunction", "boundary")
+    ahead = [i for i in items[k : k + 2] if i.kind not in ("copula", "reach", "with")]
+    return [room for i in ahead[:1] if opens and (room := i.room) is not None]
+
+
 def _of_entrance(before: list[Item]) -> bool:
     """Whether the sentence before speaks of the entrance alone: `The entrance is in the south. …`."""
     stops = [k for k, i in enumerate(before) if is_mark(i, ".")][-2:]
@@ -251,4 +263,5 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
     single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
     alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
+    alike = alike and not (first.quantifier == Det.BARE and not first.count and last.quantifier == Det.A)
     return [first, last] if alike and not listed and not single else [last]

@@ -81,6 +81,12 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
         word = words[i]
         percent = i + 1 < len(words) and (words[i + 1].text == "%" or words[i + 1].value == "percent")
         end = _of_its_size(words, i)
+        ahead = words[i + 1] if i + 1 < len(words) else word
+        if word.kind == "fraction" and ahead.kind == "compare" and ahead.number == 1.0:  # "two thirds the size of"
+            text = f"{word.text} {ahead.text}"
+            out.append(replace(ahead, value=word.value, values=word.values, text=text))
+            i += 2
+            continue
         if word.kind == "fraction" and end > i:
             out.append(replace(word, kind="compare"))
             i = end

@@ -9,7 +9,8 @@ from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, onward
 from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation
 
-DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of")
+DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of",
+            "separated by", "divided by")  # fmt: skip
 """Of `apart`, the words that deny a door and not the neighbourhood."""
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
@@ -128,7 +129,7 @@ def _rooms(items: list[Item], start: int, end: int) -> list[RoomPhrase]:
 
 def _worded(p: Predicate, words: str) -> str:
     """One wording in all languages for neighbours and for rooms far apart."""
-    far = p.kind == Relation.APART and words not in DOORLESS
+    far = p.kind == Relation.APART and not words.startswith(DOORLESS)
     return "next to" if p.kind == Relation.NEAR and words not in OPPOSITE else "far from" if far else words
 
 

@@ -66,6 +66,19 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(is|are|be) (?:both|all) (?=off|reached|accessed|accessible|reachable|entered|connected|linked|next)", r"\1 "),
     (r"\b(entered|reached|accessed|accessible|reachable|connected|linked|leads?|doors?|opens?) both "
      r"(from|to|into|onto|off)\b", r"\1 \2"),
+    # "les deux autres chambres", "la chambre a une salle d'eau", "el salón es la habitación más grande"
+    (r"\b(dos|tres|cuatro) (dormitorios|habitaciones|banos) mas\b(?! (?:grand|pequen))", r"otros \1 \2"),
+    (r"\bles (deux|trois|quatre) autres\b", r"les autres \1"),
+    (r"\b((?:chambre|salon|cuisine|sejour|suite|appartement|logement|bureau)(?: \w+)?) a (une?|deux|trois|sa|son)\b",
+     r"\1 avec \2"),
+    (r"\b(?:ser|es|sea) la (?:habitacion|estancia|pieza) mas (grande|pequena)\b",
+     lambda found: f"is the {'largest' if found[1] == 'grande' else 'smallest'} room"),
+    # "a bigger living room than kitchen"
+    (r"\b(?:an? |the )?(larger|bigger|smaller) ((?:living|dining|bed|bath) ?room|kitchen|study|balcony|hall) than\b",
+     r"the \2 \1 than the"),
+    (r"\bthan the (?:the|an?)\b", "than the"),
+    (r"\b(to|near|from|beside|touch|touching) any (?:of the )?(bed|bath)rooms?\b", r"\1 the \2rooms"),
+    (r"\bno doors (?=between|to|from)", "no door "),
     (r"\beither (bed|bath)room\b", r"both \1rooms"),
     # "a bedroom with a bath for the grandparents", "the bedroom of the children"
     (rf"\b(?:(two|three|2|3) )?(bed ?rooms?)((?: with (?:an? |its own |their own |own )(?:[\w-]+ ){{0,2}}[\w-]+)?) "

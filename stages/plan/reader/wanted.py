@@ -33,14 +33,16 @@ def _data() -> dict[str, Any]:
 
 def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     """Bedrooms for the people named, where the prompt counts none; a loft has none."""
-    unsaid = not (home.of("bedroom") or home.totals or said.main_rooms or said.dwelling == "studio")
+    known = home.of("bedroom")
+    named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
+    unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):
         return
     if said.about.loft:
         said.dwelling = "studio"
     elif said.about.people is not None:
         many = bedrooms(said.about.people, said.total_area, rng)
-        home.add("bedroom", many)
+        home.add("bedroom", many - len(known))
         said.dwelling = said.dwelling if many else "studio"
 
 
