@@ -147,6 +147,15 @@ def counted(items: list[Item]) -> list[Item]:
     return out
 
 
+def _furnished(items: list[Item]) -> list[Item]:
+    """`in the study put a desk`: the study has it."""
+    inside, room = (items[:2] + [Item("")] * 2)[:2]
+    thing = next((i.kind for i in items[2:] if i.kind not in ("reach", "copula", "mark")), "")
+    if inside.value != "in" or room.room is None or thing != "object":
+        return items
+    return [room, Item("with", "has", inside.text), *items[2:]]
+
+
 def _one_in(items: list[Item], k: int) -> bool:
     """`a desk in the study and one in each bedroom`: another of the furniture named before."""
     room, joint, ahead = items[k].room, items[k - 1], items[k + 1 : k + 3]
@@ -177,7 +186,7 @@ def _one_each(items: list[Item], k: int) -> bool:
 def unfolded(items: list[Item]) -> list[Item]:
     """Short forms written out: `a bathroom between them`, `the other to …`, `connects the hall with the lounge`."""
     out: list[Item] = []
-    for k, item in enumerate(items):
+    for k, item in enumerate(items := _furnished(items)):
         links = [i for i in items[:k] if i.kind == "link"]
         near = [i.kind for i in items[max(0, k - 1) : k + 2]]
         thing = next((i for i in reversed(items[:k]) if i.kind == "object"), None)

@@ -49,7 +49,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
                 out.near += [
                     (a, b)
                     for a, b in pairs
-                    if s.relation not in OPPOSITE
+                    if not s.relation.startswith(OPPOSITE)
                     and a.type in (*OPEN_TYPES, "balcony")
                     and b.type in (*OPEN_TYPES, "balcony")
                 ]

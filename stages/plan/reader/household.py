@@ -4,7 +4,7 @@ import math
 
 from apartgen.stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
 from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_before
-from apartgen.stages.plan.reader.labelled import labelled
+from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
 from apartgen.stages.plan.reader.traits import lay
@@ -257,6 +257,8 @@ class Household:
             and all(e.labels & {Trait.GUEST, Trait.KIDS} for e in known)
         ):
             return self.add(phrase.type)  # "a guest room besides our bedroom"
+        if (told := told_apart(phrase, known)) is not None:
+            return told or self.add(phrase.type)
         if other_hall(phrase, known, mentioned):
             return self.add(phrase.type)
         known = best_named(phrase, known)

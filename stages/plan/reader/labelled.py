@@ -16,10 +16,26 @@ WHOSE = (("boy", "son"), ("girl", "daughter"), ("twin",), ("bab", "nursery", "to
 """Words of people whose rooms are not one another's."""
 
 
+POSSESSIVE = ("my", "our", "his", "her")
+"""Of `my room`: two people's are two."""
+
+
 def _of_others(text: str, name: str) -> bool:
     """Whether `the girls' room` is not `the boys' room`."""
     a, b = (next((k for k, words in enumerate(WHOSE) if said.startswith(words)), None) for said in (text, name))
     return None not in (a, b) and a != b
+
+
+def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
+    """The room of `the 9 m² bedroom`, of `my room` beside `her room`; [] is a new one, None where nobody says so."""
+    if phrase.quantifier == Det.THE and len(phrase.areas) == 1:
+        return [e for e in known if e.area == phrase.areas[0]][:1] or None
+    if phrase.text.split()[0] not in POSSESSIVE:
+        return None
+    free = [e for e in known if e.name == phrase.text] or [e for e in known if e.name.split()[0] not in POSSESSIVE]
+    for room in free[:1]:
+        room.name = phrase.text
+    return free[:1]
 
 
 def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[Entity]:

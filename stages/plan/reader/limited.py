@@ -1,5 +1,6 @@
 """Of which rooms lengths, widths and doors are limited, and between which there are to be no doors."""
 
+from apartgen.stages.plan.reader.clauses import clause_of
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.positions import known
 from apartgen.stages.plan.reader.statements import Asked, Said
@@ -28,6 +29,7 @@ def limited(items: list[Item], said: Said) -> list[Item]:
             skip = int(items[k + 1].room is None)
         elif (room := _before(items, k)) is not None:
             _ask(item, known(room, items), said)
+            clause_of(out, [room], item.text)
             _without_verb(out, items[k + 1 : k + 3])
         else:
             said.unread.append(item.text)

@@ -45,7 +45,8 @@ class Pending:
         phrase.exact = self.number == 1 and bool(EXACT & set(self.texts))
         if kind == "bathroom" and Trait.OWN in phrase.labels:
             phrase.labels.add(Trait.ENSUITE)
-        if phrase.quantifier == Det.BOTH and _both(self.texts) and not word.plural:
+        ensuite = Trait.ENSUITE in phrase.labels  # "two bedrooms, both en suite"
+        if phrase.quantifier == Det.BOTH and _both(self.texts) and not word.plural and not ensuite:
             phrase.quantifier = Det.THE  # "both the bedroom and the hallway"
         counted = (word.joined and not word.plural) or (kind in ("bedroom", "bathroom") and word.text in LISTED)
         phrase.headline = counted and self.number is not None

@@ -1,5 +1,6 @@
 """Where rooms are to lie: sides, corners, front and back, and the entrance."""
 
+from apartgen.stages.plan.reader.clauses import clause_of
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
@@ -12,10 +13,6 @@ WAYS_IN = ("entry", "entrada", "entree", "l'entree")
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
           "richtung", "plein", "expose", "hacia", "dar al", "da al", "dan al", "朝", "向")  # fmt: skip
 """Words by which a side is that of a room's windows rather than its place."""
-
-
-VERBS = ("is", "lies", "faces", "looks", "sits")
-"""Verbs of one room, with which a clause of its own begins."""
 
 
 def role_of(items: list[Item], k: int) -> str:
@@ -43,6 +40,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
         text = item.text.replace(" - ", "-")
         if _beside(items, k):
             _seen_from(items, k, said)
+            clause_of(out, _rooms(items, k), text)
             k += 2
             continue
         if item.kind == "place" or (item.kind == "side" and not role_of(items, k)):
@@ -51,13 +49,10 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             seen_from = seen_from if again else _whose(items, k)
             said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
-            if (text.split()[0] in VERBS or not text.isascii()) and len(rooms) == 1:
-                _close_before(out, rooms[0])
+            clause_of(out, rooms, text)
         elif _near_behind(items, k) and (rooms := _there(items, k + 2) or _rooms(items, k)):
-            said.asked += [
-                Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms
-            ]
-            _close_before(out, rooms[0])
+            said.asked += [Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms]
+            clause_of(out, rooms, text)
             k += 2
             continue
         elif _at_entrance(items, k, said) and (rooms := _rooms(items, k)):
@@ -68,24 +63,23 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             said.asked += [
                 Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
             ]
-            if not text.isascii() and len(rooms) == 1:
-                _close_before(out, rooms[0])
+            clause_of(out, rooms, link.text)
             k += 1
             continue
         if item.kind == "beside":
             said.unread.append(text)
+        elif item.kind == "thing" and _subject(items, k):
+            k += 1  # "a lift opens into the hall" says nothing of rooms
         elif item.kind not in ("place", "thing"):
             out.append(item)
         k += 1
     return out
 
 
-def _close_before(out: list[Item], room: RoomPhrase) -> None:
-    """`the bath is next to the kitchen, and the bedroom faces south`: the bedroom is no further neighbour."""
-    if len(out) < 4 or out[-1].room is not room:
-        return
-    if (out[-2].kind == "conjunction" and room.quantifier == Det.THE) or not room.text.isascii():
-        out[-2] = Item("boundary", "while", out[-2].text)
+def _subject(items: list[Item], k: int) -> bool:
+    """Whether the thing at `k` begins a sentence and has a verb."""
+    begins = k == 0 or is_mark(items[k - 1], ".")
+    return begins and k + 1 < len(items) and items[k + 1].kind == "link" and items[k + 1].form == "s"
 
 
 def _side(item: Item) -> str:

@@ -130,7 +130,7 @@ def _rooms(items: list[Item], start: int, end: int) -> list[RoomPhrase]:
 def _worded(p: Predicate, words: str) -> str:
     """One wording in all languages for neighbours and for rooms far apart."""
     far = p.kind == Relation.APART and not words.startswith(DOORLESS)
-    return "next to" if p.kind == Relation.NEAR and words not in OPPOSITE else "far from" if far else words
+    return "next to" if p.kind == Relation.NEAR and not words.startswith(OPPOSITE) else "far from" if far else words
 
 
 def _dines(hubs: list[RoomPhrase], ends: list[RoomPhrase]) -> bool:

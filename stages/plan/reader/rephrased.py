@@ -10,8 +10,9 @@ _OF_WHOM = re.compile(r"\b(?:schlaf)?zimmer (?:der|unserer|meiner|fur (?:die|uns
 _LIVED = r"(?:kitchen|dining|living)(?: room)?"
 _OPENED = re.compile(rf"\b({_LIVED}(?: ?\+ ?{_LIVED}){{1,2}}) ?: ?open(?:[ -]?plan)?\b")
 _COMPARED = re.compile(r"比([^,.;:]{1,10}?)(?:还要|还|更|要)?(大|小)(?:一些|一点|些)?(?=[,.;]|$)")
-_PEOPLE = "grandparents|parents|children|kids"
-_NAMED = {"grandparents": "grandparents'", "parents": "parents'", "children": "children's", "kids": "kids"}
+_PEOPLE = "grandparents|parents|children|childs|kids"
+_NAMED = {"grandparents": "grandparents'", "parents": "parents'", "children": "children's",
+          "childs": "children's", "kids": "kids"}  # fmt: skip
 
 
 def _whose_room(found: re.Match[str]) -> str:
@@ -78,6 +79,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"the \2 \1 than the"),
     (r"\bthan the (?:the|an?)\b", "than the"),
     (r"\b(to|near|from|beside|touch|touching) any (?:of the )?(bed|bath)rooms?\b", r"\1 the \2rooms"),
+    # "Place two lamps in the study", "a balcony I don't need"
+    (r"(^|[.;:] *)place (?=(?:an?|the|one|two|three|four|\d+) )", r"\1put "),
+    (r"(^|[.;,] *)(?:an? |the )?([a-z ]{3,20}?),? (?:i|we) (?:do not|don't|dont) (?:need|want)\b", r"\1no \2"),
     (r"\bno doors (?=between|to|from)", "no door "),
     (r"\beither (bed|bath)room\b", r"both \1rooms"),
     # "a bedroom with a bath for the grandparents", "the bedroom of the children"

@@ -84,10 +84,10 @@ def _neighbours(statements: list[Statement]) -> Iterator[Asked]:
         denied = words != s.relation
         kind = ""
         if s.kind == Relation.NEAR:
-            kind = "opposite" if words in OPPOSITE else "adjacent"
+            kind = "opposite" if words.startswith(OPPOSITE) else "adjacent"
         elif s.kind == Relation.NOT and (words in FAR or (denied and words in BESIDE)):
             kind = "apart"
-        elif s.kind == Relation.NOT and denied and words not in OPPOSITE:
+        elif s.kind == Relation.NOT and denied and not words.startswith(OPPOSITE):
             kind = "no_door"
         if s.kind == Relation.COMPARE and s.number in LARGER + SMALLER:
             kind = "order"

@@ -86,5 +86,5 @@ class Relation(StrEnum):
     EQUAL = "equal"
 
 
-OPPOSITE = ("opposite", "across from")
-"""Of the words for neighbours, those that say nothing of a common wall."""
+OPPOSITE = ("opposite", "across from", "gegenuber", "en face", "enfrente", "frente")
+"""How words begin that say of neighbours that they face one another, and nothing of a common wall."""

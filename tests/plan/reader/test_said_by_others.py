@@ -25,6 +25,18 @@ SENTENCES = [
     ("There should be no doors between the two bedrooms.", "B2 H K L W", "no_door B1 B2"),
     ("The kitchen and the living room are separated by a wall without a door. Two bedrooms.", "B2 H K L W",
      "H1K1, H1L1, !K1L1"),
+    # a clause whose place is read is no object of the clause before
+    ("Two bedrooms. The study is opposite the bathroom and the kitchen is near the entrance.", "B2 H K L S W",
+     "opposite S1 W1, near K1 entrance, !opposite S1 K1"),
+    ("Two bedrooms; the pantry is reached only from the kitchen and the study lies west of the living room.",
+     "B2 H K L S T W", "K1T1, position S1 L1 west, !S1T1"),
+    ("The study must not be next to the kitchen, the bathroom is north of the study, and the hallway is at most 4 m "
+     "long. One bedroom.", "B H K L S W", "apart S1 K1, position W1 S1 north, at_most H1 length 4, H1S1, !apart S1 W1"),
+    ("Dos dormitorios. El baño está enfrente de la cocina.", "B2 H K L W", "opposite W1 K1, !adjacent W1 K1"),
+    ("A flat with two bedrooms. A lift opens into the hall.", "B2 H K L W", "unread lift"),
+    ("Flat for me and my aunt. Her room must be next to the bathroom, my room next to the kitchen.", "B2 H K L W",
+     "adjacent B1 W1, adjacent B2 K1"),
+    ("Bedrooms of 14, 12 and 10 m². The 10 m² bedroom is next to the kitchen.", "B3 H K L W2", "adjacent B3 K1"),
     # openings and ways
     ("The kitchen should have an island and be open to the dining area. One bedroom.", "B D H K L W", "D1~K1"),
     ("One of the two bedrooms opens onto the terrace, the other onto the street.", "B2 H K L W Y", "B1Y1, !B1B2"),
@@ -66,7 +78,12 @@ SENTENCES = [
     ("No hay balcón. Piso de dos dormitorios sin pasillo.", "B2 K L W", ""),
     ("El dormitorio principal tiene baño propio, dos dormitorios más. No hay pasillo.", "B3 K L W2", "B1W1"),
     ("El salón debe ser la habitación más grande. Piso de dos dormitorios.", "B2 H K L W", "order L1 largest"),
+    ("Not four bedrooms but three, please, and one bathroom.", "B3 H K L W", ""),
+    ("One bedroom with 12 m². A balcony I don't need.", "B H K L W", "B1=12"),
+    ("Two bedrooms, both en suite, and a guest toilet.", "B2 H K L W3", "B1W1, B2W2, H1W3"),
     # whose
+    ("We make three bedrooms, the bedrooms of the kids are in the north and our bedroom is in the south.",
+     "B3 H K L W2", "position B2 north, position B3 north, position B1 south, !position B1 north"),
     ("La chambre parentale a une salle d'eau privée, les deux autres chambres partagent une salle de bains.",
      "B3 H K L W2", "B1W1, H1W2"),
     ("A couple with a child and a grandmother. The grandmother's room has its own shower room.", "B3 H K L W2",
@@ -80,6 +97,11 @@ SENTENCES = [
     ("Main bedroom, nursery, a kids room. The nursery must be next to the main bedroom.", "B3 H K L W2",
      "adjacent B2 B1, !adjacent B3 B1"),
     # furniture
+    ("Main bedroom, kids room, living room, kitchen. In the kids room put a single bed and a bookshelf.", "B2 H K L W",
+     "B2 has 1 single_bed, B2 has 1 bookshelf"),
+    ("Two bedrooms. The second bedroom is 3 by 4 m. Place two nightstands in the main bedroom.", "B2 H K L W",
+     "dimension B2 3 x 4, B1 has 2 nightstand, !dimension home 3 x 4"),
+    ("Piso con dos dormitorios, cada uno con un escritorio.", "B2 H K L W", "B1 has 1 desk, B2 has 1 desk"),
     ("Two bedrooms, a study. Put a desk in the study and one in each bedroom.", "B2 H K L S W",
      "S1 has 1 desk, B1 has 1 desk, B2 has 1 desk"),
     ("Two bedrooms, in each of them two single beds and a desk, then one bathroom.", "B2 H K L W",
