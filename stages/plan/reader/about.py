@@ -7,6 +7,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from apartgen.stages.plan.reader.patterns import Late
+
 BEFORE = r"(?:\b(?:for|fur|pour|para)\s+)?(?:\b(?:a|an|the|ein|eine|einem|einer|un|une|una)\s+)?"
 """What stands before people and goes with them."""
 
@@ -41,10 +43,10 @@ class About:
 
 def about(text: str) -> tuple[About, str]:
     """What a folded text says of people and surroundings, and the text without the words that say it."""
-    lived = any(pattern.search(text) for pattern in _patterns(_data()["lived"]))
+    lived = _first(_data()["lived"], text) is not None
     people, text = _people(text)
     dwelling, facades, text = _dwelling(text)
-    return About(people, dwelling, facades, any(p.search(text) for p in _patterns(_data()["loft"])), lived), text
+    return About(people, dwelling, facades, _first(_data()["loft"], text) is not None, lived), text
 
 
 def numbers() -> dict[str, int]:
@@ -57,22 +59,22 @@ def _data() -> dict[str, Any]:
     return tomllib.loads((Path(__file__).parent / "about.toml").read_text(encoding="utf-8"))
 
 
-def _patterns(row: dict[str, Any], before: str = "") -> list[re.Pattern[str]]:
-    numbers = "|".join(sorted(_data()["numbers"], key=len, reverse=True))
-    return [_compiled(before + text.replace("{n}", rf"(?P<n>\d+|{numbers})")) for text in row["find"]]
+def _first(row: dict[str, Any], text: str, before: str = "") -> re.Match[str] | None:
+    """What the first of a row's patterns finds that finds anything."""
+    found = (_pattern(before + words).search(text) for words in row["find"])
+    return next((match for match in found if match is not None), None)
 
 
 @cache
-def _compiled(pattern: str) -> re.Pattern[str]:
-    return re.compile(pattern)
+def _pattern(text: str) -> Late:
+    numbers = "|".join(sorted(_data()["numbers"], key=len, reverse=True))
+    return Late(text, {"n": rf"(?P<n>\d+|{numbers})"})
 
 
 def _people(text: str) -> tuple[People | None, str]:
     for row in _data()["people"]:
-        for pattern in _patterns(row, BEFORE):
-            found = pattern.search(text)
-            if found:
-                return _counted(row, found), _without(text, found)
+        if (found := _first(row, text, BEFORE)) is not None:
+            return _counted(row, found), _without(text, found)
     return None, text
 
 
@@ -86,12 +88,11 @@ def _counted(row: dict[str, Any], found: re.Match[str]) -> People:
 
 
 def _dwelling(text: str) -> tuple[str, int | None, str]:
-    flat = any(pattern.search(text) for pattern in _patterns(_data()["not_a_house"]))
+    flat = _first(_data()["not_a_house"], text) is not None
     for row in _data()["dwelling"]:
-        for pattern in _patterns(row):
-            found = pattern.search(text)
-            if found and not (flat and row["kind"] == "house"):
-                return row["kind"], row["facades"], _without(text, found)
+        found = None if flat and row["kind"] == "house" else _first(row, text)
+        if found is not None:
+            return row["kind"], row["facades"], _without(text, found)
     return "", None, text
 
 

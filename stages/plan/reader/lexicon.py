@@ -2,7 +2,6 @@
 
 import itertools
 import re
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -10,6 +9,7 @@ from pathlib import Path
 
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.rooms import kinds
+from apartgen.stages.plan.reader.tables import tables
 from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
 from apartgen.stages.things.categories import by_word
 
@@ -27,6 +27,8 @@ PRIORITY = (
 
 _RANK = {kind: k for k, kind in enumerate(PRIORITY)}
 _PLAIN = re.compile(r"[a-z -]+")
+_ELIDED = re.compile(r"[a-z][a-z']*(?:[ -]+[a-z][a-z']*)*")
+"""Words with apostrophes."""
 _SIGNS = re.compile(f"[{CJK}]+")
 _WORD = re.compile(r"[^\W\d_]+(?:'[^\W\d_]+)*")
 _PATTERN = re.compile(r"[a-z -]*(?:(?:(?<= )|(?<!.)){[a-z, -]*}(?= |$)[a-z -]*)*")
@@ -54,8 +56,9 @@ class Entries:
         self._found.setdefault(words, {}).setdefault(entry.kind, entry)
 
     def wait(self, kind: str, value: str, pattern: str) -> None:
-        """A pattern to be expanded later."""
-        for first in first_words(pattern):
+        """A pattern to be expanded later, with the plurals of nouns."""
+        firsts = set(phrase(pattern)[:1]) if _PLAIN.fullmatch(pattern) else first_words(pattern)
+        for first in firsts | {plural((word,))[0] for word in firsts} if kind in NOUNS else firsts:
             self._waiting.setdefault(first, []).append((kind, value, pattern))
 
     def get(self, words: Phrase) -> tuple[Entry, ...] | None:
@@ -80,17 +83,24 @@ class Entries:
         for words, readings in self._found.items():
             best = _ranked(readings)[0].kind
             yield from ((word, best) for word in words)
+        waiting: dict[str, dict[str, None]] = {}
         for rows in self._waiting.values():
             for kind, _, pattern in rows:
-                yield from ((word, kind) for word in _WORD.findall(pattern))
+                waiting.setdefault(kind, {})[pattern] = None
+        for kind, patterns in waiting.items():
+            yield from ((word, kind) for word in _WORD.findall(" ".join(patterns)))
+            yield from ((word, kind) for pattern in patterns if kind in NOUNS for word in _plurals(pattern))
 
     def _expand(self, first: str) -> None:
         for kind, value, pattern in self._waiting.pop(first, ()):
-            entry = Entry(kind, value)
+            noun = kind in NOUNS
+            one, several = Entry(kind, value), Entry(kind, value, plural=True)
             for text in expand(pattern):
                 words = phrase(text)
                 if words[:1] == (first,):
-                    self.add(words, entry)
+                    self.add(words, one)
+                if noun and words and words[-1].isascii() and (many := plural(words))[0] == first:
+                    self.add(many, several)
 
 
 @dataclass(frozen=True)
@@ -145,6 +155,8 @@ def phrase(text: str) -> Phrase:
     """The words of a phrase, without hyphens."""
     if _PLAIN.fullmatch(text):  # as tokens would be, without their cost: a process's first sentence waits for this
         return tuple(text.replace("-", " ").split())
+    if _ELIDED.fullmatch(text) and "''" not in text and "d'au" not in text:
+        return tuple(word.rstrip("'") for word in text.replace("-", " ").split())
     if _SIGNS.fullmatch(text) and not {"十", "百"} & set(text):  # a token each; tens become digits
         return tuple(text)
     return tuple(t.text for t in tokenize(fold(text)) if t.text != "-")
@@ -175,10 +187,11 @@ def read_lexicon() -> Lexicon:
     suffixes: dict[str, Entry] = {}
     longest = _add_group(found, "room", _newcomers())
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
-        table = tomllib.loads(file.read_text(encoding="utf-8"))
+        table = tables(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
         for name, ends in table.pop("suffix", {}).items():
-            suffixes |= {end: Entry(*name.split("/")) for end in ends}
+            kind, _, value = name.partition("/")
+            suffixes |= {end: Entry(kind, value) for end in ends}
         longest = max([longest, *(_add_group(found, kind, group) for kind, group in table.items())])
     longest = max(longest, _add_group(found, "furniture", _furniture()))
     return Lexicon(found, also_object, suffixes, longest)
@@ -192,25 +205,22 @@ def _ranked(readings: dict[str, Entry]) -> tuple[Entry, ...]:
 
 
 def _add_group(found: Entries, kind: str, group: dict[str, list[str]]) -> int:
-    """Add the phrases of a kind; nouns at once, for their plurals. Returns the most words one may have."""
+    """Add the phrases of a kind; returns the most words one may have."""
     longest = 1
     for value, patterns in group.items():
         longest = max([longest, *map(most_words, patterns)])
         for pattern in patterns:
-            if kind in NOUNS:
-                _add_nouns(found, kind, value, pattern)
-            else:
-                found.wait(kind, value, pattern)
+            found.wait(kind, value, pattern)
     return longest
 
 
-def _add_nouns(found: Entries, kind: str, value: str, pattern: str) -> None:
-    one, several = Entry(kind, value), Entry(kind, value, plural=True)
-    for text in expand(pattern):
-        words = phrase(text)
-        found.add(words, one)
-        if words[-1].isascii():
-            found.add(plural(words), several)
+def _plurals(pattern: str) -> list[str]:
+    """The words of the plurals of a noun's phrases that are not those of its singulars."""
+    _, _, options = pattern.removesuffix("}").rpartition("{" if pattern.endswith("}") else " ")
+    ends = options.split(",") if pattern.endswith("}") else [options]
+    if "" in ends or "for" in pattern or "where" in pattern:
+        return [word for text in expand(pattern) if (words := phrase(text))[-1].isascii() for word in plural(words)]
+    return [plural(words[-1:])[0] for end in ends if (words := phrase(end)) and words[-1].isascii()]
 
 
 def _newcomers() -> dict[str, list[str]]:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from apartgen.stages.plan.reader.about import People, numbers
+from apartgen.stages.plan.reader.patterns import Late
 
 ROOM = {"child": "kids room", "twins": "kids room", "adult": "relative's room", "couple": "parents' bedroom",
         "spouse": "parents' bedroom"}  # fmt: skip
@@ -216,8 +217,14 @@ def _data() -> dict[str, Any]:
 
 
 @cache
-def _pattern(text: str, unnamed: bool = False) -> re.Pattern[str]:
+def _pattern(text: str, unnamed: bool = False) -> Late:
     """A pattern with the words of `people.toml` in the place of their names."""
+    return Late(text, _words(unnamed))
+
+
+@cache
+def _words(unnamed: bool) -> dict[str, str]:
+    """Parts of patterns by their names; `unnamed` ones may stand in a pattern twice."""
     words = dict(_data()["words"])
     words["numbers"] = r"\d+|" + "|".join(sorted(numbers(), key=len, reverse=True))
     count = rf"(?P<n>{words['numbers']})" if not unnamed else rf"(?:{words['numbers']})"
@@ -228,6 +235,4 @@ def _pattern(text: str, unnamed: bool = False) -> re.Pattern[str]:
     words["number"] = rf"(?:{words['numbers']})\b"
     words["who"] = rf"(?<![a-z']){modified}(?:{nouns})(?![a-z'])(?! ?(?:bed|bath|room|suite|bunk))"
     words["self"] = r"\b(?:me|myself|us|we|i|mich|mir|uns|ich|moi|nous|yo|nosotros)\b"
-    for name in ("who", "self", *words):
-        text = text.replace("{" + name + "}", words[name])
-    return re.compile(text)
+    return words

@@ -7,10 +7,11 @@ from apartgen.stages.plan.reader.lexicon import Lexicon, read_lexicon
 
 def correct(word: str, lexicon: Lexicon) -> str:
     """The lexicon's nearest word within one slip (two from nine letters), or the word itself."""
-    known = (word,) in lexicon.entries or word in lexicon.words
-    if not known and len(word) == 4 and word.isascii():
+    if len(word) < 4 or not word.isascii() or (word,) in lexicon.entries:
+        return word
+    if len(word) == 4:
         return _short(word)
-    return word if known or len(word) < 5 or not word.isascii() else _nearest(word)
+    return word if word in lexicon.words else _nearest(word)
 
 
 def split(word: str, lexicon: Lexicon) -> tuple[str, str] | None:
@@ -56,14 +57,13 @@ def _nearest(word: str) -> str:
 def _short(word: str) -> str:
     """A number that lacks a letter: of words so short, any other slip makes another word."""
     longer = _by_length().get(5, {}).get(word[0], [])
-    fits = [w for w in longer if w in _numbers() and any(w[:k] + w[k + 1 :] == word for k in range(5))]
+    fits = [w for w in longer if any(w[:k] + w[k + 1 :] == word for k in range(5)) and _is_number(w)]
     return fits[0] if fits else word
 
 
-@cache
-def _numbers() -> frozenset[str]:
-    entries = read_lexicon().entries
-    return frozenset(w[0] for w, found in entries.items() if len(w) == 1 and found[0].kind == "number")
+def _is_number(word: str) -> bool:
+    found = read_lexicon().entries.get((word,))
+    return found is not None and found[0].kind == "number"
 
 
 SUBSTITUTION = 1.2

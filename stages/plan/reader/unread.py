@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.tokens import fold
 
 DENIED = re.compile(r"\b(?:no|not|without|single|one|ohne|kein\w*|sans|pas d'|pas de|sin|ninguna?) (?:\w+ )?$")
@@ -22,7 +23,7 @@ def limits(text: str) -> list[tuple[str, str]]:
         (found.group(), "" if DENIED.search(text[: found.start()]) else row["why"])
         for row in _limits()
         for pattern in row["find"]
-        for found in _compiled(pattern).finditer(text)
+        for found in late(pattern).finditer(text)
     ]
 
 
@@ -41,11 +42,6 @@ def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -
 def _limits() -> list[dict[str, Any]]:
     data = tomllib.loads((Path(__file__).parent / "limits.toml").read_text(encoding="utf-8"))
     return list(data["limit"])
-
-
-@cache
-def _compiled(pattern: str) -> re.Pattern[str]:
-    return re.compile(pattern)
 
 
 def _outermost(beyond: list[tuple[str, str]]) -> list[tuple[str, str]]:

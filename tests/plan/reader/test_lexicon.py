@@ -2,7 +2,17 @@
 
 import pytest
 
-from apartgen.stages.plan.reader.lexicon import Entries, Entry, expand, first_words, most_words, phrase, read_lexicon
+from apartgen.stages.plan.reader.lexicon import (
+    Entries,
+    Entry,
+    expand,
+    first_words,
+    most_words,
+    phrase,
+    plural,
+    read_lexicon,
+)
+from apartgen.stages.plan.reader.tokens import fold, tokenize
 
 PATTERNS = ["is", "{opens,opening} {onto,into}", "{,is,are} on the left {,side}", "{a,} b {c d,e}", "l'est", "a-b {c,}",
             "{baby's,kids'} room", "w/o", "küche {nord,süd}", "{,also} {,very} far"]  # fmt: skip
@@ -22,6 +32,24 @@ def test_waiting_patterns_are_found(pattern: str) -> None:
     for words in filter(None, map(phrase, expand(pattern))):
         assert words in entries and entries.get(words) == (Entry("link", "door"),)
     assert ("nowhere",) not in entries
+
+
+@pytest.mark.parametrize("pattern", ["den", "{dining,breakfast} {nook,}", "room for {work,reading}", "pantry", "küche"])
+def test_nouns_are_found_in_both_numbers(pattern: str) -> None:
+    entries = Entries()
+    entries.wait("room", "study", pattern)
+    for words in map(phrase, expand(pattern)):
+        assert entries.get(words) == (Entry("room", "study"),)
+        assert entries.get(plural(words)) == (Entry("room", "study", plural=True),)
+    waiting = Entries()
+    waiting.wait("room", "study", pattern)
+    assert {w for words, _ in entries.items() for w in words} <= {fold(word) for word, _ in waiting.words()}
+
+
+def test_phrases_are_split_as_tokens_are() -> None:
+    for words, _ in read_lexicon().entries.items():
+        text = " ".join(words)
+        assert phrase(text) == tuple(t.text for t in tokenize(fold(text)) if t.text != "-")
 
 
 def test_no_phrase_is_longer_than_the_lexicon_says() -> None:
