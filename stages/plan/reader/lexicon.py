@@ -55,11 +55,13 @@ class Entries:
         """One reading more; the first of a kind counts."""
         self._found.setdefault(words, {}).setdefault(entry.kind, entry)
 
-    def wait(self, kind: str, value: str, pattern: str) -> None:
-        """A pattern to be expanded later, with the plurals of nouns."""
-        firsts = set(phrase(pattern)[:1]) if _PLAIN.fullmatch(pattern) else first_words(pattern)
+    def wait(self, kind: str, value: str, pattern: str) -> int:
+        """A pattern to be expanded later, with the plurals of nouns; returns the most words of a phrase."""
+        words = pattern.replace("-", " ").split() if _PLAIN.fullmatch(pattern) else None
+        firsts = first_words(pattern) if words is None else set(words[:1])
         for first in firsts | {plural((word,))[0] for word in firsts} if kind in NOUNS else firsts:
             self._waiting.setdefault(first, []).append((kind, value, pattern))
+        return most_words(pattern) if words is None else len(words)
 
     def get(self, words: Phrase) -> tuple[Entry, ...] | None:
         """All readings of a phrase, the likeliest first."""
@@ -208,9 +210,7 @@ def _add_group(found: Entries, kind: str, group: dict[str, list[str]]) -> int:
     """Add the phrases of a kind; returns the most words one may have."""
     longest = 1
     for value, patterns in group.items():
-        longest = max([longest, *map(most_words, patterns)])
-        for pattern in patterns:
-            found.wait(kind, value, pattern)
+        longest = max([longest, *(found.wait(kind, value, pattern) for pattern in patterns)])
     return longest
 
 
