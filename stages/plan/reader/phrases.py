@@ -61,6 +61,8 @@ class Phraser:
         ):
             self.pending.labels.add(Trait.ADJOINING)
             return i + 1
+        if word.text == "shower" and Trait.OWN in self.pending.labels:
+            word = words[i] = replace(word, kind="room", value="bathroom:ensuite+shower")
         if word.text == "shower" and following is not None and following.kind == "area":
             word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
         if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():

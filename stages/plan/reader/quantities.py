@@ -195,7 +195,7 @@ def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
             word.kind == "area"
             and last is not None
             and last.kind == "area"
-            and out[-1].text in ("and", ",", "und", "et", "y")
+            and out[-1].text in ("and", ",", "+", "/", "&", "und", "et", "y")
             and not own
         ):
             out[-2:] = [replace(last, values=last.values + word.values)]

@@ -57,6 +57,8 @@ def relations(
         if p.kind == Relation.BETWEEN and not right:
             right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
             left = left[-1:] if right else []
+        if not right and len(left) == 1 and p.subject[1] > 1 and p.kind in (Relation.NEAR, Relation.OPEN, Relation.APART):
+            left = _rooms(items, and_group(items, p.subject[1] - 1, 0), p.subject[1])  # "… must be next to each other"
         if not right and len(left) > 1 and p.kind == Relation.OPEN:
             out += chain(left)  # "kitchen, dining and living areas flow into each other"
             continue
