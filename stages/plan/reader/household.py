@@ -216,7 +216,8 @@ class Household:
         known = self.of(phrase.type)
         mentioned = id(phrase) in self.mentions
         if phrase.quantifier == Det.ANOTHER:
-            return self.add(phrase.type, int(phrase.count or 1))
+            free = [e for e in known if e.area is None] if phrase.areas and phrase.type in self.totals else []
+            return free[:1] or self.add(phrase.type, int(phrase.count or 1))
         plain = mentioned or phrase.count in (None, 1)
         vague = [e for e in known if e.vague and not (plain and e.labels & set(DISTINCT))]
         if vague and not phrase.definite and (phrase.count is not None or not mentioned):

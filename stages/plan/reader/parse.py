@@ -189,7 +189,8 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
     """`the kitchen is small`: a size after its room."""
     out: list[Item] = []
     for k, item in enumerate(items):
-        last = next((i.room for i in reversed(out) if i.kind != "copula"), None)
+        told = len(out) > 2 and out[-1].kind == "conjunction" and out[-2].kind == "copula"  # "is separate and small"
+        last = next((i.room for i in reversed(out[:-1] if told else out) if i.kind != "copula"), None)
         if item.kind == "size":
             last = last or _headed_by(out)
             if last is not None:

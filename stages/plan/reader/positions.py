@@ -55,7 +55,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             clause_of(out, rooms, text)
             k += 2
             continue
-        elif _at_entrance(items, k, said) and (rooms := _rooms(items, k)):
+        elif _at_entrance(items, k, said) and (rooms := _there(items, k + 1) or _rooms(items, k)):
             link = out.pop()
             if k + 1 < len(items) and items[k + 1].kind == "conjunction":
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
@@ -169,8 +169,10 @@ def _near_behind(items: list[Item], k: int) -> bool:
 
 
 def _there(items: list[Item], k: int) -> list[RoomPhrase]:
-    """The room behind `near the entrance (is)` that begins a clause."""
+    """The room behind `near the entrance is` that begins a clause; Chinese may leave out its verb."""
     opens = k < 3 or items[k - 3].kind in ("mark", "conjunction", "boundary")
+    verb = k < len(items) and items[k].kind in ("copula", "reach")
+    opens = opens and (verb or not items[k - 1].text.isascii())
     ahead = [i for i in items[k : k + 2] if i.kind not in ("copula", "reach", "with")]
     return [room for i in ahead[:1] if opens and (room := i.room) is not None]
 

@@ -57,8 +57,7 @@ def relations(
         if p.kind == Relation.BETWEEN and not right:
             right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
             left = left[-1:] if right else []
-        if not right and len(left) == 1 and p.subject[1] > 1 and p.kind in (Relation.NEAR, Relation.OPEN, Relation.APART):
-            left = _rooms(items, and_group(items, p.subject[1] - 1, 0), p.subject[1])  # "… must be next to each other"
+        left = left if right else _of_one_another(items, p, left)
         if not right and len(left) > 1 and p.kind == Relation.OPEN:
             out += chain(left)  # "kitchen, dining and living areas flow into each other"
             continue
@@ -70,6 +69,12 @@ def relations(
             continue
         out += _statement(p, left, right, items[p.at].text)
     return out
+
+
+def _of_one_another(items: list[Item], p: Predicate, left: list[RoomPhrase]) -> list[RoomPhrase]:
+    """`the study and the bath must be next to each other`: both are the subject of what has no object."""
+    alone = len(left) == 1 and p.subject[1] > 1 and p.kind in (Relation.NEAR, Relation.OPEN, Relation.APART)
+    return _rooms(items, and_group(items, p.subject[1] - 1, 0), p.subject[1]) if alone else left
 
 
 def _next_to_it(items: list[Item], p: Predicate) -> bool:

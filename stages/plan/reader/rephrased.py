@@ -79,6 +79,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"the \2 \1 than the"),
     (r"\bthan the (?:the|an?)\b", "than the"),
     (r"\b(to|near|from|beside|touch|touching) any (?:of the )?(bed|bath)rooms?\b", r"\1 the \2rooms"),
+    (r"\bnot (?:too )?far (?:away )?(?:from|of)\b", "near"),
+    (r"\bon (?:either|both) sides? of the (bath ?room|kitchen|living room|study)\b", r"next to the \1"),
+    (r"\bun bureau (?=dans (?:chaque |les |la |une )?chambre)", "une table de travail "),
     # "Place two lamps in the study", "a balcony I don't need"
     (r"(^|[.;:] *)place (?=(?:an?|the|one|two|three|four|\d+) )", r"\1put "),
     (r"(^|[.;,] *)(?:an? |the )?([a-z ]{3,20}?),? (?:i|we) (?:do not|don't|dont) (?:need|want)\b", r"\1no \2"),
@@ -97,6 +100,10 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"(?:面积)?是([^,.;:]{1,8}?)的(?:两|2|二)倍", r" twice as large as \1"),
     (r"(?:面积)?是([^,.;:]{1,8}?)的一半", r" half as large as \1"),
     (r"(?<![一两二三四个间1-9])次卧", "第二卧室"),
+    # "厨房和客厅之间不要有门", "卫生间在两个卧室之间", "厨房在客厅旁边"
+    (r"([^,.;:和]{1,6})和([^,.;:]{1,6})之间(?:不要有|不能有|没有|不要|无)门", r" no door between \1 and \2"),
+    (r"在([^,.;:]{1,12}?)之间", r" between \1"),
+    (r"(?<=[^,.;:在])在((?!入口|门口|大门)[^,.;:在]{1,6}?)(?:旁边|隔壁|边上)", r"靠近\1"),
     # "一个储藏室，从厨房进去"
     (r"从([^,.;:从]{1,8}?)(?:进去|进入|进出|进)(?:[,.;]|$)", r"通向\1."),
 )]  # fmt: skip
