@@ -47,6 +47,7 @@ def undoored(items: list[Item]) -> list[Item]:
         if denied and pair and (link.value in ("between", "door", "from") or link.text == "entre"):
             out += [Item("mark", ".", "."), a, Item("negation", "not", no.text), Item("link", "door", link.text), b]
             k += 5
+            out += [Item("mark", ".", ".")] if k < len(items) and is_mark(items[k], ",") else []
         elif denied and _has_none(out, items[k : k + 4]):
             owner = next(i for i in reversed(out) if i.room is not None)
             owner = _subject_again(out) or owner

@@ -189,7 +189,7 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
     """`the kitchen is small`: a size after its room."""
     out: list[Item] = []
     for k, item in enumerate(items):
-        told = len(out) > 2 and out[-1].kind == "conjunction" and out[-2].kind == "copula"  # "is separate and small"
+        told = _second_adjective(items, k)
         last = next((i.room for i in reversed(out[:-1] if told else out) if i.kind != "copula"), None)
         if item.kind == "size":
             last = last or _headed_by(out)
@@ -204,6 +204,12 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
         elif not any(i.kind == "dwelling" for i in out):
             said.unread.append(item.text)
     return out
+
+
+def _second_adjective(items: list[Item], k: int) -> bool:
+    """The `small` of `the kitchen is separate and small`."""
+    kinds = [i.kind for i in items[max(k - 3, 0) : k]]
+    return kinds == ["copula", "label", "conjunction"] and not any(i.kind == "negation" for i in items[:k])
 
 
 def _headed_by(before: list[Item]) -> RoomPhrase | None:

@@ -166,7 +166,7 @@ def _sum(groups: list[re.Match[str]]) -> People:
     pairs = singles = children = 0
     kinds = [_kind(match) for match in groups]
     for kind, match in zip(kinds, groups, strict=True):
-        count = _number(match) or (2 if _plural(match) else 1)
+        count = _number(match) if match.groupdict().get("n") else 2 if _plural(match) else 1
         if kind in ("child", "twins"):
             children += count
         elif kind in ("couple", "spouse") or (kind == "adult" and count == 2 and "adult" in match.group()):

@@ -38,7 +38,7 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):
         return
-    if said.about.loft:
+    if said.about.loft and not known:
         said.dwelling = "studio"
     elif said.about.people is not None:
         many = bedrooms(said.about.people, said.total_area, rng)

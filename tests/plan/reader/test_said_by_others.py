@@ -45,6 +45,7 @@ SENTENCES = [
     ("Neben dem Eingang ist ein Gäste-WC, gegenüber die Küche. Drei Schlafzimmer.", "B3 H K L W2",
      "near W1 entrance, opposite W1 K1"),
     ("两个卧室，厨房和客厅之间不要有门。", "B2 H K L W", "no_door K1 L1"),
+    ("两室一厅，次卧和厨房之间没有门，书房有双人床。", "B2 H K L S W", "no_door B2 K1, S1 has 1 double_bed, !no_door B2 S1"),
     ("卫生间在两个卧室之间，厨房在客厅旁边。", "B2 H K L W", "B1W1, B2W1, K1L1, !K1~L1"),
     ("La salle de bains se trouve entre les deux chambres.", "B2 H K L W", "B1W1, B2W1"),
     ("El baño está entre los dos dormitorios.", "B2 H K L W", "B1W1, B2W1"),
@@ -113,6 +114,8 @@ SENTENCES = [
      "order B2 B1 smaller"),
     ("Main bedroom, nursery, a kids room. The nursery must be next to the main bedroom.", "B3 H K L W2",
      "adjacent B2 B1, !adjacent B3 B1"),
+    ("A flat for a couple with 0 children.", "B H K L W", ""),
+    ("Loft whose main bedroom has its own bathroom.", "B H K L W", "B1W1, H1K1"),
     # furniture
     ("Un canapé dans le salon, un bureau dans chaque chambre. Deux chambres.", "B2 H K L W",
      "L1 has 1 sofa, B1 has 1 desk, B2 has 1 desk"),
