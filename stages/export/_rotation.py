@@ -20,6 +20,12 @@ def about_z(yaw: float) -> Array:
     return np.array([np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)])
 
 
+def y_up(point: Array) -> list[float]:
+    """A point in a frame whose y is up and whose -z is this one's y, as Habitat's and glTF's are."""
+    x, y, z = (float(v) for v in point)
+    return [x, z, -y]
+
+
 def from_x(axis: Array) -> Array:
     """w, x, y, z of the shortest turn of +x to an axis of any length."""
     axis = axis / np.linalg.norm(axis)

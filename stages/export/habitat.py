@@ -18,6 +18,7 @@ from apartgen.stages.export._gltf import packed
 from apartgen.stages.export._hull import hull
 from apartgen.stages.export._obj import Files
 from apartgen.stages.export._readback import read_glb, read_json, read_urdf
+from apartgen.stages.export._rotation import y_up
 from apartgen.stages.export._urdf import body_links
 from apartgen.stages.export._xml import save
 from apartgen.stages.scene.scene import Scene, identifier, untaken
@@ -90,7 +91,7 @@ class _Writer:
             (self._urdf if moves else self._object)(body, self.models[key])
         into = self.articulated if moves else self.objects
         entry = {
-            "template_name": self.models[key], "translation": _y_up(body.position), "translation_origin": "asset_local",
+            "template_name": self.models[key], "translation": y_up(body.position), "translation_origin": "asset_local",
             "rotation": _turned(body.yaw, z_up=moves), "motion_type": "DYNAMIC" if body.free or moves else "STATIC",
             "user_defined": {k: v for k, v in _facts(body).items() if v},
         }
@@ -108,7 +109,7 @@ class _Writer:
         self._json(f"objects/{name}.object_config.json", {
             "render_asset": f"{name}.glb", "collision_asset": felt, "join_collision_meshes": False, "margin": MARGIN,
             "requires_lighting": True, "is_collidable": bool(link.colliders), "friction_coefficient": link.friction,
-            "mass": mass, "COM": _y_up(center), "inertia": [x, z, y], "semantic_id": _semantic_id(body),
+            "mass": mass, "COM": y_up(center), "inertia": [x, z, y], "semantic_id": _semantic_id(body),
             "user_defined": {"category": body.category, "asset": body.model},
         })  # fmt: skip
 
@@ -124,7 +125,7 @@ class _Writer:
         """Lamps, as Habitat's lighting layout."""
         found = {
             light.name: {
-                "position": _y_up(light.position), "type": "point", "color": [1.0, 0.93, 0.82],
+                "position": y_up(light.position), "type": "point", "color": [1.0, 0.93, 0.82],
                 "intensity": light.lumens / 1100,
             }
             for light in lights
@@ -177,11 +178,6 @@ def _facts(body: Body) -> Config:
 
 def _semantic_id(body: Body) -> int:
     return SEMANTIC_IDS.get(body.category, 0)
-
-
-def _y_up(point: Any) -> list[float]:
-    x, y, z = (float(v) for v in point)
-    return [x, z, -y]
 
 
 def _turned(yaw: float, z_up: bool) -> list[float]:

@@ -16,6 +16,7 @@ from apartgen.stages.export._readback import Refused, read_images
 from apartgen.stages.export._section import section
 from apartgen.stages.export._xml import number
 from apartgen.stages.robot import reach
+from apartgen.stages.robot.way import before
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.space import footprints, grid, polygons, sweeps
 from apartgen.stages.space.boxes import Array, Mask
@@ -114,11 +115,8 @@ def _waypoints(world: reach.Space, objects: Sequence[Box], folder: Path) -> Path
 
 def _before(world: reach.Space, o: Box, cells: Mask) -> Mask:
     """Cells reached from which an object that opens is used."""
-    found = np.zeros_like(cells)
-    if sweeps.articulated([o])[0] and footprints.is_obstacle(o):
-        window, zone = reach.standing(o, world.grid, reach.REACH, world.radius)
-        found[window] = zone & cells[window]
-    return found
+    opens = sweeps.articulated([o])[0] and footprints.is_obstacle(o)
+    return before(world, o, cells) if opens else np.zeros_like(cells)
 
 
 def _pose(

@@ -1,6 +1,5 @@
 """What is known of a home and its pictures: names that mean one thing only, what each view shows, distances."""
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,46 +16,17 @@ from apartgen.stages.qa.drafts import Draft
 from apartgen.stages.qa.marks import MARKED, Marks
 from apartgen.stages.qa.whole import WHOLE, before_front, whole
 from apartgen.stages.space import boxes, polygons
+from apartgen.stages.things import names
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.names import SMALL, meanings, spoken
 
 CLEARLY = 0.004
 """Share of a picture that a thing must cover to be asked about."""
-SMALL = 0.35
-"""Longest side of things that are too small to be told by their names, m."""
 MOSTLY = 0.6
 """Share of its width and height of which a thing shows at least where one knows it and sees how far it reaches."""
-LOOKALIKES = ({"basin", "sink"}, {"worktop", "table"})
-"""Symbols of things that look much alike, cabinets with something to wash in, and tables at walls."""
 LARGE = 0.025
 """Share of a picture from which one sees into what parts a front is divided."""
 ABOVE = "above"
-
-
-def spoken(category: str) -> str:
-    """A category's name in sentences."""
-    return TABLE[category].called if category in TABLE else category.replace("_", " ")
-
-
-def one(category: str) -> str:
-    """A thing of a category in sentences."""
-    name = spoken(category)
-    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
-
-
-def alike(one: str, other: str) -> bool:
-    """Whether somebody may take a thing of one category for one of another: their names end alike, as those of all
-    tables do, or plans have one symbol for both, as for chests and sideboards.
-    """
-    a, b = spoken(one).lower().split()[-1], spoken(other).lower().split()[-1]
-    symbols = {TABLE[name].symbol for name in (one, other) if name in TABLE}
-    drawn = one in TABLE and other in TABLE and (len(symbols) == 1 or any(symbols <= some for some in LOOKALIKES))
-    return drawn or a.endswith(b) or b.endswith(a)
-
-
-def meanings(things: Iterable[Box]) -> dict[str, int]:
-    """By category, how many of these things its name could mean."""
-    counts = Counter(o.category for o in things)
-    return {name: sum(n for other, n in counts.items() if alike(name, other)) for name in counts}
 
 
 @dataclass(frozen=True)
@@ -123,29 +93,16 @@ class Facts:
     def known(self, view: str) -> set[str]:
         """Ids of objects that are large enough to be named and of which a view shows most."""
         return {id for id in self.uncut(view, MOSTLY) if max(self.objects[id].size) > SMALL
-                and not self.hidden(id)}
-
-    def hidden(self, id: str) -> bool:
-        """Whether it is fitted among units that may look like it, as a dishwasher is."""
-        kind = TABLE.get(self.objects[id].category)
-        return kind is not None and kind.run in ("unit", "fitted")
+                and not names.hidden(self.objects[id])}
 
     @cached_property
     def room_names(self) -> dict[str, str]:
-        """Rooms that can be spoken of: the only one of their type, or the only one of it with something."""
-        types = Counter(room.type for room in self.home.rooms)
-        found = {room.id: f"the {room.type.replace('_', ' ')}" for room in self.home.rooms if types[room.type] == 1}
-        held = Counter((self.rooms[room].type, category) for room, category in
-                       {(o.room, o.category) for o in self.home.objects if o.room in self.rooms})
-        for o in sorted(self.home.objects, key=lambda o: o.id):
-            room = self.rooms.get(o.room)
-            if room and room.id not in found and held[room.type, o.category] == 1 and self._large(o):
-                found[room.id] = f"the {room.type.replace('_', ' ')} with {one(o.category)}"
-        return found
+        """Rooms that can be spoken of."""
+        return names.of_rooms(self.home)
 
     def type_of(self, room: str) -> str:
         """A room's type in sentences."""
-        return self.rooms[room].type.replace("_", " ")
+        return names.type_of(self.rooms[room])
 
     def joined(self, types: Sequence[str]) -> bool:
         """Whether rooms of two of these types lie open to each other, so that it is hard to say where one is."""
@@ -153,26 +110,10 @@ class Facts:
                  if o.kind == "opening" and all(room in self.rooms for room in o.rooms))
         return any(len(pair) == 2 and pair <= set(types) for pair in pairs)
 
-    def _large(self, o: Box) -> bool:
-        """Whether it is something that a room is known by."""
-        return o.category in TABLE and TABLE[o.category].place == "floor" and max(o.size) > 0.7
-
     @cached_property
     def names(self) -> dict[str, str]:
-        """Larger objects that can be spoken of: the only one that their name could mean in the home, or in a room that
-        can be.
-        """
-        whole, found = self.meanings, {}
-        inside = {(room, category): n for room in {o.room for o in self.home.objects} for category, n in
-                  meanings([o for o in self.home.objects if o.room == room]).items()}
-        for o in (o for o in self.home.objects if max(o.size) > SMALL):
-            if whole[o.category] == 1:
-                found[o.id] = f"the {spoken(o.category)}"
-            elif inside[o.room, o.category] == 1 and o.room in self.room_names:
-                room = self.room_names[o.room]
-                if f"with {one(o.category)}" not in room:
-                    found[o.id] = f"the {spoken(o.category)} in {room}"
-        return found
+        """Larger objects that can be spoken of."""
+        return names.of_objects(self.home, self.room_names)
 
     @cached_property
     def meanings(self) -> dict[str, int]:
@@ -181,8 +122,7 @@ class Facts:
 
     def stands(self, id: str) -> bool:
         """Whether it stands on the floor and does not lie flat on it, as a rug does."""
-        o = self.objects[id]
-        return o.on == "floor" and o.category in TABLE and TABLE[o.category].place == "floor"
+        return names.stands(self.objects[id])
 
     def faces(self, id: str) -> bool:
         """Whether everybody sees where its front is: a bin has none, a bed may have it at either end, and the unit in

@@ -4,8 +4,9 @@ from collections.abc import Iterable
 
 from apartgen.schemas.render import View
 from apartgen.schemas.retrieve import Furnishing
-from apartgen.stages.qa.facts import Facts, alike
+from apartgen.stages.qa.facts import Facts
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.names import alike
 
 INSIDE = 0.65
 """Share of a picture that is of the room it was taken in, where nobody takes it for one of another."""

@@ -6,10 +6,13 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.robot.reach import Space
+from apartgen.schemas.layout import Box
+from apartgen.stages.robot.reach import REACH, Space, standing
 from apartgen.stages.space.boxes import Array, Mask
 
 Cells = NDArray[np.int64]
+SHARES = np.linspace(0, 1, 200)
+"""Of a straight line over cells, where it is looked at."""
 
 
 def spread_places(space: Space, cells: Mask, room: int, most: int) -> Array:
@@ -25,6 +28,21 @@ def spread_places(space: Space, cells: Mask, room: int, most: int) -> Array:
         chosen.append(int(np.argmax(apart)))
         apart = np.minimum(apart, np.linalg.norm(points - points[chosen[-1]], axis=1))
     return points[chosen]
+
+
+def before(space: Space, o: Box, cells: Mask) -> Mask:
+    """Those of some cells from which an object is used, from in front of it."""
+    found = np.zeros_like(cells)
+    window, zone = standing(o, space.grid, REACH, space.radius)
+    found[window] = zone & cells[window]
+    return found
+
+
+def shortest(space: Space, cells: Mask, start: Array, end: Array) -> Array:
+    """Corners (n, 2) of the shortest way from one place to another; none where there is no way."""
+    steps, here = _steps(cells, _cell(space, end), dear=0.0), _cell(space, start)
+    way = _pulled(cells, _back(steps, here)) if np.isfinite(steps[here]) else np.zeros((0, 2), np.int64)
+    return np.stack([space.grid.x[way[:, 1]], space.grid.y[way[:, 0]]], -1)
 
 
 def through_rooms(space: Space, cells: Mask) -> Array:
@@ -52,13 +70,15 @@ def _cell(space: Space, point: Array) -> tuple[int, int]:
     return int(np.argmin(np.abs(space.grid.y - point[1]))), int(np.argmin(np.abs(space.grid.x - point[0])))
 
 
-def _steps(cells: Mask, start: tuple[int, int]) -> Array:
-    """Length of the shortest way from a cell to every other, in cells; ways keep off walls where there is room."""
+def _steps(cells: Mask, start: tuple[int, int], dear: float = 3.0) -> Array:
+    """Length of the shortest way from a cell to every other, in cells; ways keep off walls where there is room, the
+    more so the dearer it is to be near them.
+    """
     from scipy import ndimage
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import dijkstra
 
-    dear = 1 + 3 / (1 + ndimage.distance_transform_edt(cells))
+    worth = 1 + dear / (1 + ndimage.distance_transform_edt(cells))
     number = np.where(cells, np.cumsum(cells).reshape(cells.shape) - 1, -1)
     rows, columns, costs = [], [], []
     for dy, dx in ((0, 1), (1, 0), (1, 1), (1, -1)):
@@ -67,7 +87,7 @@ def _steps(cells: Mask, start: tuple[int, int]) -> Array:
         both = (number[a] >= 0) & (number[b] >= 0)
         rows.append(number[a][both])
         columns.append(number[b][both])
-        costs.append(np.hypot(dy, dx) * (dear[a][both] + dear[b][both]) / 2)
+        costs.append(np.hypot(dy, dx) * (worth[a][both] + worth[b][both]) / 2)
     n = int(cells.sum())
     joined = coo_array((np.concatenate(costs), (np.concatenate(rows), np.concatenate(columns))), (n, n)).tocsr()
     found, solve = np.full(cells.shape, np.inf), cast(Callable[..., Array], dijkstra)
@@ -85,6 +105,17 @@ def _back(steps: Array, end: tuple[int, int]) -> Cells:
         here = (here[0] + dy - 1, here[1] + dx - 1)
         way.append(here)
     return np.array(way)
+
+
+def _pulled(cells: Mask, way: Cells) -> Cells:
+    """The corners of a way of cells once it is pulled tight: straight ahead to the last cell that is seen, and on."""
+    at, found = 0, [0]
+    while at < len(way) - 1:
+        lines = way[at] + SHARES[:, None, None] * (way[at + 1 :] - way[at])
+        rows, columns = np.round(lines).astype(np.int64).transpose(2, 0, 1)
+        at += 1 + int(np.flatnonzero(cells[rows, columns].all(0))[-1])
+        found.append(at)
+    return way[found]
 
 
 def _smooth(way: Array, by: int = 3) -> Array:

@@ -11,8 +11,9 @@ from apartgen.schemas.retrieve import Joint
 from apartgen.stages import qa, seeds
 from apartgen.stages.qa import plain
 from apartgen.stages.qa.config import QaConfig
-from apartgen.stages.qa.facts import Facts, alike
+from apartgen.stages.qa.facts import Facts
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.names import alike
 
 SIDE = 100
 LEVEL = ((1, 0, 0, 2), (0, 0, 1, 1.5), (0, -1, 0, 1.2), (0, 0, 0, 1))

@@ -5,9 +5,10 @@ from collections import Counter
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, alike, spoken
+from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.plain import countable
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.names import alike, spoken
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:

@@ -7,8 +7,9 @@ import numpy as np
 
 from apartgen.schemas.layout import Box
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, spoken
+from apartgen.stages.qa.facts import Facts
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.names import spoken
 
 LEAST = 6e-4
 """Share of a picture from which small things can be told."""

@@ -3,8 +3,9 @@
 import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
-from apartgen.stages.qa.facts import Facts, alike, one
+from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.plain import usual
+from apartgen.stages.things.names import alike, one
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
