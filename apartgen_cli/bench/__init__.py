@@ -43,9 +43,15 @@ REPLAY = Annotated[str | None, typer.Option(
     "--replay", metavar="ID", help="Show one episode of an earlier run (embodied) as a GIF; nothing else is run.")]
 
 
+LEROBOT = Annotated[Path | None, typer.Option(
+    "--lerobot", metavar="FOLDER",
+    help="Run the episodes of an earlier run (embodied) again and write those that succeed as LeRobotDatasets.")]
+
+
 def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, processes: PROCESSES = None,
          weights: WEIGHTS = None, anticipating: ANTICIPATING = None, inception_weights: INCEPTION = None,
-         real: REAL = None, real_as: AS = None, replay: REPLAY = None) -> int:
+         real: REAL = None, real_as: AS = None, replay: REPLAY = None,
+         lerobot: LEROBOT = None) -> int:
     from apartgen_cli.bench import _runner
 
     experiments = registry.members(__name__)
@@ -62,6 +68,11 @@ def _run(name: NAME = "", out: OUT = None, n: SCENES = None, seed: SEED = 0, pro
         if not hasattr(experiment, "replay"):
             raise BadInput(f"--replay: {name} has no episodes to show")
         say("\n".join(f"wrote {path}" for path in experiment.replay(out or Path("bench") / name, replay)))
+        return 0
+    if lerobot is not None:
+        if not hasattr(experiment, "lerobot"):
+            raise BadInput(f"--lerobot: {name} has no episodes to learn from")
+        say("\n".join(f"wrote {path}" for path in experiment.lerobot(out or Path("bench") / name, lerobot)))
         return 0
     for path in _runner.run(experiment, name, out or Path("bench") / name, n, seed, processes, files):
         say(f"wrote {path}")

@@ -117,7 +117,7 @@ def _episodes(home: Retrieve, name: str) -> list[dict[str, Any]]:
         for half in (_navigation, _interaction):
             outcomes = half(apartment, None)
             took = round((process_time() - began) / max(1, len(outcomes)), 3)
-            found += [{"id": o.id, **o.model_dump(exclude={"trace"}), "cpu_seconds": took} for o in outcomes]
+            found += [{"id": o.id, **o.model_dump(exclude={"trace", "course"}), "cpu_seconds": took} for o in outcomes]
             began = process_time()
     return found
 
@@ -188,6 +188,13 @@ def replay(out: Path, id: str) -> list[Path]:
             raise BadInput(f"--replay {id}: {name} has no such episode; ids are in {out / 'trials.jsonl'}")
         files: list[Path] = shown.save(shown.images(apartment, robot, found[0]), target, found[0])
         return files
+
+
+def lerobot(out: Path, folder: Path) -> list[Path]:
+    """Run all episodes of an earlier run's apartments again and keep those that succeed as data sets to learn from."""
+    from apartgen_cli.bench._demonstrations import demonstrated
+
+    return demonstrated(out, folder)
 
 
 def _replays() -> ModuleType:

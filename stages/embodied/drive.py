@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from apartgen.stages.embodied import base
-from apartgen.stages.embodied.outcome import Trace
+from apartgen.stages.embodied.outcome import Course, Trace
 from apartgen.stages.embodied.pursuit import PERIOD, Pursuit
 from apartgen.stages.embodied.world import ROBOT, World
 from apartgen.stages.space.boxes import Array
@@ -39,6 +39,7 @@ class Drive:
     done: bool = False
     reason: str = ""
     pose: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    course: Course = field(default_factory=Course)
     trace: Trace = field(default_factory=lambda: Trace(joints=list(base.JOINTS)))
 
 
@@ -56,7 +57,7 @@ def drive(world: World, alone: World, pursuit: Pursuit, yaw: float, limit: float
     while not out.reason and not out.done:
         x, y, yaw = out.pose
         _record(out, data.qpos)
-        speed, turn, out.done = pursuit.command(x, y, yaw)
+        speed, turn, out.done = _commanded(pursuit, out)
         if near != (pursuit.floor.near(x, y) <= base.RADIUS + _CLEAR):
             near = not near
             _hand_over(data, away)
@@ -78,6 +79,14 @@ def drive(world: World, alone: World, pursuit: Pursuit, yaw: float, limit: float
         out.seconds += PERIOD
         out.reason = _ended(out, still, limit)
     return out
+
+
+def _commanded(pursuit: Pursuit, out: Drive) -> tuple[float, float, bool]:
+    """Speed and turn for the next period, and whether the goal is reached; the course knows of it."""
+    went, goal = np.array([*out.pose, pursuit.speed, pursuit.turn]), np.array([*pursuit.path[-1], pursuit.heading])
+    speed, turn, done = pursuit.command(*out.pose)
+    out.course.add(went, goal, np.array([speed, turn]))
+    return speed, turn, done
 
 
 def _ended(out: Drive, still: float, limit: float) -> str:

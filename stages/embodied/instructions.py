@@ -9,10 +9,13 @@ from math import sqrt
 import numpy as np
 
 from apartgen.schemas.plan import Room
+from apartgen.stages.embodied.outcome import Outcome
+from apartgen.stages.embodied.world import World
 from apartgen.stages.space.boxes import Array
 from apartgen.stages.things.asset import Link
 from apartgen.stages.things.body import Body
-from apartgen.stages.things.categories import TABLE, those
+from apartgen.stages.things.categories import those
+from apartgen.stages.things.names import spoken, type_of
 from apartgen.stages.things.solids import corners
 
 NOUNS = {
@@ -28,6 +31,16 @@ APART = 0.05
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
 
 
+def task(apartment: World, outcome: Outcome) -> str:
+    """What an episode of the benchmark asks for."""
+    room = next(room for room in apartment.home.rooms if room.id == outcome.room)
+    if outcome.episode == "navigation":
+        there = f"{spoken(outcome.category)} in the {type_of(room)}" if outcome.object else type_of(room)
+        return f"go to the {there}"
+    body = apartment.bodies[outcome.object]
+    return instruction(body, next(k for k in body.links if k.joint is not None and k.joint.name == outcome.joint), room)
+
+
 def instruction(body: Body, link: Link, room: Room) -> str:
     """The task of opening one part of an object."""
     word = noun(body, link)
@@ -35,8 +48,7 @@ def instruction(body: Body, link: Link, room: Room) -> str:
     middles = np.array([_middle(other) for other in same])
     before, after = _which(middles, next(k for k, other in enumerate(same) if other is link))
     what = " ".join([*before, word, *after])
-    of = TABLE[body.category].called if body.category in TABLE else body.category.replace("_", " ")
-    return f"{VERBS.get(word, 'open')} the {what} of the {of} in the {room.type.replace('_', ' ')}"
+    return f"{VERBS.get(word, 'open')} the {what} of the {spoken(body.category)} in the {type_of(room)}"
 
 
 def noun(body: Body, link: Link) -> str:

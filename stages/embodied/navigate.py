@@ -71,6 +71,7 @@ def _judged(name: str, goal: Goal, went: Drive, path: Array, shortest: float, tr
         apartment=name, episode="navigation", room=goal.room, object=goal.object, category=goal.category,
         success=success, failure=None if success else "controller", reason=reason,
         numbers={key: round(float(value), 4) for key, value in numbers.items()}, trace=went.trace if trace else None,
+        course=went.course,
     )
 
 

@@ -26,7 +26,7 @@ from apartgen.stages.embodied.interact.parts import Hold, Part
 from apartgen.stages.embodied.interact.probe import Probe
 from apartgen.stages.embodied.interact.robot import NAMES, joint, mjcf, tucked
 from apartgen.stages.embodied.interact.stand import Places, Tried, tried
-from apartgen.stages.embodied.outcome import Failure, Outcome, Trace
+from apartgen.stages.embodied.outcome import Course, Failure, Outcome, Trace
 from apartgen.stages.embodied.world import World
 from apartgen.stages.space import polygons
 from apartgen.stages.space.boxes import Array
@@ -109,7 +109,7 @@ def _episode(probe: Probe, part: Part, places: Places, trace: bool) -> Outcome:
         failure = "blocked part" if result.blocked else "controller"
     shown = _acted(part, found, result) if trace else None
     numbers = found.numbers | _figures(result) | {"retries": float(len(missed))}
-    return _outcome(probe, part, failure, result.trouble, numbers, shown)
+    return _outcome(probe, part, failure, result.trouble, numbers, shown, result.course)
 
 
 def _without(part: Part, missed: list[Hold]) -> Part:
@@ -162,11 +162,12 @@ def _figures(result: Result) -> dict[str, float]:
 
 def _outcome(
     probe: Probe, part: Part, failure: Failure | None, reason: str, numbers: dict[str, float],
-    trace: Trace | None = None,
+    trace: Trace | None = None, course: Course | None = None,
 ) -> Outcome:
     return Outcome(
         apartment=probe.world.name, episode="interaction", room=part.room, object=part.object, category=part.category,
         joint=part.joint, success=failure is None, failure=failure, reason=reason, numbers=numbers, trace=trace,
+        course=course,
     )
 
 

@@ -12,6 +12,7 @@ from apartgen.stages.embodied.interact.plan import Phase, Plan
 from apartgen.stages.embodied.interact.probe import ALL, Probe
 from apartgen.stages.embodied.interact.robot import CUP, FINGERS, HAND, LEAD, NAMES, SPEED, TIP, joint, posture
 from apartgen.stages.embodied.interact.timing import smoothed, timed
+from apartgen.stages.embodied.outcome import RATE, Course
 from apartgen.stages.space.boxes import Array
 
 SLIP = {"pinch": 60.0, "cup": 48.0}
@@ -60,6 +61,7 @@ class Result:
     """The hand found nothing to hold, and nothing moved."""
     force: float = 0.0
     seconds: float = 0.0
+    course: Course = field(default_factory=Course)
     times: list[float] = field(default_factory=list)
     qpos: list[list[float]] = field(default_factory=list)
 
@@ -168,6 +170,7 @@ class Actor:
         """Close the fingers until both touch the part."""
         self.data.ctrl[self.servos[FINGERS]] = 0.0
         for _ in range(int(_CLOSE / self.period) * STRIDE):
+            self._commanded()
             mujoco.mj_step(self.model, self.data)
             self._record()
             if self._touching() == 2:
@@ -235,6 +238,7 @@ class Actor:
 
     def _step(self) -> bool:
         """One period of the simulation; False when the episode is over."""
+        self._commanded()
         if self.careful or self.data.ncon:
             mujoco.mj_step(self.model, self.data, STRIDE)
         else:
@@ -243,6 +247,13 @@ class Actor:
             self.model.opt.timestep = TIMESTEP
         self._record()
         return self._holding() and self._unharmed()
+
+    def _commanded(self) -> None:
+        """Keep what the servos are told now for the course, `RATE` times a second."""
+        if self.data.time * RATE >= len(self.result.course.action):
+            value = float(self.data.qpos[self.part.address])
+            around = np.array([value, *self.part.at(self.part.holds[0].point, value)])
+            self.result.course.add(self.data.qpos[self.probe.joints], around, self.data.ctrl[self.servos])
 
     def _record(self) -> None:
         if self.recorded is not None and self.data.time * FRAMES >= len(self.result.times) + 1:
