@@ -1,12 +1,14 @@
 """What pictures show beyond doubt: where they were taken, fronts, counts, how the camera turned."""
 
 from collections.abc import Iterable
+from math import dist
 
+from apartgen.schemas.layout import Layout
 from apartgen.schemas.render import View
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.things.categories import TABLE
-from apartgen.stages.things.names import alike
+from apartgen.stages.things.names import SMALL, alike
 
 INSIDE = 0.65
 """Share of a picture that is of the room it was taken in, where nobody takes it for one of another."""
@@ -19,7 +21,9 @@ TURNED = 0.08
 LEVEL = 0.5
 """Upward part of a hinge's axis below which it is level."""
 COMPANY = 2
-"""How many things tell how a camera turned, at least."""
+"""How many things tell how a camera turned, or where it is, at least."""
+BESIDE = 0.02
+"""Small things no further apart look like one, m."""
 COMMON = 0.004
 """Share of both pictures that a thing covers by which one can tell."""
 
@@ -41,6 +45,22 @@ def could_be(facts: Facts, view: View) -> set[str]:
     slept = bedrooms and any("sleep" in kind.uses for kind in shown)
     return {facts.type_of(id) for id, room in facts.rooms.items() if (not slept or room.base == "bedroom")
             and all(not kind.rooms or room.base in kind.rooms for kind in shown)}
+
+
+def tells_its_place(facts: Facts, view: View) -> bool:
+    """Whether one finds on a plan where a view was taken: most of it is of its room, and it shows some things there."""
+    return in_its_room(facts, view) and len(facts.known(view.name)) >= COMPANY
+
+
+def told_apart(home: Layout) -> list[str]:
+    """Ids of what a number in a picture means beyond doubt: not one half of a pair of curtains, nor one of several
+    alike and small that stand side by side.
+    """
+    small = [o for o in home.objects if max(o.size) < SMALL]
+    apart = [o for o in home.objects if not (o.category in TABLE and TABLE[o.category].symbol == "folds")]
+    twins = {one.id for one in small for other in small if one.id != other.id and one.category == other.category
+             and dist(one.center, other.center) < (max(one.size) + max(other.size)) / 2 + BESIDE}
+    return [o.id for o in apart if o.id not in twins]
 
 
 def fronted(facts: Facts, id: str) -> bool:

@@ -12,6 +12,7 @@ from apartgen.stages import qa, seeds
 from apartgen.stages.qa import plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.qa.kinds import in_front, route
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
 
@@ -96,3 +97,49 @@ def test_things_of_one_look_are_not_told_apart_by_name(one, other, yes):
 def test_only_what_is_large_is_named():
     large, small = h.thing("plant", 1, 1, size=(0.4, 0.4, 0.9)), h.thing("plant", 2, 1, size=(0.2, 0.2, 0.2))
     assert facts([], [large]).names and not facts([], [small]).names
+
+
+def test_numbers_are_on_what_one_can_mean_by_them():
+    """Not on a curtain, whose halves hang apart, nor on boxes side by side that look like one."""
+    boxes = [h.thing("bin", 1 + 0.21 * k, 1, size=(0.2, 0.2, 0.3), id=f"bin_{k}") for k in range(3)]
+    alone = h.thing("bin", 3, 2, size=(0.2, 0.2, 0.3), id="alone")
+    chairs = [h.thing("chair", 1 + 0.5 * k, 2.5, size=(0.5, 0.5, 0.9), id=f"chair_{k}") for k in range(2)]
+    assert plain.told_apart(h.home(CURTAIN, *boxes, alone, *chairs)) == ["alone", "chair_0", "chair_1"]
+
+
+def _ahead(*more):
+    """A sofa that looks east, a table before it, two things aside, and what else is in the picture."""
+    sofa = h.thing("sofa", 0.5, 1, size=(0.9, 1.6, 0.8), id="sofa")
+    table = h.thing("coffee_table", 2, 1, size=(0.8, 1.8, 0.4), id="table")
+    aside = [h.thing("plant", 3.5, 2.5, id="plant"), h.thing("bookshelf", 3.5, 0.2, id="shelf")]
+    return [sofa, table, *aside, *more]
+
+
+@pytest.mark.parametrize(("share", "asked"), [(0.4, True), (0.2, False)])
+def test_what_is_met_is_no_rug_and_no_scrap_at_the_edge(monkeypatch, share, asked):
+    """All is seen whole but the table, of which this share is in sight."""
+    things = _ahead(h.thing("rug", 2, 1, size=(2.0, 2.4, 0.01), id="rug"))
+    monkeypatch.setattr(Facts, "uncut", lambda self, view, least: {
+        o.id for o in things if o.id != "table" or share > least})
+    found = facts([{o.id: (800, ALL) for o in things}], things)
+    found = Facts(found.home, found.render, {"eye_0": {o.id: k for k, o in enumerate(things, 1)}})
+    drafts = [d for d in in_front.ask(found, np.random.default_rng(0), 8) if d.evidence["object"] == "sofa"]
+    assert bool(drafts) == asked
+    assert all(d.answer == "the thing marked 2" and "the thing marked 5" not in d.wrong for d in drafts)
+
+
+@pytest.mark.parametrize(("pixels", "seen"), [(50, True), (5, False)])
+def test_a_way_is_asked_for_where_the_entrance_is_seen_from_above(pixels, seen):
+    entrance = next(o for o in h.openings() if o.kind == "entrance")
+    view = View(name="above", kind="above", room="", width=SIDE, height=SIDE, pose=LEVEL,
+                visible=[Visible(number=1, pixels=pixels, rectangle=(0, 0, 9, 9))])
+    things = [Instance(number=1, id=entrance.id, category="", label=1, room=h.LIVING)]
+    assert route._seen(Facts(h.home(SOFA), Render(views=[view], instances=things)), entrance) == seen
+
+
+def test_a_place_is_told_by_two_things_of_its_room(monkeypatch):
+    shelf = h.thing("bookshelf", 3, 1.5, size=(0.3, 0.8, 1.8), id="shelf")
+    monkeypatch.setattr(Facts, "uncut", lambda self, view, least: set(self.shares[view]) & set(self.objects))
+    one = {f"floor_{h.LIVING}": (5000, ALL), SOFA.id: (800, ALL)}
+    found = facts([one, one | {"shelf": (800, ALL)}], [SOFA, shelf])
+    assert [plain.tells_its_place(found, view) for view in found.eyes] == [False, True]

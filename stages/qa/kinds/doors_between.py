@@ -6,7 +6,7 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import in_its_room
+from apartgen.stages.qa.plain import tells_its_place
 
 TEXT = ("The first two pictures were taken in two places of a home, the third shows all of it from above. "
         "How many doors and open passages does one go through from the first place to the second?")
@@ -15,7 +15,7 @@ TEXT = ("The first two pictures were taken in two places of a home, the third sh
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """On the way with fewest doors and openings, where there is only one."""
     drafts = []
-    places = [view for view in facts.eyes if view.room in facts.rooms and in_its_room(facts, view)]
+    places = [view for view in facts.eyes if view.room in facts.rooms and tells_its_place(facts, view)]
     above = facts.above()
     for a, b in combinations(places if above else [], 2):
         way = facts.way(a.room, b.room)

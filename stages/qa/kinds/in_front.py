@@ -4,11 +4,13 @@ import numpy as np
 
 from apartgen.stages.qa.drafts import Draft, some
 from apartgen.stages.qa.facts import MOSTLY, Facts, marked
-from apartgen.stages.qa.fronts import before
+from apartgen.stages.qa.fronts import THIN, before
 from apartgen.stages.qa.plain import fronted
 from apartgen.stages.qa.whole import before_front
 
 WRONG = 3
+SCRAP = 0.35
+"""Of what is met, no less than this share is in sight from side to side and from end to end."""
 
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
@@ -21,8 +23,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         for id in (id for id in numbers if id in seen and fronted(facts, id)):
             ahead = before(facts, id) if facts.objects[id].room in facts.rooms else None
             met = ahead[1] if ahead else ""
-            others = [other for other in numbers if other not in (id, met)]
-            if met in numbers and len(others) >= WRONG - 1:
+            others = [other for other in numbers if other not in (id, met) and facts.objects[other].size[2] > THIN]
+            if met in numbers and met in facts.uncut(view, SCRAP) and len(others) >= WRONG - 1:
                 wrong = tuple(marked(numbers[others[k]]) for k in rng.permutation(len(others))[:WRONG])
                 text = f"What does one meet first straight ahead of the front of {marked(numbers[id])}?"
                 drafts.append(facts.numbered(view, text, marked(numbers[met]), {"object": id, "met": met}, wrong,

@@ -8,11 +8,13 @@ import numpy as np
 from apartgen.schemas.plan import Opening
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.plain import in_its_room
+from apartgen.stages.qa.plain import tells_its_place
 from apartgen.stages.space import polygons
 
 SIDES = (("straight on", -35.0, 35.0), ("left", 50.0, 130.0), ("right", -130.0, -50.0))
 """Turns by the direction of the next goal, degrees; what lies between is not asked for."""
+ENTRANCE = 0.001
+"""Share of the view from above that the entrance's door covers where one finds it."""
 FARTHEST = 3
 """Doors behind the entrance."""
 TEXT = ("The second picture shows a home from above. You come in through the entrance and go to where the first one "
@@ -23,8 +25,8 @@ TEXT = ("The second picture shows a home from above. You come in through the ent
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Seen on coming through the entrance and through each door, square to the wall."""
     drafts = []
-    for entrance in (o for o in facts.home.openings if o.kind == "entrance"):
-        for view in (view for view in facts.eyes if in_its_room(facts, view)):
+    for entrance in (o for o in facts.home.openings if o.kind == "entrance" and _seen(facts, o)):
+        for view in (view for view in facts.eyes if tells_its_place(facts, view)):
             way = facts.way(entrance.rooms[0], view.room) if view.room in facts.rooms else None
             if not way or len(way) > FARTHEST or not facts.above():
                 continue
@@ -38,6 +40,11 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
         far = [draft for draft in drafts if draft.hard == doors]
         found += shared(far, rng, most - len(found), fewest=2) if len(found) < most else []
     return found
+
+
+def _seen(facts: Facts, entrance: Opening) -> bool:
+    """Whether the view from above shows where one comes in."""
+    return any(facts.shares[view].get(entrance.id, 0) > ENTRANCE for view in facts.above())
 
 
 def _turns(facts: Facts, way: list[Opening], goal: tuple[float, float], room: str) -> list[str | None]:
