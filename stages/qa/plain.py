@@ -7,8 +7,9 @@ from apartgen.schemas.layout import Layout
 from apartgen.schemas.render import View
 from apartgen.schemas.retrieve import Furnishing
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.things.carrying import by_another
 from apartgen.stages.things.categories import TABLE
-from apartgen.stages.things.names import SMALL, alike
+from apartgen.stages.things.names import alike
 
 INSIDE = 0.65
 """Share of a picture that is of the room it was taken in, where nobody takes it for one of another."""
@@ -23,7 +24,9 @@ LEVEL = 0.5
 COMPANY = 2
 """How many things tell how a camera turned, or where it is, at least."""
 BESIDE = 0.02
-"""Small things no further apart look like one, m."""
+"""Things on others that are no further apart look like one, m."""
+BLANK = ("midcentury",)
+"""Styles of the embedded furniture whose fronts are fluted and without handles: nobody sees how many there are."""
 COMMON = 0.004
 """Share of both pictures that a thing covers by which one can tell."""
 
@@ -54,11 +57,11 @@ def tells_its_place(facts: Facts, view: View) -> bool:
 
 def told_apart(home: Layout) -> list[str]:
     """Ids of what a number in a picture means beyond doubt: not one half of a pair of curtains, nor one of several
-    alike and small that stand side by side.
+    alike that stand on something side by side.
     """
-    small = [o for o in home.objects if max(o.size) < SMALL]
+    carried = [o for o in home.objects if by_another(o)]
     apart = [o for o in home.objects if not (o.category in TABLE and TABLE[o.category].symbol == "folds")]
-    twins = {one.id for one in small for other in small if one.id != other.id and one.category == other.category
+    twins = {one.id for one in carried for other in carried if one.id != other.id and one.category == other.category
              and dist(one.center, other.center) < (max(one.size) + max(other.size)) / 2 + BESIDE}
     return [o.id for o in apart if o.id not in twins]
 
@@ -90,6 +93,17 @@ def shifted(facts: Facts, a: View, b: View) -> float | None:
     return sum(moves) / len(moves)
 
 
+def blank(o: Furnishing) -> bool:
+    """Whether what opens has fronts that show neither seams nor handles."""
+    return bool(o.joints) and o.asset.library == "parametric" and any(f"/{style}/" in o.asset.id for style in BLANK)
+
+
+def fronted_like_units(o: Furnishing) -> bool:
+    """Whether a kitchen's front hides what appliance it is, as it does dishwashers."""
+    kind = TABLE.get(o.category)
+    return kind is not None and kind.run == "fitted" and "bake" not in kind.uses
+
+
 def usual(facts: Facts, view: str) -> set[str]:
     """Categories that rooms such as a view shows have in this home, of which one may think where little is seen."""
     types = {facts.type_of(room) for room in {facts.objects[id].room for id in facts.shares[view]
@@ -99,8 +113,10 @@ def usual(facts: Facts, view: str) -> set[str]:
 
 def hides_how(o: Furnishing) -> bool:
     """Whether things that look much alike open in another way: wardrobes with sliding doors, flaps one above another
-    that may be drawers.
+    that may be drawers, dishwashers behind a kitchen's fronts; or one does not see what opens.
     """
+    if blank(o) or fronted_like_units(o):
+        return True
     if sum(joint.type == "hinge" and abs(joint.axis[2]) < LEVEL for joint in o.joints) > 1:
         return True
     category = o.category

@@ -13,6 +13,7 @@ from apartgen.stages.qa import plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
 from apartgen.stages.qa.kinds import in_front, route
+from apartgen.stages.retrieve.furniture import looks as looks_of_furniture
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
 
@@ -82,7 +83,7 @@ def flap(k):
 
 def test_what_looks_like_what_opens_otherwise_is_not_asked_for_it():
     leaf = Joint(name="leaf", type="hinge", axis=(0, 0, 1), origin=(0, 0, 0), range=(0, pi / 2), part="hinge_door")
-    cases = [("shoe_cabinet", (flap(0), flap(1)), True), ("dishwasher", (flap(0),), False),
+    cases = [("shoe_cabinet", (flap(0), flap(1)), True), ("dishwasher", (flap(0),), True), ("oven", (flap(0),), False),
              ("wardrobe", (leaf,), True), ("sliding_wardrobe", (), True), ("fridge", (leaf,), False)]
     for name, joints, yes in cases:
         assert plain.hides_how(h.thing(name, 1, 1, joints=joints)) == yes, name
@@ -100,11 +101,29 @@ def test_only_what_is_large_is_named():
 
 
 def test_numbers_are_on_what_one_can_mean_by_them():
-    """Not on a curtain, whose halves hang apart, nor on boxes side by side that look like one."""
-    boxes = [h.thing("bin", 1 + 0.21 * k, 1, size=(0.2, 0.2, 0.3), id=f"bin_{k}") for k in range(3)]
-    alone = h.thing("bin", 3, 2, size=(0.2, 0.2, 0.3), id="alone")
+    """Not on a curtain, whose halves hang apart, nor on lamps side by side on a table that look like one."""
+    table = h.thing("dining_table", 2, 1.5, id="table")
+    lamps = [h.thing("table_lamp", 2 + 0.3 * k, 1.5, size=(0.2, 0.2, 0.3), id=f"lamp_{k}") for k in (0, 1, 3)]
+    for lamp in lamps:
+        lamp.on = table.id
     chairs = [h.thing("chair", 1 + 0.5 * k, 2.5, size=(0.5, 0.5, 0.9), id=f"chair_{k}") for k in range(2)]
-    assert plain.told_apart(h.home(CURTAIN, *boxes, alone, *chairs)) == ["alone", "chair_0", "chair_1"]
+    assert plain.told_apart(h.home(CURTAIN, table, *lamps, *chairs)) == ["table", "lamp_3", "chair_0", "chair_1"]
+
+
+def test_styles_whose_fronts_one_cannot_count_are_those_that_the_furniture_has():
+    blank = {style for style, looks in looks_of_furniture._LOOKS.items()
+             if any(look.profile == "fluted" and look.handle == "none" for look in looks)}
+    assert blank == set(plain.BLANK)
+
+
+@pytest.mark.parametrize(("category", "id", "yes"), [
+    ("tv_stand", "tv_stand/midcentury/400x1400x400/0", True), ("tv_stand", "tv_stand/modern/400x1400x400/0", False),
+    ("dishwasher", "dishwasher/modern/600x600x900/0", True), ("oven", "oven/modern/600x600x900/0", False)])
+def test_how_it_opens_is_not_asked_of_what_does_not_show_it(category, id, yes):
+    joint = Joint(name="a", type="hinge", axis=(0, 0, 1), origin=(0, 0, 0), range=(0, 1), part="hinge_door")
+    o = h.thing(category, 1, 1, joints=(joint,))
+    o.asset = o.asset.model_copy(update={"library": "parametric", "id": id})
+    assert plain.hides_how(o) == yes
 
 
 def _ahead(*more):
