@@ -1,5 +1,5 @@
 // The picture of a home: a camera about it or in it, and what of it shows.
-import { Box3, BoxHelper, PerspectiveCamera, Raycaster, Vector2, Vector3 } from "three";
+import { Box3, BoxHelper, PerspectiveCamera, Quaternion, Raycaster, Vector2, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Cut } from "./cut.js";
 import { bodyOf, boxOf, set } from "./home.js";
@@ -93,9 +93,21 @@ export class View {
     const half = Math.max(size.x / wide, (size.z + size.y / 2) / high, 1.2) / 2;
     const far = (1.1 * half) / Math.tan((this.camera.fov * Math.PI) / 360) + size.y / 2;
     box.getCenter(this.controls.target);
-    this.camera.position.copy(this.controls.target).add(new Vector3(0.05, 1, 0.5).setLength(far));
+    const side = this.#side();
+    this.camera.position.copy(this.controls.target).add(new Vector3(0.05 * side, 1, 0.5 * side).setLength(far));
     this.controls.update();
     this.draw();
+  }
+
+  // From the south, or the north where more fronts look there: things are hidden by those whose backs one sees.
+  #side() {
+    let south = 0;
+    for (const body of this.home.bodies) {
+      if (!body.visible || body.userData.kind !== "object") continue;
+      const size = boxOf(body).getSize(new Vector3());
+      south += size.x * size.y * new Vector3(1, 0, 0).applyQuaternion(body.getWorldQuaternion(new Quaternion())).z;
+    }
+    return south < 0 ? -1 : 1;
   }
 
   // Stands at a point of the floor, looking to what was looked at.
