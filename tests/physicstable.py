@@ -36,7 +36,7 @@ def _ranges():
     yield ("| mechanism | pull, N | source | turns, degrees | slides, of its depth or width | source |\n"
            "|---|---|---|---|---|---|")
     for name, row in mechanisms.table().items():
-        cells = (_span(row.force), row.source, _span(row.turn), _span(row.out), row.turned or "none found")
+        cells = (_span(row.force), row.source, _span(row.turn), _span(row.out), row.turned)
         yield f"| {name} | {' | '.join(cells)} |"
 
 

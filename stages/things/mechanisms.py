@@ -37,7 +37,7 @@ class Mechanism:
     force: Range
     turn: Range = (0.0, 0.0)
     out: Range = (0.0, 0.0)
-    turned: str = ""
+    turned: str
     drag: Range
     dragged: tuple[str, ...]
     drags: str = ""
