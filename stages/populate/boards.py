@@ -13,6 +13,7 @@ from apartgen.schemas.plan import Plan
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.populate import rules
 from apartgen.stages.space import polygons, sweeps
+from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.receptacles import OPEN, Receptacle, receptacles
 from apartgen.stages.things.solids import corners
@@ -29,6 +30,8 @@ _GRID = (9, 15)
 """Places that are looked at along x and y."""
 _CROWDED = 80
 """What has more collision pieces stands in the way as its box."""
+_CLOTH = categories.those(lambda kind: kind.soft and kind.place == "wall")
+"""What hangs in folds, which are no collision pieces; nothing is put into them."""
 
 
 class Spot(NamedTuple):
@@ -87,7 +90,7 @@ class Board:
 
 class _Pieces(NamedTuple):
     """Bounds of what an asset is solid with, of all that its parts pass through, and of what those pass through that
-    slide sideways before what is inside (n, 2, 3), its frame.
+    slide sideways before what is inside (n, 2, 3), its frame. Cloth is solid here.
     """
 
     solid: Array
@@ -107,6 +110,9 @@ def _pieces(load: LoadAsset, library: str, id: str) -> _Pieces:
     felt = [corners(c) for link in asset.links for c in link.colliders]
     whole = np.array([[-half, half]])
     solid = np.array([[p.min(0), p.max(0)] for p in felt]) if 0 < len(felt) <= _CROWDED else whole
+    if asset.category in _CLOTH:
+        seen = [mesh.vertices for link in asset.links for mesh in link.visuals]
+        solid = np.array([[p.min(0), p.max(0)] for p in seen])
     parts = np.array([sweeps.swept(joint) for joint in asset.joints]).reshape(-1, 2, 3)
     slide = np.array([joint.type == "slide" and abs(joint.axis[0]) < 0.5 for joint in asset.joints], bool)
     return _Pieces(solid, parts, parts[slide])

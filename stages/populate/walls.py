@@ -1,21 +1,16 @@
 """What hangs on walls: pictures, clocks, hooks, switches beside doors, sockets."""
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.schemas.retrieve import Furnishing, Retrieve
-from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.populate.faces import Array, Face, Hung, faces_of, seen
+from apartgen.stages.space import polygons
 from apartgen.stages.things import categories, small
 from apartgen.stages.things.small import Design
 
-Array = NDArray[np.float64]
-
-NEAR = 0.12
-"""What is closer to a wall than this covers it, m."""
 PICTURES = {"living_room": (2, 4), "bedroom": (1, 3), "hallway": (1, 2), "study": (1, 2), "dining_room": (1, 2),
             "kitchen": (0, 1), "bathroom": (0, 1)}
 """How many hang in a room at least and at most."""
@@ -41,41 +36,6 @@ _POWERED = categories.those(lambda kind: kind.socket)
 """Furniture that sockets are beside."""
 
 
-class Hung(NamedTuple):
-    """A thing on a wall: where its middle is, and its yaw."""
-
-    design: Design
-    center: tuple[float, float, float]
-    yaw: float
-
-
-class Face(NamedTuple):
-    """One wall of a room: its start, its direction, its normal into the room, its length, and what covers it:
-    rows (n, 4) of first, last, lowest and highest.
-    """
-
-    start: Array
-    along: Array
-    normal: Array
-    length: float
-    covered: list[tuple[float, float, float, float]]
-
-    def free(self, s: float, width: float, low: float, high: float, margin: float = 0.05) -> bool:
-        """Whether a rectangle of the wall is clear."""
-        first, last = s - width / 2 - margin, s + width / 2 + margin
-        if first < 0 or last > self.length:
-            return False
-        return not any(a < last and b > first and z0 < high + margin and z1 > low - margin
-                       for a, b, z0, z1 in self.covered)
-
-    def hang(self, design: Design, s: float, z: float) -> Hung:
-        """A thing with its middle at `s` along and at height `z`, which covers the wall from now on."""
-        d, w, h = design.size
-        self.covered.append((s - w / 2, s + w / 2, z - h / 2, z + h / 2))
-        x, y = self.start + s * self.along + (d / 2 + 0.0005) * self.normal
-        return Hung(design, (float(x), float(y), z), float(np.arctan2(self.normal[1], self.normal[0])))
-
-
 def hung(
     home: Retrieve, room: Room, models: dict[str, list[Design]], density: float, rng: np.random.Generator
 ) -> list[Hung]:
@@ -85,7 +45,7 @@ def hung(
     if room.base not in _WALLED:
         return []
     here = [o for o in home.objects if o.room == room.id]
-    faces = _faces(home, room, here)
+    faces = faces_of(home, room, here)
     found = [*_switches(home, room, faces, models["light_switch"]), *_sockets(room, faces, here, models["socket"], rng)]
     if room.base in ("kitchen", "living_room") and rng.random() < 0.6 * density:
         found += _anywhere(faces, models["wall_clock"][0], 1.95, rng)
@@ -101,54 +61,8 @@ def hung(
     pictures = [design for design in [*own, *rest] if design.size[1] <= WIDEST.get(room.base, np.inf)]
     chosen = list(_pictures([*_over(faces, here), *_bare(faces)], pictures, count))
     left = [design for design in pictures if not any(design is other.design for other in chosen)]
-    empty = list(_bare(faces, BARE.get(room.base, np.inf), *_UPRIGHT))
+    empty = list(_bare(faces, BARE.get(room.base, np.inf), *_UPRIGHT, shut=True))
     return [*found, *chosen, *_pictures(empty, left, len(left) if density > 0 else 0)]
-
-
-def _faces(home: Retrieve, room: Room, here: Sequence[Furnishing]) -> list[Face]:
-    corners = np.asarray(room.polygon, float)
-    faces = []
-    for a, b in zip(corners, np.roll(corners, -1, axis=0)):
-        length = float(np.hypot(*(b - a)))
-        along = (b - a) / length
-        normal = np.array([-along[1], along[0]])
-        face = Face(a, along, normal, length, [])
-        face.covered.extend(_covered(face, home, room, here))
-        faces.append(face)
-    return faces
-
-
-def _covered(
-    face: Face, home: Plan, room: Room, here: Sequence[Furnishing]
-) -> Iterator[tuple[float, float, float, float]]:
-    for opening in home.openings:
-        if room.id in opening.rooms:
-            s, off = _seen(face, np.asarray(opening.segment, float))
-            if np.abs(off).max() < 0.45:
-                yield s.min() - 0.08, s.max() + 0.08, opening.sill, opening.head + 0.08
-            swing = polygons.swing(opening, home)
-            if not swing.is_empty:
-                yield from _strip(face, np.asarray(swing.exterior.coords), 0.0, opening.head)
-    for o in here:
-        low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
-        yield from _strip(face, boxes.corners(boxes.of([o]))[0], low, high)
-        c, s = np.cos(o.yaw), np.sin(o.yaw)
-        for joint in o.joints:
-            (x0, y0, z0), (x1, y1, z1) = sweeps.swept(joint)
-            local = np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
-            points = local @ np.array([[c, s], [-s, c]]) + o.center[:2]
-            yield from _strip(face, points, z0 + o.center[2], z1 + o.center[2])
-
-
-def _seen(face: Face, points: Array) -> tuple[Array, Array]:
-    """Points (n, 2) along a wall, and how far before it, m."""
-    return (points - face.start) @ face.along, (points - face.start) @ face.normal
-
-
-def _strip(face: Face, points: Array, low: float, high: float) -> Iterator[tuple[float, float, float, float]]:
-    s, off = _seen(face, points)
-    if off.min() < NEAR and off.max() > -0.05 and s.max() > 0 and s.min() < face.length:
-        yield float(s.min()), float(s.max()), low, high
 
 
 def _switches(home: Plan, room: Room, faces: Sequence[Face], models: Sequence[Design]) -> Iterator[Hung]:
@@ -167,7 +81,7 @@ def _switches(home: Plan, room: Room, faces: Sequence[Face], models: Sequence[De
 def _at(faces: Sequence[Face], point: Array, design: Design, z: float) -> Hung | None:
     """A thing on the wall that a point is at, if it is free there."""
     for face in faces:
-        s, off = _seen(face, point[None])
+        s, off = seen(face, point[None])
         clear = face.free(float(s[0]), design.size[1], z - design.size[2] / 2, z + design.size[2] / 2, 0.01)
         if abs(off[0]) < 0.3 and clear:
             return face.hang(design, float(s[0]), z)
@@ -244,25 +158,36 @@ def _over(faces: Sequence[Face], here: Sequence[Furnishing]) -> Iterator[tuple[F
         if top < 1.3:
             back = np.array([np.cos(o.yaw), np.sin(o.yaw)]) * -o.size[0] / 2 + o.center[:2]
             for face in faces:
-                s, off = _seen(face, back[None])
+                s, off = seen(face, back[None])
                 if abs(off[0]) < 0.25 and 0 < s[0] < face.length:
                     yield face, float(s[0]), top
 
 
 def _bare(
-    faces: Sequence[Face], least: float = 0.6, low: float = EYE - 0.2, high: float = EYE + 0.2
+    faces: Sequence[Face], least: float = 0.6, low: float = EYE - 0.2, high: float = EYE + 0.2, shut: bool = False
 ) -> Iterator[tuple[Face, float, float]]:
-    """Middles of the stretches longer than that which nothing covers at these heights, the longest first."""
+    """Middles of the stretches longer than that which nothing covers at these heights, the longest first; of those with
+    all doors `shut`, of what they leave free when they open.
+    """
     found = []
     for face in faces:
-        cuts = sorted((a, b) for a, b, z0, z1 in face.covered if z0 < high and z1 > low)
-        at = 0.0
-        for a, b in [*cuts, (face.length, face.length)]:
-            if a - at > least:
-                found.append((a - at, face, (a + at) / 2))
-            at = max(at, b)
+        over, swept = ([(a, b) for a, b, z0, z1 in rows if z0 < high and z1 > low]
+                       for rows in (face.covered, face.swept))
+        for first, last in _gaps(over if shut else [*over, *swept], 0.0, face.length):
+            free = max(_gaps(swept, first, last), key=lambda span: span[1] - span[0], default=None)
+            if last - first > least and free is not None:
+                found.append((last - first, face, (free[0] + free[1]) / 2))
     for _, face, s in sorted(found, key=lambda row: -row[0]):
         yield face, s, 0.0
+
+
+def _gaps(cuts: Sequence[tuple[float, float]], first: float, last: float) -> Iterator[tuple[float, float]]:
+    """What is left of a span between these."""
+    at = first
+    for a, b in [*sorted(cuts), (last, last)]:
+        if min(a, last) > at:
+            yield at, min(a, last)
+        at = max(at, b)
 
 
 KINDS = tuple(name for name, kind in small.TABLE.items() if kind.fixed)

@@ -12,7 +12,7 @@ from apartgen.schemas.carrying import BUILDING, FLOOR, WALL
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
-from apartgen.stages.retrieve.matching import placing, seats, sets, supports
+from apartgen.stages.retrieve.matching import cloth, outdoors, placing, seats, sets, supports
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.embedded import NAME
 from apartgen.stages.retrieve.matching.libraries import LibrarySet, shared_libraries
@@ -50,6 +50,8 @@ def run(
     rows = zip(previous.objects, own, on, placed, strict=True)
     objects = [_furnishing(box, asset, below, at) for box, asset, below, at in rows if at is not None]
     objects = seats.cleared(objects, previous)
+    assets = {box.id: asset for box, asset in zip(previous.objects, own, strict=True)}
+    objects = cloth.clear(outdoors.hung(objects, previous), previous, assets, libraries.embedded)
     return Retrieve(**{name: getattr(previous, name) for name in Layout.model_fields} | {"objects": objects})
 
 
