@@ -1,6 +1,10 @@
 """A whole apartment from a sentence: every stage in turn, going on where an earlier run was stopped."""
 
-from collections.abc import Iterator
+import importlib
+import os
+import sys
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -11,8 +15,10 @@ from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact, Made
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError
+from apartgen.schemas.plan import Plan
 from apartgen.schemas.populate import without_things
-from apartgen.steps import STEPS, WALKABLE, Step, lane, made
+from apartgen.stages.aside import aside
+from apartgen.steps import LAYOUT, STEPS, WALKABLE, Step, lane, made
 
 KINDS: dict[str, type[Record]] = {
     "plan": planning.PlanSettings, **{step.word: step.config for step in STEPS},
@@ -23,6 +29,9 @@ SCENE = "scene"
 """The folder of exported files."""
 DEFAULT_FORMATS = ("glb", "mjcf", "svg", "png")
 PICTURES = (".svg", ".png")
+Drawn = tuple[Plan, dict[str, Any]]
+"""A plan, and what a language model took to read its prompt."""
+_FURNISHES = "apartgen.stages.layout.relations.home"
 
 
 def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record], id: str = "") -> Iterator[Path]:
@@ -31,7 +40,7 @@ def make(prompt: str, folder: Path, seed: int, settings: dict[str, Record], id: 
 
     Raises Unmet at the end where the walkable target was missed and the home asked for all the same.
     """
-    home = _planned(prompt, settings["plan"], seed, folder, id)
+    home = _planned(prompt, settings["plan"], seed, folder, id, LAYOUT.word in settings)
     yield folder / "plan.json"
     for stage in (stage for stage in STEPS if stage.word in settings):
         home = _advanced(stage, home, settings[stage.word], seed, folder)
@@ -50,13 +59,21 @@ def _saved(body: Record, wanted: Made, began: float, file: Path) -> Artifact[Any
     return settled
 
 
-def _planned(prompt: str, config: Any, seed: int, folder: Path, id: str) -> Artifact[Any]:
+def _planned(prompt: str, config: Any, seed: int, folder: Path, id: str, furnished: bool) -> Artifact[Any]:
     wanted, began = made(seed, config).model_copy(update={"id": id}), perf_counter()
     old = kept(folder / "plan.json", "plan", wanted)
     if old is not None and old.body.prompt == prompt:
         return old
-    drawn, used = planning.draw(prompt, config, seed, id)
+    draw = partial(planning.draw, prompt, config, seed, id)
+    drawn, used = _drawn_aside(draw) if furnished and _FURNISHES not in sys.modules and os.cpu_count() != 1 else draw()
     return _saved(drawn, wanted.model_copy(update={"model": used}), began, folder / "plan.json")
+
+
+def _drawn_aside(draw: Callable[[], Drawn]) -> Drawn:
+    """What a second process draws, while this one loads what is to furnish it: each takes a second."""
+    with aside(draw) as plan:
+        importlib.import_module(_FURNISHES)
+        return plan()
 
 
 def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, folder: Path) -> Artifact[Any]:

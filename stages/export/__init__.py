@@ -6,14 +6,18 @@ is in `stages/scene.py`.
 """
 
 import hashlib
+from collections.abc import Callable
+from contextlib import AbstractContextManager, ExitStack
+from functools import partial
 from pathlib import Path
+from types import ModuleType
 from typing import Any, Literal
 
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
-from apartgen.stages.export._aside import aside
+from apartgen.stages.aside import aside, at_once
 from apartgen.stages.export._primitive import primitive
 from apartgen.stages.export._randomized import randomized, told
 from apartgen.stages.scene.folder import CONTENTS, listed, replaced
@@ -21,6 +25,8 @@ from apartgen.stages.scene.scene import LoadAsset, Scene
 
 PACKAGE = "apartgen.stages.export"
 Colliders = Literal["exact", "primitive"]
+Begun = Callable[[Callable[[], Any]], AbstractContextManager[Callable[[], Any]]]
+"""How a job is begun that is waited for later."""
 BARE = ("svg", "png", "elevations", "dxf", "ifc")
 """Formats that show boxes, not assets."""
 
@@ -37,42 +43,61 @@ def run(
     """Write every format into the folder `out`, which appears, or is replaced, whole or not at all.
 
     `load_asset(library, id)` gives the assets; `randomize` is the seed by which physics are drawn, where they are;
-    `primitive` colliders are boxes, cylinders and spheres, no hulls. With two `processes` all formats but the first
-    are written beside it, which changes no byte.
+    `primitive` colliders are boxes, cylinders and spheres, no hulls. With two `processes` formats that show boxes are
+    written beside the others, and most are read back beside the next, which changes no byte.
     BadInput for an unknown format, a layout without assets where a format needs them, and an `out` that holds what no
     export put there, and files that their format's own reader refuses.
     """
     if not formats:
         raise BadInput(f"no format asked for; there are: {', '.join(registry.members(PACKAGE))}")
-    writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats)}
+    writers = {name: registry.load(PACKAGE, name) for name in dict.fromkeys(formats) if name not in BARE}
     scene = Scene(home, load_asset)
     scene = scene if colliders == "exact" else scene.of(primitive(scene.bodies), masked=True)
     scene = scene if randomize is None else scene.of(randomized(scene, randomize))
     with replaced(out) as folder:
-        files = _all_written(list(writers.items()), scene, folder, processes)
+        found = _all_written(list(dict.fromkeys(formats)), writers, scene, folder, aside if processes > 1 else at_once)
+        files = [_file(path, name, folder) for name, paths in found.items() for path in paths]
         if randomize is not None:
             files.append(_file(told(scene.bodies, randomize, folder), "json", folder))
-        credits = scene.credits if any(name not in BARE for name in writers) else []
+        credits = scene.credits if writers else []
         files.append(_credits(folder, credits))
         (folder / CONTENTS).write_text(listed([(file.path, file.sha256) for file in files], "export"))
     return Export(files=files, credits=credits)
 
 
-def _all_written(writers: list[tuple[str, Any]], scene: Scene, folder: Path, processes: int) -> list[File]:
-    def some(part: list[tuple[str, Any]]) -> list[File]:
-        return [_file(path, name, folder) for name, writer in part for path in _written(name, writer, scene, folder)]
+def _all_written(
+    formats: list[str], writers: dict[str, ModuleType], scene: Scene, folder: Path, begun: Begun
+) -> dict[str, list[Path]]:
+    """The files of every format, in order. Formats share what is shaded and drawn for them, so they are written one
+    after another, the first at the end: it is read back here while others are read elsewhere.
+    """
+    bare = [name for name in formats if name not in writers]
+    found: dict[str, list[Path]] = {}
+    with ExitStack() as ended:
+        flat = ended.enter_context((begun if bare and writers else at_once)(lambda: _bare(bare, scene, folder)))
+        taken: list[Callable[[], None]] = []
+        for name in [*list(writers)[1:], *list(writers)[:1]]:
+            found[name] = writers[name].write(scene, folder)
+            check = partial(_read_back, name, writers[name], found[name], folder)
+            taken.append(ended.enter_context((begun if len(found) < len(writers) else at_once)(check)))
+        for wait in taken:
+            wait()
+        found |= flat()
+    return {name: found[name] for name in formats}
 
-    if processes == 1 or len(writers) == 1:
-        return some(writers)
-    if any(name not in BARE for name, _ in writers):
-        _ = scene.bodies  # both need them
-    with aside(lambda: some(writers[1:])) as rest:
-        return some(writers[:1]) + rest()
+
+def _bare(formats: list[str], scene: Scene, folder: Path) -> dict[str, list[Path]]:
+    """The files of formats that show boxes, which are imported here, in the process that draws."""
+    found: dict[str, list[Path]] = {}
+    for name in formats:
+        writer = registry.load(PACKAGE, name)
+        found[name] = writer.write(scene, folder)
+        _read_back(name, writer, found[name], folder)
+    return found
 
 
-def _written(name: str, writer: Any, scene: Scene, folder: Path) -> list[Path]:
-    """The files of a format, once its own reader takes them; BadInput where it does not."""
-    files: list[Path] = writer.write(scene, folder)
+def _read_back(name: str, writer: ModuleType, files: list[Path], folder: Path) -> None:
+    """BadInput where a format's own reader does not take its files."""
     try:
         if hasattr(writer, "read_back"):
             writer.read_back(files)
@@ -80,7 +105,6 @@ def _written(name: str, writer: Any, scene: Scene, folder: Path) -> list[Path]:
         fault = (str(error).splitlines() or [type(error).__name__])[0]
         raise BadInput(f"format {name}: its own reader refuses what was written ({fault.replace(str(folder), '')}); "
                        "leave the format out, or the library whose models it can't take") from error
-    return files
 
 
 def _credits(folder: Path, credits: list[str]) -> File:

@@ -5,12 +5,12 @@ Geom groups: 2 what shows, 3 colliders, 4 ceilings (not shown unless asked for).
 
 from itertools import product
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 import numpy as np
 
 from apartgen.schemas.plan import Room
-from apartgen.stages.export._masks import masks
 from apartgen.stages.export._obj import Files
 from apartgen.stages.export._rotation import about_z, quaternion
 from apartgen.stages.export._xml import Element, add, number, numbers, save
@@ -19,6 +19,9 @@ from apartgen.stages.scene.scene import Scene, identifier
 from apartgen.stages.space import polygons
 from apartgen.stages.things.asset import Collider, Link, Material
 from apartgen.stages.things.body import Body, Inertia, counterbalanced, inertia
+
+if TYPE_CHECKING:
+    from apartgen.stages.export._masks import Mask
 
 FOLDER = "mjcf"
 ARMATURE = 0.002
@@ -40,6 +43,15 @@ def read_back(files: list[Path]) -> None:
     mujoco.MjModel.from_xml_path(str(files[0]))
 
 
+def _masks(scene: Scene) -> "dict[str, Mask]":
+    """What has other masks than usual, where bits say what touches; they are drawn by a heavy package."""
+    if not scene.masked:
+        return {}
+    from apartgen.stages.export._masks import masks
+
+    return masks(scene.bodies)
+
+
 class _Writer:
     """The XML document as it is built."""
 
@@ -57,7 +69,7 @@ class _Writer:
         overhead = (link for body in scene.bodies if body.kind == "ceiling" for link in body.links)
         self.glowing = {mesh.material for link in overhead for mesh in link.visuals}
         self.meshes: set[str] = set()
-        self.masks = masks(scene.bodies) if scene.masked else {}
+        self.masks = _masks(scene)
         self.still = {body.name for body in scene.bodies if scene.masked and not body.free}
         self._materials()
         self._lights(scene)

@@ -9,8 +9,10 @@ import ast
 import difflib
 import importlib
 import importlib.util
+import inspect
 import logging
 import pkgutil
+import tokenize
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -21,6 +23,7 @@ from apartgen.schemas.plugins import Plugin
 from apartgen.stages.registry import contract
 
 log = logging.getLogger("apartgen")
+_BLANK = (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE)
 
 
 def group(package: str) -> str:
@@ -39,6 +42,13 @@ def _folders(package: str) -> tuple[Path, ...]:
 def _help(source: Path) -> str:
     text = ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"))) or ""
     return text.partition("\n")[0]
+
+
+def _own_help(source: Path) -> str:
+    """As `_help`, read no further than the docstring, which our own modules begin with."""
+    with tokenize.open(source) as lines:
+        first = next(one for one in tokenize.generate_tokens(lines.readline) if one.type not in _BLANK)
+    return inspect.cleandoc(ast.literal_eval(first.string)).partition("\n")[0] if first.type == tokenize.STRING else ""
 
 
 def _own(package: str) -> dict[str, Path]:
@@ -72,7 +82,7 @@ def _brought(package: str) -> dict[str, tuple[Plugin, str]]:
 
 def members(package: str) -> dict[str, str]:
     """Each member's name and the first line of its docstring, by name; no member is imported."""
-    helps = {name: _help(source) for name, source in _own(package).items()}
+    helps = {name: _own_help(source) for name, source in _own(package).items()}
     helps |= {name: help for name, (_, help) in _brought(package).items()}
     return dict(sorted(helps.items()))
 

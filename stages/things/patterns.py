@@ -14,9 +14,9 @@ Pattern = Callable[[np.random.Generator, int, Array], Array]
 
 def noise(rng: np.random.Generator, size: int, width: float, length: float | None = None) -> Array:
     """Periodic Gaussian noise (size, size), unit variance; feature sizes in shares of the image, y then x."""
-    fy, fx = np.fft.fftfreq(size, 1 / size)[:, None], np.fft.fftfreq(size, 1 / size)[None, :]
+    fy, fx = np.fft.fftfreq(size, 1 / size)[:, None], np.fft.rfftfreq(size, 1 / size)[None, :]
     keep = np.exp(-((fy * width) ** 2 + (fx * (width if length is None else length)) ** 2) * 4)
-    field = np.fft.ifft2(np.fft.fft2(rng.standard_normal((size, size))) * keep).real
+    field = np.fft.irfft2(np.fft.rfft2(rng.standard_normal((size, size))) * keep, (size, size))
     return np.asarray((field - field.mean()) / (field.std() + 1e-12))
 
 

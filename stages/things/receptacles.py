@@ -199,9 +199,11 @@ def _largest(free: NDArray[np.bool_], xs: Array, ys: Array) -> "list[tuple[Array
 
 
 def _best(free: NDArray[np.bool_], xs: Array, ys: Array) -> tuple[int, int, int, int]:
-    """The largest rectangle of free cells: rows and columns, half open."""
+    """The largest rectangle of free cells: rows and columns, half open; what can't be larger is not looked at."""
     best, found = -1.0, (0, 1, 0, 1)
     for r0 in range(len(free)):
+        if (ys[-1] - ys[0]) * (xs[-1] - xs[r0]) <= best:
+            break
         run = np.ones(free.shape[1], bool)
         for r1 in range(r0 + 1, len(free) + 1):
             run = run & free[r1 - 1]
@@ -211,6 +213,8 @@ def _best(free: NDArray[np.bool_], xs: Array, ys: Array) -> tuple[int, int, int,
             starts, ends = np.flatnonzero(edge == 1), np.flatnonzero(edge == -1)
             wide = ys[ends] - ys[starts]
             c = int(wide.argmax())
+            if wide[c] * (xs[-1] - xs[r0]) <= best:
+                break
             area = float(wide[c] * (xs[r1] - xs[r0]))
             if area > best:
                 best, found = area, (r0, r1, int(starts[c]), int(ends[c]))

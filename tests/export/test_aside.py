@@ -9,7 +9,7 @@ from export import sample
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
-from apartgen.stages.export._aside import aside
+from apartgen.stages.aside import aside
 
 FORMATS = ["glb", "mjcf", "svg"]
 

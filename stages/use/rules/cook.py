@@ -2,8 +2,6 @@
 
 from collections.abc import Iterator
 
-import networkx
-
 from apartgen.stages.use.fault import Fault
 from apartgen.stages.use.kinds import CLOSED, COLD, COUNTERS, HOT, MOVED, RUN, WET, WORKTOPS
 from apartgen.stages.use.room import Furnished
@@ -52,10 +50,14 @@ def hobs(room: Furnished) -> list[int]:
 
 def runs(room: Furnished, units: list[int]) -> list[list[int]]:
     """Units that stand in one piece, the longest run first."""
-    graph = networkx.Graph()
-    graph.add_nodes_from(units)
-    graph.add_edges_from((i, j) for i in units for j in units if i < j and room.gap[i, j] <= JOINED)
-    return sorted((sorted(part) for part in networkx.connected_components(graph)), key=len, reverse=True)
+    left, found = list(units), list[list[int]]()
+    while left:
+        run = [left.pop(0)]
+        for i in run:  # which grows
+            run += (near := [j for j in left if room.gap[min(i, j), max(i, j)] <= JOINED])
+            left = [j for j in left if j not in near]
+        found.append(sorted(run))
+    return sorted(found, key=len, reverse=True)
 
 
 def worktop(room: Furnished, units: list[int]) -> float:

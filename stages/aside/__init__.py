@@ -33,6 +33,13 @@ def aside(job: Callable[[], T]) -> Iterator[Callable[[], T]]:
         ours.close()
 
 
+@contextmanager
+def at_once(job: Callable[[], T]) -> Iterator[Callable[[], T]]:
+    """As `aside`, here and now."""
+    done = job()
+    yield lambda: done
+
+
 def _answer(job: Callable[[], T], to: "Connection[Any, Any]") -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process ends both
     try:
