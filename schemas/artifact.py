@@ -255,6 +255,10 @@ def _digest(raw: dict[str, Any]) -> str:
     return "sha256:" + hashlib.sha256(text.encode()).hexdigest()
 
 
+_LINED = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
+"""JSON on one line; `json.dumps` would make an encoder anew for each of thousands of values."""
+
+
 def _rounded(value: Any) -> Any:
     if isinstance(value, float):
         return round(value, DECIMALS) + 0.0  # no negative zero
@@ -265,14 +269,14 @@ def _rounded(value: Any) -> Any:
 
 def _text(value: Any, indent: int = 0) -> str:
     """JSON with short containers, and long rows of numbers, on one line."""
-    line = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    line = _LINED(value)
     items: Sequence[Any] = list(value.values()) if isinstance(value, dict) else value if isinstance(value, list) else []
     flat = not any(isinstance(item, dict | list) for item in items)
     if not items or len(line) + indent <= _LINE or (flat and isinstance(value, list)):
         return line
     pad, inner = " " * indent, " " * (indent + 1)
     keyed = isinstance(value, dict)
-    heads = [json.dumps(key, ensure_ascii=False) + ": " for key in value] if keyed else [""] * len(items)
+    heads = [_LINED(key) + ": " for key in value] if keyed else [""] * len(items)
     rows = [inner + head + _text(item, indent + 1) for head, item in zip(heads, items)]
     opening, closing = "{}" if keyed else "[]"
     return opening + "\n" + ",\n".join(rows) + "\n" + pad + closing
