@@ -7,6 +7,8 @@
 A message says what is wrong, where (file, JSON path), and what to do.
 """
 
+from importlib.util import find_spec
+
 
 class ApartgenError(Exception):
     """Base of everything apartgen raises on purpose; shown without a traceback."""
@@ -24,3 +26,9 @@ class Unmet(ApartgenError):
     """A well-formed request that has no solution, or that a model refused."""
 
     exit_code = 1
+
+
+def learned(what: str) -> None:
+    """BadInput where PyTorch, which `what` takes, is not installed."""
+    if find_spec("torch") is None:
+        raise BadInput(f"{what} takes PyTorch: pip install 'apartgen[learn]'")

@@ -4,10 +4,11 @@ import json
 import subprocess
 import sys
 
+import commandline
 import handmade
 import pytest
 
-from apartgen.schemas import artifact
+from apartgen.schemas import artifact, errors
 from apartgen_cli.main import WORDS
 
 HEAVY = {"torch", "litellm", "trimesh", "pxr", "mujoco", "matplotlib"}
@@ -71,3 +72,12 @@ def test_nobody_looks_through_all_that_is_loaded_again_and_again():
             "try: main()\nfinally: print(gc.get_stats()[2]['collections'], file=sys.stderr)")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0 and int(done.stderr.splitlines()[-1]) <= 1, done.stderr
+
+
+@pytest.mark.parametrize("args", [("layout", "--model", "diffusion"), ("train", "layout", "--corpus", "none.npz"),
+                                  ("train", "shape")])
+def test_what_takes_torch_says_how_to_get_it(plan, args, monkeypatch, capsys):
+    monkeypatch.setattr(errors, "find_spec", lambda name: None)
+    done = commandline.run(capsys, monkeypatch, *args, stdin=plan)
+    assert done.code == 2 and "PyTorch: pip install 'apartgen[learn]'" in done.err
+    assert commandline.run(capsys, monkeypatch, "layout", "--candidates", "1", stdin=plan).code == 0
