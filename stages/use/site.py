@@ -48,7 +48,8 @@ class Hole:
 @dataclass(frozen=True)
 class Site:
     """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`,
-    one is where clothes are washed (`laundry`), one is the largest of the bedrooms (`main`)."""
+    one is where clothes are washed (`laundry`), one is the largest of the bedrooms (`main`), or for want of
+    any is slept in (`sleeps`)."""
 
     id: str
     kind: str
@@ -58,6 +59,7 @@ class Site:
     meals: bool = False
     laundry: bool = False
     main: bool = False
+    sleeps: bool = False
 
     @cached_property
     def start(self) -> Array:
@@ -103,9 +105,10 @@ def site(plan: Plan, room_id: str) -> Site:
     room = next(room for room in plan.rooms if room.id == room_id)
     rows = tuple((o.id, o.kind, *o.segment, o.sill, o.head, o.into == room_id, o.hinge)
                  for o in plan.openings if room_id in o.rooms)
+    of = duties(plan, room)
     return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan),
-                 eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1,
-                 duties(plan, room).main > 0)
+                 eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1, of.main > 0,
+                 of.sleeps > 0)
 
 
 def alone(room: Room) -> Site:
@@ -115,10 +118,11 @@ def alone(room: Room) -> Site:
 
 @lru_cache(maxsize=256)
 def _site(id: str, kind: str, corners: tuple[tuple[float, float], ...], rows: tuple[tuple[object, ...], ...],
-          people: int | None, meals: bool = False, laundry: bool = False, main: bool = False) -> Site:
+          people: int | None, meals: bool = False, laundry: bool = False, main: bool = False,
+          sleeps: bool = False) -> Site:
     bare = Site(id, kind, corners, (), people)
     holes = tuple(_hole(bare, *row) for row in rows)  # type: ignore[arg-type]
-    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main)
+    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main, sleeps=sleeps)
 
 
 def _hole(bare: Site, id: str, kind: str, a: tuple[float, float], b: tuple[float, float], sill: float, head: float,

@@ -24,7 +24,7 @@ from apartgen.stages.use.rules.eat import diners
 from apartgen.stages.use.rules.sleep import within_reach
 from apartgen.stages.use.site import Site
 
-MACHINE = 0.6
+MACHINE = 1.2
 """What it costs that nothing washes clothes where the home has its place for that."""
 SCREEN = 0.3
 """What a television stand without its television costs."""
@@ -105,8 +105,10 @@ def _by_number(site: Site, count: Counter[str], upright: int) -> Iterator[Lack]:
 
 
 def belongings(site: Site) -> list[str]:
-    """What a home keeps in this room for want of another: its washing machine."""
-    return [_table()["home"]["laundry"]] if site.laundry else []
+    """What a home keeps in this room for want of another: its washing machine, a television where one lives and sleeps
+    in one room."""
+    home, here = _table()["home"], {"laundry": site.laundry, "evenings": site.sleeps}
+    return [category for what in here if here[what] for category in home[what]]
 
 
 def _number(count: Counter[str], names: Iterable[str]) -> int:

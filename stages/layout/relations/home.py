@@ -37,7 +37,7 @@ FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 
 DRAWN = 6
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
-GOOD, POOR = 0.3, 0.8
+GOOD, POOR = 0.3, 1.0
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
 LENGTHS = dict.fromkeys(HANGING, 1.2)
 """Least widths, where there is a place for them, in bedrooms of two and where one sleeps in the living room, m."""

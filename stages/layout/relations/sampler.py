@@ -24,6 +24,8 @@ TRIES = 2
 """How often candidates are drawn for an object before its room is begun again, and once more for what is wide."""
 LOOKS = 8
 """Candidates whose ways are looked at before new ones are drawn."""
+SAME, ELSEWHERE = 0.05, 0.15
+"""A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
 CUT = 0.25
 """What an object may cut off of the floor, in metres of way."""
 LAMBDA = 0.5
@@ -122,18 +124,19 @@ class Sampler:
         boxes, weight = self._continued(there, name, boxes, weight)
         price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
-        second = None
+        second, near = None, SAME
         for _ in range(LOOKS):
             if weight.sum() <= 0:
                 break
             k = self._draw(weight)
             if there.shuts(name, boxes[k], loose) < CUT:
                 fits = followers.fit(there, name, boxes[k], left)
+                near = SAME if fits else ELSEWHERE
                 if fits and ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
                     return np.asarray(boxes[k])
                 if second is None and (fits or not strict) and not runs.spare(name):
                     second = np.asarray(boxes[k])
-            weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < 0.05] = 0.0
+            weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
         return second
 
     def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:

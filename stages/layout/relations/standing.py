@@ -43,8 +43,10 @@ ALONE = 8.0
 is rather left out."""
 CRAMPED = 4.0
 """Price of what has no floor for its use, or takes that of others, once nothing better was found."""
-SINKS, BETWEEN = {"kitchen_sink"}, 0.28
-"""Between a hob and one of these is so much worktop, m."""
+SINKS, COLD, BETWEEN = {"kitchen_sink"}, {"fridge"}, 0.28
+"""Between a hob and a sink is so much worktop, m; a fridge does not touch it."""
+CORNER, JOINED = 0.2, 0.08
+"""A wall at a hob's side is so far off, m; what is nearer than the latter is beside it."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -149,14 +151,22 @@ class Furniture:
         alone = ~runs.touching(name, boxes, self.names, self.boxes)
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
         worse = 2 * BROKEN if strict else APART
-        total += np.where(self._beside_other(name, boxes), worse, 0.0)
+        total += np.where(self._ill_beside(name, boxes), worse, 0.0)
         return total + (np.where(self._lit(boxes), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
 
-    def _beside_other(self, name: str, boxes: Array) -> NDArray[np.bool_]:
-        """Which candidates for a hob leave no worktop to a sink, or for a sink to a hob."""
-        cooks, wet = TABLE[name].is_for("cook"), name in SINKS
-        some = [k for k, o in enumerate(self.names) if cooks and o in SINKS or wet and TABLE[o].is_for("cook")]
-        return np.asarray((company.Seen(boxes, self.boxes[some]).gap < BETWEEN).any(1))
+    def _ill_beside(self, name: str, boxes: Array) -> NDArray[np.bool_]:
+        """Which candidates leave no worktop between sink and hob, or put a hob in a corner or beside what is tall."""
+        cooks = TABLE[name].is_for("cook")
+        if not cooks and name not in SINKS | COLD:
+            return np.zeros(len(boxes), bool)
+        seen, ill = company.Seen(boxes, self.boxes), np.zeros(len(boxes), bool)
+        for some, far in ((SINKS, BETWEEN), (COLD, JOINED)):
+            met = [o in some if cooks else name in some and TABLE[o].is_for("cook") for o in self.names]
+            ill |= (seen.gap[:, met] < far).any(1)
+        if cooks:
+            found = upright(boxes)
+            ill |= outside(found._replace(size=found.size + [0.0, 2 * CORNER, 0.0]), self.space) > CORNER / 2
+        return np.asarray(ill)
 
     def _lit(self, boxes: Array) -> NDArray[np.bool_]:
         """Above which candidates a hood would hang before a window."""
