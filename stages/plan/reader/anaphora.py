@@ -1,7 +1,7 @@
 """What `both`, `each`, `the former` stand for, and what `all but` leaves out."""
 
 from apartgen.stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
-from apartgen.stages.plan.reader.vocabulary import Det
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 JOINING = ("joins", "join", "connects", "connect", "links", "link", "joining", "connecting", "linking")
 """Verbs of which subject and object are joined to a third: `a hall joins the lounge to the kitchen`."""
@@ -25,6 +25,8 @@ def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
         if phrase.count == 1 and k and items[k - 1].value == "share":
             phrase.type = next((r.type for r in reversed(_rooms([*before, *items[:k]])) if r.type == "bathroom"), "")
             phrase.quantifier = Det.A
+        if phrase.labels == {Trait.SIZED} or (phrase.quantifier == Det.THE and phrase.factor != 1.0):
+            phrase.among = _headed_list(items[:k]) or phrase.among
         near = next((i.room for i in reversed(items[:k]) if i.kind != "mark"), None)
         if phrase.quantifier == Det.ONE_OF and near is not None and near.type and near.plural:
             phrase.among = [near]
@@ -43,6 +45,12 @@ def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
                 phrase.among = [r for r in _rooms(listed) if r.type not in ("", "any", "hallway")]
             elif named:
                 phrase.quantifier = Det.NONE
+
+
+def _headed_list(items: list[Item]) -> list[RoomPhrase]:
+    """The bathrooms of `two bathrooms: the larger one off the hall, the smaller one …`."""
+    heads = [a.room for a, b in zip(items, items[1:], strict=False) if a.room is not None and is_mark(b, ":")]
+    return [r for r in heads[-1:] if r is not None and (r.count or 1) > 1]
 
 
 def says_what_is_there(items: list[Item]) -> bool:
@@ -249,6 +257,7 @@ def shared_verb(items: list[Item]) -> list[Item]:
         gap = given or len(out) > 1 and (out[-2].kind in ("conjunction", "boundary") or is_mark(out[-2], ","))
         known = last is not None and (last.quantifier in PARTITIVE or bool(last.ordinals) or last.definite)
         new = phrase is not None and (phrase.quantifier in (Det.A, Det.OWN, Det.ANOTHER) or bool(phrase.count))
+        new = new or item.kind == "object"  # "the second has a desk and the third one a piano"
         if has is not None and gap and known and new and k and items[k - 1].room is last:
             out.append(Item("with", "has", has.text))
         elif verb and gap and last and phrase and items[k - 1].room is last and _leads(last, phrase):

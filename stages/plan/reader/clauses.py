@@ -10,6 +10,7 @@ def clause_of(out: list[Item], rooms: list[RoomPhrase], words: str) -> None:
     """`… next to the bath and the study faces south`: a boundary before the study, once `faces south` is read."""
     at = next((j for j in range(len(out) - 1, 1, -1) if rooms and out[j].room is rooms[0]), 0)
     told = any(i.kind == "copula" for i in out[at + 1 :]) or words.split()[0] in FINITE or not words.isascii()
+    told = told or (at > 0 and rooms[0].type == "")  # "…, the smaller one near the entrance"
     joint = out[at - 1] if at else Item("")
     if told and (joint.kind == "conjunction" or is_mark(joint, ",")):
         out[at - 1] = Item("boundary", "while", joint.text)

@@ -33,7 +33,9 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
     for s in statements:
         left = entities(s.left, home)
         right = entities(s.right, home)
-        pairs = [(a, b) for a in left for b in right if a is not b and not _served(a, b, s.kind)]
+        beds = [e for e in (*left, *right) if e.type == "bedroom"]
+        own = s.kind in (Relation.DOOR, Relation.ONLY) and len(beds) == 1  # "the main bath off the main bedroom"
+        pairs = [(a, b) for a in left for b in right if a is not b and (own or not _served(a, b, s.kind))]
         if left and left == right:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"
         match s.kind:

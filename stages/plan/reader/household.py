@@ -68,7 +68,7 @@ class Household:
         for entity in self.rooms[before:]:
             named = phrase.quantifier == Det.BARE and (id(phrase) in self.mentions or phrase.plural)
             entity.name = phrase.text
-            entity.vague = phrase.count is None and (phrase.definite or bool(phrase.ordinals) or named)
+            entity.vague = bool(phrase.ordinals) or phrase.count is None and (phrase.definite or named)
         lay(phrase, found)
         self.refs[id(phrase)] = found
         if len(found) > 1:

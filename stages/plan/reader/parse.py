@@ -127,7 +127,8 @@ def _lists_home(after: list[Item]) -> bool:
     """Whether `only`, `just`, `exactly` is said of a whole list of rooms rather than of one."""
     run = 0
     for item in after[1:]:
-        if item.kind not in ("room", "conjunction", "mark", "with", "size", "label", "area") or is_mark(item, "."):
+        listed = item.kind in ("room", "conjunction", "mark", "with", "size", "label", "area")
+        if not listed or is_mark(item, ".") or (run and item.value == "has"):
             break
         run += item.room is not None
     return run >= 2

@@ -87,6 +87,10 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
             out.append(replace(ahead, value=word.value, values=word.values, text=text))
             i += 2
             continue
+        if word.kind == "fraction" and [w.text for w in words[i + 1 : i + 3]] == ["of", "that"]:
+            out.append(replace(word, kind="compare", text=f"{word.text} of that"))  # "the kitchen half of that"
+            i += 3
+            continue
         if word.kind == "fraction" and end > i:
             out.append(replace(word, kind="compare"))
             i = end

@@ -32,7 +32,9 @@ def relations(
     for k, p in enumerate(found):
         if p.kind == Relation.CHAIN:
             line = _line(items, p)
-            out += [Statement(Relation.DOOR, [a], [b]) for a, b in zip(line, line[1:], strict=False)]
+            whole = "open" in items[p.at].text.split() and all(r.type in OPEN_TYPES for r in line)
+            kind = Relation.OPEN if whole else Relation.DOOR
+            out += [Statement(kind, [a], [b]) for a, b in zip(line, line[1:], strict=False)]
             continue
         left = _rooms(items, *p.subject) or (trail if trail and onward(items[p.at]) else before)
         if p.kind == Relation.BETWEEN and p.subject == (0, 0) and (p.at == 0 or items[p.at - 1].kind != "copula"):

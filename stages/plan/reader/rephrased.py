@@ -82,6 +82,10 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\bnot (?:too )?far (?:away )?(?:from|of)\b", "near"),
     (r"\bon (?:either|both) sides? of the (bath ?room|kitchen|living room|study)\b", r"next to the \1"),
     (r"\bun bureau (?=dans (?:chaque |les |la |une )?chambre)", "une table de travail "),
+    # "Three friends share the flat; each has a bedroom"
+    (r"\b((?:two|three|four|five|six|\d) (?:friends|students|flatmates|roommates|sisters|brothers|colleagues)),? "
+     r"(?:who )?(?:share|live in|rent) (?:the|an?|this) (?:flat|apartment|house|home)[;,.] (?:and )?"
+     r"each\b(?: of them)?", r"\1 each"),
     # "Place two lamps in the study", "a balcony I don't need"
     (r"(^|[.;:] *)place (?=(?:an?|the|one|two|three|four|\d+) )", r"\1put "),
     (r"(^|[.;,] *)(?:an? |the )?([a-z ]{3,20}?),? (?:i|we) (?:do not|don't|dont) (?:need|want)\b", r"\1no \2"),

@@ -82,6 +82,9 @@ def _goes_on(items: list[Item], p: Predicate, last: Predicate) -> bool:
     if items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
         p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
         return True
+    if p.negated and p.at > 1 and is_mark(items[p.at - 2], ",") and items[p.at - 1].kind == "negation":
+        p.subject = last.subject  # "the bath is next to bedroom 2, not next to bedroom 1"
+        return True
     if p.kind == Relation.TO and items[p.at - 1].text == "but":
         p.subject, p.kind, p.negated = last.subject, Relation.DOOR, False
         return True
