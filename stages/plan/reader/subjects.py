@@ -143,6 +143,8 @@ def _clause_start(items: list[Item], rooms: list[int], p: Predicate, last: Predi
     for j in range(rooms[-1] - 1, (last.at if last else -1), -1):
         if items[j].kind in ("boundary", "dwelling", "with", "relative") or is_mark(items[j], ":()"):
             start = min(r for r in rooms if r > j)
+            if is_mark(items[j], ":"):
+                return start  # "it has no hallway: the bedrooms, the bath and the kitchen are …"
             break
     if not last:
         return start

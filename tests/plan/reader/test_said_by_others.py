@@ -80,6 +80,8 @@ SENTENCES = [
      "B2 H K L W2", "B1W1, H1W2"),
     ("Two bedrooms. The bathroom is entered through the main bedroom, plus a guest toilet near the entrance.",
      "B2 H K L W2", "B1W1, H1W2, near W2 entrance, !W1W2"),
+    ("My flat has no hallway: the two bedrooms, the bathroom and the kitchen are all entered from the living room.",
+     "B2 K L W", "B1L1, B2L1, K1L1, L1W1"),
     ("Two bedrooms and a bathroom, no hallway. You step into the living room and every other room opens off it.",
      "B2 K L W", "B1L1, B2L1, K1L1, L1W1, !B1W1, !K1W1"),
     ("Bedroom, bathroom, hall. The hall leads to every room but the kitchen, which opens off the living room.",
