@@ -1,5 +1,7 @@
 """Small words that are read by what they are rather than by the lexicon: copulas, articles in prepositions, `den`."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import Item
 
@@ -34,6 +36,14 @@ def is_german(following: Lexeme) -> bool:
     """Whether `den` before it is an article."""
     noun = following.kind in ("room", "determiner", "number", "size", "ordinal", "label")
     return (noun and not following.text[0].isdigit()) or following.text in GERMAN
+
+
+def bathing(word: Lexeme, following: Lexeme | None, own: bool) -> Lexeme:
+    """`a shower of 3 m²`, `its own shower` are rooms; furniture has no floor area."""
+    sized = following is not None and following.kind == "area"
+    if word.text != "shower" or not (own or sized):
+        return word
+    return replace(word, kind="room", value="bathroom:ensuite+shower" if own else "bathroom:shower")
 
 
 def holds(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:

@@ -13,6 +13,7 @@ from apartgen.stages.plan.reader.particles import (
     ELSE,
     GERMAN,
     OTHER_NOUNS,
+    bathing,
     furnishes,
     holds,
     is_german,
@@ -61,10 +62,7 @@ class Phraser:
         ):
             self.pending.labels.add(Trait.ADJOINING)
             return i + 1
-        if word.text == "shower" and Trait.OWN in self.pending.labels:
-            word = words[i] = replace(word, kind="room", value="bathroom:ensuite+shower")
-        if word.text == "shower" and following is not None and following.kind == "area":
-            word = words[i] = replace(word, kind="room", value="bathroom:shower")  # furniture has no floor area
+        word = words[i] = bathing(word, following, Trait.OWN in self.pending.labels)
         if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():
             self.items.append(Item("style", word.value, word.text))  # "five private bedrooms"
             word = words[i] = replace(word, kind="room", value="bedroom", text="bedrooms", plural=True)
@@ -161,6 +159,8 @@ class Phraser:
             or (following is not None and following.kind in ("dwelling", "room", "number", "shorthand", "area"))
         ):
             return False
+        if self.pending.factor != 1.0 and word.text not in ("bed", "beds"):
+            return False  # "a bath with a tub, and a small toilet"
         if word.text == "bed" and self.pending.quantifier == Det.A and self.pending.number is None:
             return True
         last = [i for i in self.items if i.kind not in ("conjunction", "mark")][-2:]

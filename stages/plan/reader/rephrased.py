@@ -86,6 +86,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\b((?:two|three|four|five|six|\d) (?:friends|students|flatmates|roommates|sisters|brothers|colleagues)),? "
      r"(?:who )?(?:share|live in|rent) (?:the|an?|this) (?:flat|apartment|house|home)[;,.] (?:and )?"
      r"each\b(?: of them)?", r"\1 each"),
+    (r"\b(larger|bigger|smaller) than (?:usual|normal|average)\b",
+     lambda found: "small" if found[1] == "smaller" else "large"),
+    (r"(\d(?:[.,]\d+)?) ?(?:m|met(?:er|re)s?)? on (\d(?:[.,]\d+)? ?(?:m|met(?:er|re)s?)\b)", r"\1 x \2"),
     # "Place two lamps in the study", "a balcony I don't need"
     (r"(^|[.;:] *)place (?=(?:an?|the|one|two|three|four|\d+) )", r"\1put "),
     (r"(^|[.;,] *)(?:an? |the )?([a-z ]{3,20}?),? (?:i|we) (?:do not|don't|dont) (?:need|want)\b", r"\1no \2"),

@@ -117,6 +117,10 @@ SENTENCES = [
     ("The living room is 28 m², the kitchen half of that. Two bedrooms.", "B2 H K L W", "L1=28, K1=14"),
     ("Only the main bedroom has a balcony. Three bedrooms.", "B3 H K L W2 Y", "B1Y1"),
     ("Three friends share the flat; each has a bedroom of at least 12 m².", "B3 H K L W2", "at_least B3 12"),
+    ("A big bathroom with bathtub and shower, and a small toilet near the entrance. Three bedrooms.", "B3 H K L W2",
+     "W1 has 1 bath, W1 has 1 shower, near W2 entrance, !W1 has 1 toilet"),
+    ("The bathroom should be larger than usual. Two bedrooms.", "B2 H K L W", "W1=6.5"),
+    ("The bedroom of 4 meters on 3,5 meters. A flat with one bathroom.", "B H K L W", "dimension B1 4 x 3.5"),
     # whose
     ("Two bedrooms, the main one with its own shower.", "B2 H K L W2", "B1W1, H1W2"),
     ("We make three bedrooms, the bedrooms of the kids are in the north and our bedroom is in the south.",
