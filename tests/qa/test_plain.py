@@ -162,3 +162,12 @@ def test_a_place_is_told_by_two_things_of_its_room(monkeypatch):
     one = {f"floor_{h.LIVING}": (5000, ALL), SOFA.id: (800, ALL)}
     found = facts([one, one | {"shelf": (800, ALL)}], [SOFA, shelf])
     assert [plain.tells_its_place(found, view) for view in found.eyes] == [False, True]
+
+
+@pytest.mark.parametrize(("goal", "turns"), [
+    ((6.5, 1.45), ["straight on", "straight on"]), ((5.0, 2.0), []), ((4.4, 2.95), ["straight on", "left"])])
+def test_a_way_leads_to_where_a_picture_may_have_been_taken(goal, turns):
+    """From the entrance through the door at (4.05, 1.45): ahead of it, aside, and neither for sure."""
+    entrance, door = (next(o for o in h.openings() if o.kind == kind) for kind in ("entrance", "door"))
+    found = Facts(h.home(SOFA), Render(views=[], instances=[]))
+    assert route._sure(found, [entrance, door], goal, h.LIVING) == turns

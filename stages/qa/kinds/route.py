@@ -1,6 +1,6 @@
 """Which ways to turn from the entrance to where a picture was taken."""
 
-from itertools import pairwise
+from itertools import pairwise, product
 from math import atan2, degrees
 
 import numpy as np
@@ -15,6 +15,8 @@ SIDES = (("straight on", -35.0, 35.0), ("left", 50.0, 130.0), ("right", -130.0, 
 """Turns by the direction of the next goal, degrees; what lies between is not asked for."""
 ENTRANCE = 0.001
 """Share of the view from above that the entrance's door covers where one finds it."""
+ABOUT = 0.35
+"""Nobody tells more exactly where a picture was taken, m."""
 FARTHEST = 3
 """Doors behind the entrance."""
 TEXT = ("The second picture shows a home from above. You come in through the entrance and go to where the first one "
@@ -30,8 +32,8 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             way = facts.way(entrance.rooms[0], view.room) if view.room in facts.rooms else None
             if not way or len(way) > FARTHEST or not facts.above():
                 continue
-            turns = _turns(facts, [entrance, *way], view.eye[:2], entrance.rooms[0])
-            if None not in turns:
+            turns = _sure(facts, [entrance, *way], view.eye[:2], entrance.rooms[0])
+            if turns:
                 evidence = {"view": view.name, "doors": [o.id for o in way]}
                 drafts.append(Draft(TEXT, ", ".join(map(str, turns)), [view.name, *facts.above()], evidence,
                                     hard=len(way)))
@@ -45,6 +47,13 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
 def _seen(facts: Facts, entrance: Opening) -> bool:
     """Whether the view from above shows where one comes in."""
     return any(facts.shares[view].get(entrance.id, 0) > ENTRANCE for view in facts.above())
+
+
+def _sure(facts: Facts, way: list[Opening], goal: tuple[float, float], room: str) -> list[str]:
+    """The turns, where they are the same for every place about the goal; none where any of them is not told."""
+    about = [(goal[0] + ABOUT * dx, goal[1] + ABOUT * dy) for dx, dy in product((-1, 0, 1), repeat=2)]
+    first, *others = ([str(turn) for turn in _turns(facts, way, place, room)] for place in about)
+    return first if "None" not in first and all(turns == first for turns in others) else []
 
 
 def _turns(facts: Facts, way: list[Opening], goal: tuple[float, float], room: str) -> list[str | None]:
