@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from apartgen.schemas.plan import Plan, Room
 from apartgen.schemas.retrieve import Furnishing, Retrieve
 from apartgen.stages.space import boxes, polygons, sweeps
+from apartgen.stages.things import carrying
 from apartgen.stages.things.small import Design
 
 Array = NDArray[np.float64]
@@ -17,6 +18,8 @@ Rectangle = tuple[float, float, float, float]
 
 NEAR = 0.12
 """What is closer to a wall than this covers it, m."""
+STOOD = 0.45
+"""And what stands on something there, as a television does: it is at the height of what hangs."""
 
 
 class Hung(NamedTuple):
@@ -85,7 +88,8 @@ def _covered(face: Face, home: Plan, room: Room, here: Sequence[Furnishing]) -> 
                 yield s.min() - 0.08, s.max() + 0.08, opening.sill, opening.head + 0.08
     for o in here:
         low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
-        yield from _strip(face, boxes.corners(boxes.of([o]))[0], low, high)
+        near = STOOD if carrying.by_another(o) else NEAR
+        yield from _strip(face, boxes.corners(boxes.of([o]))[0], low, high, near)
         c, s = np.cos(o.yaw), np.sin(o.yaw)
         for joint in o.joints:
             (x0, y0, z0), (x1, y1, z1) = sweeps.swept(joint)
@@ -99,7 +103,7 @@ def seen(face: Face, points: Array) -> tuple[Array, Array]:
     return (points - face.start) @ face.along, (points - face.start) @ face.normal
 
 
-def _strip(face: Face, points: Array, low: float, high: float) -> Iterator[Rectangle]:
+def _strip(face: Face, points: Array, low: float, high: float, near: float = NEAR) -> Iterator[Rectangle]:
     s, off = seen(face, points)
-    if off.min() < NEAR and off.max() > -0.05 and s.max() > 0 and s.min() < face.length:
+    if off.min() < near and off.max() > -0.05 and s.max() > 0 and s.min() < face.length:
         yield float(s.min()), float(s.max()), low, high

@@ -2,10 +2,11 @@
 
 from types import SimpleNamespace
 
+import handmade as h
 import numpy as np
 import pytest
 
-from apartgen.stages.populate import walls
+from apartgen.stages.populate import faces, walls
 
 SOCKET = SimpleNamespace(size=(0.01, 0.08, 0.08))
 
@@ -51,3 +52,13 @@ def test_a_wall_behind_a_door_is_as_bare_as_any():
 
 def test_no_picture_is_wanted_where_doors_sweep_all_of_it():
     assert bare(1.8, (0.0, 0.9, 0.0, 2.1), (0.85, 1.8, 0.0, 2.1)) == []
+
+
+@pytest.mark.parametrize(("on", "hangs"), [("stand", False), ("floor", True)])
+def test_nothing_hangs_behind_what_stands_on_something(on, hangs):
+    """A television 20 cm before the south wall, from .5 to 1.2 m; what stands on the floor there is no hindrance."""
+    stand = h.thing("tv_stand", 2.0, 0.25, np.pi / 2, size=(0.4, 1.6, 0.5), id="stand")
+    screen = h.thing("tv", 2.0, 0.25, np.pi / 2, size=(0.1, 1.2, 0.7), bottom=0.5).model_copy(update={"on": on})
+    home = h.home(stand, screen)
+    south = faces.faces_of(home, home.rooms[0], home.objects)[0]
+    assert south.free(2.0, 0.4, 0.8, 1.1) is hangs and south.free(2.0, 0.4, 1.4, 1.8)
