@@ -27,6 +27,8 @@ from apartgen.stages.use import household
 LIBRARY = "parametric"
 PEOPLE = (1, 4)
 """As many are reckoned with at least and at most."""
+_DRAWS = 20
+"""So many times as often as models are wanted they are drawn, for all to differ."""
 
 
 class Library(Protocol):
@@ -83,8 +85,19 @@ def _receptacle(place: Receptacle) -> populate.Receptacle:
 
 
 def _models(rng: np.random.Generator) -> dict[str, list[Design]]:
-    return {name: [small.drawn(kind, own) for _ in range(kind.designs)]
+    return {name: _unlike(kind, own) if kind.fixed else [small.drawn(kind, own) for _ in range(kind.designs)]
             for name, kind in small.TABLE.items() for own in [seeds.lane(rng, name)]}
+
+
+def _unlike(kind: small.Small, rng: np.random.Generator) -> list[Design]:
+    """Models of what hangs in sight of one another: none looks like another while there are other looks."""
+    found: dict[tuple[str, int], Design] = {}
+    for _ in range(_DRAWS * kind.designs):
+        design = small.drawn(kind, rng)
+        found.setdefault((design.style, design.seed), design)
+        if len(found) == kind.designs:
+            break
+    return list(found.values())
 
 
 class _Names:
