@@ -48,6 +48,16 @@ class Space:
         return self.slabs.take(out | np.roll(out, -1))
 
     @cached_property
+    def end(self) -> Array:
+        """Where the walls end, (E, 2)."""
+        return np.roll(self.start, -1, 0)
+
+    @cached_property
+    def lines(self) -> Array:
+        """How far from the origin the walls' lines lie inwards, (E,)."""
+        return np.asarray((self.start * self.normal).sum(1))
+
+    @cached_property
     def walls(self) -> kernels.Walls:
         """The walls as `kernels` takes them."""
         start, along, normal, length = map(np.ascontiguousarray, (self.start, self.along, self.normal, self.length))
@@ -150,7 +160,7 @@ def _within(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:
     """Which points lie on the floor, and the distance of each to the nearest wall, (n,)."""
     if not space.reentrant.n:
         # In a convex room the signed distances from the walls' lines tell all about what lies inside.
-        signed = np.asarray((points @ space.normal.T - (space.start * space.normal).sum(1)).min(1))
+        signed = np.asarray((points @ space.normal.T - space.lines).min(1))
         within = signed > 0
         if within.all():
             return within, signed
@@ -164,7 +174,7 @@ def _measured(points: Array, space: Space) -> tuple[NDArray[np.bool_], Array]:
     offset = points[:, None] - space.start
     share = np.clip((offset * space.along).sum(-1), 0, space.length)
     away = np.linalg.norm(offset - share[..., None] * space.along, axis=-1).min(1)
-    end = np.roll(space.start, -1, 0)
+    end = space.end
     spans = (space.start[:, 1] > points[:, 1, None]) != (end[:, 1] > points[:, 1, None])
     turn = space.along[:, 0] * offset[..., 1] - space.along[:, 1] * offset[..., 0]
     right = np.where(end[:, 1] > space.start[:, 1], turn > 0, turn < 0)

@@ -122,8 +122,9 @@ def _of_kind(kind: str) -> tuple[list[frozenset[str]], list[tuple[frozenset[str]
 def next_of(left: Sequence[str], there: Sequence[str]) -> list[str]:
     """What of what is left may come next: what only serves something waits for it as long as that is to come."""
     kinds_left, kinds_there = {kinds.basic(o) for o in left}, {kinds.basic(o) for o in there}
-    waiting = {mine for mine, partners in LED if partners & kinds_left and not partners & kinds_there}
-    return [name for name in left if not any(kinds.basic(name) in mine for mine in waiting)]
+    waiting = [mine for mine, partners in LED if not partners.isdisjoint(kinds_left)
+               and partners.isdisjoint(kinds_there)]
+    return [name for name in left if not any(kinds.basic(name) in mine for mine in waiting)] if waiting else list(left)
 
 
 def follows(name: str) -> bool:

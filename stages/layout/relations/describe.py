@@ -95,10 +95,10 @@ def sides(seen: Array, half: Array, is_box: NDArray[np.bool_] | bool) -> tuple[I
     x, y, ex, ey = seen[..., 0], seen[..., 1], seen[..., 3], seen[..., 4]
     a, b = half[..., 0], half[..., 1]
     gaps = np.stack([x - ex - a, -x - ex - a, y - ey - b, -y - ey - b], -1)
-    less = np.stack([np.minimum(ex, a), np.minimum(ex, a), np.minimum(ey, b), np.minimum(ey, b)], -1)
     side = np.where(is_box, gaps.argmax(-1), FRONT)
-    gap = np.take_along_axis(gaps, side[..., None], -1)[..., 0]
-    over = is_box & (gap < INSIDE * 2 * np.take_along_axis(less, side[..., None], -1)[..., 0] - 1e-6)
+    gap = np.where(is_box, gaps.max(-1), gaps[..., FRONT])
+    less = np.where(side < LEFT, np.minimum(ex, a), np.minimum(ey, b))
+    over = is_box & (gap < INSIDE * 2 * less - 1e-6)
     return np.where(over, OVER, side), gap, over
 
 
@@ -133,9 +133,8 @@ def along_y(side: Ints) -> NDArray[np.bool_]:
 def aligned(seen: Array, axis: Ints, half: Array) -> Array:
     """Where the middle of an object with half extent (...,) along axis (...,) (0 front, 1 left) lies, aligned with
     tokens (..., T, 9) in each of five ways, (..., T, 5)."""
-    which = axis[..., None, None]
-    middle = np.take_along_axis(seen[..., 0:2], np.broadcast_to(which, (*seen.shape[:-1], 1)), -1)[..., 0]
-    reach = np.take_along_axis(seen[..., 3:5], np.broadcast_to(which, (*seen.shape[:-1], 1)), -1)[..., 0]
+    left = axis[..., None] == 1
+    middle, reach = np.where(left, seen[..., 1], seen[..., 0]), np.where(left, seen[..., 4], seen[..., 3])
     e = half[..., None]
     low, high = middle - reach, middle + reach
     return np.stack([middle, low + e, high - e, high + e, low - e], -1)
