@@ -211,7 +211,9 @@ def picked(logits: Floats, chance: NDArray[np.float64], sharp: float, least: flo
     found = np.empty(chance.shape, np.int64)
     total = np.empty(n)
     for r in range(rows):
-        most = logits[r].max()
+        most = logits[r, 0]
+        for k in range(n):
+            most = max(most, logits[r, k])
         so_far = 0.0
         for k in range(n):
             x = sharp * (logits[r, k] - most)

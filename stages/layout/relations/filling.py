@@ -14,7 +14,7 @@ Ints = NDArray[np.int64]
 @njit("boolean[:,::1](int64[:,::1],int64[:,::1],int64[::1],int64[::1],int64[::1],boolean[::1],int64[:,::1],int64)",
       cache=True)
 def allowed(so_far: Ints, wanted: Ints, left: Ints, last: Ints, rank: Ints, known: Flags, least: Ints,
-            most: int) -> Flags:  # type: ignore[misc]
+            most: int) -> Flags:
     """Which categories may come next in rooms, and at last whether a room may end here, (n, C + 1).
 
     so_far (n, C), wanted (n, C) still to come by category or -1, left (n,) objects or -1, last (n,) rank drawn; rank

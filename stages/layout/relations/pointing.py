@@ -93,7 +93,8 @@ def picked(logits: Floats, met: Floats, points: Floats, share: float, at: Ints, 
     row, total = np.empty(bins + most_tokens * ways, np.float32), np.empty(bins + most_tokens * ways)
     low = np.log(least)
     for r in range(rows):
-        row[:bins] = logits[r]
+        for k in range(bins):
+            row[k] = logits[r, k]
         n = bins
         for p in range(starts[r], starts[r + 1]):
             for a in range(ways):
@@ -106,7 +107,9 @@ def picked(logits: Floats, met: Floats, points: Floats, share: float, at: Ints, 
                 else:
                     row[n] = -1e9
                 n += 1
-        most, last, so_far = row[:n].max(), 0, 0.0
+        most, last, so_far = row[0], 0, 0.0
+        for k in range(n):
+            most = max(most, row[k])
         for k in range(n):
             x = sharp * (row[k] - most)
             if x > low:

@@ -76,7 +76,8 @@ def continued(units: Floats, sizes: Doubles, walls: Floats, between: float, off:
             x, y = (size[0] - unit[3]) / 2, (unit[4] + size[1]) / 2 + between
             for side in (y, -y):
                 found[n, 0], found[n, 1], found[n, 2] = unit[0] + c * x - s * side, unit[1] + s * x + c * side, yaw
-                found[n, 3:] = size
+                for i in range(4):
+                    found[n, 3 + i] = size[i]
                 n += 1
             ahead = unit[0] * c + unit[1] * s + (unit[3] + size[1]) / 2 + between
             for wall in walls:
@@ -85,6 +86,7 @@ def continued(units: Floats, sizes: Doubles, walls: Floats, between: float, off:
                     continue
                 deep = wall[0] * a + wall[1] * b + size[0] / 2 + off
                 found[n, 0], found[n, 1], found[n, 2] = ahead * c + deep * a, ahead * s + deep * b, wall[2]
-                found[n, 3:] = size
+                for i in range(4):
+                    found[n, 3 + i] = size[i]
                 n += 1
     return found[:n]

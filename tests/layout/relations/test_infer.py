@@ -1,5 +1,8 @@
 """The networks without torch say what they say with it, whatever else is computed with them and what is remembered."""
 
+import os
+import subprocess
+import sys
 from functools import cache
 
 import numpy as np
@@ -254,3 +257,22 @@ def test_a_row_is_the_same_in_any_company(rows: int, width: int, out: int) -> No
     found = layer(x)
     assert found == pytest.approx(x.astype(float) @ weight + bias, abs=CLOSE)
     assert all(np.array_equal(layer(x[k : k + 1])[0], found[k]) for k in range(rows))
+
+
+CODE = """
+import sys; sys.path.insert(0, "tests")
+import handmade, numpy as np
+from apartgen.stages import layout
+from apartgen.stages.layout.config import LayoutConfig
+print(layout.run(handmade.plan(), LayoutConfig(candidates=1), np.random.default_rng(1)).objects)
+assert "torch" not in sys.modules
+"""
+
+
+def test_threads_change_nothing_and_nobody_needs_torch() -> None:
+    """In processes of their own, as threads are counted when numpy is imported."""
+    names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
+    made = [subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, timeout=240,
+                           env=os.environ | dict.fromkeys(names, threads)) for threads in ("1", "2")]
+    assert all(one.returncode == 0 for one in made), made[0].stderr + made[1].stderr
+    assert made[0].stdout == made[1].stdout and "Box(" in made[0].stdout
