@@ -68,7 +68,7 @@ def _floats(boxes: Array) -> NDArray[np.float32]:
 
 def _sizes(name: str, boxes: Array) -> Array:
     """The likeliest sizes (k, 4) of candidates, and the likeliest in the usual width."""
-    sizes, counts = _distinct(np.round(boxes[:, 3:], 3))
+    sizes, counts = _distinct(np.round(boxes[:, 3:].astype(float), 3))
     some = sizes[np.argsort(-counts, kind="stable")[:WIDTHS]]
     return _distinct(np.concatenate([some, [[some[0, 0], _width(name), *some[0, 2:]]]]))[0]
 
