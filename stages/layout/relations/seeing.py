@@ -43,9 +43,10 @@ def beside(boxes: Floats, units: Floats, flush: float, corner: float, in_line: f
     """Which candidates (n, 7) are flush with one of some units (m, 7): side by side with backs in line, or round the
     corner from it."""
     found = np.zeros(len(boxes), np.bool_)
+    half = np.float32(0.5)
     for k in range(len(units)):
         unit = units[k]
-        c, s = np.cos(unit[2]), np.sin(unit[2])
+        c, s = np.cos(np.float64(unit[2])), np.sin(np.float64(unit[2]))
         for i in range(len(boxes)):
             if found[i]:
                 continue
@@ -53,13 +54,13 @@ def beside(boxes: Floats, units: Floats, flush: float, corner: float, in_line: f
             dx, dy, turned = box[0] - unit[0], box[1] - unit[1], np.cos(box[2] - unit[2])
             x, y = dx * c + dy * s, abs(dy * c - dx * s)
             if turned > 0.99:
-                backs = abs(x - box[3] / 2 + unit[3] / 2) < in_line
-                found[i] = backs and abs(y - (unit[4] + box[4]) / 2) < flush
+                backs = abs(x - box[3] * half + unit[3] * half) < in_line
+                found[i] = backs and abs(y - (unit[4] + box[4]) * half) < flush
             elif abs(turned) < 0.01:
-                behind = abs(x + unit[3] / 2) < box[4] / 2 + corner
-                aside = abs(y - (unit[4] + box[3]) / 2) < 2 * flush
-                ahead = abs(x - (unit[3] + box[4]) / 2) < flush
-                within = abs(y - (unit[4] - box[3]) / 2) < corner
+                behind = abs(x + unit[3] * half) < box[4] * half + corner
+                aside = abs(y - (unit[4] + box[3]) * half) < 2 * flush
+                ahead = abs(x - (unit[3] + box[4]) * half) < flush
+                within = abs(y - (unit[4] - box[3]) * half) < corner
                 found[i] = aside and behind or ahead and within
     return found
 
