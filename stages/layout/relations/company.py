@@ -119,10 +119,11 @@ def _of_kind(kind: str) -> tuple[list[frozenset[str]], list[tuple[frozenset[str]
             [(partners, wanted) for mine, partners, wanted in RULES if kind in mine])
 
 
-def next_of(left: Sequence[str], there: Sequence[str]) -> list[str]:
-    """What of what is left may come next: what only serves something waits for it as long as that is to come."""
+def next_of(left: Sequence[str], there: Sequence[str], anew: bool = False) -> list[str]:
+    """What of what is left may come next: what only serves something waits for it as long as that is to come, and in a
+    room that is begun `anew` so does what one can do without for a bed."""
     kinds_left, kinds_there = {kinds.basic(o) for o in left}, {kinds.basic(o) for o in there}
-    waiting = [mine for mine, partners in LED if not partners.isdisjoint(kinds_left)
+    waiting = [mine for mine, partners in ((*LED, *AFTER) if anew else LED) if not partners.isdisjoint(kinds_left)
                and partners.isdisjoint(kinds_there)]
     return [name for name in left if not any(kinds.basic(name) in mine for mine in waiting)] if waiting else list(left)
 
@@ -186,6 +187,8 @@ LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
     (frozenset({"coffee_table"}), kinds.SOFAS),
 )
 """What is of no use at all where none of these stands."""
+AFTER = ((frozenset({"tv_stand", "armchair", "bookshelf", "sideboard", "display_cabinet"}), kinds.BEDS),)
+"""What one can do without where a bed, which one cannot, is still to come and found no place before."""
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),

@@ -39,6 +39,8 @@ DRAWN = 6
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
 GOOD, POOR = 0.3, 1.0
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
+UNMET = 3.0
+"""What it costs that something was asked for and is not there."""
 LENGTHS = dict.fromkeys(HANGING, 1.2)
 """Least widths, where there is a place for them, in bedrooms of two and where one sleeps in the living room, m."""
 SHARP, SURE = 3.0, 2.0
@@ -93,7 +95,8 @@ class Furnished(NamedTuple):
 def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style: int, given: list[Box]) -> Furnished:
     """The sample of least energy, the first of equals."""
     some = [(_boxes(room, p, origin, style, given), p.notes) for p in made]
-    rows = [Furnished(found, notes, choice.cost(plan, room.id, found)) for found, notes in some]
+    rows = [Furnished(found, notes, choice.cost(plan, room.id, found)
+                      + UNMET * len(wishes.unmet(plan.program, room.id, found))) for found, notes in some]
     return min(rows, key=lambda row: row.cost)
 
 

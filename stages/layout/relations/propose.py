@@ -132,7 +132,7 @@ class _Rooms:
         """The next object of each particle, and logits (B, T) of its references."""
         left = self.places.bag(self._left([p.left for p in self.particles]))
         asking = looking.look(self.places, self.memories, left)
-        may = self._left([company.next_of(p.left, p.furniture.names) for p in self.particles])
+        may = self._left([company.next_of(p.left, p.furniture.names, p.begun > 1) for p in self.particles])
         chosen = drawn(np.where(may == 0, SHUT_OUT, self.places.next(asking)), self.lanes)[:, 0]
         names = [next(name for name in p.left if self.known.category(name) == c)
                  for p, c in zip(self.particles, chosen.tolist(), strict=True)]

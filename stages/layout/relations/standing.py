@@ -116,12 +116,23 @@ class Furniture:
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
         total += np.where(hung.spoils(name, found, self.names, self.upright), 2 * BROKEN, 0.0)
+        total += np.where(self._meets_leaves(name, found), 2 * BROKEN if strict else ALONE, 0.0)
         useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
         total += np.where(company.alone(name, boxes, self.names, self.boxes), useless, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
         total += np.where(cramped, 2 * BROKEN if strict else CRAMPED, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
+
+    def _meets_leaves(self, name: str, found: Boxes) -> NDArray[np.bool_]:
+        """Which candidates have parts that would open into a door that stands open."""
+        far = np.broadcast_to(np.asarray(reach(name, found.size), float), found.n)
+        if not self.space.leaves.n or TABLE[name].place == "wall" or not far.any():
+            return np.zeros(found.n, bool)
+        heading = np.stack([np.cos(found.yaw), np.sin(found.yaw), np.zeros(found.n)], -1)
+        ahead = Boxes(found.center + heading * (found.size[:, :1] + far[:, None]) / 2,
+                      np.column_stack([far, found.size[:, 1:]]), found.yaw)
+        return np.asarray((penetration(ahead, self.space.leaves) > SLACK).any(1))
 
     def _sideways(self, found: Boxes, tucked: Floats) -> Floats:
         """A seat is drawn under a table forwards only."""

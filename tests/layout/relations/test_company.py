@@ -92,3 +92,10 @@ def test_nothing_large_is_put_right_before_a_sofa(name: str) -> None:
 ])
 def test_what_only_serves_something_waits_for_it(left: list[str], there: list[str], may: set[str]) -> None:
     assert set(company.next_of(left, there)) == may
+
+
+def test_in_a_room_begun_anew_the_bed_comes_before_what_one_can_do_without() -> None:
+    left = ["tv_stand", "double_bed", "sofa", "armchair"]
+    assert set(company.next_of(left, [])) == set(left)
+    assert set(company.next_of(left, [], anew=True)) == {"double_bed", "sofa"}
+    assert set(company.next_of(["tv_stand", "armchair"], ["double_bed"], anew=True)) == {"tv_stand", "armchair"}

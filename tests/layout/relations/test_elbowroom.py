@@ -6,7 +6,8 @@ from rooms_for_tests import box, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import elbowroom
-from apartgen.stages.layout.relations.standing import BROKEN
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import upright
 
 TABLE, CHAIR, CASE, SOFA = (0.9, 1.4, 0.75), (0.5, 0.5, 0.9), (0.35, 0.8, 1.8), (0.9, 1.8, 0.8)
 
@@ -77,3 +78,19 @@ def test_no_bed_has_its_head_at_a_window(x: float, away: float, barred: bool) ->
     assert bool(elbowroom.taken("double_bed", bed[None], [], np.zeros((0, 7)), space)[0]) == barred
     beside = box((0.6, 1.6, 0.75), x, north - 0.32, -np.pi / 2)
     assert not elbowroom.taken("desk", beside[None], [], np.zeros((0, 7)), space)[0], "a desk has light there"
+
+
+@pytest.mark.parametrize("gap, turned, met", [(0.3, 0.0, True), (0.5, 0.0, False), (0.3, np.pi, False)])
+def test_nothing_opens_into_a_door_that_stands_open(gap: float, turned: float, met: bool) -> None:
+    """A shower, whose leaf of .8 m sweeps .4 m, before a leaf that stands along the room, `gap` from it."""
+    space = space_of(some_rooms(1, 4), 0)
+    leaf = space.leaves.center[0]
+    assert abs(np.cos(space.leaves.yaw[0])) < 1e-6 or space.leaves.size[0, 0] != space.leaves.size[0, 1]
+    long = np.array([np.cos(space.leaves.yaw[0]), np.sin(space.leaves.yaw[0])])
+    thick = space.leaves.size[0, :2]
+    across = long if thick[0] < thick[1] else np.array([-long[1], long[0]])
+    middle = leaf[:2] + across * (min(thick) / 2 + gap + 0.4)
+    yaw = float(np.arctan2(-across[1], -across[0])) + turned
+    shower = box((0.8, 0.8, 2.0), *middle, yaw)
+    there = Furniture(space)
+    assert bool(there._meets_leaves("shower", upright(shower[None]))[0]) == met
