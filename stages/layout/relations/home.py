@@ -39,6 +39,8 @@ DRAWN = 6
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
 GOOD, POOR = 0.3, 1.0
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
+BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
+"""One of these is in a bathroom of so much floor, m²."""
 UNMET = 3.0
 """What it costs that something was asked for and is not there."""
 LENGTHS = dict.fromkeys(HANGING, 1.2)
@@ -107,7 +109,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
-    rules = rules_of(known, room, Counter({**_kept(plan, place, given), **wanted_of(arrays, i, plan, room)}))
+    wanted = Counter({**_kept(plan, place, given), **wanted_of(arrays, i, plan, room)})
+    rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
@@ -123,7 +126,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       wide=LENGTHS if arrays.area[i] >= DOUBLE and (room.base == "bedroom" or sleeps) else {})
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
-                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room))
+                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])))
 
 
 def _row(o: Box, origin: Array) -> Array:
@@ -133,10 +136,11 @@ def _row(o: Box, origin: Array) -> Array:
     return np.array([x - origin[0], y - origin[1], o.yaw, d, w, z - h / 2, z + h / 2], np.float32)
 
 
-def _least(room: Room) -> tuple[frozenset[str], ...]:
-    """Of what a room of its type is never without, by `sense.toml`."""
+def _least(room: Room, area: float) -> tuple[frozenset[str], ...]:
+    """Of what a room of its type is never without, by `sense.toml`, and where one washes, not in a toilet alone."""
     kind = ROOM_TYPES.index(room_types.base_of(room.type) or room.type)
-    return tuple(frozenset(CATEGORIES[c] for c in group) for group in sense().least[kind])
+    bath = [BATHS] if room.base == "bathroom" and area >= BATHED else []
+    return (*(frozenset(CATEGORIES[c] for c in group) for group in sense().least[kind]), *bath)
 
 
 def wanted_of(arrays: Rooms, i: int, plan: Plan, room: Room) -> Counter[str]:
@@ -171,9 +175,9 @@ class Rules:
         self.likes: list[str] = [name for name, count in wanted.items() if name not in index for _ in range(count)]
 
 
-def rules_of(known: weights.Vocabulary, room: Room, wanted: Counter[str]) -> Rules:
-    """The rules of a room of a plan."""
-    return Rules(known, _least(room), wanted)
+def rules_of(known: weights.Vocabulary, room: Room, area: float, wanted: Counter[str]) -> Rules:
+    """The rules of a room of a plan, of so much floor."""
+    return Rules(known, _least(room, area), wanted)
 
 
 def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room: Room,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from apartgen.schemas.layout import Layout
-from apartgen.schemas.plan import AskedObjects, Plan
+from apartgen.schemas.plan import AskedObjects, Plan, Room
 from apartgen.stages import layout, seeds, use
 from apartgen.stages.layout import batch, choice
 from apartgen.stages.layout.config import LayoutConfig
@@ -140,3 +140,10 @@ def test_no_machine_comes_where_none_is_wanted() -> None:
     none = AskedObjects(room=laundry.id, category="washing_machine", count=0)
     asked = plan.model_copy(update={"program": plan.program.model_copy(update={"objects": [none]})})
     assert not any(o.category == "washing_machine" for o in made(asked).objects)
+
+
+@pytest.mark.parametrize(("kind", "area", "needed"), [
+    ("bathroom", 2.7, False), ("bathroom", 2.9, True), ("kitchen", 9.0, False)])
+def test_where_there_is_floor_for_it_one_washes(kind: str, area: float, needed: bool) -> None:
+    room = Room(id="a", type=kind, polygon=[(0, 0), (area / 2, 0), (area / 2, 2), (0, 2)])
+    assert (frozenset({"shower", "bath"}) in relations_home._least(room, area)) == needed
