@@ -61,7 +61,8 @@ def _at_window(boxes: Array, space: Space) -> Flags:
     half = boxes[:, None, 4] / 2
     behind = -x - boxes[:, None, None, 3] / 2
     shared = np.minimum(y.max(-1), half) - np.maximum(y.min(-1), -half)
-    return np.asarray(((behind > -HEAD) & (behind < HEAD)).all(-1) & (shared > SILL)).any(1)
+    found = ((behind > -HEAD) & (behind < HEAD)).all(-1) & (shared > SILL)
+    return np.asarray(found.any(1))
 
 
 def _bars(kind: str, used: str) -> bool:
