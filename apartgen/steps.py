@@ -125,7 +125,7 @@ def _fault(plan: Plan) -> ApartgenError | None:
 
 
 def weights(config: LayoutConfig) -> dict[str, Path]:
-    """The weights file; named without torch, so that a finished layout is known again in no time."""
+    """The weights file; named without loading any, so that a finished layout is known again in no time."""
     folder = Path(layout.__file__).parent / ("relations" if config.model == "relations" else "")
     return {"weights": Path(config.weights) if config.weights else folder / "weights.safetensors"}
 

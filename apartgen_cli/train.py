@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 import typer
 from pydantic import create_model
 
-from apartgen.schemas.errors import BadInput, learned
+from apartgen.schemas.errors import BadInput, need_torch
 from apartgen.stages.layout.config import TrainConfig
 from apartgen.stages.layout.relations.config import Training
 from apartgen.stages.retrieve.shape.config import ShapeTraining
@@ -87,7 +87,7 @@ def _layout(
     out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, model: MODEL = "relations", *, given: Any,
 ) -> None:
     """Train a layout model on a corpus; an interrupted run goes on from its checkpoint."""
-    learned("training")
+    need_torch("training")
     from apartgen.stages.layout import curve
 
     table = tables(config).get("train-layout")
@@ -123,7 +123,7 @@ def _diffusion(out: Path | None, fresh: bool, given: Any, table: Any) -> Path:
 
 def _shape(out: WEIGHTS = None, fresh: FRESH = False, config: CONFIG = None, *, given: Any) -> None:
     """Train the shape model on the embedded library, and index the library by it."""
-    learned("training")
+    need_torch("training")
     from apartgen.stages.retrieve.shape import encoder
     from apartgen.stages.retrieve.shape.train import train
 

@@ -28,7 +28,7 @@ class Unmet(ApartgenError):
     exit_code = 1
 
 
-def learned(what: str) -> None:
+def need_torch(what: str) -> None:
     """BadInput where PyTorch, which `what` takes, is not installed."""
     if find_spec("torch") is None:
         raise BadInput(f"{what} takes PyTorch: pip install 'apartgen[learn]'")

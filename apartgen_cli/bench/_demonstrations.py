@@ -1,35 +1,29 @@
 """Episodes of an earlier run as data sets to learn from: each is run again, and kept where it succeeds."""
 
+from collections.abc import Iterable
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from apartgen.schemas.errors import BadInput
-from apartgen_cli.bench import embodied
 
 if TYPE_CHECKING:
-    from apartgen.stages.embodied.lerobot import Episode
+    from apartgen.stages.embodied.lerobot import Episode, Half
     from apartgen.stages.embodied.outcome import Outcome
     from apartgen.stages.embodied.world import World
 
 
-def demonstrated(out: Path, folder: Path) -> list[Path]:
-    """Write `folder`/navigation and `folder`/interaction, of all apartments in `out`/homes; BadInput without any."""
+def demonstrated(runs: "Iterable[tuple[World, Half, list[Outcome]]]", folder: Path) -> list[Path]:
+    """Write `folder`/navigation and `folder`/interaction, of apartments' episodes; BadInput where none succeeds."""
     from apartgen.stages.embodied import lerobot
     from apartgen.stages.scene.folder import CONTENTS, listed, replaced
 
-    files = sorted((out / embodied.HOMES).glob("*.json"))
-    if not files:
-        raise BadInput(f"--lerobot: no apartments in {out / embodied.HOMES}; run `apartgen bench embodied -o {out}`")
     found: dict[lerobot.Half, list[Episode]] = {"navigation": [], "interaction": []}
-    for file in files:
-        with embodied._exported(embodied._read(file), bare=True) as (scene, mjcf):
-            apartment = embodied.simulated(scene, mjcf, file.stem)
-            found["navigation"] += _succeeded(apartment, embodied._navigation(apartment, None))
-            found["interaction"] += _succeeded(apartment, embodied._interaction(apartment, None))
+    for apartment, half, outcomes in runs:
+        found[half] += _succeeded(apartment, outcomes)
     found = {half: episodes for half, episodes in found.items() if episodes}
     if not found:
-        raise BadInput(f"--lerobot: no episode of {out / embodied.HOMES} succeeds; there is nothing to write")
+        raise BadInput("--lerobot: no episode of these apartments succeeds; there is nothing to write")
     with replaced(folder) as fresh:
         files = [file for half, episodes in found.items() for file in lerobot.write(half, episodes, fresh / half)]
         digests = [(file.relative_to(fresh).as_posix(), sha256(file.read_bytes()).hexdigest()) for file in files]

@@ -27,6 +27,7 @@ from apartgen_cli.bench import _scenes
 from apartgen_cli.streams import made_folder
 
 if TYPE_CHECKING:
+    from apartgen.stages.embodied.lerobot import Half
     from apartgen.stages.embodied.outcome import Outcome
     from apartgen.stages.embodied.world import World
     from apartgen.stages.retrieve.matching.libraries import LibrarySet
@@ -194,7 +195,18 @@ def lerobot(out: Path, folder: Path) -> list[Path]:
     """Run all episodes of an earlier run's apartments again and keep those that succeed as data sets to learn from."""
     from apartgen_cli.bench._demonstrations import demonstrated
 
-    return demonstrated(out, folder)
+    files = sorted((out / HOMES).glob("*.json"))
+    if not files:
+        raise BadInput(f"--lerobot: no apartments in {out / HOMES}; run `apartgen bench embodied -o {out}`")
+    return demonstrated((run for file in files for run in _runs(file)), folder)
+
+
+def _runs(file: Path) -> "Iterator[tuple[World, Half, list[Outcome]]]":
+    """The episodes of both halves of a kept apartment."""
+    with _exported(_read(file), bare=True) as (scene, mjcf):
+        apartment = simulated(scene, mjcf, file.stem)
+        yield apartment, "navigation", _navigation(apartment, None)
+        yield apartment, "interaction", _interaction(apartment, None)
 
 
 def _replays() -> ModuleType:

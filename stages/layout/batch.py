@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from apartgen.schemas.errors import learned
+from apartgen.schemas.errors import need_torch
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Plan
 from apartgen.stages import seeds
@@ -97,7 +97,7 @@ def _quiet() -> None:
 def _furnished(config: LayoutConfig, home: tuple[Plan, np.random.Generator]) -> tuple[Layout, list[str]]:
     """One apartment by the model that was asked for, and what is to be said about it."""
     if config.model == "diffusion":
-        learned("--model diffusion")
+        need_torch("--model diffusion")
         return _denoised(config, home)
     from apartgen.stages.layout.relations.home import furnished
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from apartgen.schemas.errors import BadInput, learned
+from apartgen.schemas.errors import BadInput, need_torch
 from apartgen.stages.metrics._pictures import Picture
 
 Features = NDArray[np.float32]
@@ -40,7 +40,7 @@ def installed() -> bool:
 def network(inception: Path | None = None) -> Network:
     """The standard network from a file, or the packaged one. BadInput where there is neither."""
     if inception is not None:
-        learned("--inception-weights")
+        need_torch("--inception-weights")
         return Network("Inception-v3 2015-12-05", "", _batched(_inception(inception), 299))
     if not installed():
         raise BadInput(MISSING)

@@ -32,7 +32,8 @@ NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 1.2, 1.0
 """What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, a place
 for clothes where one sleeps in the living room, and a place to sleep for the second in a bedroom of two."""
 FOR_TWO, LEAST_FOR_TWO = 10.0, 8.5
-"""A bedroom of so much floor is for two, m², and the largest of a home from less on."""
+"""From so much floor on, m², a bed for one is minded in a bedroom (`household` counts two who sleep there from a little
+less on), and the want of a double bed in the largest of a home."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0

@@ -18,7 +18,8 @@ from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
-from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, EASY, SMALL_SEATS, basic
+from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WET, basic
+from apartgen.stages.use.rules.cook import CORNER, JOINED, PUT_DOWN
 
 SLACK = 0.008
 """Contact that is none, m; below what metrics allow."""
@@ -43,10 +44,6 @@ ALONE = 8.0
 is rather left out."""
 CRAMPED = 4.0
 """Price of what has no floor for its use, or takes that of others, once nothing better was found."""
-SINKS, COLD, BETWEEN = {"kitchen_sink"}, {"fridge"}, 0.28
-"""Between a hob and a sink is so much worktop, m; a fridge does not touch it."""
-CORNER, JOINED = 0.2, 0.08
-"""A wall at a hob's side is so far off, m; what is nearer than the latter is beside it."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -167,14 +164,14 @@ class Furniture:
 
     def _ill_beside(self, name: str, boxes: Array) -> NDArray[np.bool_]:
         """Which candidates leave no worktop between sink and hob, or put a hob in a corner or beside what is tall."""
-        cooks = TABLE[name].is_for("cook")
-        if not cooks and name not in SINKS | COLD:
+        kind, others = basic(name), list(map(basic, self.names))
+        if kind not in HOT | WET | COLD:
             return np.zeros(len(boxes), bool)
         seen, ill = company.Seen(boxes, self.boxes), np.zeros(len(boxes), bool)
-        for some, far in ((SINKS, BETWEEN), (COLD, JOINED)):
-            met = [o in some if cooks else name in some and TABLE[o].is_for("cook") for o in self.names]
+        for some, far in ((WET, PUT_DOWN), (COLD, JOINED)):
+            met = [o in some if kind in HOT else kind in some and o in HOT for o in others]
             ill |= (seen.gap[:, met] < far).any(1)
-        if cooks:
+        if kind in HOT:
             found = upright(boxes)
             ill |= outside(found._replace(size=found.size + [0.0, 2 * CORNER, 0.0]), self.space) > CORNER / 2
         return np.asarray(ill)
