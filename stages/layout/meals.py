@@ -21,8 +21,7 @@ def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
     None where a dining room sees to that, where the prompt speaks of tables itself, where no room has the floor, and
     for a room by itself, which is no home.
     """
-    spoken = any(stand_in(asked.category, TABLES) for asked in plan.program.objects)
-    if spoken or len(plan.rooms) == 1 or any(room.base == "dining_room" for room in plan.rooms):
+    if _spoken(plan) or len(plan.rooms) == 1 or _apart(plan):
         return None
     for kind, least in places(plan):
         fitting = [room for room in plan.rooms if room.base == kind and _area(room) >= least and _holds(plan, room)]
@@ -30,6 +29,19 @@ def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
             room = max(fitting, key=_area)
             return room.id, "round_table" if _area(room) < SMALL or chance < ROUND else "dining_table"
     return None
+
+
+def without_table(plan: Plan) -> list[str]:
+    """Living rooms that have none of their own, as a dining room has; unless the prompt speaks of tables."""
+    return [] if _spoken(plan) or not _apart(plan) else [room.id for room in plan.rooms if room.base == "living_room"]
+
+
+def _apart(plan: Plan) -> bool:
+    return any(room.base == "dining_room" for room in plan.rooms)
+
+
+def _spoken(plan: Plan) -> bool:
+    return any(stand_in(asked.category, TABLES) for asked in plan.program.objects)
 
 
 def _holds(plan: Plan, room: Room) -> bool:

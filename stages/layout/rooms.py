@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plan import Plan, Room
-from apartgen.stages.layout.meals import TABLES, table_of
+from apartgen.stages.layout.meals import TABLES, table_of, without_table
 from apartgen.stages.layout.newcomers import as_known
 from apartgen.stages.layout.wishes import of_room
 from apartgen.stages.things.categories import CATEGORIES
@@ -114,10 +114,11 @@ def of_plan(plan: Plan, chance: float = 1.0) -> Rooms:
         for category, count in as_known(of_room(plan.program, room.id)).items():
             if category in CATEGORIES:
                 out.wanted[i, CATEGORIES.index(category)] = count
-    if (table := table_of(plan, chance)) is not None:
-        row = out.wanted[[room.id for room in plan.rooms].index(table[0])]
-        for category in TABLES:
-            row[CATEGORIES.index(category)] = int(category == table[1])
+    place, kind = table_of(plan, chance) or ("", "")
+    bare = without_table(plan)
+    for row, room in zip(out.wanted, plan.rooms, strict=True):
+        if room.id == place or room.id in bare:
+            row[[CATEGORIES.index(category) for category in TABLES]] = [category == kind for category in TABLES]
     return oriented(out)
 
 

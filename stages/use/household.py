@@ -64,8 +64,7 @@ def duties(plan: Plan, room: Room) -> Duties:
     if len(plan.rooms) == 1:
         return OPEN
     beds = [other for other in plan.rooms if other.base == "bedroom"]
-    apart = room.base == "living_room" and any(other.base == "dining_room" for other in plan.rooms)
-    return Duties(-1 if apart else int(eats_in(plan) == room.id), int(not beds and room.base == "living_room"),
+    return Duties(int(eats_in(plan) == room.id), int(not beds and room.base == "living_room"),
                   int(washes_in(plan) == room.id), int(bool(beds) and room.id == max(beds, key=_area).id))
 
 

@@ -19,7 +19,8 @@ DINERS = CHAIRS | {"stool", "bench", "armchair"}
 MOVED = those(lambda kind: kind.loose) | those(lambda kind: kind.place == "flat")
 """What one pushes aside, or steps on."""
 CLOTHES = used_for("dress")
-HANGING = frozenset({"wardrobe", "sliding_wardrobe", "clothes_rail"})
+WARDROBES = frozenset({"wardrobe", "sliding_wardrobe"})
+HANGING = WARDROBES | {"clothes_rail"}
 """What clothes hang in."""
 COATS = HANGING | {"coat_rack"}
 CASES = CLOTHES | {

@@ -7,7 +7,7 @@ from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import AskedObjects, Plan
 from apartgen.stages.layout import LayoutConfig, run_many
 from apartgen.stages.layout.datasets import furnisher
-from apartgen.stages.layout.meals import TABLES, table_of
+from apartgen.stages.layout.meals import TABLES, table_of, without_table
 from apartgen.stages.plan import PlanConfig, build
 from apartgen.stages.plan.study import archetypes
 
@@ -43,3 +43,18 @@ def test_what_the_prompt_says_of_tables_wins(homes: list[Plan]) -> None:
     assert (table_of(told(counts={place: 3})) or ("",))[0] != place
     alone = plan.model_copy(update={"rooms": [room for room in plan.rooms if room.id == place]})
     assert table_of(alone) is None, "a room by itself is no home"
+
+
+def test_beside_a_dining_room_the_living_room_has_a_table_only_where_one_is_asked_for(homes: list[Plan]) -> None:
+    plan = homes[3]
+    plan = plan.model_copy(update={"rooms": [
+        room.model_copy(update={"type": "dining_room"}) if room.id == "bedroom_2" else room for room in plan.rooms]})
+    living = next(room.id for room in plan.rooms if room.type == "living_room")
+    rows = [AskedObjects(room=living, category="dining_table", count=1)]
+    asked = plan.model_copy(update={"program": plan.program.model_copy(update={"objects": rows})})
+    assert without_table(plan) == [living] and not without_table(asked)
+    tables = [{box.room for box in home.objects if box.category in ("dining_table", "round_table")}
+              for seed in range(3) for home in run_many([plan, asked], LayoutConfig(), list(map(np.random.default_rng,
+                                                                                             (seed, seed))))]
+    assert all(living not in there and "bedroom_2" in there for there in tables[::2])
+    assert all(living in there for there in tables[1::2])

@@ -267,5 +267,5 @@ def test_rooms_are_told_what_they_are_for() -> None:
     studio = told(("living_room_1", 22.0), ("kitchen_1", 7.0))
     assert studio == {"living_room_1": (1, 1, 0, 0), "kitchen_1": (0, 0, 1, 0)}
     apart = told(("living_room_1", 22.0), ("dining_room_1", 9.0), ("bedroom_1", 12.0))
-    assert apart["living_room_1"][0] == -1 and apart["dining_room_1"][0] == 1
+    assert apart["living_room_1"][0] == 0 and apart["dining_room_1"][0] == 1
     assert told(("bedroom_1", 12.0)) == {"bedroom_1": tuple(OPEN)}

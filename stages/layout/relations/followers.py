@@ -28,8 +28,8 @@ LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"so
 BOTH = 2
 """Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
 LATER = (
-    (kinds.DOUBLE, {"wardrobe", "sliding_wardrobe"}, (0.6, 1.2, 2.1)),
-    (kinds.BEDS - kinds.DOUBLE, {"wardrobe", "sliding_wardrobe"}, (0.6, 0.8, 2.1)),
+    (kinds.DOUBLE, kinds.WARDROBES, (0.6, 1.2, 2.1)),
+    (kinds.BEDS - kinds.DOUBLE, kinds.WARDROBES, (0.6, 0.8, 2.1)),
     (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""

@@ -94,6 +94,14 @@ def test_what_only_serves_something_waits_for_it(left: list[str], there: list[st
     assert set(company.next_of(left, there)) == may
 
 
+def test_where_one_sleeps_the_wardrobe_comes_before_shelves_and_armchairs() -> None:
+    left = ["armchair", "wardrobe", "bookshelf"]
+    assert set(company.next_of(left, ["double_bed"])) == set(company.next_of(left, ["cot"])) == {"wardrobe"}
+    assert set(company.next_of(left, ["sofa"])) == set(left), "nobody sleeps there"
+    assert set(company.next_of(["armchair", "bookshelf"], ["double_bed"])) == {"armchair", "bookshelf"}
+    assert set(company.next_of(left, ["double_bed", "sliding_wardrobe"])) == set(left)
+
+
 def test_in_a_room_begun_anew_the_bed_comes_before_what_one_can_do_without() -> None:
     left = ["tv_stand", "double_bed", "sofa", "armchair"]
     assert set(company.next_of(left, [])) == set(left)
