@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.scene.pieces import image, pieces, shaded
+from apartgen.stages.things import materials
 from apartgen.stages.things.asset import Material
 from apartgen.stages.things.body import Body
 
@@ -142,18 +143,21 @@ def _levels(texture: str) -> list[Array]:
     """A texture, and the same at half its size again and again, in 65535ths of linear light."""
     found = [_texels(texture)]
     while len(found[-1]) > 1 and len(found[-1]) % 2 == 0:
-        n = len(found[-1]) // 2
-        found.append(found[-1].reshape(n, 2, n, 2, 3).mean((1, 3)).astype(np.float32))
+        fine = found[-1]
+        four = fine[::2, ::2] + fine[::2, 1::2] + fine[1::2, ::2] + fine[1::2, 1::2]
+        found.append(four / np.float32(4))
     return [np.rint(level * 65535).astype(np.uint16) for level in found]
 
 
 def _texels(texture: str) -> Array:
     """A texture as linear light, square, (size, size, 3)."""
+    if texture in materials.textures():
+        return _linear_bytes()[materials.texture(texture)]
     from PIL import Image
 
     picture = Image.open(io.BytesIO(image(texture))).convert("RGB")
     size = min(picture.size)
-    return linear(np.asarray(picture.resize((size, size)), np.float32) / 255)
+    return _linear_bytes()[np.asarray(picture.resize((size, size)))]
 
 
 def length(vectors: Array) -> Array:
@@ -170,6 +174,12 @@ def byted(light: Array) -> NDArray[np.uint8]:
     """Linear light to sRGB bytes."""
     found: NDArray[np.uint8] = _bytes()[(light.clip(0, 1) * np.float32(65535) + np.float32(0.5)).astype(np.uint16)]
     return found
+
+
+@lru_cache(maxsize=1)
+def _linear_bytes() -> Array:
+    """Linear light of every byte of sRGB."""
+    return linear(np.arange(256, dtype=np.float32) / 255).astype(np.float32)
 
 
 @lru_cache(maxsize=1)
