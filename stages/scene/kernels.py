@@ -181,3 +181,16 @@ def edges(owner, point, normal, color, through, most, raised):
                 if owner[y, x] != owner[i, j] or step > most or abs(off) > raised:
                     found[i, j] = found[y, x] = True
     return found
+
+
+@njit("boolean[:,:](boolean[:,:],int64)", cache=True, error_model="numpy")
+def widened(found, by):
+    """What is found (r, c), and what is up to so many pixels above, below, left or right of it."""
+    rows, columns = found.shape
+    wide = np.zeros((rows, columns), np.bool_)
+    for i in range(rows):
+        for j in range(columns):
+            if found[i, j]:
+                wide[max(0, i - by):i + by + 1, j] = True
+                wide[i, max(0, j - by):j + by + 1] = True
+    return wide

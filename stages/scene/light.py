@@ -5,7 +5,8 @@ import numpy as np
 from apartgen.stages.scene.kernels import bounced
 from apartgen.stages.scene.noise import about, shifted
 from apartgen.stages.scene.soup import Array, Index
-from apartgen.stages.scene.world import World
+from apartgen.stages.scene.surfaces import sunward
+from apartgen.stages.scene.world import CELL, World
 
 LIFT = np.float32(2e-3)
 """How far off their surface rays begin, m."""
@@ -43,12 +44,18 @@ def irradiance(
 
 def sunlit(world: World, point: Array, normal: Array) -> Array:
     """Share of the sun's light that falls on points, (n,)."""
-    fall = (normal @ world.sun).clip(0).astype(np.float32)
+    fall = _sunward(world, point, normal)
     rows = np.flatnonzero(fall)
     way = np.broadcast_to(world.sun, (len(rows), 3))
     if len(rows):
         fall[rows] *= world.blockers.free(point[rows] + normal[rows] * LIFT, way)
     return fall
+
+
+def _sunward(world: World, point: Array, normal: Array) -> Array:
+    """How squarely the sun falls on points that can see it."""
+    raster = np.array([*world.cells.origin, CELL])
+    return np.asarray(sunward(point, normal, world.sun, world.rooms, raster, world.outdoors, world.ways))
 
 
 def _from_panes(world: World, start: Array, normal: Array, room: Index, noise: Array) -> Array:

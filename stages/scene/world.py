@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.schemas.plan import Plan
+from apartgen.schemas.plan import Opening, Plan
 from apartgen.stages.scene.posed import ajar
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.soup import Array, Index, Soup, Tracer, linear, soup, split
@@ -22,6 +22,8 @@ ASIDE = np.radians(35.0)
 """How far the sun stands beside what most windows look to."""
 CELL = 0.1
 """Of the raster that says in which room a point is, m."""
+SPARE = 0.4
+"""How much wider openings are taken where it is asked whether the sun can come in, m: more than walls are thick."""
 GLOWING = ("bulb", "paper_shade")
 """Materials of lamps that shine by themselves."""
 
@@ -58,7 +60,8 @@ class World:
     """What light is found in.
 
     `owner` of a triangle is a body's index; `blockers` are without glass and lamps; `glow` says which triangles shine,
-    `faces` has their unit normals. `rooms` holds the index of the room for each cell of `cells`.
+    `faces` has their unit normals. `rooms` holds the index of the room for each cell of `cells`; `ways` are where sun
+    comes in from out of doors (k, 6): corner, horizontal side, least and greatest height, with room to spare.
     """
 
     bodies: list[Body]
@@ -74,6 +77,7 @@ class World:
     panes: list[Pane]
     sun: Array
     outdoors: NDArray[np.bool_]
+    ways: Array
 
     def room_at(self, points: Array) -> Index:
         """Index of the room at points (n, 2…); -1 in none."""
@@ -103,7 +107,7 @@ def world(scene: Scene) -> HomeWorld:
     panes = _panes(plan)
     outdoors = np.array([room.base == "balcony" for room in plan.rooms])
     traced = _traced(bodies, soup(bodies))
-    return HomeWorld(bodies, *traced, rooms, cells, _lamps(scene), panes, _sun(panes), outdoors, plan)
+    return HomeWorld(bodies, *traced, rooms, cells, _lamps(scene), panes, _sun(panes), outdoors, _ways(plan), plan)
 
 
 def ajar_world(home: HomeWorld, scene: Scene, shares: Mapping[str, float]) -> HomeWorld:
@@ -127,7 +131,7 @@ def open_air(bodies: list[Body], ground: Body) -> World:
     every = [*bodies, ground]
     nowhere = Grid((0.0, 0.0), (1, 1), CELL)
     return World(every, *_traced(every, soup(every)), np.full((1, 1), -1, np.int16), nowhere, [], [], SUN_ABOVE,
-                 np.ones(1, bool))
+                 np.ones(1, bool), np.zeros((0, 6), np.float32))
 
 
 def ground(middle: Array, height: float, material: Material) -> Body:
@@ -176,6 +180,19 @@ def _panes(plan: Plan) -> list[Pane]:
         found.append(Pane(index[o.rooms[0]], sides[0], sides[1], sides[2], sides[3],
                           float(np.linalg.norm(across) * up[2])))
     return found
+
+
+def _ways(plan: Plan) -> Array:
+    """Every opening that leads out of doors, to a balcony too, a wall's thickness wider all about."""
+    outside = {room.id for room in plan.rooms if room.base == "balcony"}
+    rows = [_wider(o) for o in plan.openings if len(o.rooms) == 1 or outside & set(o.rooms)]
+    return np.array(rows, np.float32).reshape(-1, 6)
+
+
+def _wider(opening: Opening) -> list[float]:
+    a, b = np.asarray(opening.segment, float)
+    more = (b - a) / max(float(np.linalg.norm(b - a)), 1e-6) * SPARE
+    return [*(a - more), *(b - a + 2 * more), opening.sill - SPARE, opening.head + SPARE]
 
 
 def _sun(panes: list[Pane]) -> Array:
