@@ -10,11 +10,11 @@ from apartgen.stages.render.labels import Labels, labelled, visible
 from apartgen.stages.scene.camera import Camera
 from apartgen.stages.scene.looking import Eye, angle, first, seen
 from apartgen.stages.scene.picture import MIDDLE, picture
+from apartgen.stages.scene.png import png
 from apartgen.stages.scene.world import HomeWorld
 
 PARTS = ("rgb", "depth", "normal", "albedo", "instance", "semantic")
 """Pictures of a frame, each a file NAME.PART.png."""
-COMPRESSION = 1
 Pictures = dict[str, NDArray[np.uint8] | NDArray[np.uint16]]
 
 
@@ -48,9 +48,7 @@ def pose(eye: Eye) -> tuple[Row4, Row4, Row4, Row4]:
 
 def saved(folder: Path, name: str, pictures: Pictures) -> list[Path]:
     """The files of a frame, once they are written."""
-    from PIL import Image
-
     paths = [folder / f"{name}.{part}.png" for part in PARTS]
     for path, part in zip(paths, PARTS):
-        Image.fromarray(pictures[part]).save(path, "PNG", compress_level=COMPRESSION)
+        path.write_bytes(png(pictures[part]))
     return paths

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.render import Instance, Visible
 from apartgen.stages.scene.camera import Camera
-from apartgen.stages.scene.kernels import face
+from apartgen.stages.scene.kernels import extents, face
 from apartgen.stages.scene.looking import Eye, First, Seen, angle
 from apartgen.stages.scene.soup import Array, Hits, byted, colors
 from apartgen.stages.scene.world import HomeWorld
@@ -92,29 +92,6 @@ def _ahead(eye: Camera, direction: NDArray[np.float32]) -> NDArray[np.float64]:
 
 def visible(instance: NDArray[np.uint16]) -> list[Visible]:
     """What is seen of each thing."""
-    from scipy import ndimage
-
-    counts, within = np.bincount(instance.ravel()), _within(instance)
-    found = []
-    for k, place in enumerate(ndimage.find_objects(instance.astype(np.int32)), 1):
-        if place is None:
-            continue
-        y, x = place[0].start, place[1].start
-        steps = np.where(instance[place] == k, within[place], 0)
-        row, column = (int(i) for i in np.unravel_index(int(np.argmax(steps)), steps.shape))
-        found.append(Visible(number=k, pixels=int(counts[k]),
-                             rectangle=(x, y, place[1].stop - x, place[0].stop - y),
-                             inmost=(x + column, y + row, int(steps[row, column]))))
-    return found
-
-
-def _within(instance: NDArray[np.uint16]) -> NDArray[np.int32]:
-    """How many steps it takes from each pixel to one of another thing, or out of the picture."""
-    from scipy import ndimage
-
-    around = np.pad(instance.astype(np.int32), 1, constant_values=-1)
-    inner = around[1:-1, 1:-1]
-    rows, columns = instance.shape
-    same = np.logical_and.reduce([inner == around[y:y + rows, x:x + columns] for y in range(3) for x in range(3)])
-    steps: NDArray[np.int32] = ndimage.distance_transform_cdt(same, "chessboard") + 1
-    return steps
+    return [Visible(number=k, pixels=pixels, rectangle=(x, y, right - x + 1, below - y + 1), inmost=(column, row, steps))
+            for k, (pixels, x, y, right, below, column, row, steps) in enumerate(extents(instance).tolist())
+            if k and pixels]

@@ -194,3 +194,37 @@ def widened(found, by):
                 wide[max(0, i - by):i + by + 1, j] = True
                 wide[i, max(0, j - by):j + by + 1] = True
     return wide
+
+
+@njit("int64[:,:](uint16[:,:])", cache=True, error_model="numpy")
+def extents(number):
+    """Of each number in a picture (r, c): how many pixels it has, its first column and row, its last ones, its pixel
+    that is farthest from all of other numbers and from the outside, and how many steps that is, also aslant (k, 8).
+    """
+    rows, columns = number.shape
+    steps = np.ones((rows, columns), np.int64)
+    for i in range(1, rows - 1):
+        for j in range(1, columns - 1):
+            here, same = number[i, j], True
+            for y in range(i - 1, i + 2):
+                for x in range(j - 1, j + 2):
+                    same = same and number[y, x] == here
+            if same:
+                steps[i, j] = 1 + min(min(steps[i, j - 1], steps[i - 1, j - 1]),
+                                      min(steps[i - 1, j], steps[i - 1, j + 1]))
+    for i in range(rows - 2, 0, -1):
+        for j in range(columns - 2, 0, -1):
+            if steps[i, j] > 1:
+                steps[i, j] = min(steps[i, j], 1 + min(min(steps[i, j + 1], steps[i + 1, j - 1]),
+                                                       min(steps[i + 1, j], steps[i + 1, j + 1])))
+    found = np.zeros((number.max() + 1, 8), np.int64)
+    for i in range(rows):
+        for j in range(columns):
+            one = found[number[i, j]]
+            if one[0] == 0:
+                one[1], one[2], one[3] = j, i, j
+            one[0] += 1
+            one[1], one[3], one[4] = min(one[1], j), max(one[3], j), i
+            if steps[i, j] > one[7]:
+                one[5], one[6], one[7] = j, i, steps[i, j]
+    return found
