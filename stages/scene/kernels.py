@@ -135,27 +135,47 @@ def face(normal, direction):
                 normal[i, k] = -normal[i, k]
 
 
-@njit("void(float32[:,:],float32[:,:],int64[:],float32[:],float32[:,:],float32[:,:],float32[:],float32,float32,"
-      "float32[:,:],float32[:],float32[:,:])", cache=True, error_model="numpy")
-def bounced(start, way, triangle, distance, faces, colors, sun, nearby, lift, share, fall, place):
-    """What rays from points (n, 3) meet: adds the share of light that comes back to `share`, and writes how squarely
-    the sun falls there, (n,), and where that is asked, (n, 3). `faces` and `colors` are those of triangles.
+@njit("float32[:,:](float32[:,:],float32[:,:],float32[:,:])", cache=True, error_model="numpy")
+def scattered(normal, noise, shifts):
+    """Directions (k × n, 3) about normals (n, 3), as likely as their cosine, from numbers (n, 2) in [0, 1) shifted by
+    each of some (k, 2).
     """
-    for i in range(len(start)):
-        t = triangle[i]
-        fall[i] = 0.0
+    n = len(normal)
+    found = np.empty((len(shifts) * n, 3), np.float32)
+    for s in range(len(shifts)):
+        for i in range(n):
+            a, b = noise[i, 0] + shifts[s, 0], noise[i, 1] + shifts[s, 1]
+            up = np.float32(1.0) - np.float32(2.0) * (a - np.floor(a))
+            turn = np.float32(2.0 * np.pi) * b
+            ring = np.sqrt(max(np.float32(1.0) - up * up, np.float32(0.0)))
+            x, y, z = normal[i, 0] + ring * np.cos(turn), normal[i, 1] + ring * np.sin(turn), normal[i, 2] + up
+            length = np.float32(1.0) / max(np.sqrt(x * x + y * y + z * z), np.float32(1e-9))
+            at = s * n + i
+            found[at, 0], found[at, 1], found[at, 2] = x * length, y * length, z * length
+    return found
+
+
+@njit("void(float32[:,:],float32[:,:],int64[:],float32[:],float32[:,:],float32[:,:],float32,float32,float32[:,:],"
+      "float32[:,:],float32[:,:])", cache=True, error_model="numpy")
+def bounced(start, way, triangle, distance, faces, colors, nearby, lift, share, place, facing):
+    """What rays (k × n, 3), k from each of some points (n, 3), meet: adds the share of light that comes back to
+    `share` (n, 3), and writes where that is, and which way it faces (k × n, 3). `faces` and `colors` are of triangles.
+    """
+    n = len(start)
+    for i in range(len(way)):
+        t, p = triangle[i], i % n
         if t < 0:
+            place[i] = facing[i] = 0.0
             continue
         far = distance[i]
-        along, towards = np.float32(0.0), np.float32(0.0)
+        along = np.float32(0.0)
         for k in range(3):
-            share[i, k] += colors[t, k] * far / (far + nearby)
+            share[p, k] += colors[t, k] * far / (far + nearby)
             along += faces[t, k] * way[i, k]
-            towards += faces[t, k] * sun[k]
         side = np.float32(-1.0) if along > 0 else np.float32(1.0)
-        fall[i] = max(side * towards, np.float32(0.0))
         for k in range(3):
-            place[i, k] = start[i, k] + way[i, k] * far + side * faces[t, k] * lift
+            facing[i, k] = side * faces[t, k]
+            place[i, k] = start[p, k] + way[i, k] * far + facing[i, k] * lift
 
 
 @njit("boolean[:,:](int64[:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32,float32)",

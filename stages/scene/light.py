@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from apartgen.stages.scene.kernels import bounced
-from apartgen.stages.scene.noise import about, shifted
+from apartgen.stages.scene.kernels import bounced, scattered
+from apartgen.stages.scene.noise import GOLDEN, about, shifted
 from apartgen.stages.scene.soup import Array, Index
 from apartgen.stages.scene.surfaces import sunward
 from apartgen.stages.scene.world import CELL, World
@@ -25,6 +25,7 @@ NEARBY = np.float32(0.5)
 """Surfaces nearer than about this give back less than the room's mean light, m."""
 BACK = 0.55
 """Mean share of light that rooms give back."""
+_SHIFTS = ((np.arange(GATHERED)[:, None] + 102) * GOLDEN % 1).astype(np.float32)
 
 
 def irradiance(
@@ -42,13 +43,13 @@ def irradiance(
     return np.asarray(known + share * mean, np.float32), mean
 
 
-def sunlit(world: World, point: Array, normal: Array) -> Array:
-    """Share of the sun's light that falls on points, (n,)."""
+def sunlit(world: World, point: Array, normal: Array, lift: float = LIFT) -> Array:
+    """Share of the sun's light that falls on points, (n,), looked for so far above them."""
     fall = _sunward(world, point, normal)
     rows = np.flatnonzero(fall)
     way = np.broadcast_to(world.sun, (len(rows), 3))
     if len(rows):
-        fall[rows] *= world.blockers.free(point[rows] + normal[rows] * LIFT, way)
+        fall[rows] *= world.blockers.free(point[rows] + normal[rows] * np.float32(lift), way)
     return fall
 
 
@@ -93,17 +94,16 @@ def _from_lamps(world: World, start: Array, normal: Array, room: Index, noise: A
 def _gathered(world: World, start: Array, normal: Array, room: Index, noise: Array) -> tuple[Array, Array]:
     """Light from the surroundings that is known, and the coloured share of the room's mean light that comes back."""
     known, share = np.zeros_like(start), np.zeros_like(start)
-    fall, place = np.zeros(len(start), np.float32), np.zeros_like(start)
-    open_air = (room < 0) | world.outdoors[room]
-    of, colors = world.blockers.soup, world.flat[world.blockers.soup.material]
-    for k in range(GATHERED):
-        way = about(normal, shifted(noise, 101 + k)).astype(np.float32)
-        hits = world.blockers.first(start, way)
-        bounced(start, way, hits.triangle, hits.distance, of.normals[:, 0], colors, world.sun, NEARBY, LIFT, share,
-                fall, place)
-        lit = np.flatnonzero(fall)
-        free = world.blockers.free(place[lit], np.broadcast_to(world.sun, (len(lit), 3)))
-        known[lit] += colors[hits.triangle[lit]] * (fall[lit] * free)[:, None] * SUN
-        missed = np.flatnonzero((hits.triangle < 0) & open_air)
-        known[missed] += SKY * (0.35 + 0.4 * way[missed, 2:].clip(0))
+    n, of = len(start), world.blockers.soup
+    colors = world.flat[of.material]
+    way = scattered(normal, noise, _SHIFTS)
+    hits = world.blockers.first(np.tile(start, (GATHERED, 1)), way)
+    place, facing = np.empty_like(way), np.empty_like(way)
+    bounced(start, way, hits.triangle, hits.distance, of.normals[:, 0], colors, NEARBY, LIFT, share, place, facing)
+    fall = sunlit(world, place, facing, 0.0)
+    lit = np.flatnonzero(fall)
+    np.add.at(known, lit % n, colors[hits.triangle[lit]] * fall[lit, None] * SUN)
+    open_air = np.tile((room < 0) | world.outdoors[room], GATHERED)
+    missed = np.flatnonzero((hits.triangle < 0) & open_air)
+    np.add.at(known, missed % n, SKY * (0.35 + 0.4 * way[missed, 2:].clip(0)))
     return known / GATHERED, share / GATHERED
