@@ -86,18 +86,20 @@ def _judged(world: HomeWorld, stands: list[Stand], field: float, aspect: float) 
     """Share of each object in a coarse picture from each stand, (n, objects), and of what is too near, (n,)."""
     columns, rows = COARSE, max(1, round(COARSE * aspect))
     objects = np.array([body.kind == "object" for body in world.bodies])
-    index = np.cumsum(objects) - 1
+    count, index = int(objects.sum()), np.where(objects, np.cumsum(objects) - 1, -1)
+    shares, near = np.zeros((len(stands), count)), np.zeros(len(stands))
     pixels = np.arange(rows * columns)
-    shares, near = np.zeros((len(stands), int(objects.sum()))), np.zeros(len(stands))
-    for k, stand in enumerate(stands):
-        eye = Camera.looking(stand.place, stand.yaw, PITCH, field, columns, rows)
-        direction = eye.rays(pixels, np.array([0.5, 0.5]))
-        hits = world.every.first(np.broadcast_to(eye.eye, direction.shape), direction)
-        met = hits.triangle >= 0
-        owner = world.every.soup.owner[hits.triangle[met]]
-        own = owner[objects[owner]]
-        shares[k] = np.bincount(index[own], minlength=shares.shape[1]) / len(pixels)
-        near[k] = float((hits.distance < CLOSE).mean())
+    for start in range(0, len(stands), HEADINGS):
+        some = stands[start:start + HEADINGS]
+        eyes = [Camera.looking(stand.place, stand.yaw, PITCH, field, columns, rows) for stand in some]
+        ways = eyes[0].ways(pixels, np.array([0.5, 0.5]))
+        direction = np.concatenate([ways @ eye.frame for eye in eyes])
+        hits = world.every.first(np.repeat([eye.eye for eye in eyes], len(pixels), axis=0), direction)
+        thing = np.where(hits.triangle >= 0, index[world.every.soup.owner[hits.triangle]], -1)
+        which = np.repeat(np.arange(len(some)), len(pixels)) * count + thing
+        seen = np.bincount(which[thing >= 0], minlength=len(some) * count)
+        shares[start:start + len(some)] = seen.reshape(len(some), count) / len(pixels)
+        near[start:start + len(some)] = (hits.distance < CLOSE).reshape(len(some), -1).mean(1)
     return shares, near
 
 

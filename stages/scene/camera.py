@@ -60,11 +60,15 @@ class Camera:
 
     def rays(self, pixels: Index, within: Array) -> Array:
         """Unit directions (n, 3) through a point of each pixel, `within` it in [0, 1)²."""
+        found: Array = self.ways(pixels, within) @ self.frame
+        return found
+
+    def ways(self, pixels: Index, within: Array) -> Array:
+        """The same as the camera has them: right, up, back."""
         x = (2 * (pixels % self.columns + within[0]) / self.columns - 1) * self.half[0] + self.middle[0]
         y = (1 - 2 * (pixels // self.columns + within[1]) / self.rows) * self.half[1] + self.middle[1]
         way = np.stack([x, y, np.full(len(pixels), -1.0)], -1).astype(np.float32)
-        found: Array = (way / length(way)) @ self.frame
-        return found
+        return np.asarray(way / length(way))
 
 
 @dataclass(frozen=True)
