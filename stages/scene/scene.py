@@ -51,13 +51,19 @@ class Scene:
     @cached_property
     def bodies(self) -> list[Body]:
         """The shell's bodies, then one for each object, in the artifact's order; BadInput without assets."""
-        taken: set[str] = set()
-        built = [*shell.bodies(self.home, self.shown), *(self._body(o) for o in _furnishings(self.home))]
-        named = [replace(_renamed(body, taken), says=_said(self.home, body.id)) for body in built]
-        stuck = wedged(named)
+        stuck = wedged(self.placed)
         for name, others in stuck.items():
             log.info("%s stands partly in %s; it is fixed where it is", name, ", ".join(others))
-        return [replace(b, free=False, within=tuple(stuck[b.name])) if b.name in stuck else b for b in named]
+        return [replace(b, free=False, within=tuple(stuck[b.name])) if b.name in stuck else b for b in self.placed]
+
+    @cached_property
+    def placed(self) -> list[Body]:
+        """The same to be looked at only: it is not asked what stands in others, and so can't be moved."""
+        if "bodies" in vars(self):
+            return self.bodies
+        taken: set[str] = set()
+        built = [*shell.bodies(self.home, self.shown), *(self._body(o) for o in _furnishings(self.home))]
+        return [replace(_renamed(body, taken), says=_said(self.home, body.id)) for body in built]
 
     @cached_property
     def lights(self) -> list[Light]:

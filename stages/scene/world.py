@@ -98,8 +98,8 @@ class HomeWorld(World):
 def world(scene: Scene) -> HomeWorld:
     """The home of a scene, its doors open."""
     plan = scene.home
-    doors = {body.name: 1.0 for body in scene.bodies if body.kind == "door" and body.category == "door"}
-    bodies = ajar(scene.bodies, doors)
+    doors = {body.name: 1.0 for body in scene.placed if body.kind == "door" and body.category == "door"}
+    bodies = ajar(scene.placed, doors)
     cells = grid.over(polygons.shell(plan), CELL)
     rooms = np.full(cells.shape, -1, np.int16)
     for i, room in enumerate(plan.rooms):
@@ -112,7 +112,7 @@ def world(scene: Scene) -> HomeWorld:
 
 def ajar_world(home: HomeWorld, scene: Scene, shares: Mapping[str, float]) -> HomeWorld:
     """The home of a scene, only these doors open, by these shares."""
-    bodies = ajar(scene.bodies, shares)
+    bodies = ajar(scene.placed, shares)
     every, blockers, alpha, glow, flat, faces = _traced(bodies, soup(bodies))
     return replace(home, bodies=bodies, every=every, blockers=blockers, alpha=alpha, glow=glow, flat=flat, faces=faces)
 
