@@ -3,8 +3,9 @@
 import numpy as np
 
 from apartgen.stages.scene.kernels import bounced, scattered
-from apartgen.stages.scene.noise import GOLDEN, about, shifted
+from apartgen.stages.scene.noise import GOLDEN
 from apartgen.stages.scene.soup import Array, Index
+from apartgen.stages.scene.sources import from_ball, through_pane
 from apartgen.stages.scene.surfaces import sunward
 from apartgen.stages.scene.world import CELL, World
 
@@ -25,7 +26,16 @@ NEARBY = np.float32(0.5)
 """Surfaces nearer than about this give back less than the room's mean light, m."""
 BACK = 0.55
 """Mean share of light that rooms give back."""
-_SHIFTS = ((np.arange(GATHERED)[:, None] + 102) * GOLDEN % 1).astype(np.float32)
+DIM = np.float32(1e-5)
+"""Less light than this from one place is not looked for."""
+
+
+def _sequence(first: int, n: int) -> Array:
+    """Shifts (n, 2) by which numbers fill the unit square evenly, from the first-th on."""
+    return np.asarray(((first + 1 + np.arange(n))[:, None] * GOLDEN % 1).astype(np.float32))
+
+
+_SHIFTS, _ON_PANES = _sequence(101, GATHERED), _sequence(0, ON_PANES)
 
 
 def irradiance(
@@ -63,16 +73,10 @@ def _from_panes(world: World, start: Array, normal: Array, room: Index, noise: A
     found = np.zeros_like(start)
     for pane in world.panes:
         rows = np.flatnonzero(room == pane.room)
-        for k in range(ON_PANES if len(rows) else 0):
-            at = shifted(noise[rows], k)
-            to = pane.corner + at[:, :1] * pane.across + at[:, 1:] * pane.up - start[rows]
-            square = np.einsum("nd,nd->n", to, to).clip(0.04)
-            way = to / np.sqrt(square)[:, None]
-            flux = np.einsum("nd,nd->n", way, normal[rows]).clip(0) * -(way @ pane.normal).clip(-1, 0)
-            flux *= pane.area / square / np.pi / ON_PANES
-            lit = np.flatnonzero(flux)
-            flux[lit] *= world.blockers.free(start[rows[lit]], to[lit] * np.float32(0.97), 1.0)
-            found[rows] += flux[:, None] * SKY
+        if len(rows):
+            to, flux = through_pane(start, normal, noise, rows, _ON_PANES, pane.corner, pane.across, pane.up, pane.normal,
+                                    pane.area / np.pi)
+            _shine(world, start, rows, to, flux, np.float32(0.97), SKY, found)
     return found
 
 
@@ -80,15 +84,19 @@ def _from_lamps(world: World, start: Array, normal: Array, room: Index, noise: A
     found = np.zeros_like(start)
     for j, lamp in enumerate(world.lamps):
         rows = np.flatnonzero(room == lamp.room)
-        for k in range(ON_LAMPS if len(rows) else 0):
-            off = about(np.zeros((len(rows), 3), np.float32), shifted(noise[rows], 31 + 2 * j + k)) * BULB
-            to = (lamp.position + off - start[rows]).astype(np.float32)
-            square = np.einsum("nd,nd->n", to, to).clip(0.4)
-            flux = np.einsum("nd,nd->n", to, normal[rows]).clip(0) / np.sqrt(square) / square / ON_LAMPS
-            lit = np.flatnonzero(flux > 1e-4)
-            flux[lit] *= world.blockers.free(start[rows[lit]], to[lit], 1.0)
-            found[rows] += flux[:, None] * LAMP * lamp.lumens
+        if len(rows):
+            shifts = _sequence(31 + 2 * j, ON_LAMPS)
+            to, flux = from_ball(start, normal, noise, rows, shifts, lamp.position, BULB)
+            _shine(world, start, rows, to, flux, np.float32(1.0), LAMP * np.float32(lamp.lumens), found)
     return found
+
+
+def _shine(world: World, start: Array, rows: Index, to: Array, flux: Array, far: Array, light: Array, found: Array
+           ) -> None:
+    """Adds the light that comes to some of the points (n, 3) from places, k for each, that nothing hides."""
+    at, lit = np.tile(rows, len(flux) // len(rows)), np.flatnonzero(flux > DIM)
+    flux = flux[lit] * world.blockers.free(start[at[lit]], to[lit] * far, 1.0)
+    found += np.bincount(at[lit], flux, len(found)).astype(np.float32)[:, None] * light
 
 
 def _gathered(world: World, start: Array, normal: Array, room: Index, noise: Array) -> tuple[Array, Array]:

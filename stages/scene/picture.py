@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from apartgen.stages.scene.kernels import edges, widened
 from apartgen.stages.scene.looking import Eye, First, Seen, angle, first, seen
 from apartgen.stages.scene.noise import GOLDEN
-from apartgen.stages.scene.shading import Shade, outside, refined, shaded
+from apartgen.stages.scene.shading import outside, refined, shaded
 from apartgen.stages.scene.soup import Array, Hits, Index, byted
 from apartgen.stages.scene.surfaces import amid, crossed
 from apartgen.stages.scene.world import World
@@ -54,12 +54,12 @@ def picture(
     image = _developed(shade.sent, surface, whole.direction, exposure)
     edge, crowded = _edges(world, eye, whole, surface)
     within = (0.5 + np.arange(1, EDGE_RAYS + 1)[:, None] * GOLDEN) % 1
+    parts = [_beside(world, eye, edge, at, whole, crowded) for at in within]
+    fine = [seen(world, eye.eye, part.direction, part.hits, angle(eye)) for part in parts]
+    more = refined(world, eye, shade, edge, [part.direction for part in parts], surface, fine, RAISED)
     total = image[edge]
-    for at in within:
-        part = _beside(world, eye, edge, at, whole, crowded)
-        fine = seen(world, eye.eye, part.direction, part.hits, angle(eye))
-        more = refined(world, eye, shade, edge, part.direction, surface, fine, RAISED)
-        total += _developed(more, fine, part.direction, exposure)
+    for part, surfaces, light in zip(parts, fine, more):
+        total += _developed(light, surfaces, part.direction, exposure)
     image[edge] = total / (EDGE_RAYS + 1)
     return byted(image.reshape(eye.rows, eye.columns, 3))
 

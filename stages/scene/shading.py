@@ -1,5 +1,6 @@
 """Light that surfaces send to the eye: what falls on them, what they mirror, and what glows."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -59,19 +60,25 @@ def shaded(world: World, eye: Eye, direction: Array, surface: Seen, mirrored: bo
     return Shade(lit, _sent(world, surface, full, around, share), full, around)
 
 
-def refined(world: World, eye: Eye, shade: Shade, pixels: Index, direction: Array, surface: Seen, fine: Seen,
-            raised: float) -> Array:
-    """Light (n, 3) that is sent along rays beside the middles of pixels; light on what is there is that of the same
-    surface in the middle of the pixel or of one next to it, where there is one.
+def refined(world: World, eye: Eye, shade: Shade, pixels: Index, directions: Sequence[Array], surface: Seen,
+            fine: Sequence[Seen], raised: float) -> list[Array]:
+    """Light (n, 3) that is sent along each of several rays beside the middles of pixels; light on what is there is that
+    of the same surface in the middle of the pixel or of one next to it, where there is one.
     """
     shape = (eye.rows, eye.columns)
-    like = served(pixels, fine.triangle, fine.point, fine.normal, surface.triangle.reshape(shape),
-                  surface.point.reshape(*shape, 3), surface.normal.reshape(*shape, 3), world.every.soup.owner, raised)
-    full, around = shade.full[like], shade.around[like]
-    new = np.flatnonzero(like < 0)
-    if len(new):
-        full[new], around[new] = _falling(world, eye, shade.lit, pixels[new], Seen(*(part[new] for part in fine)))
-    return _sent(world, fine, full, around, _mirroring(world, direction, fine))
+    about = surface.triangle.reshape(shape), surface.point.reshape(*shape, 3), surface.normal.reshape(*shape, 3)
+    like = [served(pixels, part.triangle, part.point, part.normal, *about, world.every.soup.owner, raised)
+            for part in fine]
+    new = [np.flatnonzero(part < 0) for part in like]
+    alone = Seen(*(np.concatenate([part[rows] for part, rows in zip(parts, new)]) for parts in zip(*fine)))
+    full, around = _falling(world, eye, shade.lit, np.concatenate([pixels[rows] for rows in new]), alone)
+    found, start = [], 0
+    for direction, part, same, rows in zip(directions, fine, like, new):
+        on, about_it = shade.full[same], shade.around[same]
+        on[rows], about_it[rows] = full[start:start + len(rows)], around[start:start + len(rows)]
+        found.append(_sent(world, part, on, about_it, _mirroring(world, direction, part)))
+        start += len(rows)
+    return found
 
 
 def _lit(world: World, eye: Eye, surface: Seen) -> Lit:
