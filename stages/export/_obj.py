@@ -70,11 +70,11 @@ def obj(mesh: Mesh) -> str:
     """OBJ text with normals, and uv where there are."""
     vertices, normals, uv, faces = shaded(mesh)
     lines = [_rows("v", vertices), _rows("vn", normals)]
-    corner, times = ("%d//%d", 2) if uv is None else ("%d/%d/%d", 3)
     if uv is not None:
         lines.append(_rows("vt", uv))
-    index = np.repeat(faces.ravel() + 1, times)
-    return "".join(lines) + f"f {corner} {corner} {corner}\n" * len(faces) % tuple(index.tolist())
+    count = range(1, len(vertices) + 1)
+    corners = [f"{k}//{k}" for k in count] if uv is None else [f"{k}/{k}/{k}" for k in count]
+    return "".join(lines) + "f %s %s %s\n" * len(faces) % tuple([corners[k] for k in faces.ravel().tolist()])
 
 
 def _rows(tag: str, values: Array) -> str:

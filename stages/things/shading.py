@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.things import welding
 from apartgen.stages.things.asset import Array, Mesh
 
 CREASE = np.cos(np.radians(42))
@@ -10,15 +11,8 @@ CREASE = np.cos(np.radians(42))
 
 
 def distinct(rows: Array) -> tuple[Array, NDArray[np.int64]]:
-    """The rows (n, k) that differ, in order, and which of them each of the given ones is; sorts column by column, which
-    is several times as fast as comparing rows.
-    """
-    order = np.lexsort(rows.T[::-1])
-    ordered = rows[order]
-    fresh = np.append(True, (ordered[1:] != ordered[:-1]).any(1))[: len(rows)]
-    which = np.empty(len(rows), np.int64)
-    which[order] = np.cumsum(fresh) - 1
-    return ordered[fresh], which
+    """The rows (n, k) that differ, in order, and which of them each of the given ones is."""
+    return welding.distinct(np.ascontiguousarray(rows, float))
 
 
 def crossed(a: Array, b: Array) -> Array:
@@ -29,22 +23,12 @@ def crossed(a: Array, b: Array) -> Array:
 
 def corner_normals(mesh: Mesh) -> Array:
     """Normal at each corner of each face, (3 × m, 3): the mean over faces about the vertex that meet smoothly."""
-    triangles = mesh.vertices[mesh.faces]
-    area = crossed(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    flat = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-15)
-    _, vertex = distinct(mesh.vertices[mesh.faces.ravel()].round(5))
-    order = np.argsort(vertex, kind="stable")
-    starts = np.flatnonzero(np.diff(vertex[order], prepend=-1))
-    counts = np.diff(np.append(starts, len(order)))
-    # Every corner against every other about the same vertex.
-    about = np.repeat(counts, counts)
-    mine = np.repeat(order, about)
-    first, before = np.repeat(np.repeat(starts, counts), about), np.repeat(np.cumsum(about) - about, about)
-    other = order[first + np.arange(len(mine)) - before]
-    smooth = np.einsum("ij,ij->i", flat[mine // 3], flat[other // 3]) > CREASE
-    to, parts = mine[smooth], area[other[smooth] // 3]
-    total = np.stack([np.bincount(to, part, len(vertex)) for part in parts.T], -1)
+    vertices, faces = np.ascontiguousarray(mesh.vertices, float), np.ascontiguousarray(mesh.faces, np.int64)
+    total = welding.normals(vertices, vertices.round(5), faces, CREASE)
     length = np.linalg.norm(total, axis=1, keepdims=True)
+    if (length > 1e-15).all():
+        return np.asarray(total / length)
+    flat = welding.unit(welding.crossed(vertices, faces), 1e-15)
     return np.where(length > 1e-15, total / np.maximum(length, 1e-15), np.repeat(flat, 3, 0))
 
 
