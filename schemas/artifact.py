@@ -10,8 +10,8 @@ deterministic: keys in the order of the types, numbers to 1e-6, one newline at t
 import hashlib
 import json
 import sys
-from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -119,8 +119,12 @@ def parse(data: bytes, name: str, model: type[Body], whole: bool = False) -> Art
     asked = BODIES[kind] if whole else model
     if kind == POPULATE and not issubclass(asked, Populate):
         raw = raw | {"body": furniture_only(raw.get("body"))}
+    return _validated(json.dumps(raw), name, kind, asked, digest)
+
+
+def _validated(text: str | bytes, name: str, kind: str, asked: type[Record], digest: str) -> Artifact[Any]:
+    """An artifact of the newest version from its JSON; BadInput names what in it is wrong."""
     try:
-        text = json.dumps(raw)
         envelope = Envelope[asked].model_validate_json(text, strict=True)  # type: ignore[valid-type]
     except ValidationError as error:
         raise BadInput(f"{name}: {first_fault(error)}; `apartgen schema {kind}` says what belongs there") from None
@@ -138,9 +142,9 @@ def finish(body: Body, made: Made) -> tuple[str, Artifact[Body]]:
     record = {"apartgen": kind, "version": VERSION,
               "made": made.model_dump(mode="json", by_alias=True, exclude=set() if made.id else {"id"}),
               "body": body.model_dump(mode="json", by_alias=True)}
-    text = _text(_rounded(record)) + "\n"
+    text = _text(record) + "\n"
     try:
-        return text, parse(text.encode(), kind, type(body))
+        return text, _validated(text.encode(), kind, kind, type(body), _digest(json.loads(text)))
     except BadInput as error:
         raise RuntimeError(f"the {kind} stage made an inconsistent artifact: {error}") from error
 
@@ -259,24 +263,23 @@ _LINED = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 """JSON on one line; `json.dumps` would make an encoder anew for each of thousands of values."""
 
 
-def _rounded(value: Any) -> Any:
-    if isinstance(value, float):
-        return round(value, DECIMALS) + 0.0  # no negative zero
-    if isinstance(value, dict):
-        return {key: _rounded(item) for key, item in value.items()}
-    return [_rounded(item) for item in value] if isinstance(value, list) else value
-
-
 def _text(value: Any, indent: int = 0) -> str:
-    """JSON with short containers, and long rows of numbers, on one line."""
-    line = _LINED(value)
-    items: Sequence[Any] = list(value.values()) if isinstance(value, dict) else value if isinstance(value, list) else []
-    flat = not any(isinstance(item, dict | list) for item in items)
-    if not items or len(line) + indent <= _LINE or (flat and isinstance(value, list)):
-        return line
-    pad, inner = " " * indent, " " * (indent + 1)
-    keyed = isinstance(value, dict)
-    heads = [_LINED(key) + ": " for key in value] if keyed else [""] * len(items)
-    rows = [inner + head + _text(item, indent + 1) for head, item in zip(heads, items)]
-    opening, closing = "{}" if keyed else "[]"
-    return opening + "\n" + ",\n".join(rows) + "\n" + pad + closing
+    """JSON with numbers rounded, and short containers, and long rows of numbers, on one line."""
+    if isinstance(value, float) and isfinite(value):
+        return repr(round(value, DECIMALS) + 0.0)  # no negative zero
+    if isinstance(value, dict):
+        return _laid([f"{_LINED(key)}: {_text(item, indent + 1)}" for key, item in value.items()], "{}", indent)
+    if not isinstance(value, list):
+        return _LINED(value)
+    rows = [_text(item, indent + 1) for item in value]
+    flat = not any(isinstance(item, dict | list) for item in value)
+    return f"[{', '.join(rows)}]" if flat else _laid(rows, "[]", indent)
+
+
+def _laid(rows: list[str], ends: str, indent: int) -> str:
+    """The rows of a container on one line, where they are short and none is laid out itself, else one below another."""
+    line = ", ".join(rows)
+    if "\n" not in line and len(line) + len(ends) + indent <= _LINE:
+        return ends[0] + line + ends[1]
+    pad = " " * indent
+    return f"{ends[0]}\n {pad}" + f",\n {pad}".join(rows) + f"\n{pad}{ends[1]}"
