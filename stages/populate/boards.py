@@ -16,7 +16,7 @@ from apartgen.stages.space import polygons, sweeps
 from apartgen.stages.things import categories
 from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.receptacles import OPEN, Receptacle, receptacles
-from apartgen.stages.things.solids import corners
+from apartgen.stages.things.solids import bounds
 
 Array = NDArray[np.float64]
 LoadAsset = Callable[[str, str], Asset]
@@ -107,9 +107,8 @@ def _offers(load: LoadAsset, library: str, id: str) -> tuple[Receptacle, ...]:
 def _pieces(load: LoadAsset, library: str, id: str) -> _Pieces:
     asset = load(library, id)
     half = np.asarray(asset.size) / 2
-    felt = [corners(c) for link in asset.links for c in link.colliders]
-    whole = np.array([[-half, half]])
-    solid = np.array([[p.min(0), p.max(0)] for p in felt]) if 0 < len(felt) <= _CROWDED else whole
+    felt = [c for link in asset.links for c in link.colliders]
+    solid = bounds(felt) if 0 < len(felt) <= _CROWDED else np.array([[-half, half]])
     if asset.category in _CLOTH:
         seen = [mesh.vertices for link in asset.links for mesh in link.visuals]
         solid = np.array([[p.min(0), p.max(0)] for p in seen])
@@ -127,62 +126,80 @@ def boards(
     home: Retrieve, room: str, offered: dict[str, tuple[Receptacle, ...]], hung: Sequence[Furnishing], load: LoadAsset
 ) -> list[Board]:
     """All boards of a room on whose walls this hangs, those of the floor beside furniture at the end."""
-    here = [*(o for o in home.objects if o.room == room), *hung]
-    found = [Board(o, place, _blocks(o, place, here, load)) for o in here for place in offered.get(o.id, ())]
-    return [*found, *_floor_boards(home, room, here, load)]
+    here = _here([*(o for o in home.objects if o.room == room), *hung], load)
+    found = []
+    for k, o in enumerate(here.objects):
+        places = offered.get(o.id, ())
+        others = _seen_from(k, here) if any(place.open for place in places) else None
+        found += [Board(o, place, _blocks(here.pieces[k], place, others)) for place in places]
+    return [*found, *_floor_boards(home, room, here)]
 
 
-def _blocks(o: Furnishing, place: Receptacle, here: Sequence[Furnishing], load: LoadAsset) -> Array:
-    """What stands over a place: other furniture, and what parts pass through."""
-    pieces = _pieces(load, o.asset.library, o.asset.id)
-    own = pieces.swept if place.open else pieces.sideways
-    rows = [own, *(_seen_from(o, other, load) for other in here if other is not o and _near(o, other))]
-    every = np.concatenate(rows if place.open else rows[:1])
+class _Here(NamedTuple):
+    """What stands in a room and hangs on its walls: bounds (n, 2, 3) of all pieces, each in the frame of its owner,
+    whose place in `objects` is told; where the middle of each object is, and how far it reaches, m.
+    """
+
+    objects: Sequence[Furnishing]
+    pieces: Sequence[_Pieces]
+    bounds: Array
+    owner: NDArray[np.int64]
+    center: Array
+    reach: Array
+
+
+def _here(objects: Sequence[Furnishing], load: LoadAsset) -> _Here:
+    pieces = [_pieces(load, o.asset.library, o.asset.id) for o in objects]
+    own = [np.concatenate([piece.solid, piece.swept]) for piece in pieces]
+    return _Here(objects, pieces, np.concatenate([*own, np.zeros((0, 2, 3))]),
+                 np.repeat(np.arange(len(own)), [len(rows) for rows in own]),
+                 np.array([o.center for o in objects]).reshape(-1, 3),
+                 np.array([np.hypot(*o.size[:2]) for o in objects]))
+
+
+def _blocks(pieces: _Pieces, place: Receptacle, others: Array | None) -> Array:
+    """What stands over a place: what the parts of its own furniture pass through and, where it is open, `others`."""
+    every = pieces.sideways if others is None or not place.open else np.concatenate([pieces.swept, others])
     lo, hi = every[:, 0], every[:, 1]
     over = (hi[:, 2] > place.z + 1e-3) & (lo[:, :2] < place.hi).all(1) & (hi[:, :2] > place.lo).all(1)
     low = np.maximum(lo[over, 2] - place.z, 0.0)
     return np.column_stack([lo[over, :2], hi[over, :2], low]).reshape(-1, 5)
 
 
-def _near(a: Furnishing, b: Furnishing) -> bool:
-    reach = (np.hypot(*a.size[:2]) + np.hypot(*b.size[:2])) / 2 + 1.0
-    return bool(np.hypot(a.center[0] - b.center[0], a.center[1] - b.center[1]) < reach)
-
-
-def _seen_from(o: Furnishing, other: Furnishing, load: LoadAsset) -> Array:
-    """Bounds of another object's pieces in the frame of this one, (n, 2, 3)."""
-    pieces = _pieces(load, other.asset.library, other.asset.id)
-    bounds = np.concatenate([pieces.solid, pieces.swept])
-    points = np.where(_CUBE[None], bounds[:, 1, None], bounds[:, 0, None])
-    turn = other.yaw - o.yaw
-    c, s = np.cos(turn), np.sin(turn)
-    shift = _local(o, other.center)
+def _seen_from(k: int, here: _Here) -> Array:
+    """Bounds of other objects' pieces in the frame of this one, (n, 2, 3), but for what is far off."""
+    o = here.objects[k]
+    near = np.hypot(*(here.center - here.center[k])[:, :2].T) < (here.reach[k] + here.reach) / 2 + 1.0
+    near[k] = False
+    rows = near[here.owner]
+    owner, turns = here.owner[rows], np.array([other.yaw - o.yaw for other in here.objects])
+    c, s = (part[owner, None] for part in (np.cos(turns), np.sin(turns)))
+    points = np.where(_CUBE[None], here.bounds[rows, 1, None], here.bounds[rows, 0, None])
     x, y = c * points[..., 0] - s * points[..., 1], s * points[..., 0] + c * points[..., 1]
-    seen = np.stack([x, y, points[..., 2]], -1) + shift
+    seen = np.stack([x, y, points[..., 2]], -1) + _local(o, here.center)[owner, None]
     return np.stack([seen.min(1), seen.max(1)], 1)
 
 
-def _local(o: Furnishing, point: Sequence[float]) -> Array:
-    x, y, z = np.subtract(point, o.center)
+def _local(o: Furnishing, points: Array) -> Array:
+    x, y, z = (points - o.center).T
     c, s = np.cos(o.yaw), np.sin(o.yaw)
-    return np.array([c * x + s * y, c * y - s * x, z])
+    return np.column_stack([c * x + s * y, c * y - s * x, z])
 
 
-def _floor_boards(home: Retrieve, room: str, here: Sequence[Furnishing], load: LoadAsset) -> list[Board]:
+def _floor_boards(home: Retrieve, room: str, here: _Here) -> list[Board]:
     wanted = {name for rule in rules.table().get(_type(home, room), ()) for at in rule.at if at.endswith(" floor")
               for name in rules.spots(at).categories}
-    beside = [o for o in here if o.category in wanted]
+    beside = [k for k, o in enumerate(here.objects) if o.category in wanted]
     if not beside:
         return []
     area = polygons.floor(next(r for r in home.rooms if r.id == room)).buffer(-0.01)
     ways = unary_union([polygons.clearance(o, home, 0.9) for o in home.openings if room in o.rooms])
-    return [board for o in beside for side in (-1, 1) if (board := _beside(o, side, area, ways, here, load))]
+    return [board for k in beside for side in (-1, 1) if (board := _beside(k, side, area, ways, here))]
 
 
-def _beside(
-    o: Furnishing, side: int, area: Geometry, ways: Geometry, here: Sequence[Furnishing], load: LoadAsset
-) -> Board | None:
+def _beside(k: int, side: int, area: Geometry, ways: Geometry, here: _Here) -> Board | None:
     """The floor on one side of a piece of furniture, along its back; None where people pass, or outside."""
+    o = here.objects[k]
     d, w, h = o.size
     near, far = w / 2 + 0.03, w / 2 + 0.03 + BESIDE[1]
     lo, hi = (-d / 2 + 0.01, near if side > 0 else -far), (-d / 2 + 0.01 + BESIDE[0], far if side > 0 else -near)
@@ -191,7 +208,7 @@ def _beside(
     outline = Polygon([board.turn @ corner + o.center[:2] for corner in place.polygon()])
     if not area.contains(outline) or ways.intersects(outline):
         return None
-    board.blocks = _blocks(o, place, here, load)
+    board.blocks = _blocks(here.pieces[k], place, _seen_from(k, here))
     return board
 
 

@@ -61,23 +61,18 @@ class Face(NamedTuple):
 def faces_of(home: Retrieve, room: Room, here: Sequence[Furnishing]) -> list[Face]:
     """Every wall of a room, with what covers it."""
     corners = np.asarray(room.polygon, float)
+    swings = [(opening, polygons.swing(opening, home)) for opening in home.openings if room.id in opening.rooms]
+    swept = [(np.asarray(swing.exterior.coords), o.head) for o, swing in swings if not swing.is_empty]
     faces = []
     for a, b in zip(corners, np.roll(corners, -1, axis=0)):
         length = float(np.hypot(*(b - a)))
         along = (b - a) / length
         normal = np.array([-along[1], along[0]])
         face = Face(a, along, normal, length, [])
-        face = face._replace(swept=tuple(_swept(face, home, room)))
+        face = face._replace(swept=tuple(strip for swing, head in swept for strip in _strip(face, swing, 0.0, head)))
         face.covered.extend(_covered(face, home, room, here))
         faces.append(face)
     return faces
-
-
-def _swept(face: Face, home: Plan, room: Room) -> Iterator[Rectangle]:
-    for opening in home.openings:
-        swing = polygons.swing(opening, home)
-        if room.id in opening.rooms and not swing.is_empty:
-            yield from _strip(face, np.asarray(swing.exterior.coords), 0.0, opening.head)
 
 
 def _covered(face: Face, home: Plan, room: Room, here: Sequence[Furnishing]) -> Iterator[Rectangle]:

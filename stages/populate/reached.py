@@ -15,7 +15,7 @@ from apartgen.stages.space import polygons
 from apartgen.stages.things.asset import Asset, Collider
 from apartgen.stages.things.grasps import BROAD, THICK, TIP, Hold, holds, unlike
 from apartgen.stages.things.receptacles import Receptacle
-from apartgen.stages.things.solids import corners
+from apartgen.stages.things.solids import bounds
 
 Array = NDArray[np.float64]
 LoadAsset = Callable[[str, str], Asset]
@@ -115,16 +115,14 @@ def _drawer(place: _Place | None) -> str:
 def _shape(load: LoadAsset, library: str, id: str) -> _Shape:
     asset = load(library, id)
     pieces = [(piece, link.joint.name if link.joint else "") for link in asset.links for piece in link.colliders]
-    solids = np.array([_solid(piece) for piece, _ in pieces]).reshape(-1, 9)
-    return _Shape(solids, tuple(name for _, name in pieces))
+    return _Shape(_solids([piece for piece, _ in pieces]), tuple(name for _, name in pieces))
 
 
-def _solid(piece: Collider) -> Array:
-    """Middle, half of the sides, cos, sin, and whether it is round."""
-    points = corners(piece)
-    lo, hi = points.min(0), points.max(0)
-    round_ = piece.kind == "cylinder" and abs(piece.rotation[2, 2]) > 0.999
-    return np.array([*(lo + hi) / 2, *(hi - lo) / 2, 1.0, 0.0, float(round_)])
+def _solids(pieces: Sequence[Collider]) -> Array:
+    """Middle, half of the sides, cos, sin, and whether it is round, (n, 9)."""
+    lo, hi = bounds(pieces).transpose(1, 0, 2)
+    round_ = [piece.kind == "cylinder" and abs(piece.rotation[2, 2]) > 0.999 for piece in pieces]
+    return np.column_stack([(lo + hi) / 2, (hi - lo) / 2, np.ones(len(lo)), np.zeros(len(lo)), round_])
 
 
 def _put(solids: Array, center: Sequence[float], yaw: float) -> Array:

@@ -36,16 +36,14 @@ def parted(x: float, y: float, z: float, between: Floats, box: Floats, solid: Fl
     return bool(abs(x * between[0] + y * between[1] + z * between[2]) >= reach)
 
 
-@compiled("boolean(float64[:],float64[:])")
-def touches(box: Floats, solid: Floats) -> bool:
+@compiled("boolean(float64[:],float64[:],float64[:])")
+def touches(between: Floats, box: Floats, solid: Floats) -> bool:
     """Whether a box and an upright solid overlap; of round ones, no more directions than needed are looked along.
 
     box (15,): middle, its three axes, half of its sides · solid (9,): middle, half of its sides, cos, sin, whether it
     is round.
     """
-    between = solid[:3] - box[:3]
-    far = np.sqrt(box[12] ** 2 + box[13] ** 2 + box[14] ** 2) + np.sqrt(solid[3] ** 2 + solid[4] ** 2 + solid[5] ** 2)
-    if between @ between >= far * far or parted(0.0, 0.0, 1.0, between, box, solid):
+    if parted(0.0, 0.0, 1.0, between, box, solid):
         return False
     c, s = solid[6], solid[7]
     if solid[8] > 0:
@@ -62,13 +60,23 @@ def touches(box: Floats, solid: Floats) -> bool:
     return True
 
 
+@compiled("float64[:](float64[:,:],int64)")
+def radii(rows: Floats, first: int) -> Floats:
+    """Of the balls about solids (n,), half of whose sides are in three columns."""
+    return np.sqrt(rows[:, first] ** 2 + rows[:, first + 1] ** 2 + rows[:, first + 2] ** 2)
+
+
 @compiled("boolean[:](float64[:,:],float64[:,:])")
 def hits(boxes: Floats, solids: Floats) -> Flags:
     """Which boxes (k, 15) overlap any of the solids (m, 9)."""
-    found = np.zeros(len(boxes), np.bool_)
+    found, between = np.zeros(len(boxes), np.bool_), np.empty(3)
+    wide, far = radii(boxes, 12), radii(solids, 3)
     for i in range(len(boxes)):
         for j in range(len(solids)):
-            if touches(boxes[i], solids[j]):
+            for k in range(3):
+                between[k] = solids[j, k] - boxes[i, k]
+            apart = between[0] ** 2 + between[1] ** 2 + between[2] ** 2
+            if apart < (wide[i] + far[j]) ** 2 and touches(between, boxes[i], solids[j]):
                 found[i] = True
                 break
     return found

@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 from apartgen.schemas.retrieve import Joint
 
 Array = NDArray[np.float64]
+UNTURNED: Array = np.eye(3)
+"""The rotation of what is not turned, one for all, so that it is known at a glance."""
+UNTURNED.setflags(write=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +55,7 @@ class Collider:
     kind: Literal["box", "cylinder", "sphere", "hull"]
     center: Array
     size: Array
-    rotation: Array = field(default_factory=lambda: np.eye(3))
+    rotation: Array = field(default_factory=lambda: UNTURNED)
     vertices: Array | None = None
 
 

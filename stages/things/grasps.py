@@ -22,7 +22,8 @@ BITES = (0.01, 0.03)
 """How far below or behind an edge a thing is held, m."""
 _ABOVE = 0.0015
 """Between the tips and what a thing stands on, m."""
-_UP = np.array([0.0, 0.0, 1.0])
+_AXES = np.eye(3)
+_UP = _AXES[2]
 _BESIDE, _SLANTING, _FLAT = 0.03, 0.02, 0.08
 """What it costs to come from a side, to come slanting, and to close up and down, m off the centre of mass."""
 
@@ -60,32 +61,34 @@ def unlike(ways: Sequence[Hold], most: int) -> list[Hold]:
 def _across(piece: Collider, points: Array, middle: Array, low: float) -> Iterator[Hold]:
     """Ways across a piece of a thing that stands at height `low`."""
     lo, hi = points.min(0), points.max(0)
-    size = hi - lo
+    size, near = hi - lo, np.minimum(np.maximum(middle, lo), hi)
     for turn in np.arange(4) * np.pi / 4 if piece.kind == "cylinder" else (0.0, np.pi / 2):
         close = np.array([np.cos(turn), np.sin(turn), 0.0]).round(9)
         width = float(piece.size[0] * 2 if piece.kind == "cylinder" else abs(close @ size))
         if width <= WIDEST:
-            yield from _between(piece, lo, hi, middle, low, close, width + CLEAR)
+            yield from _between(piece, lo, hi, middle, near, low, close, width + CLEAR)
     if size[2] <= WIDEST:
         for axis, side in ((0, 1.0), (1, 1.0), (0, -1.0), (1, -1.0)):
             at = (lo + hi) / 2
-            at[1 - axis] = at[1 - axis] if piece.kind == "cylinder" else np.clip(middle, lo, hi)[1 - axis]
+            at[1 - axis] = at[1 - axis] if piece.kind == "cylinder" else near[1 - axis]
             for bite in BITES[::-1]:
                 at[axis] = (hi[axis] if side > 0 else lo[axis]) - side * min(bite, size[axis] / 2)
-                yield Hold(at.copy(), -side * np.eye(3)[axis], _UP, float(size[2]) + CLEAR)
+                yield Hold(at.copy(), -side * _AXES[axis], _UP, float(size[2]) + CLEAR)
 
 
 def _between(
-    piece: Collider, lo: Array, hi: Array, middle: Array, low: float, close: Array, width: float
+    piece: Collider, lo: Array, hi: Array, middle: Array, near: Array, low: float, close: Array, width: float
 ) -> Iterator[Hold]:
-    """Ways with the jaws level: from above, from both sides, and from between these."""
-    along = np.cross(_UP, close)
+    """Ways with the jaws level: from above, from both sides, and from between these; `near` is what of the piece is
+    nearest to the centre of mass.
+    """
+    along = np.array([-close[1], close[0], 0.0])
     half, center = float(abs(along @ (hi - lo))) / 2, (lo + hi) / 2
-    off = float(along @ (np.clip(middle, lo, hi) - center)) if piece.kind == "box" else 0.0
+    off = float(along @ (near - center)) if piece.kind == "box" else 0.0
     lowest = low + TIP + _ABOVE
     for z in _heights(hi[2], middle[2], lo[2], lowest):
         for shift in (off, *((off - half / 2, off + half / 2) if piece.kind == "box" and half > BROAD else ())):
-            shift = float(np.clip(shift, min(BROAD / 2 - half, 0.0), max(half - BROAD / 2, 0.0)))
+            shift = min(max(shift, min(BROAD / 2 - half, 0.0)), max(half - BROAD / 2, 0.0))
             yield Hold(_level(center + shift * along, z), -_UP, close, width)
     deep = [min(bite, half) for bite in BITES] if piece.kind == "box" else [half]
     for side in (1.0, -1.0):
@@ -111,11 +114,10 @@ def _level(at: Array, z: float) -> Array:
 
 def _cost(hold: Hold, middle: Array) -> float:
     """How far the weight is off the hold: what turns in the jaws; from above is the better the narrower."""
-    off = hold.at - middle
-    level = float(np.hypot(off[0], off[1]))
-    down = float(hold.approach[2])
+    x, y, z = (hold.at - middle).tolist()
+    level, down = float(np.hypot(x, y)), float(hold.approach[2])
     way = _FLAT if hold.close[2] > 0.5 else _BESIDE if down > -0.5 else _SLANTING if down > -0.9 else 0.0
-    return round(level + 0.3 * abs(float(off[2])) + way + 0.1 * hold.width, 5)
+    return round(level + 0.3 * abs(z) + way + 0.1 * hold.width, 5)
 
 
 def _alike(a: Hold, b: Hold) -> bool:

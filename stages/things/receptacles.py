@@ -12,8 +12,9 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry import MultiPoint
 
-from apartgen.stages.things.asset import Array, Asset, Collider, Link
-from apartgen.stages.things.solids import corners
+from apartgen.stages.things import rectangles
+from apartgen.stages.things.asset import UNTURNED, Array, Asset, Collider, Link
+from apartgen.stages.things.solids import bounds, corners
 
 Kind = Literal["top", "shelf", "inside", "drawer", "basin"]
 
@@ -31,6 +32,8 @@ SEAM = 0.007
 """Half the gap between two boards that one thing may bridge, m."""
 RIM, BESIDE = 0.04, 0.08
 """What rises so far above a face, so near to at least three of its sides, makes a basin of it, m."""
+_THIN = 1e-3
+"""Corners no further below the highest are of the top, m."""
 _TICKS = 14
 _MANY = 36
 """More lines than this along a side are thinned out."""
@@ -89,8 +92,7 @@ def receptacles(asset: Asset) -> list[Receptacle]:
 
 def _solids(links: Sequence[Link]) -> _Solids:
     pieces = [(piece, k) for k, link in enumerate(links) for piece in link.colliders]
-    points = [corners(piece) for piece, _ in pieces]
-    lo, hi = (np.array([end(p, axis=0) for p in points]).reshape(-1, 3) for end in (np.min, np.max))
+    lo, hi = bounds([piece for piece, _ in pieces]).transpose(1, 0, 2)
     return _Solids(lo, hi, np.array([k for _, k in pieces], np.int64), [piece for piece, _ in pieces])
 
 
@@ -142,8 +144,10 @@ def _rectangles(at: NDArray[np.int64], z: float, solids: _Solids) -> list[tuple[
 
 def _face(piece: Collider) -> "shapely.Polygon | None | Literal[False]":
     """The outline of a piece's top: None where it is the rectangle of its bounds, False where it has none."""
+    if piece.kind == "box" and piece.rotation is UNTURNED and piece.size[2] > 2 * _THIN:
+        return None
     points = corners(piece)
-    top = points[points[:, 2] > points[:, 2].max() - 1e-3, :2]
+    top = points[points[:, 2] > points[:, 2].max() - _THIN, :2]
     if piece.kind == "box" and len(top) == 4:
         sides = np.ptp(points[:, :2], axis=0)
         if abs(float(sides.prod()) - _area(top)) < 1e-6:
@@ -189,35 +193,12 @@ def _largest(free: NDArray[np.bool_], xs: Array, ys: Array) -> "list[tuple[Array
     """The largest rectangles of free cells, one after another, without what is too narrow to use."""
     found: list[tuple[Array, Array]] = []
     while free.any() and len(found) < _MOST:
-        r0, r1, c0, c1 = _best(free, xs, ys)
+        r0, r1, c0, c1 = rectangles.largest(free, xs, ys)
         free[r0:r1, c0:c1] = False
         lo, hi = np.array([xs[r0], ys[c0]]) + EDGE, np.array([xs[r1], ys[c1]]) - EDGE
         if (hi - lo).min() < LEAST_SIDE:
             break
         found.append((lo, hi))
-    return found
-
-
-def _best(free: NDArray[np.bool_], xs: Array, ys: Array) -> tuple[int, int, int, int]:
-    """The largest rectangle of free cells: rows and columns, half open; what can't be larger is not looked at."""
-    best, found = -1.0, (0, 1, 0, 1)
-    for r0 in range(len(free)):
-        if (ys[-1] - ys[0]) * (xs[-1] - xs[r0]) <= best:
-            break
-        run = np.ones(free.shape[1], bool)
-        for r1 in range(r0 + 1, len(free) + 1):
-            run = run & free[r1 - 1]
-            if not run.any():
-                break
-            edge = np.diff(np.concatenate([[0], run.astype(np.int8), [0]]))
-            starts, ends = np.flatnonzero(edge == 1), np.flatnonzero(edge == -1)
-            wide = ys[ends] - ys[starts]
-            c = int(wide.argmax())
-            if wide[c] * (xs[-1] - xs[r0]) <= best:
-                break
-            area = float(wide[c] * (xs[r1] - xs[r0]))
-            if area > best:
-                best, found = area, (r0, r1, int(starts[c]), int(ends[c]))
     return found
 
 

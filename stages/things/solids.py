@@ -1,5 +1,7 @@
 """Simple closed meshes and convex pieces: boxes, cylinders, plan shapes; `uv` counts repeats of the texture."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
@@ -8,12 +10,14 @@ from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
 from apartgen.stages.things import materials
-from apartgen.stages.things.asset import Collider, Material, Mesh
+from apartgen.stages.things.asset import UNTURNED, Collider, Material, Mesh
 
 Array = NDArray[np.float64]
 
 _FACES = np.array([[0, 1, 2], [0, 2, 3]])
 _CORNERS = np.array(np.meshgrid([-0.5, 0.5], [-0.5, 0.5], [-0.5, 0.5])).reshape(3, -1).T
+_ANGLES = np.linspace(0, 2 * np.pi, 16, endpoint=False)
+_RING = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), 0 * _ANGLES], -1)
 _AREA = 1e-6  # m², what is smaller is left by rounding
 
 
@@ -153,8 +157,23 @@ def corners(c: Collider) -> Array:
     elif c.kind == "box":
         local = _CORNERS * c.size
     else:
-        angles = np.linspace(0, 2 * np.pi, 16, endpoint=False)
-        ring = np.stack([np.cos(angles), np.sin(angles), 0 * angles], -1) * c.size[0]
+        ring = _RING * c.size[0]
         height = [0, 0, c.size[2] / 2 if c.kind == "cylinder" else c.size[0]]
         local = np.concatenate([ring + height, ring - height])
-    return np.asarray(local @ c.rotation.T + c.center)
+    return np.asarray(local + c.center if c.rotation is UNTURNED else local @ c.rotation.T + c.center)
+
+
+def bounds(pieces: Sequence[Collider]) -> Array:
+    """Least and greatest corner of each collider, (n, 2, 3), in the body's frame."""
+    found = np.empty((len(pieces), 2, 3))
+    level = np.array([c.kind == "box" and c.rotation is UNTURNED for c in pieces], bool)
+    boxes = [c for c, plain in zip(pieces, level, strict=True) if plain]
+    if boxes:
+        center, half = np.array([c.center for c in boxes]), 0.5 * np.array([c.size for c in boxes])
+        found[level, 0], found[level, 1] = center - half, center + half
+    points = [corners(c) for c, plain in zip(pieces, level, strict=True) if not plain]
+    if points:
+        every, starts = np.concatenate(points), np.cumsum([0, *(len(p) for p in points[:-1])])
+        found[~level, 0] = np.minimum.reduceat(every, starts)
+        found[~level, 1] = np.maximum.reduceat(every, starts)
+    return found

@@ -10,7 +10,7 @@ from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.furniture.mesh import Array, Shape
 from apartgen.stages.things import small
-from apartgen.stages.things.asset import Collider
+from apartgen.stages.things.asset import UNTURNED, Collider
 
 _LAID = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 """Takes a thing onto its left side: its left (+y) becomes its underside."""
@@ -125,7 +125,7 @@ def _collider(frame: Frame, piece: tuple[Any, ...]) -> Collider:
     x, y, scale, z0, z1 = numbers
     radius, low, high = scale * frame.radius, z0 * frame.h, z1 * frame.h
     center = frame.laid(frame.middle((x, y)) + [0, 0, (low + high) / 2])
-    return Collider("cylinder", center, np.array([radius, radius, high - low]), _LAID if frame.lying else np.eye(3))
+    return Collider("cylinder", center, np.array([radius, radius, high - low]), _LAID if frame.lying else UNTURNED)
 
 
 for _name in small.TABLE:
