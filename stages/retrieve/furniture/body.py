@@ -71,7 +71,8 @@ class Body:
         """A collision piece: the convex hull of points (n, 3)."""
         p = np.asarray(points, float)
         lo, hi = p.min(0), p.max(0)
-        self.colliders.append(Collider("hull", (lo + hi) / 2, hi - lo, vertices=p - (lo + hi) / 2))
+        middle = (lo + hi) / 2
+        self.colliders.append(Collider("hull", middle, hi - lo, vertices=p - middle))
 
     def rod(self, material: str, a: ArrayLike, b: ArrayLike, r0: float, r1: float | None = None, n: int = 12) -> None:
         """A round bar from a to b, tapering from r0 to r1."""

@@ -1,7 +1,6 @@
 """An asset under construction: its box, its fixed body, its moving parts."""
 
 import zlib
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -119,7 +118,8 @@ class Kit:
 
 
 def _lowered(body: Body, drop: float) -> list[Collider]:
-    return [replace(c, center=c.center - [0, 0, drop]) for c in body.colliders]
+    centers = np.array([c.center for c in body.colliders]).reshape(-1, 3) - [0, 0, drop]
+    return [Collider(c.kind, center, c.size, c.rotation, c.vertices) for c, center in zip(body.colliders, centers)]
 
 
 def _vector(values: ArrayLike) -> tuple[float, float, float]:

@@ -35,14 +35,17 @@ class Shape(NamedTuple):
     @property
     def volume(self) -> float:
         """m³, by the divergence theorem."""
-        a, b, c = (self.vertices[self.faces[:, k]] for k in range(3))
-        return float((_cross(a, b) * c).sum() / 6)
+        x, y, z = self.vertices.T[:, self.faces.T]
+        parts = np.empty((len(self.faces), 3))
+        for k, (p, q, r) in enumerate(((x, y, z), (y, z, x), (z, x, y))):
+            parts[:, k] = (q[0] * r[1] - r[0] * q[1]) * p[2]
+        return float(parts.sum() / 6)
 
 
-def _cross(a: Array, b: Array) -> Array:
-    """Row-wise vector product of (…, 3); numpy's own spends most of its time on axes."""
-    ax, ay, az, bx, by, bz = a[..., 0], a[..., 1], a[..., 2], b[..., 0], b[..., 1], b[..., 2]
-    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], -1)
+def _cross(a: Sequence[float], b: Sequence[float]) -> Array:
+    """The vector product of two; numpy's own spends most of its time on axes."""
+    (ax, ay, az), (bx, by, bz) = a, b
+    return np.array([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
 
 
 def mapped(vertices: Array, faces: Faces) -> Shape:
@@ -138,11 +141,11 @@ def lathe(profile: Sequence[tuple[float, float]], points: int = 16, *, caps: boo
 def frame_of(direction: ArrayLike) -> Array:
     """A rotation (3, 3) that takes z to `direction`."""
     z = np.asarray(direction, float)
-    z = z / np.linalg.norm(z)
-    side = np.array([1.0, 0.0, 0.0]) if abs(z[0]) < 0.7 else np.array([0.0, 1.0, 0.0])
-    y = _cross(z, side)
-    y /= np.linalg.norm(y)
-    return np.stack([_cross(y, z), y, z], 1)
+    z = z / np.sqrt(z.dot(z))
+    side = (1.0, 0.0, 0.0) if abs(z[0]) < 0.7 else (0.0, 1.0, 0.0)
+    y = _cross(z.tolist(), side)
+    y /= np.sqrt(y.dot(y))
+    return np.array([_cross(y.tolist(), z.tolist()), y, z]).T.copy()
 
 
 def rod(a: ArrayLike, b: ArrayLike, r0: float, r1: float | None = None, points: int = 12) -> Shape:
