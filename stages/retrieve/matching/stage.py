@@ -2,7 +2,7 @@
 
 import logging
 from collections.abc import Callable, Sequence
-from functools import partial
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -152,17 +152,15 @@ def _put_on_top(
     layout: Layout, own: list[Asset], on: list[str], placed: list[Boxes | None], sites: dict[str, Site]
 ) -> None:
     """Puts each thing that stands on another exactly on its top, clear of all the rest where that can be."""
-    tops: dict[int, supports.Top] = {}
+    top_of = cache(lambda j: _top(own[j], placed[j]))
     for i, box in enumerate(layout.objects):
         if on[i]:
             continue
         item = anchors.resized(placing.one(box), own[i].size, sites[box.room].floor)
         below = _below(i, layout, placed)
-        for j in below:
-            tops.setdefault(j, _top(own[j], placed[j]))
         for small in (False, True):
-            taken = {j: _stacked(placed, _near(i, j, layout, on, small)) for j in below}
-            spots = ((j, supports.stand(item, tops[j], taken[j])) for j in below)
+            taken = ((j, _stacked(placed, _near(i, j, layout, on, small))) for j in below)
+            spots = ((j, supports.stand(item, top_of(j), others)) for j, others in taken)
             under, placed[i] = next(((j, spot) for j, spot in spots if spot is not None), (i, None))
             if placed[i] is not None:
                 on[i] = layout.objects[under].id
