@@ -51,11 +51,17 @@ def styles(category: str) -> tuple[str, ...]:
 
 def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
     """The asset of that category and style whose box is `size`, [depth, width, height] in m, to the millimetre."""
+    d, w, h = (round(float(s) * 1000) for s in size)
+    return _built(category, style, (d, w, h), int(seed))
+
+
+@lru_cache(KEPT)
+def _built(category: str, style: str, mm: tuple[int, int, int], seed: int) -> Asset:
+    """The asset of a size in mm; every stage of a run is given the same."""
     from apartgen.stages.retrieve.furniture.kit import Kit
 
     if style not in styles(category):
         raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")
-    mm = tuple(round(float(s) * 1000) for s in size)
     _check(category, style, mm)
     d, w, h = mm
     model = _model(category)
@@ -82,13 +88,12 @@ def _check(category: str, style: str, mm: tuple[int, ...]) -> None:
             raise BadInput(f"{category}: {side} {value / 1000} m is outside [{least}, {most}]; give a size within it")
 
 
-@lru_cache(KEPT)
 def load_asset(id: str) -> Asset:
-    """The asset an id names; every stage of a run is given the same."""
+    """The asset an id names."""
     try:
         category, style, size, seed = id.split("/")
-        d, w, h = (int(s) / 1000 for s in size.split("x"))
+        d, w, h = (int(s) for s in size.split("x"))
         number = int(seed)
     except ValueError as error:
         raise BadInput(f"parametric asset {id!r}: not category/style/DxWxH/seed with the size in mm") from error
-    return build(category, style, (d, w, h), number)
+    return _built(category, style, (d, w, h), number)
