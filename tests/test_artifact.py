@@ -4,6 +4,7 @@ import copy
 import json
 import os
 import random
+import re
 import stat
 
 import handmade
@@ -12,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from apartgen.schemas import artifact, migrations
+from apartgen.schemas import artifact, consistency, migrations
 from apartgen.schemas.artifact import BODIES, Made, finish, json_schema, parse, read, write
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.export import Export, File
@@ -279,3 +280,35 @@ def test_the_order_of_keys_in_a_file_does_not_matter():
     random.Random(3).shuffle(shuffled)
     data = json.dumps(dict(shuffled)).encode()
     assert parse(data, "file", Walkable) == parse(TEXT.encode(), "file", Walkable)
+
+
+@pytest.mark.parametrize("wrong", [1, 2, 3])
+def test_the_first_complaint_is_told_and_how_many_more_there_are(wrong):
+    def edit(raw):
+        for k in range(wrong):
+            raw["body"]["rooms"][k % 2]["type" if k < 2 else "id"] = 7
+
+    with pytest.raises(BadInput) as told:
+        parse(changed(edit), "file", Walkable)
+    assert ("more)" in str(told.value)) == (wrong > 1)
+    assert wrong == 1 or f"(and {wrong - 1} more)" in str(told.value)
+
+
+@pytest.mark.parametrize("kind, rooms, words", [
+    ("window", ["living_room_1", "bedroom_1"], "needs 1 different room$"),
+    ("door", ["bedroom_1"], "2 different rooms$"),
+    ("entrance", ["living_room_1", "bedroom_1"], "needs 1 different room$"),
+    ("opening", ["bedroom_1", "bedroom_1"], "2 different rooms$")])
+def test_openings_are_between_as_many_rooms_as_their_kind_says(kind, rooms, words):
+    plan = handmade.plan()
+    way = plan.openings[1].model_copy(update={"kind": kind, "rooms": rooms, "into": rooms[0]})
+    (fault,) = consistency.faults(plan.model_copy(update={"openings": [plan.openings[0], way, plan.openings[2]]}))
+    assert fault.where == "openings[1].rooms" and re.search(words, fault.what)
+
+
+def test_what_stands_on_itself_is_told_where_it_is_said():
+    lamp, table = handmade.thing("table_lamp", 1, 1, id="a"), handmade.thing("side_table", 1, 1, id="b")
+    home = handmade.home(lamp.model_copy(update={"on": "b"}), table.model_copy(update={"on": "a"}))
+    assert [(fault.where, fault.what) for fault in consistency.faults(home)] == [
+        ("objects[0].on", "'a' would stand on itself by way of 'b'"),
+        ("objects[1].on", "'b' would stand on itself by way of 'a'")]

@@ -5,9 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from shapely import Point
+from shapely import box as rectangle
+from shapely.affinity import rotate, translate
 
 from apartgen.schemas import artifact
-from apartgen.schemas.carrying import Body, carrier
+from apartgen.schemas.carrying import Body, carrier, over
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.walkable import Walkable
@@ -55,6 +58,18 @@ def test_the_highest_top_carries_and_small_things_and_rugs_do_not():
     book, rug = body("top", low=0.45, tall=0.06, id="book"), Body("rug", "r", "flat", (1, 2, 0.51), (2, 2, 0.02), 0.0)
     lamp = body("top", low=0.53)
     assert carrier(lamp, [STAND, board, book, rug, lamp], 2.6) == "board"
+
+
+def test_over_is_over_whatever_way_it_is_turned():
+    """Against shapely, on tops turned by any angle."""
+    rng, found = np.random.default_rng(4), []
+    for _ in range(200):
+        (x, y, dx, dy, yaw), (d, w) = rng.uniform(-1, 1, 5) * (2, 2, 0.8, 0.8, np.pi), rng.uniform(0.3, 1.5, 2)
+        top = Body("top", "r", "floor", (x, y, 0.25), (d, w, 0.5), yaw)
+        mark = translate(rotate(rectangle(-d / 2, -w / 2, d / 2, w / 2), yaw, (0, 0), use_radians=True), x, y)
+        found.append(mark.contains(Point(x + dx, y + dy)))
+        assert over(body("top", x + dx, y + dy), top) == found[-1]
+    assert 40 < sum(found) < 160
 
 
 def box(id, category, center, size, **more):

@@ -9,7 +9,9 @@ from pathlib import Path
 import handmade as h
 import numpy as np
 import pytest
+import shapely
 from check import injections
+from scipy.spatial.transform import Rotation
 
 from apartgen import checking
 from apartgen.schemas.errors import ApartgenError
@@ -18,6 +20,7 @@ from apartgen.schemas.plan import Plan
 from apartgen.schemas.retrieve import Joint
 from apartgen.schemas.walkable import Report, Walkable
 from apartgen.stages import check
+from apartgen.stages.check import opening as opens
 from apartgen.stages.check import shapes
 
 ROOT = Path(__file__).parents[2]
@@ -188,6 +191,33 @@ def test_the_robot_needs_its_width(gap, codes):
     far = h.chest(3.75, 2.5, math.pi, id="chest", travel=0.2)
     found = refusing(walked(wall, far))
     assert [f.code for f in found if "chest" in f.of] == codes
+
+@pytest.mark.parametrize("bottom, found", [(1.45, ["unreached"]), (1.55, [])])
+def test_the_robot_passes_below_what_hangs_above_its_head(bottom, found):
+    """It is 1.5 m high; a board across the room, before the only chest."""
+    board = h.thing("wall_shelf", 2.0, 1.5, size=(0.3, 2.98, 0.2), bottom=bottom, id="board")
+    chest = h.chest(3.75, 2.5, math.pi, id="chest", travel=0.2)
+    assert [f.code for f in refusing(walked(board, chest)) if "chest" in f.of] == found
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 1), (0, 0, -1), (0, 1, 0), (0, -1, 0), (1, 0, 0), (0.6, 0, 0.8)])
+def test_boxes_about_a_turning_part_hold_all_its_corners_and_no_more(axis):
+    """Against scipy's rotations: of each position the box has the least and greatest height of the part's corners and,
+    where the part turns about the vertical, these corners themselves."""
+    lo, hi = np.array([0.1, -0.3, -0.4]), np.array([0.15, 0.25, 0.3])
+    joint = Joint(name="d", type="hinge", axis=axis, origin=(0.15, -0.3, 0.1), range=(0.0, 1.3), part="hinge_door",
+                  extent=(tuple(lo), tuple(hi)))
+    piece = h.thing("fridge", 1.2, 0.9, 0.7, size=(0.4, 0.6, 0.9), joints=(joint,))
+    found = opens._positions(piece, joint)
+    corners = np.array(np.meshgrid(*zip(lo, hi))).reshape(3, -1).T
+    for angle, ring, low, high in zip(np.linspace(0, 1.3, len(found.low)), *found):
+        turned = Rotation.from_rotvec(angle * np.array(axis, float)).apply(corners - joint.origin) + joint.origin
+        world = Rotation.from_euler("z", piece.yaw).apply(turned) + piece.center
+        assert (low, high) == pytest.approx((world[:, 2].min(), world[:, 2].max()))
+        mark, true = shapely.Polygon(ring), shapely.MultiPoint(world[:, :2]).convex_hull
+        assert mark.buffer(1e-9).covers(true)
+        local = shapely.MultiPoint(turned[:, :2]).envelope
+        assert mark.area == pytest.approx(true.area if abs(axis[2]) == 1 else local.area)
 
 
 def test_an_opening_between_rooms_is_between_them():

@@ -221,3 +221,23 @@ def test_rooms_that_need_no_guidance_are_left_alone_and_the_others_descend_as_ev
         expected = expected - guided.trusted(config.guidance_scale * grad)
     assert torch.equal(found[1], x0[1]) and not torch.equal(found[0], x0[0])
     assert torch.allclose(found, expected, atol=1e-6)
+
+
+def test_walkway_counts_every_pair_that_stands_once_and_no_other() -> None:
+    """Boxes in a row, 0.3 m apart, far from any wall: of what is there, on the floor, and no partner of the next."""
+    room = some_rooms(1, 3)
+    room.polygon[0, :4] = [[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]
+    module = registry.load("apartgen.stages.layout.guidance", "walkway")
+    share = 4 * (0.3 - module.FLUSH) * (module.PASS - 0.3) / (module.PASS - module.FLUSH) ** 2
+
+    def value(*names: str, there: tuple[int, ...] = ()) -> float:
+        found = boxes(*((name, 1.1 * k, 0.0, 0.0) for k, name in enumerate(names)))
+        for k in there:
+            found.filled[0, k] = 0
+        return float(module.energy(found, floor_of(room))[0]) / share
+
+    assert value("chest", "sofa", "chest", "wardrobe") == pytest.approx(3, rel=1e-3)
+    assert value("chest", "sofa", "chest", "wardrobe", there=(1,)) == pytest.approx(1, rel=1e-3)
+    assert value("chest", "rug", "chest") == value("rug", "rug") == value("chest", "chest", there=(0, 1)) == 0
+    assert value("dining_table", "chair") == 0, "a chair at its table leaves no way between"
+    assert value("chair", "chest") == pytest.approx(1, rel=1e-3)

@@ -33,6 +33,17 @@ def test_a_drawer_blocked_by_two_centimetres():
     assert figure(collision.measure(h.home(chest, blocking)), "Col_obj") == 0
 
 
+def test_success_is_asked_at_eight_shares_from_six_tenths_up():
+    """A block of 3.12 m² in a living room of 12: .74 of it stay free, and 17.88 / 21 = .85 of the flat."""
+    found = walkable.measure(h.home(h.thing("bookshelf", 2, 1.5, size=(1.3, 2.4, 2.0))))
+    shares = [0.60, 0.65, 0.70, 0.75, 0.80, 0.85, 0.90, 0.95]
+    for of, met in ((h.LIVING, 3), ("apartment", 6), (h.BEDROOM, 8)):
+        for version in ("ours", "published"):
+            asked = [figure(found, f"SR_{share:.2f}", version, of) for share in shares]
+            assert asked == [1.0] * met + [0.0] * (8 - met)
+    assert sum(v.name.startswith("SR_") for v in found) == 8 * 3 * 2
+
+
 def test_physcene_grows_by_a_third_whatever_the_asset():
     chest = h.chest(2, 2.75, DOWN)
     near = h.thing("coffee_table", 2, 2.20 - 0.3, size=(0.6, 1.0, 0.4), yaw=UP)

@@ -8,7 +8,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.schemas.metrics import Metrics, Value
 from apartgen.schemas.plan import AskedObjects
 from apartgen.stages import metrics
-from apartgen.stages.metrics import frequencies, quantity, relations
+from apartgen.stages.metrics import _distances, frequencies, quantity, relations
 from apartgen.stages.things import categories
 
 DOWN, UP = -np.pi / 2, np.pi / 2
@@ -182,6 +182,21 @@ def test_small_figures_and_intervals_in_a_table():
                     notes=["by the network"])
     assert "| KID | apartment | 0.00040 [-0.00010, 0.020] (9) |" in metrics.side_by_side(found)
     assert metrics.side_by_side(found).endswith("\n\nby the network\n")
+
+
+@pytest.mark.parametrize(("low", "high"), [(None, None), (0.1, None), (None, 0.3)])
+def test_half_an_interval_is_none(low, high):
+    found = Metrics(values=[Value(name="KID", value=0.2, version="generated", low=low, high=high)])
+    assert "| KID | apartment | 0.200 |" in metrics.side_by_side(found)
+
+
+def test_a_classifier_that_sees_no_difference_is_right_every_other_time():
+    """Scenes that are all the same; and of sets far apart all are told."""
+    same, other = np.ones((20, 3)), np.ones((12, 3))
+    found = _distances.separability(same, other, np.random.default_rng(0))
+    assert tuple(found) == pytest.approx((50, 50, 50))
+    noise = np.random.default_rng(1).normal(0, 0.1, (12, 3))
+    assert _distances.separability(same, other + 5 + noise, np.random.default_rng(0))[0] == 100
 
 
 def test_rooms_of_types_that_the_real_set_lacks_do_not_count():

@@ -62,3 +62,16 @@ def test_nothing_hangs_behind_what_stands_on_something(on, hangs):
     home = h.home(stand, screen)
     south = faces.faces_of(home, home.rooms[0], home.objects)[0]
     assert south.free(2.0, 0.4, 0.8, 1.1) is hangs and south.free(2.0, 0.4, 1.4, 1.8)
+
+
+@pytest.mark.parametrize("x, y, yaw, wanted", [
+    (0.25, 2.3, 0.0, [(0, 1.8), (0, 2.8)]), (2.0, 0.25, np.pi / 2, [(1.5, 0), (2.5, 0)]),
+    (3.75, 2.0, np.pi, [(4, 1.5), (4, 2.5)]), (1.0, 2.75, -np.pi / 2, [(0.5, 3), (1.5, 3)])])
+def test_a_socket_is_beside_what_wants_one_on_the_wall_behind_it(x, y, yaw, wanted):
+    """A television's stand 80 cm wide with its back to each wall of the living room: a hand from its end, at 30 cm."""
+    home = h.home(h.thing("tv_stand", x, y, yaw, size=(0.5, 0.8, 0.5)))
+    room = home.rooms[0]
+    found = list(walls._sockets(room, faces.faces_of(home, room, home.objects), home.objects, [SOCKET],
+                                np.random.default_rng(0)))
+    assert len(found) == 1 and found[0].center[2] == walls.SOCKET
+    assert min(np.hypot(*np.subtract(found[0].center[:2], at)) for at in wanted) < 0.01

@@ -269,3 +269,33 @@ def test_rooms_are_told_what_they_are_for() -> None:
     apart = told(("living_room_1", 22.0), ("dining_room_1", 9.0), ("bedroom_1", 12.0))
     assert apart["living_room_1"][0] == 0 and apart["dining_room_1"][0] == 1
     assert told(("bedroom_1", 12.0)) == {"bedroom_1": tuple(OPEN)}
+
+
+@pytest.mark.parametrize("x, width, before", [
+    (2.5, 0.5, True), (3.59, 0.5, True), (3.61, 0.5, False), (1.41, 0.5, True), (1.39, 0.5, False), (3.3, 3.0, True),
+    (4.39, 3.0, True), (4.41, 3.0, False)])
+def test_a_table_is_before_a_sofa_with_three_tenths_of_the_narrower(x: float, width: float, before: bool) -> None:
+    """A sofa 2 m wide, from 1.5 to 3.5 m; a table that reaches past its end, however much narrower it is."""
+    sofa = thing("sofa", 2.5, 0.47, NORTH, (0.9, 2.0, 0.8))
+    place = room("living_room", 8.0, 4.0, sofa, thing("coffee_table", x, 1.6, NORTH, (0.5, width, 0.4)))
+    assert ("coffee table not before the sofa" not in names(place)) is before
+
+
+def test_a_coffee_table_is_near_one_of_those_it_serves() -> None:
+    """Of two sofas that face each other across it, one within reach is enough; from a corner sofa it never is far."""
+    table, near = thing("coffee_table", 2.5, 1.6, NORTH, (0.6, 1.1, 0.4)), thing("sofa", 2.5, 0.47, NORTH)
+    far = thing("sofa", 2.5, 3.25, SOUTH)
+    for sofas, fault in (([near, far], False), ([near], False), ([far], True)):
+        assert ("coffee table out of reach" in names(room("living_room", 5.0, 4.0, table, *sofas))) is fault
+
+
+@pytest.mark.parametrize("name, size, meals, seats", [
+    ("dining_table", (0.8, 1.0, 0.75), True, 4), ("dining_table", (0.8, 1.0, 0.75), False, 2),
+    ("dining_table", (0.8, 1.8, 0.75), False, 4), ("round_table", (1.0, 1.0, 0.75), False, 4)])
+def test_only_a_little_table_beside_the_one_where_they_eat_has_two_seats(
+        name: str, size: tuple[float, float, float], meals: bool, seats: int) -> None:
+    from apartgen.stages.use.wants import seats_wanted
+
+    place = room("living_room", 5.0, 4.0, thing(name, 2.5, 2.0, NORTH, size))
+    place.site = replace(place.site, sleepers=4, meals=meals)
+    assert seats_wanted(place, 0) == seats

@@ -1,0 +1,37 @@
+"""Shortest ways over cells, against networkx."""
+
+import networkx as nx
+import numpy as np
+import pytest
+
+from apartgen.stages.robot import way
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_steps_are_the_shortest_ways_over_cells_and_their_diagonals(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    cells = rng.random((9, 11)) < 0.65
+    start = tuple(map(int, np.argwhere(cells)[0]))
+    graph = nx.Graph()
+    graph.add_nodes_from(map(tuple, np.argwhere(cells)))
+    for y, x in graph.nodes:
+        for dy, dx in ((0, 1), (1, 0), (1, 1), (1, -1)):
+            if (y + dy, x + dx) in graph:
+                graph.add_edge((y, x), (y + dy, x + dx), weight=np.hypot(dy, dx))
+    true = nx.single_source_dijkstra_path_length(graph, start)
+    found = way._steps(cells, start, dear=0.0)
+    for cell in np.ndindex(cells.shape):
+        assert found[cell] == pytest.approx(true.get(cell, np.inf)), cell
+
+
+def test_where_it_is_dear_to_be_near_walls_ways_keep_off_them() -> None:
+    """Along a corridor seven cells wide from one cell at its wall to another, and never through what is shut."""
+    cells = np.ones((7, 40), bool)
+    cells[:, [0, -1]] = cells[[0, -1]] = False
+    rows = {}
+    for dear in (0.0, 3.0):
+        steps = way._steps(cells, (1, 1), dear)
+        rows[dear] = way._back(steps, (1, 38))
+        assert all(cells[tuple(cell)] for cell in rows[dear]) and not np.isfinite(steps[~cells]).any()
+        assert np.abs(np.diff(rows[dear], axis=0)).max() == 1
+    assert set(rows[0.0][:, 0]) == {1} and rows[3.0][:, 0].max() == 3
