@@ -1,0 +1,87 @@
+"""Small steps of reading on items by hand, and prompts that hang on them: where lists begin, areas given anew, rooms
+that are each larger than the other."""
+
+import pytest
+
+from apartgen.schemas.errors import Unmet
+from apartgen.stages.plan.reader import read
+from apartgen.stages.plan.reader.measures import _coordinated, _corrected
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.objects import _continues
+from apartgen.stages.plan.reader.predicates import Predicate
+from apartgen.stages.plan.reader.subjects import and_group
+from apartgen.stages.plan.reader.vocabulary import Relation
+
+AND, PLUS, COMMA = Item("conjunction", "and"), Item("conjunction", "plus"), Item("mark", ",")
+NO, AREA = Item("negation", "not", "no"), Item("area", values=(12.0,))
+
+
+def rooms(n: int) -> list[Item]:
+    return [Item("room", room=RoomPhrase("bedroom", text=str(k))) for k in range(n)]
+
+
+def test_rooms_joined_by_and_begin_no_earlier_than_they_may() -> None:
+    """0 and 1 and 2 and 3: at 0, 2, 4, 6."""
+    a, b, c, d = rooms(4)
+    items = [a, AND, b, AND, c, AND, d]
+    assert [and_group(items, 6, floor) for floor in range(7)] == [0, 2, 2, 4, 4, 6, 6]
+    assert [and_group(items, at, 0) for at in (0, 2, 4)] == [0, 0, 0] and and_group(items[:3], 2, 0) == 0
+
+
+def test_plus_commas_and_other_words_part_rooms() -> None:
+    a, b, c, _ = rooms(4)
+    assert and_group([a, PLUS, b, AND, c], 4, 0) == 2
+    assert and_group([a, COMMA, b, AND, c], 4, 0) == 2 and and_group([a, COMMA, b, AND, c], 4, 0, whole=True) == 0
+    assert and_group([a, Item("link"), b], 2, 0) == and_group([Item("with"), AND, b], 2, 0) == 2
+
+
+def test_a_list_of_rooms_ends_in_the_last_and_begins_after_what_is_no_and() -> None:
+    a, b, c, d = rooms(4)
+    names = [[phrase.text for phrase in _coordinated(items, last.room)] for items, last in (  # type: ignore[arg-type]
+        ([a, AND, b], b), ([a, AND, b], a), ([a, COMMA, b, AND, c], c), ([a, AND, b, AND, c, AND, d], c),
+        ([AND, b], b), ([NO, AND, b], b))]
+    assert names == [["0", "1"], ["0"], ["1", "2"], ["0", "1", "2"], ["1"], ["1"]]
+
+
+@pytest.mark.parametrize("between", range(4))
+def test_what_is_denied_of_a_relation_is_the_room_right_after_but_not(between: int) -> None:
+    """`A next to B but not to C`: the room after `but not`, and at most one word, goes on with it, a later one not."""
+    a, b, c, _ = rooms(4)
+    items = [a, Item("link", "to"), b, Item("conjunction", text="but"), NO, *[Item("unknown")] * between, c]
+    to = Predicate(1, Relation.TO, "part", False)
+    assert _continues(items, to, len(items) - 1, [b.room], [a.room]) is (between < 2)  # type: ignore[list-item]
+
+
+@pytest.mark.parametrize("before", [[], [COMMA], [AND, COMMA]])
+def test_an_area_given_anew_is_of_the_room_before_wherever_that_stands(before: list[Item]) -> None:
+    """`kitchen 12 m², no, 14 m²`: the first is forgotten."""
+    (room,) = rooms(1)
+    assert room.room is not None
+    items = [*before, room, AREA, COMMA, NO, COMMA, AREA]
+    room.room.areas = (12.0,)
+    assert _corrected(items, len(items) - 1) == [room.room] and room.room.areas == ()
+    room.room.areas = (12.0,)
+    told = [*before, room, AREA, COMMA, AREA]
+    assert _corrected(told, len(told) - 1) == [] and room.room.areas == (12.0,)
+    assert _corrected([AREA, COMMA, NO, COMMA, AREA], 4) == []
+
+
+@pytest.mark.parametrize("prompt", [
+    "Kitchen 12 m², no, 14 m², two bedrooms.", "Two bedrooms, kitchen 12 m², no, 14 m²."])
+def test_the_last_area_said_of_a_room_counts(prompt: str) -> None:
+    assert {room.area for room in read(prompt).rooms if room.type == "kitchen"} == {14.0}
+
+
+@pytest.mark.parametrize("first, second, possible", [
+    ("twice as large as", "twice as large as", False), ("larger than", "slightly larger than", False),
+    ("smaller than", "half as large as", False), ("larger than", "smaller than", True),
+    ("twice as large as", "half as large as", True), ("as large as", "as large as", True),
+    ("times as large as", "much smaller than", True), ("times as large as", "larger than", True)])
+def test_two_rooms_are_not_each_larger_than_the_other(first: str, second: str, possible: bool) -> None:
+    """`Times as large`, without saying how many, is neither larger nor smaller."""
+    prompt = f"One bedroom. The kitchen is {first} the study. The study is {second} the kitchen."
+    if possible:
+        assert {room.type for room in read(prompt).rooms} >= {"bedroom", "kitchen", "study"}
+    else:
+        with pytest.raises(Unmet, match="are each to be (larger|smaller) than the other"):
+            read(prompt)
