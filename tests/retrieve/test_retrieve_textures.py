@@ -295,3 +295,16 @@ def test_a_foreign_file_round_trips_through_our_own_export(home, tmp_path):
 ])
 def test_the_file_of_a_map_is_what_its_options_leave(rest, name):
     assert obj._named(rest) == name
+
+
+@pytest.mark.parametrize(("said", "rough"), [
+    ("", 0.6), ('shininess="0"', 1.0), ('shininess="1"', 0.2), ('roughness="0"', 0.0), ('roughness="0.7"', 0.7),
+    ('roughness="1"', 1.0), ('roughness="0.3" shininess="1"', 0.3), ('roughness="-1" shininess="0.25"', 0.8),
+    ('roughness="7"', 1.0)])
+def test_what_mujoco_calls_rough_goes_before_what_it_calls_shiny(tmp_path, said, rough):
+    """Half shiny without a word, and nothing is rougher than rough."""
+    (tmp_path / "stool.xml").write_text(
+        f'<mujoco><asset><material name="w" {said}/></asset><worldbody><body name="stool">'
+        '<geom type="box" size=".1 .1 .1" material="w"/></body></worldbody></mujoco>')
+    (source,) = simobjects.assets(tmp_path)
+    assert source.load().links[0].visuals[0].material.roughness == pytest.approx(rough)

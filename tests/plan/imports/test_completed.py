@@ -17,6 +17,7 @@ from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 from apartgen.schemas.layout import Layout
 from apartgen.stages import check, registry
 from apartgen.stages.plan import PlanConfig, imports
+from apartgen.stages.plan.imports import roomplan
 
 
 def zipped(xml: str) -> bytes:
@@ -151,6 +152,17 @@ def test_a_scan_without_floors_has_the_rooms_that_its_walls_enclose() -> None:
     assert plan is not None and len(plan.rooms) == len(home.rooms) and check.quick(plan) == []
     given, found = (sum(Polygon(r.polygon).area for r in p.rooms) for p in (home, plan))
     assert found == pytest.approx(given, rel=0.02)
+
+
+@pytest.mark.parametrize(("height", "name"), [
+    (0.8, "sideboard"), (1.55, "sideboard"), (1.65, "wardrobe"), (2.4, "wardrobe")])
+def test_storage_that_is_tall_is_a_wardrobe(height: float, name: str) -> None:
+    """A scan tells storage of any kind by one word."""
+    raw = json.loads(writers.roomplan(homes.furnished("studio", 0)))
+    one = dict(raw["objects"][0])
+    raw["objects"] = [one | {"category": {"storage": {}}, "dimensions": [1.0, height, 0.5]}]
+    (thing,) = roomplan.read("scan.json", json.dumps(raw).encode()).things
+    assert (thing.name, thing.size) == (name, (0.5, 1.0, height))
 
 
 def spoilt(data: bytes, rng: np.random.Generator) -> bytes:
