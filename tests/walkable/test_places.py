@@ -1,7 +1,8 @@
-"""Other places of an object and its company along walls, and what reaches into a wall: against shapely."""
+"""Where objects may move: along walls with their company, off doors, windows and walls; against shapely and by hand."""
 
 from typing import Any
 
+import boxes_library as fake
 import handmade as h
 import numpy as np
 import pytest
@@ -11,8 +12,10 @@ from shapely.geometry import Polygon
 
 from apartgen.stages.space import convex
 from apartgen.stages.things.solids import slab
-from apartgen.stages.walkable import places
+from apartgen.stages.walkable import WalkableConfig, places
+from apartgen.stages.walkable.changes import applied, dropped, nudged
 from apartgen.stages.walkable.leaves import INTO_WALL, building
+from apartgen.stages.walkable.site import fits, survey
 
 FLOOR = Polygon([(0, 0), (4, 0), (4, 2), (2.5, 2), (2.5, 3), (0, 3)])
 
@@ -65,3 +68,49 @@ def test_one_of_several_solids_in_a_wall_is_in_it() -> None:
     assert not within(0.1) and not within(0.1, 1.0) and not within(-0.9 * INTO_WALL)
     assert within(-0.01) and within(0.1, -0.01) and within(-0.01, 0.1)
     assert not within(1.2, x=3.95) and within(0.4, x=3.95)
+
+
+SITE = survey(h.plan(), WalkableConfig(), fake.Boxes())
+
+
+def may(name: str, before: tuple[float, ...], after: tuple[float, ...], size: tuple[float, float, float],
+        bottom: float = 0.0, room: str = h.LIVING) -> bool:
+    old, new = (h.thing(name, *at, room=room, size=size, bottom=bottom, id="it") for at in (before, after))
+    return fits(SITE, (old,), {"it": new})
+
+
+def test_what_moves_stays_off_doors_unless_one_walks_over_or_under_it() -> None:
+    """Before the door in the living room's east wall, from 1.0 to 1.9 m; a ceiling lamp's place is no question."""
+    away, before = (2.0, 1.45), (3.8, 1.45)
+    assert not may("chest", away, before, (0.4, 0.6, 0.8)) and may("chest", away, (2.2, 1.45), (0.4, 0.6, 0.8))
+    assert may("rug", away, before, (0.4, 0.6, 0.01)) and may("ceiling_lamp", away, before, (0.4, 0.4, 0.3), 2.2)
+    assert may("chest", before, before, (0.4, 0.6, 0.8)), "what stands there already may"
+    assert may("chest", before, (3.75, 1.45), (0.4, 0.6, 0.8)) and not may("chest", (3.6, 2.2), before, (0.4, 0.6, 0.8))
+
+
+@pytest.mark.parametrize("high, allowed", [(0.8, True), (0.94, True), (0.96, False), (2.0, False)])
+def test_what_is_higher_than_the_sill_stays_off_windows(high: float, allowed: bool) -> None:
+    """The bedroom's window is .9 m above the floor, 1 m wide from x = 5; five centimetres more do no harm."""
+    size = (0.4, 0.8, high)
+    assert may("chest", (5.5, 2.0), (5.5, 0.2, np.pi / 2), size, room=h.BEDROOM) is allowed
+    assert may("chest", (5.5, 2.0), (6.6, 0.2, np.pi / 2), size, room=h.BEDROOM)
+
+
+def test_nothing_moves_out_of_its_room() -> None:
+    size = (0.4, 0.8, 0.8)
+    assert may("chest", (2.0, 2.0), (0.2, 2.5), size) and not may("chest", (2.0, 2.0), (0.15, 2.5), size)
+    assert may("chest", (0.1, 2.5), (0.15, 2.5), size) and not may("chest", (0.15, 2.5), (0.1, 2.5), size)
+
+
+def test_a_change_is_recorded_with_all_that_it_takes_along() -> None:
+    table, lamp, plant = (h.thing(name, x, 1.0, id=name)
+                          for name, x in (("side_table", 1), ("table_lamp", 1), ("plant", 2)))
+    moved = {o.id: o.model_copy(update={"center": (o.center[0] + 0.5, *o.center[1:])}) for o in (table, lamp)}
+    scene, step = applied((table, lamp, plant), nudged(table, moved, "way"))
+    assert scene == (moved["side_table"], moved["table_lamp"], plant)
+    assert (step.object, step.before.center, step.after and step.after.center) == (
+        "side_table", table.center, moved["side_table"].center)
+    assert [(shift.object, shift.before.center, shift.after and shift.after.center) for shift in step.along] == [
+        ("table_lamp", lamp.center, moved["table_lamp"].center)]
+    scene, step = applied(scene, dropped(scene[0], scene, "way"))
+    assert scene[-1:] == (plant,) and step.after is None and all(shift.after is None for shift in step.along)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.special import softmax
 from shapely.geometry import box
 
 from apartgen.stages.layout.relations import clear
@@ -94,3 +95,24 @@ def test_what_a_door_a_cupboard_and_a_table_leave_of_a_wall(turn: float) -> None
     assert found[2] == pytest.approx([2] * 4, abs=1e-4)
     assert found[3] == pytest.approx([2, 2, 2, 0.75], abs=1e-4)
     assert found[5] == pytest.approx([2, 2, 2, 0.75], abs=1e-4)
+
+
+@pytest.mark.parametrize("offset", [0.0, 900.0, -900.0])
+@pytest.mark.parametrize("sharp", [1.0, 2.5])
+def test_rows_are_picked_as_often_as_their_softmax_says(offset: float, sharp: float) -> None:
+    """Whatever is added to all of a row; numbers that lie evenly in [0, 1) pick each as often as its share."""
+    logits = np.array([[0.0, 2.0, -1.0, 1.0, 3.0], [5.0, 5.0, -9.0, 4.0, 5.0], [-3.0, -3.0, -3.0, -3.0, -3.0]])
+    chance = np.tile((np.arange(4000) + 0.5) / 4000, (3, 1))
+    found = clear.picked((logits + offset).astype(np.float32), chance, sharp, 1e-4)
+    for row, picks in zip(softmax(sharp * logits, axis=1), found):
+        kept = np.where(row < 1e-4 * row.max(), 0, row)
+        assert np.bincount(picks, minlength=5) / 4000 == pytest.approx(kept / kept.sum(), abs=6e-4)
+        assert (np.diff(picks) >= 0).all()
+
+
+@pytest.mark.parametrize("least, there", [(0.2, {1, 2}), (0.04, {0, 1, 2}), (0.9, {1})])
+def test_what_is_below_a_share_of_the_likeliest_is_never_picked(least: float, there: set[int]) -> None:
+    """e⁻³ = .0498, 1, e⁻¹ = .368, e⁻⁷ of the likeliest."""
+    chance = np.linspace(0, 1 - 1e-9, 2001)[None]
+    found = clear.picked(np.array([[-3.0, 0.0, -1.0, -7.0]], np.float32), chance, 1.0, least)
+    assert set(found[0].tolist()) == there
