@@ -49,7 +49,7 @@ def _none_before(words: list[Lexeme], k: int) -> int | None:
     """Where the `none` stands that the limit at `k` is said with."""
     j, room = k - 1, False
     while j >= 0:
-        if words[j].text.split()[0] in NONE:
+        if words[j].text.partition(" ")[0] in NONE:
             return j
         if words[j].kind not in SKIPPED and (room or not _one(words[j])):
             return None

@@ -11,7 +11,7 @@ LEADING = ("on", "at", "in", "to", "along", "im", "an", "auf", "links", "rechts"
 WAYS_IN = ("entry", "entrada", "entree", "l'entree")
 """Halls, and also where one comes in."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
-          "richtung", "plein", "expose", "hacia", "dar al", "da al", "dan al", "朝", "向")  # fmt: skip
+          "richtung", "plein", "expose", "donn", "hacia", "dar al", "da al", "dan al", "朝", "向")  # fmt: skip
 """Words by which a side is that of a room's windows rather than its place."""
 
 
