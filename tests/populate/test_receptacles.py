@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from apartgen.schemas.retrieve import Joint
-from apartgen.stages.populate import rules
+from apartgen.stages.populate import boards, rules
 from apartgen.stages.retrieve import furniture
-from apartgen.stages.things.asset import Asset, Link
+from apartgen.stages.things.asset import Asset, Link, Material, Mesh
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.receptacles import EDGE, OPEN, SEAM, receptacles
 from apartgen.stages.things.solids import corners, slab
@@ -114,3 +114,28 @@ def test_what_is_as_high_as_a_drawer_allows_goes_in_and_out(category):
             lo = np.array([place.lo[0] + out, place.lo[1], place.z + 2e-3])
             hi = np.array([place.hi[0] + out, place.hi[1], place.z + min(place.room, 1.0) - 1e-3])
             assert not ((rest[:, 0] < hi - 1e-3).all(1) & (rest[:, 1] > lo + 1e-3).all(1)).any(), (made.id, place, out)
+
+
+@pytest.mark.parametrize(("many", "whole"), [(0, True), (1, False), (80, False), (81, True)])
+def test_what_has_no_pieces_or_very_many_is_taken_for_solid(many, whole):
+    """Small things keep off each piece; of more than eighty, or none, off the whole box."""
+    grid = [((0.01 * k - 0.3, 0.2, 0.1), (0.01 * k - 0.295, 0.3, 0.15)) for k in range(many)]
+    found = boards._pieces(lambda library, id: asset(base(*grid)), "made", f"{many} pieces")
+    assert found.solid == pytest.approx(np.array([((-0.3, -0.5, -0.4), (0.3, 0.5, 0.4))] if whole else grid))
+    assert found.swept.shape == found.sideways.shape == (0, 2, 3)
+
+
+def test_curtains_are_as_large_as_they_look_and_what_slides_aside_is_told_apart():
+    seen = Mesh(np.array([(0, -0.5, -1), (0.1, 0.2, 1), (0.05, 0, 0)], float), np.array([[0, 1, 2]]), Material("cloth"))
+    link = Link("base", [seen], [slab((0, 0, 0), (1, 1, 1))], 1.0)
+    cloth = Asset("test", "made", "curtain", "plain", (0.2, 1.2, 2.2), [link])
+    found = boards._pieces(lambda library, id: cloth, "made", "cloth")
+    assert found.solid == pytest.approx(np.array([((0, -0.5, -1), (0.1, 0.2, 1))]))
+    extent = (0.25, -0.4, -0.3), (0.3, 0.4, 0.3)
+    parts = [Link(name, [], [slab(*extent)], 1.0, Joint(name=name, type=kind, axis=axis, origin=(0.3, 0.5, 0.0),
+                                                        range=(0.0, 0.5), part="", extent=extent))
+             for name, kind, axis in (("left", "slide", (0, 1, 0)), ("out", "slide", (1, 0, 0)),
+                                      ("turns", "hinge", (0, 0, 1)))]
+    found = boards._pieces(lambda library, id: asset(base(BOTTOM), *parts), "made", "robe")
+    assert len(found.swept) == 3 and len(found.sideways) == 1
+    assert found.sideways[0] == pytest.approx(np.array([(0.25, -0.4, -0.3), (0.3, 0.9, 0.3)]))

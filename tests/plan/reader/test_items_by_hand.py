@@ -85,3 +85,14 @@ def test_two_rooms_are_not_each_larger_than_the_other(first: str, second: str, p
     else:
         with pytest.raises(Unmet, match="are each to be (larger|smaller) than the other"):
             read(prompt)
+
+
+@pytest.mark.parametrize("said, kind", [
+    ("No bedroom is off the kitchen", "no_door"), ("No bedroom opens off the kitchen", "no_door"),
+    ("No bedroom adjoins the kitchen", "apart"), ("No bedroom next to the kitchen", "apart"),
+    ("No bedroom is next to the kitchen", "apart")])
+def test_what_no_bedroom_is_none_of_them_is(said: str, kind: str) -> None:
+    """With a verb, or of what lies beside; both bedrooms stay."""
+    found = read(f"Two bedrooms. {said}.")
+    assert {(r.kind, r.of, r.to) for r in found.requirements} == {(kind, f"bedroom_{k}", "kitchen_1") for k in (1, 2)}
+    assert sum(room.type == "bedroom" for room in found.rooms) == 2
