@@ -1,7 +1,8 @@
 """What no room of a type is to be: `no bedroom next to the kitchen` denies a neighbour, not the bedrooms."""
 
+from apartgen.stages.plan.reader.household import ALWAYS
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, rooms_of
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 NONE = ("none", "no", "kein", "keine", "keines", "keiner", "keins", "aucun", "aucune",
@@ -59,9 +60,13 @@ def _none_before(words: list[Lexeme], k: int) -> int | None:
 
 
 def all_denied(items: list[Item]) -> list[Item]:
-    """`no bedroom adjoins the kitchen` as `all bedrooms: not next to the kitchen`."""
+    """`no bedroom adjoins the kitchen` as `all bedrooms: not next to the kitchen`.
+
+    `no bedroom off the kitchen` says the same of rooms that there are, and of others only that there are none.
+    """
     out: list[Item] = []
-    for k, item in enumerate(items):
+    for k in range(len(items)):
+        item = items[k]
         no, phrase = (out[-1] if out else Item("")), item.room
         denied = no.kind == "negation" and phrase is not None and phrase.negated
         denied = denied and phrase is not None and (no.text.split()[0] in NONE or phrase.quantifier == Det.THE)
@@ -71,6 +76,9 @@ def all_denied(items: list[Item]) -> list[Item]:
         link, other = (items[at : at + 2] + [Item(""), Item("")])[:2]
         finite = link.form in ("s", "p") or at > k + 1
         near = link.value in (Relation.NEAR, Relation.APART)
+        if denied and phrase is not None and other.room is not None and link.value == Relation.DOOR and not finite:
+            near = phrase.type in ALWAYS or any(r.type == phrase.type and not r.negated for r in rooms_of(items))
+            items = items if near else [*items[:at], Item("mark", ",", ","), *items[at + 1 :]]
         if denied and phrase is not None and link.kind == "link" and other.room is not None and (finite or near):
             out.pop()
             phrase.negated = False

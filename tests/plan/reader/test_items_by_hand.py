@@ -96,3 +96,22 @@ def test_what_no_bedroom_is_none_of_them_is(said: str, kind: str) -> None:
     found = read(f"Two bedrooms. {said}.")
     assert {(r.kind, r.of, r.to) for r in found.requirements} == {(kind, f"bedroom_{k}", "kitchen_1") for k in (1, 2)}
     assert sum(room.type == "bedroom" for room in found.rooms) == 2
+
+
+@pytest.mark.parametrize("before", ["Two bedrooms. ", "A flat with two bedrooms, ", "Two bedrooms, a study; "])
+@pytest.mark.parametrize("room", ["bedroom", "bathroom"])
+def test_no_room_off_the_kitchen_is_no_door_to_it(before: str, room: str) -> None:
+    """It was read as if the bedrooms were off the kitchen."""
+    found = read(f"{before}no {room} off the kitchen.")
+    assert not {("bedroom_1", "kitchen_1"), ("bedroom_2", "kitchen_1"), ("bathroom_1", "kitchen_1")} & set(found.links)
+    asked = {(r.kind, r.of, r.to) for r in found.requirements}
+    assert asked == {("no_door", one.id, "kitchen_1") for one in found.rooms if one.type == room}
+
+
+@pytest.mark.parametrize("prompt", ["Two bedrooms. No balcony off the living room.",
+                                    "Two bedrooms with no balcony off the living room.",
+                                    "Two bedrooms, no storage room off the living room, a study."])
+def test_a_room_that_nobody_asked_for_and_nobody_wants_is_not_there(prompt: str) -> None:
+    found = read(prompt)
+    assert not {room.type for room in found.rooms} & {"balcony", "storage"} and found.requirements == []
+    assert not [link for link in found.links if {"bedroom_1", "living_room_1"} == set(link)]
