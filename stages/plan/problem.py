@@ -14,7 +14,7 @@ from apartgen.stages.plan.balconies import fronts, indoors
 from apartgen.stages.plan.blocks import Outline
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.outline import wish
-from apartgen.stages.plan.slicing import Ints, Problem, Scratch, Tree
+from apartgen.stages.plan.slicing import R_COLUMNS, Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
@@ -130,7 +130,7 @@ def _spec(
         min(norm.width, max(1.5, arm * norm.width)),
         norm.aspect * slack.aspect,
         0.02 if passage else 1.0,
-        3.0 + parts if room.type == "hallway" else 4.0,
+        4.0,
         max(front, 0.0 if room.type == "kitchen" and joined else norm.face),
         room.type == "hallway",
         norm.functional,
@@ -193,7 +193,7 @@ def scratch(n: int, links: int, leaves: int, k: int) -> Scratch:
         last=np.zeros(n, np.int64),
         before=np.zeros(leaves * k, np.int64),
         wall=np.zeros((links, 3)),
-        room=np.zeros((n, 14)),
+        room=np.zeros((n, R_COLUMNS)),
         terms=np.zeros(16),
         entry=np.zeros(7),
         walked=np.zeros((n, 3)),

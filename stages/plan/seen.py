@@ -27,6 +27,8 @@ UP = ("exterior_length", "exterior_corner", "functional_room")
 """Terms whose measure grows with their weight."""
 ROOMY, NARROW = 1.5, 1.3
 """Width from which no passage is narrow, where two people pass, and up to which no corridor is wide, m."""
+FINE = 1e-3
+"""Error of a width, m."""
 ALONG = 0.06
 """Wall lines so near one another are one, m."""
 
@@ -109,8 +111,13 @@ def _opened(floor: Polygon) -> Polygon:
 
 
 def _width(floor: Polygon) -> float:
-    """Side of the widest square that fits, m."""
-    return 2 * float(shapely.maximum_inscribed_circle(floor, 0.02).length)
+    """Side of the widest square along the walls that fits, m; a circle would find corridors wider where they turn."""
+    low, high = 0.0, float(_extents(floor).min())
+    while high - low > FINE:
+        side = 0.5 * (low + high)
+        fits = not floor.buffer(-side / 2, join_style="mitre").is_empty
+        low, high = (side, high) if fits else (low, side)
+    return low
 
 
 def _rim_held(plan: Plan, floors: Floors, types: Mapping[str, RoomType]) -> float:

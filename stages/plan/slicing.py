@@ -51,6 +51,7 @@ S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT = range(9, 13)
 LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall")
 L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY = range(5)
 R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS, R_RIM = range(14)
+R_BROAD, R_COLUMNS = 14, 15
 LEFT, RIGHT, UPRIGHT = range(3)
 
 
@@ -85,7 +86,7 @@ class Scratch(NamedTuple):
     last: Ints  # (n,) last piece of each room
     before: Ints  # (P,) the piece of the same room before each, -1 for the first
     wall: Floats  # (m, 3) longest straight wall between two linked rooms, its middle
-    room: Floats  # (n, 14) by the R_ columns
+    room: Floats  # (n, 15) by the R_ columns
     terms: Floats  # (16,) by TERMS, then the lack
     # (7,) entrance x, y (else of its room), length of its wall, distance of its room from such a wall and of itself
     # from the living room's door, and that door's x, y

@@ -22,6 +22,8 @@ from apartgen.stages.plan.slicing import (
     PATH,
     PRIVACY,
     R_AREA,
+    R_BROAD,
+    R_COLUMNS,
     R_FACE,
     R_GAPS,
     R_JOINTS,
@@ -72,7 +74,7 @@ def _measure(p: Problem, z: Scratch, count: int) -> None:  # each room's area, e
     thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
     for r in range(rooms.shape[0]):
         room = rooms[r]
-        room[:14] = 0.0
+        room[:R_COLUMNS] = 0.0
         room[R_X0], room[R_Y0], room[R_LEAST], room[R_X1], room[R_Y1] = 1e9, 1e9, 1e9, -1e9, -1e9
         z.last[r] = -1
     for i in range(count):
@@ -86,7 +88,7 @@ def _measure(p: Problem, z: Scratch, count: int) -> None:  # each room's area, e
         room[R_PIECES] += 1
         if area >= room[R_MAIN]:
             room[R_MAIN], room[R_WIDTH] = area, min(w, h)
-        room[R_LEAST] = min(room[R_LEAST], w, h)
+        room[R_LEAST], room[R_BROAD] = min(room[R_LEAST], w, h), max(room[R_BROAD], min(w, h))
         z.terms[NARROW] += max(0.0, ROOMY - min(w, h)) * max(w, h)
         j = z.last[r]
         while j >= 0:
@@ -98,6 +100,8 @@ def _measure(p: Problem, z: Scratch, count: int) -> None:  # each room's area, e
                 wide = max(x, y) - thick
                 room[R_AREA] += thick * max(wide, 0.0)
                 room[R_JOINTS] += wide >= p.spec[r, S_JOINT]
+                deep = (a[3] - a[1] + b[3] - b[1] if x > y else a[2] - a[0] + b[2] - b[0]) - thick
+                room[R_BROAD] = max(room[R_BROAD], min(wide, deep))
             j = z.before[j]
         z.before[i] = z.last[r]
         z.last[r] = i
@@ -141,7 +145,7 @@ def _shape(p: Problem, z: Scratch) -> None:  # terms and lacks of each room's ow
         if room[R_PIECES] > 1 or want[S_CORNERS] != 4:
             surplus = max(0.0, _corners(z.piece, z.before, z.last[r]) / want[S_CORNERS] - 1)
             terms[CONCISE] += surplus * surplus
-        terms[WIDE] += want[S_CORRIDOR] * (max(0.0, room[R_WIDTH] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
+        terms[WIDE] += want[S_CORRIDOR] * (max(0.0, room[R_BROAD] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
         lack = 3 * max(0.0, abs(ratio - 1) - want[S_LOOSE]) + 2 * max(0.0, want[S_WIDTH] - room[R_WIDTH])
         lack += 2 * max(0.0, want[S_JOINT] - room[R_LEAST]) + max(0.0, aspect - want[S_ASPECT])
         if room[R_PIECES] - 1 > room[R_JOINTS]:
