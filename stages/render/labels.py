@@ -92,6 +92,5 @@ def _ahead(eye: Camera, direction: NDArray[np.float32]) -> NDArray[np.float64]:
 
 def visible(instance: NDArray[np.uint16]) -> list[Visible]:
     """What is seen of each thing."""
-    return [Visible(number=k, pixels=pixels, rectangle=(x, y, right - x + 1, below - y + 1), inmost=(column, row, steps))
-            for k, (pixels, x, y, right, below, column, row, steps) in enumerate(extents(instance).tolist())
-            if k and pixels]
+    return [Visible(number=k, pixels=pixels, rectangle=(x, y, right - x + 1, below - y + 1), inmost=(i, j, steps))
+            for k, (pixels, x, y, right, below, i, j, steps) in enumerate(extents(instance).tolist()) if k and pixels]

@@ -53,7 +53,7 @@ def irradiance(
     return np.asarray(known + share * mean, np.float32), mean
 
 
-def sunlit(world: World, point: Array, normal: Array, lift: float = LIFT) -> Array:
+def sunlit(world: World, point: Array, normal: Array, lift: float = float(LIFT)) -> Array:
     """Share of the sun's light that falls on points, (n,), looked for so far above them."""
     fall = _sunward(world, point, normal)
     rows = np.flatnonzero(fall)
@@ -74,9 +74,9 @@ def _from_panes(world: World, start: Array, normal: Array, room: Index, noise: A
     for pane in world.panes:
         rows = np.flatnonzero(room == pane.room)
         if len(rows):
-            to, flux = through_pane(start, normal, noise, rows, _ON_PANES, pane.corner, pane.across, pane.up, pane.normal,
-                                    pane.area / np.pi)
-            _shine(world, start, rows, to, flux, np.float32(0.97), SKY, found)
+            window = pane.corner, pane.across, pane.up, pane.normal, pane.area / np.pi
+            to, flux = through_pane(start, normal, noise, rows, _ON_PANES, *window)
+            _shine(world, start, rows, to, flux, 0.97, SKY, found)
     return found
 
 
@@ -87,15 +87,17 @@ def _from_lamps(world: World, start: Array, normal: Array, room: Index, noise: A
         if len(rows):
             shifts = _sequence(31 + 2 * j, ON_LAMPS)
             to, flux = from_ball(start, normal, noise, rows, shifts, lamp.position, BULB)
-            _shine(world, start, rows, to, flux, np.float32(1.0), LAMP * np.float32(lamp.lumens), found)
+            _shine(world, start, rows, to, flux, 1.0, LAMP * np.float32(lamp.lumens), found)
     return found
 
 
-def _shine(world: World, start: Array, rows: Index, to: Array, flux: Array, far: Array, light: Array, found: Array
+def _shine(world: World, start: Array, rows: Index, to: Array, flux: Array, far: float, light: Array, found: Array
            ) -> None:
-    """Adds the light that comes to some of the points (n, 3) from places, k for each, that nothing hides."""
+    """Adds the light that comes to some of the points (n, 3) from places, k for each, that nothing hides up to `far` of
+    the way.
+    """
     at, lit = np.tile(rows, len(flux) // len(rows)), np.flatnonzero(flux > DIM)
-    flux = flux[lit] * world.blockers.free(start[at[lit]], to[lit] * far, 1.0)
+    flux = flux[lit] * world.blockers.free(start[at[lit]], to[lit] * np.float32(far), 1.0)
     found += np.bincount(at[lit], flux, len(found)).astype(np.float32)[:, None] * light
 
 

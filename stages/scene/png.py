@@ -21,7 +21,7 @@ def png(picture: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
     lines[:, 0], lines[0, 1:] = _UP, plain[0]
     np.subtract(plain[1:], plain[:-1], out=lines[1:, 1:])
     header = struct.pack(">IIBBBBB", columns, rows, depth, kind, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header) + _chunk(b"IDAT", zlib.compress(lines, QUICK)) + _chunk(
+    return b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header) + _chunk(b"IDAT", zlib.compress(lines.data, QUICK)) + _chunk(
         b"IEND", b"")
 
 

@@ -152,12 +152,12 @@ def _levels(texture: str) -> list[Array]:
 def _texels(texture: str) -> Array:
     """A texture as linear light, square, (size, size, 3)."""
     if texture in materials.textures():
-        return _linear_bytes()[materials.texture(texture)]
+        return np.asarray(_linear_bytes()[materials.texture(texture)])
     from PIL import Image
 
     picture = Image.open(io.BytesIO(image(texture))).convert("RGB")
     size = min(picture.size)
-    return _linear_bytes()[np.asarray(picture.resize((size, size)))]
+    return np.asarray(_linear_bytes()[np.asarray(picture.resize((size, size)))])
 
 
 def length(vectors: Array) -> Array:
