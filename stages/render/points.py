@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import Opening, Plan
-from apartgen.stages.render.stands import free_floor
+from apartgen.stages.render.stands import free_air
 from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.soup import Array, Hits, colors, encoded
 from apartgen.stages.scene.world import HomeWorld
@@ -20,13 +20,18 @@ _POINT = np.dtype([("place", "<f4", 3), ("color", "u1", 3), ("instance", "<u2")]
 
 def cloud(world: HomeWorld, count: int, height: float, rng: np.random.Generator) -> bytes:
     """A binary PLY of points with colour and number of the thing; directions are drawn evenly around each place."""
-    space, cells = free_floor(world)
-    places = [np.array([*at, height]) for i in range(len(world.plan.rooms))
-              for at in spread_places(space, cells, i, PLACES)]
-    parts = [_seen_from(world, place, share, rng) for place, share in zip(places, _shares(count, len(places)))]
+    eyes = places(world, height)
+    parts = [_seen_from(world, place, share, rng) for place, share in zip(eyes, _shares(count, len(eyes)))]
     points = np.concatenate([np.zeros(0, _POINT), *parts])
     rows = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}", *PROPERTIES, "end_header"]
     return "\n".join(rows).encode() + b"\n" + points.tobytes()
+
+
+def places(world: HomeWorld, height: float) -> list[Array]:
+    """Where points are seen from."""
+    space, cells = free_air(world, height)
+    return [np.array([*at, height]) for i in range(len(world.plan.rooms))
+            for at in spread_places(space, cells, i, PLACES)]
 
 
 def _shares(count: int, places: int) -> list[int]:

@@ -1,4 +1,4 @@
-"""Where a person would stand and look to see much: on free floor, towards the most things of some size."""
+"""Where a person would stand and look to see much: on free floor, the head in free air, towards most things."""
 
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ from apartgen.stages.robot.way import spread_places
 from apartgen.stages.scene.camera import Camera, Panorama
 from apartgen.stages.scene.soup import Array
 from apartgen.stages.scene.world import HomeWorld
+from apartgen.stages.space import boxes, grid
 
 PLACES, HEADINGS = 9, 16
 """Places of a room, and headings of each, that are tried."""
@@ -21,6 +22,8 @@ ENOUGH = 0.01
 """Share of the picture from which a thing counts as seen."""
 MARGIN = 1.25
 """What is seen coarsely must cover so much more than that."""
+HEAD = 0.25
+"""How far from everything a camera at the height of eyes is, m."""
 CLOSE = 0.7
 """What is nearer than this is in the way of seeing, m."""
 
@@ -40,13 +43,25 @@ def free_floor(world: HomeWorld) -> tuple[reach.Space, NDArray[np.bool_]]:
     return space, reach.free(space, objects)
 
 
-def middles(world: HomeWorld, height: float) -> list[Stand]:
-    """One place of each room, from where a panorama shows most."""
+def free_air(world: HomeWorld, height: float) -> tuple[reach.Space, NDArray[np.bool_]]:
+    """The raster of a robot, and where on its floor a head at that height touches nothing, hanging things included."""
     space, cells = free_floor(world)
-    found = []
+    return space, cells & _clear(world, space, height)
+
+
+def _clear(world: HomeWorld, space: reach.Space, height: float) -> NDArray[np.bool_]:
+    objects = world.plan.objects if isinstance(world.plan, Layout) else []
+    level = boxes.of([o for o in objects if abs(o.center[2] - height) < o.size[2] / 2 + HEAD])
+    return np.asarray(space.open & (grid.near(level, space.grid, HEAD) == 0))
+
+
+def middles(world: HomeWorld, height: float) -> list[Stand]:
+    """One place of each room, from where a panorama shows most; over furniture where no floor is free."""
+    space, cells = free_air(world, height)
+    over, found = _clear(world, space, height), []
     for i in range(len(world.plan.rooms)):
-        places = spread_places(space, cells, i, 1)
-        at = places[0] if len(places) else np.array(world.plan.rooms[i].polygon).mean(0)
+        some = (spread_places(space, free, i, 1) for free in (cells, over))
+        at = next((places[0] for places in some if len(places)), np.array(world.plan.rooms[i].polygon).mean(0))
         found.append(Stand(i, np.array([*at, height]), 0.0))
     return found
 
@@ -56,7 +71,7 @@ def best(world: HomeWorld, views: int, height: float, field: float, shape: tuple
 
     `field` in rad and `shape` (columns, rows) are those of the pictures.
     """
-    space, cells = free_floor(world)
+    space, cells = free_air(world, height)
     stands = [Stand(i, np.array([*place, height]), float(yaw)) for i in range(len(world.plan.rooms))
               for place in spread_places(space, cells, i, PLACES)
               for yaw in np.arange(HEADINGS) * 2 * np.pi / HEADINGS]

@@ -1,0 +1,66 @@
+"""Cameras are in free air: nothing comes nearer to them than a head is wide, and none is within a thing's box."""
+
+import numpy as np
+import pytest
+from digests import kept
+from trimesh import triangles as exact
+
+from apartgen.schemas.carrying import WALL
+from apartgen.stages.render import stands
+from apartgen.stages.render.points import places
+from apartgen.stages.scene.scene import Scene
+from apartgen.stages.scene.world import world
+
+HEIGHTS = (1.5, 1.7)
+HEAD = 0.25
+
+
+@pytest.fixture(scope="module", params=kept.HOMES)
+def shown(request):
+    return world(Scene(kept.home(request.param), kept.load))
+
+
+def room_about(shown, place):
+    """How far the nearest triangle is from a place, up to a metre."""
+    corners = shown.every.soup.corners.astype(float)
+    near = corners[((corners.min(1) < place + 1) & (corners.max(1) > place - 1)).all(1)]
+    points = exact.closest_point(near, np.broadcast_to(place, (len(near), 3)))
+    return min(1.0, np.linalg.norm(points - place, axis=1).min(initial=1.0))
+
+
+def boxed(home, place):
+    """Things within whose boxes a place is."""
+    found = []
+    for o in home.objects:
+        c, s = np.cos(o.yaw), np.sin(o.yaw)
+        x, y, z = place - np.array(o.center)
+        if (np.abs([c * x + s * y, c * y - s * x, z]) < np.array(o.size) / 2).all():
+            found.append(o.id)
+    return found
+
+
+def eyes(shown, height):
+    return [*(stand.place for stand in stands.best(shown, 12, height, 1.4, (64, 48))),
+            *(stand.place for stand in stands.middles(shown, height)), *places(shown, height)]
+
+
+@pytest.mark.parametrize("height", HEIGHTS)
+def test_heads_are_clear_of_everything(shown, height):
+    for place in eyes(shown, height):
+        assert not boxed(shown.plan, place)
+        assert room_about(shown, place) > HEAD - 0.01
+
+
+def test_nothing_that_hangs_is_stood_in():
+    home = kept.home("studio")
+    height = 1.5
+    first = stands.best(world(Scene(home, kept.load)), 1, height, 1.4, (64, 48))[0].place
+    hung = next(o for o in home.objects if o.on is None or o.on != WALL)
+    hung = hung.model_copy(update={"id": "hung", "center": (first[0], first[1], height + 0.2 + hung.size[2] / 2)})
+    more = home.model_copy(update={"objects": [*home.objects, hung]})
+    for place in eyes(world(Scene(more, kept.load)), height):
+        assert not boxed(more, place)
+        c, s = np.cos(hung.yaw), np.sin(hung.yaw)
+        x, y, z = place - np.array(hung.center)
+        off = np.maximum(np.abs([c * x + s * y, c * y - s * x, z]) - np.array(hung.size) / 2, 0)
+        assert np.linalg.norm(off) > HEAD - 0.01
