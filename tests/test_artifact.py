@@ -312,3 +312,12 @@ def test_what_stands_on_itself_is_told_where_it_is_said():
     assert [(fault.where, fault.what) for fault in consistency.faults(home)] == [
         ("objects[0].on", "'a' would stand on itself by way of 'b'"),
         ("objects[1].on", "'b' would stand on itself by way of 'a'")]
+
+
+@pytest.mark.parametrize("x, y, words", [
+    (consistency.FARTHEST + 1, 0, "from the origin"), (0, -consistency.FARTHEST - 1, "from the origin"),
+    (-consistency.FARTHEST - 1, 1, "from the origin"), (consistency.WIDEST + 1, 0, "m wide"),
+    (0, consistency.WIDEST + 1, "m wide"), (consistency.WIDEST - 1, consistency.WIDEST - 1, "")])
+def test_homes_are_neither_far_away_nor_wide_along_either_axis(x, y, words):
+    told = consistency.too_wide([(0.0, 0.0), (x, y), (1.0, 1.0)])
+    assert words in told and bool(told) == bool(words)
