@@ -62,7 +62,8 @@ class Files:
 
     def _write(self, name: str, data: bytes) -> None:
         path = self.folder / name
-        path.write_bytes(data)
+        with open(path, "wb") as file:
+            file.write(data)
         self.written.append(path)
 
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from apartgen.stages.things.asset import Array
+from apartgen.stages.things.asset import UNTURNED, Array
 
 
 def quaternion(rotation: Array) -> Array:
     """w, x, y, z of a rotation matrix, w not negative."""
-    if np.array_equal(rotation, np.eye(3)):
+    if rotation is UNTURNED or np.array_equal(rotation, UNTURNED):
         return np.array([1.0, 0.0, 0.0, 0.0])
     from scipy.spatial.transform import Rotation
 

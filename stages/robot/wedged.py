@@ -1,6 +1,6 @@
 """Which loose things stand inside others, as a chair's back under a table's edge, so that engines would throw them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import shapely
@@ -21,40 +21,45 @@ def wedged(bodies: Sequence[Body]) -> dict[str, list[str]]:
     Colliders are taken as upright prisms over their shadows, which is exact for boxes and cylinders that stand.
     """
     solid = [body for body in bodies if any(link.colliders for link in body.links)]
-    lo, hi = np.array([_bounds(body) for body in solid]).reshape(-1, 2, 3).transpose(1, 0, 2)
+    points = {body.name: _points(body) for body in solid}
+    lo, hi = np.array([_bounds(points[body.name]) for body in solid]).reshape(-1, 2, 3).transpose(1, 0, 2)
     shapes: dict[str, Shapes] = {}
     found: dict[str, list[str]] = {}
     for k, body in enumerate(solid):
         near = np.flatnonzero((lo[k] < hi).all(1) & (lo < hi[k]).all(1)) if body.free else ()
         for other in (solid[int(j)] for j in near if j != k):
-            if overlap(_of(body, shapes), _of(other, shapes)):
+            if overlap(_of(body, points, shapes), _of(other, points, shapes)):
                 found.setdefault(body.name, []).append(other.name)
     return found
 
 
 def _points(body: Body) -> list[Array]:
     turn = body.pose()[:3, :3]
-    return [corners(c) @ turn.T + body.position for link in body.links for c in link.colliders]
+    local = [corners(c) for link in body.links for c in link.colliders]
+    placed = np.concatenate(local) @ turn.T + body.position
+    return np.split(placed, np.cumsum([len(own) for own in local[:-1]]))
 
 
-def _bounds(body: Body) -> tuple[Array, Array]:
-    points = np.concatenate(_points(body))
-    return points.min(0) + DEPTH / 2, points.max(0) - DEPTH / 2
+def _bounds(points: Sequence[Array]) -> tuple[Array, Array]:
+    every = np.concatenate(points)
+    return every.min(0) + DEPTH / 2, every.max(0) - DEPTH / 2
 
 
-def _of(body: Body, known: dict[str, Shapes]) -> Shapes:
+def _of(body: Body, points: Mapping[str, Sequence[Array]], known: dict[str, Shapes]) -> Shapes:
     if body.name not in known:
-        known[body.name] = prisms(_points(body))
+        known[body.name] = prisms(points[body.name])
     return known[body.name]
 
 
 def prisms(points: Sequence[Array]) -> Shapes:
     """Shadows of solids given by their corners, thinner by half the depth all about, and least and greatest heights."""
-    every, owner = np.concatenate(points)[:, :2], np.repeat(np.arange(len(points)), [len(p) for p in points])
+    every, count = np.concatenate(points), [len(p) for p in points]
     # Lines through the corners have their hulls, and are quicker to make than many points.
-    hulls = shapely.convex_hull(shapely.linestrings(every, indices=owner))
-    heights = np.array([[p[:, 2].min() + DEPTH / 2, p[:, 2].max() - DEPTH / 2] for p in points])
-    return shapely.buffer(hulls, -DEPTH / 2, join_style="mitre"), heights.reshape(-1, 2)
+    hulls = shapely.convex_hull(shapely.linestrings(every[:, :2], indices=np.repeat(np.arange(len(points)), count)))
+    starts = np.cumsum([0, *count[:-1]])
+    heights = [end.reduceat(every[:, 2], starts) for end in (np.minimum, np.maximum)]
+    return (shapely.buffer(hulls, -DEPTH / 2, join_style="mitre"),
+            np.column_stack([heights[0] + DEPTH / 2, heights[1] - DEPTH / 2]))
 
 
 def overlap(a: Shapes, b: Shapes) -> bool:
