@@ -8,6 +8,7 @@ import pytest
 from export import physics, sample
 
 from apartgen.stages import export
+from apartgen.stages.export import mjcf
 from apartgen.stages.scene.scene import Scene
 
 
@@ -128,3 +129,12 @@ def test_viewers_begin_at_the_middle_of_the_flat(flat):
     """The sample's rooms reach from 0 to 9 m and from 0 to 6.4 m."""
     model, _ = flat
     assert model.stat.center == pytest.approx([4.5, 3.2, 1.0])
+
+
+@pytest.mark.skipif(not hasattr(mujoco, "mj_getCache"), reason="this MuJoCo's memory can't be looked at")
+def test_reading_back_leaves_nothing_in_memory_and_the_readers_settings_as_they_were(exported):
+    kept = mujoco.mj_getCache()
+    capacity = mujoco.mj_getCacheCapacity(kept)
+    mjcf.read_back([exported("mjcf") / "mjcf" / "apartment.xml"])
+    assert mujoco.mj_getCacheSize(kept) == 0
+    assert mujoco.mj_getCacheCapacity(kept) == capacity
