@@ -20,7 +20,7 @@ from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
 from apartgen.stages.plan.wishes import wishes
 
-WET, WHIM, MEALS, COOK = 2, 6, 24, 24
+WET, WHIM, MEALS, COOK = 2, 3, 24, 24
 """What it counts that wet rooms, rooms of a draw, kitchen and dining room, kitchen and living room are near one
 another."""
 CUT_OFF = 0.15
@@ -82,7 +82,7 @@ def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> in
         return 1 + int(area >= 9 and rng.random() < odd)
     doors = sum(room.id in pair for pair in links(program))
     many = min(doors / 8, 1.0)
-    return int(rng.choice([1, 2, 3], p=[1 - 0.85 * many, 0.45 * many, 0.4 * many]))
+    return int(rng.choice([1, 2, 3], p=[1 - 0.9 * many, 0.7 * many, 0.2 * many]))
 
 
 def areas(program: Program) -> dict[str, float]:
