@@ -23,7 +23,6 @@ from apartgen.stages.plan.slicing import (
     PRIVACY,
     R_AREA,
     R_BROAD,
-    R_COLUMNS,
     R_FACE,
     R_GAPS,
     R_JOINTS,
@@ -74,7 +73,7 @@ def _measure(p: Problem, z: Scratch, count: int) -> None:  # each room's area, e
     thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
     for r in range(rooms.shape[0]):
         room = rooms[r]
-        room[:R_COLUMNS] = 0.0
+        room[:] = 0.0
         room[R_X0], room[R_Y0], room[R_LEAST], room[R_X1], room[R_Y1] = 1e9, 1e9, 1e9, -1e9, -1e9
         z.last[r] = -1
     for i in range(count):
@@ -188,9 +187,8 @@ def _enter(wide: float, entry: Floats, axis: int, at: float, lo: float, hi: floa
 
 @inner
 def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:  # of the rooms, and the best wall for the entrance
-    entry, hall = z.entry, p.order[0, 0]
-    entry[0] = 0.5 * (z.room[hall, R_X0] + z.room[hall, R_X1])
-    entry[1] = 0.5 * (z.room[hall, R_Y0] + z.room[hall, R_Y1])
+    entry, hall, first = z.entry, p.order[0, 0], z.room[p.order[0, 0]]
+    entry[0], entry[1] = 0.5 * (first[R_X0] + first[R_X1]), 0.5 * (first[R_Y0] + first[R_Y1])
     entry[2], entry[3], entry[4], entry[5], entry[6] = 0.0, 1e9, 1e9, entry[0], entry[1]
     for i in range(1, p.order.shape[0]):
         if p.spec[p.order[i, 0], S_PRIVATE] < 0:
@@ -226,10 +224,8 @@ def _relations(p: Problem, z: Scratch) -> None:  # ways, shares of outside walls
     total, functional, outer, held = 0.0, 0.0, 0.0, 0.0
     for r in range(n):
         room, want = z.room[r], p.spec[r]
-        total += room[R_AREA]
-        functional += room[R_AREA] * want[S_FUNCTION]
-        outer += room[R_OUTER]
-        held += room[R_OUTER] * want[S_OUTER]
+        total, functional = total + room[R_AREA], functional + room[R_AREA] * want[S_FUNCTION]
+        outer, held = outer + room[R_OUTER], held + room[R_OUTER] * want[S_OUTER]
         terms[NEAR] += ALONE * want[S_SHAFT] * (room[R_RIM] < RISER)
     away, unlived = held / (outer + 0.01) - 1, 1 - functional / (total + 0.01)
     terms[OUTER], terms[FUNCTION] = away * away * n, unlived * unlived * n

@@ -7,8 +7,8 @@ from apartgen.schemas.plan import Program, Walls
 from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
-from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
-from apartgen.stages.plan.slicing import LACKING, NEAR, PATH, Floats, Problem, Tree
+from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
+from apartgen.stages.plan.slicing import CONCISE, LACKING, NEAR, PATH, WIDE, Floats, Problem, Tree
 from apartgen.stages.plan.starts import start
 from apartgen.stages.plan.study import archetypes
 
@@ -35,6 +35,28 @@ def row_of_three() -> tuple[Problem, Tree]:
     return p, Tree(nodes, np.array([3.0, 4.0, 5.0, 1.0]))
 
 
+def corridor(cuts: list[list[int]], shares: list[float]) -> Floats:
+    """Terms of a hallway of two rectangles, leaves 0 and 1, and a living room in 12 x 3 m between wall centre lines."""
+    rooms = [{"id": f"{kind}_1", "type": kind, "area": 10.0} for kind in ("hallway", "living_room")]
+    ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 2.95), (0.05, 2.95)]
+    program = Program(rooms=rooms, links=[("hallway_1", "living_room_1")], envelope={"outline": ring})
+    p = problem(program, given(program.envelope, BARE.inner), Whim((2, 1), [], "rectangle", 1.0), BARE, Slack())
+    nodes = np.array([[0, 0, 0], [0, 0, 0], [1, 0, 0], *cuts, [4, 0, 0]])
+    return energy(p, Tree(nodes, np.array([*shares, 1.0])))[1]
+
+
+def test_a_corridor_is_as_wide_as_its_rectangles_are_together() -> None:
+    together = corridor([[0, 1, 1], [3, 2, 1]], [1.0, 1.0, 10.0])  # two of .9 x 2.9 m, side by side
+    assert together[WIDE] == pytest.approx(1.9 - 1.3)
+    apart = corridor([[1, 2, 1], [0, 3, 0]], [12.0, 2.0, 22.0])  # .9 m all along, and a stub of .9 x 1.9 m
+    assert apart[WIDE] == pytest.approx(0.25 * (11.9 - 9))
+
+
+def test_a_bent_corridor_has_as_many_corners_too_many_as_any_bent_room() -> None:
+    bent = corridor([[1, 2, 1], [0, 3, 0]], [12.0, 2.0, 22.0])
+    assert bent[CONCISE] == pytest.approx((6 / 4 - 1) ** 2)
+
+
 def test_near_rooms_counts_metres_between_rooms_times_their_weights() -> None:
     p, tree = row_of_three()
     assert p.near.tolist() == [[0, 1, 2], [0, 2, 4]]
@@ -52,7 +74,7 @@ def test_each_pair_stands_once() -> None:
     for name, program in archetypes().items():
         near = _drawn(name, 0)[0].near
         assert len({frozenset(pair) for pair in near[:, :2].tolist()}) == len(near)
-        assert near[:, 2].max() >= (24 if any(room.type == "dining_room" for room in program.rooms) else 6)
+        assert near[:, 2].max() >= (24 if any(room.type == "dining_room" for room in program.rooms) else WHIM)
 
 
 def test_without_a_common_wall_the_way_leads_between_the_rooms() -> None:

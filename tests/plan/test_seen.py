@@ -40,6 +40,17 @@ def test_measures_by_hand() -> None:
     assert {name: found[name] for name in hand} == pytest.approx(hand, rel=5e-3, abs=0.03)
 
 
+@pytest.mark.parametrize(("corners", "wider"), [
+    ([(0, 0), (6, 0), (6, 1.4), (1.4, 1.4), (1.4, 5), (0, 5)], 0.1), ([(0, 0), (2, 0), (2, 3), (0, 3)], 0.7),
+    ([(0, 0), (6, 0), (6, 1.2), (3.2, 1.2), (3.2, 4), (2, 4), (2, 1.2), (0, 1.2)], 0.0),
+])
+def test_a_corridor_is_no_wider_where_it_turns(corners: list[tuple[float, float]], wider: float) -> None:
+    plan = three()
+    hall = plan.rooms[0].model_copy(update={"polygon": corners})
+    found = seen(plan.model_copy(update={"rooms": [hall, *plan.rooms[1:]]}))
+    assert found["wide_corridor"] == pytest.approx(wider, abs=2e-3)
+
+
 def test_every_term_but_those_of_stairs_has_a_measure_and_a_sentence() -> None:
     moved = [name for name in WEIGHTS if not name.startswith("staircase")]
     assert list(UNITS) == moved == list(weights.SENTENCES) and set(UP) < set(moved)
@@ -47,7 +58,7 @@ def test_every_term_but_those_of_stairs_has_a_measure_and_a_sentence() -> None:
 
 @pytest.mark.parametrize("term", ["typical_area", "aspect_ratio", "shortest_path", "narrow_passage"])
 def test_a_weight_moves_its_own_measure(term: str) -> None:
-    program, means = archetypes()["one_bedroom"], []
+    program, means = archetypes()["two_bedroom"], []
     for dose in (0.0, 16.0):
         asked = program.model_copy(update={"weights": {term: dose}})
         plans = [build(asked, PlanConfig(), lane) for lane in np.random.default_rng(9).spawn(8)]
