@@ -169,7 +169,7 @@ def _one_in(items: list[Item], k: int) -> bool:
     room, joint, ahead = items[k].room, items[k - 1], items[k + 1 : k + 3]
     counted = room is not None and room.type == "" and (room.count is not None or room.quantifier == Det.ANOTHER)
     inside = [i.value == "in" or i.room is not None for i in ahead] == [True, True]
-    return counted and inside and joint.kind == "conjunction"
+    return counted and inside and (joint.kind == "conjunction" or is_mark(joint, ",;"))
 
 
 def _is_other(items: list[Item]) -> bool:

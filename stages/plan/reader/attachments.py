@@ -40,7 +40,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
         )
         if owner is not None and owner.negated:
             owner = None  # "a house without a hallway with four bedrooms"
-        if item.value == "has" and out and out[-1].kind == "conjunction":
+        if item.kind == "with" and item.value in ("has", "with") and out and out[-1].kind == "conjunction":
             owner = _subject(out) or owner
         if is_mark(item, ":") and said.graph:
             owner = None
@@ -58,7 +58,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
                 _give_each(owner, owner.owned[before:], out)
             if k == start and is_mark(item, ":"):
                 out.append(item)
-            if item.value == "has" and (owner.plural or (owner.count or 1) > 1):
+            if (item.value == "has" or not owner.type) and (owner.plural or (owner.count or 1) > 1):
                 for owned in owner.owned[before:]:
                     owned.quantifier = Det.EACH if owned.quantifier == Det.A else owned.quantifier
             out += [item] if item.kind == "with" and item.value == "has" else []
@@ -102,6 +102,8 @@ def _subject(before: list[Item]) -> RoomPhrase | None:
     if len(before) > 2 and before[-2].kind == "copula" and before[-3].room is not None:
         return before[-3].room  # "the bedroom is large and has a balcony"
     links = [k for k, i in enumerate(before) if i.kind == "link"]
+    if not links and len(before) > 1 and before[-2].room is not None:
+        return before[-2].room  # "a bedroom of 12 m² and with a desk", once the area is taken
     rooms = rooms_of(before[: links[-1]]) if links else []
     return rooms[-1] if rooms else None
 
@@ -134,7 +136,7 @@ def _give_each(owner: RoomPhrase, given: list[RoomPhrase], before: list[Item]) -
 def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
     """Move what belongs to `owner` from `items[k:]` onto it; returns where the rest begins. `bare` is a mark's text."""
     first = True
-    taken = k
+    start = taken = k
     while k < len(items):
         item = items[k]
         if (
@@ -145,7 +147,9 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
         ):
             break
         if item.kind == "object":
-            owner.objects.append((item.value, int(item.number)))
+            many = owner.plural or (owner.count or 1) > 1 or owner.quantifier in (Det.EACH, Det.ALL, Det.BOTH)
+            many = many or owner.text.endswith("others")
+            owner.objects.append((item.value, 1 if many and item.form == "some" else int(item.number)))
         elif item.kind == "objects":
             owner.object_count = int(item.number)
         elif item.room is not None and Trait.SUITE in owner.labels and bare == "(" and item.room.type == owner.type:
@@ -159,6 +163,8 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
                 k += _beyond(item.room, items[k + 1 : k + 5])
         elif first and is_mark(item, ","):
             break  # "a bath with a window, a closet": what was with it is not known
+        elif taken == start + 1 and owner.quantifier == Det.EACH and _closes_list(items[k : k + 3]):
+            break  # "two guest rooms each with a bathroom, and a roof terrace"
         elif item.kind == "negation" or item.kind == "conjunction" or is_mark(item, ","):
             k += 1
             continue
@@ -179,6 +185,12 @@ def _beyond(closet: RoomPhrase, after: list[Item]) -> int:
         return 0
     closet.owned.append(bath)
     return start + 3
+
+
+def _closes_list(ahead: list[Item]) -> bool:
+    """Whether `, and a terrace` ends a longer list than that of one thing."""
+    comma, joint, room = (ahead + [Item("")] * 3)[:3]
+    return is_mark(comma, ",") and joint.kind == "conjunction" and room.room is not None
 
 
 def _each_after(items: list[Item], k: int) -> bool:

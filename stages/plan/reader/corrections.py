@@ -1,18 +1,34 @@
-"""What a text takes back: `four bedrooms. Actually, make it three bedrooms.`"""
+"""What a text takes back: counts, areas, neighbours and whole rooms said anew (`actually, make it three bedrooms`)."""
+
+from dataclasses import replace
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
+RELATED = ("link", "front", "place", "side", "beside")
+"""Kinds of items that say where a room is or leads."""
+
 
 def corrected(items: list[Item]) -> list[Item]:
-    """Counts said anew stand in the place of those before; returns the items without the words that announce them."""
-    anew = False
+    """What is said anew stands in the place of what was before, without the words that announce it."""
+    anew, dropped = False, False
     out: list[Item] = []
-    for item in _contrasted(items):
+    for item in _contrasted(_announced(items)):
         if item.kind == "anew":
-            anew = True
+            anew, dropped = item.value != "drop", item.value == "drop"
             continue
         room = item.room
+        if room is not None and room.negated and room.quantifier == Det.THE and _commands(out):
+            _taken_back(out, room)  # "skip the study"
+        if dropped and room is not None:
+            dropped = not _taken_back(out, room)
+            if not dropped:
+                continue
+        if anew and item.kind == "area" and _measured_anew(out, item):
+            anew = False
+            continue
+        if anew and item.kind in RELATED and _related_anew(out, item):
+            anew = False
         if anew and room is not None and room.count is not None and (before := _counted(out, room)) is not None:
             before.count, room.type = room.count, before.type
             before.plural = before.plural or room.count > 1
@@ -21,6 +37,54 @@ def corrected(items: list[Item]) -> list[Item]:
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
+
+
+def _announced(items: list[Item]) -> list[Item]:
+    """`off the kitchen, no, off the living room`: this `no` denies no room."""
+    out: list[Item] = []
+    for k, item in enumerate(items):
+        aside = item.kind == "negation" and item.text == "no" and is_mark((items[k + 1 : k + 2] or [Item("")])[0], ",")
+        related = k + 2 < len(items) and items[k + 2].kind in RELATED
+        out.append(Item("anew", "anew", item.text) if aside and related else item)
+    return out
+
+
+def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
+    """`forget the study`: the study said before is none; False where none was."""
+    before = [i.room for i in out if i.room is not None and room.type and i.room.type == room.type]
+    for phrase in before:
+        phrase.negated = True
+    return bool(before)
+
+
+def _commands(out: list[Item]) -> bool:
+    """Whether a sentence begins with the negation that ends `out`."""
+    return out[-1].kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
+
+
+def _measured_anew(out: list[Item], area: Item) -> bool:
+    """`kitchen of 10 m², correction: 12 m²`; False where no area was said."""
+    for k in range(len(out) - 1, -1, -1):
+        room = out[k].room
+        if out[k].kind == "area":
+            out[k] = replace(area, value=out[k].value)
+            return True
+        if room is not None and room.areas:
+            room.areas, room.sides, room.bounds = area.values, area.sides, area.bounds
+            return True
+    return False
+
+
+def _related_anew(out: list[Item], item: Item) -> bool:
+    """`a balcony off the kitchen, actually off the living room`: takes the first relation away."""
+    at = next((k for k in range(len(out) - 1, -1, -1) if out[k].kind in RELATED or is_mark(out[k], ".")), -1)
+    if at < 1 or out[at].kind not in RELATED or out[at - 1].room is None:
+        return False
+    told = [i for i in out[at + 1 :] if i.kind not in ("mark", "boundary", "conjunction")]
+    if len(told) > 1 or any(i.room is None and i.value != "entrance" for i in told):
+        return False
+    del out[at:]
+    return True
 
 
 def _contrasted(items: list[Item]) -> list[Item]:

@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
+from apartgen.stages.plan.reader.ranked import ranked
 from apartgen.stages.plan.reader.traits import lay
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -102,6 +103,8 @@ class Household:
             return self._ellipsis(phrase)
         if Trait.HALLS in phrase.labels:
             return self._halls(phrase)
+        if found := ranked(phrase, self.of(phrase.type)):
+            return found
         if phrase.headline and phrase.count is not None:
             return self._headline(phrase)
         if phrase.text in BOXES and self.totals.get("bedroom") == 1:
@@ -155,6 +158,8 @@ class Household:
         if not pool:
             return []
         phrase.type = pool[0].type
+        if found := ranked(phrase, pool if len(pool) > 1 else self.of(phrase.type)):
+            return found
         free = [e for e in pool if not e.picked] or pool
         if len(pool) == 1 and phrase.another and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"

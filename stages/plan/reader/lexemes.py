@@ -75,9 +75,14 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
         }
         found = _longest(tokens, i, lexicon, fixed) if fixed[i] != first.text else None
         return found or (_compound(first, lexicon), i + 1)
-    if first.text == "." and i and tokens[i - 1].text in ABBREVIATED and i + 1 < len(tokens):
+    if first.text == "." and i and i + 1 < len(tokens) and _abbreviated(tokens[i - 1], tokens[i + 1]):
         return Lexeme("stop", "", "."), i + 1
     return Lexeme("mark", "." if first.text in "\n;!?." else first.text, first.text, glued=first.glued), i + 1
+
+
+def _abbreviated(word: Token, following: Token) -> bool:
+    """Whether a full stop after the word ends no sentence: `approx. 9`, `no. 3`, but not `study: no. kitchen: open`."""
+    return word.text in ABBREVIATED and (word.text != "no" or following.kind == "number")
 
 
 def _half_bath(tokens: list[Token], i: int, lexicon: Lexicon) -> bool:

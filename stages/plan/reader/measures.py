@@ -2,8 +2,8 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.sense import sense
-from apartgen.stages.plan.reader.statements import Asked, Said, Statement
-from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
+from apartgen.stages.plan.reader.statements import Asked, Said
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 LARGE = 40.0
 """Area, m², that no room has of which several are alike."""
@@ -85,6 +85,9 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
             item = Item("share", "", item.text, values=item.values)
         if item.kind not in ("area", "share"):
             out.append(item)
+            continue
+        if item.kind == "area" and k + 1 < len(items) and items[k + 1].kind == "compare" and items[k + 1].number > 0:
+            said.unread.append(item.text)  # "bedroom 1 is 3 m² larger than bedroom 2"
             continue
         if item.kind == "area" and k and _of_rooms(items[k - 1], item):
             said.main_area = item.values[0]
@@ -170,6 +173,8 @@ SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", 
 
 def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms the area or share at `items[k]` is said of; none means the flat."""
+    if (whole := _has_and(before, items[k])) is not None:
+        return [whole]
     ahead = rooms_of(items[k + 2 : k + 3])
     if ahead and items[k + 1].value == "with" and (items[k].kind == "share" or items[k + 1].text == "for"):
         return ahead
@@ -180,6 +185,8 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value == "it"):
         j -= 1
+    if 0 < j < len(before) - 1 and before[j].kind == "conjunction" and before[-1].kind == "copula":
+        j = _subject_at(before, j)  # "the balcony faces south and is 6 m²"
     while j > 0 and is_mark(before[j - 1], ",") is False and before[j].kind in ("side", "place"):
         j -= 1  # "living room on the south side, 27 m²"
     last = before[j].room if j >= 0 else None
@@ -193,6 +200,22 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if items[k].kind == "share" or (follows and not homely):
         return rooms_of(items[k + 1 : k + 4])[:1]
     return []
+
+
+def _subject_at(before: list[Item], j: int) -> int:
+    """Where the room stands that the clause ending before `j` is about."""
+    start = max((n + 1 for n in range(j) if before[n].kind == "boundary" or is_mark(before[n], ".:")), default=0)
+    return next((n for n in range(start, j) if before[n].room is not None), j)
+
+
+def _has_and(before: list[Item], area: Item) -> RoomPhrase | None:
+    """The bedroom of `a bedroom with a bath and 18 m²`, `the largest has its own bath and measures 18 m²`."""
+    owner, having, thing, joint = ([Item("")] * 4 + before)[-4:]
+    room = owner.room if having.kind == "with" and joint.kind == "conjunction" else None
+    if room is None or room.areas or room.headline or area.kind != "area" or area.value:
+        return None
+    fits = bool(area.values[0] <= 2.2 * sense()["area"].get(room.type or "bedroom", 12.0))
+    return room if fits and (thing.kind == "object" or thing.room is not None) else None
 
 
 def _each_of(before: list[Item], items: list[Item], j: int, k: int) -> list[RoomPhrase]:
@@ -235,49 +258,3 @@ def split_area(group: list[RoomPhrase], whole: float) -> None:
     usual = [sense()["area"].get(r.type, 12.0) for r in group]
     for room, part in zip(group, usual, strict=True):
         room.areas = (whole * part / sum(usual),)
-
-
-def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
-    """`A is twice as large as B`, `bedrooms of equal size`."""
-    out: list[Item] = []
-    found: list[Statement] = []
-    asides: list[Item] = []
-    skip = False
-    for k, item in enumerate(items):
-        if item.kind != "compare":
-            if not skip or item.room is None:
-                out.append(item)
-            skip = skip and item.room is None
-            continue
-        before = rooms_of(out)
-        after = rooms_of(items[k + 1 :])
-        if item.number == -1 and before:
-            clause = _clause(out)
-            found.append(Statement(Relation.EQUAL, clause, clause))
-        elif before and after and not (" that " in item.text and len(before) > 1):
-            if after[0].quantifier == Det.A:
-                after[0].quantifier = Det.THE  # "three times as large as a bedroom" asks for no further one
-            again = found[-1:] and found[-1].right == before[-1:] and found[-1].kind == Relation.COMPARE
-            left = found[-1].left if again else before[-1:]  # "smaller than the lounge but larger than the bath"
-            found.append(Statement(Relation.COMPARE, left, after[:1], item.number))
-            other = Item("room", after[0].type, after[0].text, after[0])
-            aside = any(i.kind == "relative" for i in out[-2:])  # "the lounge, which is larger than the bedroom"
-            asides += [Item("boundary", "while"), other] if aside else []
-            out += [] if aside else [other]
-            skip = True
-        elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
-            found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
-    return out + asides, found
-
-
-def _clause(items: list[Item]) -> list[RoomPhrase]:
-    """Rooms of the last coordination."""
-    out: list[RoomPhrase] = []
-    for item in reversed(items):
-        if item.room is not None:
-            out.append(item.room)
-        elif item.kind not in ("conjunction", "copula") and not is_mark(item, ","):
-            break
-        if out and item.room is not None and item.room.plural:
-            break
-    return out[::-1]

@@ -15,7 +15,7 @@ class RoomPhrase:
 
     `among` are the rooms an elliptical phrase speaks of where the sentence says so, `excluded` those it leaves out.
     `quantifier` is the determiner's value; `area` has one value, or one per room, in m², `sides` length and width in m,
-    `bounds` limits of the area.
+    `bounds` limits of the area; `rank` is `largest` or `smallest` where a size tells which of several is meant.
     """
 
     type: str = ""
@@ -29,6 +29,7 @@ class RoomPhrase:
     bounds: tuple[tuple[str, float], ...] = ()
     share: float | None = None
     factor: float = 1.0
+    rank: str = ""
     negated: bool = False
     headline: bool = False
     whole: int | None = None

@@ -8,7 +8,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.mention import OPEN_TYPES
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Said
-from apartgen.stages.plan.reader.vocabulary import Trait
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
 def full_graph(said: Said, home: Household, doors: Doors) -> bool:
@@ -41,6 +41,7 @@ def _lone(said: Said, home: Household) -> bool:
         or said.about.lived
         or said.total_area
         or home.banned
+        or any(phrase.type == "any" and phrase.quantifier == Det.OTHER for phrase in said.rooms)
         or len(home.of("bedroom")) > 1
     )
     return len(home.rooms) < 3 and not homely

@@ -21,7 +21,7 @@ def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them:
         all_of_them or owned.quantifier in (Det.EACH, Det.BARE, Det.OWN) or owned.plural or Trait.OWN in owned.labels
     )
     made: list[Entity] = []
-    if owned.type == "bathroom" and owned.count and len(owners) > 1:
+    if owned.type == "bathroom" and owned.count and len(owners) > 1 and not (all_of_them and owned.count == 1):
         owners, owned.count, every = owners[: int(owned.count)], None, True
     for owner in owners if every else owners[:1]:
         count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))

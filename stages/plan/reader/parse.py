@@ -5,15 +5,17 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.comparisons import comparisons
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
+from apartgen.stages.plan.reader.distributed import each_beside_one
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
-from apartgen.stages.plan.reader.measures import attach_areas, comparisons, mark_headlines, of_the_last
+from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
@@ -69,6 +71,7 @@ def parse(prompt: str) -> Said:
         known = len(said.statements)
         before = _sentence(sentence, said, before, trail)
     said.rooms += [room for room in said.seen_from if room not in said.rooms]
+    each_beside_one(said)
     return said
 
 
@@ -98,6 +101,7 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.unread.append(item.text)
             case "main_rooms":
                 said.main_rooms = int(item.number) + _beside_living(items, k)
+                said.equal = said.equal or _alike(items[k + 1 : k + 3])
             case "flat_size":
                 said.flat_size *= item.number
             case "side" if role := role_of(items, k):
@@ -109,6 +113,12 @@ def _beside_living(items: list[Item], k: int) -> bool:
     around = (*items[max(k - 2, 0) : k], *items[k + 1 : k + 3])
     near = [i.value for i in around if i.kind in ("room", "conjunction")]
     return set(near[:2]) in ({"living_room", "and"}, {"living_room", "plus"})
+
+
+def _alike(after: list[Item]) -> bool:
+    """`three rooms of equal size`."""
+    said_of = [i for i in after if i.kind != "copula"][:1]
+    return bool(said_of) and said_of[0].kind == "compare" and said_of[0].number == -1
 
 
 def _of_room(after: list[Item]) -> bool:

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase
+from apartgen.stages.plan.reader.ranked import rank
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 MODIFIERS = ("side", "size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
@@ -40,6 +41,7 @@ class Pending:
         phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
         phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
         phrase.count = self.number or None
+        phrase.rank = rank(self.quantifier, self.factor)
         if self.area:
             phrase.areas, phrase.sides, phrase.bounds = self.area.values, self.area.sides, self.area.bounds
         phrase.exact = self.number == 1 and bool(EXACT & set(self.texts))
@@ -69,9 +71,11 @@ class Pending:
             phrase = RoomPhrase("", set(self.labels), self.number, self.quantifier, self.ordinals, factor=self.factor)
             phrase.another = following is not None and following.kind == "with" and self.number is not None
             phrase.text = " ".join(self.texts)
+            phrase.rank = rank(self.quantifier, self.factor)
             return phrase
         sized = self.quantifier == Det.THE and self.factor != 1.0
-        return RoomPhrase("", {Trait.SIZED}, None, Det.THE, factor=self.factor) if sized else None
+        which = rank(self.quantifier, self.factor)
+        return RoomPhrase("", {Trait.SIZED}, None, Det.THE, factor=self.factor, rank=which) if sized else None
 
 
 def _both(texts: list[str]) -> bool:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import Lexicon
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, PARTITIVE, Item, RoomPhrase, rooms_of
+from apartgen.stages.plan.reader.modifiers import Modifiers
 from apartgen.stages.plan.reader.orders import extreme
 from apartgen.stages.plan.reader.particles import (
     ADJECTIVES,
@@ -12,25 +13,22 @@ from apartgen.stages.plan.reader.particles import (
     COPULAS,
     ELSE,
     GERMAN,
-    OTHER_NOUNS,
     bathing,
     furnishes,
     holds,
     is_german,
     of_dwelling,
 )  # fmt: skip
-from apartgen.stages.plan.reader.pending import Pending, area_item, noun_ahead, trailing_number
+from apartgen.stages.plan.reader.pending import Pending, area_item, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
-class Phraser:
+class Phraser(Modifiers):
     """Walks lexemes once, left to right; `items` and `unread` hold the outcome."""
 
     def __init__(self, lexicon: Lexicon) -> None:
+        super().__init__()
         self.lexicon = lexicon
-        self.items: list[Item] = []
-        self.unread: list[str] = []
-        self.pending = Pending()
 
     def walk(self, words: list[Lexeme]) -> "Phraser":
         """Read all lexemes."""
@@ -87,70 +85,6 @@ class Phraser:
         self._other(word, following)
         return i + 1
 
-    def _modifier(self, word: Lexeme, words: list[Lexeme], i: int) -> bool:
-        """Whether the lexeme was kept for the noun to come."""
-        p = self.pending
-        match word.kind:
-            case "determiner":
-                self._determiner(word)
-            case "number" if p.number is None or p.ordinals:
-                p.number = word.number
-            case "number" if p.quantifier == Det.THE and "of" in p.texts:
-                p.whole = int(word.number)
-            case "number":
-                self._flush()
-                self.pending.number = word.number
-                self.pending.texts.append(word.text)
-                return True
-            case "ordinal":
-                p.ordinals += (int(word.number),)
-            case "label" if noun_ahead(words, i + 1) or word.value in ("master", "guest", "kids", "separate", "open"):
-                p.labels.add(Trait(word.value))
-            case "size" if noun_ahead(words, i + 1) or p.quantifier:
-                p.factor = word.number
-            case "area" if noun_ahead(words, i + 1) and not self._after_room(p):
-                p.area = word
-            case "compare" if word.number == -1 and noun_ahead(words, i + 1):
-                p.labels.add(Trait.EQUAL)
-            case "adjective" if not p.empty() or noun_ahead(words, i + 1):
-                pass
-            case "unknown" if not p.empty() and noun_ahead(words, i + 1):
-                self.unread.append(word.text)
-                p.labels |= {Trait.PLACED} if p.negated else set()  # "no internal bathrooms"
-            case "style" | "side" if not p.empty() and noun_ahead(words, i + 1):
-                self.items.append(Item(word.kind, word.value, word.text))
-            case "stop" if (
-                word.text in ("of", "de", "von")
-                and p.number is not None
-                and noun_ahead(words, i + 1 + (i + 1 < len(words) and words[i + 1].kind == "determiner"))
-            ):
-                p.quantifier = Det.THE
-            case "stop" if p.negated and word.text == "any":
-                pass  # "we don't want any hallway"
-            case "negation" if word.value in ("no", "without"):
-                self._flush()
-                self.pending.negated = True
-                self.items.append(Item("negation", word.value, word.text))
-            case _:
-                return False
-        self.pending.texts.append(word.text)
-        return True
-
-    def _after_room(self, p: Pending) -> bool:
-        """An area right behind a room belongs to it: `bedroom 12 m² kitchen 8 m²`."""
-        return p.empty() and bool(self.items) and self.items[-1].kind == "room"
-
-    def _determiner(self, word: Lexeme) -> None:
-        if word.value == "a" and (self.pending.quantifier == Det.OTHER or self.pending.ordinals):
-            self._flush(word)  # "the other a balcony"
-        p = self.pending
-        if p.quantifier in PARTITIVE and word.value in ("the", "a"):
-            return
-        if word.value == "own":
-            p.labels.add(Trait.OWN)
-        elif not (p.quantifier == Det.THE and word.value == "a"):
-            p.quantifier = Det.OTHER if {p.quantifier, word.value} == {Det.THE, Det.OTHER} else Det(word.value)
-
     def _is_object(self, word: Lexeme, following: Lexeme | None) -> bool:
         """`bed` and `bath` are furniture where a room is being furnished, not after "3 …" of a listing."""
         if (
@@ -161,6 +95,8 @@ class Phraser:
             return False
         if self.pending.factor != 1.0 and word.text not in ("bed", "beds"):
             return False  # "a bath with a tub, and a small toilet"
+        if word.text in ("toilet", "bath") and self.pending.quantifier == Det.THE:
+            return False  # "a shower and no bathtub, the toilet close to the bedroom"
         if word.text == "bed" and self.pending.quantifier == Det.A and self.pending.number is None:
             return True
         last = [i for i in self.items if i.kind not in ("conjunction", "mark")][-2:]
@@ -190,9 +126,12 @@ class Phraser:
 
     def _object(self, word: Lexeme, category: str) -> None:
         p, self.pending = self.pending, Pending()
+        if self.items and self.items[-1].kind == "negation" and self.items[-1].value == "not":
+            p.negated = bool(self.items.pop())  # "with a shower and not a bathtub"
         several = word.plural or p.quantifier == Det.SEVERAL
         count = p.number if p.number is not None else 2 if several else 1
-        self.items.append(Item("object", category, word.text, number=0 if p.negated else count))
+        form = "some" if several and p.number is None else ""
+        self.items.append(Item("object", category, word.text, number=0 if p.negated else count, form=form))
 
     def _other(self, word: Lexeme, following: Lexeme | None) -> None:
         """What is no modifier and no room."""
@@ -271,30 +210,3 @@ class Phraser:
     def _verb_follows(self, following: Lexeme | None) -> bool:
         """Whether `links` has a subject and an object: `the hall links the lounge with …`."""
         return bool(self.items) and self.items[-1].kind == "room" and following is not None and following.kind != "mark"
-
-    def _flush(self, following: Lexeme | None = None) -> None:
-        """Modifiers without a noun: an elliptical room ("one of them", "the largest"), or a loose adjective."""
-        p, self.pending = self.pending, Pending()
-        if p.empty() or (following is not None and following.text in OTHER_NOUNS):
-            return
-        text = " ".join(p.texts)
-        if p.number is not None and following is not None and following.kind == "unit":
-            self.unread.append(f"{text} {following.text}")
-            return
-        known = any(i.room and i.room.type for i in self.items)
-        phrase = p.elliptical(known, following)
-        phrase = p.snug() if phrase is None else phrase
-        if phrase is not None:
-            self.items.append(Item("room", phrase.type, text, phrase))
-        elif Trait.OPEN in p.labels:
-            self.items.append(Item("open", "", "open"))
-        elif p.number not in (None, 1):
-            self.unread.append(text)
-        elif p.factor != 1.0:
-            self.items.append(Item("size", "", p.texts[-1], number=p.factor))
-        elif p.labels == {Trait.SEPARATE}:
-            self.items.append(Item("label", Trait.SEPARATE, text))
-        elif p.labels or p.ordinals:
-            self.unread.append(text)
-        if p.area:
-            self.items.append(area_item("", p.area))

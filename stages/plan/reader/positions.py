@@ -1,6 +1,9 @@
 """Where rooms are to lie: sides, corners, front and back, and the entrance."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.clauses import clause_of
+from apartgen.stages.plan.reader.entrances import and_entrance, at_entrance, link_before, near_behind, there
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
@@ -8,8 +11,8 @@ from apartgen.stages.plan.reader.vocabulary import Det
 LEADING = ("on", "at", "in", "to", "along", "im", "an", "auf", "links", "rechts", "hinten", "vorne", "a", "au",
            "en", "al")  # fmt: skip
 """First words of a place that is said of the rooms behind it."""
-WAYS_IN = ("entry", "entrada", "entree", "l'entree")
-"""Halls, and also where one comes in."""
+NAMED = ("storage", "utility", "study", "closet")
+"""Rooms that go by many names, of which each is another one: no pantry is a store."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
           "richtung", "plein", "expose", "donn", "hacia", "dar al", "da al", "dan al", "朝", "向")  # fmt: skip
 """Words by which a side is that of a room's windows rather than its place."""
@@ -47,15 +50,16 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             rooms = [known(room, items) for room in _rooms(items, k)]
             again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
             seen_from = seen_from if again else _whose(items, k)
+            item = _as_before(items, k)
             said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
             clause_of(out, rooms, text)
-        elif _near_behind(items, k) and (rooms := _there(items, k + 2) or _rooms(items, k)):
+        elif near_behind(items, k) and (rooms := there(items, k + 2) or _rooms(items, k)):
             said.asked += [Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms]
             clause_of(out, rooms, text)
             k += 2
             continue
-        elif _at_entrance(items, k, said) and (rooms := _there(items, k + 1) or _rooms(items, k)):
+        elif at_entrance(items, k, said) and (rooms := there(items, k + 1) or _rooms(items, k)):
             link = out.pop()
             if k + 1 < len(items) and items[k + 1].kind == "conjunction":
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
@@ -65,6 +69,18 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             ]
             clause_of(out, rooms, link.text)
             k += 1
+            continue
+        elif and_entrance(items, k) and (rooms := _rooms(items, link_before(items, k))):
+            link = items[link_before(items, k)]
+            kind = "apart" if link.value == "apart" else "near"
+            said.asked += [
+                Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
+            ]
+            out.pop()
+            k += 1
+            continue
+        if item.kind == "link" and item.form in ("s", "p") and k and items[k - 1].value == "entrance":
+            k += 1  # "the entrance leads into the living room" names no door between rooms
             continue
         if item.kind == "beside":
             said.unread.append(text)
@@ -130,9 +146,22 @@ def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | None:
 def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
     """`kitchen near the entrance` speaks of the kitchen named before."""
     if room.quantifier == Det.BARE and room.count is None and not room.labels and not room.plural:
-        earlier = next(i.room for i in items if i.room is not None and i.room.type == room.type)
+        named = [i.room for i in items if i.room is not None and i.room.type == room.type]
+        if room.type in NAMED:
+            named = [r for r in named if r.text == room.text]
+        earlier = named[0]
         room.quantifier = Det.THE if earlier is not room else Det.BARE
     return room
+
+
+def _as_before(items: list[Item], k: int) -> Item:
+    """`one faces north and the other south`: the second side is what the first was."""
+    item, gap = items[k], items[k - 1].room if k else None
+    if item.kind != "side" or gap is None or not (gap.quantifier == Det.OTHER or gap.ordinals):
+        return item
+    start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
+    told = [i for i in items[start:k] if i.kind == "side" and any(word in i.text for word in FACING)]
+    return replace(item, text=f"facing {item.text}") if told else item
 
 
 def _whose(items: list[Item], k: int) -> RoomPhrase | None:
@@ -150,43 +179,9 @@ def _placed(item: Item, room: RoomPhrase, text: str, seen_from: RoomPhrase | Non
     return Asked(kind, [room], "", item.value, f"{room.text} {text}")
 
 
-def _at_entrance(items: list[Item], k: int, said: Said) -> bool:
-    """`near the front door`, not of an entrance whose own side is said; `close to it` where that is the entrance."""
-    near = k > 0 and items[k - 1].kind == "link" and items[k - 1].value in ("near", "apart")
-    told = bool(said.asked) and said.asked[-1].to == "entrance"
-    it = items[k].value == "it" and (told or _of_entrance(items[:k]))
-    room = items[k].room
-    article = room is not None and (room.quantifier == Det.THE or room.text.startswith("l'"))
-    the = article or items[k - 1].text.endswith((" la", " der", " zum"))
-    way_in = room is not None and room.text in WAYS_IN and the
-    return near and (it or way_in or (items[k].kind == "side_role" and items[k].value == "entrance"))
-
-
-def _near_behind(items: list[Item], k: int) -> bool:
-    """Chinese says `the entrance's nearness`."""
-    role = items[k].kind == "side_role" and items[k].value == "entrance" and not items[k].text.isascii()
-    return role and k + 1 < len(items) and items[k + 1].kind == "link" and items[k + 1].value == "near"
-
-
-def _there(items: list[Item], k: int) -> list[RoomPhrase]:
-    """The room behind `near the entrance is` that begins a clause; Chinese may leave out its verb."""
-    opens = k < 3 or items[k - 3].kind in ("mark", "conjunction", "boundary")
-    verb = k < len(items) and items[k].kind in ("copula", "reach")
-    opens = opens and (verb or not items[k - 1].text.isascii())
-    ahead = [i for i in items[k : k + 2] if i.kind not in ("copula", "reach", "with")]
-    return [room for i in ahead[:1] if opens and (room := i.room) is not None]
-
-
-def _of_entrance(before: list[Item]) -> bool:
-    """Whether the sentence before speaks of the entrance alone: `The entrance is in the south. …`."""
-    stops = [k for k, i in enumerate(before) if is_mark(i, ".")][-2:]
-    last = before[stops[0] + 1 if len(stops) > 1 else 0 : stops[-1]] if stops else []
-    return any(i.value == "entrance" for i in last) and all(i.room is None for i in last)
-
-
 def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms whose place `items[k]` is: `south-facing lounge`, `on the left the bath`, `the kitchen at the back`."""
-    if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun", "room"):
+    if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun", "room", "link"):
         return []
     if _side(items[k]):
         return _beside_what(items, k)
@@ -204,9 +199,20 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
     for j in range(k - 1, -1, -1):
         if items[j].room is not None and j and items[j - 1].value == "except":
             continue  # "every room other than the bathroom has a window to the west"
+        if is_mark(items[j], ".") and any(i.kind == "pronoun" and i.value == "it" for i in items[j:k]):
+            return _spoken_of(items, j)
         if is_mark(items[j], ".") or items[j].room is not None:
             return _pair(items, j - 1 if _of_other(items, k) else j, k)
     return [following] if following else []
+
+
+def _spoken_of(items: list[Item], end: int) -> list[RoomPhrase]:
+    """What `it` is after a sentence: what somebody has or what there is, else what the sentence is about."""
+    start = max((j + 1 for j in range(end) if is_mark(items[j], ".")), default=0)
+    before = items[start:end]
+    rooms = [i.room for i in before if i.room is not None and not i.room.negated]
+    lists = len(rooms) > 1 and not any(i.kind in ("copula", "link") for i in before)
+    return (rooms[-1:] if lists else rooms[:1]) if all(not r.plural for r in rooms) else rooms[-1:]
 
 
 def _of_other(items: list[Item], k: int) -> RoomPhrase | None:
@@ -258,6 +264,8 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
     single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
+    if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
+        return [last]  # "an office and a balcony facing south"
     alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
     alike = alike and not (first.quantifier == Det.BARE and not first.count and last.quantifier == Det.A)
     return [first, last] if alike and not listed and not single else [last]

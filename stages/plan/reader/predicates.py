@@ -27,6 +27,9 @@ def predicates(items: list[Item], graph: bool) -> list[Predicate]:
         first = not any(i.room for i in items[:k]) or (
             k > 0 and (items[k - 1].kind == "boundary" or is_mark(items[k - 1], ","))
         )
+        first = first or (
+            item.kind == "front" and k > 1 and items[k - 1].kind == "conjunction" and is_mark(items[k - 2], ",")
+        )
         if first and _headed(items, k):
             out.append(Predicate(k + 2, Relation.DOOR, "front", False, (k + 1, k + 2)))
         elif first and _bare_front(items, k):

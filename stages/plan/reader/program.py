@@ -34,6 +34,8 @@ from apartgen.stages.things.categories import TABLE
 log = logging.getLogger("apartgen")
 LONGEST = 8000
 """Characters of a prompt."""
+LIVED_IN = ("living_room", "kitchen", "dining_room", "bedroom", "bathroom", "study")
+"""Rooms that `a lamp in every room` speaks of."""
 
 
 def read(prompt: str, rng: Generator | None = None) -> Program:
@@ -191,6 +193,11 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
     for e in _ordered(home):
         for category, count in kinds()[e.type].objects.items():
             wanted.setdefault((ids[id(e)], category), count)
+    for phrase in said.rooms:
+        excluded = [id(e) for p in phrase.excluded for e in home.refs.get(id(p), [])]
+        for e in _ordered(home) if phrase.type == "any" else []:
+            for category, count in phrase.objects if e.type in LIVED_IN and id(e) not in excluded else []:
+                wanted.setdefault((ids[id(e)], category), count)
     for category, count in said.loose_objects:
         homes = [e for kind in (TABLE[category].rooms if category else ()) for e in home.of(kind)]
         if category and not home.of("bedroom") and "bedroom" in TABLE[category].rooms:

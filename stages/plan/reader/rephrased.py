@@ -23,6 +23,15 @@ def _whose_room(found: re.Match[str]) -> str:
     return f"{count + ' ' if count else ''}{_NAMED[people]} {room}{own}"
 
 
+def _halved(found: re.Match[str]) -> str:
+    """`a bathroom for every two bedrooms`, of bedrooms counted elsewhere."""
+    words = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
+    rest = found.string[: found.start()] + "|" + found.string[found.end() :]
+    told = re.search(r"\b(\d|two|three|four|five|six)[ -]bed ?rooms?\b", rest)
+    count = (words.get(told[1]) or int(told[1])) if told else 0
+    return f"{(count + 1) // 2} bathrooms" if count else found.group()
+
+
 _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
     (r"\bzu(?:m|r) (\w+) gehor(?:t|en)\b", r"das \1 hat"),
@@ -86,6 +95,39 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\b((?:two|three|four|five|six|\d) (?:friends|students|flatmates|roommates|sisters|brothers|colleagues)),? "
      r"(?:who )?(?:share|live in|rent) (?:the|an?|this) (?:flat|apartment|house|home)[;,.] (?:and )?"
      r"each\b(?: of them)?", r"\1 each"),
+    # "two bedrooms of 12 m², actually make them 14"
+    (r"\b(m2|sqm|qm|sq m|square met(?:er|re)s?)\b(.*?\bmake (?:it|them|that|each) \d+)(?= ?(?:[.,;!]|$))", r"\1\2 m2"),
+    (r"\bactually,? (?=(?:\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m)|off|next to|near|beside|facing|(?:on|to|at|in) the)\b)",
+     "correction, "),
+    (r"(^|[,;.] ?|\band )the rest(?: of the (?:rooms|flat|house|home))? (?=(?:is|are|lies|goes|should|must) )",
+     r"\1all other rooms "),
+    # "There are two beds in the bedroom", "my room has a desk, hers a piano", "the parents have their own"
+    (r"\b(two|three|\d) beds (?=in (?:the|each|every|my|our|his|her|one|a) )", r"\1 double beds "),
+    (r"\b(?:hers|his)(?= (?:has|is|with|should|needs|a)\b)", "her room"),
+    (r"(\bbath(?:room)?\b[^.;]{0,30}?(?:and|,|while|but|;)) (?:the |my |our |their )?"
+     r"(parents|grandparents|guests|children|kids) (?:have|has|get|gets) (?:their|his|her) own(?= ?(?:[.,;]|$))",
+     lambda found: f"{found[1]} the {_NAMED.get(found[2], 'guest')} bedroom has its own bathroom"),
+    (r"\b(?:one|an?) (?:shared )?bath(?:room)? (?:for|per) every (?:two|2) (?:bed)?rooms?\b", _halved),
+    (r"\b(?:a|avec) (?:son|sa) propre\b", "avec un"),
+    # "a corridor with a bedroom on each side"
+    (r"\ba (bed ?room|balcony|study|bath ?room) (?=(?:on|at|to) (?:each|either|both) sides?\b(?! of))", r"two \1s "),
+    # "The kitchen should be around 10 m2, give or take 1."
+    (r"(?:(?:about|around|roughly) )?(\d+) ?(?:m2|sqm|square met(?:er|re)s?),? give or take (\d+)"
+     r"(?: ?(?:m2|sqm|square met(?:er|re)s?))?",
+     lambda found: f"between {int(found[1]) - int(found[2])} and {int(found[1]) + int(found[2])} m2"),
+    (r"\baround (?=\d)", "about "),
+    # "as far apart as possible", "three same bedrooms", "one room is for sleep"
+    (r"\bas far (?:away )?apart (?:from (?:each other|one another) )?as possible\b", "far from each other"),
+    (r"\b(?:far|well) apart(?! from)(?: from (?:each other|one another))?\b", "far from each other"),
+    (r"\b(two|three|four|five|both|\d) same(?:[- ]size)? (?=(?:bed|bath|child|kid)?\w*\s?rooms)", r"\1 equal sized "),
+    (r"\b(?:one room|another room|one|another|the (?:second|third|other)(?: room)?) (?:is|should be|will be) for "
+     r"(sleep|work|study|live|living|sleeping|working|studying|cooking|eating)\b", r"one for \1"),
+    (r"\bone for (sleep|work|live)\b", r"one for \1ing"),
+    (r"\bone for liveing\b", "one for living"),
+    (r"\bfar of (?=the|it|each|bed)", "far from "),
+    (r"\bkitchen\"?: ?\"?open\b(?!-| plan| to| onto| concept)", "open kitchen"),
+    (r"\bkitchen\"?: ?\"?(?:closed|separate)\b", "separate kitchen"),
+    (r"\blong,? (?:and )?(?!narrow)(\w+) (hallway|corridor|hall|passage)\b", r"\1 long \2"),
     (r"\b(larger|bigger|smaller) than (?:usual|normal|average)\b",
      lambda found: "small" if found[1] == "smaller" else "large"),
     (r"(\d(?:[.,]\d+)?) ?(?:m|met(?:er|re)s?)? on (\d(?:[.,]\d+)? ?(?:m|met(?:er|re)s?)\b)", r"\1 x \2"),

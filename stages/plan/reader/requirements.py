@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import product
 
 from apartgen.schemas.plan import Requirement
+from apartgen.stages.plan.reader.distributed import matched
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.household import Household
@@ -27,9 +28,10 @@ def requirements(said: Said, home: Household, ids: dict[int, str]) -> list[Requi
     found: list[tuple[str, str, str | None, str | None, str]] = []
     for wish in [*said.asked, *_dimensions(said), *_limits(said), *_neighbours(said.statements)]:
         others = [wish.to or None] if isinstance(wish.to, str) else [ids[id(e)] for e in entities(wish.to, home)]
-        of = [ids[id(e)] for e in _meant(wish, home)] if wish.of else ["home"]
+        of = [ids[id(e)] for e in _meant(wish, home, said)] if wish.of else ["home"]
         others += [ids[id(e)] for e in _all_others(wish, home) if ids[id(e)] not in (*of, *others)]
-        rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in product(of, others) if a != b]
+        pairs = [(ids[id(a)], ids[id(b)]) for a, b in _one_each(wish, home)] or product(of, others)
+        rows = [(wish.kind, a, b, wish.value or None, wish.text) for a, b in pairs if a != b]
         for row in rows:
             again = (row[0], row[2], row[1], *row[3:]) if row[0] in MUTUAL else row
             found += [] if row in found or again in found else [row]
@@ -47,13 +49,31 @@ def _all_others(wish: Asked, home: Household) -> list[Entity]:
     return [e for kind in kinds for e in home.of(kind)]
 
 
-def _meant(wish: Asked, home: Household) -> list[Entity]:
+def _one_each(wish: Asked, home: Household) -> list[tuple[Entity, Entity]]:
+    """`each bedroom next to a bathroom`: a bathroom for each."""
+    one = wish.to[0] if wish.kind == "adjacent" and isinstance(wish.to, list) and len(wish.to) == 1 else None
+    unresolved = one is not None and one.quantifier == Det.EACH and id(one) not in home.refs
+    return list(matched(entities(wish.of, home), home.of(one.type))) if one is not None and unresolved else []
+
+
+def _elsewhere(wish: Asked, said: Said, home: Household) -> list[Entity]:
+    """Rooms of which something of the kind is asked by name, where `everything else` is spoken of."""
+    alike = [
+        w
+        for w in said.asked
+        if w is not wish and w.kind == wish.kind and isinstance(w.to, str) == isinstance(wish.to, str)
+    ]
+    return [e for w in alike if not any(p.type == "any" for p in w.of) for e in entities(w.of, home)]
+
+
+def _meant(wish: Asked, home: Household, said: Said) -> list[Entity]:
     """`no room smaller than 8 m²` is said of rooms that people spend the day or the night in."""
     every = next((phrase for phrase in wish.of if phrase.type == "any"), None)
     if every is None:
         return entities(wish.of, home)
     kinds = HABITABLE if wish.kind in ("at_least", "at_most") else (*HABITABLE, "kitchen", "bathroom")
     excluded = entities(every.excluded, home)
+    excluded += _elsewhere(wish, said, home) if every.quantifier == Det.OTHER else []
     return [e for kind in kinds for e in home.of(kind) if e not in excluded]
 
 

@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 def negate_links(items: list[Item]) -> list[Item]:
     """`neither the kitchen nor the bathroom opens onto the hall`: of known rooms the link is denied, not the rooms."""
-    out = items = _instead(_neither_is(_without_contrast(items)))
+    out = items = _none_does(_instead(_neither_is(_without_contrast(items))))
     for k, item in enumerate(items):
         if item.text != "neither":
             continue
@@ -27,6 +27,20 @@ def negate_links(items: list[Item]) -> list[Item]:
     return out
 
 
+def _none_does(items: list[Item]) -> list[Item]:
+    """`neither of them touches the kitchen`, `none of the bedrooms is next to …`: denied of all of them."""
+    out: list[Item] = []
+    for k, item in enumerate(items):
+        rest = [i for i in items[k + 1 : k + 3] if i.kind != "copula"]
+        none = item.room is not None and item.room.quantifier == Det.NONE and item.room.text not in NAMED
+        out.append(item)
+        if none and item.room is not None and rest and rest[0].kind == "link":
+            item.room.quantifier = Det.BOTH if item.text.startswith("neither") else Det.ALL
+            out.append(Item("negation", "not", item.text))
+    return out
+
+
+NAMED = ("former", "the former", "latter", "the latter")
 INSTEAD = ("instead of", "rather than", "in place of", "statt", "anstatt", "anstelle", "plutot que")
 IN_PLACE = ("au lieu", "en lugar", "en vez")
 

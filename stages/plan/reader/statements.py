@@ -34,7 +34,10 @@ class Asked:
 
 @dataclass
 class Said:
-    """Everything read from a prompt. `rooms` in the order of the text, owned ones after their owners."""
+    """Everything read from a prompt. `rooms` in the order of the text, owned ones after their owners.
+
+    `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size.
+    """
 
     rooms: list[RoomPhrase] = field(default_factory=list)
     statements: list[Statement] = field(default_factory=list)
@@ -44,6 +47,7 @@ class Said:
     dwelling: str = ""
     main_rooms: int | None = None
     main_area: float | None = None
+    equal: bool = False
     only: bool = False
     graph: bool = False
     styles: list[str] = field(default_factory=list)

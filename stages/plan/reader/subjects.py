@@ -5,6 +5,9 @@ from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is
 from apartgen.stages.plan.reader.predicates import Predicate, new_clause
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
+SINGULAR = ("shares", "touches", "adjoins", "borders")
+"""Verbs of neighbours that are said of one room."""
+
 
 def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor: int) -> None:
     """Set `p.subject` and `p.shared`."""
@@ -55,7 +58,8 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
         )
         if last is not None and is_mark(items[p.subject[0] - 1], ",") and len(rooms) > 1 and not relative:
             return
-        if p.kind == Relation.TO or crowded or p.form == "which" or not near or (relative and p.form == "s"):
+        one = p.form == "s" or items[p.at].text.split()[0] in SINGULAR
+        if p.kind == Relation.TO or crowded or p.form == "which" or not near or (relative and one):
             p.subject = (rooms[-1], rooms[-1] + 1)
         p.shared = True
         return

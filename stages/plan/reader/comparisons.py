@@ -1,0 +1,54 @@
+"""Which rooms are compared: `A is twice as large as B`, `bedrooms of equal size`."""
+
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.vocabulary import Det, Relation
+
+
+def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
+    """`A is twice as large as B`, `bedrooms of equal size`."""
+    out: list[Item] = []
+    found: list[Statement] = []
+    asides: list[Item] = []
+    skip = False
+    for k, item in enumerate(items):
+        if item.kind != "compare":
+            if not skip or item.room is None:
+                out.append(item)
+            skip = skip and item.room is None
+            continue
+        before = rooms_of(out)
+        after = rooms_of(items[k + 1 :])
+        if item.number == -1 and before:
+            clause = _clause(out)
+            found.append(Statement(Relation.EQUAL, clause, clause))
+        elif before and after and not (" that " in item.text and len(before) > 1):
+            if after[0].quantifier == Det.A:
+                after[0].quantifier = Det.THE  # "three times as large as a bedroom" asks for no further one
+            again = found[-1:] and found[-1].right == before[-1:] and found[-1].kind == Relation.COMPARE
+            again = again and not any(
+                i.kind == "relative" for i in out[-2:]
+            )  # "than the kitchen, which is larger than"
+            left = found[-1].left if again else before[-1:]  # "smaller than the lounge but larger than the bath"
+            found.append(Statement(Relation.COMPARE, left, after[:1], item.number))
+            other = Item("room", after[0].type, after[0].text, after[0])
+            aside = any(i.kind == "relative" for i in out[-2:])  # "the lounge, which is larger than the bedroom"
+            asides += [Item("boundary", "while"), other] if aside else []
+            out += [] if aside else [other]
+            skip = True
+        elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
+            found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
+    return out + asides, found
+
+
+def _clause(items: list[Item]) -> list[RoomPhrase]:
+    """Rooms of the last coordination."""
+    out: list[RoomPhrase] = []
+    for item in reversed(items):
+        if item.room is not None:
+            out.append(item.room)
+        elif item.kind not in ("conjunction", "copula") and not is_mark(item, ",") and (out or item.value != "has"):
+            break
+        if out and item.room is not None and item.room.plural:
+            break
+    return out[::-1]

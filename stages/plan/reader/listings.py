@@ -1,0 +1,126 @@
+"""Numbers without units: counts and areas by where they stand in a list, and numbers in a row."""
+
+from dataclasses import replace
+
+from apartgen.stages.plan.reader.lexeme import Lexeme
+
+NONE = ("none", "no", "0", "zero", "nil")
+"""`Balcony: none`."""
+
+JOINTS = {
+    "-": "-",
+    "to": "-",
+    "and": "and",
+    ",": "and",
+    "/": "and",
+    "und": "and",
+    "et": "and",
+    "y": "and",
+    "bis": "-",
+}
+
+
+def numbers_joined(words: list[Lexeme], i: int) -> tuple[list[float], list[str], int]:
+    """Numbers from `i` on, what stands between them, and where they end."""
+    numbers: list[float] = []
+    joints: list[str] = []
+    j = i
+    while j < len(words) and words[j].kind == "number":
+        numbers.append(words[j].number)
+        j += 1
+        if j < len(words) and words[j].kind == "number" and words[j].joined:
+            joints.append("-")
+        elif j + 1 < len(words) and words[j + 1].kind == "number" and words[j].text in JOINTS:
+            joints.append(JOINTS[words[j].text])
+            j += 1
+        else:
+            break
+    return numbers, joints, j
+
+
+def bare(words: list[Lexeme]) -> list[Lexeme]:
+    """`38 m² in all, 12 for the bedroom`: once areas are spoken of, a number for a room is one."""
+    if not any(w.kind == "area" for w in words):
+        return words
+    out = _of_each(words)
+    for i in range(len(out) - 3):
+        number, joint, article, room = out[i : i + 4]
+        for_the = joint.text == "for" and article.kind == "determiner" and room.kind == "room" and not room.plural
+        if number.kind == "number" and for_the and number.number >= 3:
+            out[i] = replace(number, kind="area", value="", values=(number.number,))
+    for i in range(1, len(out)):
+        if _said_to_be(out, i):
+            out[i] = replace(out[i], kind="area", value="", values=(out[i].number,))
+    return out
+
+
+def _said_to_be(words: list[Lexeme], i: int) -> bool:
+    """Whether the number of `the big one is 16 m² and the small one 11` is an area: it counts nothing."""
+    plain = words[i].kind == "number" and words[i].text[0].isdigit() and 3 <= words[i].number <= 60
+    ends = i + 1 >= len(words) or words[i + 1].kind in ("mark", "conjunction", "boundary")
+    verb = words[i - 1].text in ("is", "has", "measures", "of", "ist", "hat", "est", "mide", "tiene", "mesure", "fait")
+    of = words[max(i - 1 - verb, 0)]
+    said = of.kind in ("room", "size", "ordinal", "label") or of.text == "one"
+    return plain and ends and said and (verb or of.kind == "size" or (of.text == "one" and words[i - 2].kind == "size"))
+
+
+def _of_each(words: list[Lexeme]) -> list[Lexeme]:
+    """`a kitchen of 14 and bedrooms of 16, 12 and 11`."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        values, joints, end = numbers_joined(words, i + 1) if words[i].text == "of" else ([], [], i)
+        plain = bool(out) and out[-1].kind == "room" and set(joints) <= {"and"} and min(values, default=0) >= 3
+        if plain and not out[-1].plural:
+            values, end = values[:1], i + 2
+        if plain and (end >= len(words) or words[end].kind in ("mark", "conjunction", "negation", "link")):
+            out.append(Lexeme("area", "", " ".join(w.text for w in words[i + 1 : end]), values=tuple(values)))
+            i = end
+        else:
+            out.append(words[i])
+            i += 1
+    return out
+
+
+def _each_in_brackets(words: list[Lexeme]) -> list[Lexeme]:
+    """`3 bedrooms (12/12/16)`, `2 BA (4, 6)` as areas of each."""
+    out: list[Lexeme] = []
+    i = 0
+    while i < len(words):
+        values, joints, end = numbers_joined(words, i + 1) if words[i].text == "(" else ([], [], i)
+        closed = len(values) > 1 and set(joints) == {"and"} and end < len(words) and words[end].text == ")"
+        if closed and out and out[-1].kind in ("room", "shorthand"):
+            out.append(made(values, words, i + 1, end))
+            i = end + 1
+        else:
+            out.append(words[i])
+            i += 1
+    return out
+
+
+def listing(words: list[Lexeme]) -> list[Lexeme]:
+    """`Bedrooms: 3` and `bedrooms (3)` are counts, `kitchen (10)` is an area."""
+    out = _each_in_brackets(words)
+    in_brackets = [c.number for a, b, c in zip(words, words[1:], words[2:], strict=False) if _bracketed(a, b, c)]
+    areas = sum(n > 3 for n in in_brackets) > 1
+    for i in range(len(out) - 2):
+        room, mark, number = out[i : i + 3]
+        closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
+        if room.kind == "room" and mark.text in (":", "-") and closed and number.text in NONE:
+            out[i : i + 3] = [replace(number, kind="negation", value="no"), room, replace(mark, kind="stop", value="")]
+            continue
+        if room.kind != "room" or mark.text not in ("(", ":", "-", "x", "*") or number.kind != "number" or not closed:
+            continue
+        if room.plural or (number.number <= 3 and number.number % 1 == 0 and not (areas and mark.text == "(")):
+            out[i : i + 3] = [number, room, replace(mark, kind="stop", value="", text=",")]
+        elif number.number >= 1:
+            out[i + 2] = Lexeme("area", "", number.text, values=(number.number,))
+    return out
+
+
+def _bracketed(room: Lexeme, mark: Lexeme, number: Lexeme) -> bool:
+    return room.kind == "room" and not room.plural and mark.text == "(" and number.kind == "number"
+
+
+def made(values: list[float], words: list[Lexeme], i: int, j: int) -> Lexeme:
+    return Lexeme("area", "", " ".join(w.text for w in words[i:j]), values=tuple(values), joined=words[i].joined)

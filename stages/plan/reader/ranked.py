@@ -1,0 +1,37 @@
+"""Which room `the smallest bedroom`, `the larger one`, `the big room` is, of several of its type."""
+
+from apartgen.stages.plan.reader.entity import DISTINCT, Entity
+from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
+
+def rank(quantifier: Det, factor: float) -> str:
+    """What a size tells of a room that is known: `the big one` is the largest, whatever the degree of the word."""
+    if quantifier != Det.THE or factor == 1.0:
+        return ""
+    return "largest" if factor > 1 else "smallest"
+
+
+def ranked(phrase: RoomPhrase, pool: list[Entity]) -> list[Entity]:
+    """The room of `pool` that a size tells from the others; [] where none is meant or there is nothing to tell."""
+    if not phrase.rank or phrase.plural or (phrase.count or 1) > 1 or len(pool) < 2:
+        return []
+    told = [e for e in pool if e.rank == phrase.rank][:1]
+    found = told or [_by_size(phrase.rank, [e for e in pool if not e.rank] or pool)]
+    found[0].rank, found[0].picked = phrase.rank, True
+    return found
+
+
+def _by_size(which: str, free: list[Entity]) -> Entity:
+    """By stated areas, else by what is usual: the main bedroom is the largest, rooms are told from large to small."""
+    fitting = [e for e in free if (e.factor >= 1.0 if which == "largest" else e.factor <= 1.0)]
+    free = fitting or free  # "one of them is tiny … the larger bedroom" is another one
+    areas = [e.area for e in free if e.area is not None]
+    if len(areas) == len(free) and len(set(areas)) > 1:
+        most = max(areas) if which == "largest" else min(areas)
+        return next(e for e in free if e.area == most)
+    main = [e for e in free if Trait.MASTER in e.labels]
+    if which == "largest":
+        return (main or free)[0]
+    plain = [e for e in free if not e.labels & set(DISTINCT) and e.area is None]
+    return (plain or [e for e in free if e not in main] or free)[-1]
