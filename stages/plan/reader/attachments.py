@@ -214,6 +214,7 @@ def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare
         own = own and not phrase.labels & {Trait.FAMILY, Trait.HALF}
         lone = first and not bare and phrase.count in (None, 1) and not any(is_mark(i, ",") for i in after)
         lone = lone and not phrase.labels & _not_own(owner)
+        lone = lone and not (phrase.exact and owner.plural and not _each_follows(after))  # "two bedrooms with one bath"
         theirs = first and (not owner.type or _each_follows(after))
         return own or lone or theirs or (not bare and _dressed(owner))
     if phrase.type in ("kitchen", "dining_room"):

@@ -103,6 +103,8 @@ class Household:
             return self._ellipsis(phrase)
         if Trait.HALLS in phrase.labels:
             return self._halls(phrase)
+        if phrase.rank and phrase.whole and phrase.type not in self.totals and len(self.of(phrase.type)) < 2:
+            self._ensure(phrase.type, phrase.whole)
         if found := ranked(phrase, self.of(phrase.type)):
             return found
         if phrase.headline and phrase.count is not None:

@@ -56,7 +56,9 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     free = [e for e in home.of(phrase.type) if not e.labels & apart and not e.picked and e.owner is None]
     free = [e for e in free if may_be(phrase, e)]
     total = phrase.type in home.totals or phrase.subset
-    take = free if _among_known(phrase, labels, free, total) else []
+    placed = Trait.MASTER in labels and id(phrase) in home.mentions and phrase.quantifier == Det.BARE
+    placed = placed and phrase.count is None and len([e for e in free if e.counted]) > 1  # "study near master bedroom"
+    take = free if placed or _among_known(phrase, labels, free, total) else []
     found = take[-count:] if labels & OTHERS else take[:count]  # the first bedroom is whose the home is
     if phrase.type in home.totals and phrase.quantifier != Det.ANOTHER and Trait.HALF not in labels:
         count = max(len(found), 1) if found else count

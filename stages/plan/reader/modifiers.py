@@ -69,8 +69,9 @@ class Modifiers:
         return p.empty() and bool(self.items) and self.items[-1].kind == "room"
 
     def _determiner(self, word: Lexeme) -> None:
-        if word.value == "a" and (self.pending.quantifier == Det.OTHER or self.pending.ordinals):
-            self._flush(word)  # "the other a balcony"
+        told = self.pending.quantifier == Det.THE and self.pending.factor != 1.0
+        if word.value == "a" and (self.pending.quantifier == Det.OTHER or self.pending.ordinals or told):
+            self._flush(word)  # "the other a balcony", "the largest a balcony"
         p = self.pending
         if p.quantifier in PARTITIVE and word.value in ("the", "a"):
             return

@@ -24,6 +24,12 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         item = items[j]
         phrase = item.room
         if phrase is not None:
+            if (
+                out
+                and is_mark(items[j - 2], ",")
+                and [i.kind for i in items[j - 1 : j + 2 : 2]] == ["conjunction", "copula"]
+            ):
+                break  # "not next to the kitchen, and the toilet is separate"
             if out and not _continues(items, p, j, out, left):
                 break
             if not phrase.negated and phrase not in left:
@@ -62,13 +68,16 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if p.form == "which" and items[p.at].text in ("into which", "onto which"):
         return True  # "a hall into which the lounge, the kitchen and the study open"
     if p.kind in (Relation.TO, Relation.IN, Relation.GAP) or (
-        p.form == "which" and p.at and is_mark(items[j - 1], ",")
+        p.form == "which"
+        and p.at
+        and is_mark(items[j - 1], ",")
+        and not first.quantifier == phrase.quantifier == Det.THE
     ):
         return False
     if p.kind == Relation.SHARE and is_mark(items[j - 1], ","):
         return False
     if p.kind == Relation.BETWEEN:
-        return len(out) < 2 or items[j - 1].kind == "conjunction"
+        return len(out) < 2 or (items[j - 1].kind == "conjunction" and not is_mark(items[j - 2], ","))
     if p.kind == Relation.OPEN and phrase.type not in OPEN_TYPES:
         return False
     if p.form != "part":

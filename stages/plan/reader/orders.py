@@ -30,6 +30,10 @@ def orders(items: list[Item], said: Said) -> list[Item]:
             said.asked.append(_most(items[k].room, items[k + 2].room))
             out.append(item)
             skip = end - k - 1
+        elif _gapped(items, k):
+            said.asked.append(_most(items[k].room, items[k + 1].room))
+            out.append(item)
+            skip = 1
         elif item.kind != "extreme":
             out.append(item)
         elif (last := _before(out)) is not None:
@@ -43,6 +47,14 @@ def orders(items: list[Item], said: Said) -> list[Item]:
         else:
             said.unread.append(item.text)
     return out
+
+
+def _gapped(items: list[Item], k: int) -> bool:
+    """`all rooms at least 8 m² and the living room the biggest`."""
+    room, most = items[k].room, items[k + 1].room if k + 1 < len(items) else None
+    ends = k + 2 >= len(items) or items[k + 2].kind in ("mark", "conjunction")
+    named = room is not None and room.type not in ("", "any") and room.quantifier == Det.THE and not room.plural
+    return named and ends and most is not None and most.type == "" and most.labels == {Trait.SIZED}
 
 
 def _is_most(items: list[Item], k: int) -> int:

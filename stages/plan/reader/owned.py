@@ -21,7 +21,7 @@ def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them:
         all_of_them or owned.quantifier in (Det.EACH, Det.BARE, Det.OWN) or owned.plural or Trait.OWN in owned.labels
     )
     made: list[Entity] = []
-    if owned.type == "bathroom" and owned.count and len(owners) > 1 and not (all_of_them and owned.count == 1):
+    if owned.type == "bathroom" and owned.count and len(owners) > 1 and not _one_each(owned, all_of_them):
         owners, owned.count, every = owners[: int(owned.count)], None, True
     for owner in owners if every else owners[:1]:
         count = int(owned.count or (2 if owned.plural and len(owners) == 1 else 1))
@@ -34,6 +34,11 @@ def own(home: "Household", owned: RoomPhrase, owners: list[Entity], all_of_them:
     home.refs[id(owned)] = made
     for inner in owned.owned:
         own(home, inner, made)
+
+
+def _one_each(owned: RoomPhrase, all_of_them: bool) -> bool:
+    """`each bedroom has one bathroom`, `three bedrooms with one bathroom each`."""
+    return owned.count == 1 and (all_of_them or owned.quantifier == Det.EACH)
 
 
 def _has_bath(home: "Household", owner: Entity) -> bool:

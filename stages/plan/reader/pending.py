@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 MODIFIERS = ("side", "size", "label", "ordinal", "style", "number", "area", "adjective", "unknown")
 EXACT = {"1", "one", "single", "sole", "only one", "just one"}
 """Words for one that are no article."""
+COMPARED = {"larger", "bigger", "smaller"}
 LISTED = ("bed", "beds", "bath", "baths", "室", "居 室", "房", "卫")
 """Words of listings, whose numbers are totals."""
 
@@ -42,6 +43,8 @@ class Pending:
         phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
         phrase.count = self.number or None
         phrase.rank = rank(self.quantifier, self.factor)
+        if phrase.rank and COMPARED & set(self.texts) and kind in ("bedroom", "bathroom"):
+            phrase.whole = max(phrase.whole or 0, 2)  # "the larger bedroom" is one of two
         if self.area:
             phrase.areas, phrase.sides, phrase.bounds = self.area.values, self.area.sides, self.area.bounds
         phrase.exact = self.number == 1 and bool(EXACT & set(self.texts))

@@ -14,8 +14,11 @@ def rank(quantifier: Det, factor: float) -> str:
 
 def ranked(phrase: RoomPhrase, pool: list[Entity]) -> list[Entity]:
     """The room of `pool` that a size tells from the others; [] where none is meant or there is nothing to tell."""
-    if not phrase.rank or phrase.plural or (phrase.count or 1) > 1 or len(pool) < 2:
+    count = int(phrase.count or 1)
+    if not phrase.rank or (phrase.plural and count < 2) or len(pool) < 2:
         return []
+    if count > 1:  # "the two smallest bedrooms"
+        return pool[:count] if phrase.rank == "largest" else pool[-count:]
     told = [e for e in pool if e.rank == phrase.rank][:1]
     found = told or [_by_size(phrase.rank, [e for e in pool if not e.rank] or pool)]
     found[0].rank, found[0].picked = phrase.rank, True

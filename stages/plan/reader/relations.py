@@ -44,6 +44,8 @@ def relations(
         left = _annexes(left, right) if p.form == "part" else left
         if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
+        if p.form == "part" and p.kind == Relation.DOOR and len(left) == 2 and _more_and_one(left):
+            left = left[-1:]  # "two bathrooms and a utility room off the kitchen"
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
         out += (
@@ -98,6 +100,13 @@ def _closes_list(items: list[Item], p: Predicate) -> bool:
     before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
     new = [i.room for i in items[start : p.subject[1]] if i.room is not None]
     return before is not None and p.kind == Relation.DOOR and _alike((before, *new))
+
+
+def _more_and_one(left: list[RoomPhrase]) -> bool:
+    """Several new rooms of one type, then one of another."""
+    first, last = left
+    one = last.quantifier == Det.A or last.count == 1
+    return (first.count or 1) > 1 and first.quantifier == Det.BARE and one and first.type != last.type
 
 
 def _alike(rooms: tuple[RoomPhrase, ...]) -> bool:

@@ -101,6 +101,16 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      "correction, "),
     (r"(^|[,;.] ?|\band )the rest(?: of the (?:rooms|flat|house|home))? (?=(?:is|are|lies|goes|should|must) )",
      r"\1all other rooms "),
+    # "wide enough for a wheelchair (at least 1.2 m)", "one large room with kitchen", "a luxury suite: …"
+    (r"\bwide enough [^.,;()]*?\((at least|min(?:imum)?|>=) ?(\d+(?:\.\d+)?) ?m\)", r"at least \2 m wide"),
+    (r"\bone (large|big|huge|small) (?:open )?(?:room|space) with (?:an? )?(?:open )?kitchen\b",
+     r"a \1 living room with open kitchen"),
+    (r"^(?:an? |the )?(?:[\w-]+ )?suite ?:", "a home:"),
+    # "with a bedroom on either side of it", "bedrooms are three"
+    (r",? with an? (bed ?room) on (?:either|each|both) sides?(?: of it)?(?= ?(?:[.,;]|$))", r", next to both \1s"),
+    (r"\b(bed ?rooms|bath ?rooms|toilets) (?:are|is|must be|should be) (two|three|four|\d)(?= ?(?:[.,;]|$))", r"\2 \1"),
+    (r"\b(chambres?(?: de \d+ ?m2)?(?: chacune)?) avec (?:un )?bureau\b", r"\1 avec une table de travail"),
+    (r"(\b(?:piso|apartamento|departamento|casa|vivienda)\b.*\bcon )un estudio\b", r"\1un despacho"),
     # "There are two beds in the bedroom", "my room has a desk, hers a piano", "the parents have their own"
     (r"\b(two|three|\d) beds (?=in (?:the|each|every|my|our|his|her|one|a) )", r"\1 double beds "),
     (r"\b(?:hers|his)(?= (?:has|is|with|should|needs|a)\b)", "her room"),

@@ -15,6 +15,13 @@ def negate_links(items: list[Item]) -> list[Item]:
         while end < len(items) and items[end].kind == "copula":
             end += 1
         rooms = [i.room for i in items[k:end] if i.room is not None]
+        known = len(rooms) > 1 and all(r.quantifier == Det.THE for r in rooms)
+        if known and end < len(items) and items[end].value == "has":
+            for room in rooms:
+                room.negated = False  # "neither the kitchen nor the bathroom has a window"
+            for owned in rooms_of(items[end:])[:1]:
+                owned.negated = True
+            return [*items[:k], *items[k + 1 :]]
         if len(rooms) == 1 and end < len(items) and items[end].value == "has":
             rooms[0].negated, rooms[0].quantifier = False, Det.BOTH  # "neither bedroom has its own bathroom"
             for owned in rooms_of(items[end:])[:1]:

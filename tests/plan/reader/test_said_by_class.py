@@ -146,3 +146,30 @@ def test_what_some_of_several_have_each_of_them_has(many: str, beds: int) -> Non
 def test_a_pantry_is_no_store() -> None:
     found = facts(read("A two-bedroom flat, kitchen with pantry, storage next to the entrance."))
     assert {"K1T1", "H1T2", "near T2 entrance"} <= found
+
+
+def test_one_bathroom_is_one_but_for_each() -> None:
+    assert rooms(read("Two bedrooms with one bathroom.")) == "B2 H K L W"
+    assert rooms(read("Three bedrooms with one bathroom each.")) == "B3 H K L W3"
+
+
+def test_sizes_without_a_verb_of_their_own() -> None:
+    found = facts(read("Three bedrooms; give the largest a balcony and the smallest a desk."))
+    assert {"B1Y1", "B3 has 1 desk"} <= found
+    found = read("Two-bedroom flat, all rooms at least 8 m² and the living room the biggest.")
+    assert "order L1 largest" in facts(found)
+    assert {"adjacent B3 K1", "adjacent B4 K1"} <= facts(read("Four bedrooms, the two smallest next to the kitchen."))
+
+
+def test_two_sizes_are_two_rooms_where_nobody_counts() -> None:
+    found = facts(read("An apartment where the larger bedroom faces south and the smaller one faces north."))
+    assert {"orientation B1 south", "orientation B2 north"} <= found
+
+
+def test_what_neither_of_two_rooms_has_denies_neither_of_them() -> None:
+    assert rooms(read("One-bedroom flat; neither the kitchen nor the bathroom has a window.")) == "B H K L W"
+
+
+def test_several_rooms_before_one_that_opens_off_another_do_not_open_off_it() -> None:
+    found = facts(read("Three bedrooms, two bathrooms and a utility room off the kitchen."))
+    assert "K1U1" in found and not {"K1W1", "K1W2"} & found
