@@ -2,7 +2,7 @@
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Said
-from apartgen.stages.plan.reader.vocabulary import Det
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det
 
 WAYS_IN = ("entry", "entrada", "entree", "l'entree")
 """Halls, and also where one comes in."""
@@ -32,7 +32,8 @@ def link_before(items: list[Item], k: int) -> int:
     j = k - 2
     while j > 0 and (items[j].room is not None or items[j].kind == "conjunction" or is_mark(items[j], ",")):
         j -= 1
-    return j if items[j].kind == "link" and items[j].value in ("near", "apart") else k
+    facing = items[j].text.startswith(OPPOSITE)
+    return j if items[j].kind == "link" and items[j].value in ("near", "apart") and not facing else k
 
 
 def near_behind(items: list[Item], k: int) -> bool:

@@ -173,3 +173,8 @@ def test_what_neither_of_two_rooms_has_denies_neither_of_them() -> None:
 def test_several_rooms_before_one_that_opens_off_another_do_not_open_off_it() -> None:
     found = facts(read("Three bedrooms, two bathrooms and a utility room off the kitchen."))
     assert "K1U1" in found and not {"K1W1", "K1W2"} & found
+
+
+def test_one_of_several_that_is_not_wanted_takes_none_of_the_others_away() -> None:
+    assert rooms(read("House with 4 bedrooms; without the larger bedroom.")).startswith(("B4", "B3"))
+    assert not any("entrance" in fact for fact in facts(read("Two bedrooms opposite a study and the entrance.")))
