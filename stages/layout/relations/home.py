@@ -43,8 +43,8 @@ BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 3.0
 """What it costs that something was asked for and is not there."""
-LENGTHS = dict.fromkeys(HANGING, 1.2)
-"""Least widths, where there is a place for them, in bedrooms of two and where one sleeps in the living room, m."""
+LENGTHS = dict.fromkeys(HANGING, (1.5, 1.2))
+"""Least widths at a first and a second look, in bedrooms of two and where one sleeps in the living room, m."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 

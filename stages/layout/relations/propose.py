@@ -40,7 +40,7 @@ class Particle:
 class Speaker:
     """The model before a room: its shell, type and facts, and how much is drawn of an object: `frames` references at
     most, `branches` of each, `offsets` of each branch; what logits of attributes (`sharp`) and of references (`sure`)
-    are multiplied with. What is `wide` is at least so wide, unless it finds no place at two looks."""
+    are multiplied with. What is `wide` is at least so wide at one look after another, of any width at a later one."""
 
     model: Model
     known: Vocabulary
@@ -52,7 +52,7 @@ class Speaker:
     offsets: int
     sharp: float
     sure: float = 1.0
-    wide: Mapping[str, float] = field(default_factory=dict)
+    wide: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
 
     @cached_property
     def empty(self) -> Memory:
@@ -171,7 +171,8 @@ class _Rooms:
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
         least = np.array([k.min for k in kinds], np.float32)
-        wide = [self.rooms[i].wide.get(names[i], 0.0) if self.particles[i].tries < 2 else 0.0 for i in rows.tolist()]
+        looks = [(self.rooms[i].wide.get(names[i], ()), self.particles[i].tries) for i in rows.tolist()]
+        wide = [widths[tries] if tries < len(widths) else 0.0 for widths, tries in looks]
         least[:, 1] = np.maximum(least[:, 1], wide)
         return (least, most, np.array([k.place in ("wall", "top") for k in kinds]),
                 np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height)
