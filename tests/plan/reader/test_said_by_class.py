@@ -11,7 +11,7 @@ PEOPLE = {"My son and my daughter": 2, "Our two kids": 2, "Each of our three kid
 NEEDS = ("get a room", "need a bedroom", "want their own bedroom")
 
 
-@pytest.mark.parametrize("who, need", product(PEOPLE, NEEDS))
+@pytest.mark.parametrize("who, need", list(product(PEOPLE, NEEDS)))
 def test_each_child_has_a_room_with_what_is_said_of_it_and_the_parents_have_theirs(who: str, need: str) -> None:
     each = "" if who.startswith("Each") else "each "
     found = read(f"{who} {each}{need} with a desk.")
@@ -19,7 +19,7 @@ def test_each_child_has_a_room_with_what_is_said_of_it_and_the_parents_have_thei
     assert sum(asked.category == "desk" for asked in found.objects) == PEOPLE[who]
 
 
-@pytest.mark.parametrize("number, stop", product(("two", "three", "4"), (", each", "; each", ". Each")))
+@pytest.mark.parametrize("number, stop", list(product(("two", "three", "4"), (", each", "; each", ". Each"))))
 def test_grown_ups_who_are_counted_have_a_room_each(number: str, stop: str) -> None:
     beds = {"two": 2, "three": 3, "4": 4}[number]
     found = read(f"A flat for {number} students{stop} has a bedroom with a desk.")
@@ -39,7 +39,7 @@ def test_who_lives_with_a_family_has_a_room(household: str, beds: int) -> None:
 LARGE, SMALL = ("largest", "larger", "bigger", "big"), ("smallest", "smaller", "small")
 
 
-@pytest.mark.parametrize("size, noun", product((*LARGE, *SMALL), ("bedroom", "one")))
+@pytest.mark.parametrize("size, noun", list(product((*LARGE, *SMALL), ("bedroom", "one"))))
 @pytest.mark.parametrize("said, fact", [("faces north", "orientation {} north"), ("has a desk", "{} has 1 desk"),
                                         ("is next to the kitchen", "adjacent {} K1")])  # fmt: skip
 def test_a_size_tells_which_of_several_is_meant(size: str, noun: str, said: str, fact: str) -> None:
@@ -64,7 +64,7 @@ def test_everything_else_is_not_what_was_named(rest: str) -> None:
     assert not {"position B1 south", "position B2 south"} & found
 
 
-@pytest.mark.parametrize("every, baths", product(("each bedroom", "every bedroom", "all bedrooms"), (0, 1, 2)))
+@pytest.mark.parametrize("every, baths", list(product(("each bedroom", "every bedroom", "all bedrooms"), (0, 1, 2))))
 def test_a_room_beside_each_of_several_is_no_further_one(every: str, baths: int) -> None:
     said = ("", " and one bathroom", " and two bathrooms")[baths]
     found = read(f"A flat with three bedrooms{said}; {every} is next to a bathroom.")
