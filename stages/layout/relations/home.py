@@ -41,8 +41,8 @@ GOOD, POOR = 0.3, 1.0
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
 BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
-UNMET = 3.0
-"""What it costs that something was asked for and is not there."""
+UNMET = 30.0
+"""What it costs that something was asked for and is not there: more than all that a room may lack."""
 LENGTHS = dict.fromkeys(HANGING, (1.5, 1.2))
 """Least widths at a first and a second look, in bedrooms of two and where one sleeps in the living room, m."""
 SHARP, SURE = 3.0, 2.0

@@ -1,6 +1,7 @@
 """Homes by the shipped weights: the same alone and in batches, rooms redone, newcomers placed."""
 
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -112,6 +113,21 @@ def test_what_is_asked_for_is_there() -> None:
                              AskedObjects(room=living, category="rug", count=0)]
     found = [o.category for o in made(plan).objects if o.room == living]
     assert found.count("armchair") == 2 and "rug" not in found
+
+
+def test_a_bare_room_with_what_was_asked_for_is_better_than_a_full_one_without() -> None:
+    plan = home().model_copy(deep=True)
+    living = next(room for room in plan.rooms if room.type == "living_room")
+    things = [o for o in made(plan).objects if o.room == living.id]
+    plan.program.objects.append(AskedObjects(room=living.id, category="double_bed", count=1))
+    rows = [[*o.center[:2], o.yaw, *o.size[:2], o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2]
+            for o in things]
+    bed = [*np.mean(living.polygon, 0), 0.0, 2.0, 1.6, 0.0, 0.5]
+    samples: list[Any] = [
+        SimpleNamespace(furniture=SimpleNamespace(names=[o.category for o in things], boxes=np.array(rows)), notes=[]),
+        SimpleNamespace(furniture=SimpleNamespace(names=["double_bed"], boxes=np.array([bed])), notes=[])]
+    chosen = relations_home._best(plan, living, samples, np.zeros(2), 0, [])
+    assert [o.category for o in chosen.objects] == ["double_bed"]
 
 
 def test_weights_say_what_they_were_made_of() -> None:
