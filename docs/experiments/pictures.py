@@ -23,7 +23,7 @@ from apartgen.stages.scene.camera import Camera
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.world import world
 
-PROMPT, SEED = "two-bedroom flat", 5
+PROMPT, SEED = "two-bedroom flat", 1
 ROOT = Path(__file__).parents[2]
 ROOMS = ("living_room", "bedroom")
 CLEAR = 0.01
