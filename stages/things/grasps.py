@@ -117,7 +117,7 @@ def _cost(hold: Hold, middle: Array) -> float:
     x, y, z = (hold.at - middle).tolist()
     level, down = float(np.hypot(x, y)), float(hold.approach[2])
     way = _FLAT if hold.close[2] > 0.5 else _BESIDE if down > -0.5 else _SLANTING if down > -0.9 else 0.0
-    return round(level + 0.3 * abs(z) + way + 0.1 * float(hold.width), 5)
+    return float(round(level + 0.3 * abs(z) + way + 0.1 * hold.width, 5))
 
 
 def _alike(a: Hold, b: Hold) -> bool:
