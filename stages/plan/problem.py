@@ -28,6 +28,8 @@ CUT_OFF = 0.15
 ODD = (0.6, 2.0)
 """Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
+LONGEST = 0.9
+"""No room is made longer than this share of its greatest aspect for the sake of its width."""
 ARM = 0.75
 """Width that each part of a room has at least in an outline that is drawn for it, as a share of its least width."""
 
@@ -137,6 +139,7 @@ def _spec(
         norm.outer,
         {"bedroom": 1.0, "living_room": -1.0}.get(room.type, 0.0),
         room.type == "bathroom",
+        max(norm.across, np.sqrt(area / (LONGEST * norm.aspect))) if norm.across else np.inf,
     )
 
 

@@ -44,10 +44,10 @@ PATH, AREA, ASPECT, CONVEX, CONCISE, OUTER, CORNER, LINES, FUNCTION, NARROW, _, 
 LACKING = 15
 SPEC = (
     "target", "loose", "width", "joint", "aspect", "form", "corners", "face", "corridor", "functional", "outer",
-    "private", "shaft",
+    "private", "shaft", "across",
 )  # fmt: skip
 S_TARGET, S_LOOSE, S_WIDTH, S_JOINT, S_ASPECT, S_FORM, S_CORNERS, S_FACE, S_CORRIDOR = range(9)
-S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT = range(9, 13)
+S_FUNCTION, S_OUTER, S_PRIVATE, S_SHAFT, S_ACROSS = range(9, 14)
 LIMITS = ("least_stretch", "greatest_stretch", "inner_wall", "link_wall", "entrance_wall")
 L_SHORT, L_LONG, L_WALL, L_LINK, L_ENTRY = range(5)
 R_AREA, R_X0, R_Y0, R_X1, R_Y1, R_PIECES, R_JOINTS, R_MAIN, R_WIDTH, R_LEAST, R_FACE, R_OUTER, R_GAPS, R_RIM = range(14)

@@ -25,6 +25,7 @@ class Standard:
     wet: bool = False
     functional: bool = False
     outer: bool = False
+    across: float = 0.0
 
     @property
     def lit(self) -> bool:

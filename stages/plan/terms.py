@@ -36,6 +36,7 @@ from apartgen.stages.plan.slicing import (
     R_X1,
     R_Y0,
     R_Y1,
+    S_ACROSS,
     S_ASPECT,
     S_CORNERS,
     S_CORRIDOR,
@@ -138,7 +139,7 @@ def _shape(p: Problem, z: Scratch) -> None:  # terms and lacks of each room's ow
         terms[AREA] += (max(ratio, 1 / ratio) - 1) * (1 - 0.5 * want[S_CORRIDOR])
         w, h = max(room[R_X1] - room[R_X0] - thick, 0.1), max(room[R_Y1] - room[R_Y0] - thick, 0.1)
         aspect = max(w / h, h / w)
-        terms[ASPECT] += want[S_FORM] * (aspect - 1)
+        terms[ASPECT] += want[S_FORM] * (aspect - 1) + max(0.0, room[R_BROAD] - want[S_ACROSS])
         hull = 0.5 * (1 + w * h / (room[R_AREA] + 0.01)) - 1  # exact where only corners are missing
         terms[CONVEX] += want[S_FORM] * hull * hull
         if room[R_PIECES] > 1 or want[S_CORNERS] != 4:

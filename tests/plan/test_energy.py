@@ -8,7 +8,7 @@ from apartgen.stages.plan import PlanConfig, kernel
 from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
 from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
-from apartgen.stages.plan.slicing import CONCISE, LACKING, NEAR, PATH, WIDE, Floats, Problem, Tree
+from apartgen.stages.plan.slicing import ASPECT, CONCISE, LACKING, NEAR, PATH, WIDE, Floats, Problem, Tree
 from apartgen.stages.plan.starts import start
 from apartgen.stages.plan.study import archetypes
 
@@ -55,6 +55,17 @@ def test_a_corridor_is_as_wide_as_its_rectangles_are_together() -> None:
 def test_a_bent_corridor_has_as_many_corners_too_many_as_any_bent_room() -> None:
     bent = corridor([[1, 2, 1], [0, 3, 0]], [12.0, 2.0, 22.0])
     assert bent[CONCISE] == pytest.approx((6 / 4 - 1) ** 2)
+
+
+@pytest.mark.parametrize(("area", "across"), [(30.0, 4.2), (60.0, 5.7735)])  # of 60 m2 and 1.8 times as long
+def test_a_living_room_is_as_wide_as_one_watches_across_or_its_area_asks_for(area: float, across: float) -> None:
+    rooms = [{"id": "living_room_1", "type": "living_room", "area": area}, {"id": "study_1", "type": "study"}]
+    ring = [(0.05, 0.05), (9.95, 0.05), (9.95, 5.95), (0.05, 5.95)]
+    program = Program(rooms=rooms, links=[("living_room_1", "study_1")], envelope={"outline": ring})
+    p = problem(program, given(program.envelope, BARE.inner), Whim((1, 1), [], "rectangle", 1.0), BARE, Slack())
+    tree = Tree(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 1], [2, 0, 0]]), np.array([6.0, 4.0, 1.0]))
+    terms = energy(p, tree)[1]  # a square of 5.9 m, and 3.9 x 5.9 m of which any width will do
+    assert terms[ASPECT] == pytest.approx(5.9 - across + 5.9 / 3.9 - 1, abs=1e-4)
 
 
 def test_near_rooms_counts_metres_between_rooms_times_their_weights() -> None:

@@ -12,7 +12,7 @@ from apartgen.stages.use import kinds
 
 LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(18), np.radians(35)
 """Within these angles one sits at a table, watches a screen, and is a screen seen."""
-FAR = 3.3
+FAR = 3.6
 """A television stands no farther from its sofa, m."""
 TURNED, STRANDED = np.radians(68), 1.9
 """An armchair looks at a sofa or its table within this angle, and stands no farther from it, m."""
