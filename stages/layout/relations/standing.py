@@ -215,11 +215,11 @@ class Furniture:
         return np.asarray(total)
 
     def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
-        """Whether candidates stand on the top of something, wholly, that nobody sits or lies on, and no screen above
-        where one looks."""
+        """Whether candidates stand on the top of something, wholly, that nobody sits, lies or walks on, and no screen
+        above where one looks."""
         found = np.zeros(len(boxes), bool)
         for o, under in zip(self.names, self.boxes, strict=True):
-            if basic(o) in SEATS or under[6] > EYES and TABLE[name].is_for("watch"):
+            if basic(o) in SEATS or TABLE[o].soft or under[6] > EYES and TABLE[name].is_for("watch"):
                 continue
             offset = boxes[:, :2] - under[:2]
             c, s = np.cos(under[2]), np.sin(under[2])

@@ -220,3 +220,9 @@ def test_a_drawer_is_used_from_a_lane_that_the_robot_gets_into(lane: float, used
 def test_a_lamp_stands_on_no_seat_and_no_bed(under: str, stands: bool) -> None:
     there = furniture((under, (0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.5)))
     assert (price(there, "table_lamp", 0.0, 0.0, 0.0, 0.2, 0.2, 0.5, 0.9) < BROKEN) == stands
+
+
+@pytest.mark.parametrize("under, stands", [("tv_stand", True), ("rug", False)])
+def test_no_television_stands_on_a_rug(under: str, stands: bool) -> None:
+    there = furniture((under, (0.0, 0.0, 0.0, 0.5, 1.6, 0.0, 0.012)))
+    assert (price(there, "tv", 0.0, 0.0, 0.0, 0.06, 1.1, 0.012, 0.7) < BROKEN) == stands
