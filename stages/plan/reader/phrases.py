@@ -22,6 +22,9 @@ from apartgen.stages.plan.reader.particles import (
 from apartgen.stages.plan.reader.pending import Pending, area_item, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
+HALLS = ("hallway", "corridor", "hall", "passage")
+"""Last words of styles that are said of one hallway: `long corridor`, `short hallway`."""
+
 
 class Phraser(Modifiers):
     """Walks lexemes once, left to right; `items` and `unread` hold the outcome."""
@@ -64,6 +67,9 @@ class Phraser(Modifiers):
         if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():
             self.items.append(Item("style", word.value, word.text))  # "five private bedrooms"
             word = words[i] = replace(word, kind="room", value="bedroom", text="bedrooms", plural=True)
+        if word.kind == "style" and _of_hall(word.text):
+            self.items.append(Item("style", word.value, word.text))  # "one long hallway": a hallway, too
+            word = words[i] = replace(word, kind="room", value="hallway", text=word.text.split()[-1])
         if word.kind == "stop" and holds(word, words[i + 1 : i + 3], self.items):
             self._flush(word)
             self.items.append(Item("with", "in", word.text))
@@ -210,3 +216,9 @@ class Phraser(Modifiers):
     def _verb_follows(self, following: Lexeme | None) -> bool:
         """Whether `links` has a subject and an object: `the hall links the lounge with …`."""
         return bool(self.items) and self.items[-1].kind == "room" and following is not None and following.kind != "mark"
+
+
+def _of_hall(text: str) -> bool:
+    """Whether a style is said of a hallway that there is to be: not so of `no long hallway`."""
+    words = text.split()
+    return words[-1] in HALLS and words[0] not in ("no", "without")
