@@ -87,7 +87,7 @@ def _abbreviated(word: Token, following: Token) -> bool:
 
 def _half_bath(tokens: list[Token], i: int, lexicon: Lexicon) -> bool:
     """`a half bath`, but not `one and a half baths`."""
-    room = _longest(tokens, i + 1, lexicon, {}) if tokens[i].text == "a" else None
+    room = _longest(tokens, i + 1, lexicon, {}) if tokens[i].text in ("a", "one") else None
     if room is not None and room[0].kind == "ordinal" and (noun := _longest(tokens, room[1], lexicon, {})) is not None:
         return noun[0].kind == "room"  # "a third bedroom"
     number = i > 1 and tokens[i - 1].text == "and"

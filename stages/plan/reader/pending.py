@@ -69,6 +69,8 @@ class Pending:
             return RoomPhrase("bathroom", {Trait.ENSUITE, Trait.OWN}, text="own")
         few = self.number is not None and self.number <= 9 and self.number % 1 == 0
         one = self.quantifier in (*PARTITIVE, Det.ANOTHER) or bool(self.ordinals)
+        if self.quantifier == Det.EACH and self.number == 1:
+            self.number = None  # "two bedrooms, each one with a bath": each
         named = one or few or self.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS}
         if named and known and not self.negated:
             phrase = RoomPhrase("", set(self.labels), self.number, self.quantifier, self.ordinals, factor=self.factor)

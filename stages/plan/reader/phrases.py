@@ -63,6 +63,8 @@ class Phraser(Modifiers):
         ):
             self.pending.labels.add(Trait.ADJOINING)
             return i + 1
+        if word.text == "to" and following is not None and following.text == "be":
+            return i + 1  # "must to be", "has to be"
         word = words[i] = bathing(word, following, Trait.OWN in self.pending.labels)
         if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():
             self.items.append(Item("style", word.value, word.text))  # "five private bedrooms"
