@@ -102,6 +102,8 @@ def _subject(before: list[Item]) -> RoomPhrase | None:
     if len(before) > 2 and before[-2].kind == "copula" and before[-3].room is not None:
         return before[-3].room  # "the bedroom is large and has a balcony"
     links = [k for k, i in enumerate(before) if i.kind == "link"]
+    if len(before) > 2 and is_mark(before[-2], ",") and before[-3].room is not None and not links:
+        return before[-3].room  # "a bedroom of 12 m², please, and with a desk"
     if not links and len(before) > 1 and before[-2].room is not None:
         return before[-2].room  # "a bedroom of 12 m² and with a desk", once the area is taken
     rooms = rooms_of(before[: links[-1]]) if links else []

@@ -14,6 +14,8 @@ FOYERS = frozenset(
     "vestibulo entrada".split()
 ) | {"mud room", "hall d'entree", "玄 关", "门 厅"}
 """Words for where one comes in that no one uses of a passage between rooms."""
+NAMED = ("utility", "storage", "study", "dining_room", "closet", "balcony")
+"""Rooms of which most homes have one."""
 PASSAGES = ("hallway", "passageway", *CORRIDORS)
 
 
@@ -42,6 +44,8 @@ def spoken_of_before(phrase: RoomPhrase, known: list[Entity]) -> bool:
     if phrase.quantifier != Det.BARE or phrase.labels or phrase.plural:
         return False
     lone = len(known) == 1 and phrase.count is None
+    if lone and phrase.type in NAMED and phrase.areas and known[0].area is None:
+        return known[0].name == phrase.text  # "a study and a lounge. … Lounge 24 m², study 9 m²."
     if lone and phrase.type in ("living_room", "kitchen", "dining_room") and phrase.areas and known[0].area is None:
         return True  # "kitchen + living: open plan, living room: 32 m²"
     if phrase.type in ("living_room", "kitchen"):

@@ -122,6 +122,8 @@ def _longest(tokens: list[Token], i: int, lexicon: Lexicon, fixed: dict[int, str
     while j < len(tokens) and len(words) < lexicon.longest:
         token = tokens[j]
         if _hyphen(tokens, j) and words:
+            if words == ["hall"]:
+                break  # "hall-bathroom" is a door, a hall bathroom is a room
             j += 1
             continue
         if token.text == "\n" or (token.kind == "mark" and token.text in ",.;:()" and token.text != "."):

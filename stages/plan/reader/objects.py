@@ -81,7 +81,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if p.kind == Relation.OPEN and phrase.type not in OPEN_TYPES:
         return False
     if p.form != "part":
-        listed = is_mark(items[j - 1], ",") and first.quantifier == Det.THE and phrase.quantifier == Det.A
+        new = phrase.quantifier == Det.A or (phrase.count is not None and not phrase.definite)
+        listed = is_mark(items[j - 1], ",") and first.quantifier == Det.THE and new
         return not (listed and _no_hallway(left))  # "a balcony that is off the bedroom, a kitchen, …"
     same = first.definite == phrase.definite
     if left and all(r.type == "hallway" for r in left) and p.kind in (Relation.DOOR, Relation.SERVE):

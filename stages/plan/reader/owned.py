@@ -49,7 +49,7 @@ def _claim(home: "Household", owned: RoomPhrase, count: int) -> list[Entity]:
     free = [
         e
         for e in home.of(owned.type)
-        if e.owner is None and Trait.HALF not in e.labels and not e.labels & {Trait.FAMILY}
+        if e.owner is None and Trait.HALF not in e.labels and not e.labels & {Trait.FAMILY, Trait.SHARED_PAIR}
     ]
     within = (
         owned.type in home.totals

@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.distributed import each_beside_one
+from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.lexemes import lexemes
@@ -52,7 +53,7 @@ def parse(prompt: str) -> Said:
         return said
     phraser = Phraser(lexicon).walk(words)
     said.unread += phraser.unread
-    phraser.items = corrected(phraser.items)
+    phraser.items = written_out(corrected(phraser.items))
     _whole(phraser.items, said)
     phraser.items = _asked(all_denied(phraser.items), said)
     before: list[RoomPhrase] = []

@@ -110,7 +110,7 @@ def _claims(text: str) -> tuple[str, bool]:
     text = pattern(
         "{who}{relative}?,? ?(?P<one>(?:{every}|alle|jeweils|各)(?: one| of them)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
-        "(?P<each>{each})?(?P<bath> and (?:a )?{bathroom}\\b)?"
+        "(?P<each>{each})?(?P<bath> and (?:(?:an?|their|his|her|own|private|separate) )*{bathroom}\\b)?"
         "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
     ).sub(own, text)
     text = pattern("{who}[:,] {article}{room}{each}").sub(own_each, text)

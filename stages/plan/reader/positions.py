@@ -262,7 +262,7 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     if last is None or first is None:
         return [last] if last else []
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
-    listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].room is not None
+    listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
     single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"

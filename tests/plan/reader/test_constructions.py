@@ -13,14 +13,18 @@ def test_a_hallway_of_some_style_is_a_hallway(hall: str) -> None:
     assert rooms(read(f"A studio with {hall}.")) == "H K L W"
 
 
-@pytest.mark.parametrize("own", ["each one with his own bathroom", "each with her own bathroom", "each with its own bath"])
+@pytest.mark.parametrize(
+    "own", ["each one with his own bathroom", "each with her own bathroom", "each with its own bath"]
+)
 def test_each_one_has_his_own(own: str) -> None:
     assert {"B1W1", "B2W2"} <= facts(read(f"The apartment has 2 bedrooms, {own}, and one toilet."))
 
 
 @pytest.mark.parametrize("who", ["student", "students'", "tenant", "flatmate's"])
 def test_a_students_room_is_a_bedroom(who: str) -> None:
-    found = read(f"A flat with four {who} rooms of fourteen m² each, a kitchen of sixteen square metres and a bathroom.")
+    found = read(
+        f"A flat with four {who} rooms of fourteen m² each, a kitchen of sixteen square metres and a bathroom."
+    )
     assert rooms(found).startswith("B4 H K") and {"B1=14", "B4=14", "K1=16"} <= facts(found)
 
 
@@ -32,3 +36,76 @@ def test_small_words_are_read_in_more_of_their_forms() -> None:
     assert "K1L1" in facts(read("Un trois-pièces avec une cuisine accessible uniquement depuis le séjour."))
     assert rooms(read("A two-bedroom flat, one full bath, one half bath.")) == "B2 H K L W2"
     assert not {"B1W1", "B2W1"} & facts(read("A two-bedroom flat, one full bath, one half bath."))
+
+
+WAYS = ("both from the hallway and from the living room", "from the hallway and from the living room")
+
+
+@pytest.mark.parametrize("way", [*WAYS, "from the hallway and the living room"])
+def test_a_preposition_said_twice_leads_to_both(way: str) -> None:
+    found = read(f"A two-bedroom flat where you can enter the kitchen {way}.")
+    assert {"H1K1", "K1L1", "B1H1", "B2H1"} <= facts(found)
+
+
+@pytest.mark.parametrize("both", ["both from the corridor", "both off the corridor", "each from the corridor"])
+def test_rooms_that_are_both_from_a_corridor_open_off_it(both: str) -> None:
+    assert {"H1W1", "H1W2"} <= facts(read(f"Four bedrooms. Two bathrooms, {both}."))
+
+
+@pytest.mark.parametrize("arrow", ["->", "=>", "→", ":"])
+def test_an_arrow_to_furniture_says_what_a_room_has(arrow: str) -> None:
+    found = facts(
+        read(f"bedrooms: 2; kitchen; bedroom 1 {arrow} double bed, wardrobe; bedroom 2 {arrow} single bed, desk")
+    )
+    assert {"B1 has 1 wardrobe", "B2 has 1 single_bed", "B2 has 1 desk"} <= found
+
+
+@pytest.mark.parametrize("every", ["every bedroom", "each bedroom", "both bedrooms"])
+def test_furniture_behind_its_rooms_begins_a_clause(every: str) -> None:
+    assert {"B1 has 1 desk", "B2 has 1 desk"} <= facts(read(f"Two bedrooms, in {every} one desk and one wardrobe."))
+
+
+@pytest.mark.parametrize("no", ["a separate kitchen, not a kitchenette", "a real kitchen, not just a kitchenette"])
+def test_what_a_room_is_not_is_no_second_room(no: str) -> None:
+    assert rooms(read(f"A one-bedroom flat with {no}.")) == "B H K L W"
+
+
+def test_a_kitchen_that_is_not_open_may_have_a_door() -> None:
+    found = facts(read("Two bedrooms. The kitchen is not open, it has a door from the corridor."))
+    assert "H1K1" in found and not any("no_door" in fact for fact in found)
+
+
+@pytest.mark.parametrize("none", ["neither of them en suite", "none of them en suite", "neither of them ensuite"])
+def test_bathrooms_none_of_which_is_en_suite_open_off_the_hallway(none: str) -> None:
+    assert {"H1W1", "H1W2"} <= facts(read(f"A 2-bed flat with two bathrooms, {none}, and a balcony."))
+
+
+def test_pairs_with_a_hyphen_are_doors() -> None:
+    doors = "hall-living room, hall-bathroom, hall-bedroom 1, hall-bedroom 2, living room-kitchen"
+    found = read(f"rooms: hall, living room, kitchen, bedroom 1, bedroom 2, bathroom; doors: {doors}")
+    assert rooms(found) == "B2 H K L W" and {"K1L1", "H1W1"} <= facts(found)
+
+
+def test_whose_own_is_not_what_others_share() -> None:
+    said = (
+        "Two bedrooms share a jack-and-jill bathroom, the master has its own, the third bathroom opens off the hallway."
+    )
+    found = facts(read(f"Four bedrooms and 3 bathrooms. {said}"))
+    assert len([f for f in found if f[:1] == "B" and f[2:3] == "W"]) == 3
+    found = facts(read("Apartment for two roommates, each with their own bedroom and private bathroom."))
+    assert {"B1W1", "B2W2"} <= found
+
+
+def test_an_area_behind_a_known_room_is_its() -> None:
+    assert rooms(read("Two bedrooms and a study. Living room 24 m², study 9 m².")) == "B2 H K L S W"
+    assert "B1Y1" in facts(read("3 bedrooms. Main bedroom of at least 14 m², please, and with a balcony."))
+
+
+def test_a_table_to_play_on_is_none_to_dine_at() -> None:
+    found = read("A flat. Put a pool table in the living room.")
+    assert not found.objects and any("pool table" in words for words in found.unread)
+
+
+def test_a_side_behind_a_list_with_furniture_is_that_of_its_last_room() -> None:
+    found = facts(read("Dreizimmerwohnung, offene Küche, Bad mit Badewanne, Gäste-WC und ein Balkon nach Süden"))
+    assert "orientation Y1 south" in found and "orientation W2 south" not in found
