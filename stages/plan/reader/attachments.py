@@ -17,6 +17,8 @@ OWNED_BY = {
     "bedroom": ("hallway",),
 }
 """What `A with a B` makes B: a room that opens off A."""
+ASIDE = ("copula", "label", "size", "relative")
+"""What may stand between a room and what it has."""
 PLURAL = ("have", "need", "get", "should have", "must have")
 
 
@@ -32,7 +34,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
         opens = (item.kind == "with" and not _inside(out, item, items[k + 1 : k + 2])) or is_mark(item, "(:")
         owner = (
             next(
-                (i.room for i in reversed(out) if not is_mark(i, ")") and i.kind not in ("copula", "label", "size")),
+                (i.room for i in reversed(out) if not is_mark(i, ")") and i.kind not in ASIDE),
                 None,
             )
             if opens
@@ -54,6 +56,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             before = len(owner.owned)
             start = k + 1
             k = _take(owner, items, start, item.value if item.kind == "mark" else "")
+            while owner.owned and items[k - 1].room is owner.owned[-1] and _has_things(items, k):
+                k = _take(owner.owned[-1], items, k + 1, "")  # "a hall with a rack, an office with a desk"
             if item.value == "has" and item.text in PLURAL:
                 _give_each(owner, owner.owned[before:], out)
             if k == start and is_mark(item, ":"):
@@ -108,6 +112,10 @@ def _subject(before: list[Item]) -> RoomPhrase | None:
         return before[-2].room  # "a bedroom of 12 m² and with a desk", once the area is taken
     rooms = rooms_of(before[: links[-1]]) if links else []
     return rooms[-1] if rooms else None
+
+
+def _has_things(items: list[Item], k: int) -> bool:
+    return k < len(items) and items[k].value == "with" and _only_things(items, k + 1)
 
 
 def _only_things(items: list[Item], k: int) -> bool:

@@ -20,6 +20,8 @@ def corrected(items: list[Item]) -> list[Item]:
         room = item.room
         if room is not None and room.negated and room.quantifier == Det.THE and _commands(out):
             _taken_back(out, room)  # "skip the study"
+        if room is not None and room.negated and room.quantifier == Det.THE and room.ordinals and _one_fewer(out, room):
+            continue  # "an office instead of the second bedroom"
         if dropped and room is not None:
             dropped = not _taken_back(out, room)
             if not dropped:
@@ -58,6 +60,19 @@ def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
     for phrase in before:
         phrase.negated = True
     return bool(before)
+
+
+def _one_fewer(out: list[Item], room: RoomPhrase) -> bool:
+    """Takes one from the rooms counted before, and the words that deny it; a room in its place is that said before."""
+    counted = [i.room for i in out if i.room is not None and i.room.type == room.type and (i.room.count or 1) > 1]
+    if not counted or out[-1].kind != "negation" or (counted[-1].count or 0) < max(room.ordinals):
+        return False
+    counted[-1].count = (counted[-1].count or 2) - 1
+    out.pop()
+    rooms = [i.room for i in out if i.room is not None]
+    if rooms[-1].count == 1 and any(r.type == rooms[-1].type and r.quantifier == Det.A for r in rooms[:-1]):
+        rooms[-1].quantifier, rooms[-1].count = Det.THE, None
+    return True
 
 
 def _commands(out: list[Item]) -> bool:

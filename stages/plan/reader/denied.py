@@ -76,8 +76,12 @@ def all_denied(items: list[Item]) -> list[Item]:
         link, other = (items[at : at + 2] + [Item(""), Item("")])[:2]
         finite = link.form in ("s", "p") or at > k + 1
         near = link.value in (Relation.NEAR, Relation.APART)
+        if denied and phrase is not None and other.room is not None and finite and not _there_is(phrase, items):
+            items = [*items[:at], Item("mark", ",", ","), *items[at + 1 :]]  # "no study is off the kitchen": none is
+            out.append(item)
+            continue
         if denied and phrase is not None and other.room is not None and link.value == Relation.DOOR and not finite:
-            near = phrase.type in ALWAYS or any(r.type == phrase.type and not r.negated for r in rooms_of(items))
+            near = _there_is(phrase, items)
             items = items if near else [*items[:at], Item("mark", ",", ","), *items[at + 1 :]]
         if denied and phrase is not None and link.kind == "link" and other.room is not None and (finite or near):
             out.pop()
@@ -87,6 +91,12 @@ def all_denied(items: list[Item]) -> list[Item]:
         else:
             out.append(item)
     return out
+
+
+def _there_is(phrase: RoomPhrase, items: list[Item]) -> bool:
+    """Whether a home has rooms of this type, or others speak of one."""
+    known = phrase.type in ALWAYS or phrase.type in ("any", "")
+    return known or any(r.type == phrase.type and not r.negated for r in rooms_of(items))
 
 
 def of_all(phrases: list[RoomPhrase]) -> list[RoomPhrase]:

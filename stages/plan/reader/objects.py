@@ -97,4 +97,7 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
 
 def _no_hallway(left: list[RoomPhrase]) -> bool:
     """Only a hallway is expected to lead to a whole list of new rooms."""
-    return bool(left) and all(r.type not in ("hallway", "any", "") for r in left)
+    several = (Det.BOTH, Det.EACH, Det.ALL)  # "two bathrooms that both open off the hallway, one kitchen"
+    return bool(left) and all(
+        r.type not in ("hallway", "any", "") or (r.type == "" and r.quantifier in several) for r in left
+    )

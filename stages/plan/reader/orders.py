@@ -1,5 +1,7 @@
 """Which room is the largest or the smallest: `the living room should be the largest room`."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -31,7 +33,11 @@ def orders(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
             skip = end - k - 1
         elif _gapped(items, k):
-            said.asked.append(_most(items[k].room, items[k + 1].room))
+            # "the lounge is the largest room and the bath the smallest"
+            wish = _most(items[k].room, items[k + 1].room)
+            of_all = any(i.kind == "extreme" for i in items[max(k - 3, 0) : k])
+            value = {"larger": "largest", "smaller": "smallest"}.get(wish.value, wish.value)
+            said.asked.append(replace(wish, to="", value=value) if of_all else wish)
             out.append(item)
             skip = 1
         elif item.kind != "extreme":

@@ -42,6 +42,8 @@ def relations(
         stop = found[k + 1] if k + 1 < len(found) else None
         right = [] if _next_to_it(items, p) else objects(items, p, stop, left)
         left = _annexes(left, right) if p.form == "part" else left
+        if p.form == "part" and len(left) == 2 and _last_of_list(items, p) and all(r.type != "hallway" for r in right):
+            left = left[-1:]  # "a toilet, a living room and a laundry room adjacent to the kitchen"
         if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
         if p.form == "part" and p.kind == Relation.DOOR and len(left) == 2 and _more_and_one(left):
@@ -100,6 +102,15 @@ def _closes_list(items: list[Item], p: Predicate) -> bool:
     before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
     new = [i.room for i in items[start : p.subject[1]] if i.room is not None]
     return before is not None and p.kind == Relation.DOOR and _alike((before, *new))
+
+
+def _last_of_list(items: list[Item], p: Predicate) -> bool:
+    """Whether the subject ends a list of new rooms, and the relation denies other doors or says of neighbours."""
+    start = p.subject[0]
+    listed = start > 1 and is_mark(items[start - 1], ",") and items[start - 2].kind in ("room", "object")
+    rooms = [i.room for i in items[max(start - 2, 0) : p.subject[1]] if i.room is not None]
+    new = listed and all(r.quantifier in (Det.A, Det.BARE) for r in rooms)
+    return new and p.kind in (Relation.ONLY, Relation.NEAR) and not rooms[-1].plural
 
 
 def _more_and_one(left: list[RoomPhrase]) -> bool:

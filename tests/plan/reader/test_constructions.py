@@ -109,3 +109,102 @@ def test_a_table_to_play_on_is_none_to_dine_at() -> None:
 def test_a_side_behind_a_list_with_furniture_is_that_of_its_last_room() -> None:
     found = facts(read("Dreizimmerwohnung, offene Küche, Bad mit Badewanne, Gäste-WC und ein Balkon nach Süden"))
     assert "orientation Y1 south" in found and "orientation W2 south" not in found
+
+
+@pytest.mark.parametrize("no", ["do not", "don't", "are not"])
+def test_what_others_do_not_is_denied_of_them(no: str) -> None:
+    found = facts(read(f"Two bedrooms, two bathrooms. The two bathrooms share a wall and the two bedrooms {no}."))
+    assert "adjacent W1 W2" in found and "apart B1 B2" in found
+    found = facts(read("Two bedrooms. The kitchen opens onto the hall, the bathroom does not."))
+    assert "no_door W1 H1" in found and "H1K1" in found
+
+
+@pytest.mark.parametrize("most, least", [("largest", "smallest"), ("biggest", "smallest"), ("smallest", "largest")])
+def test_the_largest_room_and_without_a_verb_the_smallest(most: str, least: str) -> None:
+    found = facts(read(f"A flat. The living room is the {most} room and the bathroom the {least}."))
+    order = {"largest": "largest", "biggest": "largest", "smallest": "smallest"}
+    assert {f"order L1 {order[most]}", f"order W1 {order[least]}"} <= found
+
+
+@pytest.mark.parametrize("said", ["that can only be reached through", "only accessible from", "next to"])
+def test_what_ends_a_list_is_said_of_its_last_room(said: str) -> None:
+    found = facts(
+        read(f"A flat with two bedrooms, one bathroom, a separate toilet and a utility room {said} the kitchen.")
+    )
+    assert "H1W1" in found and "H1W2" in found and ("K1U1" in found or "adjacent U1 K1" in found)
+
+
+@pytest.mark.parametrize("own", ["its own door to", "a door to", "a direct door to"])
+def test_a_door_in_addition_to_the_one_from_elsewhere(own: str) -> None:
+    doors = f"The bedroom has {own} the bathroom in addition to the one from the hall."
+    found = read(f"A flat with one bedroom and one bathroom. {doors}")
+    assert rooms(found) == "B H K L W" and {"B1W1", "H1W1", "B1H1"} <= facts(found)
+
+
+def test_also_joins_no_rooms() -> None:
+    found = facts(read("A home: bedroom connected to the bathroom, bathroom also accessible from the hall, kitchen."))
+    assert {"B1W1", "H1W1"} <= found
+
+
+def test_rooms_together_are_one_space() -> None:
+    assert "D1~K1" in facts(read("1 bed 1 bath, kitchen and dining area together, living room with two armchairs"))
+    assert "D1~K1" in facts(
+        read("Three bedrooms, a playroom next to the living room and a kitchen open to the dining room.")
+    )
+
+
+@pytest.mark.parametrize("joint", [", and", " and", ","])
+def test_a_room_may_be_named_behind_its_place_between_others(joint: str) -> None:
+    assert {"B1W1", "B2W1"} <= facts(
+        read(f"A flat with 2 bedrooms{joint} between them a bathroom with a door to each.")
+    )
+
+
+def test_and_that_begins_a_clause() -> None:
+    found = facts(read("I would like that the bathroom is not beside the kitchen and that the bedroom is at the back."))
+    assert {"apart W1 K1", "position B1 back"} <= found and "apart W1 B1" not in found
+
+
+@pytest.mark.parametrize("instead", ["instead of", "in place of"])
+def test_a_room_in_the_place_of_the_second_bedroom_leaves_one(instead: str) -> None:
+    assert rooms(read(f"A flat with 2 bedrooms. Make one office {instead} the second bedroom.")) == "B H K L S W"
+    assert (
+        rooms(read(f"2 bedrooms. We also need an office, so make one office {instead} the second bedroom.")).count("S")
+        == 1
+    )
+
+
+@pytest.mark.parametrize("things", ["bed and desk", "bed, desk and sofa", "desk and bed"])
+def test_a_bed_among_furniture_is_no_bedroom(things: str) -> None:
+    found = read(f"Studio, 32 sqm, {things} in the main room, no balcony")
+    assert rooms(found) == "K L W" and {"L1 has 1 double_bed", "L1 has 1 desk"} <= facts(found)
+
+
+def test_furniture_is_that_of_the_room_it_is_said_with() -> None:
+    office = "home office with a desk and two chairs"
+    found = facts(read(f"Entrance hall with a coat rack, {office}, tiny bedroom, a bathroom with a shower but no tub."))
+    assert {"H1 has 1 coat_rack", "S1 has 1 desk", "S1 has 2 chair", "W1 has 1 shower", "W1 has 0 bath"} <= found
+
+
+@pytest.mark.parametrize("that", ["that has its own", "which has its own", "with its own"])
+def test_what_a_room_has_in_a_clause_behind_it_is_its_own(that: str) -> None:
+    found = facts(read(f"A guest room {that} shower room, a main bedroom, a bathroom, a living room and a kitchen."))
+    assert {"B2W1", "H1W2"} <= found or {"B2W2", "H1W1"} <= found
+
+
+@pytest.mark.parametrize("both", ["that both open off", "which both open off", "both off"])
+def test_a_list_goes_on_behind_what_both_have(both: str) -> None:
+    found = facts(read(f"Flatshare: four bedrooms, two bathrooms {both} the hallway, one big kitchen, no living room"))
+    assert {"H1W1", "H1W2"} <= found and not {"K1W1", "K1W2"} & found
+
+
+@pytest.mark.parametrize(
+    "none", ["No study is off the kitchen", "No pantry opens off the kitchen", "No office is next to it"]
+)
+def test_what_no_study_is_asks_for_none(none: str) -> None:
+    assert rooms(read(f"Two-bedroom flat with a kitchen. {none}.")) == "B2 H K L W"
+
+
+@pytest.mark.parametrize("flat, beds", [("student flat for three", 3), ("shared apartment for four", 4)])
+def test_those_who_share_a_flat_have_a_room_each(flat: str, beds: int) -> None:
+    assert rooms(read(flat)).startswith(f"B{beds} ")
