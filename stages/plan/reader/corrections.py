@@ -12,10 +12,12 @@ RELATED = ("link", "front", "place", "side", "beside")
 def corrected(items: list[Item]) -> list[Item]:
     """What is said anew stands in the place of what was before, without the words that announce it."""
     anew, dropped = False, False
+    recounted = False
     out: list[Item] = []
     for item in _contrasted(_announced(items)):
         if item.kind == "anew":
             anew, dropped = item.value != "drop", item.value == "drop"
+            recounted = False
             continue
         room = item.room
         if room is not None and room.negated and room.quantifier == Det.THE and _commands(out):
@@ -29,10 +31,18 @@ def corrected(items: list[Item]) -> list[Item]:
         if anew and item.kind == "area" and _measured_anew(out, item):
             anew = False
             continue
-        if anew and item.kind in RELATED and _related_anew(out, item):
+        if anew and not recounted and item.kind in RELATED and _related_anew(out, item):
             anew = False
-        if anew and room is not None and room.count is not None and (before := _counted(out, room)) is not None:
+        told = recounted and room is not None and room.type == ""  # "make it two bathrooms (one belongs to …)"
+        if (
+            anew
+            and not told
+            and room is not None
+            and room.count is not None
+            and (before := _counted(out, room)) is not None
+        ):
             before.count, room.type = room.count, before.type
+            recounted = True
             before.plural = before.plural or room.count > 1
             room.quantifier, room.count, room.headline = Det.THE, None, False
             room.plural = room.plural or before.count > 1

@@ -19,6 +19,11 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
+SUMMED = re.compile(
+    r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
+    r"\b(?! in total)"
+)
+"""Bedrooms that are counted once those who have rooms are named: all of them."""
 
 
 def housed(text: str) -> tuple[People | None, str]:
@@ -38,6 +43,7 @@ def housed(text: str) -> tuple[People | None, str]:
         return people, text
     text, claimed = _claims(_placed(text))
     if claimed:
+        text = SUMMED.sub(r"\1 in total", text)
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
     people, text = _household(text)
     return _without_sharing(people, text) if people is not None else (people, text)

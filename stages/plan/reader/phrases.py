@@ -63,6 +63,8 @@ class Phraser(Modifiers):
         ):
             self.pending.labels.add(Trait.ADJOINING)
             return i + 1
+        if word.text == "like" and word.kind == "link" and not self._compares():
+            return i + 1  # "I would like a study"
         if word.text == "to" and following is not None and following.text == "be":
             return i + 1  # "must to be", "has to be"
         word = words[i] = bathing(word, following, Trait.OWN in self.pending.labels)
@@ -214,6 +216,12 @@ class Phraser(Modifiers):
         """Whether `that hallway` names a hallway: no `that` of a relative clause."""
         last = self.items[-1] if self.items else Item("mark", ".")
         return self.pending.empty() and (last.kind in ("conjunction", "boundary", "front", "link") or last.value == ".")
+
+    def _compares(self) -> bool:
+        """Whether `like` says of a room what was said of another: `the kitchen is off the hall like the bedrooms`."""
+        start = max((k + 1 for k, i in enumerate(self.items) if i.value == "."), default=0)
+        clause = self.items[start:]
+        return len(clause) > 2 and clause[-1].kind == "room" and clause[-2].kind in ("link", "front")
 
     def _verb_follows(self, following: Lexeme | None) -> bool:
         """Whether `links` has a subject and an object: `the hall links the lounge with …`."""

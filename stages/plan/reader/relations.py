@@ -107,9 +107,9 @@ def _closes_list(items: list[Item], p: Predicate) -> bool:
 def _last_of_list(items: list[Item], p: Predicate) -> bool:
     """Whether the subject ends a list of new rooms, and the relation denies other doors or says of neighbours."""
     start = p.subject[0]
-    listed = start > 1 and is_mark(items[start - 1], ",") and items[start - 2].kind in ("room", "object")
+    listed = start > 1 and is_mark(items[start - 1], ",") and items[start - 2].kind in ("room", "object", "negation")
     rooms = [i.room for i in items[max(start - 2, 0) : p.subject[1]] if i.room is not None]
-    new = listed and all(r.quantifier in (Det.A, Det.BARE) for r in rooms)
+    new = listed and (all(r.quantifier in (Det.A, Det.BARE) for r in rooms) or rooms[-1].count == 1)
     return new and p.kind in (Relation.ONLY, Relation.NEAR) and not rooms[-1].plural
 
 

@@ -208,3 +208,30 @@ def test_what_no_study_is_asks_for_none(none: str) -> None:
 @pytest.mark.parametrize("flat, beds", [("student flat for three", 3), ("shared apartment for four", 4)])
 def test_those_who_share_a_flat_have_a_room_each(flat: str, beds: int) -> None:
     assert rooms(read(flat)).startswith(f"B{beds} ")
+
+
+@pytest.mark.parametrize("anew", ["no, make that", "wait, make that", "actually make it"])
+def test_what_follows_rooms_counted_anew_is_said_as_ever(anew: str) -> None:
+    way = "where the robot can enter the kitchen both from the hallway and from the living room"
+    found = read(f"A two-bedroom flat, {anew} three bedrooms and two baths, {way}.")
+    assert rooms(found) == "B3 H K L W2" and {"H1K1", "K1L1"} <= facts(found)
+    found = read(f"Three bedrooms, {anew} four bedrooms, two bathrooms (one belongs to the master), a playroom.")
+    assert rooms(found) == "B4 H K L S W2"
+
+
+@pytest.mark.parametrize("like", ["like the bedrooms", "just like the bedrooms", "as are the bedrooms"])
+def test_what_is_like_others_is_said_of_them(like: str) -> None:
+    found = facts(read(f"2 bedrooms with a balcony each. Kitchen and lounge are off the hall {like}."))
+    assert {"B1H1", "B2H1", "H1K1", "H1L1"} <= found and not {"B1K1", "B1L1"} & found
+
+
+@pytest.mark.parametrize("so", ["So: three bedrooms", "So three bedrooms", "Three bedrooms"])
+def test_bedrooms_counted_after_those_who_sleep_there_are_all(so: str) -> None:
+    said = "for me, my wife and our twin daughters, who want a room each"
+    assert rooms(read(f"A flat {said}. {so}, one bathroom.")) == "B3 H K L W"
+
+
+def test_a_way_in_said_in_french_is_that_of_the_last_room() -> None:
+    found = facts(read("Deux chambres, une salle de bain sans baignoire, des WC séparés et une cuisine accessible "
+                       "uniquement depuis le séjour."))  # fmt: skip
+    assert {"K1L1", "H1W2"} <= found and "L1W2" not in found
