@@ -235,3 +235,17 @@ def test_a_way_in_said_in_french_is_that_of_the_last_room() -> None:
     found = facts(read("Deux chambres, une salle de bain sans baignoire, des WC séparés et une cuisine accessible "
                        "uniquement depuis le séjour."))  # fmt: skip
     assert {"K1L1", "H1W2"} <= found and "L1W2" not in found
+
+
+ASKED = ("for ObjectNav episodes", "for a mobile manipulation benchmark", "for a horror game", "for a life sim",
+         "the player should find", "on one floor")  # fmt: skip
+
+
+@pytest.mark.parametrize("why", ASKED)
+def test_what_a_plan_is_for_is_not_told_as_unread(why: str) -> None:
+    assert not read(f"A two-bedroom flat {why}, with an open kitchen.").unread
+
+
+def test_a_study_of_users_is_no_room() -> None:
+    assert rooms(read("For our user study we need a two-bedroom flat.")) == "B2 H K L W"
+    assert any("student" in words for words in read("A student flat.").unread)
