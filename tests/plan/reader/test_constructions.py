@@ -249,3 +249,8 @@ def test_what_a_plan_is_for_is_not_told_as_unread(why: str) -> None:
 def test_a_study_of_users_is_no_room() -> None:
     assert rooms(read("For our user study we need a two-bedroom flat.")) == "B2 H K L W"
     assert any("student" in words for words in read("A student flat.").unread)
+
+
+@pytest.mark.parametrize("need", ["who each need a study", "who each want an office", "each with their own study"])
+def test_what_each_of_two_people_needs_there_are_two_of(need: str) -> None:
+    assert rooms(read(f"A one-bedroom flat for two people {need}.")) == "B H K L S2 W"
