@@ -132,8 +132,6 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(two|three|four|five|both|\d) same(?:[- ]size)? (?=(?:bed|bath|child|kid)?\w*\s?rooms)", r"\1 equal sized "),
     (r"\b(?:one room|another room|one|another|the (?:second|third|other)(?: room)?) (?:is|should be|will be) for "
      r"(sleep|work|study|live|living|sleeping|working|studying|cooking|eating)\b", r"one for \1"),
-    (r"\bone for (sleep|work|live)\b", r"one for \1ing"),
-    (r"\bone for liveing\b", "one for living"),
     (r"\bfar of (?=the|it|each|bed)", "far from "),
     (r"\bkitchen\"?: ?\"?open\b(?!-| plan| to| onto| concept)", "open kitchen"),
     (r"\bkitchen\"?: ?\"?(?:closed|separate)\b", "separate kitchen"),
