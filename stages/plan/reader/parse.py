@@ -129,9 +129,8 @@ def _of_room(after: list[Item]) -> bool:
 
 
 def _alone(before: list[Item]) -> bool:
-    """`five bedrooms, but only two bathrooms` limits the bathrooms."""
-    start = max((k + 1 for k, i in enumerate(before) if is_mark(i, ".")), default=0)
-    return not rooms_of(before[start:])
+    """Whether no room was named before: `five bedrooms, but only two bathrooms`, `a study. Besides just a bath and …`."""
+    return not rooms_of(before)
 
 
 def _lists_home(after: list[Item]) -> bool:

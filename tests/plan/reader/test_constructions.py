@@ -254,3 +254,9 @@ def test_a_study_of_users_is_no_room() -> None:
 @pytest.mark.parametrize("need", ["who each need a study", "who each want an office", "each with their own study"])
 def test_what_each_of_two_people_needs_there_are_two_of(need: str) -> None:
     assert rooms(read(f"A one-bedroom flat for two people {need}.")) == "B H K L S2 W"
+
+
+@pytest.mark.parametrize("just", ["Besides that just", "Otherwise only", "Apart from that just"])
+def test_just_some_more_rooms_are_no_whole_home(just: str) -> None:
+    found = read(f"The office is near the entrance. The bedroom is at the back. {just} a bathroom, a kitchen and a lounge.")
+    assert rooms(found) == "B H K L S W"
