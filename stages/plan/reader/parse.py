@@ -129,7 +129,7 @@ def _of_room(after: list[Item]) -> bool:
 
 
 def _alone(before: list[Item]) -> bool:
-    """Whether no room was named before: `five bedrooms, but only two bathrooms`, `a study. Besides just a bath and …`."""
+    """Whether no room was named before: `five bedrooms, but only two bathrooms`."""
     return not rooms_of(before)
 
 

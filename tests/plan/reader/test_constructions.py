@@ -258,5 +258,6 @@ def test_what_each_of_two_people_needs_there_are_two_of(need: str) -> None:
 
 @pytest.mark.parametrize("just", ["Besides that just", "Otherwise only", "Apart from that just"])
 def test_just_some_more_rooms_are_no_whole_home(just: str) -> None:
-    found = read(f"The office is near the entrance. The bedroom is at the back. {just} a bathroom, a kitchen and a lounge.")
+    more = f"{just} a bathroom, a kitchen and a lounge"
+    found = read(f"The office is near the entrance. The bedroom is at the back. {more}.")
     assert rooms(found) == "B H K L S W"
