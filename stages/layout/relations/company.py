@@ -3,6 +3,7 @@ bed, a coffee table before the sofa, the sofa before the television."""
 
 from collections.abc import Callable, Sequence
 from functools import cache
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from apartgen.stages.use import kinds
 
 LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(18), np.radians(35)
 """Within these angles one sits at a table, watches a screen, and is a screen seen."""
-FAR = 3.6
+FAR = 3.5
 """A television stands no farther from its sofa, m."""
 TURNED, STRANDED = np.radians(68), 1.9
 """An armchair looks at a sofa or its table within this angle, and stands no farther from it, m."""
@@ -26,6 +27,9 @@ AGAINST = 0.36
 """Between a dining table and a sofa or a low table one passes, m."""
 AHEAD = (0.05, 0.5)
 """So far before a sofa nothing stands that is no low table, m."""
+VIEW = (kinds.SOFAS, frozenset({"tv_stand"}), kinds.TABLES)
+"""Who watches, what is watched, and what must not stand between."""
+TINY = 1e-9
 USED_AT = kinds.EASY | kinds.BEDS | kinds.DESKS | kinds.TABLE_TOPS | {"coffee_table"}
 """Where small seats are used."""
 Flags = NDArray[np.bool_]
@@ -110,6 +114,27 @@ def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
         if some := [k for k, o in enumerate(others) if o in partners]:
             found |= ~wanted(Seen(boxes, there[some]), [others[k] for k in some])
     return found
+
+
+def barred(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
+    """Which candidates (n, 7) make a table stand between a sofa and its television, whichever of these they are."""
+    kind, found = kinds.basic(name), np.zeros(len(boxes), bool)
+    if any(kind in some for some in VIEW):
+        parts = [[boxes] if kind in some else
+                 [box[None] for o, box in zip(names, there, strict=True) if kinds.basic(o) in some] for some in VIEW]
+        for seat, screen, table in product(*parts):
+            found |= _crossed(seat, screen, table)
+    return found
+
+
+def _crossed(one: Array, two: Array, boxes: Array) -> Flags:
+    """Whether the way from the middle of one thing to that of another leads through a box, (n, 7) or (1, 7) each."""
+    half = boxes[:, 3:5] / 2
+    start, end = (np.stack(_turned(thing[:, :2] - boxes[:, :2], boxes[:, 2]), -1) for thing in (one, two))
+    way = np.where(np.abs(end - start) < TINY, TINY, end - start)
+    enters, leaves = (-half - start) / way, (half - start) / way
+    first, last = np.minimum(enters, leaves).max(1), np.maximum(enters, leaves).min(1)
+    return np.asarray((first < last) & (last > 0) & (first < 1))
 
 
 @cache

@@ -116,6 +116,8 @@ class Furniture:
         total += np.where(self._meets_leaves(name, found), 2 * BROKEN if strict else ALONE, 0.0)
         useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
         total += np.where(company.alone(name, boxes, self.names, self.boxes), useless, 0.0)
+        barred = company.barred(name, boxes, self.names, self.boxes)
+        total += np.where(barred, ALONE if loose else 2 * BROKEN, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
         total += np.where(cramped, 2 * BROKEN if strict else CRAMPED, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)

@@ -84,6 +84,25 @@ def test_nothing_large_is_put_right_before_a_sofa(name: str) -> None:
     assert found.tolist() == [True, False]
 
 
+SOFA, SCREEN = (0.0, 0.0, 0.0, 0.9, 2.0, 0.0, 0.8), (3.5, 0.0, np.pi, 0.4, 1.6, 0.0, 0.5)
+
+
+@pytest.mark.parametrize("x, y, yaw, bars", [
+    (2.0, 0.0, 0.0, True), (2.0, 0.6, 0.0, True),  # .9 x 1.6 m: its long half reaches .2 m past the middle
+    (2.0, 0.9, 0.0, False), (2.0, 0.6, np.pi / 2, False),  # beside the view, and so when it is turned
+    (-1.5, 0.0, 0.0, False), (5.0, 0.0, 0.0, False),  # behind the sofa, behind the screen
+])
+def test_no_table_stands_between_sofa_and_television_whichever_comes_last(
+    x: float, y: float, yaw: float, bars: bool
+) -> None:
+    things = {"sofa": SOFA, "tv_stand": SCREEN, "dining_table": (x, y, yaw, 0.9, 1.6, 0.0, 0.75)}
+    for last in things:
+        there = [name for name in things if name != last]
+        boxes = np.array([things[name] for name in there])
+        assert company.barred(last, np.array([things[last]]), there, boxes).tolist() == [bars]
+    assert not company.barred("bookshelf", np.array([things["dining_table"]]), list(things)[:2], boxes).any()
+
+
 @pytest.mark.parametrize("left, there, may", [
     (["chair", "dining_table", "plant"], [], {"dining_table", "plant"}),
     (["chair", "plant"], [], {"chair", "plant"}),                       # there is none to wait for
