@@ -14,59 +14,172 @@ FLOATING = (Det.BOTH, Det.ALL, Det.EACH)
 def written_out(items: list[Item]) -> list[Item]:
     """Each short form in the place of which a longer one of the same meaning stands."""
     out: list[Item] = []
-    fronted: Item | None = None
-    door: Item | None = None
     for k, item in enumerate(items):
-        before, ahead = (out[-1] if out else Item("mark", ".")), (items[k + 1 : k + 4] + [Item("")] * 3)[:3]
-        room = item.room
-        if item.text in ARROWS and ahead[0].kind == "object":
-            out.append(Item("with", "has", item.text))  # "bedroom 1 -> double bed"
-        elif is_mark(item, ",") and (is_mark(before, ",") or _furnishes(ahead)):
-            out += [] if is_mark(before, ",") else [Item("mark", ".", ".")]
-        elif item.value == "not" and before.room is not None and _ends(items, k) and (said := _said_before(out)):
-            at, verb = said  # "the bathrooms share a wall and the bedrooms do not"
-            out[at] = Item("mark", ".", ".")
-            out += [item, *verb]
-        elif item.text == "also" and before.room is not None and ahead[0].kind in SAID:
-            continue  # "a bathroom also accessible from the hall"
-        elif item.text == "that" and before.kind == "conjunction" and ahead[0].room is not None:
-            out[-1] = Item("boundary", "while", before.text)  # "that A is … and that B is …"
-        elif item.text == "together" and ahead[0].kind not in ("area", "share", "with") and _lived(out):
-            out.append(Item("open", "", item.text))  # "kitchen and dining area together"
-        elif item.text == "between them" and ahead[0].room is not None and ahead[0].room.quantifier == Det.A:
-            fronted = Item("link", "between", item.text)  # "and between them a bathroom"
-        elif fronted is not None and room is not None:
-            out += [item, fronted]
-            fronted = None
-        elif room is not None and room.text == "own" and ahead[0].text.startswith("door"):
-            door = out.pop() if before.value == "has" else item  # "the bedroom has its own door to the bathroom"
-        elif door is not None and item.kind == "link":
-            out.append(replace(item, form="s"))
-            door = None
-        elif item.text in ("one from", "one to") and before.value == "plus" and (named := _rooms(out)):
-            theirs = named[-1] if item.text == "one from" else named[0]
-            out[-1:] = [Item("mark", ".", "."), _again_named(theirs), replace(item, text="reached from", form="")]
-        elif room is not None and room.text in ("bed", "beds") and _among_things(items, k):
-            out.append(Item("object", "double_bed", item.text, number=2 if room.plural else 1))
-        elif item.kind == "only" and before.value == "not":
-            continue  # "not just a kitchenette"
-        elif item.kind == "front" and before.kind == "conjunction" and _again(out, item):
-            continue  # "from the hall and from the lounge"
-        elif room is not None and _floats(room) and ahead[0].kind == "front" and ahead[1].room is not None:
-            out += [item] if is_mark(before, ",") else []  # "enter the kitchen both from the hall and …"
-        elif item.kind == "front" and before.room is not None and _floats(before.room) and ahead[0].room is not None:
-            out.append(Item("link", "door", "reached from"))  # "two bathrooms, both from the corridor"
-        elif room is not None and room.quantifier == Det.NONE and Trait.ENSUITE in room.labels:
-            room.negated, room.quantifier = True, Det.BARE  # "two bathrooms, neither of them en suite"
-            out += [Item("negation", "no", item.text), item]
-        elif room is not None and before.value == "not" and _contrasted(out, room):
-            del out[-2:]  # "a separate kitchen, not a kitchenette"
-        elif item.kind == "open" and before.value == "not" and (closed := _closed(out)) is not None:
-            closed.labels.add(Trait.SEPARATE)  # "the kitchen is not open"
-            out.pop()
-        else:
+        if not any(rule(out, items, k) for rule in RULES):
             out.append(item)
     return out
+
+
+def _ahead(items: list[Item], k: int) -> list[Item]:
+    return (items[k + 1 : k + 4] + [Item("")] * 3)[:3]
+
+
+def _last(out: list[Item]) -> Item:
+    return out[-1] if out else Item("mark", ".")
+
+
+def _arrow(out: list[Item], items: list[Item], k: int) -> bool:
+    """`bedroom 1 -> double bed`."""
+    fits = items[k].text in ARROWS and _ahead(items, k)[0].kind == "object"
+    out += [Item("with", "has", items[k].text)] * fits
+    return fits
+
+
+def _comma(out: list[Item], items: list[Item], k: int) -> bool:
+    """Two commas are one; one before `in every bedroom a desk` ends a sentence."""
+    again = is_mark(_last(out), ",")
+    if not is_mark(items[k], ",") or not (again or _furnishes(_ahead(items, k))):
+        return False
+    out += [] if again else [Item("mark", ".", ".")]
+    return True
+
+
+def _do_not(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the bathrooms share a wall and the bedrooms do not`."""
+    fits = items[k].value == "not" and _last(out).room is not None and _ends(items, k)
+    if not fits or (said := _said_before(out)) is None:
+        return False
+    at, verb = said
+    out[at] = Item("mark", ".", ".")
+    out += [items[k], *verb]
+    return True
+
+
+def _also(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a bathroom also accessible from the hall`."""
+    return items[k].text == "also" and _last(out).room is not None and _ahead(items, k)[0].kind in SAID
+
+
+def _that_again(out: list[Item], items: list[Item], k: int) -> bool:
+    """`… that A is … and that B is …`."""
+    fits = items[k].text == "that" and _last(out).kind == "conjunction" and _ahead(items, k)[0].room is not None
+    if fits:
+        out[-1] = Item("boundary", "while", out[-1].text)
+    return fits
+
+
+def _together(out: list[Item], items: list[Item], k: int) -> bool:
+    """`kitchen and dining area together`."""
+    fits = items[k].text == "together" and _ahead(items, k)[0].kind not in ("area", "share", "with") and _lived(out)
+    out += [Item("open", "", items[k].text)] * fits
+    return fits
+
+
+def _between_them(out: list[Item], items: list[Item], k: int) -> bool:
+    """`and between them a bathroom`: the room, then the relation."""
+    if k and items[k].room is not None and _leads_in(items, k - 1):
+        out += [items[k], Item("link", "between", items[k - 1].text)]
+        return True
+    return _leads_in(items, k)
+
+
+def _leads_in(items: list[Item], k: int) -> bool:
+    room = _ahead(items, k)[0].room
+    return items[k].text == "between them" and room is not None and room.quantifier == Det.A
+
+
+def _own_door(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the bedroom has its own door to the bathroom`."""
+    if k and items[k].kind == "link" and _door_of_own(items, k - 1):
+        out.append(replace(items[k], form="s"))
+        return True
+    fits = _door_of_own(items, k)
+    if fits and _last(out).value == "has":
+        out.pop()
+    return fits
+
+
+def _door_of_own(items: list[Item], k: int) -> bool:
+    room = items[k].room
+    return room is not None and room.text == "own" and _ahead(items, k)[0].text.startswith("door")
+
+
+def _one_from(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a door to the hall plus one to the bedroom`."""
+    named = _rooms(out)
+    if items[k].text not in ("one from", "one to") or _last(out).value != "plus" or not named:
+        return False
+    theirs = named[-1] if items[k].text == "one from" else named[0]
+    out[-1:] = [Item("mark", ".", "."), _again_named(theirs), replace(items[k], text="reached from", form="")]
+    return True
+
+
+def _bed(out: list[Item], items: list[Item], k: int) -> bool:
+    """The bed of `bed and desk in the main room`."""
+    room = items[k].room
+    if room is None or room.text not in ("bed", "beds") or not _among_things(items, k):
+        return False
+    out.append(Item("object", "double_bed", items[k].text, number=2 if room.plural else 1))
+    return True
+
+
+def _not_just(out: list[Item], items: list[Item], k: int) -> bool:
+    """`not just a kitchenette`."""
+    return items[k].kind == "only" and _last(out).value == "not"
+
+
+def _from_again(out: list[Item], items: list[Item], k: int) -> bool:
+    """`from the hall and from the lounge`."""
+    return items[k].kind == "front" and _last(out).kind == "conjunction" and _again(out, items[k])
+
+
+def _both_from(out: list[Item], items: list[Item], k: int) -> bool:
+    """`enter the kitchen both from the hall and …`."""
+    room, ahead = items[k].room, _ahead(items, k)
+    fits = room is not None and _floats(room) and ahead[0].kind == "front" and ahead[1].room is not None
+    out += [items[k]] if fits and is_mark(_last(out), ",") else []
+    return fits
+
+
+def _they_from(out: list[Item], items: list[Item], k: int) -> bool:
+    """`two bathrooms, both from the corridor`."""
+    room = _last(out).room
+    fits = items[k].kind == "front" and room is not None and _floats(room) and _ahead(items, k)[0].room is not None
+    out += [Item("link", "door", "reached from")] * fits
+    return fits
+
+
+def _neither(out: list[Item], items: list[Item], k: int) -> bool:
+    """`two bathrooms, neither of them en suite`."""
+    room = items[k].room
+    if room is None or room.quantifier != Det.NONE or Trait.ENSUITE not in room.labels:
+        return False
+    room.negated, room.quantifier = True, Det.BARE
+    out += [Item("negation", "no", items[k].text), items[k]]
+    return True
+
+
+def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a separate kitchen, not a kitchenette`."""
+    room = items[k].room
+    if room is None or _last(out).value != "not" or not _contrasted(out, room):
+        return False
+    del out[-2:]
+    return True
+
+
+def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the kitchen is not open`."""
+    if items[k].kind != "open" or _last(out).value != "not" or (closed := _closed(out)) is None:
+        return False
+    closed.labels.add(Trait.SEPARATE)
+    out.pop()
+    return True
+
+
+RULES = (_arrow, _comma, _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just,
+         _from_again, _both_from, _they_from, _neither, _not_another, _not_open)  # fmt: skip
+"""In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 
 
 def _furnishes(ahead: list[Item]) -> bool:
