@@ -71,7 +71,8 @@ def complete_links(
     inner = {r.id for r in rooms if r.type == "hallway" and r.id != start and _off_living(r, rooms, out)}
     after = order.index("dining_room")  # "a second hallway off the living room": first the way to the living room
     for room in sorted(rooms, key=lambda r: (r.id in only, after if r.id in inner else order.index(r.type))):
-        seen = reached(rooms, _without_short_cuts(room, rooms, out, start), start)
+        ways = out if room.id in only else _without_short_cuts(room, rooms, out, start)
+        seen = reached(rooms, ways, start)
         if room.id not in seen:
             partner = _partner(room, rooms, out, seen, forbidden)
             if partner is not None:

@@ -1,0 +1,17 @@
+"""Clauses that end where the next has a verb of its own, pairs spoken of again, ways in that are the only ones."""
+
+import pytest
+from sentences.facts import facts
+
+from apartgen.stages.plan.reader import read
+
+
+@pytest.mark.parametrize("only", ["that you can only reach through", "that has the door only from", "entered only from",
+                                  "accessible only via"])  # fmt: skip
+def test_a_living_room_entered_only_from_the_kitchen_has_no_other_door(only: str) -> None:
+    found = facts(read(f"Two bedrooms, a bathroom, a kitchen, and a living room {only} the kitchen."))
+    assert {"K1L1", "H1K1"} <= found and "H1L1" not in found
+
+
+def test_a_living_room_beside_a_kitchen_has_a_way_of_its_own_where_nobody_says_only() -> None:
+    assert "H1L1" in facts(read("Two bedrooms. The kitchen connects to the living room and to the hallway."))
