@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.clausal import again_named, ahead, compared, last
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -20,33 +21,21 @@ def written_out(items: list[Item]) -> list[Item]:
     return out
 
 
-def _ahead(items: list[Item], k: int) -> list[Item]:
-    return (items[k + 1 : k + 4] + [Item("")] * 3)[:3]
-
-
-def _last(out: list[Item]) -> Item:
-    return out[-1] if out else Item("mark", ".")
-
-
 def _arrow(out: list[Item], items: list[Item], k: int) -> bool:
     """`bedroom 1 -> double bed`."""
-    fits = items[k].text in ARROWS and _ahead(items, k)[0].kind == "object"
+    fits = items[k].text in ARROWS and ahead(items, k)[0].kind == "object"
     out += [Item("with", "has", items[k].text)] * fits
     return fits
 
 
 def _comma(out: list[Item], items: list[Item], k: int) -> bool:
-    """Two commas are one; one before `in every bedroom a desk` ends a sentence."""
-    again = is_mark(_last(out), ",")
-    if not is_mark(items[k], ",") or not (again or _furnishes(_ahead(items, k))):
-        return False
-    out += [] if again else [Item("mark", ".", ".")]
-    return True
+    """Two commas are one."""
+    return is_mark(items[k], ",") and is_mark(last(out), ",")
 
 
 def _do_not(out: list[Item], items: list[Item], k: int) -> bool:
     """`the bathrooms share a wall and the bedrooms do not`."""
-    fits = items[k].value == "not" and _last(out).room is not None and _ends(items, k)
+    fits = items[k].value == "not" and last(out).room is not None and _ends(items, k)
     if not fits or (said := _said_before(out)) is None:
         return False
     at, verb = said
@@ -57,12 +46,12 @@ def _do_not(out: list[Item], items: list[Item], k: int) -> bool:
 
 def _also(out: list[Item], items: list[Item], k: int) -> bool:
     """`a bathroom also accessible from the hall`."""
-    return items[k].text == "also" and _last(out).room is not None and _ahead(items, k)[0].kind in SAID
+    return items[k].text == "also" and last(out).room is not None and ahead(items, k)[0].kind in SAID
 
 
 def _that_again(out: list[Item], items: list[Item], k: int) -> bool:
     """`… that A is … and that B is …`."""
-    fits = items[k].text == "that" and _last(out).kind == "conjunction" and _ahead(items, k)[0].room is not None
+    fits = items[k].text == "that" and last(out).kind == "conjunction" and ahead(items, k)[0].room is not None
     if fits:
         out[-1] = Item("boundary", "while", out[-1].text)
     return fits
@@ -70,7 +59,7 @@ def _that_again(out: list[Item], items: list[Item], k: int) -> bool:
 
 def _together(out: list[Item], items: list[Item], k: int) -> bool:
     """`kitchen and dining area together`."""
-    fits = items[k].text == "together" and _ahead(items, k)[0].kind not in ("area", "share", "with") and _lived(out)
+    fits = items[k].text == "together" and ahead(items, k)[0].kind not in ("area", "share", "with") and _lived(out)
     out += [Item("open", "", items[k].text)] * fits
     return fits
 
@@ -84,7 +73,7 @@ def _between_them(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 def _leads_in(items: list[Item], k: int) -> bool:
-    room = _ahead(items, k)[0].room
+    room = ahead(items, k)[0].room
     return items[k].text == "between them" and room is not None and room.quantifier == Det.A
 
 
@@ -94,23 +83,23 @@ def _own_door(out: list[Item], items: list[Item], k: int) -> bool:
         out.append(replace(items[k], form="s"))
         return True
     fits = _door_of_own(items, k)
-    if fits and _last(out).value == "has":
+    if fits and last(out).value == "has":
         out.pop()
     return fits
 
 
 def _door_of_own(items: list[Item], k: int) -> bool:
     room = items[k].room
-    return room is not None and room.text == "own" and _ahead(items, k)[0].text.startswith("door")
+    return room is not None and room.text == "own" and ahead(items, k)[0].text.startswith("door")
 
 
 def _one_from(out: list[Item], items: list[Item], k: int) -> bool:
     """`a door to the hall plus one to the bedroom`."""
     named = _rooms(out)
-    if items[k].text not in ("one from", "one to") or _last(out).value != "plus" or not named:
+    if items[k].text not in ("one from", "one to") or last(out).value != "plus" or not named:
         return False
     theirs = named[-1] if items[k].text == "one from" else named[0]
-    out[-1:] = [Item("mark", ".", "."), _again_named(theirs), replace(items[k], text="reached from", form="")]
+    out[-1:] = [Item("mark", ".", "."), again_named(theirs), replace(items[k], text="reached from", form="")]
     return True
 
 
@@ -125,26 +114,26 @@ def _bed(out: list[Item], items: list[Item], k: int) -> bool:
 
 def _not_just(out: list[Item], items: list[Item], k: int) -> bool:
     """`not just a kitchenette`."""
-    return items[k].kind == "only" and _last(out).value == "not"
+    return items[k].kind == "only" and last(out).value == "not"
 
 
 def _from_again(out: list[Item], items: list[Item], k: int) -> bool:
     """`from the hall and from the lounge`."""
-    return items[k].kind == "front" and _last(out).kind == "conjunction" and _again(out, items[k])
+    return items[k].kind == "front" and last(out).kind == "conjunction" and _again(out, items[k])
 
 
 def _both_from(out: list[Item], items: list[Item], k: int) -> bool:
     """`enter the kitchen both from the hall and …`."""
-    room, ahead = items[k].room, _ahead(items, k)
-    fits = room is not None and _floats(room) and ahead[0].kind == "front" and ahead[1].room is not None
-    out += [items[k]] if fits and is_mark(_last(out), ",") else []
+    room, (start, hub, _) = items[k].room, ahead(items, k)
+    fits = room is not None and _floats(room) and start.kind == "front" and hub.room is not None
+    out += [items[k]] if fits and is_mark(last(out), ",") else []
     return fits
 
 
 def _they_from(out: list[Item], items: list[Item], k: int) -> bool:
     """`two bathrooms, both from the corridor`."""
-    room = _last(out).room
-    fits = items[k].kind == "front" and room is not None and _floats(room) and _ahead(items, k)[0].room is not None
+    room = last(out).room
+    fits = items[k].kind == "front" and room is not None and _floats(room) and ahead(items, k)[0].room is not None
     out += [Item("link", "door", "reached from")] * fits
     return fits
 
@@ -162,7 +151,7 @@ def _neither(out: list[Item], items: list[Item], k: int) -> bool:
 def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
     """`a separate kitchen, not a kitchenette`."""
     room = items[k].room
-    if room is None or _last(out).value != "not" or not _contrasted(out, room):
+    if room is None or last(out).value != "not" or not _contrasted(out, room):
         return False
     del out[-2:]
     return True
@@ -170,7 +159,7 @@ def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
 
 def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
     """`the kitchen is not open`."""
-    if items[k].kind != "open" or _last(out).value != "not" or (closed := _closed(out)) is None:
+    if items[k].kind != "open" or last(out).value != "not" or (closed := _closed(out)) is None:
         return False
     closed.labels.add(Trait.SEPARATE)
     out.pop()
@@ -178,14 +167,8 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 RULES = (_arrow, _comma, _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just,
-         _from_again, _both_from, _they_from, _neither, _not_another, _not_open)  # fmt: skip
+         _from_again, _both_from, _they_from, _neither, _not_another, _not_open, compared)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
-
-
-def _furnishes(ahead: list[Item]) -> bool:
-    """`…, in every bedroom a desk`: a clause of its own."""
-    inside, room, thing = ahead
-    return inside.value == "in" and room.room is not None and thing.kind == "object"
 
 
 def _again(out: list[Item], item: Item) -> bool:
@@ -236,11 +219,6 @@ def _lived(out: list[Item]) -> bool:
 def _rooms(out: list[Item]) -> list[RoomPhrase]:
     start = max((j + 1 for j in range(len(out)) if is_mark(out[j], ".")), default=0)
     return [i.room for i in out[start:] if i.room is not None]
-
-
-def _again_named(room: RoomPhrase) -> Item:
-    """A room spoken of once more."""
-    return Item("room", room.type, room.text, RoomPhrase(room.type, quantifier=Det.THE, text=room.text))
 
 
 def _among_things(items: list[Item], k: int) -> bool:

@@ -15,3 +15,11 @@ def test_a_living_room_entered_only_from_the_kitchen_has_no_other_door(only: str
 
 def test_a_living_room_beside_a_kitchen_has_a_way_of_its_own_where_nobody_says_only() -> None:
     assert "H1L1" in facts(read("Two bedrooms. The kitchen connects to the living room and to the hallway."))
+
+
+@pytest.mark.parametrize("joint", [", and", " and", ","])
+@pytest.mark.parametrize("first", ["the kitchen is smaller than the study", "the study is the largest room"])
+def test_a_comparison_ends_where_the_next_clause_has_a_verb(first: str, joint: str) -> None:
+    found = facts(read(f"Two bedrooms and a study. Note: {first}{joint} both bedrooms are next to the bathroom."))
+    assert {"adjacent B1 W1", "adjacent B2 W1"} <= found
+    assert not {"adjacent K1 W1", "adjacent S1 W1"} & found

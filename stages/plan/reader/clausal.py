@@ -1,0 +1,37 @@
+"""Where a clause ends, and what of the clause before it speaks of again."""
+
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det
+
+COMPARED = ("compare", "extreme")
+
+
+def ahead(items: list[Item], k: int) -> list[Item]:
+    """The three items behind `k`."""
+    return (items[k + 1 : k + 4] + [Item("")] * 3)[:3]
+
+
+def last(out: list[Item]) -> Item:
+    """The item before; a full stop where there is none."""
+    return out[-1] if out else Item("mark", ".")
+
+
+def clause(out: list[Item]) -> list[Item]:
+    """What `out` has of the sentence that it ends in."""
+    return out[max((j + 1 for j in range(len(out)) if is_mark(out[j], ".")), default=0) :]
+
+
+def compared(out: list[Item], items: list[Item], k: int) -> bool:
+    """`A is smaller than B, and C is next to D`: what is said of C is not said of A and B."""
+    room, verb, _ = ahead(items, k)
+    joins = items[k].kind == "conjunction" or is_mark(items[k], ",")
+    if not joins or room.room is None or verb.kind != "copula" or not any(i.kind in COMPARED for i in clause(out)):
+        return False
+    out.append(Item("mark", ".", "."))
+    return True
+
+
+def again_named(room: RoomPhrase) -> Item:
+    """A room spoken of once more."""
+    said = RoomPhrase(room.type, set(room.labels), quantifier=Det.THE, ordinals=room.ordinals, text=room.text)
+    return Item("room", room.type, room.text, said)
