@@ -35,3 +35,15 @@ def again_named(room: RoomPhrase) -> Item:
     """A room spoken of once more."""
     said = RoomPhrase(room.type, set(room.labels), quantifier=Det.THE, ordinals=room.ordinals, text=room.text)
     return Item("room", room.type, room.text, said)
+
+
+def in_every(out: list[Item], items: list[Item], k: int) -> bool:
+    """`…, in every bedroom a desk`, `… and in each bedroom one desk`: a clause of its own."""
+    inside, room, thing = ahead(items, k)
+    joins = items[k].kind == "conjunction" or is_mark(items[k], ",")
+    if not joins or inside.value != "in" or room.room is None or thing.kind != "object":
+        return False
+    if items[k].kind == "conjunction" and (room.room.quantifier != Det.EACH or last(out).kind == "object"):
+        return False
+    out.append(Item("mark", ".", "."))
+    return True

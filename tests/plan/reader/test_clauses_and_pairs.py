@@ -23,3 +23,10 @@ def test_a_comparison_ends_where_the_next_clause_has_a_verb(first: str, joint: s
     found = facts(read(f"Two bedrooms and a study. Note: {first}{joint} both bedrooms are next to the bathroom."))
     assert {"adjacent B1 W1", "adjacent B2 W1"} <= found
     assert not {"adjacent K1 W1", "adjacent S1 W1"} & found
+
+
+@pytest.mark.parametrize("desk", ["and in every bedroom one desk", ", in every bedroom a desk",
+                                  "and in each bedroom a desk"])  # fmt: skip
+def test_what_is_in_every_bedroom_is_a_clause_of_its_own(desk: str) -> None:
+    found = facts(read(f"We need three bedrooms {desk}. One bathroom."))
+    assert {"B1 has 1 desk", "B2 has 1 desk", "B3 has 1 desk"} <= found
