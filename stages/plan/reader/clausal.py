@@ -31,6 +31,12 @@ def compared(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def then_listed(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a bedroom with a desk and a chair, then a kitchen`: a list goes on, no way does."""
+    furnished = len(out) > 1 and is_mark(out[-1], ",") and out[-2].kind == "object"
+    return items[k].kind == "boundary" and items[k].value == "then" and furnished
+
+
 def again_named(room: RoomPhrase) -> Item:
     """A room spoken of once more."""
     said = RoomPhrase(room.type, set(room.labels), quantifier=Det.THE, ordinals=room.ordinals, text=room.text)

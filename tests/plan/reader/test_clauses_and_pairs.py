@@ -30,3 +30,9 @@ def test_a_comparison_ends_where_the_next_clause_has_a_verb(first: str, joint: s
 def test_what_is_in_every_bedroom_is_a_clause_of_its_own(desk: str) -> None:
     found = facts(read(f"We need three bedrooms {desk}. One bathroom."))
     assert {"B1 has 1 desk", "B2 has 1 desk", "B3 has 1 desk"} <= found
+
+
+@pytest.mark.parametrize("things", ["a double bed", "a desk and two chairs", "a bed, a desk and two monitors"])
+def test_then_behind_furniture_lists_on(things: str) -> None:
+    found = facts(read(f"1 bedroom with {things}, then a living room, a kitchen and a bathroom."))
+    assert {"B1H1", "H1L1"} <= found and "B1L1" not in found
