@@ -4,6 +4,9 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
 COMPARED = ("compare", "extreme")
+DENYING = ("no", "without")
+LEADING = ("with", "boundary", "conjunction", "relative", "copula")
+"""What may stand between the rooms and `no door between them`."""
 
 
 def ahead(items: list[Item], k: int) -> list[Item]:
@@ -35,6 +38,32 @@ def then_listed(out: list[Item], items: list[Item], k: int) -> bool:
     """`a bedroom with a desk and a chair, then a kitchen`: a list goes on, no way does."""
     furnished = len(out) > 1 and is_mark(out[-1], ",") and out[-2].kind == "object"
     return items[k].kind == "boundary" and items[k].value == "then" and furnished
+
+
+def none_between(out: list[Item], items: list[Item], k: int) -> bool:
+    """`A is next to B but with no door between them`: between those two, or the several named last."""
+    if k and _denies(items, k - 1) and items[k - 1].value in DENYING:
+        return True
+    pair = _pair(clause(out)) if _denies(items, k) else []
+    if not pair:
+        return False
+    while out[-1].kind in LEADING or is_mark(out[-1], ","):
+        out.pop()
+    joined = [pair[0], Item("conjunction", "and", "and"), pair[1]] if len(pair) > 1 else pair
+    out += [Item("mark", ".", "."), Item("negation", "no", "no"), Item("link", "between", "between"), *joined,
+            Item("mark", ".", ".")]  # fmt: skip
+    return True
+
+
+def _denies(items: list[Item], k: int) -> bool:
+    return items[k].kind == "negation" and items[k].value in DENYING and ahead(items, k)[0].text == "between them"
+
+
+def _pair(said: list[Item]) -> list[Item]:
+    """The two rooms that a sentence is about, or the phrase for several."""
+    named = [i for i in said if i.room is not None and not i.room.negated]
+    several = [i for i in named[-1:] if i.room is not None and (i.room.plural or (i.room.count or 1) > 1)]
+    return several or (named[-2:] if len(named) > 1 else [])
 
 
 def again_named(room: RoomPhrase) -> Item:

@@ -36,3 +36,11 @@ def test_what_is_in_every_bedroom_is_a_clause_of_its_own(desk: str) -> None:
 def test_then_behind_furniture_lists_on(things: str) -> None:
     found = facts(read(f"1 bedroom with {things}, then a living room, a kitchen and a bathroom."))
     assert {"B1H1", "H1L1"} <= found and "B1L1" not in found
+
+
+@pytest.mark.parametrize("none", [" but with no door between them", ", without a door between them",
+                                  ", no door between them", " and there is no door between them"])  # fmt: skip
+def test_no_door_between_them_is_between_those_named(none: str) -> None:
+    found = facts(read(f"Two bedrooms. The main bedroom is adjacent to the bathroom{none}. A study."))
+    assert {"adjacent B1 W1", "no_door B1 W1"} <= found
+    assert "no_door B1 B2" in facts(read(f"A kitchen. Two bedrooms side by side{none}."))
