@@ -66,6 +66,17 @@ def _pair(said: list[Item]) -> list[Item]:
     return several or (named[-2:] if len(named) > 1 else [])
 
 
+def beside_it(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a bedroom near the entrance, the bathroom beside it`: beside the bedroom; `far from` one, it is the entrance."""
+    first, link, place, comma, room, near = ([Item("")] * 6 + out)[-6:]
+    fits = items[k].value == "it" and near.kind == "link" and near.value == "near" and room.room is not None
+    fits = fits and is_mark(comma, ",") and place.value == "entrance" and link.value == "near"
+    if not fits or first.room is None:
+        return False
+    out.append(again_named(first.room))
+    return True
+
+
 def again_named(room: RoomPhrase) -> Item:
     """A room spoken of once more."""
     said = RoomPhrase(room.type, set(room.labels), quantifier=Det.THE, ordinals=room.ordinals, text=room.text)

@@ -44,3 +44,9 @@ def test_no_door_between_them_is_between_those_named(none: str) -> None:
     found = facts(read(f"Two bedrooms. The main bedroom is adjacent to the bathroom{none}. A study."))
     assert {"adjacent B1 W1", "no_door B1 W1"} <= found
     assert "no_door B1 B2" in facts(read(f"A kitchen. Two bedrooms side by side{none}."))
+
+
+@pytest.mark.parametrize("beside", ["beside it", "next to it"])
+def test_it_behind_a_place_near_the_entrance_is_the_room(beside: str) -> None:
+    found = facts(read(f"One bedroom near the entrance, the bathroom {beside}, a living room and a kitchen."))
+    assert {"near B1 entrance", "adjacent W1 B1"} <= found and "near W1 entrance" not in found
