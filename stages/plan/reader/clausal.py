@@ -1,5 +1,7 @@
 """Where a clause ends, and what of the clause before it speaks of again."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -7,6 +9,8 @@ COMPARED = ("compare", "extreme")
 DENYING = ("no", "without")
 LEADING = ("with", "boundary", "conjunction", "relative", "copula")
 """What may stand between the rooms and `no door between them`."""
+SIZING = ("area", "copula", "with", "area_word")
+"""What may stand between rooms and their areas."""
 
 
 def ahead(items: list[Item], k: int) -> list[Item]:
@@ -93,3 +97,20 @@ def in_every(out: list[Item], items: list[Item], k: int) -> bool:
         return False
     out.append(Item("mark", ".", "."))
     return True
+
+
+def several_areas(out: list[Item], items: list[Item], k: int) -> bool:
+    """`two bedrooms of 15 m² and 10 m²`, whose second area is no area of the flat."""
+    if items[k].kind == "conjunction" and ahead(items, k)[0].kind == "area" and _owed(out):
+        return True
+    if k == 0 or items[k].kind != "area" or items[k - 1].kind != "conjunction" or not _owed(out):
+        return False
+    out[-1] = replace(out[-1], values=(*out[-1].values, *items[k].values))
+    return True
+
+
+def _owed(out: list[Item]) -> bool:
+    """Whether `out` ends in fewer areas than there are of the rooms they are said of."""
+    said_of = [i for i in out if i.kind not in SIZING and not is_mark(i, ":(,")]
+    room = said_of[-1].room if said_of else None
+    return last(out).kind == "area" and room is not None and len(out[-1].values) < (room.count or 1)

@@ -50,3 +50,11 @@ def test_no_door_between_them_is_between_those_named(none: str) -> None:
 def test_it_behind_a_place_near_the_entrance_is_the_room(beside: str) -> None:
     found = facts(read(f"One bedroom near the entrance, the bathroom {beside}, a living room and a kitchen."))
     assert {"near B1 entrance", "adjacent W1 B1"} <= found and "near W1 entrance" not in found
+
+
+@pytest.mark.parametrize("said", ["两个卧室分别是15平米和10平米", "两个卧室，15平米和10平米",
+                                  "Two bedrooms: 15 m² and 10 m²",
+                                  "Two bedrooms are 15 m² and 10 m²"])  # fmt: skip
+def test_several_areas_are_those_of_several_rooms(said: str) -> None:
+    found = facts(read(said))
+    assert {"B1=15", "B2=10"} <= found and not any(fact.startswith("all=") for fact in found)
