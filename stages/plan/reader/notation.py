@@ -15,6 +15,11 @@ _WHOSE = re.compile(r"\b(kitchen|(?:living|dining|bath|bed) ?room|hall(?:way)?|c
 _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
 _VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at|on|in|beside|adjacent to)\b)")
+_RELATED = re.compile(
+    r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from)"?\s*:\s*'
+    r'"?([a-z][a-z \d]*)"?\s*(?:[.,;]\s*|$)'
+)
+_OBJECT = re.compile(r'"?([a-z][a-z ]*?(?: \d)?)"?\s*:\s*[({]([^(){}]*)[)}]')
 _TAG = re.compile(r"</?\w+([^<>]*?)/?->")
 _NAMED = re.compile(
     r'"?\b(?:name|type|room|kind|id)"?\s*:\s*"?([a-z][a-z ]*?)(?: ?\d+)?"?[\s.,;]*'
@@ -63,6 +68,7 @@ def worded(text: str) -> str:
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
     text = _WHOSE.sub(r"\1", _TAG.sub(r"\1 ;", text))
     text = re.sub(r" / ", " ; ", text) if text.count(" / ") > 1 else text
+    text = _OBJECT.sub(_with_relations, text)
     text = re.sub(r"\(n ?: ?(\d)\)", r"(\1)", _VALUE.sub(" ", text))
     text = re.sub(r"(?<!\d)\bldk\b", "kitchen/dining room/living room", text)
     text = _ADDED.sub(r"2 \1s (\2, \3)", text)
@@ -83,6 +89,15 @@ def worded(text: str) -> str:
     text = _TOLERANCE.sub(_range, text)
     text = re.sub(r"\b1 of (?=which|them|these)", "one of ", text)
     return _TENS.sub(_numeral, text)
+
+
+def _with_relations(found: re.Match[str]) -> str:
+    """`kitchen: {area: 12, open to: living room}` with its relations behind, each with the room it is said of."""
+    room, said = found.groups()
+    relations = [f"{room} {words} {other}" for words, other in _RELATED.findall(said)]
+    rest = _RELATED.sub("", said).strip(" .,;")
+    kept = [f"{room}: ({rest})"] if rest else []
+    return ". ".join([*kept, *relations]) if relations else found.group()
 
 
 def _counted(found: re.Match[str]) -> str:

@@ -58,3 +58,10 @@ def test_it_behind_a_place_near_the_entrance_is_the_room(beside: str) -> None:
 def test_several_areas_are_those_of_several_rooms(said: str) -> None:
     found = facts(read(said))
     assert {"B1=15", "B2=10"} <= found and not any(fact.startswith("all=") for fact in found)
+
+
+@pytest.mark.parametrize("kitchen", ['{"open_to": "living_room"}', '{"area_m2": 12, "open_to": "living_room"}',
+                                     '{"open_to": "living_room", "area_m2": 12}'])  # fmt: skip
+def test_a_relation_may_be_a_key(kitchen: str) -> None:
+    found = facts(read(f'{{"bedrooms": 2, "bathrooms": 1, "kitchen": {kitchen}, "study": {{"next_to": "kitchen"}}}}'))
+    assert {"K1~L1", "adjacent S1 K1"} <= found and ("12" not in kitchen or "K1=12" in found)
