@@ -4,8 +4,8 @@ import re
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
+from apartgen.stages.plan.reader.apiece import apiece
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
-from apartgen.stages.plan.reader.lexicon import plural
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
@@ -20,13 +20,6 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
-EACH_NEEDS = re.compile(
-    r"(?P<who>\b(?P<n>[2-6]|two|three|four|five|six) "
-    r"(?!(?:\w+ )?\w*(?:rooms?|beds?|suites?)\b)(?:\w+ )?\w+)(?: who|,)? each (?:of them |one )?"
-    r"(?:needs?|wants?|have|has|gets?|with) (?:an?|their own|his own|her own) "
-    r"(?P<room>(?:home )?office|study|workroom|balcony|bath ?room|shower room|dressing room|closet)\b"
-)
-"""Whom a room is wanted for each of, a room beside those one sleeps in."""
 SUMMED = re.compile(
     r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
     r"\b(?! in total)"
@@ -39,7 +32,7 @@ def housed(text: str) -> tuple[People | None, str]:
 
     Where some have rooms, others beside them have some, too; where nobody has, they are told as a household.
     """
-    text = EACH_NEEDS.sub(_of_each, text)
+    text = apiece(text)
     if not any(stem in text for stem in data()["stems"]):
         return None, text
     text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
@@ -56,11 +49,6 @@ def housed(text: str) -> tuple[People | None, str]:
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
     people, text = _household(text)
     return _without_sharing(people, text) if people is not None else (people, text)
-
-
-def _of_each(match: re.Match[str]) -> str:
-    """`two people who each need a study` as two people and two studies."""
-    return f"{match['who']}, {match['n']} {' '.join(plural(tuple(match['room'].split())))}"
 
 
 def _told_again(text: str) -> tuple[int | None, str]:
@@ -180,7 +168,8 @@ def _each_of(text: str) -> tuple[str, list[str]]:
     group = "(?P<all>{who}(?:(?:,| and|,? und|,? et|,? y| &) {who})+),? (?:(?:will|should|must|can) )?"
     own = "(?:{every}|both|beide|all)(?: one)?(?: of them)? ?{need} ?{article}*{room}"
     text = pattern(group + own, unnamed=True).sub(together, text)
-    every = "{every}(?: (?:one|student|person|child|kid|friend|flatmate|roommate|adult|resident))?(?: of them)?"
+    one = "(?:one|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
+    every = f"{{every}}(?: {one})?(?: of (?:them|us|you))?"
     gap = "(?P<between>[^.;:]{0,40})(?P<mark>[,.;:]) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
     return pattern("(?={number}){who}" + gap).sub(apart, text), found
 

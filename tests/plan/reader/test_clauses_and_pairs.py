@@ -1,7 +1,7 @@
 """Clauses that end where the next has a verb of its own, pairs spoken of again, ways in that are the only ones."""
 
 import pytest
-from sentences.facts import facts
+from sentences.facts import facts, rooms
 
 from apartgen.stages.plan.reader import read
 
@@ -65,3 +65,19 @@ def test_several_areas_are_those_of_several_rooms(said: str) -> None:
 def test_a_relation_may_be_a_key(kitchen: str) -> None:
     found = facts(read(f'{{"bedrooms": 2, "bathrooms": 1, "kitchen": {kitchen}, "study": {{"next_to": "kitchen"}}}}'))
     assert {"K1~L1", "adjacent S1 K1"} <= found and ("12" not in kitchen or "K1=12" in found)
+
+
+@pytest.mark.parametrize("own", ["Each of us needs own bedroom", "Each of us wants a room", "Each needs a bedroom"])
+def test_each_of_us_is_each_of_those_counted_before(own: str) -> None:
+    assert rooms(read(f"We are two friends who live together. {own}, the living room can be small.")) == "B2 H K L W"
+
+
+@pytest.mark.parametrize("who", ["Everyone in the family of four has their own room",
+                                 "Everybody in our family of four gets a room"])  # fmt: skip
+def test_a_family_of_which_nobody_shares_has_as_many_bedrooms(who: str) -> None:
+    assert rooms(read(f"{who}. One bathroom.")) == "B4 H K L W"
+
+
+@pytest.mark.parametrize("one", ["two people, one bathroom each", "two people with a bathroom each"])
+def test_each_behind_a_room_counts_it(one: str) -> None:
+    assert rooms(read(f"A one-bedroom flat for {one}.")) == "B H K L W2"
