@@ -81,3 +81,8 @@ def test_a_family_of_which_nobody_shares_has_as_many_bedrooms(who: str) -> None:
 @pytest.mark.parametrize("one", ["two people, one bathroom each", "two people with a bathroom each"])
 def test_each_behind_a_room_counts_it(one: str) -> None:
     assert rooms(read(f"A one-bedroom flat for {one}.")) == "B H K L W2"
+
+
+@pytest.mark.parametrize("small", ["small", "cramped", "poky"])
+def test_a_cramped_study_is_small(small: str) -> None:
+    assert "S1=6.75" in facts(read(f"One bedroom, a {small} study, living room, kitchen, bathroom."))
