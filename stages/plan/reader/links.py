@@ -24,12 +24,16 @@ def mark_private(rooms: list[AskedRoom], links: list[Link]) -> None:
     """What opens only off a bedroom is that bedroom's own; a pair of bedrooms may share a bathroom."""
     kind = {r.id: r.type for r in rooms}
     for room in rooms:
-        near = [b if a == room.id else a for a, b in links if room.id in (a, b)]
+        near = [n for n in _beside(room.id, links) if not (kind[n] in ANNEXES and _beside(n, links) == [room.id])]
         owners: tuple[str, ...] = ("bedroom", "bathroom") if room.type in ANNEXES else ("bedroom",)
         if room.type == "bathroom" and sum(r.type == "bathroom" for r in rooms) > 1:
             owners += ("closet",)  # entered through the dressing room
         if room.type in OWNED and room.private_to is None and near and all(kind[n] in owners for n in near):
             room.private_to = near[0]
+
+
+def _beside(room: str, links: list[Link]) -> list[str]:
+    return [b if a == room else a for a, b in links if room in (a, b)]
 
 
 def reached(rooms: list[AskedRoom], links: list[Link], start: str) -> set[str]:

@@ -33,6 +33,7 @@ from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.unread import limits
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
+from apartgen.stages.plan.reader.ways import in_passing
 
 DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "flat_size", "unit", "ordinal")
 """Kinds that say nothing more once the whole prompt has been looked through."""
@@ -41,7 +42,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = rephrased(fold(prompt))
+    folded = rephrased(in_passing(fold(prompt)))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)

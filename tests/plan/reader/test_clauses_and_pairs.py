@@ -86,3 +86,23 @@ def test_each_behind_a_room_counts_it(one: str) -> None:
 @pytest.mark.parametrize("small", ["small", "cramped", "poky"])
 def test_a_cramped_study_is_small(small: str) -> None:
     assert "S1=6.75" in facts(read(f"One bedroom, a {small} study, living room, kitchen, bathroom."))
+
+
+@pytest.mark.parametrize("to", ["you can only get to the study through the master bedroom",
+                                "we can only enter the study via the master bedroom"])  # fmt: skip
+def test_what_one_can_only_get_to_through_a_room_has_that_door_alone(to: str) -> None:
+    found = facts(read(f"Two bedrooms. {to.capitalize()}, and to the walk-in closet only through the study."))
+    assert {"B1S1", "C1S1"} <= found and not {"H1S1", "B1C1", "C1H1"} & found
+
+
+@pytest.mark.parametrize("out", ["where you go out from", "onto which you step from", "where one can go out through"])
+def test_where_you_go_out_from_is_a_door_of_the_last_room(out: str) -> None:
+    found = facts(read(f"Two bedrooms, one bath and a balcony {out} the kitchen."))
+    assert "K1Y1" in found and not {"K1W1", "L1Y1"} & found
+
+
+@pytest.mark.parametrize("other", ["another one", "another", "the other door", "a second one leads"])
+def test_another_door_is_no_other_room(other: str) -> None:
+    found = read(f"From the living room, one door leads to the kitchen and {other} to a hallway serving three bedrooms "
+                 "and two bathrooms.")  # fmt: skip
+    assert rooms(found) == "B3 H K L W2" and {"K1L1", "H1L1", "B1H1"} <= facts(found)

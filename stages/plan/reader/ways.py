@@ -1,0 +1,30 @@
+"""Ways in, wishes and owners as people say them in passing, put into words that the rules know."""
+
+import re
+
+_ANYONE = "(?:you|one|we|people|i)"
+_THROUGH = "(?:through|via|from|by way of)"
+_ONE_DOOR = re.compile(
+    r"\b(?:one|a|the first) (?:door )?(?:leads|goes|opens) (to|into|onto) (?P<first>[^.,;]+?),? "
+    r"(?:and |while )?(?:another|the other|the second|a second)(?: one| door)?(?: (?:leads|goes|opens))? "
+    r"(?:to|into|onto) "
+)
+
+_SAID = [(re.compile(pattern), words) for pattern, words in (
+    # "You can only get to the study through the bedroom, and to the closet only through the study."
+    (rf"\b{_ANYONE} can only (?:get (?:in)?to|go (?:in)?to|reach|enter|access) ((?:the |an? )?[a-z -]{{3,30}}?) "
+     rf"{_THROUGH} ", r"\1 is reachable only from "),
+    (rf"(\bis reachable only from [^.;,]+),? and (?:in)?to ((?:the |an? )?[a-z -]{{3,30}}?) only {_THROUGH} ",
+     r"\1, and \2 is reachable only from "),
+    # "a balcony where you go out from the kitchen"
+    (rf"\b(?:where|(?:on|in|to|onto|into) which) {_ANYONE} (?:can )?(?:go|get|come|step|walk|enter)(?: out| in)?"
+     rf"(?: (?:on|in|to|into|onto))? ({_THROUGH}) ", r"that is reached \1 "),
+)]  # fmt: skip
+
+
+def in_passing(text: str) -> str:
+    """A folded text with such clauses in the words of doors and furniture."""
+    text = _ONE_DOOR.sub(lambda found: f"a door leads {found[1]} {found['first']} and {found[1]} ", text)
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
