@@ -4,6 +4,7 @@ import re
 
 _ANYONE = "(?:you|one|we|people|i)"
 _THROUGH = "(?:through|via|from|by way of)"
+_KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
 _ONE_DOOR = re.compile(
     r"\b(?:one|a|the first) (?:door )?(?:leads|goes|opens) (to|into|onto) (?P<first>[^.,;]+?),? "
     r"(?:and |while )?(?:another|the other|the second|a second)(?: one| door)?(?: (?:leads|goes|opens))? "
@@ -19,6 +20,10 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     # "a balcony where you go out from the kitchen"
     (rf"\b(?:where|(?:on|in|to|onto|into) which) {_ANYONE} (?:can )?(?:go|get|come|step|walk|enter)(?: out| in)?"
      rf"(?: (?:on|in|to|into|onto))? ({_THROUGH}) ", r"that is reached \1 "),
+    # "the room of my son", "I study cooking", "two bedrooms, both of 12"
+    (rf"\b(?:the )?((?:bed ?)?room) of (my|our|the|his|her) ({_KIN})\b", r"\2 \3's \1"),
+    (r"\b(i|we|they|who) study (?=[a-z])(?!with|and|is|has)", r"\1 "),
+    (r"\b((?:bed|bath|kids |guest |children's )rooms),? (?:both|all|each) (of|with|at) (?=\d)", r"\1 \2 "),
 )]  # fmt: skip
 
 

@@ -106,3 +106,19 @@ def test_another_door_is_no_other_room(other: str) -> None:
     found = read(f"From the living room, one door leads to the kitchen and {other} to a hallway serving three bedrooms "
                  "and two bathrooms.")  # fmt: skip
     assert rooms(found) == "B3 H K L W2" and {"K1L1", "H1L1", "B1H1"} <= facts(found)
+
+
+@pytest.mark.parametrize("his", ["the room of my son", "the room of our daughter", "the bedroom of our son"])
+def test_the_room_of_somebody_is_one_more(his: str) -> None:
+    found = facts(read(f"From the hall you can enter the kitchen, the bathroom, our bedroom and {his}."))
+    assert {"B1H1", "B2H1"} <= found
+
+
+def test_who_studies_something_wants_no_study() -> None:
+    assert rooms(read("One bedroom, one bathroom. I study cooking, so the kitchen needs an oven.")) == "B H K L W"
+    assert rooms(read("One bedroom, one bathroom, and we need a study.")) == "B H K L S W"
+
+
+@pytest.mark.parametrize("both", ["two bedrooms both of 12", "two bedrooms, each of 12", "two bedrooms of 12"])
+def test_both_before_an_area_is_of_the_bedrooms(both: str) -> None:
+    assert {"B1=12", "B2=12", "K1=8"} <= facts(read(f"Kitchen of 8 square meter, {both}, living room of 25."))
