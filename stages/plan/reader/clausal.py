@@ -114,3 +114,12 @@ def _owed(out: list[Item]) -> bool:
     said_of = [i for i in out if i.kind not in SIZING and not is_mark(i, ":(,")]
     room = said_of[-1].room if said_of else None
     return last(out).kind == "area" and room is not None and len(out[-1].values) < (room.count or 1)
+
+
+def is_for(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the second bedroom is for a baby`: whom it is for has nothing; what follows belongs to the bedroom."""
+    fits = items[k].kind == "with" and items[k].text == "for" and last(out).kind == "copula"
+    if not fits or ahead(items, k)[0].kind != "thing" or len(out) < 2 or out[-2].room is None:
+        return False
+    out.pop()
+    return True

@@ -4,11 +4,16 @@ import re
 
 _ANYONE = "(?:you|one|we|people|i)"
 _THROUGH = "(?:through|via|from|by way of)"
+_WISHED = "place|put|add|set up|set|we need|i need|we want|i want"
 _KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
 _ONE_DOOR = re.compile(
     r"\b(?:one|a|the first) (?:door )?(?:leads|goes|opens) (to|into|onto) (?P<first>[^.,;]+?),? "
     r"(?:and |while )?(?:another|the other|the second|a second)(?: one| door)?(?: (?:leads|goes|opens))? "
     r"(?:to|into|onto) "
+)
+_IN_IT = re.compile(
+    r"\b(?P<room>(?:an? |the |one )?[\w-]+(?: room)?) (?P<link>off|next to|beside|opposite|near|behind) "
+    r"(?P<other>(?:the |an? )?[\w-]+(?: room)?),? (?P<things>with (?!its|their)[^.,;]+?) in it\b"
 )
 
 _SAID = [(re.compile(pattern), words) for pattern, words in (
@@ -24,12 +29,15 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (rf"\b(?:the )?((?:bed ?)?room) of (my|our|the|his|her) ({_KIN})\b", r"\2 \3's \1"),
     (r"\b(i|we|they|who) study (?=[a-z])(?!with|and|is|has)", r"\1 "),
     (r"\b((?:bed|bath|kids |guest |children's )rooms),? (?:both|all|each) (of|with|at) (?=\d)", r"\1 \2 "),
+    # "…: place a cot and a chest of drawers there"
+    (rf"[:,;.] ?(?:and |so )?(?:please )?(?:{_WISHED}) ([^.;:]+?) there(?= ?(?:[.,;]|$))", r" and has \1"),
 )]  # fmt: skip
 
 
 def in_passing(text: str) -> str:
     """A folded text with such clauses in the words of doors and furniture."""
     text = _ONE_DOOR.sub(lambda found: f"a door leads {found[1]} {found['first']} and {found[1]} ", text)
+    text = _IN_IT.sub(lambda found: f"{found['room']} {found['things']} {found['link']} {found['other']}", text)
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
     return text

@@ -122,3 +122,15 @@ def test_who_studies_something_wants_no_study() -> None:
 @pytest.mark.parametrize("both", ["two bedrooms both of 12", "two bedrooms, each of 12", "two bedrooms of 12"])
 def test_both_before_an_area_is_of_the_bedrooms(both: str) -> None:
     assert {"B1=12", "B2=12", "K1=8"} <= facts(read(f"Kitchen of 8 square meter, {both}, living room of 25."))
+
+
+@pytest.mark.parametrize("said", ["is for a baby: place a cot there", "is small. Put a cot there",
+                                  "is next to the kitchen; we need a cot there"])  # fmt: skip
+def test_what_is_put_there_is_put_where_the_clause_is_about(said: str) -> None:
+    assert "B2 has 1 cot" in facts(read(f"Two bedrooms. The second bedroom {said}."))
+
+
+@pytest.mark.parametrize("beside", ["off", "next to"])
+def test_what_a_room_has_in_it_is_not_its_neighbours(beside: str) -> None:
+    found = facts(read(f"Two bedrooms and a storage room {beside} the kitchen with shelving in it."))
+    assert "T1 has 1 shelving" in found and "K1 has 1 shelving" not in found
