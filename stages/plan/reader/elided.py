@@ -11,6 +11,7 @@ from apartgen.stages.plan.reader.clausal import (
     is_for,
     last,
     none_between,
+    one_of_them,
     several_areas,
     then_listed,
 )
@@ -179,7 +180,7 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
 
 RULES = (_arrow, _comma, in_every, _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed,
          _not_just, _from_again, _both_from, _they_from, _neither, _not_another, _not_open, compared, then_listed,
-         none_between, beside_it, several_areas, is_for)  # fmt: skip
+         none_between, beside_it, several_areas, is_for, one_of_them)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 
 

@@ -134,3 +134,9 @@ def test_what_is_put_there_is_put_where_the_clause_is_about(said: str) -> None:
 def test_what_a_room_has_in_it_is_not_its_neighbours(beside: str) -> None:
     found = facts(read(f"Two bedrooms and a storage room {beside} the kitchen with shelving in it."))
     assert "T1 has 1 shelving" in found and "K1 has 1 shelving" not in found
+
+
+@pytest.mark.parametrize("one", [", one bedroom is for us, the other is for guests", ". One bedroom is for guests",
+                                 ", one bedroom has a desk, the other bedroom a piano"])  # fmt: skip
+def test_one_bedroom_of_which_something_is_said_is_one_of_those_counted(one: str) -> None:
+    assert rooms(read(f"Two bedrooms{one}.")) == "B2 H K L W"
