@@ -62,9 +62,8 @@ from apartgen.stages.plan.slicing import (
 )
 from apartgen.stages.plan.wished import gap, wished
 
-LACK = 60.0
-ROOMY = 1.5
-"""Width from which no passage is narrow, m."""
+LACK, ROOMY = 60.0, 1.5
+"""What a metre that is lacking costs; width from which no passage is narrow, m."""
 ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
 
