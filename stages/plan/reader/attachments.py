@@ -1,5 +1,6 @@
 """What belongs to one room phrase: the rooms that open off it, its furniture."""
 
+from apartgen.stages.plan.reader.clausal import ahead, several_new
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
@@ -175,6 +176,8 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             break  # "a bath with a window, a closet": what was with it is not known
         elif taken == start + 1 and owner.quantifier == Det.EACH and _closes_list(items[k : k + 3]):
             break  # "two guest rooms each with a bathroom, and a roof terrace"
+        elif taken > start and owner.quantifier == Det.EACH and is_mark(item, ",") and several_new(ahead(items, k)[0]):
+            break  # "three bedrooms each with its own bathroom, two balconies"
         elif item.kind == "negation" or item.kind == "conjunction" or is_mark(item, ","):
             k += 1
             continue
@@ -197,9 +200,9 @@ def _beyond(closet: RoomPhrase, after: list[Item]) -> int:
     return start + 3
 
 
-def _closes_list(ahead: list[Item]) -> bool:
+def _closes_list(following: list[Item]) -> bool:
     """Whether `, and a terrace` ends a longer list than that of one thing."""
-    comma, joint, room = (ahead + [Item("")] * 3)[:3]
+    comma, joint, room = (following + [Item("")] * 3)[:3]
     return is_mark(comma, ",") and joint.kind == "conjunction" and room.room is not None
 
 

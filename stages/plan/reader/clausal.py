@@ -137,3 +137,9 @@ def one_of_them(out: list[Item], items: list[Item], k: int) -> bool:
     room.type = ""
     out.append(replace(items[k], value=""))
     return True
+
+
+def several_new(item: Item) -> bool:
+    """Whether a phrase counts several rooms that are new."""
+    room = item.room
+    return room is not None and room.quantifier == Det.BARE and (room.count or 1) > 1

@@ -140,3 +140,10 @@ def test_what_a_room_has_in_it_is_not_its_neighbours(beside: str) -> None:
                                  ", one bedroom has a desk, the other bedroom a piano"])  # fmt: skip
 def test_one_bedroom_of_which_something_is_said_is_one_of_those_counted(one: str) -> None:
     assert rooms(read(f"Two bedrooms{one}.")) == "B2 H K L W"
+
+
+@pytest.mark.parametrize("own, then", [("its own bathroom", "two balconies"), ("a closet", "three balconies"),
+                                       ("its own bathroom", "2 balconies and a study")])  # fmt: skip
+def test_what_each_has_ends_before_several_others(own: str, then: str) -> None:
+    found = rooms(read(f"A living room, a kitchen, three bedrooms each with {own}, {then}."))
+    assert f"Y{3 if 'three' in then else 2}" in found.split()
