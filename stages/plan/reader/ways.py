@@ -31,6 +31,9 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"\b((?:bed|bath|kids |guest |children's )rooms),? (?:both|all|each) (of|with|at) (?=\d)", r"\1 \2 "),
     # "…: place a cot and a chest of drawers there"
     (rf"[:,;.] ?(?:and |so )?(?:please )?(?:{_WISHED}) ([^.;:]+?) there(?= ?(?:[.,;]|$))", r" and has \1"),
+    # "There is no wall between the kitchen and the living room."
+    (r"\b(?:there (?:is|are|should be|must be) )?(?:i want |we want )?(?:no|without (?:an?|any)) walls? between "
+     r"((?:the |an? )?[a-z]+(?: room)?) and ((?:the |an? )?[a-z]+(?: room)?)\b", r"\1 and \2 in one open space"),
 )]  # fmt: skip
 
 

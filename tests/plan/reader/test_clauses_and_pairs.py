@@ -147,3 +147,9 @@ def test_one_bedroom_of_which_something_is_said_is_one_of_those_counted(one: str
 def test_what_each_has_ends_before_several_others(own: str, then: str) -> None:
     found = rooms(read(f"A living room, a kitchen, three bedrooms each with {own}, {then}."))
     assert f"Y{3 if 'three' in then else 2}" in found.split()
+
+
+@pytest.mark.parametrize("no", ["There is no wall", "No wall", "I want no wall", "There are no walls"])
+def test_no_wall_between_two_rooms_is_an_opening(no: str) -> None:
+    found = facts(read(f"Three-bedroom apartment. {no} between the kitchen and the living room."))
+    assert "K1~L1" in found and "no_door K1 L1" not in found
