@@ -121,7 +121,9 @@ def _more_and_one(left: list[RoomPhrase]) -> bool:
 
 
 def _alike(rooms: tuple[RoomPhrase, ...]) -> bool:
-    return all(r.quantifier == Det.A for r in rooms) or all(r.quantifier == Det.BARE and not r.count for r in rooms)
+    """Whether each is new and single: with an article or counted, or none of them with either."""
+    one = all(r.quantifier == Det.A or (r.quantifier == Det.BARE and r.count == 1) for r in rooms)
+    return one or all(r.quantifier == Det.BARE and not r.count for r in rooms)
 
 
 def place(doors: list[Statement]) -> list[RoomPhrase]:

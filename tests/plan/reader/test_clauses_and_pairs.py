@@ -153,3 +153,10 @@ def test_what_each_has_ends_before_several_others(own: str, then: str) -> None:
 def test_no_wall_between_two_rooms_is_an_opening(no: str) -> None:
     found = facts(read(f"Three-bedroom apartment. {no} between the kitchen and the living room."))
     assert "K1~L1" in found and "no_door K1 L1" not in found
+
+
+@pytest.mark.parametrize("listed", ["one bedroom, one office and a balcony", "one bedroom, an office and a balcony",
+                                    "1 bedroom, 1 office and 1 balcony"])  # fmt: skip
+def test_the_last_of_a_list_of_single_rooms_opens_off_another(listed: str) -> None:
+    found = facts(read(f"A flat with {listed} off the kitchen."))
+    assert {"H1S1", "K1Y1"} <= found and "K1S1" not in found
