@@ -5,6 +5,7 @@ import re
 _ANYONE = "(?:you|one|we|people|i)"
 _THROUGH = "(?:through|via|from|by way of)"
 _WISHED = "place|put|add|set up|set|we need|i need|we want|i want"
+_FINITE = r"\b(?:is|are|will|can|must|should|may)\b"
 _KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
 _ONE_DOOR = re.compile(
     r"\b(?:one|a|the first) (?:door )?(?:leads|goes|opens) (to|into|onto) (?P<first>[^.,;]+?),? "
@@ -30,7 +31,7 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(i|we|they|who) study (?=[a-z])(?!with|and|is|has)", r"\1 "),
     (r"\b((?:bed|bath|kids |guest |children's )rooms),? (?:both|all|each) (of|with|at) (?=\d)", r"\1 \2 "),
     # "…: place a cot and a chest of drawers there"
-    (rf"[:,;.] ?(?:and |so )?(?:please )?(?:{_WISHED}) ([^.;:]+?) there(?= ?(?:[.,;]|$))", r" and has \1"),
+    (rf"[:,;.] ?(?:and |so )?(?:please )?(?:{_WISHED}) ((?:(?!{_FINITE})[^.;:])+?) there(?= ?(?:[.,;]|$))", r" and has \1"),
     # "There is no wall between the kitchen and the living room."
     (r"\b(?:there (?:is|are|should be|must be) )?(?:i want |we want )?(?:no|without (?:an?|any)) walls? between "
      r"((?:the |an? )?[a-z]+(?: room)?) and ((?:the |an? )?[a-z]+(?: room)?)\b", r"\1 and \2 in one open space"),

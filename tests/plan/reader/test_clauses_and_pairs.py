@@ -160,3 +160,9 @@ def test_no_wall_between_two_rooms_is_an_opening(no: str) -> None:
 def test_the_last_of_a_list_of_single_rooms_opens_off_another(listed: str) -> None:
     found = facts(read(f"A flat with {listed} off the kitchen."))
     assert {"H1S1", "K1Y1"} <= found and "K1S1" not in found
+
+
+@pytest.mark.parametrize("then", ["the robot will be parked there", "the bikes are kept there", "skis can be left there"])
+def test_what_happens_there_is_nothing_put_there(then: str) -> None:
+    found = read(f"A home: three bedrooms, two bathrooms. Put a storage room of 3 m2 near the entrance, {then}.")
+    assert rooms(found) == "B3 H K L T W2" and {"H1T1", "near T1 entrance"} <= facts(found)
