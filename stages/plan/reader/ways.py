@@ -31,7 +31,11 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(i|we|they|who) study (?=[a-z])(?!with|and|is|has)", r"\1 "),
     (r"\b((?:bed|bath|kids |guest |children's )rooms),? (?:both|all|each) (of|with|at) (?=\d)", r"\1 \2 "),
     # "…: place a cot and a chest of drawers there"
-    (rf"[:,;.] ?(?:and |so )?(?:please )?(?:{_WISHED}) ((?:(?!{_FINITE})[^.;:])+?) there(?= ?(?:[.,;]|$))", r" and has \1"),
+    (rf"[:,;.] ?(?:and |so )?(?:please )?(?:{_WISHED}) "
+     rf"((?:(?!{_FINITE})[^.;:])+?) there(?= ?(?:[.,;]|$))", r" and has \1"),
+    # "Wheelchair study: a flat with …"
+    (r"^\s*(?:an? |the )?(?!(?:small|large|big|my|our|his|her|home|private|quiet|second)\b)"
+     r"(?:([a-z-]+) study|study of ([a-z-]+)) ?: ?(?=[^.;:]*\b(?:flat|apartment|house|home)\b)", r"\1\2: "),
     # "There is no wall between the kitchen and the living room."
     (r"\b(?:there (?:is|are|should be|must be) )?(?:i want |we want )?(?:no|without (?:an?|any)) walls? between "
      r"((?:the |an? )?[a-z]+(?: room)?) and ((?:the |an? )?[a-z]+(?: room)?)\b", r"\1 and \2 in one open space"),

@@ -162,7 +162,17 @@ def test_the_last_of_a_list_of_single_rooms_opens_off_another(listed: str) -> No
     assert {"H1S1", "K1Y1"} <= found and "K1S1" not in found
 
 
-@pytest.mark.parametrize("then", ["the robot will be parked there", "the bikes are kept there", "skis can be left there"])
+@pytest.mark.parametrize("then", ["the robot will be parked there", "bikes are kept there", "skis can lie there"])
 def test_what_happens_there_is_nothing_put_there(then: str) -> None:
     found = read(f"A home: three bedrooms, two bathrooms. Put a storage room of 3 m2 near the entrance, {then}.")
     assert rooms(found) == "B3 H K L T W2" and {"H1T1", "near T1 entrance"} <= facts(found)
+
+
+@pytest.mark.parametrize("heading", ["Wheelchair study", "A lighting study", "Grasping study", "Study of daylight"])
+def test_a_study_of_something_is_no_room_as_a_heading(heading: str) -> None:
+    assert rooms(read(f"{heading}: 1 bedroom flat, corridor at least 1.4 m wide.")) == "B H K L W"
+
+
+def test_a_study_with_what_it_has_is_a_room() -> None:
+    assert "S" in rooms(read("Small study: 8 m2, desk. One bedroom, kitchen.")).split()
+    assert "S" in rooms(read("Study: 8 m2. One-bedroom flat.")).split()
