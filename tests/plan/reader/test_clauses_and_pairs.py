@@ -176,3 +176,9 @@ def test_a_study_of_something_is_no_room_as_a_heading(heading: str) -> None:
 def test_a_study_with_what_it_has_is_a_room() -> None:
     assert "S" in rooms(read("Small study: 8 m2, desk. One bedroom, kitchen.")).split()
     assert "S" in rooms(read("Study: 8 m2. One-bedroom flat.")).split()
+
+
+@pytest.mark.parametrize("bed", ["robot testbed", "robot test bed", "test-bed"])
+def test_a_testbed_is_no_bedroom(bed: str) -> None:
+    found = facts(read(f"A {bed}. There is one bedroom with a wardrobe. The bathroom is next to the bedroom."))
+    assert "adjacent W1 B1" in found and not any(fact.startswith("B2") for fact in found)
