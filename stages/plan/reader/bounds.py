@@ -8,6 +8,9 @@ AND = ("and", "but", ",", "und", "et", "y", "mais", "aber")
 BETWEEN = ("area_word", "stop")
 """What may stand between a limit and its area: `minimum area of 12 m²`."""
 
+BEHIND = ("or ", "and ", "min", "max", "upwards", "at most", "at least", "at the most", "at the least")
+"""How limits begin that stand behind their area: `12 m² or more`, `60 m² at most`."""
+
 
 def bounded(words: list[Lexeme]) -> list[Lexeme]:
     """Limits joined to the areas that they are said of; `no larger than the bedroom` compares, others are unread."""
@@ -23,7 +26,7 @@ def bounded(words: list[Lexeme]) -> list[Lexeme]:
             out.append(_limited(words[j], word.value))
             out = _joined(out)
             i = j
-        elif out and out[-1].kind == "area" and word.text.startswith(("or ", "and ", "min", "max", "upwards")):
+        elif out and out[-1].kind == "area" and word.text.startswith(BEHIND) and not _number_after(words, i):
             out[-1] = _limited(out[-1], word.value)
         elif _room_after(words, i + 1) and word.text.endswith("than"):
             out.append(replace(word, kind="compare", value="1.0", values=(1.0,)))
@@ -61,6 +64,11 @@ def _area_after(words: list[Lexeme], j: int) -> int:
     while k < len(words) and k < j + 4 and words[k].kind in BETWEEN and words[k].value != "word":
         k += 1
     return k if k < len(words) and words[k].kind == "area" else j - 1
+
+
+def _number_after(words: list[Lexeme], i: int) -> bool:
+    """Whether the limit at `i` is of a number behind it: `12 m², at least 3 m wide`."""
+    return words[i].text.startswith("at ") and i + 1 < len(words) and words[i + 1].kind == "number"
 
 
 def _room_after(words: list[Lexeme], j: int) -> bool:

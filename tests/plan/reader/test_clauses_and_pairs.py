@@ -182,3 +182,10 @@ def test_a_study_with_what_it_has_is_a_room() -> None:
 def test_a_testbed_is_no_bedroom(bed: str) -> None:
     found = facts(read(f"A {bed}. There is one bedroom with a wardrobe. The bathroom is next to the bedroom."))
     assert "adjacent W1 B1" in found and not any(fact.startswith("B2") for fact in found)
+
+
+@pytest.mark.parametrize("area", ["60 m2 at most", "60 m2 at the most", "no balcony, 60 m2 at most"])
+def test_a_limit_behind_its_area(area: str) -> None:
+    found = read(f"A flat for sim2real transfer, {area}, one bedroom.")
+    assert "at_most home 60" in facts(found) and not any("most" in words for words in found.unread)
+    assert "at_least K1 12" in facts(read("One bedroom, a kitchen of 12 m2 at least, a bathroom."))
