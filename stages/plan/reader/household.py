@@ -196,6 +196,8 @@ class Household:
             if phrase.quantifier == Det.OTHER and phrase.count:
                 rest = [e for e in known if not e.picked and e not in self.last]
                 self.add(phrase.type, int(phrase.count) - len(rest))
+            if phrase.quantifier == Det.OTHER and not phrase.plural and len(known) == 1 and known[0].owner is not None:
+                known += self.add(phrase.type)  # "the main bedroom has its own bath, the other bath is off the hall"
             whole = self._ensure(
                 phrase.type, int(phrase.count or 2) if phrase.quantifier == Det.ONE_OF else max(len(known), 1)
             )

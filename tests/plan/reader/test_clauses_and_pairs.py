@@ -189,3 +189,10 @@ def test_a_limit_behind_its_area(area: str) -> None:
     found = read(f"A flat for sim2real transfer, {area}, one bedroom.")
     assert "at_most home 60" in facts(found) and not any("most" in words for words in found.unread)
     assert "at_least K1 12" in facts(read("One bedroom, a kitchen of 12 m2 at least, a bathroom."))
+
+
+@pytest.mark.parametrize("other", ["the children use the other bathroom in the corridor", "the other bathroom is off "
+                                   "the corridor", "the children use other bathroom in the corridor"])  # fmt: skip
+def test_the_other_bathroom_beside_one_that_is_owned_is_not_that_one(other: str) -> None:
+    found = facts(read(f"We need three bedrooms. The bedroom of parents has own bathroom and {other}."))
+    assert {"B1W1", "H1W2"} <= found and not {"H1W1", "B2W2"} & found
