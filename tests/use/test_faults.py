@@ -242,6 +242,16 @@ def test_tall_things_take_no_more_than_a_quarter_of_a_windows_light(
     assert ("tall before a window" in names(place)) is dark
 
 
+@pytest.mark.parametrize(("x", "yaw", "under"), [
+    (2.5, NORTH, True), (1.6, NORTH, True), (1.45, NORTH, False), (2.5, EAST, False)])
+def test_nobody_sleeps_with_the_head_at_a_window(x: float, yaw: float, under: bool) -> None:
+    """A bed 1.6 m wide at the south wall, its window from 2 to 3 m, of which .3 m behind a bed are too much."""
+    window = Hole("window_1", "window", (2.0, 0.0), (3.0, 0.0), 0.9, 2.2, False, 0)
+    site = replace(use.alone(Room(id="r_1", type="bedroom", polygon=[(0, 0), (5, 0), (5, 4), (0, 4)])), holes=(window,))
+    bed = thing("double_bed", x, 1.02 if yaw == NORTH else 2.0, yaw, (2.0, 1.6, 0.9))
+    assert ("head of the bed at a window" in names(use.Furnished(site, [bed]))) is under
+
+
 def test_one_of_several_beside_is_beside_and_none_is_not() -> None:
     place = room("living_room", 5.0, 4.0, thing("sofa", 2.5, 0.47, NORTH), thing("side_table", 3.9, 0.4),
                  thing("side_table", 0.5, 3.5), thing("plant", 4.7, 3.7))

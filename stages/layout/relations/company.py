@@ -123,11 +123,11 @@ def barred(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags
         parts = [[boxes] if kind in some else
                  [box[None] for o, box in zip(names, there, strict=True) if kinds.basic(o) in some] for some in VIEW]
         for seat, screen, table in product(*parts):
-            found |= _crossed(seat, screen, table)
+            found |= crossed(seat, screen, table)
     return found
 
 
-def _crossed(one: Array, two: Array, boxes: Array) -> Flags:
+def crossed(one: Array, two: Array, boxes: Array) -> Flags:
     """Whether the way from the middle of one thing to that of another leads through a box, (n, 7) or (1, 7) each."""
     half = boxes[:, 3:5] / 2
     start, end = (np.stack(_turned(thing[:, :2] - boxes[:, :2], boxes[:, 2]), -1) for thing in (one, two))
@@ -216,7 +216,8 @@ LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
 """What is of no use at all where none of these stands."""
 AFTER = ((frozenset({"tv_stand", "armchair", "bookshelf", "sideboard", "display_cabinet"}), kinds.BEDS),)
 """What one can do without where a bed, which one cannot, is still to come and found no place before."""
-DRESSED = ((frozenset({"armchair", "bookshelf", "sideboard", "display_cabinet"}), kinds.WARDROBES),)
+DRESSED = ((frozenset({"armchair", "bench", "bookshelf", "chest", "display_cabinet", "dressing_table", "plant",
+                       "sideboard"}), kinds.WARDROBES),)
 """What one can do without where one sleeps as long as the wardrobe is still to come."""
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (

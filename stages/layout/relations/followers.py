@@ -13,7 +13,7 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 CHAIR, STAND, SEAT, LOW = "chair", "nightstand", "office_chair", "coffee_table"
-ELBOW = 0.62
+ELBOW = 0.6
 """Of a table's edge each diner has, m."""
 IN = 0.12
 """How far a chair is drawn under its table, m."""
@@ -24,8 +24,11 @@ BEFORE = 0.36
 MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
+FEW, DRAWN = 6, 0.67
+"""More chairs than so many stand at the ends of a table, too; each, drawn back, takes so much beyond its edge, m."""
+
 LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"sofa"}, LOW))
-BOTH = 2
+TINY, BOTH = 1e-6, 2
 """Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
 LATER = (
     (kinds.DOUBLE, kinds.WARDROBES, (0.6, 1.2, 2.1)),
@@ -33,26 +36,31 @@ LATER = (
     (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""
+Size = tuple[float, float, float]
+Place = tuple[float, float, float]
 STEP, TRIED = 0.3, 3
 """From one place along a wall to the next, m; so many of the good ones are tried for the ways they leave."""
 
 
-def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> bool:
-    """Whether as many followers as are `left` to come find places about a leader (7,), as far as it has places, and
-    what comes to a wall later on finds one."""
+def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
+    """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one; a quarter
+    of that where what comes later on finds none, which is worse: a wardrobe, the television, the table; half of it
+    where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
     follower = next((name for leaders, name in LEADERS if kind in leaders), "")
-    if due := max(left.count(follower), BOTH if follower == STAND else 0):
-        places = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}[follower](kind, box)
+    narrow, due = False, max(left.count(follower), BOTH if follower == STAND else 0)
+    if due:
+        places = _about(box, PLACES[follower](kind, box, TABLE[follower].size), TABLE[follower].size)
         open_ = places[there.besides(name, box).prices(follower, places, strict=follower == CHAIR) < BROKEN]
-        due = min(due, len(places))
-        if len(open_) < due:
-            return False
+        due, narrow = min(due, len(places)), follower == STAND and len(open_) < BOTH
         group += [(follower, place) for place in open_[:due]]
     later = _later(there, kind, group, left)
-    if later is None:
-        return len(group) == 1 or there.shut_by(group) < MOST
-    return any(there.shut_by([*group, one]) < MOST for one in later)
+    while len(group) > 1 and there.shut_by(group) >= MOST:
+        fewer = (group[:k] + group[k + 1 :] for k in reversed(range(1, len(group))))
+        group = next((some for some in fewer if there.shut_by(some) < MOST), group[:-1])
+    share = (len(group) - 1) / due * (0.5 if narrow else 1.0) if due else 1.0
+    fine = later is None or any(there.shut_by([*group, one]) < MOST for one in later)
+    return share if fine and (kind not in kinds.SOFAS or _leaves_table(there, group, left)) else share / 4
 
 
 def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
@@ -70,7 +78,42 @@ def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
     return [(name, place) for place in good[:: max(1, len(good) // TRIED)]]
 
 
-def _along(space: Space, size: tuple[float, float, float]) -> Array:
+def _leaves_table(there: Furniture, group: list[tuple[str, Array]], left: Sequence[str]) -> bool:
+    """Whether a table that is still to come finds a place with its chairs, drawn back, beside a group."""
+    name = next((o for o in left if kinds.basic(o) in kinds.TABLES), "")
+    chairs = left.count(CHAIR)
+    if not name or not chairs:
+        return True
+    for o, box in group:
+        there = there.besides(o, box)
+    depth, width, height = TABLE[name].size
+    ends = 2 * (chairs > FEW)
+    wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1]) + ends * DRAWN
+    places = _anywhere(there.space, (depth + 2 * DRAWN, wide, height))
+    return bool((there.prices(name, places, strict=True) < BROKEN).any())
+
+
+def leading(name: str, boxes: Array, space: Space) -> Array:
+    """Places (m, 7) all over the room for what others follow: beds and wardrobes along all walls, tables anywhere
+    square to these, in the likeliest size of the candidates (n, 7)."""
+    kind = kinds.basic(name)
+    if kind in kinds.TABLES:
+        return _anywhere(space, _likeliest(boxes))
+    return _along(space, _likeliest(boxes)) if kind in kinds.BEDS | kinds.WARDROBES else boxes[:0]
+
+
+def _anywhere(space: Space, size: Size) -> Array:
+    """Boxes (n, 7) of a size on a grid over the room, along its first wall and across."""
+    low, high = space.start.min(0) + size[0] / 2, space.start.max(0) - size[0] / 2
+    x, y = (np.arange(a, b + STEP / 2, STEP) for a, b in zip(low, high, strict=True))
+    at = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
+    turn = float(np.arctan2(*space.normal[0, ::-1]))
+    return np.concatenate([
+        np.column_stack([at, np.broadcast_to([yaw, *size[:2], 0.0, size[2]], (len(at), 5))])
+        for yaw in (turn, turn + np.pi / 2)]).astype(np.float32)
+
+
+def _along(space: Space, size: Size) -> Array:
     """Boxes (n, 7) of a size along all walls."""
     out = [np.zeros((0, 7))]
     for start, along, normal, length in zip(space.start, space.along, space.normal, space.length, strict=True):
@@ -82,34 +125,51 @@ def _along(space: Space, size: tuple[float, float, float]) -> Array:
     return np.concatenate(out).astype(np.float32)
 
 
-def _chairs(kind: str, table: Array) -> Array:
+def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
+    """Places (m, 7) of what follows something that stands there, as large as another one of its name or as candidates
+    (n, 7) are: exact, so that a seat at a table is not missed for want of a candidate."""
+    rows = [(o, box) for o, box in zip(names, there, strict=True)
+            if any(follower == kinds.basic(name) and kinds.basic(o) in leaders for leaders, follower in LEADERS)]
+    if not rows:
+        return boxes[:0]
+    size = _likeliest(there[[names.index(name)]] if name in names else boxes)
+    places = PLACES[kinds.basic(name)]
+    return np.concatenate([_about(box, places(kinds.basic(o), box, size), size) for o, box in rows])
+
+
+def _likeliest(boxes: Array) -> Size:
+    """The size of most candidates (n, 7)."""
+    sizes, counts = np.unique(np.round(boxes[:, 3:].astype(float), 3), axis=0, return_counts=True)
+    depth, width, low, high = sizes[counts.argmax()].tolist()
+    return depth, width, high - low
+
+
+def _chairs(kind: str, table: Array, size: Size) -> list[Place]:
     """Places of chairs, those across from one another in turn: at the long sides first."""
-    depth, width, height = TABLE[CHAIR].size
-    d, w = float(table[3]), float(table[4])
-    many = 1 if kind == "round_table" else max(1, int(w / ELBOW))
-    along = (np.arange(many) - (many - 1) / 2) * w / many
-    out = [(s * (d / 2 + depth / 2 - IN), y, (s > 0) * np.pi) for y in along for s in (1.0, -1.0)]
-    out += [(0.0, s * (w / 2 + depth / 2 - IN), -s * np.pi / 2) for s in (1.0, -1.0)]
-    return _about(table, out, (depth, width, height))
+    far, (d, w) = size[0] / 2 - IN, table[3:5].astype(float) / 2
+    many = 1 if kind == "round_table" else max(1, int((2 * w + TINY) / ELBOW))
+    along = (np.arange(many) - (many - 1) / 2) * 2 * w / many
+    out = [(s * (d + far), float(y), (s > 0) * np.pi) for y in along for s in (1.0, -1.0)]
+    return out + [(0.0, s * (w + far), -s * np.pi / 2) for s in (1.0, -1.0)]
 
 
-def _stands(kind: str, bed: Array) -> Array:
-    depth, width, height = TABLE[STAND].size
-    back, aside = OFF + depth / 2 - float(bed[3]) / 2, float(bed[4]) / 2 + ASIDE + width / 2
-    return _about(bed, [(back, s * aside, 0.0) for s in (1.0, -1.0)], (depth, width, height))
+def _stands(kind: str, bed: Array, size: Size) -> list[Place]:
+    back, aside = OFF + (size[0] - float(bed[3])) / 2, float(bed[4]) / 2 + ASIDE + size[1] / 2
+    return [(back, s * aside, 0.0) for s in (1.0, -1.0)]
 
 
-def _seat(kind: str, desk: Array) -> Array:
-    size = TABLE[SEAT].size
-    return _about(desk, [(float(desk[3]) / 2 + size[0] / 2 - IN, 0.0, np.pi)], size)
+def _seat(kind: str, desk: Array, size: Size) -> list[Place]:
+    return [((float(desk[3]) + size[0]) / 2 - IN, 0.0, np.pi)]
 
 
-def _low_table(kind: str, sofa: Array) -> Array:
-    size = TABLE[LOW].size
-    return _about(sofa, [(float(sofa[3]) / 2 + BEFORE + size[0] / 2, 0.0, 0.0)], size)
+def _low_table(kind: str, sofa: Array, size: Size) -> list[Place]:
+    return [((float(sofa[3]) + size[0]) / 2 + BEFORE, 0.0, 0.0)]
 
 
-def _about(leader: Array, places: Sequence[tuple[float, float, float]], size: tuple[float, float, float]) -> Array:
+PLACES = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}
+
+
+def _about(leader: Array, places: Sequence[Place], size: Size) -> Array:
     """Boxes (n, 7) at places (x, y, yaw) in a leader's frame."""
     x, y, turn = np.array(places).T
     c, s = np.cos(leader[2]), np.sin(leader[2])

@@ -28,7 +28,7 @@ from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
 from apartgen.stages.use import belongings, lacks_of, site
-from apartgen.stages.use.household import DOUBLE, duties, sleepers
+from apartgen.stages.use.household import DOUBLE, Duties, duties, sleepers
 from apartgen.stages.use.kinds import HANGING
 from apartgen.stages.use.site import Site
 
@@ -45,6 +45,13 @@ UNMET = 30.0
 """What it costs that something was asked for and is not there: more than all that a room may lack."""
 LENGTHS = dict.fromkeys(HANGING, (1.5, 1.2))
 """Least widths at a first and a second look, in bedrooms of two and where one sleeps in the living room, m."""
+SCREENS = (1.2, 1.0)
+"""Least widths of a living room's television, m: for a sofa 3 m away."""
+TABLE_FOR = (
+    (7, {"dining_table": 1.8, "round_table": 1.4}),
+    (5, {"dining_table": 1.8, "round_table": 1.2}),
+)
+"""How wide a table is, at a first and a second look, where so many sleep, m."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -120,13 +127,26 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
 def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, known: weights.Vocabulary,
           given: list[Box]) -> Task:
     walls = shell(arrays, i)
-    told, sleeps = sleepers(plan), duties(plan, room).sleeps > 0
+    told, due = sleepers(plan), duties(plan, room)
     facts = features.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
-                      wide=LENGTHS if arrays.area[i] >= DOUBLE and (room.base == "bedroom" or sleeps) else {})
+                      wide=_wide(room, float(arrays.area[i]), due, told or 0))
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])))
+
+
+def _wide(room: Room, area: float, due: Duties, sleep: int) -> dict[str, tuple[float, ...]]:
+    """Least widths at one look after another: of wardrobes where two sleep, televisions, the table where all of a
+    home eat."""
+    some: dict[str, tuple[float, ...]] = {}
+    if area >= DOUBLE and (room.base == "bedroom" or due.sleeps > 0):
+        some |= LENGTHS
+    if room.base == "living_room":
+        some["tv"] = SCREENS
+    if due.eats > 0:
+        some |= next(({name: (wide, wide) for name, wide in table.items()} for n, table in TABLE_FOR if sleep >= n), {})
+    return some
 
 
 def _row(o: Box, origin: Array) -> Array:

@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, followers, hung, order, runs
+from apartgen.stages.layout.relations import ahead, exchange, followers, hung, order, runs
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use import kinds
 
 BEGUN = 3
 """How often a room is begun at most."""
@@ -26,12 +27,14 @@ LOOKS = 8
 """Candidates whose ways are looked at before new ones are drawn."""
 SAME, ELSEWHERE = 0.05, 0.15
 """A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
+PART = 0.5
+"""A bed has its wardrobe and a nightstand at least, if its place is not the model's."""
 CUT = 0.25
 """What an object may cut off of the floor, in metres of way."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
-RUN = 0.02
-"""Weight of all places together that continue a run, where the model's candidates weigh 1."""
+KNOWN = 0.02
+"""Weight of all places together that are known without the model, whose candidates weigh 1."""
 APART = np.array([1.0, np.e, np.pi, np.sqrt(7), np.sqrt(11), np.sqrt(13), np.sqrt(17)])
 """Numbers of which no candidates have the same sum."""
 Floats = NDArray[np.floating[Any]]
@@ -91,12 +94,14 @@ class Sampler:
                 spare: bool) -> Particle | None:
         """The particle with an object more, or as it is to go on without; None where it is given up, being `spare`."""
         left = _without(p.left, name)
-        found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
+        found = self._fitting(p.furniture, name, boxes, left) if p.tries == 1 else None
+        if found is None:
+            found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
         if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.wide):
             p.tries += 1
             return p
         needed = found is None and self.room.needs(name, p.furniture.names)
-        if found is None and spare and (needed or TABLE[name].place == "floor"):
+        if found is None and spare and needed:
             return None
         if needed and p.begun < BEGUN:
             again = self.begin(contents)
@@ -110,13 +115,15 @@ class Sampler:
         p.tries = 0
         if found is not None:
             p.furniture.add(name, found)
+        if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
+            p.furniture = exchange.settled(p.furniture, len(self.room.given), self.room.empty.fork)
         return p
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
-                strict: bool = False, left: Sequence[str] = ()) -> Array | None:
+                strict: bool = False, left: Sequence[str] = (), enough: float = 1.0) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none. One that leaves no
-        room for what of its run or group is `left` to come is taken only where there is no other, and never at a
-        `strict` first look where it leads a group."""
+        room for what of its run or group is `left` to come is taken only where there is no other, that for most of it,
+        and at a `strict` look, where it leads a group, for `enough` of it."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         rest = ahead.needed(left, there.names)
@@ -124,28 +131,39 @@ class Sampler:
         boxes, weight = self._continued(there, name, boxes, weight)
         price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
-        second, near = None, SAME
+        second, best, near = None, -1.0, SAME
         for _ in range(LOOKS):
             if weight.sum() <= 0:
                 break
             k = self._draw(weight)
             if there.shuts(name, boxes[k], loose) < CUT:
-                fits = followers.fit(there, name, boxes[k], left)
-                near = SAME if fits else ELSEWHERE
-                if fits and ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
+                share = followers.fit(there, name, boxes[k], left)
+                near = SAME if share == 1 else ELSEWHERE
+                if share == 1 and ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
                     return np.asarray(boxes[k])
-                if second is None and (fits or not strict) and not runs.spare(name):
-                    second = np.asarray(boxes[k])
+                if share > best and (share >= enough or not strict) and not runs.spare(name):
+                    second, best = np.asarray(boxes[k]), share
             weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
         return second
 
+    def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
+        """A place for what leads a group, anywhere in the room, where what follows it finds its own."""
+        places = followers.leading(name, boxes, there.space)
+        if not self.constrained or self.places != "model" or not len(places):
+            return None
+        weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in kinds.BEDS else 1.0
+        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough)
+
     def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:
-        """Candidates with those that continue a run or hang over something, which count little beside the model's."""
-        more = runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell)
-        more = np.concatenate([more, hung.over(name, boxes, there.names, there.boxes)])
+        """Candidates with those that continue a run, hang over something or follow it, which count little beside the
+        model's."""
+        more = np.concatenate([
+            runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell),
+            hung.over(name, boxes, there.names, there.boxes),
+            followers.known(name, boxes, there.names, there.boxes)])
         if self.places != "model" or not len(more):
             return boxes, weight
-        return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), RUN * weight.sum() / len(more)))
+        return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), KNOWN * weight.sum() / len(more)))
 
     def _draw(self, weight: Floats) -> int:
         total = weight.cumsum()

@@ -162,7 +162,7 @@ class Furniture:
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
         worse = 2 * BROKEN if strict else APART
         total += np.where(self._ill_beside(name, boxes), worse, 0.0)
-        return total + (np.where(self._lit(boxes), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
+        return total + (np.where(lit(boxes, self.space), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
 
     def _ill_beside(self, name: str, boxes: Array) -> NDArray[np.bool_]:
         """Which candidates leave no worktop between sink and hob, or put a hob in a corner or beside what is tall."""
@@ -173,19 +173,7 @@ class Furniture:
         for some, far in ((WET, PUT_DOWN), (COLD, JOINED)):
             met = [o in some if kind in HOT else kind in some and o in HOT for o in others]
             ill |= (seen.gap[:, met] < far).any(1)
-        if kind in HOT:
-            found = upright(boxes)
-            ill |= outside(found._replace(size=found.size + [0.0, 2 * CORNER, 0.0]), self.space) > CORNER / 2
-        return np.asarray(ill)
-
-    def _lit(self, boxes: Array) -> NDArray[np.bool_]:
-        """Above which candidates a hood would hang before a window."""
-        above = boxes.copy()
-        above[:, 5:] = HOOD
-        windows = self.space.zones.take(self.space.window)
-        if not windows.n:
-            return np.zeros(len(boxes), bool)
-        return np.asarray((penetration(upright(above), windows) > SLACK).any(1))
+        return np.asarray(ill | cornered(boxes, self.space) if kind in HOT else ill)
 
     def shuts(self, name: str, box: Array, loose: bool = False) -> float:
         """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach; its own
@@ -232,6 +220,21 @@ class Furniture:
             found |= ((np.abs(boxes[:, 5] - under[6]) < LEVEL) & (np.abs(x) + ex < under[3] / 2 + 2 * LEVEL)
                       & (np.abs(y) + ey < under[4] / 2 + 2 * LEVEL))
         return found
+
+
+def cornered(boxes: Array, space: Space) -> NDArray[np.bool_]:
+    """Which candidates for a hob have a wall close at one side."""
+    found = upright(boxes)
+    return outside(found._replace(size=found.size + [0.0, 2 * CORNER, 0.0]), space) > CORNER / 2
+
+
+def lit(boxes: Array, space: Space) -> NDArray[np.bool_]:
+    """Above which candidates a hood would hang before a window."""
+    above, windows = boxes.copy(), space.zones.take(space.window)
+    above[:, 5:] = HOOD
+    if not windows.n:
+        return np.zeros(len(boxes), bool)
+    return np.asarray((penetration(upright(above), windows) > SLACK).any(1))
 
 
 def _with_levers(leaves: Boxes) -> Boxes:

@@ -36,6 +36,8 @@ def faults(room: Furnished) -> Iterator[Fault]:
     for i in room.which(BEDS):
         if room.site.kind != "bedroom" and any(_far(room, i, hole) < 2.0 for hole in room.site.passages):
             yield Fault("bed beside the door of a room that others use", room.ids(i))
+        if any(_behind(room, i, window) for window in room.site.windows):
+            yield Fault("head of the bed at a window", room.ids(i))
         if any(hole.kind != "opening" and _far(room, i, hole) < 0.5 for hole in room.site.passages):
             yield Fault("bed right at the door", room.ids(i))
     coats, entrances = room.which(COATS), [hole for hole in room.site.holes if hole.kind == "entrance"]
@@ -92,7 +94,7 @@ def _far(room: Furnished, i: int, hole: Hole) -> float:
 
 
 def _behind(room: Furnished, i: int, window: Hole) -> bool:
-    """Whether a window is at the back of something, and wide enough to dazzle who looks there."""
+    """Whether a window is at the back of something, and so much of it that it dazzles who looks there."""
     ahead, left = _seen_from(room, i, window)
     return -room.depth[i] / 2 - GLARE < ahead < 0 and abs(left) < (window.width + room.width[i]) / 2 - 0.3
 

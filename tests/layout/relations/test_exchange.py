@@ -1,0 +1,104 @@
+"""Units of a run change places where that leaves worktop between sink and hob."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import room
+
+from apartgen.stages.layout.relations import exchange
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.use.kinds import COLD, HOT, WET
+
+DEPTH, GAP = 0.6, 0.003
+WIDTHS = {"kitchen_sink": 0.6, "oven": 0.6, "fridge": 0.6, "kitchen_base": 0.4, "kitchen_drawers": 0.8,
+          "dishwasher": 0.6}
+
+
+def along(names: list[str], wide: float = 6.0, start: float = 0.4) -> Furniture:
+    """Units side by side at the north wall, from its west end on."""
+    there, x = room(wide, 4.0), start - wide / 2
+    for name in names:
+        width, top = WIDTHS[name], 1.8 if name == "fridge" else 0.9
+        there.add(name, np.array([x + width / 2, 2 - 0.005 - DEPTH / 2, -np.pi / 2, DEPTH, width, 0, top], np.float32))
+        x += width + GAP
+    return there
+
+
+def settled(there: Furniture, fixed: int = 0) -> Furniture:
+    return exchange.settled(there, fixed, room(6.0, 4.0).fork)
+
+
+def order(there: Furniture) -> list[str]:
+    """Names from west to east."""
+    return [there.names[k] for k in np.argsort(there.boxes[:, 0])]
+
+
+def between(names: list[str], one: frozenset[str], two: frozenset[str]) -> list[str]:
+    a, b = sorted(next(k for k, name in enumerate(names) if name in group) for group in (one, two))
+    return names[a + 1 : b]
+
+
+RUNS = [
+    ["fridge", "dishwasher", "oven", "kitchen_sink"],
+    ["kitchen_sink", "oven", "kitchen_drawers", "dishwasher", "fridge"],
+    ["kitchen_sink", "fridge", "oven", "kitchen_drawers", "kitchen_base"],
+    ["kitchen_base", "oven", "kitchen_sink", "kitchen_drawers", "fridge"],
+]
+
+
+@pytest.mark.parametrize("names", RUNS)
+def test_worktop_comes_between_sink_and_hob_and_nothing_tall(names: list[str]) -> None:
+    before = along(names)
+    after = settled(before)
+    found = order(after)
+    middle = between(found, WET, HOT)
+    assert sorted(found) == sorted(names) and middle and not set(middle) & COLD
+    assert abs(found.index("oven") - found.index("fridge")) > 1 if "fridge" in found else True
+
+
+@pytest.mark.parametrize("names", RUNS)
+def test_the_run_stays_where_it_is_flush_and_at_its_wall(names: list[str]) -> None:
+    """Its ends, the gaps between units, their sizes and their line are those from before."""
+    before, after = along(names), settled(along(names))
+    ends = [(b[:, 0] + s * b[:, 4] / 2) for b in (before.boxes, after.boxes) for s in (-1, 1)]
+    assert ends[0].min() == pytest.approx(ends[2].min(), abs=1e-4)
+    assert ends[1].max() == pytest.approx(ends[3].max(), abs=1e-4)
+    assert np.allclose(np.sort(ends[2])[1:] - np.sort(ends[3])[:-1], GAP, atol=1e-4)
+    assert np.allclose(before.boxes[:, 1:], after.boxes[:, 1:], atol=1e-5) and before.names == after.names
+
+
+def test_a_good_order_is_left_alone_and_so_is_what_is_given() -> None:
+    good = along(["fridge", "kitchen_sink", "kitchen_drawers", "kitchen_base", "oven"])
+    assert settled(good) is good
+    bad = along(["kitchen_sink", "oven", "kitchen_drawers"])
+    kept = settled(bad, fixed=2)
+    assert np.array_equal(kept.boxes[:2], bad.boxes[:2])
+
+
+def test_at_another_wall_each_takes_the_width_of_the_others_place() -> None:
+    """Sink and hob alone at one wall, a dishwasher of .5 m and a cupboard at another."""
+    there = along(["kitchen_sink", "oven"], start=2.0)
+    west = np.array([-3 + 0.005 + DEPTH / 2, -0.6, 0.0, DEPTH, 0.5, 0.0, 0.9], np.float32)
+    there.add("dishwasher", west)
+    there.add("kitchen_base", west - np.array([0, 0.453, 0, 0, 0.1, 0, 0], np.float32))
+    after = settled(there)
+    place = dict(zip(after.names, after.boxes, strict=True))
+    assert exchange.cost(after.names, after.boxes, after.space) < exchange.cost(there.names, there.boxes, there.space)
+    assert len({round(float(place[name][2]), 2) for name in ("kitchen_sink", "oven")}) == 2
+    assert sorted(after.boxes[:, 4].round(3)) == sorted(there.boxes[:, 4].round(3))
+    for k, name in enumerate(after.names):
+        rest = room(6.0, 4.0)
+        for j in set(range(len(after.names))) - {k}:
+            rest.add(after.names[j], after.boxes[j])
+        assert rest.prices(name, after.boxes[[k]])[0] < BROKEN
+
+
+def test_what_cooks_mind_by_hand() -> None:
+    """Worktop of .8 m lacks a third of 1.2 m; a tall fridge stands beside the hob and between it and the sink."""
+    far = along(["kitchen_sink", "kitchen_drawers", "oven"])
+    assert exchange.cost(far.names, far.boxes, far.space) == pytest.approx(exchange.LITTLE / 3, abs=1e-3)
+    tall = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "fridge", "oven"])
+    assert exchange.cost(tall.names, tall.boxes, tall.space) == pytest.approx(
+        exchange.PARTED + exchange.BESIDE, abs=1e-3)
+    touching = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "oven"])
+    assert exchange.cost(touching.names, touching.boxes, touching.space) == pytest.approx(exchange.BETWEEN, abs=1e-3)
+    assert exchange.cost(["chair"], far.boxes[:1], far.space) == 0
