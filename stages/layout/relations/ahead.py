@@ -1,6 +1,7 @@
 """What is still to come: no unit is put where sink, hob or fridge would find no place in the run any more."""
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -24,12 +25,23 @@ def needed(left: Sequence[str], there: Sequence[str]) -> list[str]:
     return some if set(some) - CLOSED else []
 
 
-def leaves_room(there: Furniture, name: str, box: Array, rest: Sequence[str], shell: Shell) -> bool:
-    """Whether units of `rest` find places in the run, one after another, when an object stands there, or find none
-    without it either."""
-    if name not in order.runs() or not rest or _found(there.besides(name, box), list(rest), shell):
-        return True
-    return any(o in order.runs() for o in there.names) and not _found(there, list(rest), shell)
+class Ahead:
+    """What of a run is still to come: units of `rest`, beside what stands there now."""
+
+    def __init__(self, there: Furniture, rest: Sequence[str], shell: Shell) -> None:
+        self.there, self.rest, self.shell = there, list(rest), shell
+
+    def leaves_room(self, name: str, box: Array) -> bool:
+        """Whether the rest finds places in the run, one after another, when an object stands there, or finds none
+        without it either."""
+        if name not in order.runs() or not self.rest or _found(self.there.besides(name, box), self.rest, self.shell):
+            return True
+        return self._hopeless
+
+    @cached_property
+    def _hopeless(self) -> bool:
+        begun = any(o in order.runs() for o in self.there.names)
+        return begun and not _found(self.there, self.rest, self.shell)
 
 
 def _found(there: Furniture, rest: list[str], shell: Shell, dead: set[Placed] | None = None,

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, exchange, followers, hung, order, runs
+from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -126,7 +127,7 @@ class Sampler:
         and at a `strict` look, where it leads a group, for `enough` of it."""
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
-        rest = ahead.needed(left, there.names)
+        rest = Ahead(there, ahead.needed(left, there.names), self.room.speaker.shell)
         boxes, weight = _merged(boxes, weight)
         boxes, weight = self._continued(there, name, boxes, weight)
         price = there.prices(name, boxes, loose, strict)
@@ -139,7 +140,7 @@ class Sampler:
             if there.shuts(name, boxes[k], loose) < CUT:
                 share = followers.fit(there, name, boxes[k], left)
                 near = SAME if share == 1 else ELSEWHERE
-                if share == 1 and ahead.leaves_room(there, name, boxes[k], rest, self.room.speaker.shell):
+                if share == 1 and rest.leaves_room(name, boxes[k]):
                     return np.asarray(boxes[k])
                 if share > best and (share >= enough or not strict) and not runs.spare(name):
                     second, best = np.asarray(boxes[k]), share

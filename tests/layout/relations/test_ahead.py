@@ -8,6 +8,7 @@ from apartgen.stages.layout.datasets import single_rooms
 from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import ahead, order, runs
+from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Shell, shell
 from apartgen.stages.layout.rooms import of_plan
@@ -36,7 +37,7 @@ def test_what_stood_in_a_run_finds_its_place_again(seed: int) -> None:
         rest, there = [unit for k, unit in enumerate(units) if k != gone], empty
         for name, box in rest[:-1]:
             there = there.besides(name, box)
-        assert ahead.leaves_room(there, *rest[-1], [units[gone][0]], walls)
+        assert Ahead(there, [units[gone][0]], walls).leaves_room(*rest[-1])
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -56,11 +57,10 @@ def test_a_cupboard_does_not_take_the_last_place_of_the_fridge(seed: int) -> Non
         there = there.besides("coffee_table", at(s, (0.6, 0.6, 0.4)))
     beside, elsewhere = at(middle + 0.605, (0.6, 0.6, 0.9)), at(middle + 0.605, (0.6, 0.3, 0.9))
     elsewhere[:2] += space.normal[k] * 1.3
-    free = ahead.leaves_room(empty.besides("hob", at(middle, (0.6, 0.6, 0.9))), "coffee_table", beside, ["fridge"],
-                             walls)
-    assert free
+    with_hob = empty.besides("hob", at(middle, (0.6, 0.6, 0.9)))
+    assert Ahead(with_hob, ["fridge"], walls).leaves_room("coffee_table", beside)
     fits = there.prices("fridge", at(middle + 0.605, (0.65, 0.6, 1.75))[None])[0] < 10
-    assert ahead.leaves_room(there, "kitchen_base", beside, ["fridge"], walls) != fits
+    assert Ahead(there, ["fridge"], walls).leaves_room("kitchen_base", beside) != fits
 
 
 def test_one_that_cooks_is_enough_and_cupboards_are_not_needed() -> None:
