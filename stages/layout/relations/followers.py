@@ -15,8 +15,8 @@ from apartgen.stages.use import kinds
 CHAIR, STAND, SEAT, LOW = "chair", "nightstand", "office_chair", "coffee_table"
 ELBOW = 0.6
 """Of a table's edge each diner has, m."""
-IN = 0.12
-"""How far a chair is drawn under its table, m."""
+IN, LESS_IN, WIDE = 0.12, 0.05, 0.58
+"""How far a chair is drawn under its table, under a round one at which six sit, and the least radius of that, m."""
 OFF, ASIDE = 0.01, 0.05
 """From the wall to a nightstand's back, and from it to its bed, m."""
 BEFORE = 0.36
@@ -145,12 +145,19 @@ def _likeliest(boxes: Array) -> Size:
 
 
 def _chairs(kind: str, table: Array, size: Size) -> list[Place]:
-    """Places of chairs, those across from one another in turn: at the long sides first."""
+    """Places of chairs, those across from one another in turn: at the long sides first, or all round."""
     far, (d, w) = size[0] / 2 - IN, table[3:5].astype(float) / 2
-    many = 1 if kind == "round_table" else max(1, int((2 * w + TINY) / ELBOW))
+    if kind == "round_table":
+        return _round(min(d, w) + far, 2) if min(d, w) < WIDE else _round(min(d, w) + size[0] / 2 - LESS_IN, 3)
+    many = max(1, int((2 * w + TINY) / ELBOW))
     along = (np.arange(many) - (many - 1) / 2) * 2 * w / many
     out = [(s * (d + far), float(y), (s > 0) * np.pi) for y in along for s in (1.0, -1.0)]
     return out + [(0.0, s * (w + far), -s * np.pi / 2) for s in (1.0, -1.0)]
+
+
+def _round(far: float, pairs: int) -> list[Place]:
+    turns = [k * np.pi / pairs + half for k in range(pairs) for half in (0.0, np.pi)]
+    return [(far * float(np.cos(turn)), far * float(np.sin(turn)), turn + np.pi) for turn in turns]
 
 
 def _stands(kind: str, bed: Array, size: Size) -> list[Place]:

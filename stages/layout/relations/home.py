@@ -47,11 +47,10 @@ LENGTHS = dict.fromkeys(HANGING, (1.5, 1.2))
 """Least widths at a first and a second look, in bedrooms of two and where one sleeps in the living room, m."""
 SCREENS = (1.2, 1.0)
 """Least widths of a living room's television, m: for a sofa 3 m away."""
-TABLE_FOR = (
-    (7, {"dining_table": 1.8, "round_table": 1.4}),
-    (5, {"dining_table": 1.8, "round_table": 1.2}),
-)
-"""How wide a table is, at a first and a second look, where so many sleep, m."""
+LONG_TABLE, ROUND_TABLE = 1.8, 1.2
+"""Least widths of tables where five and more eat, m."""
+FIVE, ROUND = 5, 6
+"""So many, and those who eat at a round table at most."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -116,7 +115,7 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
-    wanted = Counter({**_kept(plan, place, given), **wanted_of(arrays, i, plan, room)})
+    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **wanted_of(arrays, i, plan, room)})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
@@ -144,8 +143,8 @@ def _wide(room: Room, area: float, due: Duties, sleep: int) -> dict[str, tuple[f
         some |= LENGTHS
     if room.base == "living_room":
         some["tv"] = SCREENS
-    if due.eats > 0:
-        some |= next(({name: (wide, wide) for name, wide in table.items()} for n, table in TABLE_FOR if sleep >= n), {})
+    if due.eats > 0 and sleep >= FIVE:
+        some |= {"dining_table": (LONG_TABLE,) * 2, "round_table": (ROUND_TABLE,) * 2}
     return some
 
 
@@ -177,6 +176,12 @@ def _kept(plan: Plan, place: Site, given: list[Box]) -> Counter[str]:
         return Counter()
     there = {o.category for o in given}
     return Counter(name for name in belongings(place) if name not in there)
+
+
+def _long_table(plan: Plan, room: Room) -> Counter[str]:
+    """No round table where more eat than find a seat at one."""
+    many = duties(plan, room).eats > 0 and (sleepers(plan) or 0) > ROUND
+    return Counter({"round_table": 0}) if many else Counter()
 
 
 class Rules:

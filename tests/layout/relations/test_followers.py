@@ -61,6 +61,7 @@ def test_a_sofa_leaves_the_floor_that_a_table_takes_with_its_chairs(width: float
 
 @pytest.mark.parametrize("name, host, size, many", [
     ("chair", "dining_table", (0.9, 1.8, 0.75), 8), ("chair", "round_table", (1.0, 1.0, 0.75), 4),
+    ("chair", "round_table", (1.36, 1.36, 0.75), 6),
     ("nightstand", "double_bed", BED, 2), ("office_chair", "desk", DESK, 1),
     ("coffee_table", "sofa", (0.9, 2.0, 0.8), 1),
 ])
