@@ -208,6 +208,18 @@ def test_no_new_collision_and_nothing_new_outside(seed, flat, libraries):
         assert room.covers(footprint(thing)) or not room.covers(footprint(before[thing.id]))
 
 
+def test_a_television_as_wide_as_its_stand_stays_there_between_shelves(flat, libraries):
+    """One shelf stands a centimetre into the television's end, a nightstand 2 m off would carry a third of it."""
+    stand, tv, *rest = retrieve(flat(
+        {"category": "tv_stand", "center": [0.2, 2.5, 0.2], "size": [0.36, 1.2, 0.4]},
+        {"category": "tv", "center": [0.2, 2.5, 0.76], "size": [0.1, 1.2, 0.72]},
+        {"category": "bookshelf", "center": [0.16, 1.61, 0.75], "size": [0.28, 0.6, 1.5]},
+        {"category": "nightstand", "center": [0.2, 4.5, 0.25], "size": [0.4, 0.44, 0.5]},
+    ), libraries).objects
+    assert tv.on == stand.id and np.hypot(*np.subtract(tv.center, stand.center)[:2]) < 0.05
+    assert boxes.penetration(boxes.of([tv]), boxes.of(rest[:1])).max() < 1e-6
+
+
 def test_a_television_said_to_hang_stays_on_the_wall_and_any_other_finds_its_stand(flat, libraries):
     things = ({"category": "tv_stand", "center": [0.3, 2.5, 0.25], "size": [0.5, 2.0, 0.5]},
               {"category": "tv", "center": [0.2, 2.5, 1.3], "size": [0.1, 1.2, 0.7], "yaw": 0.0})

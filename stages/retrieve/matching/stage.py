@@ -27,6 +27,8 @@ LOG = logging.getLogger("apartgen")
 
 ON_A_WALL = 0.5
 """What has its middle above this, m, may hang on the wall."""
+CARRIED = 0.8
+"""Another top than the one that something stood on is at least so wide, as a share of that."""
 _NONE = boxes.of([])
 
 
@@ -156,11 +158,12 @@ def _put_on_top(
     for i, box in enumerate(layout.objects):
         if on[i]:
             continue
-        item = anchors.resized(placing.one(box), own[i].size, sites[box.room].floor)
+        floor = sites[box.room].floor
+        item = anchors.resized(placing.one(box), own[i].size, floor)
         below = _below(i, layout, placed)
         for small in (False, True):
             taken = ((j, _stacked(placed, _near(i, j, layout, on, small))) for j in below)
-            spots = ((j, supports.stand(item, top_of(j), others)) for j, others in taken)
+            spots = ((j, supports.stand(item, top_of(j), others, floor)) for j, others in taken)
             under, placed[i] = next(((j, spot) for j, spot in spots if spot is not None), (i, None))
             if placed[i] is not None:
                 on[i] = layout.objects[under].id
@@ -190,7 +193,8 @@ def _below(i: int, layout: Layout, placed: Sequence[Boxes | None]) -> list[int]:
     able = [
         j
         for j, other in enumerate(layout.objects)
-        if other.room == box.room and placed[j] is not None and (other.id == box.on or other.category in carriers())
+        if other.room == box.room and placed[j] is not None
+        and (other.id == box.on or other.category in carriers() and other.size[1] >= CARRIED * box.size[1])
     ]
 
     def order(j: int) -> tuple[bool, bool, float, int]:

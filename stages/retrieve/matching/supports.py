@@ -1,9 +1,11 @@
 """Tops that things stand on: at which height, and where on it another one fits."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Polygon
 
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Boxes
@@ -16,6 +18,8 @@ CELLS = 12
 """A top is looked at on a grid of CELLS² points."""
 FLAT = 0.002
 """Heights within this are one level, m."""
+BEYOND = 0.02
+"""What is as wide as a top may stand so far beyond its edge, m: out of the way of what is beside it."""
 EDGE = 0.01
 """Points this far inside the edge are looked at, m."""
 
@@ -56,21 +60,28 @@ def _covered(under: Top, item: Boxes) -> tuple[bool, float]:
     return bool(under.clear[under_it].all()), carried
 
 
-def stand(item: Boxes, under: Top, taken: Boxes) -> Boxes | None:
-    """The item (1) on the top's level, as near as can be to where it was and clear of what stands there already."""
+def stand(item: Boxes, under: Top, taken: Boxes, floor: Polygon) -> Boxes | None:
+    """The item (1) on the top's level, as near as can be to where it was and clear of what stands there already; if
+    need be a little beyond the top's edge, as long as that is within the walls."""
     reach = np.maximum((under.box.size[0, :2] - _turned(item, under)) / 2, 0)
-    ticks = np.linspace(-1, 1, 9)
-    offsets = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), -1).reshape(-1, 2) * reach
-    own = boxes.local(item.center[:, :2], under.box)[0]
-    spots = np.concatenate([np.clip(own, -reach, reach), offsets])
-    spots = spots[np.argsort(np.square(spots - own).sum(1), kind="stable")]
-    for spot in spots:
-        xy = under.box.center[0, :2] + spot @ boxes.axes(under.box)[0]
-        placed = item._replace(center=np.array([[*xy, under.level + item.size[0, 2] / 2]]))
-        level, carried = _covered(under, placed)
-        if level and carried > 0.6 and (not taken.n or boxes.penetration(placed, taken).max() <= 1e-9):
-            return placed
+    for far in (reach, np.maximum(reach, BEYOND)):
+        for placed in _spots(item, under, far):
+            level, carried = _covered(under, placed)
+            clear = not taken.n or boxes.penetration(placed, taken).max() <= 1e-9
+            if level and carried > 0.6 and clear and (far is reach or floor.covers(boxes.footprints(placed)[0])):
+                return placed
     return None
+
+
+def _spots(item: Boxes, under: Top, far: Array) -> Iterator[Boxes]:
+    """The item on the top, its middle so far (2,) from the top's at most, the nearest to where it was first."""
+    ticks = np.linspace(-1, 1, 9)
+    offsets = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), -1).reshape(-1, 2) * far
+    own = boxes.local(item.center[:, :2], under.box)[0]
+    spots = np.concatenate([np.clip(own, -far, far), offsets])
+    for spot in spots[np.argsort(np.square(spots - own).sum(1), kind="stable")]:
+        xy = under.box.center[0, :2] + spot @ boxes.axes(under.box)[0]
+        yield item._replace(center=np.array([[*xy, under.level + item.size[0, 2] / 2]]))
 
 
 def _turned(item: Boxes, under: Top) -> Array:
