@@ -37,8 +37,9 @@ FRAMES, BRANCHES, OFFSETS = 2, 4, 24
 
 DRAWN = 6
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
-GOOD, POOR = 0.3, 1.0
-"""Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn."""
+GOOD, POOR, SHARED = 0.3, 1.0, 0.7
+"""Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn; of a room
+that all share K more above the last."""
 BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 30.0
@@ -64,7 +65,8 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
     best: dict[int, Furnished] = {}
     for name, samples, limit in _rounds(config.candidates):
-        some = [i for i in due if i not in best or best[i].cost > limit]
+        some = [i for i in due if i not in best or best[i].cost > (
+            SHARED if limit == POOR and plan.rooms[i].base == "living_room" else limit)]
         lanes = [seeds.lane(rng, plan.rooms[i].id + name) for i in some]
         rooms = [_sampler(plan, i, arrays, config, samples, lane, there[i])
                  for i, lane in zip(some, lanes, strict=True)]
