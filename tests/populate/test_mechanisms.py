@@ -11,6 +11,7 @@ import pytest
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.export import mjcf
 from apartgen.stages.retrieve import furniture
+from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things import categories, mechanisms, small
 from apartgen.stages.things.body import Body
 from apartgen.stages.things.categories import TABLE
@@ -64,9 +65,36 @@ def test_surfaces_rub_within_what_their_sources_give():
     known = mechanisms.surfaces()
     for name, kind in small.TABLE.items():
         assert known[kind.surface].friction[0] <= kind.friction <= known[kind.surface].friction[1], name
-    usual = {link.friction for name in TABLE for link in furniture.build(
-        name, furniture.styles(name)[0], TABLE[name].size, 0).links}
+    usual = {link.friction for name in TABLE for style in furniture.styles(name)
+             for link in furniture.build(name, style, TABLE[name].size, 0).links}
+    usual |= {link.friction for body in building() for link in body.links}
     assert all(known["hard"].friction[0] <= friction <= known["hard"].friction[1] for friction in usual)
+
+
+def building():
+    """Walls, floors, doors and windows of a home."""
+    from inhabited import furnished, library
+
+    found = [body for body in Scene(furnished(), library().load_asset, shown=False).bodies if body.kind != "object"]
+    assert {"wall", "floor", "door", "window"} <= {body.kind for body in found}
+    return found
+
+
+def test_room_doors_pull_and_turn_within_what_their_sources_give():
+    row, leaves = mechanisms.table()["room_door"], [link for body in building() for link in body.links if link.joint]
+    assert leaves
+    for link in leaves:
+        assert mechanisms.kind("door", link.joint) == "room_door"
+        pulls = [row.catch[k] + row.friction[k] / mechanisms.lever(link) for k in (0, 1)]
+        assert row.force[0] <= pulls[0] <= pulls[1] <= row.force[1], link.name
+        assert row.turn[0] - 1e-6 <= np.degrees(np.ptp(link.joint.range)) <= row.turn[1] + 1e-6, link.name
+
+
+def test_every_mechanism_is_one_that_something_has_and_no_lid_holds_open_against_a_hand():
+    had = {mechanisms.kind(name, link.joint) for name in ARTICULATED for style in furniture.styles(name)
+           for link in furniture.build(name, style, TABLE[name].size, 0).links[1:]}
+    assert had | {"room_door"} == set(mechanisms.table())
+    assert all(0 <= row.rest[0] <= row.rest[1] <= row.force[1] for row in mechanisms.table().values())
 
 
 @pytest.mark.parametrize("category", ARTICULATED)
@@ -89,7 +117,7 @@ def test_parts_pull_and_turn_within_what_their_sources_give(category):
                 assert row.out[0] - 1e-6 <= share <= row.out[1], (style, link.name, share)
 
 
-class _Scene:
+class _Alone:
     """One body and what an exporter asks for besides."""
 
     def __init__(self, body, home):
@@ -110,7 +138,7 @@ def simulated(tmp_path_factory):
             height = np.array([0.0, 0.0, asset.size[2] / 2])
             body = Body("thing", "object", category, "room", height, 0.0, asset.links, id="thing")
             folder = tmp_path_factory.mktemp("one")
-            mjcf.write(_Scene(body, furnished()), folder)
+            mjcf.write(_Alone(body, furnished()), folder)
             made[key] = mujoco.MjModel.from_xml_path(str(folder / "mjcf" / "apartment.xml")), asset
         return made[key]
 
