@@ -144,7 +144,9 @@ def _followed(rule: Rule, here: list[Board], home: Home, rng: np.random.Generato
 
 
 def _chosen(rule: Rule, here: list[Board], rng: np.random.Generator) -> list[Board]:
-    """The boards of a rule, in the order in which they are tried."""
+    """The boards of a rule, in the order in which they are tried; rims at the front are the last for what stands at the
+    back.
+    """
     beacons = [board.owner for board in here if rule.near and board.owner.category in categories.used_for(rule.near)]
     tiers: list[list[Board]] = []
     for at in rule.at:
@@ -157,6 +159,8 @@ def _chosen(rule: Rule, here: list[Board], rng: np.random.Generator) -> list[Boa
             fit.sort(key=lambda board: min(_distance(board.owner, beacon) for beacon in beacons))
         tiers.append(fit)
     every = [board for tier in tiers for board in tier]
+    if rule.where == "back":
+        every.sort(key=lambda board: board.place.kind == "top" and board.place.lo[0] > 0)
     return [every[i] for i in rng.permutation(len(every))] if rule.mixed else every
 
 

@@ -10,7 +10,7 @@ from apartgen.schemas import carrying
 from apartgen.schemas.populate import Populate
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import populate, seeds
-from apartgen.stages.populate import arrange, rules
+from apartgen.stages.populate import arrange, rules, stage
 from apartgen.stages.populate.boards import Board
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.robot.wedged import wedged
@@ -197,6 +197,21 @@ def test_books_at_the_front_stand_out_for_fingers_where_there_is_depth(deep):
         assert len(row) == 6 and fronts.max() <= deep / 2 and backs.min() >= -deep / 2
         ahead = fronts[1:-1] - np.maximum(fronts[:-2], fronts[2:])
         assert (ahead > 0.02).any() if deep > 0.25 else np.ptp(fronts) < 0.04 + 1e-9
+
+
+def test_what_stands_at_the_back_is_on_no_rim_at_the_front_while_there_is_another_place():
+    """A bottle of soap stands behind or beside the basin, not before it."""
+    sink = next(o for o in furnished().objects if o.category == "kitchen_sink")
+    rims = {"front": ((0.2, -0.3), (0.3, 0.3)), "back": ((-0.3, -0.3), (-0.2, 0.3)), "side": ((-0.2, 0.2), (0.2, 0.3))}
+    (rule,) = (rule for rule in rules.table()["kitchen"] if rule.put == ("dish_soap",))
+    home = stage.Home(stage._models(np.random.default_rng(0)), 1, 1.0)
+
+    def used(names, seed):
+        here = [Board(sink, Receptacle(name, "top", *rims[name], 0.46, 3.0), np.zeros((0, 5))) for name in names]
+        return {put.board.place.name for put, in stage.furnished(here, [rule], home, np.random.default_rng(seed))}
+
+    assert set().union(*(used(rims, seed) for seed in range(20))) == {"back", "side"}
+    assert used(["front"], 0) == {"front"}
 
 
 def test_density_says_how_much_there_is():
