@@ -91,10 +91,10 @@ def _models(rng: np.random.Generator) -> dict[str, list[Design]]:
 
 def _unlike(kind: small.Small, rng: np.random.Generator) -> list[Design]:
     """Models of what hangs in sight of one another: none looks like another while there are other looks."""
-    found: dict[tuple[str, int], Design] = {}
+    found: dict[tuple[str, ...], Design] = {}
     for _ in range(_DRAWS * kind.designs):
         design = small.drawn(kind, rng)
-        found.setdefault((design.style, design.seed), design)
+        found.setdefault(small.look(design), design)
         if len(found) == kind.designs:
             break
     return list(found.values())

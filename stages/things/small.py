@@ -16,6 +16,7 @@ from pydantic import ConfigDict, TypeAdapter
 LYING = "_lying"
 Size = tuple[float, float, float]
 AnyLength = TypeVar("AnyLength", int, float)
+_EDGES = ("frame", "mount")
 Part = tuple[Any, ...]
 """A shape's name, the slot of its material, and where it is in the box."""
 
@@ -116,3 +117,16 @@ def drawn(kind: Small, rng: np.random.Generator) -> Design:
     d, w, h = np.round((low + share * (high - low)) * 1000) / 1000
     names = tuple(kind.styles)
     return Design(kind, names[int(rng.integers(len(names)))], (float(d), float(w), float(h)), int(rng.integers(12)))
+
+
+def worn(kind: Small, seed: int) -> dict[str, str]:
+    """A material for each slot: seeds in a row go through those of the first, the others are by chance."""
+    chance = np.random.default_rng([seed, *kind.name.encode()])
+    (first, names), *rest = kind.looks.items()
+    return {first: names[seed % len(names)]} | {slot: own[int(chance.integers(len(own)))] for slot, own in rest}
+
+
+def look(design: Design) -> tuple[str, ...]:
+    """What tells a model from another across a room: its style, and its colours but for those of frame and mount."""
+    colours = worn(design.kind, design.seed)
+    return design.style, *(colours[slot] for slot in colours if slot not in _EDGES)

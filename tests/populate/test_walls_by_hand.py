@@ -37,23 +37,6 @@ def test_it_goes_where_there_is_room():
     assert one.center[0] - 0.04 - 0.03 >= 2.2
 
 
-def bare(length, *swept, covered=()):
-    """Where along a wall of that length pictures are wanted on what is bare; doors sweep some of it."""
-    face = walls.Face(np.zeros(2), np.array([1.0, 0.0]), np.array([0.0, 1.0]), length, list(covered), swept)
-    assert not swept or not face.free(swept[0][0] + 0.3, 0.2, 1.4, 1.6), "nothing hangs where a leaf comes"
-    return [round(s, 6) for _, s, _ in walls._bare([face], 1.5, 0.25, 2.2, shut=True)]
-
-
-def test_a_wall_behind_a_door_is_as_bare_as_any():
-    """2.2 m, of which .9 are swept: what is left is shorter than 1.5 m, and has a picture in its middle anyway."""
-    assert bare(2.2, (0.0, 0.9, 0.0, 2.1)) == [1.55]
-    assert bare(2.2) == [1.1] and bare(1.4) == [] and bare(2.2, covered=[(0.5, 1.0, 0.0, 1.0)]) == []
-
-
-def test_no_picture_is_wanted_where_doors_sweep_all_of_it():
-    assert bare(1.8, (0.0, 0.9, 0.0, 2.1), (0.85, 1.8, 0.0, 2.1)) == []
-
-
 @pytest.mark.parametrize(("on", "hangs"), [("stand", False), ("floor", True)])
 def test_nothing_hangs_behind_what_stands_on_something(on, hangs):
     """A television 20 cm before the south wall, from .5 to 1.2 m; what stands on the floor there is no hindrance."""

@@ -92,7 +92,7 @@ _SHAPES: dict[str, Callable[..., Shape]] = {
 def small_thing(kit: Kit) -> None:
     """The parts of its style in materials by its seed, and the collision pieces of its kind."""
     kind, frame = small.TABLE[kit.category], Frame(kit)
-    worn = _worn(kind, kit.seed)
+    worn = small.worn(kind, kit.seed)
     parts = kind.styles[frame.style]
     for (_, slot, *_), shape in zip(parts, _filling(kit, [frame.part(part) for part in parts]), strict=True):
         kit.base.add(worn[slot], shape, touch=False)
@@ -108,13 +108,6 @@ def _filling(kit: Kit, shapes: list[Shape]) -> list[Shape]:
     lo, hi, size = points.min(0), points.max(0), np.asarray(kit.size)
     corner = np.array([-kit.d / 2, -kit.w / 2, 0.0])
     return [Shape(corner + (shape.vertices - lo) * size / (hi - lo), shape.faces, shape.uv) for shape in shapes]
-
-
-def _worn(kind: small.Small, seed: int) -> dict[str, str]:
-    """A material for each slot: seeds in a row go through those of the first, the others are by chance."""
-    chance = np.random.default_rng([seed, *kind.name.encode()])
-    (first, names), *rest = kind.looks.items()
-    return {first: names[seed % len(names)]} | {slot: own[int(chance.integers(len(own)))] for slot, own in rest}
 
 
 def _collider(frame: Frame, piece: tuple[Any, ...]) -> Collider:
