@@ -72,7 +72,7 @@ def _sides(polygon: Polygon, z0: float, z1: float) -> list[Piece]:
 
 
 def cylinder(start: ArrayLike, end: ArrayLike, radius: float, material: Material, sides: int = 16) -> Mesh:
-    """A closed cylinder between two points."""
+    """A closed cylinder between two points; a texture runs down both sides of it, so that it meets itself."""
     a, b = np.asarray(start, float), np.asarray(end, float)
     axis = (b - a) / np.linalg.norm(b - a)
     first = np.cross(axis, [1.0, 0, 0] if abs(axis[0]) < 0.9 else [0, 1.0, 0])
@@ -84,7 +84,10 @@ def cylinder(start: ArrayLike, end: ArrayLike, radius: float, material: Material
     walls = np.concatenate([np.stack([i, j, j + sides], 1), np.stack([i, j + sides, i + sides], 1)])
     ends = [np.stack([j, i, np.full(sides, 2 * sides)], 1), np.stack([i, j, np.full(sides, 2 * sides + 1)], 1)]
     ends[1] = ends[1] + np.array([sides, sides, 0])
-    return Mesh(vertices, np.concatenate([walls, *ends]).astype(np.int64), material)
+    about = radius * np.minimum(angles, 2 * np.pi - angles)[:, 0]
+    uv = np.stack([np.concatenate([about, about, [0.0, 0.0]]), (vertices - a) @ axis], 1)
+    return Mesh(vertices, np.concatenate([walls, *ends]).astype(np.int64), material,
+                uv / materials.span(material.name) if material.texture else None)
 
 
 def slab(lo: ArrayLike, hi: ArrayLike) -> Collider:

@@ -50,7 +50,9 @@ def test_newton_reads_it(made, kind, file):
     warp, newton = pytest.importorskip("warp"), pytest.importorskip("newton")
     warp.config.quiet = True
     builder = newton.ModelBuilder()
-    getattr(builder, f"add_{kind}")(str(made.folder / file))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        getattr(builder, f"add_{kind}")(str(made.folder / file))
     moving = [link for body in made.scene.bodies for link in body.links if body.free or link.joint is not None]
     assert builder.body_count >= len(moving) and builder.shape_count >= _pieces(made.scene)
 

@@ -9,7 +9,7 @@ from shapely.geometry import Point, box
 from apartgen.stages.scene import shell
 from apartgen.stages.scene.scene import Scene, identifier
 from apartgen.stages.space import polygons
-from apartgen.stages.things import solids
+from apartgen.stages.things import materials, solids
 from apartgen.stages.things.body import inertia
 from apartgen.stages.things.materials import PALETTE
 
@@ -36,6 +36,17 @@ def test_prisms_are_closed_and_their_colliders_fill_them(area):
     filled = sum(c.size.prod() if c.kind == "box" else trimesh.convex.convex_hull(c.vertices).volume
                  for c in solids.convex(area, 0.5, 2.5))
     assert filled == pytest.approx(2 * area.area, rel=1e-5)
+
+
+def test_a_rod_of_what_has_a_texture_says_where_it_is():
+    """As programs that read OBJ warn of a texture without coordinates; they run on round the rod without a jump."""
+    rod, plain = (solids.cylinder([0, 0, 0], [0, 0, 0.1], 0.02, PALETTE[name]) for name in ("steel", "black_metal"))
+    assert PALETTE["steel"].texture and not PALETTE["black_metal"].texture and plain.uv is None
+    metres = rod.uv * materials.span("steel")
+    assert np.ptp(metres, axis=0) == pytest.approx([0.02 * np.pi, 0.1])
+    edges = np.concatenate([rod.faces[:, [0, 1]], rod.faces[:, [1, 2]]])
+    far = np.linalg.norm(np.diff(rod.vertices[edges], axis=1)[:, 0], axis=1)
+    assert (np.linalg.norm(np.diff(metres[edges], axis=1)[:, 0], axis=1) < 3.2 * far).all()
 
 
 def test_every_visual_of_the_shell_is_closed(bodies):
