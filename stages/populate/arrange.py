@@ -16,6 +16,8 @@ STANDS_OUT = (0.025, 0.04)
 """So far before its neighbours stands a book that stands out for fingers, m."""
 LIFT = 0.0005
 """Things are put down so far above what carries them, m."""
+RIM = 0.86
+"""The share of a tray, in depth and in width, that things lie on."""
 AROUND = (2 * FINGERS, 0.008)
 """Between a thing by itself and the next one, m: where there is room, and where there is less."""
 
@@ -137,3 +139,38 @@ def stack(
             return [Put(design, lying, board, Spot(*at, float(board.place.z + z), float(t)), k - 1)
                     for k, (design, z, t) in enumerate(zip(ordered[:n], bottoms, turns))]
     return []
+
+
+def dished(
+    dish: Design, designs: Sequence[Design], board: Board, where: str, turned: float, rng: np.random.Generator
+) -> list[Put]:
+    """A tray or a board with things beside each other on it, as many of them as there is room for."""
+    d, w, h = dish.size
+    sizes = np.array([design.size for design in designs])
+    low, yaw = dish.kind.bears * h + LIFT, float(rng.uniform(-turned, turned))
+    c, s = np.cos(yaw), np.sin(yaw)
+    for n in range(len(designs), 0, -1):
+        spots = _beside(sizes[:n].max(0), n, (RIM * d, RIM * w))
+        if not len(spots):
+            continue
+        dx, dy = d * abs(c) + w * abs(s), d * abs(s) + w * abs(c)
+        at = _claimed(board, dx, dy, max(h, low + float(sizes[:n, 2].max())) + LIFT, where, rng)
+        if at is None:
+            return []
+        x, y = (spots @ [[c, s], [-s, c]] + at).T
+        z = board.place.z + LIFT
+        return [Put(dish, False, board, Spot(*at, z, yaw)), *(
+            Put(design, False, board, Spot(float(a), float(b), z + low, yaw), 0)
+            for design, a, b in zip(designs, x, y))]
+    return []
+
+
+def _beside(size: Array, n: int, room: tuple[float, float]) -> Array:
+    """The middles (n, 2) of so many things beside each other about the middle of a room, (0, 2) if they don't fit."""
+    step = size[:2] + FINGERS
+    across = min(n, max(int((room[1] + FINGERS) / step[1]), 1))
+    rows = -(-n // across)
+    if rows * step[0] - FINGERS > room[0] or across * step[1] - FINGERS > room[1]:
+        return np.zeros((0, 2))
+    i = np.arange(n)
+    return np.stack([i // across - (rows - 1) / 2, i % across - (across - 1) / 2], 1) * step

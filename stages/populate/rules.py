@@ -17,7 +17,8 @@ Where = Literal["back", "front", "middle", "any"]
 @dataclass(frozen=True, kw_only=True, config=ConfigDict(extra="forbid"))
 class Rule:
     """One line of the table. `put` names kinds of which each thing is one; `n` is how many there are, `per` person or
-    room; `at` the places, the best first, or with `mixed` in any order; `of` how many a stack or row has at most.
+    room; `at` the places, the best first, or with `mixed` in any order; `of` how many a stack or row has at most;
+    `dish` a kind that they lie on together.
     """
 
     put: tuple[str, ...]
@@ -32,6 +33,7 @@ class Rule:
     lying: bool = False
     turned: float = 0.0
     near: str = ""
+    dish: str = ""
 
 
 class Spot(NamedTuple):
@@ -70,6 +72,6 @@ def _rows() -> dict[str, dict[str, list[str]]]:
 
 def unknown() -> list[str]:
     """Names in the table that mean nothing."""
-    put = {name for rules in table().values() for rule in rules for name in rule.put}
+    put = {name for rules in table().values() for rule in rules for name in (*rule.put, rule.dish) if name}
     named = {name for rules in table().values() for rule in rules for at in rule.at for name in spots(at).categories}
     return sorted((put - set(small.TABLE)) | (named - set(categories.TABLE) - {"floor"}))

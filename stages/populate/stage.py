@@ -177,6 +177,8 @@ def _put(rule: Rule, board: Board, n: int, home: Home, rng: np.random.Generator)
     models = home.models[name]
     designs = [models[int(rng.integers(len(models)))] for _ in range(n)]
     lying = rule.lying and models[0].kind.rests
+    if rule.dish:
+        return arrange.dished(home.models[rule.dish][0], designs, board, rule.where, rule.turned, rng)
     match rule.how:
         case "row":
             return arrange.row(designs, lying, board, rule.where, rng)

@@ -55,6 +55,11 @@ class Small:
             for parts in self.styles.values() for shape, _, *numbers in parts)
 
     @property
+    def bears(self) -> float:
+        """How high is what lies on it, as a share of its own height."""
+        return float(self.collide[0][-1]) if len(self.collide) > 1 else 1.0
+
+    @property
     def called(self) -> str:
         """Its name in sentences."""
         return self.name.replace("_", " ")
