@@ -8,6 +8,7 @@ from inhabited import furnished, library, lived_in, things
 
 from apartgen.stages.populate import faces, pictures, stage
 from apartgen.stages.things import small
+from apartgen.stages.things.materials import PALETTE
 
 
 def rooms(*bases):
@@ -114,3 +115,8 @@ def test_a_clock_hangs_apart_from_pictures(seed):
 def test_nothing_hangs_in_bathrooms_that_steam_would_spoil():
     assert not [o for seed in range(3) for o in things(lived_in(seed)) if o.category == "picture"
                 and o.room in {room.id for room in furnished().rooms if room.base == "bathroom"}]
+
+
+def test_a_frame_is_seen_on_a_white_wall():
+    brightest = max(max(PALETTE[name].color[:3]) for name in small.TABLE["picture"].looks["frame"])
+    assert brightest < 0.9 < min(PALETTE["white"].color[:3])
