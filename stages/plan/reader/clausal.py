@@ -5,7 +5,7 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
-COMPARED = ("compare", "extreme")
+COMPARED = ("compare", "extreme", "share", "fraction")
 DENYING = ("no", "without")
 LEADING = ("with", "boundary", "conjunction", "relative", "copula")
 """What may stand between the rooms and `no door between them`."""

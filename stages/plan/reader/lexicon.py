@@ -18,7 +18,7 @@ Phrase = tuple[str, ...]
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
-    "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
+    "opening", "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
     "only", "style", "shape", "side_role", "side", "beside", "place", "bound", "use",
     "furniture", "furniture_count", "graph", "main_rooms",
     "compound", "sum", "anew", "give", "adjective", "stop",

@@ -18,7 +18,7 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         if p.kind == Relation.NEAR and following.form == "part" and following.subject[0] > p.at + 1:
             end = following.subject[0]  # "a bath near the hall and a kitchen open to the lounge"
     out: list[RoomPhrase] = []
-    if p.kind == Relation.OPEN and items[p.at + 1 : p.at + 2] and items[p.at + 1].value == "it":
+    if items[p.at + 1 : p.at + 2] and (items[p.at + 1].kind, items[p.at + 1].value) == ("pronoun", "it"):
         return out  # "a kitchen open to it, and two bedrooms off …"
     for j in range(p.at + 1, min(end, len(items))):
         item = items[j]

@@ -20,7 +20,8 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             for k, x in enumerate(items[i + 1 : end], i)
         )
         within = end < len(items) and (items[end].kind == "copula" or items[end].value == "in")
-        closing = end + (within and len(group) > 1)
+        told = len(group) == 1 and _told(items, i, end)
+        closing = end + ((within and len(group) > 1) or told)
         after = closing < len(items) and (items[closing].kind == "open" or (closing > end and _in_one(items, closing)))
         _one_space(items, i)
         if len(group) == 1 and after:
@@ -32,7 +33,15 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
                 phrase.labels.discard(Trait.OPEN)
         kept += items[i : end + 1] if not after else items[i:end]
         i = (closing if after else end) + 1
+        i += told and i < len(items) and is_mark(items[i], ")")
     return kept, out
+
+
+def _told(items: list[Item], i: int, k: int) -> bool:
+    """`kitchen: open plan`, `kitchen (open plan)`, `the kitchen is open plan` of the one room at `i`."""
+    verb = k < len(items) and items[k].kind == "copula" and not (i and items[i - 1].kind == "conjunction")
+    said = k + 1 < len(items) and (is_mark(items[k], ":(-") or verb)
+    return said and items[k + 1].kind == "open"
 
 
 def _in_one(items: list[Item], k: int) -> bool:

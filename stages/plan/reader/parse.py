@@ -93,6 +93,8 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.graph = True
             case "style":
                 said.styles.append(item.value)
+            case "opening":
+                said.unread.append(item.text)
             case "shape" if _of_room(items[k + 1 : k + 3]):
                 said.unread.append(item.text)
             case "shape":

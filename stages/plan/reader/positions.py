@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.clauses import clause_of
 from apartgen.stages.plan.reader.entrances import and_entrance, at_entrance, link_before, near_behind, there
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
@@ -43,6 +44,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
         text = item.text.replace(" - ", "-")
         if _beside(items, k):
             _seen_from(items, k, said)
+            items = _it_again(items, k + 1)
             clause_of(out, _rooms(items, k), text)
             k += 2
             continue
@@ -133,6 +135,16 @@ def _seen_from(items: list[Item], k: int, said: Said) -> None:
     said.asked += [
         Asked("position", [known(room, items)], to, _side(items[k]), f"{room.text} {text}") for room in rooms
     ]
+
+
+def _it_again(items: list[Item], k: int) -> list[Item]:
+    """`the kitchen is north of the lounge and connects to it`: to the room at `k`, which the place takes away."""
+    end = next((j for j in range(k + 1, len(items)) if items[j].room is not None or is_mark(items[j], ".")), len(items))
+    at = next((j for j in range(k + 1, end) if items[j].value == "it" and items[j - 1].kind in ("link", "front")), None)
+    room = items[k].room
+    if at is None or room is None:
+        return items
+    return [*items[:at], again_named(room), *items[at + 1 :]]
 
 
 def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | None:

@@ -84,8 +84,12 @@ def _opens_to(items: list[Item], k: int) -> tuple[Relation, str] | None:
     alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
     alone = alone or (k > 3 and items[k - 4].kind == "link" and _new(items[k - 1]))  # "… off A and a kitchen open to B"
     single = last is not None and last.type in OPEN_TYPES and not last.plural and not last.definite or _the_one(last)
-    if items[k].text in ("open to", "open onto") and single and alone:
+    if items[k].text not in ("open to", "open onto"):
+        return None
+    if single and alone:
         return Relation.OPEN, "part"
+    if k > 1 and items[k - 1].kind == "copula" and items[k - 2].value in OPEN_TYPES:
+        return Relation.OPEN, items[k - 1].value or "s"  # "the kitchen should be open to it"
     return None
 
 

@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.openplan import chain
 from apartgen.stages.plan.reader.predicates import Predicate, predicates
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, onward
-from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
 
 DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of",
             "separated by", "divided by")  # fmt: skip
@@ -58,7 +58,7 @@ def relations(
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p) or (place(out) or trail if onward(items[p.at]) else [])
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
-            topic = _rooms(items, 0, p.subject[0])[:1]
+            topic = _topic(items, p, found[:k])
             right = [r for r in (trail if trail and onward(items[p.at]) else topic or before) if r not in left]
         if p.kind == Relation.BETWEEN and not right:
             right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
@@ -75,6 +75,14 @@ def relations(
             continue
         out += _statement(p, left, right, items[p.at].text)
     return out
+
+
+def _topic(items: list[Item], p: Predicate, before: list[Predicate]) -> list[RoomPhrase]:
+    """What `it` is: what the sentence is about, in a bare list the room before."""
+    named = _rooms(items, 0, p.subject[0])
+    told = before or any(i.kind == "copula" for i in items[: p.subject[0]])
+    single = [r for r in named if not r.plural and (r.count or 1) == 1]
+    return named[:1] if told else (single or named)[-1:]
 
 
 def _of_one_another(items: list[Item], p: Predicate, left: list[RoomPhrase]) -> list[RoomPhrase]:
@@ -169,6 +177,11 @@ def _dines(hubs: list[RoomPhrase], ends: list[RoomPhrase]) -> bool:
     return [h.type for h in hubs[-1:]] == ["dining_room"] and {e.type for e in ends} == {"kitchen", "living_room"}
 
 
+def _open_ones(right: list[RoomPhrase]) -> list[RoomPhrase]:
+    """The dining room of `living room -> dining room (open), kitchen`."""
+    return [r for r in right if r.type in OPEN_TYPES and Trait.OPEN in r.labels]
+
+
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
     if p.kind == Relation.HAS:
         return []
@@ -185,6 +198,9 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
         kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
     if kind == Relation.OPEN and p.form == "part" and any(x.type in OPEN_TYPES for x in left):
         left = [x for x in left if x.type not in ANNEXES]  # "a small bathroom and kitchen open to the living room"
+    if kind == Relation.DOOR and {x.type for x in left} <= set(OPEN_TYPES) and (gaps := _open_ones(right)):
+        rest = _statement(p, left, [x for x in right if x not in gaps], words)
+        return [Statement(Relation.OPEN, left, gaps, relation=words), *rest]
     relation = f"not {_worded(p, words)}" if p.negated else _worded(p, words)
     right = of_all(right) if kind == Relation.NOT else right
     return [Statement(kind, left, right, relation=relation)] if left and right else []
