@@ -20,7 +20,7 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         before = rooms_of(out)
         after = rooms_of(items[k + 1 :])
         if item.number == -1 and before:
-            clause = _clause(out)
+            clause = _sleeping(_clause(out))
             found.append(Statement(Relation.EQUAL, clause, clause))
         elif before and after and not (" that " in item.text and len(before) > 1):
             if after[0].quantifier == Det.A:
@@ -39,6 +39,13 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
             found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
     return out + asides, found
+
+
+def _sleeping(rooms: list[RoomPhrase]) -> list[RoomPhrase]:
+    """`all rooms of the same size`: those that one sleeps in, for a bath is no lounge."""
+    if len(rooms) == 1 and rooms[0].type == "any" and rooms[0].quantifier in (Det.ALL, Det.EACH):
+        rooms[0].type = "bedroom"
+    return rooms
 
 
 def _clause(items: list[Item]) -> list[RoomPhrase]:

@@ -15,6 +15,9 @@ def corrected(items: list[Item]) -> list[Item]:
     recounted = False
     out: list[Item] = []
     for item in _contrasted(_announced(items)):
+        if item.value == "instead" and item.kind == "anew":
+            out += [] if recounted or _recounted(out) else [Item("instead", "", item.text)]
+            continue
         if item.kind == "anew":
             anew, dropped = item.value != "drop", item.value == "drop"
             recounted = False
@@ -49,6 +52,20 @@ def corrected(items: list[Item]) -> list[Item]:
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
+
+
+def _recounted(out: list[Item]) -> bool:
+    """`two bedrooms, but do three instead`, `no bathtub, a shower instead`; False where nothing was said before."""
+    rooms = [i.room for i in out if i.room is not None]
+    if not rooms or out[-1].room is not rooms[-1]:
+        return any(i.kind == "object" and not i.number for i in out)
+    told = rooms[-1]
+    before = _counted(out[:-1], told) if told.count is not None else None
+    if before is None or told.quantifier != Det.BARE:
+        return any(r.negated for r in rooms[:-1])
+    before.count, before.plural, told.type = told.count, told.count > 1, before.type  # type: ignore[operator]
+    told.quantifier, told.plural = Det.THE, before.plural
+    return True
 
 
 def _announced(items: list[Item]) -> list[Item]:

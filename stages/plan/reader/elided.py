@@ -15,11 +15,14 @@ from apartgen.stages.plan.reader.clausal import (
     several_areas,
     then_listed,
 )
+from apartgen.stages.plan.reader.journeys import journeys
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.openings import denied_doors, open_to_each_other, opening, together_with
+from apartgen.stages.plan.reader.persons import floating, whose
+from apartgen.stages.plan.reader.subjects import ARROWS
+from apartgen.stages.plan.reader.unwanted import not_ensuite, not_needed
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
-ARROWS = ("->", "=>", "→", "⇒")
 SAID = ("link", "side", "place", "compare")
 """Kinds with which begins what is said of a room."""
 FLOATING = (Det.BOTH, Det.ALL, Det.EACH)
@@ -28,7 +31,7 @@ FLOATING = (Det.BOTH, Det.ALL, Det.EACH)
 def written_out(items: list[Item]) -> list[Item]:
     """Each short form in the place of which a longer one of the same meaning stands."""
     out: list[Item] = []
-    items = denied_doors(items)
+    items = journeys(denied_doors(items))
     for k, item in enumerate(items):
         if not any(rule(out, items, k) for rule in RULES):
             out.append(item)
@@ -181,9 +184,9 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 RULES = (_arrow, _comma, in_every, _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed,
-         _not_just, _from_again, _both_from, _they_from, _neither, _not_another, _not_open, compared, then_listed,
-         none_between, beside_it, several_areas, is_for, one_of_them, opening, open_to_each_other,
-         together_with)  # fmt: skip
+         _not_just, _from_again, _both_from, _they_from, _neither, not_ensuite, _not_another, _not_open, compared,
+         then_listed, none_between, beside_it, several_areas, is_for, one_of_them, opening, open_to_each_other,
+         together_with, not_needed, whose, floating)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 
 

@@ -18,12 +18,15 @@ Phrase = tuple[str, ...]
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
-    "opening", "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word", "conjunction", "pronoun",
-    "only", "style", "shape", "side_role", "side", "beside", "place", "bound", "use",
+    "opening", "unneeded", "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word",
+    "conjunction", "pronoun", "only", "style", "shape", "side_role", "side", "beside", "place", "bound", "use",
     "furniture", "furniture_count", "graph", "main_rooms",
     "compound", "sum", "anew", "give", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
+
+UNSPELT = ("stop", "reach", "opening", "unneeded")
+"""Kinds of which no word is what somebody meant who mistyped."""
 
 _RANK = {kind: k for k, kind in enumerate(PRIORITY)}
 _PLAIN = re.compile(r"[a-z -]+")
@@ -120,7 +123,7 @@ class Lexicon:
         return frozenset(
             word
             for word, kind in self.entries.words()
-            if kind not in ("stop", "reach") and len(word) >= 5 and word.isascii() and not word.endswith("rm")
+            if kind not in UNSPELT and len(word) >= 5 and word.isascii() and not word.endswith("rm")
         )
 
 

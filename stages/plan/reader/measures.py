@@ -1,5 +1,6 @@
 """Areas, shares and comparisons, given to the rooms they speak of."""
 
+from apartgen.stages.plan.reader.differences import by_difference, differs
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said
@@ -86,8 +87,10 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if item.kind not in ("area", "share"):
             out.append(item)
             continue
-        if item.kind == "area" and k + 1 < len(items) and items[k + 1].kind == "compare" and items[k + 1].number > 0:
-            said.unread.append(item.text)  # "bedroom 1 is 3 m² larger than bedroom 2"
+        if (more := differs(out, items, k)) is not None:
+            said.unread += [] if by_difference(out, items, k, said.rooms) else [item.text]
+            if more.kind == "size":
+                items[k + 1] = Item("stop", "", more.text)
             continue
         if item.kind == "area" and k and _of_rooms(items[k - 1], item):
             said.main_area = item.values[0]
@@ -95,6 +98,7 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         owners = _corrected(items, k)
         if not owners:
             owners = [] if item.value == "total" or _total_near(items, k) else _owners(out, items, k)
+            owners = [] if owners and said.total_area is None and _of_all(out, item) else owners
         if not owners and item.kind == "area":
             _of_home(item, said)
         elif not owners:
@@ -183,7 +187,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if items[k].kind == "share" and leading and rooms_of(is_of[:1]):
         return rooms_of(is_of[:1])
     j = len(before) - 1
-    while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value == "it"):
+    while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value in ("it", "them")):
         j -= 1
     if 0 < j < len(before) - 1 and before[j].kind == "conjunction" and before[-1].kind == "copula":
         j = _subject_at(before, j)  # "the balcony faces south and is 6 m²"
@@ -226,6 +230,7 @@ def _each_of(before: list[Item], items: list[Item], j: int, k: int) -> list[Room
     if room.type == "" and room.quantifier in (Det.EACH, Det.BOTH) and earlier is not None:
         each, room, j = True, earlier, j - 1
     group = [room]
+    each = each and room.type != ""
     while each and not room.plural and j > 1 and (before[j - 1].kind == "conjunction" or is_mark(before[j - 1], ",")):
         j -= 2
         phrase = before[j].room
@@ -244,6 +249,15 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
     whole = bool(phrase.headline) and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
     return whole or bool(area.values[0] > (2.2 if apart else 5.0) * usual)
+
+
+def _of_all(before: list[Item], area: Item) -> bool:
+    """`bedroom + kitchen + bath + lounge, 40 m²`: behind a list of rooms without areas, more than its last one has."""
+    listed = [i.room for i in before if i.room is not None]
+    last = listed[-1] if len(listed) > 2 and is_mark(before[-1], ",") and before[-2].room is listed[-1] else None
+    if last is None or area.kind != "area" or any(r.areas for r in listed) or any(i.kind == "link" for i in before):
+        return False
+    return bool(area.values[0] > 1.6 * sense()["area"].get(last.type, 12.0)) and len(area.values) == 1
 
 
 def _split_share(group: list[RoomPhrase], whole: float) -> None:

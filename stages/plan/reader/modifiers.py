@@ -6,6 +6,9 @@ from apartgen.stages.plan.reader.particles import OTHER_NOUNS
 from apartgen.stages.plan.reader.pending import Pending, area_item, noun_ahead
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
+LABELS = ("master", "guest", "kids", "relative", "separate", "open")
+"""Labels that may stand without a noun: `the kids`, `one for the parents`."""
+
 
 class Modifiers:
     """Keeps modifiers until their noun comes; `items` and `unread` hold what was read before."""
@@ -32,7 +35,7 @@ class Modifiers:
                 return True
             case "ordinal":
                 p.ordinals += (int(word.number),)
-            case "label" if noun_ahead(words, i + 1) or word.value in ("master", "guest", "kids", "separate", "open"):
+            case "label" if noun_ahead(words, i + 1) or word.value in LABELS:
                 p.labels.add(Trait(word.value))
             case "size" if noun_ahead(words, i + 1) or p.quantifier:
                 p.factor = word.number

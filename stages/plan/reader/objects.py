@@ -18,7 +18,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         if p.kind == Relation.NEAR and following.form == "part" and following.subject[0] > p.at + 1:
             end = following.subject[0]  # "a bath near the hall and a kitchen open to the lounge"
     out: list[RoomPhrase] = []
-    if items[p.at + 1 : p.at + 2] and (items[p.at + 1].kind, items[p.at + 1].value) == ("pronoun", "it"):
+    it = items[p.at + 1 : p.at + 2] and (items[p.at + 1].kind, items[p.at + 1].value) == ("pronoun", "it")
+    if it and not is_mark(items[p.at - 1], ","):  # "and, next to it, a kitchen"
         return out  # "a kitchen open to it, and two bedrooms off …"
     for j in range(p.at + 1, min(end, len(items))):
         item = items[j]
@@ -30,7 +31,7 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
                 and [i.kind for i in items[j - 1 : j + 2 : 2]] == ["conjunction", "copula"]
             ):
                 break  # "not next to the kitchen, and the toilet is separate"
-            if out and not _continues(items, p, j, out, left):
+            if out and (_heads_next(items, j, following, out[0], left) or not _continues(items, p, j, out, left)):
                 break
             if not phrase.negated and phrase not in left:
                 out.append(phrase)
@@ -45,6 +46,20 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
         elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1 and p.form != "front":
             break
     return out
+
+
+def _heads_next(
+    items: list[Item], j: int, following: Predicate | None, first: RoomPhrase, left: list[RoomPhrase]
+) -> bool:
+    """`only from the second bedroom, and a terrace off the kitchen`: a new room of which more is said is listed on."""
+    room = items[j].room
+    if following is None or room is None or j not in range(*following.subject) or following.form != "part":
+        return False
+    return first.quantifier == Det.THE and _new(room) and _no_hallway(left)
+
+
+def _new(room: RoomPhrase) -> bool:
+    return room.quantifier == Det.A or (room.count is not None and not room.definite)
 
 
 def denied_on(items: list[Item], j: int) -> bool:
@@ -81,9 +96,9 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if p.kind == Relation.OPEN and phrase.type not in OPEN_TYPES:
         return False
     if p.form != "part":
-        new = phrase.quantifier == Det.A or (phrase.count is not None and not phrase.definite)
-        listed = is_mark(items[j - 1], ",") and first.quantifier == Det.THE and new
-        return not (listed and _no_hallway(left))  # "a balcony that is off the bedroom, a kitchen, …"
+        listed = is_mark(items[j - 1], ",") and (first.quantifier == Det.THE or first.type == "")
+        new = _new(phrase) or (phrase.quantifier == Det.BARE and (first.type == "" or _bare_in_list(items, p)))
+        return not (listed and new and _no_hallway(left))  # "a balcony that is off the bedroom, a kitchen, …"
     same = first.definite == phrase.definite
     if left and all(r.type == "hallway" for r in left) and p.kind in (Relation.DOOR, Relation.SERVE):
         return True
@@ -93,6 +108,13 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
     if first.definite or first.quantifier == Det.BARE and p.kind in (Relation.NEAR, Relation.OPEN):
         return same and items[j - 1].kind == "conjunction" and phrase.count is None if not first.definite else same
     return same or not phrase.definite
+
+
+def _bare_in_list(items: list[Item], p: Predicate) -> bool:
+    """Whether a clause stands at a room of a list without articles: `hall, lounge that opens to the kitchen, bath`."""
+    at = p.subject[0]
+    head, relative = items[at].room, any(i.kind == "relative" for i in items[at : p.at])
+    return relative and at > 0 and is_mark(items[at - 1], ",") and head is not None and head.quantifier == Det.BARE
 
 
 def _no_hallway(left: list[RoomPhrase]) -> bool:

@@ -21,6 +21,7 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
 from apartgen.stages.plan.reader.people import housed
+from apartgen.stages.plan.reader.persons import for_people
 from apartgen.stages.plan.reader.phrases import Phraser
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
@@ -47,7 +48,7 @@ def parse(prompt: str) -> Said:
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)
     words = lexemes(tokenize(text), lexicon)
-    words = purposes(quantities(words))
+    words = purposes(for_people(quantities(words)))
     said = Said(about=whole, prompt=prompt, beyond=limits(folded))
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):
@@ -93,7 +94,7 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.graph = True
             case "style":
                 said.styles.append(item.value)
-            case "opening":
+            case "opening" | "unneeded" | "instead":
                 said.unread.append(item.text)
             case "shape" if _of_room(items[k + 1 : k + 3]):
                 said.unread.append(item.text)
@@ -204,7 +205,8 @@ def _adjectives(items: list[Item], said: Said) -> list[Item]:
     out: list[Item] = []
     for k, item in enumerate(items):
         told = _second_adjective(items, k)
-        last = next((i.room for i in reversed(out[:-1] if told else out) if i.kind != "copula"), None)
+        said_of = [i for i in (out[:-1] if told else out) if i.kind != "copula" and i.text != "but"]
+        last = said_of[-1].room if said_of else None
         if item.kind == "size":
             last = last or _headed_by(out)
             if last is not None:

@@ -71,7 +71,7 @@ class Pending:
         one = self.quantifier in (*PARTITIVE, Det.ANOTHER) or bool(self.ordinals)
         if self.quantifier == Det.EACH and self.number == 1:
             self.number = None  # "two bedrooms, each one with a bath": each
-        named = one or few or self.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS}
+        named = one or few or self.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS, Trait.RELATIVE}
         if named and known and not self.negated:
             phrase = RoomPhrase("", set(self.labels), self.number, self.quantifier, self.ordinals, factor=self.factor)
             phrase.another = following is not None and following.kind == "with" and self.number is not None

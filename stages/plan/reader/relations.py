@@ -12,6 +12,7 @@ from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trai
 DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of",
             "separated by", "divided by")  # fmt: skip
 """Of `apart`, the words that deny a door and not the neighbourhood."""
+WAYS = (Relation.DOOR, Relation.ONLY, Relation.NEAR)
 ANNEXES = ("bathroom", "closet", "balcony", "storage", "utility", "study")
 """Rooms that may open off a bedroom or a bathroom."""
 
@@ -46,8 +47,8 @@ def relations(
             left = left[-1:]  # "a toilet, a living room and a laundry room adjacent to the kitchen"
         if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
             left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
-        if p.form == "part" and p.kind == Relation.DOOR and len(left) == 2 and _more_and_one(left):
-            left = left[-1:]  # "two bathrooms and a utility room off the kitchen"
+        if p.form == "part" and left and p.kind in WAYS and _other_kind_last(items, p, left):
+            left = left[-1:]  # "two bathrooms and a utility room off the kitchen", "storage and a balcony off it"
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
         out += (
@@ -73,8 +74,17 @@ def relations(
             alike = out[-1:] or [s for s in told if s.left == told[-1].left]
             out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
+        p.kind = Relation.OPEN if _is_to_open(items, p, left, right) else p.kind
         out += _statement(p, left, right, items[p.at].text)
     return out
+
+
+def _is_to_open(items: list[Item], p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> bool:
+    """`a living room that opens to the kitchen` says what kind of room it is to be."""
+    head, which, verb = ([Item("")] * 3 + items[: p.at + 1])[-3:]
+    fits = [head.room] == left and which.kind == "relative" and verb.text in ("opens to", "opens onto", "opens up to")
+    pair = {r.type for r in (*left, *right)} if fits and len(right) == 1 and not p.negated else set()
+    return len(pair) > 1 and pair <= set(OPEN_TYPES) and not left[0].definite
 
 
 def _topic(items: list[Item], p: Predicate, before: list[Predicate]) -> list[RoomPhrase]:
@@ -107,9 +117,12 @@ def _line(items: list[Item], p: Predicate) -> list[RoomPhrase]:
 def _closes_list(items: list[Item], p: Predicate) -> bool:
     """Whether the subject is the end of a longer list of new rooms."""
     start = p.subject[0]
-    before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
     new = [i.room for i in items[start : p.subject[1]] if i.room is not None]
-    return before is not None and p.kind == Relation.DOOR and _alike((before, *new))
+    if start > 1 and items[start - 1].value == "plus" and is_mark(items[start - 2], ","):
+        return p.kind == Relation.DOOR and _alike(tuple(new))  # "…, plus a toilet and two balconies off the lounge"
+    before = items[start - 2].room if start > 1 and is_mark(items[start - 1], ",") else None
+    known = before is not None and before.quantifier == Det.THE  # "open to the kitchen, a bath and a terrace off it"
+    return before is not None and p.kind == Relation.DOOR and _alike(tuple(new) if known else (before, *new))
 
 
 def _last_of_list(items: list[Item], p: Predicate) -> bool:
@@ -121,17 +134,24 @@ def _last_of_list(items: list[Item], p: Predicate) -> bool:
     return new and p.kind in (Relation.ONLY, Relation.NEAR) and not rooms[-1].plural
 
 
-def _more_and_one(left: list[RoomPhrase]) -> bool:
-    """Several new rooms of one type, then one of another."""
-    first, last = left
+def _other_kind_last(items: list[Item], p: Predicate, left: list[RoomPhrase]) -> bool:
+    """Several new rooms of a type, or in a list rooms without an article, then one of another type."""
+    *rest, last = left
     one = last.quantifier == Det.A or last.count == 1
-    return (first.count or 1) > 1 and first.quantifier == Det.BARE and one and first.type != last.type
+    listed = p.subject[0] > 0 and is_mark(items[p.subject[0] - 1], ",")
+    others = all(r.quantifier == Det.BARE and r.count != 1 and r.type != last.type for r in rest)
+    return others and one and bool(rest) and (listed or all((r.count or 1) > 1 for r in rest))
 
 
 def _alike(rooms: tuple[RoomPhrase, ...]) -> bool:
-    """Whether each is new and single: with an article or counted, or none of them with either."""
-    one = all(r.quantifier == Det.A or (r.quantifier == Det.BARE and r.count == 1) for r in rooms)
-    return one or all(r.quantifier == Det.BARE and not r.count for r in rooms)
+    """Whether each is new: with an article or counted, the last perhaps several; or none of them with either."""
+    several = rooms[-1].quantifier == Det.BARE and (rooms[-1].count or 1) > 1
+    counted = all(_single(r) for r in rooms[:-1]) and (several or _single(rooms[-1]))
+    return counted or all(r.quantifier == Det.BARE and not r.count for r in rooms)
+
+
+def _single(room: RoomPhrase) -> bool:
+    return room.quantifier == Det.A or (room.quantifier == Det.BARE and room.count == 1)
 
 
 def place(doors: list[Statement]) -> list[RoomPhrase]:

@@ -5,6 +5,7 @@ from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is
 from apartgen.stages.plan.reader.predicates import Predicate, new_clause
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
+ARROWS = ("->", "=>", "→", "⇒")
 SINGULAR = ("shares", "touches", "adjoins", "borders")
 """Verbs of neighbours that are said of one room."""
 
@@ -46,6 +47,9 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
         p.subject = last.subject  # "a hall into which … open and from which …"
         return
     relative = any(i.kind == "relative" for i in between) or p.form == "which"
+    if relative and last and p.form == "s" and _plural(items[rooms[-1]]) and last.subject != (0, 0):
+        p.subject, p.shared = last.subject, True
+        return  # "a bathroom between the two bedrooms which opens to the hall"
     if relative or p.form == "part":
         near = rooms[-1] == p.at - 1 or relative or is_mark(items[p.at - 1], ",)")
         p.subject = (
@@ -83,6 +87,9 @@ def _plural(item: Item) -> bool:
 
 def _goes_on(items: list[Item], p: Predicate, last: Predicate) -> bool:
     """Whether the relation continues the one before, whose subject it then takes."""
+    if _of_headed_line(items, p, last):
+        p.subject, p.shared = last.subject, True
+        return True
     if items[p.at].text in ("door to", "doors to") and is_mark(items[p.at - 1], ","):
         p.subject = last.subject  # "hallway: door to the bathroom, door to the bedroom"
         return True
@@ -99,6 +106,12 @@ def _goes_on(items: list[Item], p: Predicate, last: Predicate) -> bool:
         p.subject = last.subject  # "the bathroom next to bedroom 1 with doors to both"
         return True
     return False
+
+
+def _of_headed_line(items: list[Item], p: Predicate, last: Predicate) -> bool:
+    """`corridor off the living room -> two bedrooms`: the arrow leads from the corridor."""
+    modifies = last.form == "part" and items[last.at].text not in ARROWS and last.subject == (0, 1)
+    return items[p.at].text in ARROWS and modifies
 
 
 def _back_to_head(items: list[Item], p: Predicate, last: Predicate, rooms: list[int], between: list[Item]) -> bool:

@@ -1,0 +1,105 @@
+"""Doors told as ways that somebody takes: `through the lounge to reach the kitchen`, `a terrace you reach from it`."""
+
+from apartgen.stages.plan.reader.mention import Item, is_mark
+
+THROUGH = ("through", "via", "crosses", "crossing", "cross")
+WALKERS = ("you", "we", "one", "get", "enter", "reach")
+"""First words of what is told of somebody who comes into a room."""
+
+
+def journeys(items: list[Item]) -> list[Item]:
+    """Each way as a sentence of the two rooms that it joins."""
+    out: list[Item] = []
+    k = 0
+    while k < len(items):
+        if (way := _onward(items, k)) is not None:
+            k = _told(out, way)
+        elif (way := _to_get_there(items, k)) is not None:
+            k = _told(out, way)
+        elif (end := _reached_from(items, k)) is not None:
+            out += [items[k], Item("link", "door", "reached from")]
+            k = end
+        else:
+            out.append(items[k])
+            k += 1
+    return out
+
+
+def _told(out: list[Item], way: tuple[list[Item], int]) -> int:
+    """Writes the rooms of a way down pair by pair; returns where the rest begins."""
+    rooms, end = way
+    while out and (out[-1].kind in ("conjunction", "boundary") or is_mark(out[-1], ",")):
+        out.pop()
+    if len(rooms) > 2:
+        out += [Item("mark", ".", "."), rooms[0], Item("link", "door", "leads to", form="s"), rooms[1]]
+    out += [Item("mark", ".", "."), rooms[-1], Item("copula", "s", "is"), Item("link", "only", "reached only from"),
+            rooms[-2]]  # fmt: skip
+    return end
+
+
+def _onward(items: list[Item], k: int) -> tuple[list[Item], int] | None:
+    """`through A to reach B`, `crosses A to get to B`, `from A through B into C`."""
+    start = _from(items, k)
+    at = k + 2 if start else k
+    if not _through(items, at) or at + 1 >= len(items) or items[at + 1].room is None:
+        return None
+    if not start and not _walks(items, at):
+        return None
+    end = _led(items, at + 2, bool(start) or items[at].kind == "reach")
+    return ([*start, items[at + 1], items[end]], end + 1) if end is not None else None
+
+
+def _from(items: list[Item], k: int) -> list[Item]:
+    """The room at which somebody starts: `goes from the hall through …`, `from the hall you go through …`."""
+    source, room = items[k], items[k + 1 : k + 2]
+    words = source.text.split()
+    walked = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary")
+    fits = source.kind in ("link", "front") and words[-1:] == ["from"] and walked and any(i.room for i in room)
+    return room if fits else []
+
+
+def _through(items: list[Item], k: int) -> bool:
+    return k < len(items) and items[k].kind in ("front", "reach") and items[k].text.split()[-1] in THROUGH
+
+
+def _walks(items: list[Item], k: int) -> bool:
+    """Whether no room stands just before, of which the way would be told: `the study is through the hall`."""
+    return k == 0 or (items[k - 1].room is None and items[k - 1].kind not in ("copula", "link", "relative"))
+
+
+def _led(items: list[Item], k: int, walked: bool) -> int | None:
+    """Where the room stands that `to reach` or, of somebody who walks, `into` leads to."""
+    to, verb, room = (items[k : k + 3] + [Item("")] * 3)[:3]
+    if to.value == "to" and verb.kind == "reach" and room.room is not None:
+        return k + 2
+    into = to.kind in ("link", "with") and to.text in ("to", "into", "onto", "in")
+    return k + 1 if walked and into and verb.room is not None else None
+
+
+def _to_get_there(items: list[Item], k: int) -> tuple[list[Item], int] | None:
+    """`to reach A you walk through B`."""
+    to, verb, room = (items[k : k + 3] + [Item("")] * 3)[:3]
+    if to.value != "to" or verb.kind != "reach" or room.room is None:
+        return None
+    at = k + 3
+    while at < len(items) and (is_mark(items[at], ",") or items[at].text in ("you have", "one has", "to", "has")):
+        at += 1
+    if not _through(items, at) or at + 1 >= len(items) or items[at + 1].room is None:
+        return None
+    return [items[at + 1], room], at + 2
+
+
+def _reached_from(items: list[Item], k: int) -> int | None:
+    """Where the room stands behind `a balcony you step onto from the kitchen`, `a pantry you enter through`."""
+    which = k + 1 < len(items) and items[k + 1].kind == "relative"
+    verb, on = (items[k + 1 + which : k + 3 + which] + [Item("")] * 2)[:2]
+    if items[k].room is None or verb.kind != "reach" or verb.text.split()[0] not in WALKERS:
+        return None
+    if k and items[k - 1].kind == "front":
+        return None  # "from the hall you go through …"
+    if verb.text.split()[-1] in ("through", "via", "from") and on.room is not None:
+        return k + 2 + which
+    at = k + 2 + which + (on.kind == "link" and on.text in ("to", "onto"))
+    way, room = (items[at : at + 2] + [Item("")] * 2)[:2]
+    leads = way.kind == "front" and way.text in ("from", "through", "via", "out of") and room.room is not None
+    return at + 1 if leads else None

@@ -1,0 +1,69 @@
+"""For whom some of the rooms counted are: `one for the parents and two for the kids`, `all are near the entrance`."""
+
+from apartgen.stages.plan.reader.clausal import ahead, last
+from apartgen.stages.plan.reader.kin import kind_of, pattern
+from apartgen.stages.plan.reader.lexeme import Lexeme
+from apartgen.stages.plan.reader.mention import Item, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
+LABELS = {"child": "kids", "twins": "kids", "adult": "relative", "couple": "master", "spouse": "master"}
+"""What the bedroom of such people is."""
+ELDERS = ("grandparents", "grosseltern", "grands parents", "abuelos")
+THEIR = ("the", "our", "my", "their", "his", "her", "a", "an")
+WHO = {Trait.KIDS, Trait.RELATIVE, Trait.MASTER, Trait.GUEST}
+SAID = ("link", "side", "place", "front", "beside")
+"""Kinds with which begins what is said of rooms behind a verb."""
+
+
+def for_people(words: list[Lexeme]) -> list[Lexeme]:
+    """People behind `one for` tell whose room it is, where bedrooms were counted before."""
+    out: list[Lexeme] = []
+    beds = False
+    for k, word in enumerate(words):
+        beds = beds or (word.kind == "room" and word.value.startswith("bedroom"))
+        who = _who(words, k) if beds and _counts(words, k) else ""
+        out.append(Lexeme("label", who, word.text) if who else word)
+    return out
+
+
+def _counts(words: list[Lexeme], k: int) -> bool:
+    """Whether a number and `for` stand before."""
+    j = k - 1
+    while j > 0 and words[j].text in THEIR:
+        j -= 1
+    return j > 0 and words[j].text == "for" and words[j - 1].kind == "number" and words[j - 1].number <= 9
+
+
+def _who(words: list[Lexeme], k: int) -> str:
+    ends = k + 1 >= len(words) or words[k + 1].kind in ("mark", "conjunction", "with", "boundary", "number")
+    found = pattern("^(?:{who})$").search(words[k].text) if ends and words[k].kind in ("unknown", "stop") else None
+    if found is None:
+        return ""
+    return "relative" if words[k].text in ELDERS else LABELS.get(kind_of(found), "")
+
+
+def whose(out: list[Item], items: list[Item], k: int) -> bool:
+    """`two for the kids`: the two are the kids'."""
+    people, before = items[k].room, out[-2].room if len(out) > 1 else None
+    if people is None or before is None or (last(out).kind, last(out).text) != ("with", "for"):
+        return False
+    if people.type or people.count or not people.labels or not people.labels <= WHO or not before.count:
+        return False
+    if before.type not in ("", "bedroom"):
+        return False
+    before.labels |= people.labels
+    return True
+
+
+def floating(out: list[Item], items: list[Item], k: int) -> bool:
+    """The `all` of `the bedrooms are all away from the entrance`, which says nothing more."""
+    room = items[k].room
+    if room is None or room.type or room.quantifier not in (Det.ALL, Det.BOTH, Det.EACH) or room.count or room.labels:
+        return False
+    subject = out[-2].room if len(out) > 1 and out[-1].kind == "copula" else None
+    several = subject is not None and (subject.plural or (subject.count or 1) > 1 or _pair(out))
+    return several and ahead(items, k)[0].kind in SAID
+
+
+def _pair(out: list[Item]) -> bool:
+    return len(out) > 3 and out[-3].kind == "conjunction" and out[-4].room is not None and not is_mark(out[-4], ",")

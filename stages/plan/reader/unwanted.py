@@ -1,0 +1,57 @@
+"""Rooms and kinds of rooms denied behind their names: `a lounge is not needed`, `two bathrooms, neither en suite`."""
+
+from dataclasses import replace
+
+from apartgen.stages.plan.reader.clausal import clause, last
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
+BETWEEN = ("copula", "relative", "pronoun")
+"""What may stand between bathrooms and `not en suite`."""
+
+
+def not_needed(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a living room is not needed`, `balcony and terrace not required`: there is none."""
+    if items[k].kind != "unneeded":
+        return False
+    start = len(out)
+    while start and (out[start - 1].room is not None or out[start - 1].kind in ("conjunction", "copula")):
+        start -= 1
+    rooms = [i.room for i in out[start:] if i.room is not None]
+    begins = start == 0 or out[start - 1].kind in ("mark", "boundary")
+    if not rooms or not begins or not all(_plain(room) for room in rooms):
+        out.append(items[k])  # "a door between A and B is not needed" is told
+        return True
+    for room in rooms:
+        room.negated, room.quantifier = True, Det.BARE
+    out.insert(start, Item("negation", "no", items[k].text))
+    return True
+
+
+def _plain(room: RoomPhrase) -> bool:
+    return bool(room.type) and not room.negated and not room.ordinals
+
+
+def not_ensuite(out: list[Item], items: list[Item], k: int) -> bool:
+    """`two bathrooms, neither of which is en suite`, `that are not en suite`: no bathroom is a bedroom's own."""
+    room = items[k].room
+    if room is None or Trait.ENSUITE not in room.labels or room.quantifier not in (Det.BARE, Det.A) or room.negated:
+        return False
+    end = len(out)
+    while end and out[end - 1].kind in BETWEEN:
+        end -= 1
+    denied = end > 0 and out[end - 1].kind == "negation" and out[end - 1].value in ("not", "without")
+    told = [i for i in clause(out[: end - 1]) if i.room is not None][-1:] if denied else []
+    several = [i.room for i in told if i.room is not None and i.room.type == "bathroom" and _several(i.room)]
+    if not several or any(i.kind == "link" for i in out[out.index(told[0]) :]):
+        return False
+    del out[end - 1 :]
+    while last(out).kind in BETWEEN or (out and is_mark(out[-1], ",")):
+        out.pop()
+    room.negated, room.quantifier = True, Det.BARE
+    out += [Item("mark", ",", ","), Item("negation", "no", "no"), replace(items[k], room=room)]
+    return True
+
+
+def _several(room: RoomPhrase) -> bool:
+    return room.plural or (room.count or 1) > 1
