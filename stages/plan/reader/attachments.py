@@ -163,8 +163,8 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             owner.objects.append((item.value, 1 if many and item.form == "some" else int(item.number)))
         elif item.kind == "objects":
             owner.object_count = int(item.number)
-        elif item.room is not None and Trait.SUITE in owner.labels and bare == "(" and item.room.type == owner.type:
-            pass  # "master suite (bedroom, bathroom, closet)"
+        elif item.room is not None and _is_the_suite(owner, item.room, bare, first):
+            pass  # "master suite (bedroom, bathroom)", "the master suite has a bedroom and a bathroom"
         elif item.room is not None and _belongs(owner, item, first, items[k + 1 : k + 2], bare):
             if not item.room.negated:
                 owner.owned.append(item.room)
@@ -187,6 +187,11 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
         k += 1
         taken = k
     return taken
+
+
+def _is_the_suite(owner: RoomPhrase, room: RoomPhrase, bare: str, first: bool) -> bool:
+    own = bare == "(" or (first and room.quantifier == Det.A and room.count is None and not room.labels)
+    return Trait.SUITE in owner.labels and own and room.type == owner.type
 
 
 def _beyond(closet: RoomPhrase, after: list[Item]) -> int:

@@ -27,6 +27,18 @@ def and_entrance(items: list[Item], k: int) -> bool:
     return way_in and joined and link_before(items, k) < k
 
 
+def and_room(items: list[Item], k: int) -> int:
+    """How many items stand between the entrance at `k` and another room of the relation; 0 where no other follows."""
+    joint, to, room, *rest = (items[k + 1 : k + 5] + [Item("mark", ".")] * 4)[:4]
+    if joint.kind != "conjunction":
+        return 0
+    again = to.kind in ("link", "front") and to.value in ("to", "from") and room.room is not None
+    if again and not rest[0].kind == "copula":
+        return 2
+    ends = room.kind == "mark" and room.value in ".;"
+    return int(to.room is not None and to.room.quantifier == Det.THE and ends)
+
+
 def link_before(items: list[Item], k: int) -> int:
     """Where the `near` or `far from` stands whose rooms end before `and` at `k - 1`; `k` where none does."""
     j = k - 2

@@ -41,7 +41,7 @@ def _limit(words: list[Lexeme], i: int, out: list[Lexeme]) -> tuple[list[Lexeme]
     if value is None or not (sense or behind):
         return [words[i]], i + 1
     before = _named_before(out) if not (span or there) else 0
-    span = span or there or (SPANS[out[-before].text] if before else "")
+    span = span or there or (SPANS[out[-before].text] if before else _of_room(out))
     if value > DEEPEST:
         return [words[i]], i + 1
     if before:
@@ -102,6 +102,12 @@ def _named_before(out: list[Lexeme]) -> int:
     while back < min(len(out), 4) and out[-back].text not in SPANS and out[-back].kind in ("stop", "determiner"):
         back += 1
     return back if back <= len(out) and out[-back].text in SPANS else 0
+
+
+def _of_room(out: list[Lexeme]) -> str:
+    """What is measured of `a wide hall of at least 1.5 m`."""
+    named = [w for w in out[-4:] if w.kind not in ("stop", "mark")][-2:]
+    return SPANS.get(named[0].text, "") if len(named) > 1 and named[1].kind == "room" else ""
 
 
 def _denied(out: list[Lexeme]) -> int:

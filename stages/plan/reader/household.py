@@ -160,6 +160,8 @@ class Household:
         if not pool:
             return []
         phrase.type = pool[0].type
+        if phrase.rank and all(e.rank and e.rank != phrase.rank for e in pool):
+            pool = self.of(phrase.type)  # "the two smaller bedrooms share a bath, the largest has its own"
         if found := ranked(phrase, pool if len(pool) > 1 else self.of(phrase.type)):
             return found
         free = [e for e in pool if not e.picked] or pool

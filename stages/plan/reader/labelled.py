@@ -58,7 +58,9 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     total = phrase.type in home.totals or phrase.subset
     placed = Trait.MASTER in labels and id(phrase) in home.mentions and phrase.quantifier == Det.BARE
     placed = placed and phrase.count is None and len([e for e in free if e.counted]) > 1  # "study near master bedroom"
-    take = free if placed or _among_known(phrase, labels, free, total) else []
+    lone = phrase.type == "bedroom" and len(home.of("bedroom")) == 1 and bool(free) and not free[0].counted
+    another = lone and bool(labels & OTHERS) and not total  # "their bedroom …; the guest room …"
+    take = free if placed or (not another and _among_known(phrase, labels, free, total)) else []
     found = take[-count:] if labels & OTHERS else take[:count]  # the first bedroom is whose the home is
     if phrase.type in home.totals and phrase.quantifier != Det.ANOTHER and Trait.HALF not in labels:
         count = max(len(found), 1) if found else count

@@ -96,6 +96,8 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         if skip:
             skip -= 1
             continue
+        if _between_many(items, k):
+            said.unread.append(f"{item.text.removesuffix(' door')} doors between")  # "… hall, lounge and kitchen"
         if (pair := _between_two(items, k)) is not None:
             said.asked.append(Asked("no_door", [pair], [pair], "", f"{item.text} doors between {pair.text}"))
             skip = 1
@@ -106,7 +108,7 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         rooms = next((i.room for i in said_of), None)
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
         if item.kind == "link" and item.value in ("near", "apart") and each and rooms is not None and several:
-            denied = any(i.kind == "negation" for i in out[-2:])
+            denied = _none_of(rooms, out) or any(i.kind == "negation" for i in out[-2:])
             apart = denied or item.value == "apart"
             kind = "opposite" if item.text.startswith(ACROSS) else "apart" if apart else "adjacent"
             while out[-1].kind in VERBAL or out[-1].kind == "negation" or is_mark(out[-1], ","):
@@ -118,12 +120,32 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
     return out
 
 
+def _none_of(rooms: RoomPhrase, out: list[Item]) -> bool:
+    """`no two bedrooms share a wall`: said of all of them, which there are."""
+    if not rooms.negated:
+        return False
+    rooms.negated, rooms.plural, rooms.count, rooms.quantifier = False, True, None, Det.THE
+    out[:] = [i for i in out if i.kind != "negation" or i is not _before_room(out, rooms)]
+    return True
+
+
+def _before_room(out: list[Item], room: RoomPhrase) -> Item:
+    at = next(k for k, i in enumerate(out) if i.room is room)
+    return out[at - 1] if at else Item("")
+
+
 def _between_two(items: list[Item], k: int) -> RoomPhrase | None:
     """The rooms of `no door between the two bedrooms`."""
     no, link, rooms, end = (items[k : k + 4] + [Item("mark", ".")] * 4)[:4]
     pair = rooms.room if no.kind == "negation" and link.value == "between" else None
     several = pair is not None and (pair.plural or (pair.count or 1) > 1) and end.kind != "conjunction"
     return pair if several else None
+
+
+def _between_many(items: list[Item], k: int) -> bool:
+    no, link, a, joint, b = (items[k : k + 5] + [Item("")] * 5)[:5]
+    listed = a.room is not None and is_mark(joint, ",") and b.room is not None
+    return no.kind == "negation" and no.value in ("no", "without") and link.value == "between" and listed
 
 
 def _each(item: Item) -> bool:

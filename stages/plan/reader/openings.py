@@ -36,7 +36,22 @@ def opening(out: list[Item], items: list[Item], k: int) -> bool:
         return True  # "no opening between them"
     if _to_room(items, k + 1):
         return _owned(out, items[k])
-    return _joining(out, items, k) or _led_through(out) or _kept(out, items[k])
+    return (
+        _instead_of_a_door(out) or _joining(out, items, k) or _led_through(out) or _kept(out, items[k])
+    )
+
+
+def _instead_of_a_door(out: list[Item]) -> bool:
+    """`no door between the lounge and the dining room, only an opening`."""
+    end = len(out)
+    while end and (out[end - 1].kind in ("only", "boundary") or is_mark(out[end - 1], ",")):
+        end -= 1
+    no, link, a, joint, b = ([Item("")] * 5 + out[:end])[-5:]
+    between = no.kind == "negation" and link.value == "between" and joint.kind == "conjunction"
+    if end == len(out) or not between or a.room is None or b.room is None:
+        return False
+    out[end - 5 :] = [Item("mark", ".", "."), a, Item("link", "open", "open to", form="s"), b]
+    return True
 
 
 def _to_room(items: list[Item], k: int) -> bool:
@@ -91,7 +106,8 @@ def _kept(out: list[Item], noun: Item) -> bool:
 
 def open_to_each_other(out: list[Item], items: list[Item], k: int) -> bool:
     """`the kitchen and the dining room open to each other`."""
-    item, pair = items[k], [i.room for i in clause(out) if i.room is not None][-2:]
+    item, named = items[k], [i.room for i in clause(out) if i.room is not None]
+    pair = [r for r in named if r.type][-2:]
     fits = item.kind == "link" and item.value == "door" and item.text.split()[0] in MUTUAL
     fits = fits and ahead(items, k)[0].value == "mutual" and len(pair) == 2
     if not fits or not all(r.type in OPEN_TYPES for r in pair):

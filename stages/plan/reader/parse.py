@@ -104,6 +104,8 @@ def _whole(items: list[Item], said: Said) -> None:
                 i.kind == "side" for i in items[max(0, k - 4) : k + 5]
             ):
                 said.unread.append(item.text)
+            case "main_rooms" if said.main_rooms and item.number == 1:
+                pass  # "three rooms apartment: one room for me, one for my brother"
             case "main_rooms":
                 said.main_rooms = int(item.number) + _beside_living(items, k)
                 said.equal = said.equal or _alike(items[k + 1 : k + 3])

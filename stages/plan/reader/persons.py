@@ -31,7 +31,9 @@ def _counts(words: list[Lexeme], k: int) -> bool:
     j = k - 1
     while j > 0 and words[j].text in THEIR:
         j -= 1
-    return j > 0 and words[j].text == "for" and words[j - 1].kind == "number" and words[j - 1].number <= 9
+    return j > 0 and words[j].text == "for" and (
+        (words[j - 1].kind == "number" and words[j - 1].number <= 9) or words[j - 1].kind == "ordinal"
+    )
 
 
 def _who(words: list[Lexeme], k: int) -> str:
@@ -47,7 +49,9 @@ def whose(out: list[Item], items: list[Item], k: int) -> bool:
     people, before = items[k].room, out[-2].room if len(out) > 1 else None
     if people is None or before is None or (last(out).kind, last(out).text) != ("with", "for"):
         return False
-    if people.type or people.count or not people.labels or not people.labels <= WHO or not before.count:
+    if people.type or people.count or not people.labels or not people.labels <= WHO:
+        return False
+    if not before.count and not before.ordinals:
         return False
     if before.type not in ("", "bedroom"):
         return False
@@ -60,9 +64,17 @@ def floating(out: list[Item], items: list[Item], k: int) -> bool:
     room = items[k].room
     if room is None or room.type or room.quantifier not in (Det.ALL, Det.BOTH, Det.EACH) or room.count or room.labels:
         return False
+    if room.text == "都":
+        if (said_of := last(out).room) is not None and said_of.count is None and not _joined(out):
+            said_of.quantifier, said_of.plural = Det.ALL, True  # "卧室都朝南"
+        return True
     subject = out[-2].room if len(out) > 1 and out[-1].kind == "copula" else None
     several = subject is not None and (subject.plural or (subject.count or 1) > 1 or _pair(out))
     return several and ahead(items, k)[0].kind in SAID
+
+
+def _joined(out: list[Item]) -> bool:
+    return len(out) > 2 and out[-2].kind == "conjunction" and out[-3].room is not None
 
 
 def _pair(out: list[Item]) -> bool:

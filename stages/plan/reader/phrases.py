@@ -26,6 +26,11 @@ HALLS = ("hallway", "corridor", "hall", "passage")
 """Last words of styles that are said of one hallway: `long corridor`, `short hallway`."""
 
 
+ADVERBIAL = ("ly", "ed", "ing", "s", "erweise")
+PERHAPS = ("maybe", "perhaps", "best", "always", "somewhere", "even", "still", "right", "just", "also")
+"""What may stand before a relation and is no noun."""
+
+
 class Phraser(Modifiers):
     """Walks lexemes once, left to right; `items` and `unread` hold the outcome."""
 
@@ -135,6 +140,8 @@ class Phraser(Modifiers):
         return trailing_number(words, i + 1, phrase)
 
     def _object(self, word: Lexeme, category: str) -> None:
+        if self.pending.quantifier == Det.OTHER and self.pending.texts[-1].split()[-1] in ("others", "rest"):
+            self._flush(word)  # "the largest gets a double bed, the others single beds"
         p, self.pending = self.pending, Pending()
         if self.items and self.items[-1].kind == "negation" and self.items[-1].value == "not":
             p.negated = bool(self.items.pop())  # "with a shower and not a bathtub"
@@ -158,7 +165,7 @@ class Phraser(Modifiers):
             self.items.append(Item(kind, "", word.text, number=p.number or 0))
             self.pending = Pending()
         else:
-            thing = word.kind == "unknown" and p.quantifier in (Det.A, Det.THE)
+            thing = word.kind == "unknown" and (p.quantifier in (Det.A, Det.THE) or self._listed(word, following))
             self._flush(word)
             self._plain(word, following)
             self.items += [Item("thing", "", word.text)] * thing
@@ -207,6 +214,12 @@ class Phraser(Modifiers):
             number = word.values[0] if word.values else 1.0
             traits = (number, word.values, word.joined, form, word.sides, word.bounds)
             self.items.append(Item(word.kind, value, word.text, None, *traits))
+
+    def _listed(self, word: Lexeme, following: Lexeme | None) -> bool:
+        """Whether an unknown noun stands in a list, with a relation behind: `…, garage next to the kitchen`."""
+        begins = self.pending.empty() and bool(self.items) and self.items[-1].value == ","
+        related = following is not None and following.kind == "link"
+        return begins and related and not word.text.endswith(ADVERBIAL) and word.text not in PERHAPS
 
     def _in_hall(self) -> bool:
         """`a hall with a cupboard`: large enough to be one of the rooms."""

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.clauses import clause_of
-from apartgen.stages.plan.reader.entrances import and_entrance, at_entrance, link_before, near_behind, there
+from apartgen.stages.plan.reader.entrances import and_entrance, and_room, at_entrance, link_before, near_behind, there
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
@@ -63,14 +63,16 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             continue
         elif at_entrance(items, k, said) and (rooms := there(items, k + 1) or _rooms(items, k)):
             link = out.pop()
-            if k + 1 < len(items) and items[k + 1].kind == "conjunction":
+            more = and_room(items, k)
+            if not more and k + 1 < len(items) and items[k + 1].kind == "conjunction":
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
             kind = "apart" if link.value == "apart" else "near"
             said.asked += [
                 Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
             ]
             clause_of(out, rooms, link.text)
-            k += 1
+            out += [link] if more else []  # "close to the entrance and to the bathroom"
+            k += 1 + more
             continue
         elif and_entrance(items, k) and (rooms := _rooms(items, link_before(items, k))):
             link = items[link_before(items, k)]
@@ -181,7 +183,8 @@ def _whose(items: list[Item], k: int) -> RoomPhrase | None:
     if (other := _of_other(items, k)) is not None:
         return other
     rooms = [i.room for i in items[:k] if i.room is not None] if " its " in items[k].text else []
-    return rooms[-1] if rooms else None
+    told = _rooms(items, k)
+    return next((r for r in reversed(rooms) if r not in told), None)  # "a lounge, a kitchen to its left"
 
 
 def _placed(item: Item, room: RoomPhrase, text: str, seen_from: RoomPhrase | None) -> Asked:
@@ -265,6 +268,10 @@ def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
     return []
 
 
+def _one(room: RoomPhrase) -> bool:
+    return room.quantifier == Det.A or (room.quantifier == Det.BARE and room.count == 1)
+
+
 def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     """The room at `j`, with the one before it where `and` joins just these two: `bath and bedroom at the back`."""
     last = items[j].room
@@ -279,5 +286,5 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"
     alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
-    alike = alike and not (first.quantifier == Det.BARE and not first.count and last.quantifier == Det.A)
+    alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
     return [first, last] if alike and not listed and not single else [last]

@@ -12,12 +12,26 @@ from apartgen.stages.plan.reader.listings import bare, listing, made, numbers_jo
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
+LENGTHS = ("m", "meter", "meters", "metre", "metres", "metros", "metro")
 BETWEEN = ("between", "entre", "zwischen")
 
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    return listing(bare(bounded(limits_denied(_areas(_by_percent(_shares(extents(dimensions(_numbers(words))))))))))
+    words = _of_home(_numbers(words))
+    return listing(bare(bounded(limits_denied(_areas(_by_percent(_shares(extents(dimensions(words)))))))))
+
+
+def _of_home(words: list[Lexeme]) -> list[Lexeme]:
+    """`un piso de 80 metros`, `an apartment of 60 meters` are square metres."""
+    out = list(words)
+    for k in range(2, len(words) - 1):
+        number, unit, after = words[k], words[k + 1], words[k + 2 : k + 3]
+        home = [w.kind for w in words[k - 2 : k]] == ["dwelling", "stop"] and words[k - 1].text in ("of", "de", "von")
+        length = any(w.kind in ("adjective", "size") or w.text in ("long", "wide", "x", "by", "from") for w in after)
+        if home and number.kind == "number" and number.number >= 20 and unit.text in LENGTHS and not length:
+            out[k + 1] = replace(unit, kind="unit", value="m2")
+    return out
 
 
 def _numbers(words: list[Lexeme]) -> list[Lexeme]:

@@ -18,7 +18,10 @@ def ranked(phrase: RoomPhrase, pool: list[Entity]) -> list[Entity]:
     if not phrase.rank or (phrase.plural and count < 2) or len(pool) < 2:
         return []
     if count > 1:  # "the two smallest bedrooms"
-        return pool[:count] if phrase.rank == "largest" else pool[-count:]
+        found = pool[:count] if phrase.rank == "largest" else pool[-count:]
+        for room in found:
+            room.rank = room.rank or phrase.rank
+        return found
     told = [e for e in pool if e.rank == phrase.rank][:1]
     found = told or [_by_size(phrase.rank, [e for e in pool if not e.rank] or pool)]
     found[0].rank, found[0].picked = phrase.rank, True

@@ -19,6 +19,8 @@ def not_needed(out: list[Item], items: list[Item], k: int) -> bool:
         start -= 1
     rooms = [i.room for i in out[start:] if i.room is not None]
     begins = start == 0 or out[start - 1].kind in ("mark", "boundary")
+    if not rooms and _thing_denied(out):
+        return True
     if not rooms or not begins or not all(_plain(room) for room in rooms):
         out.append(items[k])  # "a door between A and B is not needed" is told
         return True
@@ -26,6 +28,14 @@ def not_needed(out: list[Item], items: list[Item], k: int) -> bool:
         room.negated, room.quantifier = True, Det.BARE
     out.insert(start, Item("negation", "no", items[k].text))
     return True
+
+
+def _thing_denied(out: list[Item]) -> bool:
+    """`a bathtub is not needed`; `stairs are not needed`, of which the stairs are told."""
+    if last(out).kind == "object":
+        out[-1] = replace(out[-1], number=0)
+        return True
+    return last(out).kind in ("thing", "mark")
 
 
 def _plain(room: RoomPhrase) -> bool:

@@ -50,7 +50,7 @@ WHOSE = frozenset(
     embodied vision language mobile multi search exploration episode episodes benchmark benchmarks task tasks
     experiment experiments dataset research simulation simulator evaluate game games heist safehouse zombie horror
     farming puzzle mystery adventure stealth noir board video computer vr survival escape life sim sitcom wait able
-    test demo example sample starter needed
+    test demo example sample starter needed itself themselves
     """.split()
 )
 """Words for who asks, for whom and with what; a home of one storey is what every plan is."""
