@@ -34,12 +34,13 @@ def of_no_room(out: list[Item], items: list[Item], k: int) -> bool:
     if items[k].kind == "link" and _nowhere(items, k):
         return True
     said_of = items[k - 1] if k else Item("")
-    if said_of.kind != "thing" or items[k].kind != "link" or items[k].form in ("s", "p"):
+    if said_of.kind != "thing" or items[k].kind != "link" or len(out) < 2 or out[-1] is not said_of:
         return False
-    lists = len(out) > 1 and out[-1] is said_of and is_mark(out[-2], ",")
-    if lists:
-        out.pop()
-    return lists
+    verb = items[k].form in ("s", "p")
+    begins = is_mark(out[-2], ",") or (verb and out[-2].kind in ("conjunction", "boundary"))
+    if begins:
+        out.pop()  # "…, garage next to the kitchen", "… and the children use the other bathroom"
+    return begins
 
 
 def _nowhere(items: list[Item], k: int) -> bool:
@@ -48,3 +49,23 @@ def _nowhere(items: list[Item], k: int) -> bool:
     after = items[k + 4] if k + 4 < len(items) else Item("mark", ".")
     joined = joint.kind == "conjunction" and room.room is not None and after.kind == "mark"
     return thing.kind == "thing" and not joined
+
+
+def none_off(out: list[Item], items: list[Item], k: int) -> bool:
+    """`no rooms off the kitchen`, of which `no rooms` is told: no other room is off it."""
+    begins = last(out).kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
+    if not begins or items[k].kind != "link" or items[k].text not in ("off", "off of"):
+        return False
+    out.pop()
+    return True
+
+
+def denied_beside(out: list[Item], items: list[Item], k: int) -> bool:
+    """`kein Schlafzimmer an der Küche`: a room denied, and right behind it another that is known."""
+    no, before = ([Item("")] * 2 + out)[-2:]
+    room = items[k].room
+    fits = no.kind == "negation" and before.room is not None and before.room.negated and room is not None
+    if not fits or room is None or room.quantifier != Det.THE or room.text.isascii() and no.text in ("no", "without"):
+        return False
+    out += [Item("link", "near", "next to"), items[k]]
+    return True

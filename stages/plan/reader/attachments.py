@@ -106,6 +106,9 @@ def _subject(before: list[Item]) -> RoomPhrase | None:
     """The kitchen of `the kitchen is next to the living room and has a balcony`."""
     if len(before) > 2 and before[-2].kind == "copula" and before[-3].room is not None:
         return before[-3].room  # "the bedroom is large and has a balcony"
+    compared = [k for k, i in enumerate(before) if i.kind == "compare"]
+    if compared and (rooms := rooms_of(before[: compared[-1]])):
+        return rooms[-1]  # "the kitchen is larger than the study and has an oven"
     links = [k for k, i in enumerate(before) if i.kind == "link"]
     if len(before) > 2 and is_mark(before[-2], ",") and before[-3].room is not None and not links:
         return before[-3].room  # "a bedroom of 12 m², please, and with a desk"

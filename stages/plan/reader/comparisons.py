@@ -19,7 +19,11 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             continue
         before = rooms_of(out)
         after = rooms_of(items[k + 1 :])
-        if item.number == -1 and before:
+        if item.text.startswith("each ") and before and (before[-1].count or 1) > 1:
+            steps = _steps(before[-1], item.number)
+            found += steps
+            asides += [Item("room", r.type, r.text, r) for s in steps for r in (*s.left, *s.right)]
+        elif item.number == -1 and before:
             clause = _sleeping(_clause(out))
             found.append(Statement(Relation.EQUAL, clause, clause))
         elif before and after and not (" that " in item.text and len(before) > 1):
@@ -39,6 +43,13 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
             found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
     return out + asides, found
+
+
+def _steps(rooms: RoomPhrase, number: float) -> list[Statement]:
+    """`three bedrooms, each smaller than the one before`: the second than the first, the third than the second."""
+    count = range(1, int(rooms.count or 1) + 1)
+    line = [RoomPhrase(rooms.type, quantifier=Det.THE, ordinals=(n,), text=rooms.text) for n in count]
+    return [Statement(Relation.COMPARE, [b], [a], number) for a, b in zip(line, line[1:], strict=False)]
 
 
 def _sleeping(rooms: list[RoomPhrase]) -> list[RoomPhrase]:

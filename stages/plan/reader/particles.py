@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.kin import data as people
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import Item
 
@@ -50,6 +51,13 @@ def holds(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
     """Whether this is the `in` of `ein Esstisch im Wohnzimmer`."""
     room = [w.kind for w in after if w.kind != "determiner"][:1] == ["room"]
     return word.text in IN and room and bool(items) and items[-1].kind == "object"
+
+
+def owns_home(word: Lexeme, following: Lexeme | None) -> bool:
+    """Whose home it is says nothing of it, unless these are people counted: `a detective's apartment`."""
+    owner = word.kind == "unknown" and word.text.endswith("'s")
+    home = following is not None and following.kind == "dwelling"
+    return owner and home and not any(word.text.startswith(stem) for stem in people()["stems"])
 
 
 def of_dwelling(words: list[Lexeme], i: int) -> bool:

@@ -32,7 +32,9 @@ def _counts(words: list[Lexeme], k: int) -> bool:
     while j > 0 and words[j].text in THEIR:
         j -= 1
     return j > 0 and words[j].text == "for" and (
-        (words[j - 1].kind == "number" and words[j - 1].number <= 9) or words[j - 1].kind == "ordinal"
+        (words[j - 1].kind == "number" and words[j - 1].number <= 9)
+        or words[j - 1].kind == "ordinal"
+        or words[j - 1].value in ("other", "another")
     )
 
 
@@ -51,7 +53,7 @@ def whose(out: list[Item], items: list[Item], k: int) -> bool:
         return False
     if people.type or people.count or not people.labels or not people.labels <= WHO:
         return False
-    if not before.count and not before.ordinals:
+    if not before.count and not before.ordinals and before.quantifier not in (Det.OTHER, Det.ANOTHER):
         return False
     if before.type not in ("", "bedroom"):
         return False

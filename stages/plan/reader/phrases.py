@@ -18,6 +18,7 @@ from apartgen.stages.plan.reader.particles import (
     holds,
     is_german,
     of_dwelling,
+    owns_home,
 )  # fmt: skip
 from apartgen.stages.plan.reader.pending import Pending, area_item, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -29,6 +30,11 @@ HALLS = ("hallway", "corridor", "hall", "passage")
 ADVERBIAL = ("ly", "ed", "ing", "s", "erweise")
 PERHAPS = ("maybe", "perhaps", "best", "always", "somewhere", "even", "still", "right", "just", "also")
 """What may stand before a relation and is no noun."""
+
+
+DONE = ("studies", "study", "store", "stores")
+MODALS = ("can", "could", "to", "will", "must", "should", "may", "we", "i", "you", "they")
+"""Verbs that also name rooms, and what stands before a verb."""
 
 
 class Phraser(Modifiers):
@@ -51,6 +57,8 @@ class Phraser(Modifiers):
         if word.value == "word" and word.kind in ("stop", "adjective"):
             self.unread.append(word.text)
         following = words[i + 1] if i + 1 < len(words) else None
+        if owns_home(word, following):
+            return i + 1
         if word.text == "den" and following is not None and is_german(following):
             return i + 1  # German article
         if word.text == "links" and following is not None and following.text in GERMAN:
@@ -90,6 +98,9 @@ class Phraser(Modifiers):
             return i + 1
         if self._modifier(word, words, i):
             return i + 1
+        if word.kind == "room" and self._is_done(word, words[i - 1] if i else None):
+            self.pending, word = Pending(), replace(word, kind="unknown")
+            words[i] = word  # "one of whom studies at home", "we can store skis there"
         if word.text in ("cupboard", "cupboards") and not self._in_hall():
             word = words[i] = replace(word, kind="unknown")
         if word.kind == "room" and not self._is_object(word, following):
@@ -220,6 +231,14 @@ class Phraser(Modifiers):
         begins = self.pending.empty() and bool(self.items) and self.items[-1].value == ","
         related = following is not None and following.kind == "link"
         return begins and related and not word.text.endswith(ADVERBIAL) and word.text not in PERHAPS
+
+    def _is_done(self, word: Lexeme, before: Lexeme | None) -> bool:
+        """Whether a word for a room is a verb: what somebody does."""
+        if before is None or word.text not in DONE or self.pending.number is not None:
+            return False
+        whom = before.text.endswith("whom") and word.text == "studies"
+        person = before.kind in ("unknown", "relative") or before.text in ("she", "he")
+        return whom or (self.pending.empty() and (person if word.text == "studies" else before.text in MODALS))
 
     def _in_hall(self) -> bool:
         """`a hall with a cupboard`: large enough to be one of the rooms."""

@@ -197,13 +197,22 @@ def _dines(hubs: list[RoomPhrase], ends: list[RoomPhrase]) -> bool:
     return [h.type for h in hubs[-1:]] == ["dining_room"] and {e.type for e in ends} == {"kitchen", "living_room"}
 
 
+def _everybody_uses(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> bool:
+    """`they all use one bathroom`: it is nobody's own; nothing is said of doors."""
+    whole = all(r.type == "" and r.quantifier == Det.ALL for r in left)
+    everybody = p.kind == Relation.USES and not p.negated and whole
+    for room in right if everybody else []:
+        room.labels |= {Trait.SHARED} if room.type == "bathroom" else set()
+    return everybody
+
+
 def _open_ones(right: list[RoomPhrase]) -> list[RoomPhrase]:
     """The dining room of `living room -> dining room (open), kitchen`."""
     return [r for r in right if r.type in OPEN_TYPES and Trait.OPEN in r.labels]
 
 
 def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], words: str) -> list[Statement]:
-    if p.kind == Relation.HAS:
+    if p.kind == Relation.HAS or _everybody_uses(p, left, right):
         return []
     kind = Relation.NOT if p.negated or p.kind == Relation.APART else p.kind
     if p.kind == Relation.BETWEEN:

@@ -51,6 +51,9 @@ WHOSE = frozenset(
     experiment experiments dataset research simulation simulator evaluate game games heist safehouse zombie horror
     farming puzzle mystery adventure stealth noir board video computer vr survival escape life sim sitcom wait able
     test demo example sample starter needed itself themselves
+    scene scenes map maps goal household simulated evaluation tutorial residential interactive horizon multi sims
+    sim2real vln qa audio visual boss fight fights mission click detective shooter dungeon idea management strategy
+    searching
     """.split()
 )
 """Words for who asks, for whom and with what; a home of one storey is what every plan is."""

@@ -71,7 +71,55 @@ SENTENCES = [
      "B3 H K L W", "!B1=14, !B3=9.5"),
     ("Apartment for my parents, only 1 bedroom but large, bathroom with shower, no bath tub, and the hall must be wide "
      "minimum 1.2 meters.", "B H K L W", "at_least H1 width 1.2, W1 has 1 shower, W1 has 0 bath, !unread large"),
+    # once more of those before
+    ("Three bedrooms, each smaller than the one before.", "B3 H K L W2",
+     "order B2 B1 smaller, order B3 B2 smaller, !unread before"),
+    ("Two bedrooms. No rooms off the kitchen.", "B2 H K L W", "unread no rooms, !B1K1, !B2K1"),
+    ("Zwei Schlafzimmer. Kein Schlafzimmer an der Küche.", "B2 H K L W", "apart B1 K1, apart B2 K1"),
+    ("Two bedrooms. The kitchen is larger than the study and has an oven.", "B2 H K L S W",
+     "K1 has 1 oven, order K1 S1 larger, !S1 has 1 oven"),
+    ("The study is smaller than the main bedroom and has a desk. Two bedrooms.", "B2 H K L S W",
+     "S1 has 1 desk, !B1 has 1 desk"),
+    ("A couple, one of whom studies at home, two bedrooms.", "B2 H K L W", "unread studies"),
+    ("Flat for a woman who studies medicine, one bedroom.", "B H K L W", "unread studies"),
+    ("A flat with two bedrooms and two studies.", "B2 H K L S2 W", ""),
+    ("Two bedrooms and a cellar. We can store skis there.", "B2 H K L T W", "unread store"),
+    ("She has a bedroom with a desk. Her two brothers share a bedroom. They all use one bathroom.", "B2 H K L W",
+     "H1W1, !B2W1"),
+    ("We need three bedrooms. The bedroom of parents has own bathroom and the children use other bathroom in the "
+     "corridor.", "B3 H K L W2", "B1W1, H1W2, !B1W2, unread children"),
+    ("It should have two bedrooms, one for the parents and other for the baby. One bathroom, beside the baby bedroom.",
+     "B2 H K L W", "adjacent W1 B2"),
 ]  # fmt: skip
+
+
+NOTHING_SAID = [
+    "Scene for object-goal navigation: a flat with one bedroom.",
+    "For a long-horizon household robot benchmark I need a two-bedroom apartment.",
+    "Vision-and-language navigation: one-bedroom flat in a simulated environment.",
+    "Detective's apartment for a noir game, one bedroom.",
+    "Stealth level, flat with two bedrooms.",
+    "Level idea: a flat with two bedrooms.",
+    "Escape room in a one-bedroom flat.",
+    "Shooter game map: a two-bedroom flat.",
+    "I am searching for a flat with two bedrooms.",
+]
+"""Prompts whose other words say who asks and what for."""
+
+
+@pytest.mark.parametrize("prompt", NOTHING_SAID)
+def test_words_for_the_asker_are_not_told(prompt: str) -> None:
+    assert not read(prompt).unread
+
+
+@pytest.mark.parametrize(
+    ("prompt", "word"),
+    [("A flat on two levels, one bedroom.", "level"), ("One bedroom, a map room.", "map"),
+     ("A flat for a wheelchair user, one bedroom.", "wheelchair"), ("Our grandmother's flat, one bedroom.", "grandm"),
+     ("For a navigation study we want one bedroom.", "navigation"), ("A split-level flat, one bedroom.", "level")],
+)  # fmt: skip
+def test_words_that_may_say_something_are_told(prompt: str, word: str) -> None:
+    assert any(word in entry for entry in read(prompt).unread)
 
 
 @pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
