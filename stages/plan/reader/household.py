@@ -164,7 +164,8 @@ class Household:
             pool = self.of(phrase.type)  # "the two smaller bedrooms share a bath, the largest has its own"
         if found := ranked(phrase, pool if len(pool) > 1 else self.of(phrase.type)):
             return found
-        free = [e for e in pool if not e.picked] or pool
+        rest = self.of(phrase.type) if phrase.count and phrase.quantifier == Det.BARE else []
+        free = [e for e in pool if not e.picked] or [e for e in rest if not e.picked] or pool
         if len(pool) == 1 and phrase.another and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
         if phrase.quantifier == Det.ANOTHER and not phrase.count:

@@ -16,6 +16,9 @@ def journeys(items: list[Item]) -> list[Item]:
             k = _told(out, way)
         elif (way := _to_get_there(items, k)) is not None:
             k = _told(out, way)
+        elif users := _that_they_enter(items, k):
+            out += [items[k], Item("link", "door", "reached from"), *users]
+            k += len(users) + 3
         elif (end := _reached_from(items, k)) is not None:
             out += [items[k], Item("link", "door", "reached from")]
             k = end
@@ -35,6 +38,17 @@ def _told(out: list[Item], way: tuple[list[Item], int]) -> int:
     out += [Item("mark", ".", "."), rooms[-1], Item("copula", "s", "is"), Item("link", "only", "reached only from"),
             rooms[-2]]  # fmt: skip
     return end
+
+
+def _that_they_enter(items: list[Item], k: int) -> list[Item]:
+    """The bedrooms of `a bathroom that both bedrooms can access`."""
+    end = k + 2
+    while end < len(items) and (items[end].room is not None or items[end].kind == "conjunction"):
+        end += 1
+    which, verb, after = (items[k + 1 : k + 2] + items[end : end + 2] + [Item("mark", ".")] * 3)[:3]
+    told = items[k].room is not None and which.kind == "relative" and end > k + 2
+    can = verb.kind == "reach" and verb.text.startswith(("can ", "could ", "may ")) and after.room is None
+    return items[k + 2 : end] if told and can else []
 
 
 def _onward(items: list[Item], k: int) -> tuple[list[Item], int] | None:

@@ -30,10 +30,10 @@ def purposes(words: list[Lexeme]) -> list[Lexeme]:
             count = words[i].kind == "number" and words[i].text[0] != "a"
             out += [words[i]] if count else []
             out.append(Lexeme("room", kind, text, plural=count and words[i].number > 1))
-            other, last = _second(words, end)
-            if other and other != kind and {kind, other} <= OPEN:
-                out += [Lexeme("mark", "/", "/"), Lexeme("room", other, words[last - 1].text)]
-                end = last
+            named = {kind}
+            while (more := _second(words, end))[0] and more[0] not in named and {*named, more[0]} <= OPEN:
+                out += [Lexeme("mark", "/", "/"), Lexeme("room", more[0], words[more[1] - 1].text)]
+                named, end = {*named, more[0]}, more[1]
             i = end + (end < len(words) and words[end].text == "in" and _ends(words, end + 1))
         else:
             out.append(words[i])
@@ -71,7 +71,7 @@ def _purpose(words: list[Lexeme], i: int) -> tuple[str, int]:
 
 def _second(words: list[Lexeme], end: int) -> tuple[str, int]:
     """The other purpose of `one room to live and cook in`."""
-    and_ = end + 1 < len(words) and words[end].kind == "conjunction"
+    and_ = end + 1 < len(words) and (words[end].kind == "conjunction" or words[end].text == ",")
     return _known(words, end + 1) if and_ else ("", end)
 
 

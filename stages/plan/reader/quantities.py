@@ -19,7 +19,16 @@ BETWEEN = ("between", "entre", "zwischen")
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
     words = _of_home(_numbers(words))
-    return listing(bare(bounded(limits_denied(_areas(_by_percent(_shares(extents(dimensions(words)))))))))
+    return listing(bare(bounded(limits_denied(_one_of(_areas(_by_percent(_shares(extents(dimensions(words))))))))))
+
+
+def _one_of(words: list[Lexeme]) -> list[Lexeme]:
+    """The `one of` of `two of 10 m² and one of 15 m²` counts."""
+    out: list[Lexeme] = []
+    for word, after in zip(words, [*words[1:], Lexeme("mark", ".", ".")], strict=False):
+        counts = word.text == "one of" and after.kind == "area"
+        out += [Lexeme("number", "1", "one", values=(1.0,)), Lexeme("stop", "", "of")] if counts else [word]
+    return out
 
 
 def _of_home(words: list[Lexeme]) -> list[Lexeme]:

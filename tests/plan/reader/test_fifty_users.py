@@ -89,6 +89,20 @@ SENTENCES = [
      "B4 D H K L W2", "B4 has 1 bunk_bed, D1 has 8 chair"),
     ("Dreizimmerwohnung, Küche mit Zugang zum Esszimmer, ein separates WC beim Eingang.", "B D H K L W2",
      "D1K1, !D1~K1, near W1 entrance"),
+    # doors that rooms have of themselves
+    ("A two-bedroom flat and a bathroom that both bedrooms can access directly.", "B2 H K L W", "B1W1, B2W1, !H1W1"),
+    ("Two bedrooms and a balcony which the living room and the kitchen can access.", "B2 H K L W Y", "K1Y1"),
+    ("The master bedroom should not share any wall with the kitchen or the living room. Three bedrooms.",
+     "B3 H K L W2", "apart B1 K1, apart B1 L1"),
+    ("Die Wohnung hat 90 Quadratmeter. Küche und Bad liegen nebeneinander, das Schlafzimmer ist am weitesten vom "
+     "Eingang entfernt.", "B H K L W", "all=90, adjacent K1 W1, apart B1 entrance, !B1W1, H1W1"),
+    # some of so much, one of so much
+    ("3 bedrooms: 2 of 10 m2 and one of 15 m2 with its own bathroom.", "B3 H K L W2", "B1=10, B2=10, B3=15, B3W1"),
+    ("Five bedrooms: two of 10 m2, two of 12 m2 and one of 15 m2.", "B5 H K L W3", "B2=10, B3=12, B4=12, B5=15"),
+    # one room for several purposes
+    ("Cabin: one big room for living, cooking and eating, two bedrooms, one bathroom.", "B2 D H K L W",
+     "D1~K1, D1~L1"),
+    ("Flat with one room to cook, eat and live in and two bedrooms.", "B2 D H K L W", "D1~K1, D1~L1"),
 ]  # fmt: skip
 
 

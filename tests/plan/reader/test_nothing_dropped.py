@@ -50,7 +50,7 @@ WHOSE = frozenset(
     embodied vision language mobile multi search exploration episode episodes benchmark benchmarks task tasks
     experiment experiments dataset research simulation simulator evaluate game games heist safehouse zombie horror
     farming puzzle mystery adventure stealth noir board video computer vr survival escape life sim sitcom wait able
-    test demo example sample starter needed itself themselves
+    test demo example sample starter needed wanted required necessary itself themselves
     scene scenes map maps goal household simulated evaluation tutorial residential interactive horizon multi sims
     sim2real vln qa audio visual boss fight fights mission click detective shooter dungeon idea management strategy
     searching
