@@ -35,7 +35,9 @@ def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
         if whole or named:
             group = _coordination(items[:k]) or _coordination(before)
             if not group and phrase.quantifier == Det.BOTH:
-                group = _rooms(items[:k])[-2:]
+                told = _rooms(items[:k])
+                subject = len(told) > 2 and items[k - 1].kind == "link" and items[k - 1].value in ("near", "apart")
+                group = told[-3:-1] if subject else told[-2:]  # "A is next to B, but C is far from both"
             group = group[-2:] if named else group
             single = all(r.count in (None, 1) and not r.plural for r in group)
             fits = len(group) == 2 if phrase.quantifier != Det.ALL and not _at_end(items, k) else len(group) > 1

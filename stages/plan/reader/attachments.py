@@ -257,8 +257,9 @@ def _not_own(owner: RoomPhrase) -> set[Trait]:
 
 
 def _dressed(owner: RoomPhrase) -> bool:
-    """`each with dressing room and bathroom`."""
-    return owner.quantifier == Det.EACH and [o.type for o in owner.owned] == ["closet"]
+    """`each with dressing room and bathroom`, `the main one with dressing room and bathroom`."""
+    main = owner.type == "" and Trait.MASTER in owner.labels
+    return (owner.quantifier == Det.EACH or main) and [o.type for o in owner.owned] == ["closet"]
 
 
 def _each_follows(after: list[Item]) -> bool:

@@ -166,7 +166,8 @@ class Household:
             return found
         rest = self.of(phrase.type) if phrase.count and phrase.quantifier == Det.BARE else []
         free = [e for e in pool if not e.picked] or [e for e in rest if not e.picked] or pool
-        if len(pool) == 1 and phrase.another and phrase.count:
+        sized = bool(phrase.areas) and pool[0].area is not None and phrase.quantifier == Det.BARE
+        if len(pool) == 1 and (phrase.another or sized) and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
         if phrase.quantifier == Det.ANOTHER and not phrase.count:
             return self.add(phrase.type)

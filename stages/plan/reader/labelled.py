@@ -62,8 +62,11 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     another = lone and bool(labels & OTHERS) and not total  # "their bedroom …; the guest room …"
     take = free if placed or (not another and _among_known(phrase, labels, free, total)) else []
     found = take[-count:] if labels & OTHERS else take[:count]  # the first bedroom is whose the home is
+    full = len(home.of(phrase.type)) >= home.totals.get(phrase.type, 99) and phrase.quantifier != Det.ANOTHER
     if phrase.type in home.totals and phrase.quantifier != Det.ANOTHER and Trait.HALF not in labels:
         count = max(len(found), 1) if found else count
+    if not found and full and labels == {Trait.MASTER}:
+        found = [e for e in home.of(phrase.type) if not e.labels & set(DISTINCT)][:1]  # "both bedrooms …; the main one"
     found += home.add(phrase.type, count - len(found))
     for entity in found:
         entity.labels |= labels

@@ -31,6 +31,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
                 and [i.kind for i in items[j - 1 : j + 2 : 2]] == ["conjunction", "copula"]
             ):
                 break  # "not next to the kitchen, and the toilet is separate"
+            if out and phrase.quantifier == Det.ALL and items[j + 1 : j + 2] and items[j + 1].value == "not":
+                break  # "no bathroom next to the kitchen and no bedroom next to the lounge"
             if out and (_heads_next(items, j, following, out[0], left) or not _continues(items, p, j, out, left)):
                 break
             if not phrase.negated and phrase not in left:
@@ -41,6 +43,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
             break
         elif item.kind == "relative" and out and _all_of_them(items[j + 1 : j + 2]):
             break  # "separated by a bathroom which both can enter"
+        elif item.kind == "front" and out and item.text in ("through", "via") and items[p.at].text.split()[-1] == "to":
+            break  # "a door to the corridor and nobody should go through the kitchen"
         elif item.kind == "reach" and out and item.text.startswith("there"):
             break
         elif is_mark(item, ":()") and j > p.at + 1 or is_mark(item, ",") and j == p.at + 1 and p.form != "front":
@@ -89,8 +93,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
         and not first.quantifier == phrase.quantifier == Det.THE
     ):
         return False
-    if p.kind == Relation.SHARE and is_mark(items[j - 1], ","):
-        return False
+    if is_mark(items[j - 1], ",") and (p.kind == Relation.SHARE or items[p.at].text.endswith(" by")):
+        return False  # "separated by a corridor, one bedroom"
     if p.kind == Relation.BETWEEN:
         return len(out) < 2 or (items[j - 1].kind == "conjunction" and not is_mark(items[j - 2], ","))
     if p.kind == Relation.OPEN and phrase.type not in OPEN_TYPES:

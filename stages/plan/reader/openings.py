@@ -79,6 +79,8 @@ def _joining(out: list[Item], items: list[Item], k: int) -> bool:
     while last(out).kind in (*BY, "reach", "copula"):
         out.pop()
     out += [] if is_mark(last(out), ".") else [Item("mark", ".", ".")]
+    if k + 5 < len(items) and is_mark(items[k + 5], ","):
+        items[k + 5] = Item("mark", ".", ".")
     items[k + 1], items[k + 3] = Item("stop", "", verb.text), Item("link", "open", "open to", form="s")
     return True
 

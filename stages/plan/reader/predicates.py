@@ -144,7 +144,12 @@ def _is_front(items: list[Item], k: int, first: bool) -> bool:
 
 def _headed(items: list[Item], k: int) -> bool:
     """`from the landing: two bedrooms, a bathroom`."""
-    hall = items[k + 1].value == "hallway" if k + 2 < len(items) else False
+    if k + 2 >= len(items):
+        return False
+    lived = (*OPEN_TYPES, "bedroom") if k == 0 or items[k - 1].kind == "mark" else ()
+    room = items[k + 1].room
+    known = room is not None and room.quantifier == Det.THE
+    hall = items[k + 1].value in ("hallway", *(lived if known else ()))
     return hall and items[k].text in ("from", "off") and is_mark(items[k + 2], ":")
 
 

@@ -100,6 +100,10 @@ def _introduced_first(phrases: list[RoomPhrase]) -> list[RoomPhrase]:
     for k, phrase in enumerate(phrases):
         universal = phrase.quantifier in (Det.EACH, Det.ALL, Det.BOTH) and phrase.count is None
         known = any(p.type == phrase.type for p in phrases[:k])
+        several = phrase.quantifier == Det.THE and phrase.plural and phrase.count is None and not phrase.labels
+        counted = any(p.type == phrase.type and (p.count or 0) > 2 and p.quantifier == Det.BARE for p in phrases[k:])
+        if several and not known and counted:
+            early.add(id(phrase))  # "the bedrooms are far from the kitchen. Three bedrooms."
         if universal and not known and any(p.type == phrase.type and p.count for p in phrases[k:]):
             early.add(id(phrase))
     return sorted(phrases, key=lambda p: 0 if p.headline else 2 if id(p) in early else 1)

@@ -42,13 +42,10 @@ def relations(
             left = []  # "also a door between the kitchen and the lounge"
         stop = found[k + 1] if k + 1 < len(found) else None
         right = [] if _next_to_it(items, p) else objects(items, p, stop, left)
-        left = _annexes(left, right) if p.form == "part" else left
-        if p.form == "part" and len(left) == 2 and _last_of_list(items, p) and all(r.type != "hallway" for r in right):
-            left = left[-1:]  # "a toilet, a living room and a laundry room adjacent to the kitchen"
-        if p.form == "part" and len(left) > 1 and _closes_list(items, p) and all(r.type != "hallway" for r in right):
-            left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
-        if p.form == "part" and left and p.kind in WAYS and _other_kind_last(items, p, left):
-            left = left[-1:]  # "two bathrooms and a utility room off the kitchen", "storage and a balcony off it"
+        left = left[-1:] if p.negated and left and left[-1].quantifier == Det.ALL else left
+        if len(items) == 2 and p.at == 0 and p.form == "part" and any(r.owned for r in right):
+            continue  # "off the bedroom: a closet", once the bedroom has it
+        left = _of_a_list(items, p, left, right) if p.form == "part" else left
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
         out += (
@@ -56,6 +53,8 @@ def relations(
             if barred and left
             else []
         )
+        if barred and not right and left:
+            continue  # all that is said is denied
         if not right and p.form in ("s", "p"):
             right = _relative_object(items, p) or (place(out) or trail if onward(items[p.at]) else [])
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
@@ -77,6 +76,19 @@ def relations(
         p.kind = Relation.OPEN if _is_to_open(items, p, left, right) else p.kind
         out += _statement(p, left, right, items[p.at].text)
     return out
+
+
+def _of_a_list(items: list[Item], p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[RoomPhrase]:
+    """Of a list of rooms, those that a participle or a preposition behind it is said of."""
+    left = _annexes(left, right)
+    ends = all(r.type != "hallway" for r in right)
+    if len(left) == 2 and ends and _last_of_list(items, p):
+        left = left[-1:]  # "a toilet, a living room and a laundry room adjacent to the kitchen"
+    if len(left) > 1 and ends and _closes_list(items, p):
+        left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
+    if left and p.kind in WAYS and _other_kind_last(items, p, left):
+        left = left[-1:]  # "two bathrooms and a utility room off the kitchen", "storage and a balcony off it"
+    return left
 
 
 def _is_to_open(items: list[Item], p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> bool:

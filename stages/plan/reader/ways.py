@@ -9,7 +9,7 @@ _FINITE = r"\b(?:is|are|will|can|must|should|may)\b"
 _KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
 _ONE_DOOR = re.compile(
     r"\b(?:one|a|the first) (?:door )?(?:leads|goes|opens) (to|into|onto) (?P<first>[^.,;]+?),? "
-    r"(?:and |while )?(?:another|the other|the second|a second)(?: one| door)?(?: (?:leads|goes|opens))? "
+    r"(?:and |while )?(?:another|(?:the )?other|the second|a second)(?: one| door)?(?: (?:leads|goes|opens))? "
     r"(?:to|into|onto) "
 )
 _IN_IT = re.compile(

@@ -103,6 +103,30 @@ SENTENCES = [
     ("Cabin: one big room for living, cooking and eating, two bedrooms, one bathroom.", "B2 D H K L W",
      "D1~K1, D1~L1"),
     ("Flat with one room to cook, eat and live in and two bedrooms.", "B2 D H K L W", "D1~K1, D1~L1"),
+    # what the last round of prompts had shown
+    ("A flat: the kitchen and the living room are separated by a corridor, one bedroom, one bathroom next to the "
+     "bedroom.", "B H K L W", "H1K1, H1L1, adjacent W1 B1, !B1K1, !B1L1"),
+    ("A three-bedroom home with a wide opening between the dining room and the living room, and the kitchen next to "
+     "the dining room but with a door.", "B3 D H K L W2", "D1~L1, D1K1, !D1~K1"),
+    ("The flat should have one bedroom larger than 14 m2 and one smaller than 10 m2, a kitchen and a living room.",
+     "B2 H K L W", "at_least B1 14, at_most B2 10"),
+    ("Create: 1 hallway; off the hallway: bathroom, bedroom, living room; off the living room: kitchen, balcony; off "
+     "the bedroom: closet.", "B C H K L W Y", "K1L1, L1Y1, B1C1, !H1K1, !B1L1"),
+    ("I want a plan with no bathroom next to the kitchen and no bedroom next to the living room. Two bedrooms.",
+     "B2 H K L W", "apart W1 K1, apart B2 L1, !apart K1 B1"),
+    ("It is for three persons, so every bedroom must have a door to the corridor and nobody should go through the "
+     "kitchen. A flat.", "B2 H K L W", "B1H1, B2H1, !B1K1"),
+    ("The toilet should be separate from the bathroom, both near to the bedrooms. Three bedrooms.", "B3 H K L W2",
+     "adjacent W1 B3, adjacent W2 B1"),
+    ("I need an apartment where kitchen has two doors: one goes to the dining room, other goes to the hall. Two "
+     "bedrooms.", "B2 D H K L W", "D1K1, H1K1, !D1H1"),
+    ("The bedroom of the son is next to the bedroom of the daughter, but the bedroom of the parents is far from both.",
+     "B3 H K L W2", "adjacent B2 B3, apart B1 B2, apart B1 B3"),
+    ("Piso de tres habitaciones, la principal con vestidor y baño, las otras dos comparten un baño.", "B3 C H K L W2",
+     "B1C1, B1W1, H1W2"),
+    ("Piso de un dormitorio. El baño tiene que estar cerca del dormitorio.", "B H K L W", "adjacent W1 B1"),
+    ("两室一厅一厨一卫，两个卧室在客厅两边，卫生间挨着主卧，厨房靠近入口。", "B2 H K L W",
+     "adjacent W1 B1, near K1 entrance"),
 ]  # fmt: skip
 
 
