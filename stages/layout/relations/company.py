@@ -13,8 +13,8 @@ from apartgen.stages.use import kinds
 
 LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(18), np.radians(35)
 """Within these angles one sits at a table, watches a screen, and is a screen seen."""
-FAR = 3.5
-"""A television stands no farther from its sofa, m."""
+FAR, FARTHEST, ASKANCE = 3.5, 4.0, np.radians(30)
+"""A television stands no farther from its sofa, m; if need be, it does, and so far aside."""
 TURNED, STRANDED = np.radians(68), 1.9
 """An armchair looks at a sofa or its table within this angle, and stands no farther from it, m."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
@@ -183,6 +183,11 @@ def _watched(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(((seen.back().off < WATCHES) & (seen.off < SHOWN) & (seen.gap < FAR)).all(1))
 
 
+def _seen(seen: Seen, hosts: Sequence[str]) -> Flags:
+    """A screen that is seen from a sofa at all: better than none."""
+    return _any((seen.back().off < ASKANCE) & (seen.off < ASKANCE) & (seen.gap < FARTHEST))
+
+
 def _watches(seen: Seen, hosts: Sequence[str]) -> Flags:
     return _any((seen.off < WATCHES) & (seen.back().off < SHOWN) & (seen.gap < FAR))
 
@@ -207,7 +212,7 @@ def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(~seen.walls_in().any(1))
 
 
-FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table"}
+FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table", "tv"}
 LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS),
     (frozenset({"nightstand"}), kinds.BEDS),
@@ -225,6 +230,7 @@ RULES = (
     (frozenset({"nightstand"}), kinds.BEDS, _bedside),
     (frozenset({"coffee_table"}), kinds.SOFAS, _before_seat),
     (frozenset({"tv_stand"}), kinds.SOFAS, _watched),
+    (frozenset({"tv"}), kinds.SOFAS, _seen),
     (kinds.SOFAS, frozenset({"tv_stand"}), _watches),
     (frozenset({"armchair"}), kinds.SOFAS | {"coffee_table"}, _in_group),
     (kinds.TABLES, kinds.SOFAS | {"coffee_table"}, _apart),

@@ -39,7 +39,7 @@ DRAWN = 6
 """Contents drawn for every sample, where several are made: those are furnished that lack least."""
 GOOD, POOR, SHARED = 0.3, 1.0, 0.7
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn; of a room
-that all share K more above the last."""
+that all share already above this share of it."""
 BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 30.0
@@ -65,8 +65,8 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
     best: dict[int, Furnished] = {}
     for name, samples, limit in _rounds(config.candidates):
-        some = [i for i in due if i not in best or best[i].cost > (
-            SHARED if limit == POOR and plan.rooms[i].base == "living_room" else limit)]
+        share = [SHARED if limit == POOR and room.base == "living_room" else 1.0 for room in plan.rooms]
+        some = [i for i in due if i not in best or best[i].cost > share[i] * limit]
         lanes = [seeds.lane(rng, plan.rooms[i].id + name) for i in some]
         rooms = [_sampler(plan, i, arrays, config, samples, lane, there[i])
                  for i, lane in zip(some, lanes, strict=True)]
@@ -144,7 +144,7 @@ def _wide(room: Room, area: float, due: Duties, sleep: int) -> dict[str, tuple[f
     if area >= DOUBLE and (room.base == "bedroom" or due.sleeps > 0):
         some |= LENGTHS
     if room.base == "living_room":
-        some["tv"] = SCREENS
+        some["tv_stand"], some["tv"] = (SCREENS[0],) * 2, SCREENS
     if due.eats > 0 and sleep >= FIVE:
         some |= {"dining_table": (LONG_TABLE,) * 2, "round_table": (ROUND_TABLE,) * 2}
     return some

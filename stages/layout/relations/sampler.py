@@ -24,8 +24,10 @@ BEGUN = 3
 """How often a room is begun at most."""
 TRIES = 2
 """How often candidates are drawn for an object before its room is begun again, and once more for what is wide."""
-LOOKS = 8
-"""Candidates whose ways are looked at before new ones are drawn."""
+LOOKS, LAST = 8, 40
+"""Candidates whose ways are looked at before new ones are drawn, and where none will be."""
+INSTEAD = {"double_bed": ("single_bed",)}
+"""What serves where something needed finds no place at all."""
 SAME, ELSEWHERE = 0.05, 0.15
 """A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
 PART = 0.5
@@ -110,9 +112,9 @@ class Sampler:
             return again
         if found is None and needed:
             found = self._instead(p, name, boxes)
-        if found is None:
-            found = self._last_resort(p, name, needed)
         p.left.remove(name)
+        if found is None:
+            name, found = self._last_resort(p, name, needed)
         p.tries = 0
         if found is not None:
             p.furniture.add(name, found)
@@ -133,7 +135,7 @@ class Sampler:
         price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
         second, best, near = None, -1.0, SAME
-        for _ in range(LOOKS):
+        for _ in range(LAST if loose else LOOKS):
             if weight.sum() <= 0:
                 break
             k = self._draw(weight)
@@ -187,19 +189,26 @@ class Sampler:
                 return found
         return None
 
-    def _last_resort(self, p: Particle, name: str, needed: bool) -> Array | None:
-        """Anywhere, and smaller, for what is needed; else it is left out. Both are said."""
-        for scale in (1.0, 0.85, 0.7) if needed else ():
-            size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
-            start = np.zeros((600, 7), np.float32)
-            start[:, 3:5], start[:, 6] = size[:2], size[2]
-            boxes = self._anywhere(p.furniture, name, start)
-            found = self._chosen(p.furniture, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True)
-            if found is not None:
-                p.notes.append(f"no place for the {name} where such things stand; put where it fits")
-                return found
+    def _last_resort(self, p: Particle, name: str, needed: bool) -> tuple[str, Array | None]:
+        """Anywhere, and smaller, for what is needed, or a bed of one for two; else it is left out. All that is said."""
+        for other in (name, *INSTEAD.get(name, ())) if needed else ():
+            for scale in (1.0, 0.85, 0.7):
+                found = self._somewhere(p.furniture, other, scale)
+                if found is not None:
+                    how = " where such things stand; put where it fits" if other == name else f"; a {other} instead"
+                    p.notes.append(f"no place for the {name}{how}")
+                    return other, found
         p.notes.append(f"no place for the {name}; left out")
-        return None
+        return name, None
+
+    def _somewhere(self, there: Furniture, name: str, scale: float) -> Array | None:
+        """Where something of a share of its usual size breaks nothing: at random, and along all walls or all over the
+        room, if such things lead a group."""
+        size = np.maximum(np.array(TABLE[name].size) * scale, TABLE[name].min)
+        start = np.zeros((600, 7), np.float32)
+        start[:, 3:5], start[:, 6] = size[:2], size[2]
+        boxes = np.concatenate([self._anywhere(there, name, start), followers.leading(name, start[:1], there.space)])
+        return self._chosen(there, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True)
 
     def _anywhere(self, there: Furniture, name: str, boxes: Array) -> Array:
         """Boxes of the same sizes at random: along walls what has a back, on tops what stands there, else anywhere."""

@@ -103,6 +103,17 @@ def test_no_table_stands_between_sofa_and_television_whichever_comes_last(
     assert not company.barred("bookshelf", np.array([things["dining_table"]]), list(things)[:2], boxes).any()
 
 
+@pytest.mark.parametrize("x, y, yaw, seen", [
+    (3.5, 0.0, np.pi, True), (4.2, 0.5, np.pi, True),     # afar and a little aside, better than none
+    (5.4, 0.0, np.pi, False), (3.0, 2.5, np.pi, False),   # too far; 40 degrees aside
+    (3.5, 0.0, 0.0, False), (-3.0, 0.0, 0.0, False),      # turned away; behind the sofa
+])
+def test_a_television_is_seen_from_the_sofa_or_left_out(x: float, y: float, yaw: float, seen: bool) -> None:
+    television = np.array([(x, y, yaw, 0.1, 1.2, 0.5, 1.2)])
+    assert company.alone("tv", television, ["sofa"], np.array([SOFA])).tolist() == [not seen]
+    assert not company.alone("tv", television, ["double_bed"], np.array([SOFA])).any() and company.follows("tv")
+
+
 @pytest.mark.parametrize("left, there, may", [
     (["chair", "dining_table", "plant"], [], {"dining_table", "plant"}),
     (["chair", "plant"], [], {"chair", "plant"}),                       # there is none to wait for

@@ -4,6 +4,7 @@ from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
+import handmade
 import numpy as np
 import pytest
 
@@ -17,6 +18,7 @@ from apartgen.stages.layout.relations import weights
 from apartgen.stages.plan import build
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.study import archetypes
+from apartgen.stages.use import kinds
 
 ONE = LayoutConfig(model="relations", candidates=2, threads=1)
 
@@ -67,12 +69,46 @@ def test_poor_rooms_are_drawn_again_and_the_better_ones_kept(monkeypatch: pytest
         return {(seed, room.id): choice.cost(done, room.id, done.objects)
                 for seed in (5, 6, 7) for done in [made(home(seed))] for room in done.rooms}
 
+    monkeypatch.setattr(relations_home, "SHARED", 1.0)
     limits = (0.4, 0.2)
     once, twice, thrice = costs(np.inf, np.inf), costs(limits[0], np.inf), costs(*limits)
     for limit, before, after in ((limits[0], once, twice), (limits[1], twice, thrice)):
         redrawn = {id for id, cost in before.items() if cost > limit}
         assert all(after[id] <= before[id] for id in redrawn) and any(after[id] < before[id] for id in redrawn)
         assert all(after[id] == before[id] for id in before.keys() - redrawn) and before.keys() - redrawn
+
+
+def three_doors() -> Plan:
+    """A bedroom of 12 m² with doors to a hall, a bathroom and a closet: for a double bed there is hardly a place."""
+    rooms = [("bedroom_1", "bedroom", handmade.rectangle(0, 0, 2.98, 4.03)),
+             ("hallway_1", "hallway", handmade.rectangle(0, 4.13, 2.98, 1.5)),
+             ("bathroom_1", "bathroom", handmade.rectangle(3.08, 2.6, 1.9, 1.43)),
+             ("closet_1", "closet", handmade.rectangle(3.08, 0, 1.9, 2.5))]
+    doors = [("door_1", ["bedroom_1", "bathroom_1"], [[3.03, 3.93], [3.03, 3.13]], 0, "bathroom_1"),
+             ("door_2", ["bedroom_1", "closet_1"], [[3.03, 1.24], [3.03, 2.04]], 1, "bedroom_1"),
+             ("door_3", ["bedroom_1", "hallway_1"], [[1.13, 4.08], [0.23, 4.08]], 0, "bedroom_1")]
+    openings: list[dict[str, Any]] = [
+        {"id": id, "kind": "door", "rooms": rooms, "segment": at, "sill": 0, "head": 2.1, "hinge": hinge, "into": into}
+        for id, rooms, at, hinge, into in doors]
+    openings.append({"id": "entrance_1", "kind": "entrance", "rooms": ["hallway_1"], "sill": 0, "head": 2.1,
+                     "segment": [[1.0, 5.68], [1.9, 5.68]], "into": "hallway_1"})
+    openings.append({"id": "window_1", "kind": "window", "rooms": ["bedroom_1"], "sill": 0.9, "head": 2.2,
+                     "segment": [[0.94, -0.15], [2.04, -0.15]]})
+    program = {"rooms": [{"id": id, "type": kind, "area": 5.0} for id, kind, _ in rooms],
+               "links": [[*ends] for _, ends, *_ in doors]}
+    return Plan.model_validate({
+        "program": program, "openings": openings,
+        "rooms": [{"id": id, "type": kind, "polygon": polygon} for id, kind, polygon in rooms]})
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_who_finds_no_place_for_a_double_bed_has_another_one(seed: int) -> None:
+    plan = three_doors()
+    done = made(plan, seed, ONE.model_copy(update={"room": ["bedroom_1"]}))
+    beds = [o.category for o in done.objects if o.category in kinds.BEDS]
+    assert len(beds) == 1 and beds[0] != "cot"
+    assert not any(fault.name == "no side to get into bed" for fault in use.faults(use.of_plan(
+        plan, "bedroom_1", done.objects)))
 
 
 def test_of_contents_those_are_furnished_that_lack_least(monkeypatch: pytest.MonkeyPatch) -> None:
