@@ -27,6 +27,8 @@ def corrected(items: list[Item]) -> list[Item]:
             _taken_back(out, room)  # "skip the study"
         if room is not None and room.negated and room.quantifier == Det.THE and room.ordinals and _one_fewer(out, room):
             continue  # "an office instead of the second bedroom"
+        if room is not None and _renamed(out, room):
+            continue
         if dropped and room is not None:
             dropped = not _taken_back(out, room)
             if not dropped:
@@ -52,6 +54,34 @@ def corrected(items: list[Item]) -> list[Item]:
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
+
+
+def _renamed(out: list[Item], room: RoomPhrase) -> bool:
+    """`make the storage room a utility room`: what was said of the one is said of the other."""
+    which = out[-1].room if out else None
+    begins = len(out) < 2 or out[-2].kind in ("mark", "conjunction", "boundary")
+    if which is None or not begins or which.quantifier != Det.THE or room.quantifier != Det.A or not room.type:
+        return False
+    before = [i for i in out[:-1] if i.room is not None and i.room.type == which.type and not i.room.negated]
+    if which.type == room.type or not which.type or not before or before[-1].room is None:
+        return False
+    if which.ordinals or (before[-1].room.count or 1) > 1:
+        return _one_becomes(out, before[-1].room, which)
+    for item in before:
+        told = item.room
+        if told is not None:
+            told.type, told.text, told.labels = room.type, room.text, told.labels | room.labels
+    out[:-1] = [replace(i, value=room.type) if i in before else i for i in out[:-1]]
+    out.pop()
+    return True
+
+
+def _one_becomes(out: list[Item], counted: RoomPhrase, which: RoomPhrase) -> bool:
+    """`make the third bedroom a study`: one fewer, and the other is named behind."""
+    if (counted.count or 0) >= max(which.ordinals or (2,)) and counted.quantifier == Det.BARE:
+        counted.count = (counted.count or 2) - 1
+        out.pop()
+    return False
 
 
 def _recounted(out: list[Item]) -> bool:

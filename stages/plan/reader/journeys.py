@@ -1,5 +1,6 @@
 """Doors told as ways that somebody takes: `through the lounge to reach the kitchen`, `a terrace you reach from it`."""
 
+from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.mention import Item, is_mark
 
 THROUGH = ("through", "via", "crosses", "crossing", "cross")
@@ -14,6 +15,9 @@ def journeys(items: list[Item]) -> list[Item]:
     while k < len(items):
         if (way := _onward(items, k)) is not None:
             k = _told(out, way)
+        elif _out_of_it(out, items[k]):
+            out += [Item("mark", ".", "."), again_named(out[-1].room), Item("link", "door", "leads to", form="s")]
+            k += 1 + (k + 1 < len(items) and items[k + 1].kind == "reach")
         elif (way := _to_get_there(items, k)) is not None:
             k = _told(out, way)
         elif users := _that_they_enter(items, k):
@@ -26,6 +30,20 @@ def journeys(items: list[Item]) -> list[Item]:
             out.append(items[k])
             k += 1
     return out
+
+
+def _out_of_it(out: list[Item], item: Item) -> bool:
+    """`at the end of the corridor is the lounge, and from it you go to …`: `it` is what is there."""
+    if item.value != "from_which" or item.text.split()[-1] not in ("it", "there"):
+        return False
+    end = len(out)
+    while end and (out[end - 1].kind in ("conjunction", "boundary") or is_mark(out[end - 1], ",")):
+        end -= 1
+    where, place, verb, room = ([Item("mark", ".")] * 4 + out[:end])[-4:]
+    there = where.kind == "front" and place.room is not None and verb.kind == "copula" and room.room is not None
+    if there:
+        del out[end:]
+    return there
 
 
 def _told(out: list[Item], way: tuple[list[Item], int]) -> int:

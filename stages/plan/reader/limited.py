@@ -12,6 +12,8 @@ EACH = ("share a wall", "share a common wall", "share walls", "each other", "one
 ACROSS = ("opposite", "across", "fac", "einander geg")
 VERBAL, PLACED = ("with", "copula", "relative", "conjunction"), ("side", "place", "area", "reach")
 DOOR = ("door", "doors", "tur", "turen", "porte", "portes", "puerta", "puertas")
+OFF = ("off", "off of", "in", "from", "opening off", "onto")
+"""What stands between doors and the hallway whose they are."""
 BETWEEN = ("link", "with", "copula", "reach", "relative", "front")
 """What may stand between a limit of doors and its room: `at most four doors off the hallway`."""
 
@@ -168,6 +170,7 @@ def _ahead(items: list[Item], k: int) -> RoomPhrase | None:
     if k + 2 >= len(items) or items[k + 1].kind not in BETWEEN or not items[k].value.endswith("doors"):
         return None
     opens = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary", "reach")
+    opens = opens or (items[k - 1].kind == "with" and items[k + 2].value == "hallway" and items[k + 1].text in OFF)
     return items[k + 2].room if opens else None
 
 

@@ -26,7 +26,7 @@ from apartgen.stages.plan.reader.phrases import Phraser
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
-from apartgen.stages.plan.reader.relations import place, relations
+from apartgen.stages.plan.reader.relations import at_table, place, relations
 from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
@@ -75,6 +75,7 @@ def parse(prompt: str) -> Said:
         before = _sentence(sentence, said, before, trail)
     said.rooms += [room for room in said.seen_from if room not in said.rooms]
     each_beside_one(said)
+    said.statements = at_table(said.statements)
     return said
 
 

@@ -202,6 +202,8 @@ def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
         return _beside_what(items, k)
     opens = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary")
     after = k + 1
+    if opens and after < len(items) and is_mark(items[after], ":"):
+        return _list(items, after + 1, headed=True)
     while opens and after < len(items) and items[after].kind in ("reach", "copula"):
         after += 1
     following = items[after].room if after < len(items) else None
@@ -236,7 +238,7 @@ def _of_other(items: list[Item], k: int) -> RoomPhrase | None:
     return near if near is not None and items[k - 2].room is not None else None
 
 
-def _list(items: list[Item], k: int) -> list[RoomPhrase]:
+def _list(items: list[Item], k: int, headed: bool = False) -> list[RoomPhrase]:
     """The rooms from `k` on that stand behind a place: `on the left the kitchen, the bath and the study`."""
     rooms: list[RoomPhrase] = []
     closed = False
@@ -252,7 +254,7 @@ def _list(items: list[Item], k: int) -> list[RoomPhrase]:
     if len(rooms) > 1 and after.kind in ("place", "side", "copula", "link", "beside", "with", "relative"):
         rooms.pop()  # "on the left the kitchen, the bath is on the right"
     again = k + 1 < len(items) and items[k + 1].kind in ("place", "side")
-    return rooms if closed or again else rooms[:1]
+    return rooms if closed or again or headed else rooms[:1]
 
 
 def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:

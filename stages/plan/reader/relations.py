@@ -1,5 +1,7 @@
 """Doors between rooms: finds the subject and the objects of every relation in a sentence."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.denied import of_all
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.objects import objects
@@ -209,6 +211,14 @@ def _dines(hubs: list[RoomPhrase], ends: list[RoomPhrase]) -> bool:
     return [h.type for h in hubs[-1:]] == ["dining_room"] and {e.type for e in ends} == {"kitchen", "living_room"}
 
 
+def at_table(statements: list[Statement]) -> list[Statement]:
+    """A dining room between kitchen and living room is the way from one to the other where the kitchen has no other."""
+    denied = [{r.type for r in (*s.left, *s.right)} for s in statements if s.kind == Relation.NOT]
+    kind = Relation.DOOR if {"kitchen", "hallway"} in denied else None
+    told = [replace(s, kind=kind) if kind and s.kind == Relation.BETWEEN else s for s in statements]
+    return [s for s in told if s.kind != Relation.BETWEEN]
+
+
 def _everybody_uses(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> bool:
     """`they all use one bathroom`: it is nobody's own; nothing is said of doors."""
     whole = all(r.type == "" and r.quantifier == Det.ALL for r in left)
@@ -230,7 +240,7 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
     if p.kind == Relation.BETWEEN:
         hubs = left if left and left[-1] not in right else []
         if _dines(hubs, right):
-            return []
+            return [Statement(Relation.BETWEEN, hubs, right)]  # until all is read: see `at_table`
         if hubs:
             return [Statement(Relation.DOOR, hubs[-1:], right)] if right else []
         return [Statement(Relation.DOOR, right[:1], right[1:])] if len(right) > 1 else []

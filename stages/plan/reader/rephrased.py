@@ -57,6 +57,12 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "for a long-term study of robots" is no room
     (r"\bfor (?:an? |our |my |the )?(?:[\w-]+ ){0,3}stud(?:y|ies) (?:of|on|about|into) (?![^,.;]{0,20}\d)",
      "for research on "),
+    (r"^((?:this |it |that )?(?:is |will be )?)for (?:an? |our |my |the )(?!small|large|big|tiny|quiet|separate|home)"
+     r"[\w-]+ (?:[\w-]+ )?stud(?:y|ies)(?= ?[:,.])", r"\1for research"),
+    (r"\b(flat|apartment|house|layouts?|plans?|scenes?|environments?) for (?:an? |our |my |the )(?!small|large|big|tiny)"
+     r"[\w-]+ (?:[\w-]+ )?stud(?:y|ies)(?= ?(?:[:,.]|with|$))", r"\1 for research"),
+    # "Left: kitchen, bathroom. Back: bedrooms."
+    (r"(^|[.;] ?)(?:on the |at the |to the )?(left|right|back|rear|front)(?: side)? ?: ?", r"\1on the \2: "),
     # "zwei Bäder, davon eines am Elternschlafzimmer"
     (r"\bdavon ein(?:e[sr]?)? (?:direkt )?(?:am|beim|im|vom) (?:eltern|haupt)(?:schlaf)?zimmer(?: aus)?"
      r"(?: zuganglich| erreichbar)?\b", "davon eines en suite"),
@@ -101,6 +107,10 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      "correction, "),
     (r"(^|[,;.] ?|\band )the rest(?: of the (?:rooms|flat|house|home))? (?=(?:is|are|lies|goes|should|must) )",
      r"\1all other rooms "),
+    (r"\bactually,? (?:i (?:need|want) |we (?:need|want) )?"
+     r"(?=(?:two|three|four|five|six|[2-9])\b(?! ?(?:m|sqm|sq|x|by)\b))", "correction, "),
+    (r"\b(?:make|turn|change|convert|replace|swap) the ([a-z ]{4,25}?) (?:into|to|with|by|for|instead) (?=an? )",
+     r"make the \1 "),
     # "wide enough for a wheelchair (at least 1.2 m)", "one large room with kitchen", "a luxury suite: …"
     (r"\bwide enough [^.,;()]*?\((at least|min(?:imum)?|>=) ?(\d+(?:\.\d+)?) ?m\)", r"at least \2 m wide"),
     (r"\bone (large|big|huge|small) (?:open )?(?:room|space) with (?:an? )?(?:open )?kitchen\b",
@@ -150,6 +160,10 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\bd'(?=une?\b)", "de "),  # "un appartement d'une chambre"
     # "Un trastero al que se entre desde el despacho"
     (r"\b(?:al|a la) que se (?:entra|entre|accede|acceda|llega|llegue) (?:desde|por) ", "accesible desde "),
+    (r"\b(una?) (terraza|balcon|vestidor) en ((?:el|la) (?:dormitorio|habitacion|salon|cocina|comedor)(?: principal)?)"
+     r"(?= ?(?:[,.;]|$))", r"\3 con \1 \2"),
+    (r"\b(terraza|balcon|vestidor) en (el|la) (dormitorio|habitacion|salon|cocina|comedor)",
+     r"\1 accesible desde \2 \3"),
     # "书房的门开在客厅里", "次卧要离客厅远一点"
     (r"([^,.;:的]{1,6})的门(?:要|应该)?(?:开在|开向|通向|朝)([^,.;:里]{1,6}?)(?:里|开)*(?:[,.;]|$)", r"\1通向\2."),
     (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?远(?:一点|一些|些|点)?(?=[,.;]|$)", r" far from \1"),
