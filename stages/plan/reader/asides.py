@@ -29,6 +29,18 @@ def bath_each(out: list[Item], items: list[Item], k: int) -> bool:
     return False
 
 
+def has_itself(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the bathroom off the corridor has a bathtub`: the bathroom has it."""
+    start, head, link, place = ([Item("mark", ".")] * 4 + out)[-4:]
+    begins = start.kind in ("mark", "conjunction", "boundary") and items[k].value == "has"
+    room = head.room if begins and ahead(items, k)[0].kind == "object" else None
+    which = room is not None and room.quantifier == Det.THE and link.kind == "link" and link.form not in ("s", "p")
+    if which and place.room is not None:
+        out += [Item("mark", ".", "."), head, items[k]]
+        return True
+    return False
+
+
 def of_no_room(out: list[Item], items: list[Item], k: int) -> bool:
     """`a lounge, garage next to the kitchen`: what the relation is said of is no room; that is told elsewhere."""
     if items[k].kind == "link" and _nowhere(items, k):

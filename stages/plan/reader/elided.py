@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from apartgen.stages.plan.reader.asides import bath_each, denied_beside, doors_counted, none_off, of_no_room
+from apartgen.stages.plan.reader.asides import bath_each, denied_beside, doors_counted, has_itself, none_off, of_no_room
 from apartgen.stages.plan.reader.clausal import (
     again_named,
     ahead,
@@ -187,7 +187,7 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (_arrow, _comma, none_off, denied_beside, doors_counted, of_no_room, bath_each, in_every,
+RULES = (_arrow, _comma, none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every,
          _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just,
          _from_again, _both_from, _they_from, _neither, not_ensuite, _not_another, _not_open, compared,
          then_listed, none_between, beside_it, several_areas, is_for, one_of_them, opening,

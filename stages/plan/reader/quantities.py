@@ -19,7 +19,22 @@ BETWEEN = ("between", "entre", "zwischen")
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
     words = _of_home(_numbers(words))
+    return _of_things(_quantities(words))
+
+
+def _quantities(words: list[Lexeme]) -> list[Lexeme]:
     return listing(bare(bounded(limits_denied(_one_of(_areas(_by_percent(_shares(extents(dimensions(words))))))))))
+
+
+def _of_things(words: list[Lexeme]) -> list[Lexeme]:
+    """The area of `4 cells of 6 m²`, things that no plan knows, is not the home's."""
+    out = list(words)
+    for k in range(3, len(words)):
+        number, thing, of = words[k - 3 : k]
+        told = number.kind == "number" and number.number > 1 and thing.kind == "unknown" and of.text in ("of", "with")
+        if told and words[k].kind == "area":
+            out[k] = Lexeme("unknown", "", words[k].text)
+    return out
 
 
 def _one_of(words: list[Lexeme]) -> list[Lexeme]:

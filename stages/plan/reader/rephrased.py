@@ -32,6 +32,33 @@ def _halved(found: re.Match[str]) -> str:
     return f"{(count + 1) // 2} bathrooms" if count else found.group()
 
 
+def _which(found: re.Match[str]) -> str:
+    """`the one in the corridor` as the bathroom or bedroom of which several were named last."""
+    named = re.findall(r"\b(bath|bed) ?rooms\b", found.string[: found.start()])
+    return f"the {named[-1]}room {'off' if found[2] in _WAYS else 'in'}" if named else found.group()
+
+
+def _altogether(found: re.Match[str]) -> str:
+    """`each family has two bedrooms`, of families counted before."""
+    told = re.search(r"\b(two|three|four|2|3|4) families\b", found.string[: found.start()])
+    if told is None:
+        return found.group()
+    return f"{int(_NUMBERS.get(told[1], told[1])) * int(_NUMBERS.get(found[1], found[1]))} {found[2].rstrip('s')}s"
+
+
+def _paired(found: re.Match[str]) -> str:
+    """`each pair of bedrooms shares a bathroom`, of an even number of bedrooms counted elsewhere."""
+    words = {"four": 4, "six": 6, "eight": 8}
+    told = re.search(r"\b(4|6|8|four|six|eight)[ -]bed ?rooms?\b", found.string)
+    if told is None:
+        return found.group()
+    count = words.get(told[1]) or int(told[1])
+    pairs = [f"bedrooms {2 * k - 1} and {2 * k} share bathroom {k}" for k in range(1, count // 2 + 1)]
+    return f". {count // 2} bathrooms. {'. '.join(pairs)}"
+
+
+_WAYS = ("corridor", "hallway", "hall")
+_NUMBERS = {"one": "1", "a": "1", "two": "2", "three": "3", "four": "4"}
 _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
     (r"\bzu(?:m|r) (\w+) gehor(?:t|en)\b", r"das \1 hat"),
@@ -59,8 +86,8 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      "for research on "),
     (r"^((?:this |it |that )?(?:is |will be )?)for (?:an? |our |my |the )(?!small|large|big|tiny|quiet|separate|home)"
      r"[\w-]+ (?:[\w-]+ )?stud(?:y|ies)(?= ?[:,.])", r"\1for research"),
-    (r"\b(flat|apartment|house|layouts?|plans?|scenes?|environments?) for (?:an? |our |my |the )(?!small|large|big|tiny)"
-     r"[\w-]+ (?:[\w-]+ )?stud(?:y|ies)(?= ?(?:[:,.]|with|$))", r"\1 for research"),
+    (r"\b(flat|apartment|house|layouts?|plans?|scenes?|environments?) for (?:an? |our |my |the )"
+     r"(?!small|large|big|tiny)[\w-]+ (?:[\w-]+ )?stud(?:y|ies)(?= ?(?:[:,.]|with|$))", r"\1 for research"),
     # "Left: kitchen, bathroom. Back: bedrooms."
     (r"(^|[.;] ?)(?:on the |at the |to the )?(left|right|back|rear|front)(?: side)? ?: ?", r"\1on the \2: "),
     # "zwei Bäder, davon eines am Elternschlafzimmer"
@@ -164,6 +191,36 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"(?= ?(?:[,.;]|$))", r"\3 con \1 \2"),
     (r"\b(terraza|balcon|vestidor) en (el|la) (dormitorio|habitacion|salon|cocina|comedor)",
      r"\1 accesible desde \2 \3"),
+    (r"\bthe one (in|off|on|at) the (?=(corridor|hallway|hall)\b)",
+     lambda found: f"{_which(found)} the " if "room" in _which(found) else found.group()),
+    (r"\beach (?:family|of them) (?:has|have|gets|needs|with|should have) (one|a|two|three|\d) "
+     r"(bed ?rooms?|bath ?rooms?)", _altogether),
+    (r",? (?:where |and |with )?(?:each|every) (?:pair of|two) bed ?rooms (?:shares?|sharing|has|have|gets?) "
+     r"(?:one |an? )bath ?room(?= ?(?:[.,;]|$))", _paired),
+    (r"\b(through|via|from) the ((?:main |master )?bed ?room)(?:'s)? (walk-in closet|closet|dressing room)",
+     r"\1 the \3 off the \2"),
+    # "a dining room between A and B and open to both"
+    (r"\bbetween (the )?(\w+(?: room)?) and (the )?(\w+(?: room)?)(,? and (?:is )?|, )open to both(?: of them)?",
+     r"between \1\2 and \3\4 and is open to the \2 and to the \4"),
+    (r"\bzwischen (?:d(?:er|em) )?(\w+) und (?:d(?:er|em) )?(\w+)(,? und |, )(?:ist )?zu beiden(?: hin)? offen\b",
+     r"zwischen \1 und \2 und ist offen zu \1 und \2"),
+    (r"\b(salon|pasillo|vestibulo|distribuidor|recibidor) al que dan ([^.;]+)", r"\1. \2 dan al \1"),
+    # "two bedrooms 4 x 3.5 and 3 x 3 m"
+    (r"\btwo (bed ?rooms|bath ?rooms),? ?:?(?: of)? (\d+(?:\.\d+)?) ?m? ?(?:x|by) ?(\d+(?:\.\d+)?)(?: ?m)? ?"
+     r"(?:and|,|&) ?(\d+(?:\.\d+)?) ?m? ?(?:x|by) ?(\d+(?:\.\d+)?)(?: ?m(?:et(?:er|re)s?)?)?\b",
+     r"two \1, one of \2 x \3 m and one of \4 x \5 m"),
+    (r"\b(bed ?rooms|bath ?rooms) (two|three|four|five)(?= ?(?:, | of \d| a \d|$))", r"\2 \1"),
+    (r"(^|[.;] ?)(?:the )?((?:bed|bath|living|dining) ?room|kitchen|study) windows? "
+     r"(?:to(?:wards)?|on|at|facing|faces?|looks?|opens?)(?: to)? (?:the )?(north|south|east|west)\b",
+     r"\1the \2 faces \3"),
+    (r"(\b(?:left\b.*?\bright|right\b.*?\bleft)\b.*?),? (?:with |and )?(an? [a-z ]{3,15}?) in between(?: them)?"
+     r"(?= ?(?:[,.;]|$))",
+     r"\1, \2 in the middle"),
+    # "wait no, one bathroom", "scratch that, no balcony", "scratch the study"
+    (r"\bwait,? (?:no|actually|sorry)\b,?", "no wait, "),
+    (r"\b(?:scratch that|no wait|wait|actually|on second thought),? no (balcony|terrace|study|office|dining room|"
+     r"storage|storage room|pantry|utility room|laundry|closet)(?= ?(?:[,.;!]|$))", r"forget the \1"),
+    (r"\b(?:scratch|drop|ditch|remove|delete|cancel) the ", "skip the "),
     # "书房的门开在客厅里", "次卧要离客厅远一点"
     (r"([^,.;:的]{1,6})的门(?:要|应该)?(?:开在|开向|通向|朝)([^,.;:里]{1,6}?)(?:里|开)*(?:[,.;]|$)", r"\1通向\2."),
     (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?远(?:一点|一些|些|点)?(?=[,.;]|$)", r" far from \1"),

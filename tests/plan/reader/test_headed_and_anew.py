@@ -44,3 +44,36 @@ def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
     entries = [entry for entry in told.split(", ") if entry]
     assert {entry for entry in entries if entry[0] != "!"} <= said
     assert not {entry[1:] for entry in entries if entry[0] == "!"} & said
+
+
+ONE_ROOM = [
+    # which of several has it
+    ("Three bedrooms, two bathrooms. The one in the corridor has a bathtub.", "B3 H K L W2",
+     "H1W1, W1 has 1 bath, !H1 has 1 bath"),
+    ("The bathroom next to the kitchen has a bathtub. Two bedrooms, two bathrooms.", "B2 H K L W2",
+     "W1 has 1 bath, adjacent W1 K1"),
+    ("Four bedrooms, each pair of bedrooms shares a bathroom.", "B4 H K L W2", "B1W1, B2W1, B3W2, B4W2"),
+    ("House for two families, each family has two bedrooms.", "B4 H K L W2", ""),
+    ("Two bedrooms 4 x 3.5 and 3 x 3 m.", "B2 H K L W", "dimension B1 4 x 3.5, dimension B2 3 x 3"),
+    ("Flat with the bedrooms two, 12 m2 each.", "B2 H K L W", "B1=12, B2=12"),
+    ("A flat. Bedroom window to the west. One bedroom, one bathroom.", "B H K L W", "orientation B1 west"),
+    ("4 cells of 6 m2, a corridor, a guard room, and a bathroom.", "H W", "!all=6, unread cells, unread 6 m2"),
+    # both, all but one, between
+    ("Das Esszimmer liegt zwischen Küche und Wohnzimmer und ist zu beiden offen. Ein Schlafzimmer.", "B D H K L W",
+     "D1~K1, D1~L1"),
+    ("Two bedrooms. The dining room is between the kitchen and the living room and open to both.", "B2 D H K L W",
+     "D1~K1, D1~L1"),
+    ("Un piso con un salón al que dan todas las habitaciones menos el baño. Dos dormitorios.", "B2 H K L W",
+     "B1L1, B2L1, !L1W1, !unread menos"),
+    ("Two bedrooms on the left, kitchen and living room on the right, a bathroom in between.", "B2 H K L W",
+     "position B2 left, position L1 right, position W1 centre, !L1W1"),
+    # taken back
+    ("Two bathrooms. Wait no, one bathroom. Two bedrooms.", "B2 H K L W", ""),
+    ("Two bedrooms and a balcony. Scratch that, no balcony.", "B2 H K L W", ""),
+    ("Three bedrooms, a study. Scratch the study.", "B3 H K L W2", "!unread scratch"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("prompt", "wanted", "told"), ONE_ROOM)
+def test_so_are_rooms_of_several(prompt: str, wanted: str, told: str) -> None:
+    test_the_programme_is_as_meant(prompt, wanted, told)
