@@ -216,6 +216,29 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"(\b(?:left\b.*?\bright|right\b.*?\bleft)\b.*?),? (?:with |and )?(an? [a-z ]{3,15}?) in between(?: them)?"
      r"(?= ?(?:[,.;]|$))",
      r"\1, \2 in the middle"),
+    # "with exit to the terrace", "from the kitchen you can go out on the balcony", "a door connects them"
+    (r"\b(?:an? )?exit (?:on)?to the (?=terrace|balcony|loggia|roof)", "a door to the "),
+    (r"\bfrom the (\w+(?: room)?) (?:you|one|we|i) (?:can )?(?:go|get|step|walk)(?: out)? (?:on|onto|to|into) "
+     r"(?:the|an?) (balcony|terrace|loggia)\b", r"the \1 has a door to the \2"),
+    (r"\btwo (bed|bath)( ?)rooms[;,.]? ?(?:(?:and |with )?a (?:connecting )?door (?:that )?"
+     r"(?:connects|joins|links|between) (?:them|the two|each other)(?: both)?|(?:(?:that|which) are )?"
+     r"(?:connected|linked|joined) (?:to|with) (?:each other|one another))(?= ?(?:[.,;]|$))(.*)$",
+     r"two \1rooms\3. \1room 1 has a door to \1room 2"),
+    (r"\b(?:the|both)(?: two)? bed ?rooms (?:are|should be|must be) (?:directly )?(?:connected|linked|joined) "
+     r"(?:(?:to|with) (?:each other|one another)|by a door)", "bedroom 1 has a door to bedroom 2"),
+    (r"\bliving room (?:who|which|that) is also (?:the |a )?dining room\b", "living-dining room"),
+    (r",? all (?:of them )?opening (?:into|onto|off|to) (?:the|one|an?) ((?:[a-z]+ )?)living room\b",
+     r", \1living room. all rooms open onto the living room"),
+    (r"\b(the (?:[a-z]+ ){0,2}bedrooms) ((?:should |must )?(?:share a wall with|are next to|be next to)) each other,? "
+     r"but not (?:with|to|next to) (the [a-z ]+?)(?= ?(?:[.,;]|$))", r"\1 \2 each other. they are not next to \3"),
+    (r"\bthe ([a-z]+ room|kitchen),? which (?:should be|is|must be) the (largest|smallest|biggest) room\b",
+     r"the \1. the \1 is the \2 room. "),
+    (r"\b((?:cocina|salon|bano|dormitorio|terraza|comedor)(?: \w+)?) de (\d+) metros(?! de)", r"\1 de \2 m2"),
+    (r"\b((?:[a-z]+teen|ten|twelve|eleven|twenty|thirty|forty)) (met(?:er|re)s) square\b", r"\1 square \2"),
+    (r",? (?:and |who )?they (?:both |all )?sleep in (?:the )?(?:same|one) (?:bed)?room\b", " who share a room"),
+    (r"\beverything in one room,? (?:apart from|except|but)(?: for)? the bath ?room\b", "a studio"),
+    (r"\b((?:big |large |great |small )?)hall for (?:eating|dining)\b", r"\1dining room"),
+    (r",? (?:and )?straight (?:on|ahead),? (?=the |an? |two |three |is |are )", ". ahead "),
     # "wait no, one bathroom", "scratch that, no balcony", "scratch the study"
     (r"\bwait,? (?:no|actually|sorry)\b,?", "no wait, "),
     (r"\b(?:scratch that|no wait|wait|actually|on second thought),? no (balcony|terrace|study|office|dining room|"

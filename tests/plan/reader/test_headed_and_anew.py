@@ -77,3 +77,37 @@ ONE_ROOM = [
 @pytest.mark.parametrize(("prompt", "wanted", "told"), ONE_ROOM)
 def test_so_are_rooms_of_several(prompt: str, wanted: str, told: str) -> None:
     test_the_programme_is_as_meant(prompt, wanted, told)
+
+
+TYPED = [
+    # doors said in passing
+    ("Three sleeping rooms, one bath, living room with exit to the terrace.", "B3 H K L W Y", "L1Y1, !B1Y1, !W1Y1"),
+    ("I want that the kitchen is not open, and that from the kitchen you can go out on the balcony. One bedroom.",
+     "B H K L W Y", "K1Y1, !L1Y1"),
+    ("Two bedrooms; a door connects them.", "B2 H K L W", "B1B2, H1L1"),
+    ("Flat with two bedrooms connected to each other, kitchen, living room.", "B2 H K L W", "B1B2, !B1K1, !B1L1"),
+    ("Two bedrooms and a bathroom. The bedrooms are connected to each other.", "B2 H K L W", "B1B2"),
+    ("Bedroom, bathroom, kitchenette, all opening into one central living room.", "B K L W", "B1L1, L1W1, K1L1"),
+    # neighbours and sizes
+    ("A 3-bedroom apartment where the two smaller bedrooms share a wall with each other but not with the master "
+     "bedroom.", "B3 H K L W2", "adjacent B2 B3, apart B2 B1, apart B3 B1"),
+    ("The robot starts in the living room, which should be the largest room; add two bedrooms.", "B2 H K L W",
+     "order L1 largest"),
+    ("Quiero una casa con dos habitaciones y cocina independiente de 10 metros.", "B2 H K L W", "K1=10"),
+    ("Flat with a bedroom of sixteen meters square.", "B H K L W", "B1=16"),
+    # rooms and what is none
+    ("We are family with two kids, they sleep in same room. Flat with bathroom and separate toilet, please.",
+     "B2 H K L W2", ""),
+    ("Small flat for a student, everything in one room apart from the bathroom.", "K L W", "K1~L1"),
+    ("A flat with one bedroom, one living room which is also the dining room, kitchen and bathroom.", "B D H K L W",
+     "D1~L1"),
+    ("Make me a flat so enemies can chase the player: one bedroom, the kitchen connects to the hallway.", "B H K L W",
+     "!K1 has 1 chair"),
+    ("House: the entrance hall, to the right the kitchen, to the left the living room, straight on two bedrooms and a "
+     "bathroom.", "B2 H K L W", "position L1 left, !position B1 left, !position W1 left, unread ahead"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("prompt", "wanted", "told"), TYPED)
+def test_so_is_what_others_typed(prompt: str, wanted: str, told: str) -> None:
+    test_the_programme_is_as_meant(prompt, wanted, told)
