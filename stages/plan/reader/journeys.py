@@ -1,7 +1,7 @@
 """Doors told as ways that somebody takes: `through the lounge to reach the kitchen`, `a terrace you reach from it`."""
 
 from apartgen.stages.plan.reader.clausal import again_named
-from apartgen.stages.plan.reader.mention import Item, is_mark
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 THROUGH = ("through", "via", "crosses", "crossing", "cross")
 WALKERS = ("you", "we", "one", "get", "enter", "reach")
@@ -15,8 +15,8 @@ def journeys(items: list[Item]) -> list[Item]:
     while k < len(items):
         if (way := _onward(items, k)) is not None:
             k = _told(out, way)
-        elif _out_of_it(out, items[k]):
-            out += [Item("mark", ".", "."), again_named(out[-1].room), Item("link", "door", "leads to", form="s")]
+        elif (there := _out_of_it(out, items[k])) is not None:
+            out += [Item("mark", ".", "."), again_named(there), Item("link", "door", "leads to", form="s")]
             k += 1 + (k + 1 < len(items) and items[k + 1].kind == "reach")
         elif (way := _to_get_there(items, k)) is not None:
             k = _told(out, way)
@@ -32,18 +32,18 @@ def journeys(items: list[Item]) -> list[Item]:
     return out
 
 
-def _out_of_it(out: list[Item], item: Item) -> bool:
+def _out_of_it(out: list[Item], item: Item) -> RoomPhrase | None:
     """`at the end of the corridor is the lounge, and from it you go to …`: `it` is what is there."""
     if item.value != "from_which" or item.text.split()[-1] not in ("it", "there"):
-        return False
+        return None
     end = len(out)
     while end and (out[end - 1].kind in ("conjunction", "boundary") or is_mark(out[end - 1], ",")):
         end -= 1
     where, place, verb, room = ([Item("mark", ".")] * 4 + out[:end])[-4:]
-    there = where.kind == "front" and place.room is not None and verb.kind == "copula" and room.room is not None
-    if there:
-        del out[end:]
-    return there
+    if where.kind != "front" or place.room is None or verb.kind != "copula" or room.room is None:
+        return None
+    del out[end:]
+    return room.room
 
 
 def _told(out: list[Item], way: tuple[list[Item], int]) -> int:
