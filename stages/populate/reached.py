@@ -13,7 +13,7 @@ from apartgen.schemas.retrieve import Furnishing, Joint, Retrieve
 from apartgen.stages.populate.touching import hits
 from apartgen.stages.space import polygons
 from apartgen.stages.things.asset import Asset, Collider
-from apartgen.stages.things.grasps import BROAD, THICK, TIP, Hold, holds, unlike
+from apartgen.stages.things.grasps import BROAD, THICK, TIP, Hold, alike, holds, unlike
 from apartgen.stages.things.receptacles import Receptacle
 from apartgen.stages.things.solids import bounds
 
@@ -41,6 +41,17 @@ class _Shape(NamedTuple):
     joints: tuple[str, ...]
 
 
+class _Ways(NamedTuple):
+    """Ways to hold a thing, and the same as arrays (k, …), in its frame; which are nearly the same, (k, k)."""
+
+    holds: list[Hold]
+    at: Array
+    approach: Array
+    close: Array
+    width: Array
+    same: list[list[bool]]
+
+
 class _Place(NamedTuple):
     """Where a thing is: the furniture it is in, the part that is opened first, and whether a board is above it."""
 
@@ -60,21 +71,31 @@ class _Room(NamedTuple):
 
 def held(before: Retrieve, things: Sequence[Thing], offered: Offered, load: LoadAsset) -> list[Thing]:
     """The things, each that is free with how a gripper takes hold of it, ways that are clear where it lies first."""
-    ways = {id: holds(load("parametric", id).links[0]) for id in sorted({o.asset.id for o in things if o.on != WALL})}
+    ways = {id: _ways(load("parametric", id)) for id in sorted({o.asset.id for o in things if o.on != WALL})}
     places = _places(before, things, offered)
-    rooms = {room.id: _room(before, room.id, things, places, load) for room in before.rooms}
-    return [o if o.on == WALL else _told(o, ways[o.asset.id], rooms[o.room], places[o.id]) for o in things]
+    clear: dict[str, Sequence[bool]] = {}
+    for room in before.rooms:
+        own = [o for o in things if o.room == room.id and o.on != WALL]
+        found = _clear(own, [ways[o.asset.id] for o in own], _room(before, room.id, things, places, load), places)
+        clear |= zip([o.id for o in own], found)
+    return [o if o.on == WALL else _told(o, ways[o.asset.id], clear[o.id]) for o in things]
 
 
-def _told(o: Thing, ways: list[Hold], room: _Room, place: _Place) -> Thing:
-    clear = _clear(o, ways, room, place)
-    first = unlike([hold for hold, free in zip(ways, clear) if free], MOST)
-    rest = unlike([*first, *(hold for hold, free in zip(ways, clear) if not free)], MOST)
-    return o.model_copy(update={"grasps": [_grasp(hold, k < len(first)) for k, hold in enumerate(rest)]})
+def _ways(asset: Asset) -> _Ways:
+    found = holds(asset.links[0])
+    at, approach, close = (np.array([hold[k] for hold in found]).reshape(-1, 3) for k in range(3))
+    width = np.array([hold.width for hold in found])
+    return _Ways(found, at, approach, close, width, alike(at, approach, close).tolist())
+
+
+def _told(o: Thing, ways: _Ways, clear: Sequence[bool]) -> Thing:
+    first = unlike([k for k, free in enumerate(clear) if free], ways.same, MOST)
+    rest = unlike([*first, *(k for k, free in enumerate(clear) if not free)], ways.same, MOST)
+    return o.model_copy(update={"grasps": [_grasp(ways.holds[k], i < len(first)) for i, k in enumerate(rest)]})
 
 
 def _grasp(hold: Hold, clear: bool) -> Grasp:
-    at, approach, close = (tuple(round(float(v), 4) + 0.0 for v in vector) for vector in hold[:3])
+    at, approach, close = (tuple(round(v, 4) + 0.0 for v in vector.tolist()) for vector in hold[:3])
     return Grasp(at=at, approach=approach, close=close, width=round(hold.width, 4), clear=clear)
 
 
@@ -150,30 +171,66 @@ def _walls(before: Retrieve, room: str) -> Array:
     return np.concatenate([walls, ground[None]])
 
 
-def _clear(o: Thing, ways: list[Hold], room: _Room, place: _Place) -> NDArray[np.bool_]:
-    """Which ways there is room for, (k,)."""
-    if not ways:
-        return np.zeros(0, bool)
-    solids = _around(o, room, place)
-    c, s = np.cos(o.yaw), np.sin(o.yaw)
-    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    at, approach, close = (np.array([hold[k] for hold in ways]) for k in range(3))
-    width = np.array([hold.width for hold in ways])
-    fingers = hits(_fingers(at @ turn.T + o.center, approach @ turn.T, close @ turn.T, width), solids.every)
-    leaves = hits(_leaving(o, approach, turn, place), solids.others)
-    return np.asarray(~(fingers[: len(ways)] | fingers[len(ways):] | leaves))
+def _clear(things: Sequence[Thing], ways: Sequence[_Ways], room: _Room, places: dict[str, _Place]) -> list[list[bool]]:
+    """Which ways to hold each thing of a room there is room for."""
+    if not things:
+        return []
+    count = [len(own.holds) for own in ways]
+    at, approach, close, width = (np.concatenate([own[k] for own in ways]) for k in range(1, 5))
+    center, yaw = np.array([o.center for o in things]), np.array([o.yaw for o in things])
+    turned = _Turned(*(np.repeat(rows, count, 0) for rows in (center, np.cos(yaw), np.sin(yaw))))
+    fingers = _fingers(turned.put(at), turned.of(approach), turned.of(close), width)
+    half = np.repeat(np.array([o.size for o in things]) / 2, count, 0)
+    under = np.repeat([places[o.id].under for o in things], count)
+    leaves = _leaving(half, approach, under, turned)
+    seen: dict[tuple[str, str], _Seen] = {}
+    found, starts = [], np.cumsum([0, *count])
+    for o, first, last in zip(things, starts, starts[1:]):
+        place = places[o.id]
+        key = (place.owner, place.joint.name) if place.joint else ("", "")
+        if key not in seen:
+            seen[key] = _seen(room, place)
+        every, others = seen[key].around(o)
+        met = hits(fingers[:, first:last].reshape(-1, 15), every).reshape(2, -1)
+        found.append((~(met[0] | met[1] | hits(leaves[first:last], others))).tolist())
+    return found
 
 
-class _Around(NamedTuple):
-    """Solids near a thing (n, 9), with its own and without."""
+class _Turned(NamedTuple):
+    """Where things are and how they are turned, row by row: middles (k, 3), cos and sin (k,)."""
 
-    every: Array
-    others: Array
+    center: Array
+    c: Array
+    s: Array
+
+    def of(self, vectors: Array) -> Array:
+        """Directions (k, 3) of the things in the world."""
+        x, y, z = vectors.T
+        return np.column_stack([self.c * x - self.s * y, self.s * x + self.c * y, z])
+
+    def put(self, points: Array) -> Array:
+        """Points (k, 3) of the things in the world."""
+        return self.of(points) + self.center
 
 
-def _around(o: Thing, room: _Room, place: _Place) -> _Around:
-    """What stands near a thing, the part before it open, and what of that is not itself."""
-    solids, keep = room.solids, np.ones(len(room.solids), bool)
+class _Seen(NamedTuple):
+    """Solids of a room (n, 9) as they stand with a part open, whose each is, and how far each reaches, m."""
+
+    solids: Array
+    owner: NDArray[np.str_]
+    far: Array
+
+    def around(self, o: Thing) -> tuple[Array, Array]:
+        """What stands near a thing, and what of that is not itself."""
+        x, y, _ = o.center
+        near = np.flatnonzero(np.hypot(self.solids[:, 0] - x, self.solids[:, 1] - y) < self.far + _NEAR)
+        every = self.solids[near]
+        return every, every[self.owner[near] != o.id]
+
+
+def _seen(room: _Room, place: _Place) -> _Seen:
+    """What there is of a room when the part before a place is open."""
+    solids, keep = room.solids, slice(None)
     if place.joint is not None:
         own = (room.owner == place.owner) & (room.joint == place.joint.name)
         if place.joint.type == "slide":
@@ -183,9 +240,7 @@ def _around(o: Thing, room: _Room, place: _Place) -> _Around:
             solids[~own & (room.within != _drawer(place)), :3] -= _turned(axis, room, place)
         else:
             keep = ~own
-    far = np.hypot(solids[:, 3], solids[:, 4])
-    keep &= np.hypot(solids[:, 0] - o.center[0], solids[:, 1] - o.center[1]) < far + _NEAR
-    return _Around(solids[keep], solids[keep & (room.owner != o.id)])
+    return _Seen(solids[keep], room.owner[keep], np.hypot(solids[keep, 3], solids[keep, 4]))
 
 
 def _turned(axis: Array, room: _Room, place: _Place) -> Array:
@@ -195,21 +250,21 @@ def _turned(axis: Array, room: _Room, place: _Place) -> Array:
 
 
 def _fingers(at: Array, approach: Array, close: Array, width: Array) -> Array:
-    """All that the fingers pass through, (2k, 15)."""
+    """All that the two fingers pass through, (2, k, 15)."""
     middle = at + approach * (TIP - BACK - LONG) / 2
     aside = close * (width / 2 + THICK / 2)[:, None]
     half = np.tile([THICK / 2, BROAD / 2, (TIP + BACK + LONG) / 2], (len(at), 1))
     turned = np.concatenate([close, np.cross(approach, close), approach, half], 1)
-    return np.concatenate([np.concatenate([middle + side * aside, turned], 1) for side in (-1, 1)])
+    return np.stack([np.concatenate([middle + side * aside, turned], 1) for side in (-1, 1)])
 
 
-def _leaving(o: Thing, approach: Array, turn: Array, place: _Place) -> Array:
-    """All that the thing passes through when it is taken away, (k, 15)."""
+def _leaving(half: Array, approach: Array, under: NDArray[np.bool_], turned: _Turned) -> Array:
+    """All that things of these half sides pass through when they are taken away, (k, 15)."""
     above = approach[:, 2:] < -0.9
     back = -LIFT * approach + np.array([0.0, 0.0, RISE])
-    away = np.where(above | (not place.under), [0.0, 0.0, LIFT], back)
-    half = np.asarray(o.size) / 2
+    away = np.where(above | ~under[:, None], [0.0, 0.0, LIFT], back)
     lo = np.minimum(away, 0) - half + [SLACK, SLACK, RESTS]
     hi = np.maximum(away, 0) + half - SLACK
-    axes = np.tile(turn.T.reshape(1, 9), (len(approach), 1))
-    return np.concatenate([(lo + hi) / 2 @ turn.T + o.center, axes, np.maximum(hi - lo, 1e-4) / 2], 1)
+    c, s, zero = turned.c, turned.s, np.zeros(len(half))
+    axes = np.column_stack([c, s, zero, -s, c, zero, zero, zero, zero + 1.0])
+    return np.concatenate([turned.put((lo + hi) / 2), axes, np.maximum(hi - lo, 1e-4) / 2], 1)

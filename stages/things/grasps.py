@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from apartgen.stages.things.asset import Array, Collider, Link
 from apartgen.stages.things.body import inertia
@@ -45,17 +46,22 @@ def holds(link: Link) -> list[Hold]:
     bounds = [corners(piece) for piece in link.colliders]
     low = min(float(points[:, 2].min()) for points in bounds)
     found = [hold for piece, points in zip(link.colliders, bounds) for hold in _across(piece, points, middle, low)]
-    cost = [_cost(hold, middle) for hold in found]
-    return [found[k] for k in np.argsort(cost, kind="stable")]
+    return [found[k] for k in np.argsort(_costs(found, middle), kind="stable")]
 
 
-def unlike(ways: Sequence[Hold], most: int) -> list[Hold]:
-    """The first so many that are not nearly the same."""
-    chosen: list[Hold] = []
-    for hold in ways:
-        if len(chosen) < most and not any(_alike(hold, other) for other in chosen):
-            chosen.append(hold)
+def unlike(order: Sequence[int], same: Sequence[Sequence[bool]], most: int) -> list[int]:
+    """The first so many of an order of ways that are not nearly the `same`."""
+    chosen: list[int] = []
+    for k in order:
+        if len(chosen) < most and not any(same[k][other] for other in chosen):
+            chosen.append(k)
     return chosen
+
+
+def alike(at: Array, approach: Array, close: Array) -> NDArray[np.bool_]:
+    """Which of ways (k, 3) are nearly the same, (k, k)."""
+    near = np.abs(at[:, None] - at[None]).max(2, initial=0.0) < 0.01
+    return np.asarray(near & (approach @ approach.T > 0.9) & (np.abs(close @ close.T) > 0.9))
 
 
 def _across(piece: Collider, points: Array, middle: Array, low: float) -> Iterator[Hold]:
@@ -112,13 +118,10 @@ def _level(at: Array, z: float) -> Array:
     return np.array([at[0], at[1], z])
 
 
-def _cost(hold: Hold, middle: Array) -> float:
-    """How far the weight is off the hold: what turns in the jaws; from above is the better the narrower."""
-    x, y, z = (hold.at - middle).tolist()
-    level, down = float(np.hypot(x, y)), float(hold.approach[2])
-    way = _FLAT if hold.close[2] > 0.5 else _BESIDE if down > -0.5 else _SLANTING if down > -0.9 else 0.0
-    return float(round(level + 0.3 * abs(z) + way + 0.1 * hold.width, 5))
-
-
-def _alike(a: Hold, b: Hold) -> bool:
-    return bool(np.abs(a.at - b.at).max() < 0.01 and a.approach @ b.approach > 0.9 and abs(a.close @ b.close) > 0.9)
+def _costs(found: Sequence[Hold], middle: Array) -> list[float]:
+    """How far the weight is off each hold: what turns in the jaws; from above is the better the narrower."""
+    x, y, z = (np.array([hold.at for hold in found]).reshape(-1, 3) - middle).T
+    down, up = (np.array([hold[k][2] for hold in found]) for k in (1, 2))
+    way = np.select([up > 0.5, down > -0.5, down > -0.9], [_FLAT, _BESIDE, _SLANTING], 0.0)
+    cost = np.hypot(x, y) + 0.3 * np.abs(z) + way + 0.1 * np.array([hold.width for hold in found])
+    return [round(value, 5) for value in cost.tolist()]
