@@ -10,7 +10,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely.geometry import MultiPoint
 
 from apartgen.stages.things import rectangles
 from apartgen.stages.things.asset import UNTURNED, Array, Asset, Collider, Link
@@ -126,19 +125,18 @@ def _rectangles(at: NDArray[np.int64], z: float, solids: _Solids) -> list[tuple[
     wide = at[(solids.hi[at, :2] - solids.lo[at, :2]).min(1) > 2 * SEAM]
     faces = [(solids.lo[i, :2] - SEAM, solids.hi[i, :2] + SEAM, _face(solids.pieces[i])) for i in wide]
     faces = [face for face in faces if face[2] is not False]
-    over = (solids.lo[:, 2] < z + LEAST_ROOM) & (solids.hi[:, 2] > z + 0.002)
-    blocks = [(solids.lo[i, :2], solids.hi[i, :2]) for i in np.flatnonzero(over)]
     if not faces:
         return []
+    over = (solids.lo[:, 2] < z + LEAST_ROOM) & (solids.hi[:, 2] > z + 0.002)
+    lows, highs = solids.lo[over, :2], solids.hi[over, :2]
     xs, ys = (_ticks([face[0][a] for face in faces] + [face[1][a] for face in faces]
-                     + [side[a] for block in blocks for side in block],
+                     + [*lows[:, a], *highs[:, a]],
                      min(face[0][a] for face in faces), max(face[1][a] for face in faces),
                      any(face[2] is not None for face in faces)) for a in (0, 1))
     free = np.zeros((len(xs) - 1, len(ys) - 1), bool)
     for lo, hi, polygon in faces:
         free |= _inside(xs, ys, lo, hi) if polygon is None else _within(xs, ys, polygon)
-    for lo, hi in blocks:
-        free &= ~_touched(xs, ys, lo, hi)
+    free &= ~_touched(xs, ys, lows, highs)
     return list(_largest(free, xs, ys))
 
 
@@ -148,15 +146,14 @@ def _face(piece: Collider) -> "shapely.Polygon | None | Literal[False]":
         return None
     points = corners(piece)
     top = points[points[:, 2] > points[:, 2].max() - _THIN, :2]
+    if len(top) < 3:
+        return False
+    outline = shapely.convex_hull(shapely.multipoints(top))
     if piece.kind == "box" and len(top) == 4:
         sides = np.ptp(points[:, :2], axis=0)
-        if abs(float(sides.prod()) - _area(top)) < 1e-6:
+        if abs(float(sides.prod()) - outline.area) < 1e-6:
             return None
-    return MultiPoint(top).convex_hull if len(top) > 2 and _area(top) > LEAST_SIDE**2 else False
-
-
-def _area(points: Array) -> float:
-    return float(MultiPoint(points).convex_hull.area)
+    return outline if outline.area > LEAST_SIDE**2 else False
 
 
 def _ticks(values: list[float], least: float, most: float, fine: bool) -> Array:
@@ -174,11 +171,11 @@ def _inside(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
     return np.asarray(along[:, None] & across[None])
 
 
-def _touched(xs: Array, ys: Array, lo: Array, hi: Array) -> NDArray[np.bool_]:
-    """Cells that a block reaches into."""
-    along = (xs[1:] > lo[0] + 1e-4) & (xs[:-1] < hi[0] - 1e-4)
-    across = (ys[1:] > lo[1] + 1e-4) & (ys[:-1] < hi[1] - 1e-4)
-    return np.asarray(along[:, None] & across[None])
+def _touched(xs: Array, ys: Array, lows: Array, highs: Array) -> NDArray[np.bool_]:
+    """Cells that any of the blocks (n, 2) reaches into."""
+    along = (xs[1:] > lows[:, :1] + 1e-4) & (xs[:-1] < highs[:, :1] - 1e-4)
+    across = (ys[1:] > lows[:, 1:] + 1e-4) & (ys[:-1] < highs[:, 1:] - 1e-4)
+    return np.asarray(along.T @ across)
 
 
 def _within(xs: Array, ys: Array, polygon: shapely.Polygon) -> NDArray[np.bool_]:

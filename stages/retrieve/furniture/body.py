@@ -53,10 +53,14 @@ class Body:
 
     def add(self, material: str, shape: Shape, touch: bool = True) -> None:
         """A convex shape; without `touch` it is seen only."""
-        self.shapes.setdefault(material, []).append(shape)
+        self.show(material, shape)
         self.mass += self.fill * materials.density(material) * shape.volume
         if touch:
             self.hull(shape.vertices)
+
+    def show(self, material: str, shape: Shape) -> None:
+        """A shape that is seen only, and weighs nothing."""
+        self.shapes.setdefault(material, []).append(shape)
 
     def take(self, other: "Body") -> None:
         """The pieces of another body as its own."""

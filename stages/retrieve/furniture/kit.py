@@ -1,6 +1,7 @@
 """An asset under construction: its box, its fixed body, its moving parts."""
 
 import zlib
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -24,13 +25,18 @@ class Kit:
     ) -> None:
         """`model` is the category whose builder makes it, where that is another one."""
         self.category, self.style, self.seed, self.model = category, style, seed, model or category
-        self.rng = np.random.default_rng([zlib.crc32(f"{category}/{style}".encode()), seed])
+        self._seeds = [zlib.crc32(f"{category}/{style}".encode()), seed]
         self.size = size
         self.d, self.w, self.h = size
         self.base = Body()
         self.friction = 0.6
         self.roles: tuple[str, ...] = ()
         self.moving: list[_Moving] = []
+
+    @cached_property
+    def rng(self) -> np.random.Generator:
+        """Chance of the category, style and seed that it was asked for."""
+        return np.random.default_rng(self._seeds)
 
     @property
     def x(self) -> tuple[float, float]:

@@ -246,15 +246,22 @@ def slab(upper: Array, lower: Array) -> Shape:
     return mapped(np.concatenate([both, both]), np.concatenate([sheet, sheet[:, ::-1] + n, wall + 2 * n]))
 
 
-def facets(rings: Array) -> Shape:
-    """A loft whose every side is flat, for outlines with corners; `rings` is (k, m, 3)."""
-    k, m = rings.shape[:2]
-    nxt = np.roll(rings, -1, axis=1)
-    quads = np.stack([rings[:-1], nxt[:-1], nxt[1:], rings[1:]], 2).reshape(-1, 3)
+@cache
+def _facets(k: int, m: int) -> tuple[NDArray[np.int64], Faces]:
+    """For every vertex of a loft with flat sides the flat index of its ring's point, and the faces."""
+    flat = np.arange(k * m).reshape(k, m)
+    nxt = np.roll(flat, -1, axis=1)
+    quads = np.stack([flat[:-1], nxt[:-1], nxt[1:], flat[1:]], 2).ravel()
     base = 4 * np.arange((k - 1) * m)[:, None]
     sides = np.concatenate([base + [0, 1, 2], base + [0, 2, 3]])
     fan = np.stack([np.zeros(m - 2, int), np.arange(1, m - 1), np.arange(2, m)], 1) + len(quads)
-    return mapped(np.concatenate([quads, rings[0], rings[-1]]), np.concatenate([sides, fan[:, ::-1], fan + m]))
+    return np.concatenate([quads, flat[0], flat[-1]]), np.concatenate([sides, fan[:, ::-1], fan + m])
+
+
+def facets(rings: Array) -> Shape:
+    """A loft whose every side is flat, for outlines with corners; `rings` is (k, m, 3)."""
+    copies, faces = _facets(*rings.shape[:2])
+    return mapped(rings.reshape(-1, 3)[copies], faces)
 
 
 def prism(outline: ArrayLike, lo: float, hi: float, axis: int = 2, *, smooth: bool = False) -> Shape:

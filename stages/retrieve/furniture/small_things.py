@@ -95,7 +95,7 @@ def small_thing(kit: Kit) -> None:
     worn = small.worn(kind, kit.seed)
     parts = kind.styles[frame.style]
     for (_, slot, *_), shape in zip(parts, _filling(kit, [frame.part(part) for part in parts]), strict=True):
-        kit.base.add(worn[slot], shape, touch=False)
+        kit.base.show(worn[slot], shape)
     kit.base.colliders += [_collider(frame, piece) for piece in kind.collide]
     d, w, h = kit.size
     kit.friction = kind.friction
