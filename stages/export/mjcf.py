@@ -43,7 +43,9 @@ def read_back(files: list[Path]) -> None:
     import mujoco
 
     with _forgotten(mujoco):
-        mujoco.MjModel.from_xml_path(str(files[0]))
+        read = mujoco.MjSpec.from_file(str(files[0]))
+        read.compiler.usethread = False  # threads take more of the processor, and on few cores no less time
+        read.compile()
 
 
 @contextmanager
@@ -87,6 +89,7 @@ class _Writer:
         overhead = (link for body in scene.bodies if body.kind == "ceiling" for link in body.links)
         self.glowing = {mesh.material for link in overhead for mesh in link.visuals}
         self.meshes: set[str] = set()
+        self.weights: dict[tuple[int, float], Inertia] = {}
         self.masks = _masks(scene)
         self.still = {body.name for body in scene.bodies if scene.masked and not body.free}
         self._materials()
@@ -170,16 +173,25 @@ class _Writer:
             self.initial += [*body.position, *about_z(body.yaw)]
         self._says(body)
         base, *moving = body.links
-        self._link(element, body, base, inertia(base) if body.free else None)
+        self._link(element, body, base, self._weight(base) if body.free else None)
         for link in moving:
             part = add(element, "body", name=body.link_name(link))
-            weight = inertia(link)
+            weight = self._weight(link)
             if counterbalanced(link, weight):
                 part.set("gravcomp", "1")
             self._joint(part, body, link)
             self._link(part, body, link, weight)
             if not body.free or not self.still:  # MuJoCo lets no part touch what it hangs on where that moves
                 self._exclude(body.name, body.link_name(link))
+
+    def _weight(self, link: Link) -> Inertia:
+        """Mass properties of a link; things of one model share them."""
+        if not link.colliders:
+            return inertia(link)
+        key = id(link.colliders), link.mass
+        if key not in self.weights:
+            self.weights[key] = inertia(link)
+        return self.weights[key]
 
     def _apart(self, bodies: list[Body]) -> None:
         """No contact between what stands in something and that."""

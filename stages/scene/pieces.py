@@ -30,6 +30,8 @@ def pieces(link: Link) -> list[Mesh]:
 
 def joined(meshes: list[Mesh]) -> Mesh:
     """Meshes of one material as one; uv only where all have it."""
+    if len(meshes) == 1 and (meshes[0].uv is None or meshes[0].material.texture is not None):
+        return meshes[0]
     starts = np.cumsum([0, *(len(m.vertices) for m in meshes)])
     faces = np.concatenate([m.faces + start for m, start in zip(meshes, starts, strict=False)])
     uv = [m.uv for m in meshes if m.uv is not None]

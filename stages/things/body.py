@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.things import mechanisms
-from apartgen.stages.things.asset import Collider, Link
+from apartgen.stages.things.asset import UNTURNED, Collider, Link
 from apartgen.stages.things.mechanisms import Motion
 
 Array = NDArray[np.float64]
@@ -108,14 +108,14 @@ def mass(link: Link) -> float:
 def inertia(link: Link) -> Inertia:
     """Mass properties of a link of even density over its colliders (overlaps count twice)."""
     parts = [_solid(c) for c in link.colliders] or [_visual_solid(link)]
-    volumes = np.array([volume for volume, _, _ in parts])
+    volumes, centers, units = (np.array([part[k] for part in parts]) for k in range(3))
     shares = volumes / volumes.sum()
     whole = mass(link)
-    center = np.asarray(sum(share * c for share, (_, c, _) in zip(shares, parts, strict=True)))
-    tensor = np.zeros((3, 3))
-    for share, (_, c, unit) in zip(shares, parts, strict=True):
-        arm = c - center
-        tensor += whole * share * (unit + arm @ arm * np.eye(3) - np.outer(arm, arm))
+    center = (shares[:, None] * centers).sum(0)
+    arms = centers - center
+    squares = np.array([arm @ arm for arm in arms])[:, None, None]
+    moved = units + squares * np.eye(3) - arms[:, :, None] * arms[:, None]
+    tensor = ((whole * shares)[:, None, None] * moved).sum(0)
     # A sheet has next to none about some axis, which solvers can't divide by.
     return Inertia(whole, center, tensor + whole * 1e-5 * np.eye(3))
 
@@ -156,7 +156,8 @@ def _solid(c: Collider) -> tuple[float, Array, Array]:
         unit = np.array([across, across, x * x / 2])
     else:
         volume, unit = 4 / 3 * np.pi * x**3, np.full(3, 0.4 * x * x)
-    return float(volume), np.asarray(c.center, float), c.rotation @ np.diag(unit) @ c.rotation.T
+    tensor = np.diag(unit) if c.rotation is UNTURNED else c.rotation @ np.diag(unit) @ c.rotation.T
+    return float(volume), np.asarray(c.center, float), tensor
 
 
 def _hull(c: Collider) -> tuple[float, Array, Array]:
