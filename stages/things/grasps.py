@@ -121,7 +121,7 @@ def _level(at: Array, z: float) -> Array:
 def _costs(found: Sequence[Hold], middle: Array) -> list[float]:
     """How far the weight is off each hold: what turns in the jaws; from above is the better the narrower."""
     x, y, z = (np.array([hold.at for hold in found]).reshape(-1, 3) - middle).T
-    down, up = (np.array([hold[k][2] for hold in found]) for k in (1, 2))
+    down, up = np.array([(hold.approach[2], hold.close[2]) for hold in found]).reshape(-1, 2).T
     way = np.select([up > 0.5, down > -0.5, down > -0.9], [_FLAT, _BESIDE, _SLANTING], 0.0)
     cost = np.hypot(x, y) + 0.3 * np.abs(z) + way + 0.1 * np.array([hold.width for hold in found])
     return [round(value, 5) for value in cost.tolist()]
