@@ -1,7 +1,9 @@
 """Rooms of which each of several people has one, counted."""
 
 import re
+from dataclasses import replace
 
+from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import plural
 
 EACH_NEEDS = re.compile(
@@ -23,6 +25,62 @@ EACH_OF_FAMILY = re.compile(
     r"(?:an?|their|his or her|his|her) (?:own )?(?:bed ?)?room\b"
 )
 """A family of which nobody shares a room."""
+
+EVERYBODY = (("each",), ("for", "each"), ("for", "everyone"), ("for", "everybody"), ("per", "person"), ("per", "head"),
+             ("for", "each", "person"), ("for", "every", "person"))  # fmt: skip
+"""What behind a bedroom says that everybody has one, where no rooms are spoken of."""
+LIVING = ("unknown", "stop", "thing", "adjective")
+"""Kinds of words for people that the lexicon does not know."""
+
+
+def bedrooms_apiece(words: list[Lexeme], people: int) -> list[Lexeme]:
+    """`three nurses with a bedroom each` as three bedrooms; `people` are those counted elsewhere, 0 where nobody is."""
+    for k, word in enumerate(words):
+        bedroom = word.kind == "room" and not word.plural and word.value.partition(":")[0] == "bedroom"
+        if k == 0 or not _one(words[k - 1]) or not bedroom:
+            continue
+        each, end = _everybody(words, k)
+        at = _people_at(words, k)
+        count = int(words[at].number) if at is not None else people
+        if not end or count < 2:
+            continue
+        number = Lexeme("number", str(count), str(count), values=(float(count),))
+        before = [replace(w, kind="stop", value="") if j == at else w for j, w in enumerate(words[:each])]
+        return [*before, number, replace(word, plural=True), *words[end:]]
+    return words
+
+
+def _one(word: Lexeme) -> bool:
+    return word.kind == "determiner" or (word.kind == "number" and word.number == 1)
+
+
+def _everybody(words: list[Lexeme], k: int) -> tuple[int, int]:
+    """Where the words for a bedroom of each begin and end, (0, 0) where the room at `k` is no such one."""
+    texts = [w.text for w in words]
+    if k > 2 and texts[k - 3 : k - 1] in (["each", "with"], ["each", "has"], ["each", "having"]):
+        return k - 3, k + 1
+    for said in sorted(EVERYBODY, key=len, reverse=True):
+        end = k + 1 + len(said)
+        if tuple(texts[k + 1 : end]) == said and not _of_rooms(words, end):
+            return k - 1, end + (texts[end : end + 1] in (["of them"], ["of us"]))
+    return 0, 0
+
+
+def _of_rooms(words: list[Lexeme], end: int) -> bool:
+    """`a bedroom for each child`, `for each of the two boys`: not of those counted before."""
+    ends = end >= len(words) or words[end].kind in ("mark", "conjunction", "with", "boundary")
+    return not ends and words[end].text not in ("of them", "of us")
+
+
+def _people_at(words: list[Lexeme], k: int) -> int | None:
+    """Where the last number of people before `k` stands; None where rooms or other things are counted last."""
+    for j in range(k - 2, -1, -1):
+        counts = words[j].kind == "number" and 2 <= words[j].number <= 9
+        if counts and j + 1 < k and words[j + 1].kind in LIVING and words[j + 1].text not in ("of", "m", "floors"):
+            return j
+        if words[j].kind in ("room", "area", "number"):
+            return None
+    return None
 
 
 def apiece(text: str) -> str:

@@ -201,7 +201,8 @@ def _beyond(closet: RoomPhrase, after: list[Item]) -> int:
     """`a dressing room, which leads to the en suite`: the bathroom opens off it; returns how many items that takes."""
     start = int(bool(after) and is_mark(after[0], ","))
     kinds = [i.kind for i in after[start : start + 3]]
-    bath = after[start + 2].room if kinds == ["relative", "link", "room"] else None
+    leads = kinds in (["relative", "link", "room"], ["relative", "reach", "room"])
+    bath = after[start + 2].room if leads else None
     if closet.type != "closet" or bath is None or bath.type != "bathroom" or bath.plural:
         return 0
     closet.owned.append(bath)

@@ -16,6 +16,15 @@ from apartgen.stages.plan.reader.clausal import (
     several_areas,
     then_listed,
 )
+from apartgen.stages.plan.reader.gapped import (
+    another_door,
+    goes_into,
+    holds,
+    no_wall,
+    one_of_counted,
+    taken_back,
+    whose_value,
+)
 from apartgen.stages.plan.reader.journeys import journeys
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.openings import denied_doors, open_to_each_other, opening, together_with
@@ -187,10 +196,11 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (_arrow, _comma, none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every,
+RULES = (_arrow, _comma, another_door, goes_into, holds, whose_value, taken_back, one_of_counted,
+         none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every,
          _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just,
          _from_again, _both_from, _they_from, _neither, not_ensuite, _not_another, _not_open, compared,
-         then_listed, none_between, beside_it, several_areas, is_for, one_of_them, opening,
+         then_listed, no_wall, none_between, beside_it, several_areas, is_for, one_of_them, opening,
          open_to_each_other, together_with, not_needed, whose, floating)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 

@@ -33,12 +33,14 @@ _NOT_HAVE = re.compile(r"\b((?:must|should|may|do|does|shall) not (?:have|includ
 _OPEN_PLAN = re.compile(r"\bopen (?:plan|concept|space)\"?\s*:\s*yes\b(?:\s*\(([^)]*)\))?")
 _LETTERS = re.compile(r"[+,&] ?k ?[+,&] ?b\b")
 _SHORT = {"k": "kitchen", "l": "living room", "d": "dining room"}
+_LEADS = r"(?:\bin|(?<![a-z] )\bfor|(?<=and )for)"
+"""Before `each` where a clause begins; `a bedroom for each` is none."""
 _IN_EACH = re.compile(
-    r"\b(?:in|for) each (?:one )?(?:(?:of them|of these|of those) ?)?,? ?(?:there is |is )?(?:an? |its )|"
+    rf"{_LEADS} each (?:one )?(?:(?:of them|of these|of those) ?)?,? ?(?:there is |is )?(?:an? |its )|"
     r"\bin jedem (?:davon )?(?:ein )|\bdans chacune? (?:d'elles )?(?:une? )|\ben cada uno (?:de ellos )?(?:una? )"
 )
 _EACH_OF = re.compile(
-    r"\b(?:in|for) each (?:one )?(?:of (?:them|these|those))?,? ?(?:there are |are )?(?=(?:\d|two|three|four|several) )"
+    rf"{_LEADS} each (?:one )?(?:of (?:them|these|those))?,? ?(?:there are |are )?(?=(?:\d|two|three|four|several) )"
 )
 _BY_COUNT = re.compile(r"\b((?:bed|bath)?rooms):? (\d) ?x ?(\d+(?:\.\d+)?) ?(m2|sqm)\b")
 _COUNT = re.compile(r'\b(\w+) (?:count|number|qty)"?\s*:(?=\s*"?\d)')

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
+from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.comparisons import comparisons
 from apartgen.stages.plan.reader.corrections import corrected
@@ -48,7 +49,8 @@ def parse(prompt: str) -> Said:
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)
     words = lexemes(tokenize(text), lexicon)
-    words = purposes(for_people(quantities(words)))
+    words = bedrooms_apiece(quantities(words), whole.people.count if whole.people else 0)
+    words = purposes(for_people(words))
     said = Said(about=whole, prompt=prompt, beyond=limits(folded))
     said.corrected = [slip for word in words for slip in word.slips]
     if described(words, said):

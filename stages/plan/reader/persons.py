@@ -15,8 +15,66 @@ SAID = ("link", "side", "place", "front", "beside")
 """Kinds with which begins what is said of rooms behind a verb."""
 
 
+PRONOUNS = ("me", "us", "her", "him", "them", "myself", "ourselves")
+ENDS = ("mark", "conjunction", "with", "boundary", "link", "side", "place", "area")
+SLEEPERS = {"kids", "relative"}
+
+
+def rooms_of_people(words: list[Lexeme]) -> list[Lexeme]:
+    """`two rooms for the kids`, `a room for my mother` are bedrooms, where others of the home have one."""
+    found = [(k, who) for k in range(1, len(words)) if (who := _whose_room(words, k)) is not None]
+    beds = sum(w.kind == "room" and w.value.startswith("bedroom") for w in words)
+    out = list(words)
+    for k, (who, at, count) in found if len(found) + beds > 1 else []:
+        number = words[k - 1]
+        out[k] = Lexeme("room", "bedroom", words[k].text, plural=count > 1 or words[k].plural)
+        out[at] = Lexeme("label", who, words[at].text) if who else words[at]
+        if count > 1:
+            out[k - 1] = Lexeme("number", str(count), number.text, values=(float(count),))
+            out[k + 2 : at] = [Lexeme("stop", "stop", w.text) for w in words[k + 2 : at]]
+    return out
+
+
+def _whose_room(words: list[Lexeme], k: int) -> tuple[str, int, int] | None:
+    """The label of those the room at `k` is for, where they stand and how many each have one."""
+    number, after = words[k - 1], words[k + 1 : k + 2]
+    counts = number.kind == "number" and number.number <= 6
+    one = number.kind == "determiner" or (counts and number.number == 1)
+    if words[k].kind != "main_rooms" or words[k].value != "rooms" or not (one or counts):
+        return None
+    if [w.text for w in after] != ["for"]:
+        return None
+    j = k + 2
+    each = [w.text for w in words[j : j + 2]] == ["each", "of"]
+    j += 2 * each
+    if one and not each and _pronoun(words, j):
+        return "", j, 1
+    while j < len(words) and words[j].text in THEIR:
+        j += 1
+    many = j if each and j < len(words) and words[j].kind == "number" else None
+    j += many is not None
+    if j >= len(words):
+        return None
+    count = int(words[many].number) if many is not None else 1
+    label = words[j].value if words[j].kind == "label" else _person(words[j].text)
+    return (label, j, count) if label in SLEEPERS and (many is not None) == each else None
+
+
+def _pronoun(words: list[Lexeme], j: int) -> bool:
+    """Whether people are spoken of at `j` by a pronoun; `her` of `her son` is none."""
+    ends = j + 1 >= len(words) or words[j + 1].kind in ENDS
+    return j < len(words) and words[j].text in PRONOUNS and ends
+
+
+def _person(text: str) -> str:
+    """The label of the bedroom of people so called, "" for words of no people."""
+    found = pattern("^(?:{who})$").search(text)
+    return LABELS.get(kind_of(found), "") if found is not None else ""
+
+
 def for_people(words: list[Lexeme]) -> list[Lexeme]:
     """People behind `one for` tell whose room it is, where bedrooms were counted before."""
+    words = rooms_of_people(words)
     out: list[Lexeme] = []
     beds = False
     for k, word in enumerate(words):
@@ -53,7 +111,8 @@ def whose(out: list[Item], items: list[Item], k: int) -> bool:
         return False
     if people.type or people.count or not people.labels or not people.labels <= WHO:
         return False
-    if not before.count and not before.ordinals and before.quantifier not in (Det.OTHER, Det.ANOTHER):
+    one = before.type == "bedroom" and before.quantifier == Det.A
+    if not (before.count or before.ordinals or one or before.quantifier in (Det.OTHER, Det.ANOTHER)):
         return False
     if before.type not in ("", "bedroom"):
         return False

@@ -64,7 +64,8 @@ def positions(items: list[Item], said: Said) -> list[Item]:
         elif at_entrance(items, k, said) and (rooms := there(items, k + 1) or _rooms(items, k)):
             link = out.pop()
             more = and_room(items, k)
-            if not more and k + 1 < len(items) and items[k + 1].kind == "conjunction":
+            goes_on = [i.kind for i in items[k + 1 : k + 3]] == ["conjunction", "with"]  # "… and has a closet"
+            if not more and not goes_on and k + 1 < len(items) and items[k + 1].kind == "conjunction":
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
             kind = "apart" if link.value == "apart" else "near"
             said.asked += [

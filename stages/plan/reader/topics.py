@@ -168,7 +168,7 @@ class Reading:
             return
         mine = self.topic.name
         seen = first if "and" in texts else whole
-        of = self._behind(end) if self._text(end) in ("of", "from") else None
+        of = (self._it(end) or self._behind(end)) if self._text(end) in ("of", "from") else None
         verb = self._of_home(end, {"room", "it", "this"}) or end
         there = self._behind(verb) if self._text(verb) in ("is", "are", "lies") else None
         if of is not None:
@@ -182,6 +182,11 @@ class Reading:
                 self.topic.links.pop()
         else:
             self.topic.places.append(whole)
+
+    def _it(self, end: int) -> list[Name] | None:
+        """`the lounge in the corner; the kitchen north of it`: the room spoken of before."""
+        before = [name for name in self.topics if self.topic is None or name != self.topic.name]
+        return before[-1:] if self._text(end + 1) == "it" and before else None
 
     def _of_home(self, end: int, whole: Set[str] = WHOLE) -> int:
         """Where the verb of `the north corner of the house has` stands, 0 where none does."""
