@@ -4,12 +4,14 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.attachments import OWNED_BY
 from apartgen.stages.plan.reader.clausal import ahead, clause, last
+from apartgen.stages.plan.reader.household import ALWAYS
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 GOING = ("go", "goes")
 HOLDING = ("contains", "contain", "includes", "include", "houses", "holds")
 DOORS = ("door", "doors")
+NAMED = (Det.BARE, Det.A, Det.THE)
 TAKING_BACK = ("boundary", "negation", "conjunction")
 """What may stand between a room and the `without` that takes it back."""
 
@@ -109,7 +111,7 @@ def taken_back(out: list[Item], items: list[Item], k: int) -> bool:
     while end and (out[end - 1].kind in TAKING_BACK or is_mark(out[end - 1], ",")):
         end -= 1
     room = out[end - 1].room if end else None
-    if room is None or room.negated or not room.type or not clause(out):
+    if room is None or room.negated or room.type in ("", "any", *ALWAYS) or room.quantifier not in NAMED:
         return False
     del out[end:]
     room.negated, room.quantifier, room.count = True, Det.BARE, None

@@ -64,8 +64,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
         elif at_entrance(items, k, said) and (rooms := there(items, k + 1) or _rooms(items, k)):
             link = out.pop()
             more = and_room(items, k)
-            goes_on = [i.kind for i in items[k + 1 : k + 3]] == ["conjunction", "with"]  # "… and has a closet"
-            if not more and not goes_on and k + 1 < len(items) and items[k + 1].kind == "conjunction":
+            if not more and _other_room(items, k + 1):
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
             kind = "apart" if link.value == "apart" else "near"
             said.asked += [
@@ -95,6 +94,12 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _other_room(items: list[Item], k: int) -> bool:
+    """Whether a conjunction at `k` joins another room; `… and has a closet` says more of the same."""
+    kinds = [i.kind for i in items[k : k + 2]]
+    return kinds[:1] == ["conjunction"] and kinds != ["conjunction", "with"]
 
 
 def _subject(items: list[Item], k: int) -> bool:
