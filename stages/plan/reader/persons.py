@@ -22,7 +22,7 @@ SLEEPERS = {"kids", "relative"}
 
 def rooms_of_people(words: list[Lexeme]) -> list[Lexeme]:
     """`two rooms for the kids`, `a room for my mother` are bedrooms, where others of the home have one."""
-    found = [(k, who) for k in range(1, len(words)) if (who := _whose_room(words, k)) is not None]
+    found = [(k, whom) for k in range(1, len(words)) if (whom := _whose_room(words, k)) is not None]
     beds = sum(w.kind == "room" and w.value.startswith("bedroom") for w in words)
     out = list(words)
     for k, (who, at, count) in found if len(found) + beds > 1 else []:
