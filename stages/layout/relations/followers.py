@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.relations.runs import distinct
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
@@ -139,7 +140,7 @@ def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
 
 def _likeliest(boxes: Array) -> Size:
     """The size of most candidates (n, 7)."""
-    sizes, counts = np.unique(np.round(boxes[:, 3:].astype(float), 3), axis=0, return_counts=True)
+    sizes, counts = distinct(np.round(boxes[:, 3:].astype(float), 3))
     depth, width, low, high = sizes[counts.argmax()].tolist()
     return depth, width, high - low
 

@@ -68,12 +68,12 @@ def _floats(boxes: Array) -> NDArray[np.float32]:
 
 def _sizes(name: str, boxes: Array) -> Array:
     """The likeliest sizes (k, 4) of candidates, and the likeliest in the usual width."""
-    sizes, counts = _distinct(np.round(boxes[:, 3:].astype(float), 3))
+    sizes, counts = distinct(np.round(boxes[:, 3:].astype(float), 3))
     some = sizes[np.argsort(-counts, kind="stable")[:WIDTHS]]
-    return _distinct(np.concatenate([some, [[some[0, 0], _width(name), *some[0, 2:]]]]))[0]
+    return distinct(np.concatenate([some, [[some[0, 0], _width(name), *some[0, 2:]]]]))[0]
 
 
-def _distinct(rows: Array) -> tuple[Array, NDArray[np.int64]]:
+def distinct(rows: Array) -> tuple[Array, NDArray[np.int64]]:
     """Rows (n, k) in order, each once, and how often each is there: `np.unique` of an axis, in a tenth of its time."""
     rows = rows[np.lexsort(rows.T[::-1])]
     first = np.flatnonzero(np.append(True, (rows[1:] != rows[:-1]).any(1)))
