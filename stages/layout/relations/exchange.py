@@ -13,7 +13,7 @@ import numpy as np
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import company, order
 from apartgen.stages.layout.relations.runs import local
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture, cornered, lit
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture, cornered, lit
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
@@ -24,8 +24,6 @@ BETWEEN, PARTED, BESIDE, ILL, LITTLE = 1.0, 0.5, 0.5, 0.5, 0.8
 before a window, no worktop of full length beside either."""
 ROUNDS = 3
 """How often units change places, at most."""
-CUT = 0.25
-"""What that may cut off of the floor, in metres of way."""
 IN_LINE, SAME = 0.1, 0.01
 """Backs in one line are no farther apart, m, and look the same way within, rad."""
 LEAST, TINY = 0.01, 1e-4

@@ -47,7 +47,7 @@ UNMET = 30.0
 LENGTHS = dict.fromkeys(HANGING, (1.5, 1.2))
 """Least widths at a first and a second look, in bedrooms of two and where one sleeps in the living room, m."""
 SCREENS = (1.2, 1.0)
-"""Least widths of a living room's television, m: for a sofa 3 m away."""
+"""Least widths of a living room's television, and of its stand the first, m: for a sofa 3 m away."""
 LONG_TABLE, ROUND_TABLE = 1.8, 1.2
 """Least widths of tables where five and more eat, m."""
 FIVE, ROUND = 5, 6

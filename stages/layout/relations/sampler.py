@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.relations import ahead, exchange, followers, hung, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
@@ -32,8 +32,6 @@ SAME, ELSEWHERE = 0.05, 0.15
 """A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
 PART = 0.5
 """A bed has its wardrobe and a nightstand at least, if its place is not the model's."""
-CUT = 0.25
-"""What an object may cut off of the floor, in metres of way."""
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
 KNOWN = 0.02

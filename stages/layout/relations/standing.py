@@ -25,6 +25,8 @@ SLACK = 0.008
 """Contact that is none, m; below what metrics allow."""
 BROKEN = 10.0
 """From this price on a candidate breaks a requirement; what is below it is undesired only."""
+CUT = 0.25
+"""What an object may cut off of the floor, in metres of way."""
 TUCK_MOST = 0.30
 """How far a seat may go under its table, m."""
 LEVEL = 0.02
