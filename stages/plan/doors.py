@@ -33,6 +33,8 @@ NEARER = 0.5
 DETOUR = 0.3
 """Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
 TRIES = 4000
+WITHIN, AS_FAR = 0.05, 20.0
+"""A wall is followed so deep in its room, m, and no farther than that."""
 
 
 Box = tuple[float, float, float, float]
@@ -140,7 +142,7 @@ def _doors(
     for face in (face for face in found if face.length >= width + 2 * FRAME - 1e-6):
         for into in (a, b):
             away = 0.0 if into == better else 5.0 if types[into] in ("closet", "storage") else 3.0
-            out += _placed(face, width, into, away, into == a, approach)
+            out += _placed(face, width, into, floors[into], away, into == a, approach)
     return _fitting(out, floors)
 
 
@@ -158,7 +160,7 @@ def _entrances(program: Program, room: str, floors: Floors, walls: Walls, approa
     out = []
     for face in faces.outside(floors[room], [f for r, f in floors.items() if r != room]):
         if facing(*face.along) in sides and face.length >= ENTRANCE + 2 * FRAME - 1e-6:
-            out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, 0.0, True, approach)
+            out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, floors[room], 0.0, True, approach)
     return _fitting([_towards(choice, _lived(program, room, floors)) for choice in out], floors)
 
 
@@ -208,21 +210,36 @@ def _middle(choice: Choice) -> faces.Array:
     return middle
 
 
-def _placed(face: Face, width: float, into: str, extra: float, mine: bool, approach: float) -> list[Choice]:
-    """Doors along a face; a leaf that opens flat against a side wall costs least, one in mid-wall most."""
+def _placed(face: Face, width: float, into: str, room: Polygon, extra: float, mine: bool,
+            approach: float) -> list[Choice]:
+    """Doors along a face; a leaf that opens flat against a side wall of its room costs least, one in mid-wall most."""
     slack = face.length - 2 * FRAME - width
     steps = [0.3 * i for i in range(int(slack / 0.3) + 1)]
     gap = face.gap or 0.0
+    before, after = _beyond(face, room, mine)
     out = []
     for lo in sorted({FRAME + round(step, 4) for step in [*steps, slack / 2, slack]}):
         hi = lo + width
         sweep = _box(face, lo, hi, 0.0, width) if mine else _box(face, lo, hi, -gap - width, -gap)
         fronts = _fronts(face, lo, hi, approach)
-        middle = 0.6 * min(lo, face.length - hi, 1.5)
-        for hinge, beside in ((0, lo), (1, face.length - hi)):
+        left, right = before + lo, face.length - hi + after
+        middle = 0.6 * min(left, right, 1.5)
+        for hinge, beside in ((0, left), (1, right)):
             cost = extra + min(beside, 0.8) + middle
             out.append(Choice(face, lo, hi, hinge, into, cost, sweep, fronts))  # type: ignore[arg-type]
     return out
+
+
+def _beyond(face: Face, room: Polygon, mine: bool) -> tuple[float, float]:
+    """How far the wall of a room goes on beyond either end of a face that is part of it, m."""
+    deep = WITHIN if mine else -(face.gap or 0.0) - WITHIN
+    at = face.start + deep * np.array([-face.along[1], face.along[0]])
+    ends = np.stack([at - AS_FAR * face.along, at + (face.length + AS_FAR) * face.along])
+    pieces = shapely.get_parts(shapely.intersection(shapely.LineString(ends), room))
+    middle = shapely.Point(at + 0.5 * face.length * face.along)
+    piece = min(pieces, key=lambda piece: float(piece.distance(middle)))
+    along = (shapely.get_coordinates(piece) - at) @ face.along
+    return max(0.0, -float(along.min())), max(0.0, float(along.max()) - face.length)
 
 
 def _fitting(choices: list[Choice], floors: Floors) -> list[Choice]:

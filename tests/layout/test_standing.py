@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import shapely
 from rooms_for_tests import some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
@@ -34,3 +35,37 @@ def test_backs_are_as_far_from_the_walls_within_a_room_and_beyond() -> None:
     center = np.column_stack([backs + [0.0, 0.25], np.full(4, 0.5)])
     found = Boxes(center, np.tile([0.5, 0.4, 1.0], (4, 1)), np.full(4, np.pi / 2))
     assert space_of(rooms, 0).behind(found) == pytest.approx([1.0, 0.0, 0.05, 0.05])
+
+
+def floor(box: np.ndarray) -> shapely.Polygon:
+    (x, y, _, depth, width), (c, s) = box[:5], (np.cos(box[2]), np.sin(box[2]))
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [depth / 2, width / 2]
+    return shapely.Polygon(corners @ np.array([[c, s], [-s, c]]) + [x, y])
+
+
+def test_what_lies_a_little_beyond_walls_is_cut_there_and_stays_as_it_is_elsewhere() -> None:
+    """Boxes square to the walls of an L-shaped room, pushed up to 8 mm beyond one or two of its walls."""
+    rooms, rng = some_rooms(1), np.random.default_rng(0)
+    rooms.polygon[0] = np.nan
+    rooms.polygon[0, :6] = [[0, 0], [5, 0], [5, 3], [3, 3], [3, 5], [0, 5]]
+    space, room = space_of(rooms, 0), shapely.Polygon(rooms.polygon[0, :6])
+    seen = 0
+    for _ in range(300):
+        depth, width, quarter = *rng.uniform(0.3, 1.2, 2), rng.integers(4)
+        x, y = (depth, width) if quarter % 2 == 0 else (width, depth)
+        out = rng.choice([0.0, 0.004, 0.008], 2)
+        west, south = x / 2 - out[0], y / 2 - out[1]
+        place = [(west, rng.uniform(1, 4)), (west, south), (rng.uniform(1, 4), south), (3 - x / 2 + out[0], 4.2),
+                 (4.2, 3 - y / 2 + out[1]), (5 - x / 2 + out[0], south)][rng.integers(6)]
+        box = np.array([*place, quarter * np.pi / 2, depth, width, 0, 0.8])
+        cut = space.cut(box)
+        assert floor(cut).difference(room).area < 1e-9
+        assert floor(cut).symmetric_difference(floor(box).intersection(room)).area < 1e-7
+        seen += floor(box).difference(room).area > 1e-4
+    assert seen > 100
+    askew = np.array([0.34, 2.5, 0.6, 0.5, 0.5, 0, 0.8])
+    moved = space.cut(askew)
+    assert floor(askew).bounds[0] < -0.005 < 0 <= floor(moved).bounds[0] + 1e-9
+    assert moved[3:].tolist() == askew[3:].tolist() and moved[1] == askew[1]
+    far = np.array([-0.3, 2.5, 0.0, 0.5, 0.5, 0, 0.8])
+    assert space.cut(far).tolist() == far.tolist(), "what is wrong stays so"

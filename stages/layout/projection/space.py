@@ -17,6 +17,8 @@ DOOR_HEAD = 2.1
 SILL = 1.0
 LEAF = 0.14
 """Thickness of a door with its levers, m."""
+NOTHING, CUT, SQUARE = 1e-6, 0.02, 1 - 1e-6
+"""What is nothing, and more than a little, m; the cosine from which on a side is along a wall."""
 
 
 @dataclass
@@ -97,6 +99,22 @@ class Space:
         """Distance of each back from the nearest wall, m, (n,)."""
         back = found.center[:, :2] - np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1) * found.size[:, :1] / 2
         return _within(back, self)[1]
+
+    def cut(self, box: Array) -> Array:
+        """A box (7,) without the little that lies beyond walls: less deep or wide where it stands square to one, else
+        moved away from it."""
+        out = np.array(box, float)
+        for start, along, normal, length in zip(self.start, self.along, self.normal, self.length, strict=True):
+            ways = np.array([[np.cos(out[2]), np.sin(out[2])], [-np.sin(out[2]), np.cos(out[2])]])
+            half = np.abs(ways @ normal) @ out[3:5] / 2
+            ahead, at = (out[:2] - start) @ normal, (out[:2] - start) @ along
+            over = half - ahead
+            if not NOTHING < over < CUT or not -CUT < at < length + CUT:
+                continue
+            square = np.abs(ways @ normal) > SQUARE
+            out[:2] += normal * over / (1 + square.any())
+            out[3:5] -= square * over
+        return out.astype(np.asarray(box).dtype)
 
 
 def space_of(rooms: Rooms, index: int) -> Space:

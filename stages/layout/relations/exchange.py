@@ -26,13 +26,16 @@ ROUNDS = 3
 """How often units change places, at most."""
 IN_LINE, SAME = 0.1, 0.01
 """Backs in one line are no farther apart, m, and look the same way within, rad."""
+BASE, TURNED = "kitchen_base", 0.5
+"""What a corner unit is where it is in no corner, and the sine from which on units look another way."""
 LEAST, TINY = 0.01, 1e-4
 """What is no gain, and no move, m."""
 
 
 def settled(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
     """The furniture with units of its run in a better order, if there is one that breaks nothing; the first `fixed` are
-    given and stay."""
+    given and stay. A corner unit round which no run goes is a base unit."""
+    there = _straight(there, fixed, empty)
     for _ in range(ROUNDS):
         now = cost(there.names, there.boxes, there.space)
         if now < LEAST:
@@ -45,6 +48,24 @@ def settled(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> Fur
             break
         there = found
     return there
+
+
+def _straight(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
+    """The furniture with base units where corner units have no unit beside them that looks another way."""
+    names, boxes = list(there.names), there.boxes
+    gap, yaw = company.Seen(boxes, boxes).gap, boxes[:, 2]
+    units = np.array([name in order.runs() for name in names])
+    turned = np.abs(np.sin(yaw[:, None] - yaw)) > TURNED
+    for k in range(fixed, len(names)):
+        fits = TABLE[BASE].min[1] <= boxes[k, 4] <= TABLE[BASE].max[1]
+        if names[k] in kinds.CLOSED and fits and not (units & turned[k] & (gap[k] <= JOINED)).any():
+            names[k] = BASE
+    if names == there.names:
+        return there
+    out = empty()
+    for name, box in zip(names, boxes, strict=True):
+        out.add(name, box)
+    return out
 
 
 def cost(names: Sequence[str], boxes: Array, space: Space) -> float:

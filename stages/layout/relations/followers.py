@@ -94,13 +94,17 @@ def _leaves_table(there: Furniture, group: list[tuple[str, Array]], left: Sequen
     return bool((there.prices(name, places, strict=True) < BROKEN).any())
 
 
-def leading(name: str, boxes: Array, space: Space) -> Array:
+def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     """Places (m, 7) all over the room for what others follow: beds and wardrobes along all walls, tables anywhere
-    square to these, in the likeliest size of the candidates (n, 7)."""
+    square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes."""
     kind = kinds.basic(name)
     if kind in kinds.TABLES:
         return _anywhere(space, _likeliest(boxes))
-    return _along(space, _likeliest(boxes)) if kind in kinds.BEDS | kinds.WARDROBES else boxes[:0]
+    if kind not in kinds.BEDS | kinds.WARDROBES:
+        return boxes[:0]
+    depth, width, height = _likeliest(boxes)
+    sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]
+    return np.concatenate([_along(space, (depth, wide, height)) for wide in sizes])
 
 
 def _anywhere(space: Space, size: Size) -> Array:

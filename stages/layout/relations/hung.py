@@ -54,8 +54,16 @@ def _above(name: str, host: Array, size: Array) -> Array:
 
 
 def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
-    """Which candidates (n,) would hang where the hood is to be over what cooks, or the mirror over a basin."""
+    """Which candidates (n,) would hang where the hood is to be over what cooks, or the mirror over a basin, or are what
+    cooks below a unit that hangs."""
     taken, kind = np.zeros(found.n, bool), TABLE[name]
+    if kind.is_for("cook"):
+        units = there.take(np.array([TABLE[o].run == "hung" and TABLE[o].articulated for o in names], bool))
+        top = found.center[:, 2] + found.size[:, 2] / 2
+        center, size = found.center.copy(), found.size.copy()
+        center[:, 2], size[:, 2] = (top + HEAD) / 2, np.maximum(HEAD - top, 0.0)
+        below = (penetration(Boxes(center, size, found.yaw), units) > CONTACT).any(1) if units.n else taken
+        return np.asarray(below & (top < LOW))
     if kind.place != "wall" or kind.soft or kind.run == "hung" and not kind.articulated:
         return taken
     for k, o in enumerate(names):

@@ -174,5 +174,6 @@ class _Rooms:
         looks = [(self.rooms[i].wide.get(names[i], ()), self.particles[i].tries) for i in rows.tolist()]
         wide = [widths[tries] if tries < len(widths) else 0.0 for widths, tries in looks]
         least[:, 1] = np.maximum(least[:, 1], wide)
+        least[:, 0] = np.where([k.stands.round for k in kinds], np.maximum(least[:, 0], wide), least[:, 0])
         return (least, most, np.array([k.place in ("wall", "top") for k in kinds]),
                 np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height)

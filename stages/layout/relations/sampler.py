@@ -98,6 +98,10 @@ class Sampler:
         found = self._fitting(p.furniture, name, boxes, left) if p.tries == 1 else None
         if found is None:
             found = self._chosen(p.furniture, name, boxes, weight, strict=p.tries == 0, left=left)
+        if found is None and p.tries == 1 and (other := self._another(p, name, boxes, left)):
+            p.left.remove(name)
+            p.left.append(other[0])
+            name, found = other
         if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.wide):
             p.tries += 1
             return p
@@ -115,13 +119,14 @@ class Sampler:
             name, found = self._last_resort(p, name, needed)
         p.tries = 0
         if found is not None:
-            p.furniture.add(name, found)
+            p.furniture.add(name, self.room.empty.space.cut(found) if self.constrained else found)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, len(self.room.given), self.room.empty.fork)
         return p
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
-                strict: bool = False, left: Sequence[str] = (), enough: float = 1.0) -> Array | None:
+                strict: bool = False, left: Sequence[str] = (), enough: float = 1.0,
+                looks: int = LOOKS) -> Array | None:
         """A candidate that breaks nothing, drawn by its shifted weight; None where there is none. One that leaves no
         room for what of its run or group is `left` to come is taken only where there is no other, that for most of it,
         and at a `strict` look, where it leads a group, for `enough` of it."""
@@ -133,7 +138,7 @@ class Sampler:
         price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
         second, best, near = None, -1.0, SAME
-        for _ in range(LAST if loose else LOOKS):
+        for _ in range(looks):
             if weight.sum() <= 0:
                 break
             k = self._draw(weight)
@@ -149,11 +154,20 @@ class Sampler:
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
         """A place for what leads a group, anywhere in the room, where what follows it finds its own."""
-        places = followers.leading(name, boxes, there.space)
+        places = followers.leading(name, boxes, there.space, min(self.room.speaker.wide.get(name, (0.0,))))
         if not self.constrained or self.places != "model" or not len(places):
             return None
         weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in kinds.BEDS else 1.0
-        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough)
+        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough, looks=LAST)
+
+    def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
+        """What serves as well where nothing but its own kind of it found no place, as a wardrobe with sliding doors."""
+        some = TABLE[name].instead if kinds.basic(name) in kinds.WARDROBES and not self.room.asked[name] else ()
+        for other in some:
+            found = self._fitting(p.furniture, other, boxes, left)
+            if found is not None:
+                return other, found
+        return None
 
     def _continued(self, there: Furniture, name: str, boxes: Array, weight: Floats) -> tuple[Array, Floats]:
         """Candidates with those that continue a run, hang over something or follow it, which count little beside the
@@ -206,7 +220,7 @@ class Sampler:
         start = np.zeros((600, 7), np.float32)
         start[:, 3:5], start[:, 6] = size[:2], size[2]
         boxes = np.concatenate([self._anywhere(there, name, start), followers.leading(name, start[:1], there.space)])
-        return self._chosen(there, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True)
+        return self._chosen(there, name, boxes, np.full(len(boxes), 1 / len(boxes)), loose=True, looks=LAST)
 
     def _anywhere(self, there: Furniture, name: str, boxes: Array) -> Array:
         """Boxes of the same sizes at random: along walls what has a back, on tops what stands there, else anywhere."""

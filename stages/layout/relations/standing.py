@@ -18,7 +18,7 @@ from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
-from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WET, basic
+from apartgen.stages.use.kinds import BEDS, CASES, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WARDROBES, WET, basic
 from apartgen.stages.use.rules.cook import CORNER, JOINED, PUT_DOWN
 
 SLACK = 0.008
@@ -33,6 +33,8 @@ LEVEL = 0.02
 SEATS = BEDS | EASY | CHAIRS | SMALL_SEATS
 OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
+AT_WALLS, BEHIND = CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2
+"""What has its back at a wall, no farther from it, m; with a radiator between."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
@@ -107,6 +109,9 @@ class Furniture:
             total += np.where(self._carried(name, boxes), 0.0, 2 * BROKEN)
         if kind.place == "wall":
             total += np.where(self.space.behind(found) > OFF_WALL, 2 * BROKEN, 0.0)
+        if basic(name) in AT_WALLS:
+            free = 2 * BROKEN if strict or basic(name) in WARDROBES else ALONE
+            total += np.where(self.space.behind(found) > BEHIND, free, 0.0)
         total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
         if kind.soft:
             return total + self._soft(name, found)

@@ -102,3 +102,16 @@ def test_what_cooks_mind_by_hand() -> None:
     touching = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "oven"])
     assert exchange.cost(touching.names, touching.boxes, touching.space) == pytest.approx(exchange.BETWEEN, abs=1e-3)
     assert exchange.cost(["chair"], far.boxes[:1], far.space) == 0
+
+
+@pytest.mark.parametrize("turned, width, name", [
+    (False, 0.9, "kitchen_base"), (True, 0.9, "kitchen_corner"), (False, 1.4, "kitchen_corner")])
+def test_a_corner_unit_round_which_no_run_goes_is_a_base_unit(turned: bool, width: float, name: str) -> None:
+    """It stands at the west end of the north wall; the other unit goes on along that wall, or along the west wall."""
+    there = room(6.0, 4.0)
+    there.add("kitchen_corner", np.array([-2.99 + width / 2, 1.69, -np.pi / 2, 0.6, width, 0, 0.9], np.float32))
+    beside = (-2.69, 1.08, 0.0) if turned else (-2.98 + width + 0.3, 1.69, -np.pi / 2)
+    there.add("kitchen_base", np.array([*beside, 0.6, 0.6, 0, 0.9], np.float32))
+    after = exchange.settled(there, 0, room(6.0, 4.0).fork)
+    assert after.names == [name, "kitchen_base"] and np.allclose(after.boxes, there.boxes)
+    assert exchange.settled(there, 1, room(6.0, 4.0).fork).names[0] == "kitchen_corner", "what is given stays"

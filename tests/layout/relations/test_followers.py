@@ -5,6 +5,7 @@ import pytest
 from rooms_for_tests import box, room
 
 from apartgen.stages.layout.relations import followers
+from apartgen.stages.layout.relations.standing import BROKEN
 
 TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
 
@@ -88,6 +89,20 @@ def test_leaders_may_stand_all_over_the_room_square_to_its_walls() -> None:
     turned = np.abs(np.sin(2 * tables[:, 2]))
     assert len(tables) > 100 and (turned < 1e-3).all() and np.ptp(tables[:, 0]) > 3 and np.ptp(tables[:, 1]) > 2
     assert not len(followers.leading("sofa", table[None], there.space))
+    clothes = box((0.6, 1.8, 2.1), 0, 0)[None]
+    found = [followers.leading("wardrobe", clothes, there.space, least)[:, 4] for least in (0.0, 1.2, 2.0)]
+    widths = [sorted({round(float(wide), 3) for wide in some}) for some in found]
+    assert widths == [[1.8], [1.2, 1.8], [1.8]], "no wider than said, and as narrow as is enough"
+
+
+@pytest.mark.parametrize(
+    "name, size", [("wardrobe", (0.6, 1.2, 2.1)), ("bookshelf", (0.3, 0.8, 1.8)), ("double_bed", BED)])
+def test_what_has_a_back_stands_at_a_wall(name: str, size: tuple[float, float, float]) -> None:
+    there, off = room(6.0, 6.0), np.array([0.01, 0.12, 0.5])
+    rows = np.stack([box(size, -3 + size[0] / 2 + gap, 0.0) for gap in off])
+    assert (there.prices(name, rows, strict=True) < BROKEN).tolist() == [True, True, False]
+    plain = there.prices(name, rows)
+    assert plain[2] > plain[0] + 5 and (plain[2] >= BROKEN) == (name == "wardrobe")
 
 
 def test_a_desk_faces_where_one_sits() -> None:

@@ -38,6 +38,11 @@ def test_the_hood_hangs_over_what_cooks_and_wall_units_over_low_units_beside_it(
     assert not hung.spoils("wall_unit", upright(unit), names, upright(there)).any()
     assert hung.spoils("wall_unit", upright(moved), names, upright(there)).all()
     assert not hung.spoils("hood", upright(hood), names, upright(there)).any()
+    low, tall = 0.9, 2.1
+    cook = np.stack([row(0.3, y, 0.0, 0.6, 0.6, 0.0, top) for y, top in ((0, low), (0.5, low), (0.6, low), (0, tall))])
+    assert hung.spoils("hob", upright(cook), ["wall_unit"], upright(unit)).tolist() == [True, True, False, False]
+    assert not hung.spoils("kitchen_base", upright(cook), ["wall_unit"], upright(unit)).any()
+    assert not hung.spoils("hob", upright(cook), ["hood"], upright(hood)).any()
     assert not len(hung.over("plant", unit, names, there))
 
 
