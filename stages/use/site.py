@@ -95,6 +95,11 @@ class Site:
         return tuple(hole for hole in self.holes if hole.kind in PASSAGES)
 
     @cached_property
+    def entered(self) -> bool:
+        """Whether the home is entered here, though it is no hall."""
+        return self.kind != "hallway" and any(hole.kind == "entrance" for hole in self.holes)
+
+    @cached_property
     def windows(self) -> tuple[Hole, ...]:
         """What lets light in."""
         return tuple(hole for hole in self.holes if hole.kind == "window")

@@ -12,6 +12,7 @@ from apartgen.stages.use.kinds import (
     BEDSIDE,
     CHAIRS,
     CLOTHES,
+    COATS,
     COUNTERS,
     DOUBLE,
     MACHINES,
@@ -28,6 +29,8 @@ MACHINE = 1.2
 """What it costs that nothing washes clothes where the home has its place for that."""
 SCREEN = 0.3
 """What a television stand without its television costs."""
+HOOKS = 0.5
+"""What it costs that nothing takes coats in the room one enters, where that is no hall."""
 NIGHTSTAND, CHAIR, TABLE, CLOSET, BERTH = 0.5, 0.4, 0.8, 1.2, 1.0
 """What each that is lacking costs: two for a double bed, a chair for everyone who sleeps in the home, a table, a place
 for clothes where one sleeps in the living room, and a place to sleep for the second in a bedroom of two."""
@@ -112,6 +115,11 @@ def belongings(site: Site) -> list[str]:
     return [category for what in here if here[what] for category in home[what]]
 
 
+def arrivals(site: Site) -> list[str]:
+    """What takes coats in the room that a home is entered by, where that is no hall."""
+    return list(_table()["home"]["arrivals"]) if site.entered else []
+
+
 def _number(count: Counter[str], names: Iterable[str]) -> int:
     return sum(count[name] for name in names)
 
@@ -129,6 +137,8 @@ def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
         yield Lack("no place for clothes", 1, CLOSET)
     if site.laundry and site.kind != "utility" and not _number(count, MACHINES):
         yield Lack("no machine to wash", 1, MACHINE)
+    if site.entered and not _number(count, COATS):
+        yield Lack("no place for coats", 1, HOOKS)
     bare = count["tv_stand"] - count["tv"]
     if bare > 0:
         yield Lack("stand without television", bare, bare * SCREEN)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +27,8 @@ class Space:
     """One room, metres, in its own frame.
 
     start, along, normal (E, 2) and length (E,) of walls, normals inward · slabs: wall bodies · zones: boxes to keep
-    clear, `window` (Z,) tells which are before windows · spans (Z, 2, 2) the openings' own segments · leaves: doors
-    that stand open in the room, with their levers.
+    clear, `window` (Z,) tells which are before windows · spans (Z, 2, 2) the openings' own segments · entrances (n, 2)
+    their middles · leaves: doors that stand open in the room, with their levers.
     """
 
     corners: Array
@@ -40,6 +41,7 @@ class Space:
     window: NDArray[np.bool_]
     spans: Array
     height: float
+    entrances: Array = field(default_factory=lambda: np.zeros((0, 2)))
     leaves: Boxes = field(default_factory=lambda: Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)))
 
     @cached_property
@@ -95,12 +97,17 @@ class Space:
         within, far = _within(points, self)
         return np.where(within, far, 0.0)
 
-    def behind(self, found: Boxes) -> Array:
-        """Distance of each back from the nearest wall, m, (n,)."""
-        back = found.center[:, :2] - np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1) * found.size[:, :1] / 2
-        return _within(back, self)[1]
+    def behind(self, found: Boxes, aside: Array | float = 0.0) -> Array:
+        """Distance of each back, `aside` of its middle, from the nearest wall, m, (n,)."""
+        c, s = np.cos(found.yaw), np.sin(found.yaw)
+        back = found.center[:, :2] - np.stack([c, s], -1) * found.size[:, :1] / 2
+        return _within(back + np.stack([-s, c], -1) * np.reshape(aside, (-1, 1)), self)[1]
 
-    def cut(self, box: Array) -> Array:
+    def from_entrance(self, points: Array) -> Array:
+        """Distance to the middle of the nearest entrance of a room that has one, m, (n,)."""
+        return np.asarray(np.linalg.norm(points[:, None] - self.entrances, axis=-1).min(1))
+
+    def cut(self, box: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
         """A box (7,) without the little that lies beyond walls: less deep or wide where it stands square to one, else
         moved away from it."""
         out = np.array(box, float)
@@ -134,7 +141,9 @@ def space_of(rooms: Rooms, index: int) -> Space:
     )
     rows = rooms.openings[index].astype(float)
     rows = rows[~np.isnan(rows[:, 0])]
-    return Space(corners, corners, along, normal, length, slabs, *_zones(rows, height), height, _leaves(rows))
+    zones, window, spans = _zones(rows, height)
+    entrances = spans[rows[:, 4] == KINDS["entrance"]].mean(1)
+    return Space(corners, corners, along, normal, length, slabs, zones, window, spans, height, entrances, _leaves(rows))
 
 
 def _leaves(rows: Array) -> Boxes:

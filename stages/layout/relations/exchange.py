@@ -19,9 +19,9 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 from apartgen.stages.use.rules.cook import JOINED, PUT_DOWN, TALL, TOP
 
-BETWEEN, PARTED, BESIDE, ILL, LITTLE = 1.0, 0.5, 0.5, 0.5, 0.8
+BETWEEN, PARTED, BESIDE, ILL, LITTLE, AT_END = 1.0, 0.5, 0.5, 0.5, 0.8, 0.3
 """Costs: no worktop between sink and hob, something tall between them, a tall unit beside the hob, a hob in a corner or
-before a window, no worktop of full length beside either."""
+before a window, no worktop of full length beside either, a hob at the end of its run."""
 ROUNDS = 3
 """How often units change places, at most."""
 IN_LINE, SAME = 0.1, 0.01
@@ -80,8 +80,10 @@ def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
     total = LITTLE * max(0.0, TOP - _worktop(basic, gap, boxes, [*wet, *hot])) / TOP
     total += BETWEEN * float((gap[np.ix_(wet, hot)] < PUT_DOWN).sum())
     total += BESIDE * float((gap[np.ix_(cold, hot)] <= JOINED).sum())
+    units = [k for k, name in enumerate(names) if name in order.runs()]
+    total += AT_END * sum(sum(k != i and gap[i, k] <= JOINED for k in units) < 2 for i in hot)
     total += PARTED * sum(float(company.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
-    return total + ILL * float((cornered(boxes[hot], space) | lit(boxes[hot], space)).sum())
+    return float(total) + ILL * float((cornered(boxes[hot], space) | lit(boxes[hot], space)).sum())
 
 
 def _worktop(basic: list[str], gap: Array, boxes: Array, ends: list[int]) -> float:

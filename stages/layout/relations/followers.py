@@ -8,7 +8,7 @@ import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations.runs import distinct
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.standing import ARRIVAL, BROKEN, NEAR, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
@@ -105,6 +105,14 @@ def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     depth, width, height = _likeliest(boxes)
     sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]
     return np.concatenate([_along(space, (depth, wide, height)) for wide in sizes])
+
+
+def arriving(name: str, boxes: Array, space: Space) -> Array:
+    """Places (m, 7) along walls near the entrance for what one uses coming home."""
+    if name not in ARRIVAL or not len(space.entrances):
+        return boxes[:0]
+    places = _along(space, _likeliest(boxes))
+    return np.asarray(places[space.from_entrance(places[:, :2].astype(float)) < NEAR])
 
 
 def _anywhere(space: Space, size: Size) -> Array:

@@ -27,9 +27,9 @@ from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
-from apartgen.stages.use import belongings, lacks_of, site
+from apartgen.stages.use import arrivals, belongings, lacks_of, site
 from apartgen.stages.use.household import DOUBLE, Duties, duties, sleepers
-from apartgen.stages.use.kinds import HANGING
+from apartgen.stages.use.kinds import COATS, HANGING
 from apartgen.stages.use.site import Site
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
@@ -134,7 +134,8 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       wide=_wide(room, float(arrays.area[i]), due, told or 0))
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
-                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])))
+                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])),
+                _late(plan, room, given))
 
 
 def _wide(room: Room, area: float, due: Duties, sleep: int) -> dict[str, tuple[float, ...]]:
@@ -178,6 +179,12 @@ def _kept(plan: Plan, place: Site, given: list[Box]) -> Counter[str]:
         return Counter()
     there = {o.category for o in given}
     return Counter(name for name in belongings(place) if name not in there)
+
+
+def _late(plan: Plan, room: Room, given: list[Box]) -> tuple[str, ...]:
+    """What takes coats where one enters, unless things are counted or it is there."""
+    there = COATS & {o.category for o in given}
+    return () if there or room.id in plan.program.counts else tuple(arrivals(site(plan, room.id)))
 
 
 def _long_table(plan: Plan, room: Room) -> Counter[str]:

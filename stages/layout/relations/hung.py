@@ -58,12 +58,7 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
     cooks below a unit that hangs."""
     taken, kind = np.zeros(found.n, bool), TABLE[name]
     if kind.is_for("cook"):
-        units = there.take(np.array([TABLE[o].run == "hung" and TABLE[o].articulated for o in names], bool))
-        top = found.center[:, 2] + found.size[:, 2] / 2
-        center, size = found.center.copy(), found.size.copy()
-        center[:, 2], size[:, 2] = (top + HEAD) / 2, np.maximum(HEAD - top, 0.0)
-        below = (penetration(Boxes(center, size, found.yaw), units) > CONTACT).any(1) if units.n else taken
-        return np.asarray(below & (top < LOW))
+        return _below_units(found, names, there)
     if kind.place != "wall" or kind.soft or kind.run == "hung" and not kind.articulated:
         return taken
     for k, o in enumerate(names):
@@ -73,3 +68,13 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
             over.center[:, 2], over.size[:, 2] = (top + HEAD) / 2, HEAD - top
             taken |= penetration(found, over)[:, 0] > CONTACT
     return taken
+
+
+def _below_units(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
+    units = there.take(np.array([TABLE[o].run == "hung" and TABLE[o].articulated for o in names], bool))
+    tops = found.center[:, 2] + found.size[:, 2] / 2
+    center, size = found.center.copy(), found.size.copy()
+    center[:, 2], size[:, 2] = (tops + HEAD) / 2, np.maximum(HEAD - tops, 0.0)
+    if not units.n:
+        return np.zeros(found.n, bool)
+    return np.asarray((penetration(Boxes(center, size, found.yaw), units) > CONTACT).any(1) & (tops < LOW))

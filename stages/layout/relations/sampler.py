@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, exchange, followers, hung, order, runs
+from apartgen.stages.layout.relations import ahead, exchange, followers, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -43,7 +43,8 @@ Floats = NDArray[np.floating[Any]]
 
 @dataclass(frozen=True)
 class Room:
-    """A room to be furnished: what the model sees of it, its space, what is given, and what was asked for by name."""
+    """A room to be furnished: what the model sees of it, its space, what is given, what was asked for by name, and what
+    comes `late`, when all else stands, since the model never saw it in such a room."""
 
     speaker: Speaker
     empty: Furniture
@@ -51,6 +52,7 @@ class Room:
     asked: Counter[str]
     counted: bool
     least: tuple[frozenset[str], ...]
+    late: tuple[str, ...] = ()
 
     def needs(self, name: str, there: list[str]) -> bool:
         """Whether the room is not what was asked for, or not what it is for, without one more of a category."""
@@ -120,8 +122,13 @@ class Sampler:
         p.tries = 0
         if found is not None:
             p.furniture.add(name, self.room.empty.space.cut(found) if self.constrained else found)
+        given = len(self.room.given)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
-            p.furniture = exchange.settled(p.furniture, len(self.room.given), self.room.empty.fork)
+            p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
+        if not p.left and not p.late:
+            if self.constrained:
+                p.furniture = lengthened.grown(p.furniture, self.room.speaker.wide, given, self.room.empty.fork)
+            p.left, p.late = list(self.room.late), True
         return p
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
@@ -175,7 +182,8 @@ class Sampler:
         more = np.concatenate([
             runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell),
             hung.over(name, boxes, there.names, there.boxes),
-            followers.known(name, boxes, there.names, there.boxes)])
+            followers.known(name, boxes, there.names, there.boxes),
+            followers.arriving(name, boxes, there.space)])
         if self.places != "model" or not len(more):
             return boxes, weight
         return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), KNOWN * weight.sum() / len(more)))

@@ -33,8 +33,10 @@ LEVEL = 0.02
 SEATS = BEDS | EASY | CHAIRS | SMALL_SEATS
 OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
-AT_WALLS, BEHIND = CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2
-"""What has its back at a wall, no farther from it, m; with a radiator between."""
+AT_WALLS, BEHIND, END = CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2, 0.1
+"""What has its back at a wall, no farther from it, m, with a radiator between, up to so near its ends."""
+ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
+"""What one uses coming home, and how far from the entrance's middle at most, m."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
@@ -109,9 +111,7 @@ class Furniture:
             total += np.where(self._carried(name, boxes), 0.0, 2 * BROKEN)
         if kind.place == "wall":
             total += np.where(self.space.behind(found) > OFF_WALL, 2 * BROKEN, 0.0)
-        if basic(name) in AT_WALLS:
-            free = 2 * BROKEN if strict or basic(name) in WARDROBES else ALONE
-            total += np.where(self.space.behind(found) > BEHIND, free, 0.0)
+        total += self._away(name, found, strict)
         total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
         if kind.soft:
             return total + self._soft(name, found)
@@ -129,6 +129,18 @@ class Furniture:
         total += np.where(cramped, 2 * BROKEN if strict else CRAMPED, 0.0)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
+
+    def _away(self, name: str, found: Boxes, strict: bool) -> Floats:
+        """What has a back has all of it at a wall; coats and shoes are near the entrance."""
+        total, kind = np.zeros(found.n), basic(name)
+        if kind in AT_WALLS:
+            ends = found.size[:, 1] / 2 - END
+            off = np.maximum(self.space.behind(found, ends), self.space.behind(found, -ends))
+            total += np.where(off > BEHIND, 2 * BROKEN if strict or kind in WARDROBES else ALONE, 0.0)
+        if name in ARRIVAL and len(self.space.entrances):
+            far = self.space.from_entrance(found.center[:, :2]) > NEAR
+            total += np.where(far, 2 * BROKEN if strict else CRAMPED, 0.0)
+        return total
 
     def _meets_leaves(self, name: str, found: Boxes) -> NDArray[np.bool_]:
         """Which candidates have parts that would open into a door that stands open."""

@@ -67,7 +67,7 @@ def test_the_run_stays_where_it_is_flush_and_at_its_wall(names: list[str]) -> No
 
 
 def test_a_good_order_is_left_alone_and_so_is_what_is_given() -> None:
-    good = along(["fridge", "kitchen_sink", "kitchen_drawers", "kitchen_base", "oven"])
+    good = along(["fridge", "kitchen_sink", "kitchen_drawers", "oven", "kitchen_base"])
     assert settled(good) is good
     bad = along(["kitchen_sink", "oven", "kitchen_drawers"])
     kept = settled(bad, fixed=2)
@@ -93,14 +93,17 @@ def test_at_another_wall_each_takes_the_width_of_the_others_place() -> None:
 
 
 def test_what_cooks_mind_by_hand() -> None:
-    """Worktop of .8 m lacks a third of 1.2 m; a tall fridge stands beside the hob and between it and the sink."""
+    """Worktop of .8 m lacks a third of 1.2 m; a tall fridge stands beside the hob and between it and the sink; the hob
+    is the last unit of all."""
     far = along(["kitchen_sink", "kitchen_drawers", "oven"])
-    assert exchange.cost(far.names, far.boxes, far.space) == pytest.approx(exchange.LITTLE / 3, abs=1e-3)
+    assert exchange.cost(far.names, far.boxes, far.space) == pytest.approx(
+        exchange.LITTLE / 3 + exchange.AT_END, abs=1e-3)
     tall = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "fridge", "oven"])
     assert exchange.cost(tall.names, tall.boxes, tall.space) == pytest.approx(
-        exchange.PARTED + exchange.BESIDE, abs=1e-3)
+        exchange.PARTED + exchange.BESIDE + exchange.AT_END, abs=1e-3)
     touching = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "oven"])
-    assert exchange.cost(touching.names, touching.boxes, touching.space) == pytest.approx(exchange.BETWEEN, abs=1e-3)
+    assert exchange.cost(touching.names, touching.boxes, touching.space) == pytest.approx(
+        exchange.BETWEEN + exchange.AT_END, abs=1e-3)
     assert exchange.cost(["chair"], far.boxes[:1], far.space) == 0
 
 
@@ -115,3 +118,10 @@ def test_a_corner_unit_round_which_no_run_goes_is_a_base_unit(turned: bool, widt
     after = exchange.settled(there, 0, room(6.0, 4.0).fork)
     assert after.names == [name, "kitchen_base"] and np.allclose(after.boxes, there.boxes)
     assert exchange.settled(there, 1, room(6.0, 4.0).fork).names[0] == "kitchen_corner", "what is given stays"
+
+
+def test_the_hob_does_not_stay_at_the_end_of_its_run() -> None:
+    names = ["oven", "kitchen_drawers", "kitchen_sink", "kitchen_base", "fridge"]
+    found = order(settled(along(names)))
+    assert sorted(found) == sorted(names) and 0 < found.index("oven") < 4
+    assert between(found, WET, HOT) and abs(found.index("oven") - found.index("fridge")) > 1

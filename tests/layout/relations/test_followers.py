@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import box, room
+from rooms_for_tests import box, room, some_rooms
 
+from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import followers
-from apartgen.stages.layout.relations.standing import BROKEN
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.rooms import KINDS, Rooms
 
 TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
 
@@ -93,6 +95,44 @@ def test_leaders_may_stand_all_over_the_room_square_to_its_walls() -> None:
     found = [followers.leading("wardrobe", clothes, there.space, least)[:, 4] for least in (0.0, 1.2, 2.0)]
     widths = [sorted({round(float(wide), 3) for wide in some}) for some in found]
     assert widths == [[1.8], [1.2, 1.8], [1.8]], "no wider than said, and as narrow as is enough"
+
+
+@pytest.mark.parametrize("name", ["coat_rack", "shoe_cabinet", "plant"])
+def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
+    """It is in the middle of the south wall of a room 8 m long."""
+    there = Furniture(space_of(entered(), 0))
+    one = box((0.3, 0.6, 1.7), 0.0, 0.0)
+    near, far = box((0.3, 0.6, 1.7), 1.0, -1.34, np.pi / 2), box((0.3, 0.6, 1.7), 3.6, -1.34, np.pi / 2)
+    good = (there.prices(name, np.stack([near, far]), strict=True) < BROKEN).tolist()
+    assert good == [True, name == "plant"]
+    places = followers.arriving(name, one[None], there.space)
+    if name == "plant":
+        assert not len(places)
+        return
+    assert len(places) > 8 and (np.hypot(places[:, 0], places[:, 1] + 1.5) < 3.0).all()
+    back = places[:, :2] - 0.15 * np.stack([np.cos(places[:, 2]), np.sin(places[:, 2])], -1)
+    assert (np.minimum(4 - np.abs(back[:, 0]), 1.5 - np.abs(back[:, 1])) < 0.02).all()
+    hall = Furniture(space_of(entered(KINDS["door"]), 0))
+    assert not len(followers.arriving(name, one[None], hall.space))
+
+
+def entered(kind: int = KINDS["entrance"]) -> Rooms:
+    rooms = some_rooms(1)
+    rooms.polygon[0, :4] = np.array([[-4, -1.5], [4, -1.5], [4, 1.5], [-4, 1.5]], np.float32)
+    rooms.openings[0] = np.nan
+    rooms.openings[0, 0] = [-0.45, -1.5, 0.45, -1.5, kind, -1, 0]
+    return rooms
+
+
+def test_a_stand_does_not_reach_beyond_the_end_of_its_wall() -> None:
+    """The walls of an L meet at a corner that stands out at (1, 1)."""
+    rooms = some_rooms(1)
+    rooms.polygon[0] = np.nan
+    rooms.polygon[0, :6] = [[-3, -3], [3, -3], [3, 1], [1, 1], [1, 3], [-3, 3]]
+    rooms.openings[0] = np.nan
+    there = Furniture(space_of(rooms, 0))
+    stands = np.stack([box((0.4, 1.6, 0.5), x, 0.79, -np.pi / 2) for x in (2.1, 1.3, 1.0)])
+    assert (there.prices("tv_stand", stands, strict=True) < BROKEN).tolist() == [True, False, False]
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import handmade
 import numpy as np
 import pytest
 
+import apartgen
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.plan import AskedObjects, Plan, Room
 from apartgen.stages import layout, seeds, use
@@ -184,6 +185,25 @@ def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
         robes += [o.size[1] for o in things if o.category in ("wardrobe", "sliding_wardrobe") and any(
             p.category == "double_bed" and p.room == o.room for p in things)]
     assert np.mean(machines) >= 0.8 and robes and np.mean(np.array(robes) >= 1.15) >= 0.6
+
+
+def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
+    """Nobody asked; where all is counted nothing comes, and where it stands already no second one does."""
+    near = []
+    for seed in range(4):
+        plan = apartgen.plan("studio", seed=seed).body
+        door = next(o for o in plan.openings if o.kind == "entrance")
+        room = next(room for room in plan.rooms if room.id in door.rooms)
+        racks = [o for o in made(plan).objects if o.category == "coat_rack" and o.room == room.id]
+        if use.site(plan, room.id).entered:
+            near.append(len(racks) == 1 and np.hypot(*(np.array(racks[0].center[:2]) - np.mean(door.segment, 0))) < 4)
+            assert relations_home._late(plan, room, []) == ("coat_rack",)
+            assert not relations_home._late(plan, room, racks) or not racks
+            counted = plan.program.model_copy(update={"counts": {room.id: 5}})
+            assert not relations_home._late(plan.model_copy(update={"program": counted}), room, [])
+        else:
+            assert room.base == "hallway" and not use.arrivals(use.site(plan, room.id))
+    assert len(near) >= 2 and np.mean(near) > 0.7
 
 
 def test_no_machine_comes_where_none_is_wanted() -> None:

@@ -1,0 +1,60 @@
+"""Wardrobes of a finished room grow along their wall into floor that nothing else took: what is drawn before all else
+stands cannot know how much will be left."""
+
+from collections.abc import Callable, Collection
+
+import numpy as np
+
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use import kinds
+
+WIDTHS = (2.0, 1.8, 1.6, 1.4)
+"""What is tried, m: one metre for each of two is usual."""
+LITTLE = 0.05
+"""What is no gain, m."""
+
+
+def grown(there: Furniture, names: Collection[str], fixed: int, empty: Callable[[], Furniture]) -> Furniture:
+    """The furniture with wardrobes of these names as wide as breaks nothing, up to 2 m together; the first `fixed` are
+    given and stay."""
+    for k in range(fixed, len(there.names)):
+        if there.names[k] in names and kinds.basic(there.names[k]) in kinds.WARDROBES:
+            there = _wider(there, k, empty)
+    return there
+
+
+def _wider(there: Furniture, k: int, empty: Callable[[], Furniture]) -> Furniture:
+    name, box = there.names[k], there.boxes[k]
+    have = sum(float(b[4]) for o, b in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.WARDROBES)
+    most = min(float(TABLE[name].max[1]), WIDTHS[0] - have + float(box[4]))
+    tries = np.array([_grown(box, wide, side) for wide in WIDTHS if box[4] + LITTLE < wide <= most + LITTLE
+                      for side in (0.0, 1.0, -1.0)], np.float32).reshape(-1, 7)
+    if not len(tries):
+        return there
+    rest = _without(there, k, empty)
+    good = rest.prices(name, tries, strict=True) < BROKEN
+    found = next((new for new in tries[good] if rest.shuts(name, new) < CUT), None)
+    if found is None:
+        return there
+    out = empty()
+    for i, (o, b) in enumerate(zip(there.names, there.boxes, strict=True)):
+        out.add(o, found if i == k else b)
+    return out
+
+
+def _grown(box: Array, wide: float, side: float) -> Array:
+    """A box that grows to both sides, or to one."""
+    out, more = box.copy(), side * (wide - float(box[4])) / 2
+    out[:2] += more * np.array([-np.sin(box[2]), np.cos(box[2])])
+    out[4] = wide
+    return out
+
+
+def _without(there: Furniture, k: int, empty: Callable[[], Furniture]) -> Furniture:
+    rest = empty()
+    for i, (name, box) in enumerate(zip(there.names, there.boxes, strict=True)):
+        if i != k:
+            rest.add(name, box)
+    return rest

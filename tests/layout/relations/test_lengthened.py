@@ -1,0 +1,54 @@
+"""Wardrobes grow into floor that nothing else took, and nothing else moves."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import box, room
+
+from apartgen.stages.layout.relations import lengthened
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+
+NAMES = ("wardrobe",)
+CLOTHES = (0.6, 1.2, 2.1)
+
+
+def bedroom(*more: tuple[str, np.ndarray], x: float = 0.0) -> Furniture:
+    """A wardrobe at the north wall of a room of 5 m by 4."""
+    there = room(5.0, 4.0)
+    there.add("wardrobe", box(CLOTHES, x, 1.695, -np.pi / 2))
+    for name, one in more:
+        there.add(name, one)
+    return there
+
+
+def grown(there: Furniture, fixed: int = 0) -> Furniture:
+    return lengthened.grown(there, NAMES, fixed, room(5.0, 4.0).fork)
+
+
+def ends(there: Furniture) -> tuple[float, float]:
+    x, width = there.boxes[there.names.index("wardrobe")][[0, 4]].astype(float)
+    return round(x - width / 2, 3), round(x + width / 2, 3)
+
+
+@pytest.mark.parametrize("x, after", [(0.0, (-1.0, 1.0)), (-1.85, (-2.45, -0.45)), (1.85, (0.45, 2.45))])
+def test_it_grows_to_two_metres_along_its_wall_and_stays_in_the_room(x: float, after: tuple[float, float]) -> None:
+    there = grown(bedroom(x=x))
+    assert ends(there) == pytest.approx(after, abs=1e-3)
+    assert there.boxes[0, [1, 2, 3, 5, 6]].tolist() == bedroom(x=x).boxes[0, [1, 2, 3, 5, 6]].tolist()
+
+
+def test_it_grows_beside_what_stands_there_and_breaks_nothing() -> None:
+    shelf = ("bookshelf", box((0.3, 0.8, 1.8), 1.05, 1.845, -np.pi / 2))
+    before = bedroom(shelf)
+    there = grown(before)
+    assert ends(there) == pytest.approx((-1.4, 0.6), abs=1e-3)
+    assert np.array_equal(there.boxes[1], before.boxes[1]) and there.names == before.names
+    rest = room(5.0, 4.0)
+    rest.add(*shelf)
+    assert rest.prices("wardrobe", there.boxes[:1], strict=True)[0] < BROKEN
+
+
+def test_two_are_two_metres_together_and_what_is_given_or_of_other_rooms_stays() -> None:
+    second = ("wardrobe", box(CLOTHES, -2.195, 0.0))
+    assert grown(bedroom(second)).boxes[:, 4] == pytest.approx([1.2, 1.2])
+    assert ends(grown(bedroom(), fixed=1)) == (-0.6, 0.6)
+    assert ends(lengthened.grown(bedroom(), (), 0, room(5.0, 4.0).fork)) == (-0.6, 0.6)
