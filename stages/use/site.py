@@ -11,6 +11,8 @@ from apartgen.stages.use.household import duties, eats_in, sleepers, washes_in
 
 Array = NDArray[np.float64]
 PASSAGES = ("door", "opening", "entrance")
+FEW = 2
+"""Of so many bedrooms each is likely for two."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class Hole:
 class Site:
     """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`,
     one is where clothes are washed (`laundry`), one is the largest of the bedrooms (`main`), or for want of
-    any is slept in (`sleeps`)."""
+    any is slept in (`sleeps`); of three bedrooms and more the others are children's as likely as not (`shared`)."""
 
     id: str
     kind: str
@@ -60,6 +62,7 @@ class Site:
     laundry: bool = False
     main: bool = False
     sleeps: bool = False
+    shared: bool = False
 
     @cached_property
     def start(self) -> Array:
@@ -113,7 +116,7 @@ def site(plan: Plan, room_id: str) -> Site:
     of = duties(plan, room)
     return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan),
                  eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1, of.main > 0,
-                 of.sleeps > 0)
+                 of.sleeps > 0, of.main == 0 and sum(room.base == "bedroom" for room in plan.rooms) > FEW)
 
 
 def alone(room: Room) -> Site:
@@ -124,10 +127,10 @@ def alone(room: Room) -> Site:
 @lru_cache(maxsize=256)
 def _site(id: str, kind: str, corners: tuple[tuple[float, float], ...], rows: tuple[tuple[object, ...], ...],
           people: int | None, meals: bool = False, laundry: bool = False, main: bool = False,
-          sleeps: bool = False) -> Site:
+          sleeps: bool = False, shared: bool = False) -> Site:
     bare = Site(id, kind, corners, (), people)
     holes = tuple(_hole(bare, *row) for row in rows)  # type: ignore[arg-type]
-    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main, sleeps=sleeps)
+    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main, sleeps=sleeps, shared=shared)
 
 
 def _hole(bare: Site, id: str, kind: str, a: tuple[float, float], b: tuple[float, float], sill: float, head: float,

@@ -96,7 +96,7 @@ def _by_number(site: Site, count: Counter[str], upright: int) -> Iterator[Lack]:
     for want in _wants("want", site.kind):
         number = min(want.each, len(site.windows)) if want.each else want.number
         missing = number - _number(count, want.of)
-        if site.area >= want.least_area and missing > 0:
+        if site.area >= want.least_area and missing > 0 and not (site.shared and want.name in _table()["for_parents"]):
             yield Lack(f"no {want.name}" if number == 1 or want.each else f"few {want.name}", missing,
                        missing * want.weight)
     for want in _wants("most", site.kind):

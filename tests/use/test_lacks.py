@@ -5,9 +5,10 @@ import pytest
 from lived_in import EAST, NORTH, ROOMS, bedroom, room, table, thing
 
 from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.plan import Plan
 from apartgen.stages import use
 from apartgen.stages.things.categories import TABLE
-from apartgen.stages.use.wants import _table
+from apartgen.stages.use.wants import HOOKS, _table
 
 
 def lacking(place: use.Furnished) -> dict[str, float]:
@@ -126,3 +127,31 @@ def test_two_sleep_where_there_is_floor_and_a_couple_in_the_largest_bedroom(
     found = {lack.name for lack in use.lacks_of(site, [bed])}
     assert found & {"bed for one where two sleep", "no double bed in the largest bedroom"} == lacks
     assert "bed for one where two sleep" not in {x.name for x in use.lacks_of(replace(site, sleepers=None), [bed])}
+
+
+@pytest.mark.parametrize(("beds", "wanted"), [(2, {"bedroom_1", "bedroom_2"}), (3, {"bedroom_1"})])
+def test_in_homes_of_three_bedrooms_and_more_only_the_largest_wants_a_double_bed(beds: int, wanted: set[str]) -> None:
+    """Bedrooms of 14 m² and, the others, of 12 m², side by side."""
+    widths = [3.5] + [3.0] * (beds - 1)
+    starts = np.concatenate([[0.0], np.cumsum(widths)[:-1]])
+    rooms = [{"id": f"bedroom_{k + 1}", "type": "bedroom", "polygon": [[x, 0], [x + w, 0], [x + w, 4], [x, 4]]}
+             for k, (x, w) in enumerate(zip(starts.tolist(), widths, strict=True))]
+    asked = [{"id": room["id"], "type": "bedroom"} for room in rooms]
+    plan = Plan.model_validate({"program": {"rooms": asked}, "rooms": rooms, "openings": []})
+    found = {room["id"] for room in rooms if "no double bed" in {
+        lack.name for lack in use.lacks_of(use.site(plan, room["id"]), ["single_bed", "single_bed"])}}
+    assert found == wanted
+
+
+def test_a_home_is_entered_with_coats_where_it_has_no_hall() -> None:
+    """A hall wants a place for them as a hall does, which is another row of the table."""
+    for kind, lacks in (("living_room", True), ("hallway", False)):
+        one = {"id": f"{kind}_1", "type": kind}
+        door = {"id": "in", "kind": "entrance", "rooms": [one["id"]], "segment": [[1, 0], [2, 0]], "sill": 0, "head": 2}
+        rooms = [one | {"polygon": [[0, 0], [5, 0], [5, 4], [0, 4]]}]
+        plan = Plan.model_validate({"program": {"rooms": [one]}, "rooms": rooms, "openings": [door]})
+        place = use.site(plan, one["id"])
+        assert (use.arrivals(place) == ["coat_rack"]) == lacks
+        assert [lack.cost for lack in use.lacks_of(place, ["sofa"]) if lack.name == "no place for coats"] == [
+            HOOKS if lacks else 1.0]
+        assert "no place for coats" not in {lack.name for lack in use.lacks_of(place, ["sofa", "coat_rack"])}
