@@ -18,7 +18,8 @@ from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
-from apartgen.stages.use.kinds import BEDS, CASES, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WARDROBES, WET, basic
+from apartgen.stages.use import kinds
+from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WARDROBES, WET, basic
 from apartgen.stages.use.rules.cook import CORNER, JOINED, PUT_DOWN
 
 SLACK = 0.008
@@ -33,8 +34,10 @@ LEVEL = 0.02
 SEATS = BEDS | EASY | CHAIRS | SMALL_SEATS
 OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
-AT_WALLS, BEHIND, END = CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2, 0.1
+AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2, 0.1
 """What has its back at a wall, no farther from it, m, with a radiator between, up to so near its ends."""
+FREE = 4.0
+"""Price of a sofa that turns its back to the room."""
 ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
 """What one uses coming home, and how far from the entrance's middle at most, m."""
 IN_THE_WAY, FLAT = 1.5, 0.03
@@ -131,12 +134,14 @@ class Furniture:
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
     def _away(self, name: str, found: Boxes, strict: bool) -> Floats:
-        """What has a back has all of it at a wall; coats and shoes are near the entrance."""
+        """What has a back has all of it at a wall, a sofa rather than not; coats and shoes are near the entrance."""
         total, kind = np.zeros(found.n), basic(name)
         if kind in AT_WALLS:
             ends = found.size[:, 1] / 2 - END
             off = np.maximum(self.space.behind(found, ends), self.space.behind(found, -ends))
             total += np.where(off > BEHIND, 2 * BROKEN if strict or kind in WARDROBES else ALONE, 0.0)
+        if kind in kinds.SOFAS:
+            total += np.where(self.space.behind(found) > BEHIND, FREE, 0.0)
         if name in ARRIVAL and len(self.space.entrances):
             far = self.space.from_entrance(found.center[:, :2]) > NEAR
             total += np.where(far, 2 * BROKEN if strict else CRAMPED, 0.0)

@@ -141,7 +141,7 @@ def test_units_of_a_run_stand_side_by_side() -> None:
     apart = price(there, "hob", -2.695, 0.9, 0.0, 0.6, 0.6, 0.0, 0.9)
     turned = price(there, "hob", -2.695, 0.605, np.pi, 0.6, 0.6, 0.0, 0.9)
     assert flush < min(apart, turned)
-    assert price(there, "sofa", 1.0, 0.0, 0.0, 0.9, 2.0, 0.0, 0.8) == 0, "others need no neighbour"
+    assert price(there, "dining_table", 1.0, 0.0, 0.0, 0.9, 2.0, 0.0, 0.8) == 0, "others need no neighbour"
 
 
 def test_a_hood_hangs_above_what_cooks() -> None:

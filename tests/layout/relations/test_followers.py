@@ -97,6 +97,14 @@ def test_leaders_may_stand_all_over_the_room_square_to_its_walls() -> None:
     assert widths == [[1.8], [1.2, 1.8], [1.8]], "no wider than said, and as narrow as is enough"
 
 
+def test_a_sofa_stands_rather_at_a_wall() -> None:
+    there = room(6.0, 6.0)
+    rows = np.stack([box((0.9, 2.0, 0.8), -3 + 0.45 + gap, 0.5) for gap in (0.05, 1.5)])
+    for strict in (False, True):
+        at_wall, free = there.prices("sofa", rows, strict=strict)
+        assert at_wall < free < BROKEN
+
+
 @pytest.mark.parametrize("name", ["coat_rack", "shoe_cabinet", "plant"])
 def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     """It is in the middle of the south wall of a room 8 m long."""
