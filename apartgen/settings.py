@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from apartgen import planning
+from apartgen.planning import PlanSettings, checked, draw
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.base import Record
@@ -86,8 +86,8 @@ def opened(home: Home) -> Artifact[Any]:
 
 def planned(text: str, seed: int, settings: Mapping[str, Any]) -> Artifact[Plan]:
     """The plan for a sentence."""
-    config, began = configured(planning.PlanSettings, settings), perf_counter()
-    drawn, used = planning.draw(planning.checked(text), config, seed)
+    config, began = configured(PlanSettings, settings), perf_counter()
+    drawn, used = draw(checked(text), config, seed)
     record = made(seed, config, seconds=perf_counter() - began).model_copy(update={"model": used})
     return artifact.finish(drawn, record)[1]
 

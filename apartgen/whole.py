@@ -9,8 +9,10 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from apartgen import outputs, planning
 from apartgen.kept import kept
+from apartgen.outputs import ExportSettings, MetricsSettings, finished, intact, measure, principal
+from apartgen.planning import PlanSettings
+from apartgen.planning import draw as draw_plan
 from apartgen.schemas import artifact
 from apartgen.schemas.artifact import Artifact, Made
 from apartgen.schemas.base import Record
@@ -21,8 +23,8 @@ from apartgen.stages.aside import aside
 from apartgen.steps import LAYOUT, STEPS, WALKABLE, Step, lane, made
 
 KINDS: dict[str, type[Record]] = {
-    "plan": planning.PlanSettings, **{step.word: step.config for step in STEPS},
-    "metrics": outputs.MetricsSettings, "export": outputs.ExportSettings,
+    "plan": PlanSettings, **{step.word: step.config for step in STEPS},
+    "metrics": MetricsSettings, "export": ExportSettings,
 }
 """The settings of every stage."""
 SCENE = "scene"
@@ -64,7 +66,7 @@ def _planned(prompt: str, config: Any, seed: int, folder: Path, id: str, furnish
     old = kept(folder / "plan.json", "plan", wanted)
     if old is not None and old.body.prompt == prompt:
         return old
-    draw = partial(planning.draw, prompt, config, seed, id)
+    draw = partial(draw_plan, prompt, config, seed, id)
     drawn, used = _drawn_aside(draw) if furnished and _FURNISHES not in sys.modules and os.cpu_count() != 1 else draw()
     return _saved(drawn, wanted.model_copy(update={"model": used}), began, folder / "plan.json")
 
@@ -91,11 +93,11 @@ def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, f
 
 def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> list[Path]:
     """The main file of every format."""
-    files = outputs.intact(home, settings, scene, seed) or outputs.finished(home, settings, scene, seed)
-    return [scene / path for path in outputs.principal(files)]
+    files = intact(home, settings, scene, seed) or finished(home, settings, scene, seed)
+    return [scene / path for path in principal(files)]
 
 
 def _measured(home: Artifact[Any], settings: Any, seed: int, folder: Path) -> None:
     wanted, began = made(seed, settings, home), perf_counter()
     if kept(folder / "metrics.json", "metrics", wanted) is None:
-        _saved(outputs.measure(home.body, settings), wanted, began, folder / "metrics.json")
+        _saved(measure(home.body, settings), wanted, began, folder / "metrics.json")

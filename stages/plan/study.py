@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 
 from apartgen.schemas.plan import AskedRoom, Plan, Program
-from apartgen.stages.plan import validate
+from apartgen.stages.plan.judge import faults
 from apartgen.stages.plan.standards import STANDARDS
 from apartgen.stages.space import graphs, polygons
 
@@ -38,7 +38,7 @@ def measured(plan: Plan) -> dict[str, float]:
     built, asked = graphs.of_plan(plan), graphs.of_program(plan.program)
     fidelity = graphs.constraint_satisfaction(built, asked)
     return {
-        "faults": float(len(validate(plan))),
+        "faults": float(len(faults(plan))),
         "relaxed": float(len(plan.relaxed)),
         "S_edge": graphs.edge_similarity(built, asked),
         "S_constraint": float("nan") if fidelity is None else fidelity,
