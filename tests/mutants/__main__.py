@@ -72,7 +72,7 @@ def judged(bench: Bench, part: str, change: Change, quick: tuple[Fate, str] | No
 def told(found: Sequence[Row]) -> Iterator[str]:
     """Killed and survived by part, then what survived."""
     yield f"{'part':12} killed survived equivalent"
-    for part in [*dict.fromkeys(str(one["part"]) for one in found), "all"]:
+    for part in [*sorted({str(one["part"]) for one in found}), "all"]:
         fates = [one["fate"] for one in found if part in (one["part"], "all")]
         dead, same = sum(fate in ("killed", "too long") for fate in fates), fates.count("equivalent")
         rest = len(fates) - dead - same
@@ -107,6 +107,7 @@ def main() -> None:
     lines = bench.results.read_text(encoding="utf-8").splitlines() if bench.results.exists() else []
     known = {one["key"]: one for one in map(json.loads, lines)}
     chosen = [(part, change) for part, some in draw for change in some if not asked.stage or part in asked.stage]
+    Random(asked.seed).shuffle(chosen)  # what is tried when the time is up is a fair sample
     print("\n".join(told(list(fates(bench, chosen, known)))))
 
 
