@@ -1,6 +1,11 @@
 """What a programme says, in short: `B2 H K L W`, `K1L1` a door, `K1~L1` no wall, `B1=12` m², `near K1 entrance`."""
 
+from collections.abc import Callable, Sequence
+
+import pytest
+
 from apartgen.schemas.plan import Program
+from apartgen.stages.plan.reader import read
 
 SHORT = {
     "living_room": "L", "kitchen": "K", "dining_room": "D", "bedroom": "B", "bathroom": "W", "hallway": "H",
@@ -24,6 +29,20 @@ def facts(program: Program) -> set[str]:
     out += [f"all={program.total_area:g}"] if program.total_area else []
     out += [f"{_short(o.room)} has {o.count} {o.category}" for o in program.objects]
     return {*out, *(f"unread {entry.split(' (')[0]}" for entry in program.unread)}
+
+
+def as_meant(rows: Sequence[tuple[str, str, str]]) -> Callable[[str, str, str], None]:
+    """The test that prompts have these rooms, say these facts (a list with commas), and none of those behind a `!`."""
+
+    @pytest.mark.parametrize(("prompt", "wanted", "told"), rows)
+    def test(prompt: str, wanted: str, told: str) -> None:
+        program = read(prompt)
+        said, entries = facts(program), told.split(", ") if told else []
+        missing = {entry for entry in entries if entry[0] != "!"} - said
+        found = rooms(program), missing, {entry[1:] for entry in entries if entry[0] == "!"} & said
+        assert found == (wanted, set(), set()), found
+
+    return test
 
 
 def _short(of: str) -> str:

@@ -1,9 +1,6 @@
 """Prompts as fifty users type them, of which the first reading had shown something missed."""
 
-import pytest
-from sentences.facts import facts, rooms
-
-from apartgen.stages.plan.reader import read
+from sentences.facts import as_meant
 
 SENTENCES = [
     # none of several
@@ -129,12 +126,4 @@ SENTENCES = [
      "adjacent W1 B1, near K1 entrance"),
 ]  # fmt: skip
 
-
-@pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
-def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
-    program = read(prompt)
-    assert rooms(program) == wanted
-    said = facts(program)
-    entries = [entry for entry in told.split(", ") if entry]
-    assert {entry for entry in entries if entry[0] != "!"} <= said
-    assert not {entry[1:] for entry in entries if entry[0] == "!"} & said
+test_the_programme_is_as_meant = as_meant(SENTENCES)

@@ -1,9 +1,6 @@
 """Places that head their rooms, rooms said anew under another name or number, and what `it` is of a way."""
 
-import pytest
-from sentences.facts import facts, rooms
-
-from apartgen.stages.plan.reader import read
+from sentences.facts import as_meant
 
 SENTENCES = [
     # places that head a list
@@ -35,15 +32,7 @@ SENTENCES = [
      "B2 H K L W Y", "B1Y1, H1W1, !L1Y1"),
 ]  # fmt: skip
 
-
-@pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
-def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
-    program = read(prompt)
-    assert rooms(program) == wanted
-    said = facts(program)
-    entries = [entry for entry in told.split(", ") if entry]
-    assert {entry for entry in entries if entry[0] != "!"} <= said
-    assert not {entry[1:] for entry in entries if entry[0] == "!"} & said
+test_the_programme_is_as_meant = as_meant(SENTENCES)
 
 
 ONE_ROOM = [
@@ -73,10 +62,7 @@ ONE_ROOM = [
     ("Three bedrooms, a study. Scratch the study.", "B3 H K L W2", "!unread scratch"),
 ]  # fmt: skip
 
-
-@pytest.mark.parametrize(("prompt", "wanted", "told"), ONE_ROOM)
-def test_so_are_rooms_of_several(prompt: str, wanted: str, told: str) -> None:
-    test_the_programme_is_as_meant(prompt, wanted, told)
+test_so_are_rooms_of_several = as_meant(ONE_ROOM)
 
 
 TYPED = [
@@ -107,7 +93,4 @@ TYPED = [
      "bathroom.", "B2 H K L W", "position L1 left, !position B1 left, !position W1 left, unread ahead"),
 ]  # fmt: skip
 
-
-@pytest.mark.parametrize(("prompt", "wanted", "told"), TYPED)
-def test_so_is_what_others_typed(prompt: str, wanted: str, told: str) -> None:
-    test_the_programme_is_as_meant(prompt, wanted, told)
+test_so_is_what_others_typed = as_meant(TYPED)

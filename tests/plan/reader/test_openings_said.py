@@ -1,9 +1,6 @@
 """Rooms that share a space: openings as nouns, rooms open to each other, to `it`, in lists and in keyed lines."""
 
-import pytest
-from sentences.facts import facts, rooms
-
-from apartgen.stages.plan.reader import read
+from sentences.facts import as_meant
 
 SENTENCES = [
     # to each other
@@ -56,12 +53,4 @@ SENTENCES = [
     ("A living room with a balcony, a kitchen that opens onto it, two bedrooms.", "B2 H K L W Y", "K1L1, !B1K1"),
 ]  # fmt: skip
 
-
-@pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
-def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
-    program = read(prompt)
-    assert rooms(program) == wanted
-    said = facts(program)
-    entries = [entry for entry in told.split(", ") if entry]
-    assert {entry for entry in entries if entry[0] != "!"} <= said
-    assert not {entry[1:] for entry in entries if entry[0] == "!"} & said
+test_the_programme_is_as_meant = as_meant(SENTENCES)

@@ -3,10 +3,7 @@
 Each with its rooms and what its programme says beside, `!` where it must not; the notation is `sentences.facts`'.
 """
 
-import pytest
-from sentences.facts import facts, rooms
-
-from apartgen.stages.plan.reader import read
+from sentences.facts import as_meant
 
 SENTENCES = [
     # neighbours that are none
@@ -160,12 +157,4 @@ SENTENCES = [
     ("One bedroom, in total 600 square feets.", "B H K L W", "all=55.74"),
 ]  # fmt: skip
 
-
-@pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
-def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
-    program = read(prompt)
-    assert rooms(program) == wanted
-    said = facts(program)
-    entries = [entry for entry in told.split(", ") if entry]
-    assert {entry for entry in entries if entry[0] != "!"} <= said
-    assert not {entry[1:] for entry in entries if entry[0] == "!"} & said
+test_the_programme_is_as_meant = as_meant(SENTENCES)
