@@ -11,7 +11,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages import seeds
 
 PARTS = {"train": 0.8, "val": 0.1, "test": 0.1}
-NEAR = 0.15
+TWINS_WITHIN = 0.15
 """Twins have the same graph of rooms; the sides of their rooms' boxes differ by less than this, root mean square, m."""
 
 
@@ -43,7 +43,7 @@ def _groups(ids: list[str], sides: np.ndarray) -> list[list[str]]:
             i = first[i]
         return i
 
-    for i, j in cKDTree(sides).query_pairs(NEAR * np.sqrt(sides.shape[1])):
+    for i, j in cKDTree(sides).query_pairs(TWINS_WITHIN * np.sqrt(sides.shape[1])):
         one, other = sorted((root(i), root(j)))
         first[other] = one
     groups: dict[int, list[str]] = defaultdict(list)

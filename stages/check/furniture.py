@@ -21,7 +21,7 @@ SQUARE, ROUND = ((0.5, 0.5),), ((0.5, 0.2), (0.2, 0.5), (0.354, 0.354))
 """Half widths, in shares of their size, of boxes that make up tables: those without a front are round."""
 BEYOND, UNKNOWN = 3.0, ((0.005,) * 3, (1.5,) * 3)
 """Sizes this many times beyond those of a category's real products, or of what nobody knows, are mistakes."""
-NEAR, HELD = 0.03, 0.3
+HANGS_OFF, HELD = 0.03, 0.3
 """How far what hangs may be from its wall, m, and what share of it must be held by a wall or by what it is on."""
 NOT_HELD = {"floor": {"wall", "ceiling"}, "flat": {"wall", "ceiling"}, "ceiling": {"wall", "floor"}}
 """What does not hold things of each place."""
@@ -102,7 +102,7 @@ def _supports(home: Layout, site: Site) -> Iterator[Fault]:
 
 def _hangs(o: Box, mark: Polygon, low: float, high: float, site: Site) -> bool:
     """Whether enough of a side is at a wall of its room, where no opening is."""
-    touched = site.rooms[o.room].exterior.intersection(mark.buffer(NEAR, join_style="mitre"))
+    touched = site.rooms[o.room].exterior.intersection(mark.buffer(HANGS_OFF, join_style="mitre"))
     for opening, it in site.gates:
         if o.room in it.sides and opening.sill <= low and high <= opening.head:
             touched = touched.difference(it.cut().buffer(TOUCH))

@@ -18,7 +18,7 @@ from apartgen.stages.plan.standards import STANDARDS
 from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space import polygons
 
-NEAR = 0.005
+LENGTHS_OFF = 0.005
 """Tolerance of lengths, m."""
 DEEP = 3.0
 """Depth of open air required before a window or an entrance, m."""
@@ -56,7 +56,7 @@ def _polygons(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 def _apart(plan: Plan, shapes: Shapes) -> Iterator[str]:
     for a, b in combinations(shapes, 2):
-        if shapes[a].distance(shapes[b]) < plan.walls.inner - NEAR:
+        if shapes[a].distance(shapes[b]) < plan.walls.inner - LENGTHS_OFF:
             yield f"{a} and {b} are closer than a wall"
     joined = shapely.union_all(list(shapes.values())).buffer(THICKEST / 2, join_style="mitre")
     if len(shapely.get_parts(joined)) > 1:
@@ -76,9 +76,9 @@ def _sizes(plan: Plan, shapes: Shapes) -> Iterator[str]:
         if not plan.relaxed and abs(shape.area / max(want, norm.area) - 1) > (0.5 if room.base == "hallway" else 0.2):
             yield f"{room.id} has {shape.area:.1f} m² instead of {want:.1f}"
         width = min(norm.width, 0.9 * np.sqrt(max(want, norm.area)))
-        if shape.buffer(-width / 2 + NEAR, join_style="mitre").is_empty:
+        if shape.buffer(-width / 2 + LENGTHS_OFF, join_style="mitre").is_empty:
             yield f"{room.id} is narrower than {width:.2f} m"
-        if shape.buffer(-min(width, 1.1) / 2 + NEAR, join_style="mitre").geom_type != "Polygon":
+        if shape.buffer(-min(width, 1.1) / 2 + LENGTHS_OFF, join_style="mitre").geom_type != "Polygon":
             yield f"{room.id} has a neck narrower than {min(width, 1.1):.2f} m"
         x0, y0, x1, y1 = shape.bounds
         long, short = max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0)
@@ -129,17 +129,17 @@ def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
         line = LineString(opening.segment)
         for room in opening.rooms:
             normal, reach = polygons.face(opening, plan, room)
-            if not shapes[room].buffer(NEAR).covers(_strip(opening, normal, reach, reach + 0.05)):
+            if not shapes[room].buffer(LENGTHS_OFF).covers(_strip(opening, normal, reach, reach + 0.05)):
                 yield f"{opening.id} does not open onto {room} over its whole width"
         if len(opening.rooms) == 1:
             normal, reach = polygons.face(opening, plan, opening.rooms[0])
             ahead = _strip(opening, normal, -DEEP, -reach)
             inside = [s for room, s in shapes.items() if opening.kind != "window" or not hung[room]]
-            if any(ahead.intersection(s).area > NEAR for s in inside):
+            if any(ahead.intersection(s).area > LENGTHS_OFF for s in inside):
                 yield f"{opening.id} does not lead into the open air"
         reaches = [polygons.face(opening, plan, room)[1] for room in opening.rooms]
         deep = reaches[1] if len(reaches) > 1 else plan.walls.outer / 2
-        if abs(reaches[0] - deep) > NEAR or deep > THICKEST:
+        if abs(reaches[0] - deep) > LENGTHS_OFF or deep > THICKEST:
             yield f"{opening.id} is not on the centre line of its wall"
         if any(line.intersects(s) for s in shapes.values()):
             yield f"{opening.id} lies on a floor"
@@ -154,7 +154,8 @@ def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 def _stands_off(balcony: str, plan: Plan, shapes: Shapes) -> bool:
     """Whether a balcony hangs outside: an outer wall between it and every room."""
-    return all(shapes[r.id].distance(shapes[balcony]) > plan.walls.outer - NEAR for r in plan.rooms if r.id != balcony)
+    least = plan.walls.outer - LENGTHS_OFF
+    return all(shapes[r.id].distance(shapes[balcony]) > least for r in plan.rooms if r.id != balcony)
 
 
 def _daylight(plan: Plan, shapes: Shapes) -> Iterator[str]:

@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 Rectangle = tuple[float, float, float, float]
 """Of a wall: first, last, lowest and highest, m."""
 
-NEAR = 0.12
+COVERS_WALL = 0.12
 """What is closer to a wall than this covers it, m."""
 STOOD = 0.45
 """And what stands on something there, as a television does: it is at the height of what hangs."""
@@ -83,7 +83,7 @@ def _covered(face: Face, home: Plan, room: Room, here: Sequence[Furnishing]) -> 
                 yield s.min() - 0.08, s.max() + 0.08, opening.sill, opening.head + 0.08
     for o in here:
         low, high = o.center[2] - o.size[2] / 2, o.center[2] + o.size[2] / 2
-        near = STOOD if carrying.by_another(o) else NEAR
+        near = STOOD if carrying.by_another(o) else COVERS_WALL
         yield from _strip(face, boxes.corners(boxes.of([o]))[0], low, high, near)
         c, s = np.cos(o.yaw), np.sin(o.yaw)
         for joint in o.joints:
@@ -98,7 +98,7 @@ def seen(face: Face, points: Array) -> tuple[Array, Array]:
     return (points - face.start) @ face.along, (points - face.start) @ face.normal
 
 
-def _strip(face: Face, points: Array, low: float, high: float, near: float = NEAR) -> Iterator[Rectangle]:
+def _strip(face: Face, points: Array, low: float, high: float, near: float = COVERS_WALL) -> Iterator[Rectangle]:
     s, off = seen(face, points)
     if off.min() < near and off.max() > -0.05 and s.max() > 0 and s.min() < face.length:
         yield float(s.min()), float(s.max()), low, high

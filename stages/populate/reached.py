@@ -29,7 +29,7 @@ RISE = 0.01
 """How far a thing is lifted that is drawn out from under a board, m."""
 SLACK, RESTS = 0.0015, 0.003
 """So much closer to a thing may be what it is not to touch, beside it and below it, m."""
-_NEAR = 0.6
+_WITHIN_REACH = 0.6
 """What is further off is out of reach, m."""
 _WALL = 0.1
 
@@ -223,7 +223,7 @@ class _Seen(NamedTuple):
     def around(self, o: Thing) -> tuple[Array, Array]:
         """What stands near a thing, and what of that is not itself."""
         x, y, _ = o.center
-        near = np.flatnonzero(np.hypot(self.solids[:, 0] - x, self.solids[:, 1] - y) < self.far + _NEAR)
+        near = np.flatnonzero(np.hypot(self.solids[:, 0] - x, self.solids[:, 1] - y) < self.far + _WITHIN_REACH)
         every = self.solids[near]
         return every, every[self.owner[near] != o.id]
 

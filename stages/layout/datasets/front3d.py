@@ -18,7 +18,7 @@ from apartgen.schemas.plan import Opening, Room
 from apartgen.stages.layout.datasets import _frames, _json, _words
 from apartgen.stages.space.boxes import Array
 
-NEAR = 0.4
+OPENS_WITHIN = 0.4
 """An opening belongs to the rooms whose floor comes so close to its middle, m."""
 KINDS = {"Door": "door", "Window": "window", "BayWindow": "window", "Hole": "opening"}
 
@@ -133,7 +133,7 @@ def _opening(mesh: dict[str, Any], number: int, rooms: list[Room]) -> Opening | 
     points = _vertices(mesh)
     plan, low, high = points[:, [0, 2]] * [1, -1], float(points[:, 1].min()), float(points[:, 1].max())
     middle, reach = (plan.max(0) + plan.min(0)) / 2, (plan.max(0) - plan.min(0)) / 2
-    near = [room.id for room in rooms if Polygon(room.polygon).distance(Point(middle)) < NEAR][:2]
+    near = [room.id for room in rooms if Polygon(room.polygon).distance(Point(middle)) < OPENS_WITHIN][:2]
     kind = KINDS[mesh["type"]]
     if kind == "opening" and low > 0.3:
         kind = "window"

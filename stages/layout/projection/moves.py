@@ -16,7 +16,7 @@ from apartgen.stages.things.categories import TABLE
 Array = NDArray[np.float64]
 SHIFTS = (0.05, 0.1, 0.16, 0.24, 0.34, 0.5, 0.7)
 NARROWER = (0.92, 0.85, 0.75)
-NEAR = 0.7
+MOVES_WITHIN = 0.7
 """Places farther away than this are not tried, m."""
 FAR = 3.0
 """What may go to another corner of the room, as what hangs on the walls, goes no farther than this, m."""
@@ -130,7 +130,7 @@ def _anew(i: int, room: Standing, space: Space) -> Move:
     if kind.back or kind.stands.anywhere:
         parts.append(candidates.along_walls(item.center, item.size, space, standing))
     found = candidates.join(parts)
-    near = FAR if kind.stands.anywhere or kind.place == "wall" else NEAR
+    near = FAR if kind.stands.anywhere or kind.place == "wall" else MOVES_WITHIN
     found = found.take(np.linalg.norm(found.center[:, :2] - item.center[:2], axis=1) < near)
     if kind.place == "wall":
         found = found.take(space.behind(found) < 0.03)

@@ -16,7 +16,7 @@ from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE, used_for
 
 Array = NDArray[np.float64]
-NEAR = 0.12
+STANDS_FLUSH = 0.12
 """Things that need no wall still stand flush with one as near as this, m, or as their category says."""
 FLUSH_WITH = 0.03
 """What hangs at a wall is no farther from it, m."""
@@ -107,7 +107,7 @@ def _candidates(item: Item, others: Boxes, space: Space, wide: bool) -> Boxes:
         return walls
     parts = [candidates.about(item.center, item.size, yaw)]
     if walls.n:
-        lean = NEAR if kind.stands.lean is None else kind.stands.lean
+        lean = STANDS_FLUSH if kind.stands.lean is None else kind.stands.lean
         near = np.linalg.norm(walls.center[:, :2] - item.center[:2], axis=1) < (9.0 if wide else lean)
         turned = np.cos(walls.yaw - yaw) > 0.7
         walls = walls.take(near & (turned | wide | (lean > 1)))

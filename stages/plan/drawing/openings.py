@@ -15,7 +15,7 @@ REACH = 1.0
 """A hole is looked for in walls up to this far from where it is drawn, m."""
 THICKEST = 0.9
 """No wall is thicker, m."""
-NEAR = 0.35
+OFF_ITS_WALL = 0.35
 """A hole lies no further outside the wall it is drawn at, m."""
 EVEN = 0.03
 """Walls are of one thickness to this, m."""
@@ -100,7 +100,8 @@ def _crossed(point: Array, normal: Array, floors: Floors, outer: float) -> _Gap 
         for lo, hi, name in spans[:1]
         if lo > 1e-6 - REACH and (name, "lo") not in walled
     ]
-    return min((gap for gap in gaps if _off(gap) < NEAR), key=lambda gap: (round(_off(gap), 3), gap.lo), default=None)
+    at_wall = (gap for gap in gaps if _off(gap) < OFF_ITS_WALL)
+    return min(at_wall, key=lambda gap: (round(_off(gap), 3), gap.lo), default=None)
 
 
 def _off(gap: _Gap) -> float:

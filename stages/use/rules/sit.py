@@ -12,7 +12,7 @@ CLOSE, FAR = 0.2, 0.75
 """A coffee table is reached from .30 to .46 m; outside these one stoops or bumps one's shins."""
 TALK = 3.0
 """People talk across no more than this, m."""
-NEAR, NEAR_BED, DISTANT = 1.0, 0.5, 5.5
+SEEN_FROM, SEEN_FROM_BED, SEEN_TO = 1.0, 0.5, 5.5
 """From a seat, or the foot of a bed, to a screen at least, and at most, m."""
 AGAINST = 0.35
 """Between a dining table and a sofa one passes, m."""
@@ -167,7 +167,7 @@ def _screen(room: Furnished, i: int) -> Iterator[Fault]:
     viewers = [s for s in room.which(EASY | BEDS) if room.aside[s, i] <= 40 and room.aside[i, s] <= 45]
     if not viewers:
         yield Fault("television that nobody watches", room.ids(i))
-    elif not any((NEAR_BED if room.names[s] in BEDS else NEAR) < room.gap[s, i] < DISTANT for s in viewers):
+    elif not any((SEEN_FROM_BED if room.names[s] in BEDS else SEEN_FROM) < room.gap[s, i] < SEEN_TO for s in viewers):
         yield Fault("television too near or too far", room.ids(i, *viewers))
     elif (wide := _screen_width(room, i)) and min(room.gap[s, i] for s in viewers) > SMALL * wide:
         yield Fault("television small for its distance", room.ids(i, *viewers))

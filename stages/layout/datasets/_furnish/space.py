@@ -22,7 +22,7 @@ WALK = 0.27
 ARM = 0.75
 """How far in front of open parts one may stand to use them, m."""
 ASIDE = 0.22
-NEAR = 0.62
+COMES_WITHIN = 0.62
 """How near one must come to anything else that stands on the floor, m."""
 POCKET = 0.5
 """No more floor than this may be cut off, m²."""
@@ -245,7 +245,7 @@ def _used(name: str, row: Array) -> bool:
 def _uses(name: str, sweep: Array) -> list[tuple[float, float, float, float]]:
     """What `kernels.got_to` asks of a thing: shut, and with its parts open."""
     if not TABLE[name].articulated:
-        return [(-1.0, NEAR, 0.0, 0.0)]
+        return [(-1.0, COMES_WITHIN, 0.0, 0.0)]
     opened = float(sweep[3]) if sweep[2] > NOTHING[2] + 1 else 0.0
     return [(0.0, ARM, ASIDE, 0.0), (opened, ARM, ASIDE, WALK)]
 
