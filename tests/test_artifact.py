@@ -261,6 +261,15 @@ def test_a_link_is_written_through_and_a_device_is_not_replaced(tmp_path):
     assert stat.S_ISCHR(os.stat(os.devnull).st_mode)
 
 
+def test_a_new_file_is_for_those_whom_the_mask_lets(tmp_path):
+    before = os.umask(0o027)
+    try:
+        write("new\n", tmp_path / "plan.json")
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE((tmp_path / "plan.json").stat().st_mode) == 0o640
+
+
 def test_unreadable_sources_are_bad_input(tmp_path):
     for source in (tmp_path, tmp_path / "missing.json"):
         with pytest.raises(BadInput, match="cannot be read"):

@@ -98,3 +98,20 @@ def test_a_member_that_keeps_part_of_a_contract_is_told_the_rest() -> None:
     vars(member)["half"] = lambda number: number // 2
     assert contract.fault(member, (Both,)) == ""
     assert "double" in contract.fault(ModuleType("other"), (Both,)) and contract.fault(ModuleType("other"), ()) == ""
+
+
+class Configured(Protocol):
+    """A contract with a type and a value."""
+
+    Config: type[int]
+    LEAST: float
+
+
+def test_a_type_that_is_asked_for_is_a_type_and_a_value_any() -> None:
+    member = ModuleType("stranger")
+    vars(member).update(Config=bool, LEAST=3)
+    assert list(contract._lacks(member, Configured)) == []
+    vars(member).update(Config=3)
+    assert list(contract._lacks(member, Configured)) == ["has no Config, a type"]
+    vars(member).update(Config=bool, LEAST=None)
+    assert list(contract._lacks(member, Configured)) == ["has no LEAST, a value"]

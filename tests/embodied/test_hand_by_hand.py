@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from apartgen.schemas.retrieve import Joint
-from apartgen.stages.embodied.interact import aim, near, timing, ways
+from apartgen.stages.embodied.interact import aim, near, parts, timing, ways
 from apartgen.stages.embodied.interact.robot import ARM, HAND, LIFT, posture, postures, tucked
 from apartgen.stages.things import solids
 from apartgen.stages.things.asset import Link
@@ -171,3 +171,13 @@ def test_what_a_part_passes_through_by_hand(kind, axis, reach, lo, hi):
     assert low[:2] == pytest.approx(np.add(lo, (10 - 0.05, 20 - 0.05)), abs=0.12)
     assert high[:2] == pytest.approx(np.add(hi, (10 + 0.05, 20 + 0.05)), abs=0.12)
     assert high[2] == pytest.approx(0.5 + near.ROBOT) and low[2] == pytest.approx(0.5 - near.ROBOT)
+
+
+def test_the_cup_is_set_on_the_lid_and_not_as_high_as_what_stands_behind():
+    """A lid whose top is at 0.5 m, hinged at the back, where a rail on it goes up to 0.6 m."""
+    lid = Joint(name="j", type="hinge", axis=(0, -1.0, 0), origin=(-0.3, 0, 0.46), range=(0, 1.5), part="hinge_lid")
+    boxes = np.array([[[-0.3, -0.4, 0.46], [0.3, 0.4, 0.5]], [[-0.3, -0.4, 0.5], [-0.2, 0.4, 0.6]]])
+    handle = np.array([0.3, 0.1, 0.48])
+    top, front = parts._cups(Link("lid", [], [], 1.0, joint=lid), boxes, handle, np.eye(4), np.arange(2))
+    assert top.point == pytest.approx([0.3 - parts.LIP, 0.1, 0.5]) and top.out.tolist() == [0, 0, 1]
+    assert front.point == pytest.approx(handle) and front.out.tolist() == [1, 0, 0]

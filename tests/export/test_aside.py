@@ -44,6 +44,21 @@ def test_a_job_whose_process_is_killed_is_done_here():
         assert wait() == "done"
 
 
+def test_a_second_process_starts_no_third():
+    def further():
+        with aside(os.getpid) as wait:
+            return wait() == os.getpid()
+
+    with aside(further) as wait:
+        assert wait()
+
+
+def test_where_forks_are_not_safe_a_job_is_done_here(monkeypatch):
+    monkeypatch.setattr("sys.platform", "darwin")
+    with aside(os.getpid) as wait:
+        assert wait() == os.getpid()
+
+
 def test_what_is_not_waited_for_ends():
     with pytest.raises(KeyboardInterrupt), aside(lambda: signal.pause()):
         raise KeyboardInterrupt

@@ -78,6 +78,15 @@ def test_every_room_is_in_the_list_with_its_number(name):
         assert label[0].split()[0] == str(k)
 
 
+@pytest.mark.parametrize("name", homes())
+def test_the_sheet_ends_little_beyond_its_list(name):
+    sheet = _drawing.figure(homes()[name])
+    renderer = FigureCanvasAgg(sheet).get_renderer()
+    ends = [text.get_window_extent(renderer).x1 / sheet.dpi for text in sheet.axes[0].texts
+            if (text.get_gid() or "").startswith("list")]
+    assert 0.0 < sheet.get_figwidth() - max(ends) < 0.6, "inches"
+
+
 @pytest.fixture(scope="module")
 def drawing(tmp_path_factory):
     out = tmp_path_factory.mktemp("plan") / "out"

@@ -276,3 +276,9 @@ def test_what_a_robot_may_push_or_lift_is_not_kinematic(house):
     """Of the sample's things a plant, a chair, a bin and the television; furniture, fixtures and lamps stay."""
     free = {o["apartgen"]["category"] for o in house["objects"] if not o["kinematic"]}
     assert free == {"plant", "chair", "bin", "tv"}
+
+
+def test_a_wide_way_has_a_door_or_frame_for_two_leaves():
+    """No leaf is 1.8 m wide, and two of 45 cm are none that one walks through."""
+    assert [_thor.passage(1.8, leaf) for leaf in (True, False)] == ["Doorway_Double_1", "Doorframe_Double_1"]
+    assert [_thor.passage(0.9, leaf) for leaf in (True, False)] == ["Doorway_1", "Doorframe_1"]

@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 from shapely.geometry import Polygon
 
+from apartgen.schemas.metrics import Value
 from apartgen.stages.metrics import outside, relations
+from apartgen.stages.metrics._table import averaged
 
 
 def is_out(off, depth):
@@ -62,3 +64,11 @@ def test_a_back_is_at_a_wall_that_it_is_parallel_and_near_to():
     assert not at_wall(0.4, 1.5, np.pi), "its front is at the wall"
     assert not at_wall(1.0, 0.4, 0.0), "its side is"
     assert at_wall(2.0, 0.4, np.pi / 2) and at_wall(2.0, 2.6, -np.pi / 2) and at_wall(3.6, 1.5, np.pi)
+
+
+def test_a_mean_over_one_room_has_no_interval():
+    figure = Value(name="figure", value=None)
+    assert averaged(figure, []) == figure
+    assert averaged(figure, [(0.25, 3.0)]) == figure.model_copy(update={"value": 0.25})
+    two = averaged(figure, [(0.25, 3.0), (0.75, 1.0)])
+    assert two.value == 0.375 and two.low is not None and two.high is not None and two.low <= 0.375 <= two.high

@@ -58,3 +58,15 @@ def test_a_socket_is_beside_what_wants_one_on_the_wall_behind_it(x, y, yaw, want
                                 np.random.default_rng(0)))
     assert len(found) == 1 and found[0].center[2] == walls.SOCKET
     assert min(np.hypot(*np.subtract(found[0].center[:2], at)) for at in wanted) < 0.01
+
+
+def test_a_room_without_a_door_has_its_switch_beside_the_way_in_and_none_at_a_window():
+    """The bedroom lies open to the living room between y 1.0 and 1.9; its window is named first."""
+    entrance, door, window = h.openings()
+    way = door.model_copy(update={"kind": "opening", "into": None})
+    home = h.home().model_copy(update={"openings": [window, way, entrance]})
+    bedroom = next(room for room in home.rooms if room.id == h.BEDROOM)
+    found = list(walls._switches(home, bedroom, faces.faces_of(home, bedroom, []), [SOCKET]))
+    assert len(found) == 1 and found[0].center[2] == walls.SWITCH
+    assert found[0].center[0] == pytest.approx(4.1, abs=0.01)
+    assert min(abs(found[0].center[1] - 1.0), abs(found[0].center[1] - 1.9)) < 0.4 and not 1 < found[0].center[1] < 1.9

@@ -226,9 +226,13 @@ def test_the_layout_text_tells_of_all_walls_openings_and_boxes(made):
         assert (az, bz, height, thick) == (0, 0, home.height, 0)
     holes = [row for row in rows.values() if row.startswith(("Door", "Window"))]
     assert len(holes) == len(home.openings)
-    for row in holes:
+    outlines = {room.id: polygons.floor(room).exterior for room in home.rooms}
+    for row, o in zip(holes, sorted(home.openings, key=lambda o: o.kind == "window")):
         wall, *values = row[row.index("(") + 1 : -1].split(",")
         x, y, _, width, _ = map(float, values)
+        middle = np.mean(o.segment, axis=0)
+        off = outlines[o.into or o.rooms[0]].distance(shapely.Point(middle))
+        assert np.hypot(*(middle - (x, y))) == pytest.approx(off, abs=1e-3), "on the wall that is nearest"
         ax, ay, _, bx, by, *_ = walls[wall]
         side = shapely.LineString([(ax, ay), (bx, by)])
         assert side.distance(shapely.Point(x, y)) < 1e-3 and width <= side.length + 1e-3

@@ -98,10 +98,13 @@ def test_gardens_are_no_rooms(caplog: pytest.LogCaptureFixture) -> None:
     assert [r.id for r in plan.rooms] == ["living_room_1", "bedroom_1"] and "out of doors: 'Back garden'" in said
 
 
-def test_drawings_far_from_their_origin_are_moved(caplog: pytest.LogCaptureFixture) -> None:
-    far = room(300005, 200005, 300395, 200395, "Living room") + room(300405, 200005, 300695, 200395, "Bedroom")
-    plan, said = read(far, caplog)
-    assert "moved to the origin" in said and max(abs(x) for r in plan.rooms for x, _ in r.polygon) < 20
+@pytest.mark.parametrize("x, y, far", [(300000, 200000, True), (60000, 0, True), (0, -90000, True), (10000, 0, False)])
+def test_drawings_far_from_their_origin_are_moved(x: int, y: int, far: bool, caplog: pytest.LogCaptureFixture) -> None:
+    """Surveyed ones, kilometres or half of one away; not one that is drawn on a wide sheet."""
+    drawn = room(x + 5, y + 5, x + 395, y + 395, "Living room") + room(x + 405, y + 5, x + 695, y + 395, "Bedroom")
+    plan, said = read(drawn, caplog)
+    off = max(float(np.abs(r.polygon).max()) for r in plan.rooms)
+    assert ("moved to the origin" in said, off < 20) == (far, far)
 
 
 def test_furniture_in_a_wall_is_moved_out_of_it(caplog: pytest.LogCaptureFixture) -> None:
