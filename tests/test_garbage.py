@@ -5,8 +5,6 @@ import subprocess
 import sys
 import textwrap
 
-from apartgen import garbage
-
 LEAVING = """
 import gc, sys
 from apartgen import garbage

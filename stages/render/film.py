@@ -14,9 +14,9 @@ from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.render.frames import pose
 from apartgen.stages.render.route import along, length
 from apartgen.stages.render.stands import Stand
-from apartgen.stages.scene.camera import Camera
+from apartgen.stages.scene.camera import MIDDLE, Camera
 from apartgen.stages.scene.looking import first
-from apartgen.stages.scene.picture import MIDDLE, metered, taken
+from apartgen.stages.scene.picture import metered, taken
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.soup import Array
 from apartgen.stages.scene.world import HomeWorld, ajar_world

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from apartgen.schemas.render import Instance, Row4, Seeing, View
 from apartgen.stages.render.labels import Labels, labelled, visible
-from apartgen.stages.scene.camera import Camera
+from apartgen.stages.scene.camera import MIDDLE, Camera
 from apartgen.stages.scene.looking import Eye, angle, first, seen
-from apartgen.stages.scene.picture import MIDDLE, picture
+from apartgen.stages.scene.picture import picture
 from apartgen.stages.scene.png import png
 from apartgen.stages.scene.world import HomeWorld
 

@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.render import Instance, Visible
 from apartgen.stages.scene.camera import Camera
-from apartgen.stages.scene.kernels import extents, face
+from apartgen.stages.scene.kernels import extents
+from apartgen.stages.scene.lens import noted
 from apartgen.stages.scene.looking import Eye, First, Seen, angle
 from apartgen.stages.scene.soup import Array, Hits, byted, colors
 from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.things.body import Body
 
-FARTHEST = 65_535
+FARTHEST = 65_535.0
 """Of depth pictures, mm."""
 BUILDING = ("wall", "floor", "ceiling", "trim", "door", "entrance", "window", "opening")
 """Classes that every home has, numbers 1 to 8; those of furniture follow by name."""
@@ -62,16 +63,13 @@ def labelled(world: HomeWorld, eye: Eye, whole: First, surface: Seen, things: li
     """The labels of what rays through the middles of all pixels meet, `surface` being what is opaque behind."""
     shape = (eye.rows, eye.columns)
     hits, direction = whole.hits, whole.direction
-    met = hits.triangle >= 0
-    far = np.where(met, hits.distance, 0) * (_ahead(eye, direction) if isinstance(eye, Camera) else 1.0)
-    facing = world.faces[hits.triangle].astype(np.float32)
-    face(facing, direction)
-    normal = np.where(met[:, None], np.rint((facing + 1) * 127.5), 0).astype(np.uint8)
+    ahead = -eye.frame[2].astype(float) if isinstance(eye, Camera) else np.zeros(3)
+    depth, normal, number = noted(hits.triangle, hits.distance, direction, ahead, world.faces, world.every.soup.owner,
+                                  FARTHEST)
     albedo = byted(_color(world, eye, hits, surface))
-    number = np.where(met, world.every.soup.owner[hits.triangle] + 1, 0).astype(np.uint16)
     table = np.array([0, *(thing.label for thing in things)], np.uint16)
-    return Labels(np.rint(far * 1000).clip(0, FARTHEST).astype(np.uint16).reshape(shape), normal.reshape(*shape, 3),
-                  albedo.reshape(*shape, 3), number.reshape(shape), table[number].reshape(shape))
+    return Labels(depth.reshape(shape), normal.reshape(*shape, 3), albedo.reshape(*shape, 3), number.reshape(shape),
+                  table[number].reshape(shape))
 
 
 def _color(world: HomeWorld, eye: Eye, hits: Hits, surface: Seen) -> Array:
@@ -81,13 +79,8 @@ def _color(world: HomeWorld, eye: Eye, hits: Hits, surface: Seen) -> Array:
         return surface.color
     color = surface.color.copy()
     some = Hits(hits.triangle[pane], hits.distance[pane], hits.weights[pane])
-    color[pane], _ = colors(some, world.every.soup, some.distance * angle(eye))
+    color[pane], _ = colors(some, world.every.soup, angle(eye))
     return color
-
-
-def _ahead(eye: Camera, direction: NDArray[np.float32]) -> NDArray[np.float64]:
-    """How far along the camera's axis a metre along each ray goes."""
-    return np.asarray(-direction.astype(float) @ eye.frame[2].astype(float))
 
 
 def visible(instance: NDArray[np.uint16]) -> list[Visible]:

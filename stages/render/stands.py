@@ -8,16 +8,16 @@ from numpy.typing import NDArray
 from apartgen.schemas.layout import Layout
 from apartgen.stages.robot import reach
 from apartgen.stages.robot.way import spread_places
-from apartgen.stages.scene.camera import Camera, Panorama
-from apartgen.stages.scene.soup import Array
+from apartgen.stages.scene.camera import MIDDLE, Camera, Panorama
+from apartgen.stages.scene.soup import Array, Index
 from apartgen.stages.scene.world import HomeWorld
 from apartgen.stages.space import boxes, grid
 
 PLACES, HEADINGS = 9, 16
 """Places of a room, and headings of each, that are tried."""
 PITCH = np.radians(-10.0)
-COARSE = 32
-"""Columns of the pictures by which views are judged."""
+COARSE, AROUND = 32, 144
+"""Columns of the pictures by which views are judged, and directions all around that they are made of."""
 ENOUGH = 0.01
 """Share of the picture from which a thing counts as seen."""
 MARGIN = 1.25
@@ -99,23 +99,35 @@ def best(world: HomeWorld, views: int, height: float, field: float, shape: tuple
 
 def _judged(world: HomeWorld, stands: list[Stand], field: float, aspect: float) -> tuple[Array, Array]:
     """Share of each object in a coarse picture from each stand, (n, objects), and of what is too near, (n,)."""
-    columns, rows = COARSE, max(1, round(COARSE * aspect))
+    column, row, around = _coarse(field, aspect)
     objects = np.array([body.kind == "object" for body in world.bodies])
     count, index = int(objects.sum()), np.where(objects, np.cumsum(objects) - 1, -1)
     shares, near = np.zeros((len(stands), count)), np.zeros(len(stands))
-    pixels = np.arange(rows * columns)
+    turn = np.arange(HEADINGS)[:, None]
+    cells = row * AROUND + (column + turn * (AROUND // HEADINGS)) % AROUND
     for start in range(0, len(stands), HEADINGS):
-        some = stands[start:start + HEADINGS]
-        eyes = [Camera.looking(stand.place, stand.yaw, PITCH, field, columns, rows) for stand in some]
-        ways = eyes[0].ways(pixels, np.array([0.5, 0.5]))
-        direction = np.concatenate([ways @ eye.frame for eye in eyes])
-        hits = world.every.first(np.repeat([eye.eye for eye in eyes], len(pixels), axis=0), direction)
-        thing = np.where(hits.triangle >= 0, index[world.every.soup.owner[hits.triangle]], -1)
-        which = np.repeat(np.arange(len(some)), len(pixels)) * count + thing
-        seen = np.bincount(which[thing >= 0], minlength=len(some) * count)
-        shares[start:start + len(some)] = seen.reshape(len(some), count) / len(pixels)
-        near[start:start + len(some)] = (hits.distance < CLOSE).reshape(len(some), -1).mean(1)
+        eye = np.broadcast_to(stands[start].place.astype(np.float32), around.shape)
+        hits = world.every.first(eye, around)
+        thing = np.where(hits.triangle >= 0, index[world.every.soup.owner[hits.triangle]], -1)[cells]
+        seen = np.bincount((turn * count + thing)[thing >= 0], minlength=HEADINGS * count)
+        shares[start:start + HEADINGS] = seen.reshape(HEADINGS, count) / cells.shape[1]
+        near[start:start + HEADINGS] = (hits.distance < CLOSE)[cells].mean(1)
     return shares, near
+
+
+def _coarse(field: float, aspect: float) -> tuple[Index, Index, Array]:
+    """Of the pixels of a coarse picture to the east: the nearest column and row of a raster of all directions around;
+    and those directions (rows × `AROUND`, 3).
+    """
+    camera = Camera.looking(np.zeros(3), 0.0, PITCH, field, COARSE, max(1, round(COARSE * aspect)))
+    way = camera.rays(np.arange(camera.rows * camera.columns), MIDDLE).astype(float)
+    step = 2 * np.pi / AROUND
+    column = np.rint(np.arctan2(way[:, 1], way[:, 0]) / step).astype(np.int64)
+    row = np.rint(np.arcsin(way[:, 2].clip(-1, 1)) / step).astype(np.int64)
+    yaw, pitch = np.arange(AROUND) * step, (row.min() + np.arange(np.ptp(row) + 1))[:, None] * step
+    flat = np.cos(pitch)
+    around = np.stack(np.broadcast_arrays(flat * np.cos(yaw), flat * np.sin(yaw), np.sin(pitch)), -1)
+    return column, row - row.min(), around.reshape(-1, 3).astype(np.float32)
 
 
 def panorama(stand: Stand, rows: int) -> Panorama:

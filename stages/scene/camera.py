@@ -4,9 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from apartgen.stages.scene.soup import Array, Index, length
+from apartgen.stages.scene.lens import pinhole
+from apartgen.stages.scene.soup import Array, Index
 
 FIELD = np.radians(32.0)
+MIDDLE = np.array([0.5, 0.5])
+"""Of a pixel."""
 BORDER = 0.04
 """Share of the picture left about what is shown."""
 
@@ -46,8 +49,9 @@ class Camera:
     def looking(cls, eye: Array, yaw: float, pitch: float, field: float, columns: int, rows: int) -> "Camera":
         """One at `eye` that looks along `yaw`, `pitch` above the horizon, and sees `field` from left to right, rad."""
         ahead = np.array([np.cos(yaw) * np.cos(pitch), np.sin(yaw) * np.cos(pitch), np.sin(pitch)])
-        right = np.array([np.sin(yaw), -np.cos(yaw), 0.0])
-        frame = np.stack([right, np.cross(right, ahead), -ahead])
+        x, y = np.sin(yaw), -np.cos(yaw)
+        up = [y * ahead[2], -x * ahead[2], x * ahead[1] - y * ahead[0]]
+        frame = np.array([[x, y, 0.0], up, -ahead])
         half = np.tan(field / 2) * np.array([1.0, rows / columns])
         return cls(np.asarray(eye, np.float32), frame.astype(np.float32), half, np.zeros(2), rows, columns)
 
@@ -60,15 +64,8 @@ class Camera:
 
     def rays(self, pixels: Index, within: Array) -> Array:
         """Unit directions (n, 3) through a point of each pixel, `within` it in [0, 1)²."""
-        found: Array = self.ways(pixels, within) @ self.frame
-        return found
-
-    def ways(self, pixels: Index, within: Array) -> Array:
-        """The same as the camera has them: right, up, back."""
-        x = (2 * (pixels % self.columns + within[0]) / self.columns - 1) * self.half[0] + self.middle[0]
-        y = (1 - 2 * (pixels // self.columns + within[1]) / self.rows) * self.half[1] + self.middle[1]
-        way = np.stack([x, y, np.full(len(pixels), -1.0)], -1).astype(np.float32)
-        return np.asarray(way / length(way))
+        return np.asarray(pinhole(pixels, self.rows, self.columns, np.asarray(within, float), self.half, self.middle,
+                                  self.frame.astype(float)))
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,13 @@ _OFF = 0.04  # share of the distance from the eye by which a neighbour may be of
 
 
 @njit("float32(float32[:],float32[:],float32[:],float32[:],float32)", cache=True, error_model="numpy", fastmath=False)
-def _alike(point, normal, other, turned, distance):
-    """How far two points with normals are of one surface, in (0, 1]."""
+def _alike(point, normal, other, turned, level):
+    """How far two points with normals are of one surface, in (0, 1], `level` being what a metre off it counts."""
     turn, off = np.float32(0.0), np.float32(0.0)
     for k in range(3):
         turn += (normal[k] - turned[k]) ** 2
         off += normal[k] * (other[k] - point[k])
-    off /= _OFF * distance + np.float32(0.01)
+    off *= level
     half = np.float32(0.5) * (np.float32(_LIKE) * turn + off * off)
     rise = half * (np.float32(1.0) + half * (np.float32(0.5) + half / np.float32(6.0)))
     fall = np.float32(1.0) / (np.float32(1.0) + rise)
@@ -36,9 +36,10 @@ def smoothed(light, point, normal, distance, reach):
         for j in range(columns):
             total = np.zeros(3, np.float32)
             weight = np.float32(0.0)
+            level = np.float32(1.0) / (np.float32(_OFF) * distance[i, j] + np.float32(0.01))
             for y in range(max(0, i - reach), min(rows, i + reach + 1)):
                 for x in range(max(0, j - reach), min(columns, j + reach + 1)):
-                    w = _alike(point[i, j], normal[i, j], point[y, x], normal[y, x], distance[i, j])
+                    w = _alike(point[i, j], normal[i, j], point[y, x], normal[y, x], level)
                     weight += w
                     for k in range(3):
                         total[k] += w * light[y, x, k]
@@ -47,42 +48,44 @@ def smoothed(light, point, normal, distance, reach):
     return found
 
 
-@njit("float32[:,:](float32[:,:,:],float32[:,:,:],float32[:,:,:],int64,int64,float32[:,:],float32[:,:],float32[:,:],"
-      "float32[:])", cache=True, error_model="numpy")
-def spread(light, point, normal, step, start, where, points, normals, distance):
-    """Light at pixels `where` (n, 2: row, column), from that of every `step`-th pixel that lies on the same surface; in
-    the last of four columns, how far any did.
+@njit("Tuple((float32[:,:],float32[:]))(float32[:,:,:],float32[:,:,:],float32[:,:,:],int64,int64,int64[:],int64,"
+      "float32[:,:],float32[:,:],float32[:])", cache=True, error_model="numpy")
+def spread(light, point, normal, step, start, pixels, across, points, normals, distance):
+    """Light (n, 3) at pixels of a picture `across` wide, from that of every `step`-th pixel that lies on the same
+    surface; and how far any did (n,).
     """
     rows, columns = light.shape[:2]
-    found = np.empty((len(where), 4), np.float32)
-    for n in range(len(where)):
-        y, x = (where[n, 0] - start) / step, (where[n, 1] - start) / step
+    found, alike = np.empty((len(pixels), 3), np.float32), np.empty(len(pixels), np.float32)
+    one, least = np.float32(1.0), np.float32(0.02)
+    for n in range(len(pixels)):
+        row = pixels[n] // across
+        y, x = np.float32(row - start) / step, np.float32(pixels[n] - row * across - start) / step
         i, j = min(max(int(np.floor(y)), 0), rows - 2), min(max(int(np.floor(x)), 0), columns - 2)
-        total = np.zeros(3, np.float32)
-        weight = np.float32(0.0)
+        level = one / (np.float32(_OFF) * min(distance[n], np.float32(100.0)) + np.float32(0.01))
+        red, green, blue, weight = np.float32(0.0), np.float32(0.0), np.float32(0.0), np.float32(0.0)
         for wide in range(2):
             if weight > _FEW:
                 break
             for a in range(max(0, i - wide), min(rows, i + 2 + wide)):
                 for b in range(max(0, j - wide), min(columns, j + 2 + wide)):
-                    near = max(0.02, 1.0 - abs(a - y)) * max(0.02, 1.0 - abs(b - x))
-                    w = np.float32(near * _alike(points[n], normals[n], point[a, b], normal[a, b], distance[n]))
+                    near = max(least, one - np.float32(abs(a - y))) * max(least, one - np.float32(abs(b - x)))
+                    w = near * _alike(points[n], normals[n], point[a, b], normal[a, b], level)
                     weight += w
-                    for k in range(3):
-                        total[k] += w * light[a, b, k]
-        for k in range(3):
-            found[n, k] = total[k] / weight
-        found[n, 3] = weight
-    return found
+                    red += w * light[a, b, 0]
+                    green += w * light[a, b, 1]
+                    blue += w * light[a, b, 2]
+        found[n, 0], found[n, 1], found[n, 2] = red / weight, green / weight, blue / weight
+        alike[n] = weight
+    return found, alike
 
 
-@njit("Tuple((float32[:,:],float32[:,:]))(int64[:],float32[:,:],float32[:],float32[:,:,:],float32[:,:,:],int64[:],"
-      "float32[:,:],int64[:,:],uint16[:,:],float32[:])", cache=True, error_model="numpy")
-def painted(triangle, weights, width, normals, uv, material, flat, textures, texels, repeats):
+@njit("Tuple((float32[:,:],float32[:,:]))(int64[:],float32[:,:],float32[:],float32,float32[:,:,:],float32[:,:,:],"
+      "int64[:],float32[:,:],int64[:,:],uint16[:,:],float32[:])", cache=True, error_model="numpy")
+def painted(triangle, weights, distance, angle, normals, uv, material, flat, textures, texels, repeats):
     """Linear colours and unit normals (n, 3) where rays hit, zeros where they did not (-1).
 
     `textures` (k, 2) says for each material where its texels begin and how wide the finest level is, 0 without one;
-    coarser levels follow. `width` (n,) is what each ray stands for, m; `repeats` those of the texture along a metre.
+    coarser levels follow. A ray stands for `angle`, rad; `repeats` are those of the texture along a metre.
     """
     n = len(triangle)
     color, normal = np.empty((n, 3), np.float32), np.empty((n, 3), np.float32)
@@ -105,7 +108,7 @@ def painted(triangle, weights, width, normals, uv, material, flat, textures, tex
             for k in range(3):
                 color[i, k] = flat[m, k]
             continue
-        wide = width[i] * repeats[t] * size
+        wide = distance[i] * angle * repeats[t] * size
         while wide > np.float32(1.4142135) and size > 1 and size % 2 == 0:
             start += size * size
             size //= 2
@@ -118,21 +121,6 @@ def painted(triangle, weights, width, normals, uv, material, flat, textures, tex
         for k in range(3):
             color[i, k] = texels[at, k] / np.float32(65535.0)
     return color, normal
-
-
-@njit("void(float32[:,:],float32[:,:])", cache=True, error_model="numpy")
-def face(normal, direction):
-    """Turns normals (n, 3) in place against the rays that meet them; without one they are the way back."""
-    for i in range(len(normal)):
-        along, square = np.float32(0.0), np.float32(0.0)
-        for k in range(3):
-            along += normal[i, k] * direction[i, k]
-            square += normal[i, k] * normal[i, k]
-        for k in range(3):
-            if square == 0:
-                normal[i, k] = -direction[i, k]
-            elif along > 0:
-                normal[i, k] = -normal[i, k]
 
 
 @njit("float32[:,:](float32[:,:],float32[:,:],float32[:,:])", cache=True, error_model="numpy")

@@ -18,7 +18,7 @@ LAMP = np.array([1.0, 0.88, 0.72], np.float32) * 2.2e-3
 """Of one lumen into all directions, at 1 m."""
 LEAST = np.array([1.0, 0.98, 0.95], np.float32) * 0.04
 """Light that is everywhere."""
-GATHERED, ON_PANES, ON_LAMPS = 12, 4, 2
+GATHERED, ON_PANES, ON_LAMPS = 5, 3, 1
 """Rays from a point to its surroundings, to each window and to each lamp of its room."""
 BULB = 0.14
 """Radius of lamps, m."""

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from apartgen.stages.scene.camera import Camera, Panorama
-from apartgen.stages.scene.kernels import face
+from apartgen.stages.scene.lens import ended
 from apartgen.stages.scene.soup import Array, Hits, Index, colors
 from apartgen.stages.scene.world import World
 
@@ -49,18 +49,18 @@ def first(world: World, eye: Eye, pixels: Index, within: Array) -> First:
 
 def seen(world: World, origin: Array, direction: Array, hits: Hits, angle: float) -> Seen:
     """What is opaque behind what rays from `origin` (3,) or (n, 3) met first; a ray stands for `angle`, rad."""
-    n = len(direction)
-    hits = Hits(hits.triangle.copy(), hits.distance.copy(), hits.weights.copy())
+    n, single = len(direction), np.asarray(origin, np.float32).reshape(-1, 3)
     through, veil = np.ones((n, 3), np.float32), np.zeros((n, 3), np.float32)
-    origin = np.broadcast_to(np.asarray(origin, np.float32), direction.shape)
+    rows = np.flatnonzero(world.alpha[hits.triangle] < 1)
+    if len(rows):
+        hits = Hits(hits.triangle.copy(), hits.distance.copy(), hits.weights.copy())
     for _ in range(PANES):
-        rows = np.flatnonzero((hits.triangle >= 0) & (world.alpha[hits.triangle] < 1))
         if not len(rows):
             break
-        _pass(world, origin[rows], direction[rows], rows, hits, through, veil)
-    color, normal = colors(hits, world.every.soup, np.where(hits.triangle >= 0, hits.distance, 0) * angle)
-    face(normal, direction)
-    point = origin + direction * np.where(np.isfinite(hits.distance), hits.distance, 100.0)[:, None].astype(np.float32)
+        _pass(world, single[rows] if len(single) > 1 else single, direction[rows], rows, hits, through, veil)
+        rows = rows[world.alpha[hits.triangle[rows]] < 1]
+    color, normal = colors(hits, world.every.soup, angle)
+    point = ended(single, direction, hits.distance, normal)
     return Seen(hits.triangle, hits.distance, point, normal, color, through, veil)
 
 

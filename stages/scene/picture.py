@@ -3,7 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.scene.camera import MIDDLE
 from apartgen.stages.scene.kernels import edges, widened
+from apartgen.stages.scene.lens import developed
 from apartgen.stages.scene.looking import Eye, First, Seen, angle, first, seen
 from apartgen.stages.scene.noise import GOLDEN
 from apartgen.stages.scene.shading import outside, refined, shaded
@@ -11,19 +13,18 @@ from apartgen.stages.scene.soup import Array, Hits, Index, byted
 from apartgen.stages.scene.surfaces import amid, crossed
 from apartgen.stages.scene.world import World
 
-EDGE_RAYS = 4
+EDGE_RAYS = 3
 """Further rays through pixels where something begins or ends."""
 THIN = 6
 """How far things thinner than a pixel are followed from where they are met, pixels."""
-BESIDE = ((0.25, 0.75),)
-"""Where else in a pixel it is looked whether something thin crosses it."""
+BESIDE, BETWEEN = ((0.25, 0.75),), 5
+"""Where else in a pixel it is looked whether something thin crosses it, and in how many pixels once."""
 APART = 0.3
 """What directions and colours of neighbours may differ by within a surface."""
 RAISED = 1.5e-3
 """Surfaces that face alike are two from this distance on, m."""
-MEAN = 0.25
-"""What the mean of a picture's light is brought to."""
-MIDDLE = np.array([0.5, 0.5])
+MEAN, METERED = 0.25, 7
+"""What the mean of a picture's light is brought to, that of every so many pixels."""
 
 
 def taken(world: World, eye: Eye, exposure: float | None = None) -> NDArray[np.uint8]:
@@ -51,26 +52,27 @@ def picture(
     """
     shade = shaded(world, eye, whole.direction, surface, True)
     exposure = _exposure(shade.sent, surface.triangle >= 0) if exposure is None else exposure
-    image = _developed(shade.sent, surface, whole.direction, exposure)
+    image = shade.sent
+    _developed(image, surface, whole.direction, exposure)
     edge, crowded = _edges(world, eye, whole, surface)
     within = (0.5 + np.arange(1, EDGE_RAYS + 1)[:, None] * GOLDEN) % 1
-    parts = [_beside(world, eye, edge, at, whole, crowded) for at in within]
+    known = (amid(whole.hits.triangle.reshape(eye.rows, eye.columns)) & ~crowded)[edge]
+    parts = [_beside(world, eye, edge, at, whole, known) for at in within]
     fine = [seen(world, eye.eye, part.direction, part.hits, angle(eye)) for part in parts]
     more = refined(world, eye, shade, edge, [part.direction for part in parts], surface, fine, RAISED)
     total = image[edge]
     for part, surfaces, light in zip(parts, fine, more):
-        total += _developed(light, surfaces, part.direction, exposure)
+        _developed(light, surfaces, part.direction, exposure)
+        total += light
     image[edge] = total / (EDGE_RAYS + 1)
     return byted(image.reshape(eye.rows, eye.columns, 3))
 
 
-def _beside(world: World, eye: Eye, pixels: Index, within: Array, whole: First, crowded: NDArray[np.bool_]) -> First:
-    """What rays through a point of pixels meet; those amid a triangle meet that, unless something may be before it."""
-    shape = (eye.rows, eye.columns)
-    known = (amid(whole.hits.triangle.reshape(shape)) & ~crowded)[pixels]
+def _beside(world: World, eye: Eye, pixels: Index, within: Array, whole: First, known: NDArray[np.bool_]) -> First:
+    """What rays through a point of pixels meet; those of which it is known meet the triangle of the middle."""
     direction = eye.rays(pixels, within)
     triangle = whole.hits.triangle[pixels]
-    distance, weights = crossed(np.asarray(eye.eye, np.float32), direction, triangle, world.every.soup.corners)
+    distance, weights = crossed(np.asarray(eye.eye, np.float32), direction, triangle, known, world.every.soup.corners)
     some = np.flatnonzero(~known)
     origin = np.broadcast_to(np.asarray(eye.eye, np.float32), (len(some), 3))
     met = world.every.first(origin, direction[some])
@@ -82,16 +84,16 @@ def _exposure(shaded: Array, indoors: NDArray[np.bool_]) -> float:
     """What light is multiplied with, so that most of what is inside is neither dark nor white."""
     if not indoors.any():
         return 1.0
-    bright = shaded[indoors] @ np.array([0.21, 0.72, 0.07], np.float32)
+    some = np.flatnonzero(indoors)[::METERED]
+    bright = shaded[some] @ np.array([0.21, 0.72, 0.07], np.float32)
     return float(np.clip(MEAN / max(float(np.exp(np.log(bright + 1e-3).mean())), 1e-3), 0.4, 4.0))
 
 
-def _developed(shaded: Array, surface: Seen, direction: Array, exposure: float) -> Array:
-    """Linear colours in [0, 1] behind their panes."""
-    image = toned(shaded * exposure)
-    out = surface.triangle < 0
-    image[out] = outside(direction[out])
-    return np.asarray((image * surface.through + surface.veil).clip(0, 1), np.float32)
+def _developed(light: Array, surface: Seen, direction: Array, exposure: float) -> None:
+    """Makes of light linear colours in [0, 1] behind their panes, in place."""
+    developed(light, exposure, surface.through, surface.veil)
+    out = np.flatnonzero(surface.triangle < 0)
+    light[out] = (outside(direction[out]) * surface.through[out] + surface.veil[out]).clip(0, 1)
 
 
 def _edges(world: World, eye: Eye, whole: First, surface: Seen) -> tuple[Index, NDArray[np.bool_]]:
@@ -109,12 +111,12 @@ def _edges(world: World, eye: Eye, whole: First, surface: Seen) -> tuple[Index, 
 
 
 def _within(world: World, eye: Eye, whole: First, known: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Where a ray beside the middle of a pixel, of every second one that is not known, meets another body, material or
-    direction.
+    """Where a ray beside the middle of a pixel, of every `BETWEEN`-th one that is not known, meets another body,
+    material or direction.
     """
     soup, found = world.every.soup, np.zeros(eye.rows * eye.columns, bool)
-    pixels = np.arange(len(found))
-    pixels = pixels[((pixels // eye.columns + pixels % eye.columns) % 2 == 0) & ~known]
+    places = np.arange(eye.columns) + 2 * np.arange(eye.rows)[:, None]
+    pixels = np.flatnonzero((places.ravel() % BETWEEN == 0) & ~known)
     here = whole.hits.triangle[pixels]
     for within in BESIDE:
         there = first(world, eye, pixels, np.array(within)).hits.triangle
@@ -126,10 +128,3 @@ def _within(world: World, eye: Eye, whole: First, known: NDArray[np.bool_]) -> N
         other |= np.abs(np.einsum("nd,nd->n", away, soup.normals[a, 0])) > RAISED
         found[rows] |= other | (np.minimum(a, b) < 0)
     return found
-
-
-def toned(light: Array) -> Array:
-    """Highlights rolled off softly, everything else left."""
-    knee = np.float32(0.75)
-    over = (light - knee).clip(0)
-    return np.where(light > knee, knee + (1 - knee) * (1 - np.exp(-over / (1 - knee))), light)

@@ -13,7 +13,7 @@ from apartgen.stages.scene.soup import Array, Index
 from apartgen.stages.scene.surfaces import mirroring, sent, served
 from apartgen.stages.scene.world import World
 
-STEP = 5
+STEP = 4
 """Light is found at every so many pixels, and spread over those between."""
 ALIKE = 1e-4
 """Points of which less was found nearby have their light found for themselves."""
@@ -57,7 +57,8 @@ def shaded(world: World, eye: Eye, direction: Array, surface: Seen, mirrored: bo
         chosen = np.flatnonzero(share > MIRRORED)
         chosen = chosen[_looks(world)[world.every.soup.material[surface.triangle[chosen]], 1] < GLOSSY]
         around[chosen] = _mirrored(world, lit, direction[chosen], surface.point[chosen], surface.normal[chosen])
-    return Shade(lit, _sent(world, surface, full, around, share), full, around)
+    own = np.arange(len(share))
+    return Shade(lit, _sent(world, surface, full, around, own, share), full, around)
 
 
 def refined(world: World, eye: Eye, shade: Shade, pixels: Index, directions: Sequence[Array], surface: Seen,
@@ -71,12 +72,12 @@ def refined(world: World, eye: Eye, shade: Shade, pixels: Index, directions: Seq
             for part in fine]
     new = [np.flatnonzero(part < 0) for part in like]
     alone = Seen(*(np.concatenate([part[rows] for part, rows in zip(parts, new)]) for parts in zip(*fine)))
-    full, around = _falling(world, eye, shade.lit, np.concatenate([pixels[rows] for rows in new]), alone)
-    found, start = [], 0
+    falling = _falling(world, eye, shade.lit, np.concatenate([pixels[rows] for rows in new]), alone)
+    full, around = (np.concatenate(parts) for parts in zip((shade.full, shade.around), falling))
+    found, start = [], len(shade.full)
     for direction, part, same, rows in zip(directions, fine, like, new):
-        on, about_it = shade.full[same], shade.around[same]
-        on[rows], about_it[rows] = full[start:start + len(rows)], around[start:start + len(rows)]
-        found.append(_sent(world, part, on, about_it, _mirroring(world, direction, part)))
+        same[rows] = np.arange(start, start + len(rows))
+        found.append(_sent(world, part, full, around, same, _mirroring(world, direction, part)))
         start += len(rows)
     return found
 
@@ -96,10 +97,8 @@ def _lit(world: World, eye: Eye, surface: Seen) -> Lit:
 
 def _falling(world: World, eye: Eye, lit: Lit, pixels: Index, surface: Seen) -> tuple[Array, Array]:
     """Light (n, 3) that falls on surfaces, and what stands for light that they mirror."""
-    where = np.stack([pixels // eye.columns, pixels % eye.columns], -1).astype(np.float32)
-    distance = np.minimum(surface.distance, 100).astype(np.float32)
-    light = spread(lit.light, lit.point, lit.normal, STEP, lit.start, where, surface.point, surface.normal, distance)
-    light, alike = light[:, :3], light[:, 3]
+    light, alike = spread(lit.light, lit.point, lit.normal, STEP, lit.start, pixels, eye.columns, surface.point,
+                          surface.normal, surface.distance)
     alone = np.flatnonzero((alike < ALIKE) & (surface.triangle >= 0))
     if len(alone):
         noise = noise_of(pixels[alone], eye.columns)
@@ -119,8 +118,8 @@ def _mirroring(world: World, direction: Array, surface: Seen) -> Array:
                                 GLOSSY))
 
 
-def _sent(world: World, surface: Seen, full: Array, around: Array, share: Array) -> Array:
-    return np.asarray(sent(surface.color, full, around, share, surface.triangle, world.every.soup.material,
+def _sent(world: World, surface: Seen, full: Array, around: Array, like: Index, share: Array) -> Array:
+    return np.asarray(sent(surface.color, full, around, like, share, surface.triangle, world.every.soup.material,
                            _looks(world), world.glow, GLOW))
 
 

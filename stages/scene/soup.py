@@ -87,7 +87,7 @@ class Tracer:
         if self.empty:
             n = len(direction)
             return Hits(np.full(n, -1), np.full(n, np.inf, np.float32), np.zeros((n, 3), np.float32))
-        found = self._scene.run(np.ascontiguousarray(origin), np.ascontiguousarray(direction), output=True)
+        found = self._scene.run(origin, np.ascontiguousarray(direction), output=True)
         u, v, hit = found["u"], found["v"], found["primID"].astype(np.int64)
         distance = np.where(hit >= 0, found["tfar"], np.float32(np.inf))
         return Hits(hit, distance, np.stack([1 - u - v, u, v], -1))
@@ -97,23 +97,21 @@ class Tracer:
         if self.empty:
             return np.ones(len(direction), np.float32)
         ends = None if far is None else np.full(len(direction), far, np.float32)
-        ray = np.ascontiguousarray(origin), np.ascontiguousarray(direction)
-        found = self._scene.run(*ray, dists=ends, query="OCCLUDED")
+        found = self._scene.run(origin, np.ascontiguousarray(direction), dists=ends, query="OCCLUDED")
         return np.asarray(found != 0, np.float32)
 
 
-def colors(hits: Hits, of: Soup, width: Array | None = None) -> tuple[Array, Array]:
+def colors(hits: Hits, of: Soup, angle: float = 0.0) -> tuple[Array, Array]:
     """Linear colour (n, 3) and shading normal (n, 3) where rays hit, zeros where they did not.
 
-    Textures are averaged over the `width` (n,) that a ray stands for, m.
+    Textures are averaged over the `angle` that a ray stands for, rad.
     """
     from apartgen.stages.scene.kernels import painted
 
-    wide = np.zeros(len(hits.triangle), np.float32) if width is None else np.asarray(width, np.float32)
     flat = linear(np.array([m.color[:3] for m in of.materials], np.float32).reshape(-1, 3)).astype(np.float32)
     textures, texels = _painting(tuple(m.texture for m in of.materials))
-    color, normal = painted(hits.triangle, np.ascontiguousarray(hits.weights, np.float32), wide, of.normals, of.uv,
-                            of.material, flat, textures, texels, of.repeats)
+    color, normal = painted(hits.triangle, np.ascontiguousarray(hits.weights, np.float32), hits.distance, angle,
+                            of.normals, of.uv, of.material, flat, textures, texels, of.repeats)
     return color, normal
 
 

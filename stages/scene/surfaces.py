@@ -9,16 +9,18 @@ import numpy as np
 from numba import njit
 
 
-@njit("Tuple((float32[:],float32[:,:]))(float32[:],float32[:,:],int64[:],float32[:,:,:])", cache=True,
+@njit("Tuple((float32[:],float32[:,:]))(float32[:],float32[:,:],int64[:],boolean[:],float32[:,:,:])", cache=True,
       error_model="numpy")
-def crossed(origin, direction, triangle, corners):
-    """Where rays (n, 3) from a point cross the planes of triangles that they are known to meet: distance (n,) and
+def crossed(origin, direction, triangle, known, corners):
+    """Where rays (n, 3) from a point cross the planes of triangles that they are `known` to meet: distance (n,) and
     weights of the corners (n, 3).
     """
     n = len(triangle)
     distance, weights = np.empty(n, np.float32), np.empty((n, 3), np.float32)
     a, b, s, p, q = np.empty(3), np.empty(3), np.empty(3), np.empty(3), np.empty(3)
     for i in range(n):
+        if not known[i]:
+            continue
         t = triangle[i]
         for k in range(3):
             a[k] = corners[t, 1, k] - corners[t, 0, k]
@@ -71,21 +73,21 @@ def mirroring(direction, normal, triangle, material, looks, glossy):
     return found
 
 
-@njit("float32[:,:](float32[:,:],float32[:,:],float32[:,:],float32[:],int64[:],int64[:],float32[:,:],boolean[:],"
-      "float32[:])", cache=True, error_model="numpy")
-def sent(color, full, around, share, triangle, material, looks, glow, shine):
-    """Light (n, 3) that surfaces send to the eye: of what falls on them, `full`, of what they mirror, `around`, and
-    their own.
+@njit("float32[:,:](float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:],int64[:],int64[:],float32[:,:],"
+      "boolean[:],float32[:])", cache=True, error_model="numpy")
+def sent(color, full, around, like, share, triangle, material, looks, glow, shine):
+    """Light (n, 3) that surfaces send to the eye: of what falls on them, `full`, of what they mirror, `around`, those
+    of each being at `like`, and their own.
     """
     found = np.empty((len(triangle), 3), np.float32)
     for i in range(len(triangle)):
-        t = triangle[i]
+        t, at = triangle[i], like[i]
         metal = looks[material[t], 0] if t >= 0 else np.float32(0.0)
         back = np.float32(1.0) - np.float32(0.85) * metal
         for k in range(3):
-            found[i, k] = color[i, k] * full[i, k] * back
+            found[i, k] = color[i, k] * full[at, k] * back
             if share[i] > np.float32(0.02):
-                found[i, k] += around[i, k] * share[i] * (color[i, k] if metal > 0.5 else np.float32(1.0))
+                found[i, k] += around[at, k] * share[i] * (color[i, k] if metal > 0.5 else np.float32(1.0))
             if t >= 0 and glow[t]:
                 found[i, k] += color[i, k] * shine[k]
     return found

@@ -59,9 +59,10 @@ class Pane:
 class World:
     """What light is found in.
 
-    `owner` of a triangle is a body's index; `blockers` are without glass and lamps; `glow` says which triangles shine,
-    `faces` has their unit normals. `rooms` holds the index of the room for each cell of `cells`; `ways` are where sun
-    comes in from out of doors (k, 6): corner, horizontal side, least and greatest height, with room to spare.
+    `alpha` is how opaque triangles are, and at the end what nothing counts as, 1; `owner` of a triangle is a body's
+    index; `blockers` are without glass and lamps; `glow` says which triangles shine, `faces` has their unit normals.
+    `rooms` holds the index of the room for each cell of `cells`; `ways` are where sun comes in from out of doors
+    (k, 6): corner, horizontal side, least and greatest height, with room to spare.
     """
 
     bodies: list[Body]
@@ -147,6 +148,7 @@ def _traced(bodies: list[Body], every: Soup) -> tuple[Tracer, Tracer, Array, Arr
     lamp = np.array([_shines(body) for body in bodies])[every.owner]
     glowing = np.array([m.name in GLOWING for m in every.materials])[every.material] & lamp
     _, blockers = split(every, (alpha < 1) | lamp)
+    alpha = np.append(alpha, np.float32(1))
     flat = linear(np.array([m.color[:3] for m in every.materials], np.float32))
     sides = every.corners[:, 1:] - every.corners[:, :1]
     faces = np.cross(sides[:, 0], sides[:, 1])

@@ -1,0 +1,88 @@
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+"""What lies between pixels and surfaces: rays of a pinhole, where they end, what labels say of that, and how light
+becomes a picture, compiled.
+
+Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+"""
+
+import numpy as np
+from numba import njit
+
+_KNEE = np.float32(0.75)  # above it highlights are rolled off
+
+
+@njit("float32[:,:](int64[:],int64,int64,float64[:],float64[:],float64[:],float64[:,:])", cache=True,
+      error_model="numpy")
+def pinhole(pixels, rows, columns, within, half, middle, frame):
+    """Unit directions (n, 3) through a point of each pixel; rows of `frame` are right, up, back."""
+    found = np.empty((len(pixels), 3), np.float32)
+    wide, high = 2.0 * half[0] / columns, 2.0 * half[1] / rows
+    left, top = middle[0] - half[0] + within[0] * wide, middle[1] + half[1] - within[1] * high
+    for n in range(len(pixels)):
+        i = pixels[n] // columns
+        x, y = left + (pixels[n] - i * columns) * wide, top - i * high
+        length = 1.0 / np.sqrt(x * x + y * y + 1.0)
+        for k in range(3):
+            found[n, k] = (x * frame[0, k] + y * frame[1, k] - frame[2, k]) * length
+    return found
+
+
+@njit("float32[:,:](float32[:,:],float32[:,:],float32[:],float32[:,:])", cache=True, error_model="numpy")
+def ended(origin, direction, distance, normal):
+    """Points (n, 3) at the ends of rays that begin in one place (1, 3) or each in its own, 100 m away where they meet
+    nothing; turns normals (n, 3) in place against the rays, and makes them the way back where there are none.
+    """
+    found = np.empty((len(direction), 3), np.float32)
+    step = 1 if len(origin) > 1 else 0
+    for i in range(len(direction)):
+        far = distance[i] if np.isfinite(distance[i]) else np.float32(100.0)
+        along, square = np.float32(0.0), np.float32(0.0)
+        for k in range(3):
+            found[i, k] = origin[i * step, k] + direction[i, k] * far
+            along += normal[i, k] * direction[i, k]
+            square += normal[i, k] * normal[i, k]
+        for k in range(3):
+            if square == 0:
+                normal[i, k] = -direction[i, k]
+            elif along > 0:
+                normal[i, k] = -normal[i, k]
+    return found
+
+
+@njit("Tuple((uint16[:],uint8[:,:],uint16[:]))(int64[:],float32[:],float32[:,:],float64[:],float32[:,:],int64[:],"
+      "float64)", cache=True, error_model="numpy")
+def noted(triangle, distance, direction, ahead, faces, owner, farthest):
+    """Of what rays (n, 3) meet: depth in mm along the way `ahead`, along the ray where that is zero; the normal of the
+    triangle's face towards the eye, as a colour; the number of its owner, from 1 on. 0 where there is nothing.
+    """
+    n = len(triangle)
+    depth, number = np.zeros(n, np.uint16), np.zeros(n, np.uint16)
+    normal = np.zeros((n, 3), np.uint8)
+    along_rays = ahead[0] == 0 and ahead[1] == 0 and ahead[2] == 0
+    for i in range(n):
+        t = triangle[i]
+        if t < 0:
+            continue
+        share, towards = 0.0, 0.0
+        for k in range(3):
+            share += direction[i, k] * ahead[k]
+            towards += direction[i, k] * faces[t, k]
+        side = -1.0 if towards > 0 else 1.0
+        for k in range(3):
+            normal[i, k] = np.uint8(np.rint((side * faces[t, k] + 1.0) * 127.5))
+        far = distance[i] * (1.0 if along_rays else share) * 1000.0
+        depth[i] = np.uint16(np.rint(min(max(far, 0.0), farthest)))
+        number[i] = owner[t] + 1
+    return depth, normal, number
+
+
+@njit("void(float32[:,:],float32,float32[:,:],float32[:,:])", cache=True, error_model="numpy")
+def developed(light, exposure, through, veil):
+    """Light (n, 3), in place, as linear colours in [0, 1] behind their panes, highlights rolled off softly."""
+    for i in range(len(light)):
+        for k in range(3):
+            here = light[i, k] * exposure
+            if here > _KNEE:
+                here = _KNEE + (np.float32(1.0) - _KNEE) * (
+                    np.float32(1.0) - np.exp((_KNEE - here) / (np.float32(1.0) - _KNEE)))
+            light[i, k] = min(max(here * through[i, k] + veil[i, k], np.float32(0.0)), np.float32(1.0))
