@@ -12,7 +12,7 @@ from apartgen.stages import qa, seeds
 from apartgen.stages.qa import plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.kinds import in_front, route
+from apartgen.stages.qa.kinds import count, direction, in_front, route
 from apartgen.stages.retrieve.furniture import looks as looks_of_furniture
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
@@ -90,9 +90,27 @@ def test_what_looks_like_what_opens_otherwise_is_not_asked_for_it():
 
 
 @pytest.mark.parametrize(("one", "other", "yes"), [
-    ("vanity", "kitchen_sink", True), ("desk", "dining_table", True), ("sofa", "double_bed", False)])
+    ("vanity", "kitchen_sink", True), ("desk", "dining_table", True), ("sofa", "double_bed", False),
+    ("mirror", "picture", True), ("mirror", "wall_shelf", False)])
 def test_things_of_one_look_are_not_told_apart_by_name(one, other, yes):
     assert alike(one, other) == yes == alike(other, one)
+
+
+def test_nobody_turns_to_what_hangs_overhead(monkeypatch):
+    some = [h.thing(name, x, y) for name, x, y in (("sofa", 0.6, 0.6), ("bookshelf", 3.4, 0.6), ("plant", 0.6, 2.4))]
+    lamp = h.thing("ceiling_lamp", 2, 1.5)
+    found = facts([{o.id: (900, ALL) for o in (*some, lamp)}], [*some, lamp], "panorama")
+    monkeypatch.setattr(direction, "shared", lambda drafts, rng, most: drafts)
+    asked = [draft.evidence for draft in direction.ask(found, np.random.default_rng(0), 99)]
+    assert asked and not any(one["facing"] == lamp.id for one in asked)
+    assert any(one["of"] == lamp.id for one in asked), "where it is one may be asked"
+
+
+def test_mirrors_are_not_counted(monkeypatch):
+    some = [h.thing("mirror", 1, 1), h.thing("plant", 3, 2)]
+    found = facts([{o.id: (900, (10, 10, 30, 30)) for o in some}], some, "panorama")
+    monkeypatch.setattr(count, "shared", lambda drafts, rng, most, fewest: drafts)
+    assert {draft.evidence["kind"] for draft in count.ask(found, np.random.default_rng(0), 99)} == {"plant"}
 
 
 def test_only_what_is_large_is_named():

@@ -10,14 +10,17 @@ from apartgen.stages.qa.plain import countable
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike, spoken
 
+OVERLOOKED = {"mirror"}
+"""What one sees only by what it shows."""
+
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """Of the rooms of panoramas that show all of them, none of another room, and nothing that one may take for them;
-    each kind has several answers. Cloth is not counted, a curtain may be two, nor what is
-    part of a kitchen, a dishwasher may look like a cabinet.
+    each kind has several answers. Cloth is not counted, a curtain may be two, nor what is part of a kitchen, a
+    dishwasher may look like a cabinet, nor mirrors, which one overlooks where they show tiles before tiles.
     """
     known = {o.category for o in facts.home.objects if o.category in TABLE}
-    kinds = sorted({spoken(name) for name in known if not (TABLE[name].soft or TABLE[name].run)})
+    kinds = sorted({spoken(name) for name in known if not (TABLE[name].soft or TABLE[name].run or name in OVERLOOKED)})
     asked = [_of(facts, kinds[k]) for k in rng.permutation(len(kinds))]
     found: list[Draft] = []
     for drafts in sorted(asked, key=lambda some: -len({draft.answer for draft in some})):

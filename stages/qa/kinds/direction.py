@@ -6,8 +6,10 @@ from math import atan2, degrees, dist
 import numpy as np
 from shapely import get_coordinates
 
+from apartgen.schemas.layout import Box
 from apartgen.stages.qa.drafts import Draft, shared
 from apartgen.stages.qa.facts import Facts
+from apartgen.stages.things.categories import TABLE
 
 NEAREST = 0.8
 """Things nearer to where one stands have no clear direction, m."""
@@ -23,14 +25,15 @@ Place = tuple[float, float]
 
 def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
     """By the middles of three things of one room, from the middle of the first, which stands on the floor, and from
-    everywhere beside it.
+    everywhere beside it; the second does not hang overhead.
     """
     triples = [three for room in facts.rooms for three in permutations(facts.named_in(room), 3)]
     drafts = []
     for k in rng.permutation(len(triples))[:MANY]:
         at, to, of = triples[k]
         here, there, where = (facts.objects[id].center[:2] for id in triples[k])
-        if not facts.stands(at) or dist(here, there) < NEAREST or dist(here, where) < NEAREST:
+        near = min(dist(here, there), dist(here, where)) < NEAREST
+        if near or not facts.stands(at) or _overhead(facts.objects[to]):
             continue
         quarter, rest = _quarter(here, there, where)
         around = get_coordinates(facts.print(at).buffer(BESIDE, join_style="mitre"))
@@ -41,6 +44,10 @@ def ask(facts: Facts, rng: np.random.Generator, most: int) -> list[Draft]:
             text = f"You stand by {names[at]} and face {names[to]}. Where is {names[of]}?"
             drafts.append(Draft(text, QUARTERS[int(quarter)], images, {"at": at, "facing": to, "of": of}, hard=2))
     return shared(drafts, rng, most)
+
+
+def _overhead(o: Box) -> bool:
+    return o.category in TABLE and TABLE[o.category].place == "ceiling"
 
 
 def _quarter(here: Place, there: Place, where: Place) -> tuple[float, float]:
