@@ -9,6 +9,10 @@ from apartgen.schemas import artifact
 from apartgen.schemas.errors import BadInput
 
 Row = dict[str, Any]
+FURTHEST = 2**62
+"""No home begins further on in its shard, and nothing can be looked for beyond, bytes."""
+LONGEST = 2**30
+"""No home takes more of a shard, bytes; so much is made room for before it is read."""
 
 
 def _plain(name: str) -> str:
@@ -38,8 +42,8 @@ class _Made(_Asked):
     """A home, and where it is."""
 
     shard: Annotated[str, AfterValidator(_plain)]
-    start: int = Field(ge=0)
-    length: int = Field(ge=0)
+    start: int = Field(ge=0, le=FURTHEST)
+    length: int = Field(ge=0, le=LONGEST)
     sha256: str
     kind: str
     digests: dict[str, str]
