@@ -1,23 +1,11 @@
 """What belongs to one room phrase: the rooms that open off it, its furniture."""
 
+from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, is_the_suite
 from apartgen.stages.plan.reader.clausal import ahead, several_new
-from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
-from apartgen.stages.plan.reader.vocabulary import Det, Trait
+from apartgen.stages.plan.reader.vocabulary import Det
 
-OWNED_BY = {
-    "closet": ("bedroom", "hallway"),
-    "bathroom": ("bedroom", "hallway"),
-    "balcony": ("living_room", "bedroom", "kitchen", "dining_room", "study"),
-    "storage": ("kitchen", "hallway", "bathroom"),
-    "utility": ("kitchen", "hallway", "bathroom"),
-    "study": ("bedroom", "hallway"),
-    "dining_room": ("living_room", "kitchen"),
-    "kitchen": ("living_room",),
-    "bedroom": ("hallway",),
-}
-"""What `A with a B` makes B: a room that opens off A."""
 ASIDE = ("copula", "label", "size", "relative")
 """What may stand between a room and what it has."""
 PLURAL = ("have", "need", "get", "should have", "must have")
@@ -166,9 +154,9 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             owner.objects.append((item.value, 1 if many and item.form == "some" else int(item.number)))
         elif item.kind == "objects":
             owner.object_count = int(item.number)
-        elif item.room is not None and _is_the_suite(owner, item.room, bare, first):
+        elif item.room is not None and is_the_suite(owner, item.room, bare, first):
             pass  # "master suite (bedroom, bathroom)", "the master suite has a bedroom and a bathroom"
-        elif item.room is not None and _belongs(owner, item, first, items[k + 1 : k + 2], bare):
+        elif item.room is not None and belongs(owner, item, first, items[k + 1 : k + 2], bare):
             if not item.room.negated:
                 owner.owned.append(item.room)
                 if _each_after(items, k):
@@ -192,11 +180,6 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
     return taken
 
 
-def _is_the_suite(owner: RoomPhrase, room: RoomPhrase, bare: str, first: bool) -> bool:
-    own = bare == "(" or (first and room.quantifier == Det.A and room.count is None and not room.labels)
-    return Trait.SUITE in owner.labels and own and room.type == owner.type
-
-
 def _beyond(closet: RoomPhrase, after: list[Item]) -> int:
     """`a dressing room, which leads to the en suite`: the bathroom opens off it; returns how many items that takes."""
     start = int(bool(after) and is_mark(after[0], ","))
@@ -218,53 +201,6 @@ def _closes_list(following: list[Item]) -> bool:
 def _each_after(items: list[Item], k: int) -> bool:
     following = items[k + 1].room if k + 1 < len(items) else None
     return following is not None and following.type == "" and following.quantifier == Det.EACH and not following.labels
-
-
-def _belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare: str) -> bool:
-    assert (phrase := item.room) is not None
-    kind = owner.type or "bedroom"
-    if phrase.headline or kind not in OWNED_BY.get(phrase.type, ()):
-        return False
-    if after and after[0].kind == "link" and after[0].value == "between":
-        return False  # "two bedrooms with a bathroom in between"
-    if Trait.ADJOINING in phrase.labels and first:
-        return True
-    if kind == "hallway":
-        return not bare and (first or phrase.type in ("bedroom", "bathroom", "study", *ANNEXES))
-    if phrase.type == "bathroom":
-        own = bool(phrase.labels & {Trait.ENSUITE, Trait.OWN}) or (Trait.SUITE in owner.labels and bare == "(")
-        own = own and not phrase.labels & {Trait.FAMILY, Trait.HALF}
-        lone = first and not bare and phrase.count in (None, 1) and not any(is_mark(i, ",") for i in after)
-        lone = lone and not phrase.labels & _not_own(owner)
-        lone = lone and not (phrase.exact and owner.plural and not _each_follows(after))  # "two bedrooms with one bath"
-        theirs = first and (not owner.type or _each_follows(after))
-        return own or lone or theirs or (not bare and _dressed(owner))
-    if phrase.type in ("kitchen", "dining_room"):
-        after_one = first or any(o.type in ("kitchen", "dining_room") for o in owner.owned)
-        fits = phrase.type == "dining_room" or bool(phrase.labels & {Trait.OPEN, Trait.SMALL})
-        return after_one and fits and not bare and phrase.count is None
-    suite = bool(owner.owned) or Trait.SUITE in owner.labels
-    listed = bare == "(" and suite and not owner.plural
-    if not first and after and after[0].kind in ("link", "front"):
-        return False
-    alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)
-    return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
-
-
-def _not_own(owner: RoomPhrase) -> set[Trait]:
-    """Traits of bathrooms that are not one room's own; one bedroom may have a half bath."""
-    one = owner.type == "bedroom" and not owner.plural and owner.quantifier in (Det.A, Det.THE)
-    return {Trait.FAMILY} if one else {Trait.FAMILY, Trait.HALF}
-
-
-def _dressed(owner: RoomPhrase) -> bool:
-    """`each with dressing room and bathroom`, `the main one with dressing room and bathroom`."""
-    main = owner.type == "" and Trait.MASTER in owner.labels
-    return (owner.quantifier == Det.EACH or main) and [o.type for o in owner.owned] == ["closet"]
-
-
-def _each_follows(after: list[Item]) -> bool:
-    return bool(after) and after[0].room is not None and after[0].room.quantifier == Det.EACH
 
 
 def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None:

@@ -29,6 +29,8 @@ def corrected(items: list[Item]) -> list[Item]:
             continue  # "an office instead of the second bedroom"
         if room is not None and _renamed(out, room):
             continue
+        if anew and room is not None and _not_this(out, room):
+            continue
         if dropped and room is not None:
             dropped = not _taken_back(out, room)
             if not dropped:
@@ -54,6 +56,16 @@ def corrected(items: list[Item]) -> list[Item]:
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
+
+
+def _not_this(out: list[Item], room: RoomPhrase) -> bool:
+    """`with a study. I meant a dining room, not a study`: the study said before is none."""
+    if len(out) < 2 or out[-1].kind != "negation" or out[-1].value != "not" or not is_mark(out[-2], ","):
+        return False
+    if not _taken_back(out, room):
+        return False
+    del out[-2:]
+    return True
 
 
 def _renamed(out: list[Item], room: RoomPhrase) -> bool:

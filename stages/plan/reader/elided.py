@@ -2,6 +2,13 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.allotted import (
+    another_of_counted,
+    for_each,
+    for_the_others,
+    none_ensuite,
+    one_in_bedroom,
+)
 from apartgen.stages.plan.reader.asides import bath_each, denied_beside, doors_counted, has_itself, none_off, of_no_room
 from apartgen.stages.plan.reader.clausal import (
     again_named,
@@ -28,6 +35,16 @@ from apartgen.stages.plan.reader.gapped import (
 from apartgen.stages.plan.reader.journeys import journeys
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.openings import denied_doors, open_to_each_other, opening, together_with
+from apartgen.stages.plan.reader.passages import (
+    between_the_two,
+    entered_only,
+    from_there,
+    inside,
+    no_door_at_all,
+    only_behind,
+    through_passage,
+    you_go_in,
+)
 from apartgen.stages.plan.reader.persons import floating, whose
 from apartgen.stages.plan.reader.subjects import ARROWS
 from apartgen.stages.plan.reader.unwanted import not_ensuite, not_needed
@@ -43,7 +60,7 @@ def written_out(items: list[Item]) -> list[Item]:
     out: list[Item] = []
     items = journeys(denied_doors(items))
     for k, item in enumerate(items):
-        if not any(rule(out, items, k) for rule in RULES):
+        if item.kind != "stop" and not any(rule(out, items, k) for rule in RULES):
             out.append(item)
     return out
 
@@ -197,6 +214,8 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 RULES = (_arrow, _comma, another_door, goes_into, holds, whose_value, taken_back, one_of_counted,
+         another_of_counted, one_in_bedroom, for_each, for_the_others, none_ensuite,
+         entered_only, only_behind, from_there, inside, through_passage, between_the_two, you_go_in, no_door_at_all,
          none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every,
          _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just,
          _from_again, _both_from, _they_from, _neither, not_ensuite, _not_another, _not_open, compared,

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from apartgen.stages.plan.reader.attachments import OWNED_BY
+from apartgen.stages.plan.reader.belongings import OWNED_BY
 from apartgen.stages.plan.reader.clausal import ahead, clause, last
 from apartgen.stages.plan.reader.household import ALWAYS
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark

@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
-from apartgen.stages.plan.reader.ranked import ranked
+from apartgen.stages.plan.reader.ranked import counted_off, index_of, ranked, sized_otherwise
 from apartgen.stages.plan.reader.traits import lay
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -16,16 +16,6 @@ ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
 
 BOXES = ("box room", "boxroom")
 """A small bedroom, or in a flat of one bedroom a place for boxes."""
-
-
-def _index(ordinal: int) -> int:
-    """Of `first`, `second`, `last` (-1) in a list."""
-    return ordinal - 1 if ordinal > 0 else ordinal
-
-
-def _counted_off(rooms: list[Entity], ordinals: tuple[int, ...]) -> list[Entity]:
-    """The first, the third of some rooms; a home that is full has not all of them."""
-    return [rooms[k] for n in ordinals if (k := _index(n)) < len(rooms)]
 
 
 class Household:
@@ -117,7 +107,7 @@ class Household:
             return self._among(phrase.type, who, phrase.ordinals)
         if phrase.ordinals:
             self._ensure(phrase.type, max(1, *phrase.ordinals))
-            return _counted_off(self.of(phrase.type), phrase.ordinals)
+            return counted_off(self.of(phrase.type), phrase.ordinals)
         if phrase.quantifier in (*PAIRED, Det.ONE_OF, Det.OTHER) or (phrase.quantifier == Det.THE and phrase.count):
             return self._partitive(phrase)
         labels = phrase.labels & set(DISTINCT)
@@ -129,7 +119,7 @@ class Household:
         """`a second children's bedroom`: the second of those."""
         known = [e for e in self.of(kind) if labels & e.labels]
         known += self.add(kind, max(ordinals) - len(known))
-        return _counted_off(known, ordinals)
+        return counted_off(known, ordinals)
 
     def _halls(self, phrase: RoomPhrase) -> list[Entity]:
         """Chinese counts of halls: the first is the living room, the second the dining room."""
@@ -160,12 +150,15 @@ class Household:
         if not pool:
             return []
         phrase.type = pool[0].type
+        if len(self.of(phrase.type)) == 1 and sized_otherwise(phrase, pool[0]):
+            return self.add(phrase.type, int(phrase.count or 1))  # "a big bedroom and a small one"
         if phrase.rank and all(e.rank and e.rank != phrase.rank for e in pool):
             pool = self.of(phrase.type)  # "the two smaller bedrooms share a bath, the largest has its own"
         if found := ranked(phrase, pool if len(pool) > 1 else self.of(phrase.type)):
             return found
         rest = self.of(phrase.type) if phrase.count and phrase.quantifier == Det.BARE else []
         free = [e for e in pool if not e.picked] or [e for e in rest if not e.picked] or pool
+        free = [e for e in free if e.owner is None or e.type != "bathroom"] or free  # "one in the bedroom, another …"
         sized = bool(phrase.areas) and pool[0].area is not None and phrase.quantifier == Det.BARE
         if len(pool) == 1 and (phrase.another or sized) and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
@@ -180,7 +173,7 @@ class Household:
             found = free
         elif phrase.ordinals:
             whole = pool if max(phrase.ordinals) <= len(pool) else self._ensure(phrase.type, max(phrase.ordinals))
-            found = [whole[_index(n)] for n in phrase.ordinals]
+            found = [whole[index_of(n)] for n in phrase.ordinals]
         else:
             found = free[: int(phrase.count or 1)]
         for entity in found if phrase.quantifier not in PAIRED else []:

@@ -66,6 +66,12 @@ def _new(room: RoomPhrase) -> bool:
     return room.quantifier == Det.A or (room.count is not None and not room.definite)
 
 
+def _both_new(items: list[Item], j: int, first: RoomPhrase) -> bool:
+    """Whether two new rooms end a clause, joined by `and`."""
+    room, ends = items[j].room, j + 1 == len(items) or is_mark(items[j + 1], ".,")
+    return room is not None and items[j - 1].kind == "conjunction" and _new(room) and _new(first) and ends
+
+
 def denied_on(items: list[Item], j: int) -> bool:
     """`next to the hall but not to the bedroom`: the relation goes on, denied."""
     here = items[j : j + 2]
@@ -86,6 +92,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
         return False  # "the bathroom is off the bedroom, plus a guest toilet"
     if p.form == "which" and items[p.at].text in ("into which", "onto which"):
         return True  # "a hall into which the lounge, the kitchen and the study open"
+    if p.kind == Relation.TO and _both_new(items, j, first):
+        return True  # "the lounge leads to the kitchen, the kitchen to a pantry and a balcony"
     if p.kind in (Relation.TO, Relation.IN, Relation.GAP) or (
         p.form == "which"
         and p.at

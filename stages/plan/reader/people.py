@@ -87,6 +87,8 @@ def _claims(text: str) -> tuple[str, bool]:
     def own(match: re.Match[str]) -> str:
         if match.string[: match.start()].rstrip().endswith(EVERY):
             return match.group()  # "each child has its own room", of children counted elsewhere
+        if re.search(r",? an? \w+$", match.group()) and _for_them(match):
+            return match.group()
         count = number_of(match) or number_of(match, "later")
         apart = bool(match["each"] or match["one"] or match["own"])
         found.append(match.group())
@@ -94,7 +96,8 @@ def _claims(text: str) -> tuple[str, bool]:
         apart = apart or both
         if not count:
             count = 2 if apart and several(match) else 1
-        rooms = rooms_for(match, count if apart or several(match) else 1)
+        one = not apart and re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$", match.group())
+        rooms = rooms_for(match, count if (apart or several(match)) and not one else 1)
         return rooms + " each with its own bathroom" if match["bath"] else rooms
 
     def shared(match: re.Match[str]) -> str:
@@ -129,9 +132,19 @@ def _claims(text: str) -> tuple[str, bool]:
     if found:  # "then my parents also a room, and I a room"
         also = "(?:also |too |auch |aussi |tambien )?"
         gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
-        text = gapped.sub(lambda match: rooms_for(match, number_of(match) if match["each"] else 1), text)
+        text = gapped.sub(_gapped, text)
         text = re.sub(r"\bi (?:also )?an? room\b", "another bedroom", text)
     return text, bool(found)
+
+
+def _gapped(match: re.Match[str]) -> str:
+    """A room of whose owner nothing more is said."""
+    return match.group() if _for_them(match) else rooms_for(match, number_of(match) if match["each"] else 1)
+
+
+def _for_them(match: re.Match[str]) -> bool:
+    """`a room for my mother, a room for …`: the room behind is not hers."""
+    return bool(re.search(r"\bfor (?:\w+ )?$", match.string[: match.start()]))
 
 
 def _with_ours(text: str, claims: list[str]) -> str:

@@ -15,6 +15,8 @@ SAID = ("link", "side", "place", "front", "beside")
 """Kinds with which begins what is said of rooms behind a verb."""
 
 
+GUESTS = ("guests", "visitors", "guest", "visitor")
+BEING = ("is", "are", "should be", "must be", "will be", "shall be")
 PRONOUNS = ("me", "us", "her", "him", "them", "myself", "ourselves")
 ENDS = ("mark", "conjunction", "with", "boundary", "link", "side", "place", "area")
 SLEEPERS = {"kids", "relative"}
@@ -84,11 +86,19 @@ def for_people(words: list[Lexeme]) -> list[Lexeme]:
     return out
 
 
+def _bedrooms_last(words: list[Lexeme], k: int) -> bool:
+    """Whether of rooms, bedrooms were named last."""
+    return next((w.value for w in reversed(words[:k]) if w.kind == "room"), "").startswith("bedroom")
+
+
 def _counts(words: list[Lexeme], k: int) -> bool:
-    """Whether a number and `for` stand before."""
+    """Whether a number and `for`, or `is for`, stand before."""
     j = k - 1
     while j > 0 and words[j].text in THEIR:
         j -= 1
+    if j > 1 and words[j].text == "for" and words[j - 1].text in BEING and _bedrooms_last(words, k):
+        j -= 1
+        words = [*words[:j], words[j + 1], *words[j + 1 :]]  # "one is for the kids"
     return j > 0 and words[j].text == "for" and (
         (words[j - 1].kind == "number" and words[j - 1].number <= 9)
         or words[j - 1].kind == "ordinal"
@@ -98,6 +108,8 @@ def _counts(words: list[Lexeme], k: int) -> bool:
 
 def _who(words: list[Lexeme], k: int) -> str:
     ends = k + 1 >= len(words) or words[k + 1].kind in ("mark", "conjunction", "with", "boundary", "number")
+    if ends and words[k].text in GUESTS and _bedrooms_last(words, k):
+        return "guest"
     found = pattern("^(?:{who})$").search(words[k].text) if ends and words[k].kind in ("unknown", "stop") else None
     if found is None:
         return ""
@@ -106,7 +118,8 @@ def _who(words: list[Lexeme], k: int) -> str:
 
 def whose(out: list[Item], items: list[Item], k: int) -> bool:
     """`two for the kids`: the two are the kids'."""
-    people, before = items[k].room, out[-2].room if len(out) > 1 else None
+    people, at = items[k].room, len(out) - 2 - (len(out) > 2 and out[-2].kind == "copula")
+    before = out[at].room if at >= 0 else None
     if people is None or before is None or (last(out).kind, last(out).text) != ("with", "for"):
         return False
     if people.type or people.count or not people.labels or not people.labels <= WHO:

@@ -27,6 +27,8 @@ HALLS = ("hallway", "corridor", "hall", "passage")
 """Last words of styles that are said of one hallway: `long corridor`, `short hallway`."""
 
 
+SLEEPERS = {Trait.KIDS, Trait.GUEST, Trait.RELATIVE, Trait.MASTER}
+"""Labels of whose rooms are bedrooms."""
 ADVERBIAL = ("ly", "ed", "ing", "s", "erweise")
 PERHAPS = ("maybe", "perhaps", "best", "always", "somewhere", "even", "still", "right", "just", "also")
 """What may stand before a relation and is no noun."""
@@ -146,6 +148,8 @@ class Phraser(Modifiers):
         listed = [i.value for i in self.items[-2:]]  # "kitchen, dining and living areas" are three rooms
         if phrase.type in OPEN_TYPES and phrase.count is None and listed[:1] and listed[0] in OPEN_TYPES:
             phrase.plural = phrase.plural and self.items[-1].kind != "conjunction"
+        if phrase.text in ("living areas", "living spaces") and phrase.count is None:
+            phrase.plural = phrase.quantifier in PARTITIVE  # "the living areas in the south"
         self.items.append(Item("room", phrase.type, word.text, phrase, joined=word.joined and p.empty()))
         self.pending = Pending()
         return trailing_number(words, i + 1, phrase)
@@ -153,6 +157,8 @@ class Phraser(Modifiers):
     def _object(self, word: Lexeme, category: str) -> None:
         if self.pending.quantifier == Det.OTHER and self.pending.texts[-1].split()[-1] in ("others", "rest"):
             self._flush(word)  # "the largest gets a double bed, the others single beds"
+        if self.pending.quantifier == Det.OTHER and self.pending.number is not None and word.plural:
+            self._others_with(word)
         p, self.pending = self.pending, Pending()
         if self.items and self.items[-1].kind == "negation" and self.items[-1].value == "not":
             p.negated = bool(self.items.pop())  # "with a shower and not a bathtub"
@@ -160,6 +166,20 @@ class Phraser(Modifiers):
         count = p.number if p.number is not None else 2 if several else 1
         form = "some" if several and p.number is None else ""
         self.items.append(Item("object", category, word.text, number=0 if p.negated else count, form=form))
+
+    def _others_with(self, word: Lexeme) -> None:
+        """`one has a double bed, the other two single beds`: two beds of one room, or two rooms with such beds."""
+        number, last = int(self.pending.number or 0), (self.items or [Item("")])[-1]
+        counted = [r for r in rooms_of(self.items) if r.type and r.type != "any" and (r.count or 1) > 1][-1:]
+        if not counted or not (last.kind in ("conjunction", "boundary") or last.value in (",", ".")):
+            return
+        one = int(counted[0].count or 0) - 1 < number
+        phrase = RoomPhrase("", quantifier=Det.OTHER, count=None if one else float(number), text="the other")
+        self.items.append(Item("room", "", "the other", phrase))
+        self.pending = Pending()
+        if one:
+            self.pending.number = float(number)
+            self.pending.texts.append(str(number))
 
     def _other(self, word: Lexeme, following: Lexeme | None) -> None:
         """What is no modifier and no room."""
@@ -183,7 +203,10 @@ class Phraser(Modifiers):
 
     def _main_rooms(self, word: Lexeme) -> None:  # `3-room flat`: living and sleeping rooms; `every room`: all others
         p, self.pending = self.pending, Pending()
-        if p.negated:
+        if p.labels & SLEEPERS and word.plural and p.number is not None and not p.negated:
+            phrase = p.room(replace(word, kind="room", value="bedroom"))  # "the children's two rooms"
+            self.items.append(Item("room", "bedroom", word.text, phrase))
+        elif p.negated:
             self.unread.append(f"no {word.text}")
         elif (most := extreme(p.texts)) and not word.plural:
             self.items.append(Item("extreme", most, f"{p.texts[-1]} {word.text}"))

@@ -6,12 +6,10 @@ from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.clauses import clause_of
 from apartgen.stages.plan.reader.entrances import and_entrance, and_room, at_entrance, link_before, near_behind, there
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.placed import rooms_placed, seen_from, side_of
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
-LEADING = ("on", "at", "in", "to", "along", "im", "an", "auf", "links", "rechts", "hinten", "vorne", "a", "au",
-           "en", "al")  # fmt: skip
-"""First words of a place that is said of the rooms behind it."""
 NAMED = ("storage", "utility", "study", "closet")
 """Rooms that go by many names, of which each is another one: no pantry is a store."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
@@ -45,23 +43,23 @@ def positions(items: list[Item], said: Said) -> list[Item]:
         if _beside(items, k):
             _seen_from(items, k, said)
             items = _it_again(items, k + 1)
-            clause_of(out, _rooms(items, k), text)
+            clause_of(out, rooms_placed(items, k), text)
             k += 2
             continue
         if item.kind == "place" or (item.kind == "side" and not role_of(items, k)):
-            rooms = [known(room, items) for room in _rooms(items, k)]
+            rooms = [known(room, items) for room in rooms_placed(items, k)]
             again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
             seen_from = seen_from if again else _whose(items, k)
             item = _as_before(items, k)
             said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
             clause_of(out, rooms, text)
-        elif near_behind(items, k) and (rooms := there(items, k + 2) or _rooms(items, k)):
+        elif near_behind(items, k) and (rooms := there(items, k + 2) or rooms_placed(items, k)):
             said.asked += [Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms]
             clause_of(out, rooms, text)
             k += 2
             continue
-        elif at_entrance(items, k, said) and (rooms := there(items, k + 1) or _rooms(items, k)):
+        elif at_entrance(items, k, said) and (rooms := there(items, k + 1) or rooms_placed(items, k)):
             link = out.pop()
             more = and_room(items, k)
             if not more and _other_room(items, k + 1):
@@ -74,7 +72,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out += [link] if more else []  # "close to the entrance and to the bathroom"
             k += 1 + more
             continue
-        elif and_entrance(items, k) and (rooms := _rooms(items, link_before(items, k))):
+        elif and_entrance(items, k) and (rooms := rooms_placed(items, link_before(items, k))):
             link = items[link_before(items, k)]
             kind = "apart" if link.value == "apart" else "near"
             said.asked += [
@@ -108,17 +106,9 @@ def _subject(items: list[Item], k: int) -> bool:
     return begins and k + 1 < len(items) and items[k + 1].kind == "link" and items[k + 1].form == "s"
 
 
-def _side(item: Item) -> str:
-    """`left` of `to the left of`, which may also begin a sentence of doors: `on the left of the hall are …`."""
-    if item.kind == "beside":
-        return item.value
-    words = item.text.split() if item.kind == "front" else []
-    return next((w for w in words if w in ("left", "right")), "")
-
-
 def _beside(items: list[Item], k: int) -> bool:
     """`the kitchen is to the left of the lounge`."""
-    if not _side(items[k]) or k + 1 >= len(items) or not _rooms(items, k):
+    if not side_of(items[k]) or k + 1 >= len(items) or not rooms_placed(items, k):
         return False
     other = items[k + 1].room
     verb = k + 2 < len(items) and items[k + 2].kind in ("reach", "copula", "link")
@@ -128,7 +118,7 @@ def _beside(items: list[Item], k: int) -> bool:
 
 def _seen_from(items: list[Item], k: int, said: Said) -> None:
     """Adds the place of a room as seen from another one, or from the entrance."""
-    rooms, other = _rooms(items, k), items[k + 1].room
+    rooms, other = rooms_placed(items, k), items[k + 1].room
     if other is None and items[k + 1].value == "it" and (again := _it_before(items, k, said)) is not None:
         other = again
     elif other is None and items[k + 1].value == "it":
@@ -141,7 +131,7 @@ def _seen_from(items: list[Item], k: int, said: Said) -> None:
         return
     text = f"{items[k].text} {items[k + 1].text}"
     said.asked += [
-        Asked("position", [known(room, items)], to, _side(items[k]), f"{room.text} {text}") for room in rooms
+        Asked("position", [known(room, items)], to, side_of(items[k]), f"{room.text} {text}") for room in rooms
     ]
 
 
@@ -158,7 +148,7 @@ def _it_again(items: list[Item], k: int) -> list[Item]:
 def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | None:
     """What `it` stood for just before: `a hall, a lounge to the west of it, a kitchen to the east of it`."""
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
-    told = any(_side(items[j]) and items[j + 1].value == "it" for j in range(start, k - 1))
+    told = any(side_of(items[j]) and items[j + 1].value == "it" for j in range(start, k - 1))
     to = said.asked[-1].to if told and said.asked else ""
     return to[0] if isinstance(to, list) and to else None
 
@@ -175,9 +165,12 @@ def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
 
 
 def _as_before(items: list[Item], k: int) -> Item:
-    """`one faces north and the other south`: the second side is what the first was."""
+    """`one faces north, the other south`, `the lounge faces south, the bedrooms east`: the same is said of both."""
     item, gap = items[k], items[k - 1].room if k else None
-    if item.kind != "side" or gap is None or not (gap.quantifier == Det.OTHER or gap.ordinals):
+    if item.kind != "side" or gap is None or any(word in item.text for word in FACING):
+        return item
+    joined = k > 1 and (items[k - 2].kind in ("conjunction", "boundary") or is_mark(items[k - 2], ","))
+    if not (gap.quantifier == Det.OTHER or gap.ordinals) and not (joined and gap.definite and item.value == item.text):
         return item
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
     told = [i for i in items[start:k] if i.kind == "side" and any(word in i.text for word in FACING)]
@@ -186,10 +179,10 @@ def _as_before(items: list[Item], k: int) -> Item:
 
 def _whose(items: list[Item], k: int) -> RoomPhrase | None:
     """The room that `on its left side` is said of."""
-    if (other := _of_other(items, k)) is not None:
+    if (other := seen_from(items, k)) is not None:
         return other
     rooms = [i.room for i in items[:k] if i.room is not None] if " its " in items[k].text else []
-    told = _rooms(items, k)
+    told = rooms_placed(items, k)
     return next((r for r in reversed(rooms) if r not in told), None)  # "a lounge, a kitchen to its left"
 
 
@@ -198,101 +191,3 @@ def _placed(item: Item, room: RoomPhrase, text: str, seen_from: RoomPhrase | Non
         return Asked("position", [room], [seen_from], item.value, f"{room.text} {text}")
     kind = "orientation" if item.kind == "side" and any(word in item.text for word in FACING) else "position"
     return Asked(kind, [room], "", item.value, f"{room.text} {text}")
-
-
-def _rooms(items: list[Item], k: int) -> list[RoomPhrase]:
-    """The rooms whose place `items[k]` is: `south-facing lounge`, `on the left the bath`, `the kitchen at the back`."""
-    if items[k].kind not in ("place", "side", "side_role", "beside", "front", "pronoun", "room", "link"):
-        return []
-    if _side(items[k]):
-        return _beside_what(items, k)
-    opens = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary")
-    after = k + 1
-    if opens and after < len(items) and is_mark(items[after], ":"):
-        return _list(items, after + 1, headed=True)
-    while opens and after < len(items) and items[after].kind in ("reach", "copula"):
-        after += 1
-    following = items[after].room if after < len(items) else None
-    if following is not None and following.headline:
-        following = None  # "in the corner of a one-bedroom flat"
-    if following is not None and opens and items[k].text.split()[0] in LEADING:
-        return _list(items, after)
-    if following is not None and (opens or items[k].kind == "side"):
-        return [following]
-    for j in range(k - 1, -1, -1):
-        if items[j].room is not None and j and items[j - 1].value == "except":
-            continue  # "every room other than the bathroom has a window to the west"
-        if is_mark(items[j], ".") and any(i.kind == "pronoun" and i.value == "it" for i in items[j:k]):
-            return _spoken_of(items, j)
-        if is_mark(items[j], ".") or items[j].room is not None:
-            return _pair(items, j - 1 if _of_other(items, k) else j, k)
-    return [following] if following else []
-
-
-def _spoken_of(items: list[Item], end: int) -> list[RoomPhrase]:
-    """What `it` is after a sentence: what somebody has or what there is, else what the sentence is about."""
-    start = max((j + 1 for j in range(end) if is_mark(items[j], ".")), default=0)
-    before = items[start:end]
-    rooms = [i.room for i in before if i.room is not None and not i.room.negated]
-    lists = len(rooms) > 1 and not any(i.kind in ("copula", "link") for i in before)
-    return (rooms[-1:] if lists else rooms[:1]) if all(not r.plural for r in rooms) else rooms[-1:]
-
-
-def _of_other(items: list[Item], k: int) -> RoomPhrase | None:
-    """The other room of Chinese `A at B's north side`, which has no word between the two."""
-    near = items[k - 1].room if k > 1 and not items[k].text.isascii() and not items[k].text.startswith("朝") else None
-    return near if near is not None and items[k - 2].room is not None else None
-
-
-def _list(items: list[Item], k: int, headed: bool = False) -> list[RoomPhrase]:
-    """The rooms from `k` on that stand behind a place: `on the left the kitchen, the bath and the study`."""
-    rooms: list[RoomPhrase] = []
-    closed = False
-    while k < len(items) and (room := items[k].room) is not None and not room.negated:
-        rooms.append(room)
-        joint, following = (items[k + 1 : k + 3] + [Item("mark", "."), Item("mark", ".")])[:2]
-        k += 1
-        if not (joint.kind == "conjunction" or is_mark(joint, ",")) or following.room is None:
-            break
-        closed = closed or joint.kind == "conjunction"
-        k += 1
-    after = items[k] if k < len(items) else Item("mark", ".")
-    if len(rooms) > 1 and after.kind in ("place", "side", "copula", "link", "beside", "with", "relative"):
-        rooms.pop()  # "on the left the kitchen, the bath is on the right"
-    again = k + 1 < len(items) and items[k + 1].kind in ("place", "side")
-    return rooms if closed or again or headed else rooms[:1]
-
-
-def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
-    """The rooms that lie to a side of another: `left of the bath is the kitchen`, `north of A and west of B`."""
-    if k == 0 or items[k - 1].kind in ("mark", "boundary"):
-        after = next((i for i in items[k + 2 :] if i.kind not in ("reach", "copula")), Item(""))
-        return [after.room] if after.room is not None else []
-    for j in range(k - 1, -1, -1):
-        if items[j].kind == "thing" or is_mark(items[j], "."):
-            return []  # "a mezzanine above the living room"
-        if items[j].room is not None and not (j and _side(items[j - 1])):
-            return _pair(items, j, k)
-    return []
-
-
-def _one(room: RoomPhrase) -> bool:
-    return room.quantifier == Det.A or (room.quantifier == Det.BARE and room.count == 1)
-
-
-def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
-    """The room at `j`, with the one before it where `and` joins just these two: `bath and bedroom at the back`."""
-    last = items[j].room
-    first = items[j - 2].room if j > 1 and items[j - 1].kind == "conjunction" else None
-    if items[j].joined and j and items[j - 1].room is not None:
-        return [room for i in items[j - 1 : j + 1] if (room := i.room)]  # "living-kitchen"
-    if last is None or first is None:
-        return [last] if last else []
-    told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
-    listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
-    single = items[k].text.startswith("is ") or (j > 2 and bool(_side(items[j - 3])))
-    if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
-        return [last]  # "an office and a balcony facing south"
-    alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
-    alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
-    return [first, last] if alike and not listed and not single else [last]

@@ -41,3 +41,19 @@ def _by_size(which: str, free: list[Entity]) -> Entity:
         return (main or free)[0]
     plain = [e for e in free if not e.labels & set(DISTINCT) and e.area is None]
     return (plain or [e for e in free if e not in main] or free)[-1]
+
+
+def index_of(ordinal: int) -> int:
+    """Of `first`, `second`, `last` (-1) in a list."""
+    return ordinal - 1 if ordinal > 0 else ordinal
+
+
+def counted_off(rooms: list[Entity], ordinals: tuple[int, ...]) -> list[Entity]:
+    """The first, the third of some rooms; a home that is full has not all of them."""
+    return [rooms[k] for n in ordinals if (k := index_of(n)) < len(rooms)]
+
+
+def sized_otherwise(phrase: RoomPhrase, room: Entity) -> bool:
+    """Whether one is said to be large and the other small."""
+    new = phrase.quantifier in (Det.A, Det.BARE, Det.THE) and not phrase.ordinals
+    return new and (phrase.factor - 1) * (room.factor - 1) < 0

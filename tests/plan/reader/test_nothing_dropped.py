@@ -54,7 +54,7 @@ WHOSE = frozenset(
     test demo example sample starter needed wanted required necessary itself themselves
     scene scenes map maps goal household simulated evaluation tutorial residential interactive horizon multi sims
     sim2real vln qa audio visual boss fight fights mission click detective shooter dungeon idea management strategy
-    searching
+    searching guests
     """.split()
 )
 """Words for who asks, for whom and with what; a home of one storey is what every plan is."""

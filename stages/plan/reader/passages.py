@@ -1,0 +1,145 @@
+"""Doors told beside the point: `whose only door is to the kitchen`, `entered just from it`, `entered from there`."""
+
+from apartgen.stages.plan.reader.clausal import again_named, ahead, clause, last
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
+FROM = ("from", "through", "via", "over")
+ONLY = ("only", "just", "solely", "exclusively", "merely", "simply")
+ENTERED = ("entered", "reached", "accessed", "accessible", "reachable", "entrance", "access")
+GOING_IN = ("go in", "enter", "get in", "come in", "walk in", "step in", "go inside", "get there", "reach it")
+WAYS_IN = ("door", "doors", "access", "way in")
+JOINTS = ("conjunction", "boundary")
+
+
+def entered_only(out: list[Item], items: list[Item], k: int) -> bool:
+    """`that can be reached just from the kitchen`, `whose only entrance is from the kitchen`: from there alone."""
+    if items[k].kind != "only" or items[k].text not in ONLY:
+        return False
+    at = k + 1
+    door = at < len(items) and (items[at].value == "entrance" or items[at].text in WAYS_IN)
+    at += door
+    way, room = (items[at : at + 2] + [Item("")] * 2)[:2]
+    leads = way.kind == "front" and way.text in FROM or (door and way.kind == "link" and way.value == "door")
+    if not leads or room.room is None or not (door or any(i.room is not None for i in clause(out))):
+        return False
+    if last(out).kind == "copula" and not door:
+        out.pop()
+    out.append(Item("link", "only", "reached only from"))
+    for j in range(k + 1, at + 1):
+        items[j] = Item("stop", "", items[j].text)
+    return True
+
+
+def only_behind(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the living room is entered through the kitchen only`."""
+    ends = ahead(items, k)[0].kind in ("", "mark", "boundary", "conjunction")
+    if items[k].kind != "only" or items[k].text not in ONLY or not ends or len(out) < 2 or last(out).room is None:
+        return False
+    way = out[-2]
+    if way.kind != "link" or way.value != "door" or not set(way.text.split()) & set(ENTERED):
+        return False
+    out[-2] = Item("link", "only", way.text, form=way.form)
+    return True
+
+
+def from_there(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the study is behind the lounge and is entered from there`: from the lounge."""
+    words = items[k].text.split()
+    if items[k].kind != "link" or words[-1] != "there" or not set(words) & set(ENTERED):
+        return False
+    named = [i.room for i in clause(out) if i.room is not None]
+    if len(named) != 2 or named[0] is named[1] or named[0].type == named[1].type or last(out).kind != "conjunction":
+        return False
+    out += [Item("link", "door", "is entered from", form="s"), again_named(named[1])]
+    return True
+
+
+def inside(out: list[Item], items: list[Item], k: int) -> bool:
+    """`from inside the kitchen`, `with the kitchen inside`: no room is in another behind a door."""
+    if items[k].value != "in" or items[k].kind != "with" or items[k].text not in ("inside", "within", "in"):
+        return False
+    if last(out).kind == "front" and last(out).text == "from" and ahead(items, k)[0].room is not None:
+        return True
+    whole, with_, part = ([Item("")] * 3 + out)[-3:]
+    it, after = ahead(items, k)[:2]
+    end = after if it.value == "it" else it
+    held = whole.room is not None and with_.value == "with" and part.room is not None and not part.room.negated
+    if not held or whole.room is None or part.room is None or end.kind not in ("", "conjunction", "mark"):
+        return False
+    if whole.room.type == part.room.type or not {whole.room.type, part.room.type} <= set(OPEN_TYPES):
+        return False
+    out[-2] = Item("link", "open", "with", form="s")
+    if it.value == "it":
+        items[k + 1] = Item("stop", "", it.text)
+    _closed_off(items, k + 1 + (it.value == "it"))
+    return True
+
+
+def _closed_off(items: list[Item], k: int) -> None:
+    """What follows in the list is no part of the clause."""
+    if k < len(items) and items[k].kind in ("conjunction", "mark"):
+        items[k] = Item("mark", ".", ".")
+
+
+def through_passage(out: list[Item], items: list[Item], k: int) -> bool:
+    """`connected to the lounge via an open passage`: an opening, no hall."""
+    hall = ahead(items, k)[0].room
+    if items[k].kind != "front" or items[k].text not in ("via", "through", "by") or hall is None:
+        return False
+    if hall.type != "hallway" or Trait.OPEN not in hall.labels or hall.quantifier != Det.A:
+        return False
+    at = next((j for j in range(len(out) - 1, -1, -1) if out[j].kind == "link" or is_mark(out[j], ".")), -1)
+    if at < 0 or out[at].kind != "link" or out[at].value not in ("door", "only", "to", "open"):
+        return False
+    out[at] = Item("link", "open", out[at].text, form=out[at].form)
+    items[k + 1] = Item("stop", "", items[k + 1].text)
+    return True
+
+
+def between_the_two(out: list[Item], items: list[Item], k: int) -> bool:
+    """`next to the bedroom comes a store, with a door between the two`: between the two rooms of the sentence."""
+    room = items[k].room
+    if room is None or room.type or room.quantifier not in (Det.THE, Det.BOTH) or room.count not in (2, None):
+        return False
+    pair = [i.room for i in clause(out) if i.room is not None]
+    if last(out).value != "between" or len(pair) != 2 or pair[0].type == pair[1].type or not all(map(_single, pair)):
+        return False
+    if out[-2].kind == "negation" or any(i.kind == "negation" for i in items[max(k - 3, 0) : k]):
+        return False  # "no wall between the two"
+    between = out.pop()
+    while last(out).kind in ("with", "boundary", "conjunction") or (out and is_mark(out[-1], ",")):
+        out.pop()
+    out += [Item("mark", ".", "."), between, again_named(pair[0]), Item("conjunction", "and", "and"),
+            again_named(pair[1])]  # fmt: skip
+    return True
+
+
+def _single(room: RoomPhrase) -> bool:
+    return bool(room.type) and not room.plural and (room.count or 1) == 1
+
+
+def you_go_in(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the store has no door to the hall, you go in from the kitchen`: into the store."""
+    way, room, _ = ahead(items, k)
+    if items[k].kind != "reach" or way.kind != "front" or way.text not in FROM or room.room is None:
+        return False
+    if not items[k].text.endswith(GOING_IN) or not (is_mark(last(out), ",") or last(out).kind in JOINTS):
+        return False
+    subject = next((i.room for i in clause(out) if i.room is not None), None)
+    if subject is None or not _single(subject) or subject.negated:
+        return False
+    out.pop()
+    out += [Item("mark", ".", "."), again_named(subject), Item("link", "door", "is entered from", form="s")]
+    items[k + 1] = Item("stop", "", way.text)
+    return True
+
+
+def no_door_at_all(out: list[Item], items: list[Item], k: int) -> bool:
+    """`there should not be any door between A and B`: no door between them."""
+    no, be = ([Item("mark", ".")] * 2 + out)[-2:]
+    begins = len(out) < 3 or out[-3].kind in ("mark", "boundary", "conjunction", "reach")
+    if items[k].value != "between" or no.kind != "negation" or no.value != "not" or be.kind != "copula" or not begins:
+        return False
+    out[-2:] = [Item("negation", "no", no.text), items[k]]
+    return True
