@@ -58,6 +58,20 @@ def one_in_bedroom(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def is_one(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the second bathroom is a half bath`: no further room, but what that one is."""
+    room, verb, told = items[k].room, last(out), out[-2].room if len(out) > 1 else None
+    if room is None or told is None or verb.kind != "copula" or verb.value == "p" or room.quantifier != Det.A:
+        return False
+    known = told.quantifier in (Det.THE, Det.OTHER) or bool(told.ordinals) or (told.count == 1 and not told.type)
+    if room.type != told.type or not known or room.count or room.ordinals or not (room.labels or room.factor != 1.0):
+        return False
+    told.labels |= room.labels
+    told.factor *= room.factor
+    told.owned += room.owned
+    return True
+
+
 def for_each(out: list[Item], items: list[Item], k: int) -> bool:
     """`a bathroom for each of the three bedrooms`, `one balcony per bedroom`: each of them has one."""
     one, near = items[k].room, ahead(items, k)

@@ -6,6 +6,7 @@ from apartgen.stages.plan.reader.allotted import (
     another_of_counted,
     for_each,
     for_the_others,
+    is_one,
     none_ensuite,
     one_in_bedroom,
 )
@@ -214,7 +215,7 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 RULES = (_arrow, _comma, another_door, goes_into, holds, whose_value, taken_back, one_of_counted,
-         another_of_counted, one_in_bedroom, for_each, for_the_others, none_ensuite,
+         another_of_counted, one_in_bedroom, is_one, for_each, for_the_others, none_ensuite,
          entered_only, only_behind, from_there, inside, through_passage, between_the_two, you_go_in, no_door_at_all,
          none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every,
          _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just,

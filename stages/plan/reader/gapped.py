@@ -41,9 +41,10 @@ def goes_into(out: list[Item], items: list[Item], k: int) -> bool:
 def holds(out: list[Item], items: list[Item], k: int) -> bool:
     """`the living room also contains the kitchen`: one space, and no room behind a door."""
     other = ahead(items, k)[0].room
-    if items[k].kind != "with" or items[k].text not in HOLDING or other is None or other.negated:
-        return False
     also = last(out).text == "also"
+    has = items[k].value == "has" and other is not None and other.quantifier == Det.THE and (also or _within(out))
+    if items[k].kind != "with" or not (items[k].text in HOLDING or has) or other is None or other.negated:
+        return False
     at = len(out) - 1 - also
     while at >= 0 and (out[at].kind == "relative" or is_mark(out[at], ",")):
         at -= 1
@@ -54,6 +55,11 @@ def holds(out: list[Item], items: list[Item], k: int) -> bool:
         out.pop()
     out.append(Item("link", "open", items[k].text, form="s"))
     return True
+
+
+def _within(out: list[Item]) -> bool:
+    """Whether a relative clause begins: `a living room that has the kitchen`."""
+    return last(out).kind == "relative"
 
 
 def no_wall(out: list[Item], items: list[Item], k: int) -> bool:

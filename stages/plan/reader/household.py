@@ -241,6 +241,8 @@ class Household:
             for entity in free[:count]:
                 entity.picked = True
             return free[:count]
+        if count == len(known) > 1 and any(e.picked for e in known) and not phrase.another:
+            return known  # "one bedroom has a balcony, the other a closet. Two bedrooms."
         if phrase.type == "bathroom" and count > 1 and any(e.owner for e in known):
             found = self._ensure(phrase.type, count, counted=True)
         else:

@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.placed import rooms_placed, seen_from, side_of
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
+OPPOSED = ("left", "right", "north", "south", "east", "west")
 NAMED = ("storage", "utility", "study", "closet")
 """Rooms that go by many names, of which each is another one: no pantry is a store."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
@@ -51,7 +52,8 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
             seen_from = seen_from if again else _whose(items, k)
             item = _as_before(items, k)
-            said.asked += [_placed(item, room, text, seen_from) for room in rooms if room is not seen_from]
+            to = _again_beside(items, k) or seen_from
+            said.asked += [_placed(item, room, text, to) for room in rooms if room is not seen_from]
             said.unread += [] if rooms else [text]
             clause_of(out, rooms, text)
         elif near_behind(items, k) and (rooms := there(items, k + 2) or rooms_placed(items, k)):
@@ -186,8 +188,26 @@ def _whose(items: list[Item], k: int) -> RoomPhrase | None:
     return next((r for r in reversed(rooms) if r not in told), None)  # "a lounge, a kitchen to its left"
 
 
-def _placed(item: Item, room: RoomPhrase, text: str, seen_from: RoomPhrase | None) -> Asked:
+def _again_beside(items: list[Item], k: int) -> RoomPhrase | str | None:
+    """The hall of `the bedrooms lie to the east of the hall, the kitchen to the west`; it may be the entrance."""
+    if not _plain_direction(items[k]):
+        return None
+    start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
+    told = [j for j in range(start, k - 1) if items[j].kind == "beside"]
+    if not told or any(items[j].kind in ("side", "place") for j in range(told[-1], k)):
+        return None
+    other = items[told[-1] + 1]
+    return "entrance" if other.value == "entrance" else other.room
+
+
+def _plain_direction(item: Item) -> bool:
+    """Whether a place is but a direction: `to the west`, `on the left`."""
+    return item.text.split()[:2] in (["to", "the"], ["on", "the"]) and item.value in OPPOSED
+
+
+def _placed(item: Item, room: RoomPhrase, text: str, seen_from: RoomPhrase | str | None) -> Asked:
     if seen_from is not None:
-        return Asked("position", [room], [seen_from], item.value, f"{room.text} {text}")
+        to = seen_from if isinstance(seen_from, str) else [seen_from]
+        return Asked("position", [room], to, item.value, f"{room.text} {text}")
     kind = "orientation" if item.kind == "side" and any(word in item.text for word in FACING) else "position"
     return Asked(kind, [room], "", item.value, f"{room.text} {text}")
