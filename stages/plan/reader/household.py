@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
-from apartgen.stages.plan.reader.ranked import counted_off, index_of, ranked, sized_otherwise
+from apartgen.stages.plan.reader.ranked import counted_off, index_of, other_than, ranked, sized_otherwise
 from apartgen.stages.plan.reader.traits import lay
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -152,6 +152,9 @@ class Household:
         phrase.type = pool[0].type
         if len(self.of(phrase.type)) == 1 and sized_otherwise(phrase, pool[0]):
             return self.add(phrase.type, int(phrase.count or 1))  # "a big bedroom and a small one"
+        if other_than(phrase, pool, self.of(phrase.type)):
+            pool[0].picked = True
+            return self.add(phrase.type)  # "one bedroom has a balcony, the other a closet"
         if phrase.rank and all(e.rank and e.rank != phrase.rank for e in pool):
             pool = self.of(phrase.type)  # "the two smaller bedrooms share a bath, the largest has its own"
         if found := ranked(phrase, pool if len(pool) > 1 else self.of(phrase.type)):
@@ -224,6 +227,8 @@ class Household:
         if phrase.quantifier == Det.ANOTHER:
             free = [e for e in known if e.area is None] if phrase.areas and phrase.type in self.totals else []
             return free[:1] or self.add(phrase.type, int(phrase.count or 1))
+        if phrase.count == len(known) > 1 and any(e.picked for e in known) and not (phrase.definite or phrase.another):
+            return known  # "one bedroom has a balcony, the other a closet. Two bedrooms."
         plain = mentioned or phrase.count in (None, 1)
         vague = [e for e in known if e.vague and not (plain and e.labels & set(DISTINCT))]
         if vague and not phrase.definite and (phrase.count is not None or not mentioned):
@@ -241,8 +246,6 @@ class Household:
             for entity in free[:count]:
                 entity.picked = True
             return free[:count]
-        if count == len(known) > 1 and any(e.picked for e in known) and not phrase.another:
-            return known  # "one bedroom has a balcony, the other a closet. Two bedrooms."
         if phrase.type == "bathroom" and count > 1 and any(e.owner for e in known):
             found = self._ensure(phrase.type, count, counted=True)
         else:

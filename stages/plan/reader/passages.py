@@ -124,8 +124,10 @@ def you_go_in(out: list[Item], items: list[Item], k: int) -> bool:
     way, room, _ = ahead(items, k)
     if items[k].kind != "reach" or way.kind != "front" or way.text not in FROM or room.room is None:
         return False
-    anew = is_mark(last(out), ".") and items[k].text.endswith(("there", " it"))
-    if not items[k].text.endswith(GOING_IN) or not (anew or is_mark(last(out), ",") or last(out).kind in JOINTS):
+    anew = is_mark(last(out), ".") and items[k].text.endswith(("there", " it", " get", " gets"))
+    anew = anew and any(i.kind == "negation" for i in clause(out[:-1]))
+    goes_on = items[k].text.endswith(GOING_IN) and (is_mark(last(out), ",") or last(out).kind in JOINTS)
+    if not (anew or goes_on):
         return False
     subject = next((i.room for i in clause(out[:-1]) if i.room is not None), None)
     if subject is None or not _single(subject) or subject.negated:

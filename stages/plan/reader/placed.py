@@ -106,6 +106,7 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
         return [last] if last else []
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
+    listed = listed and not (j > 4 and items[j - 5].kind in ("beside", "link", "front"))
     single = items[k].text.startswith("is ") or (j > 2 and bool(side_of(items[j - 3])))
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"

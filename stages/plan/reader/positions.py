@@ -57,7 +57,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             said.unread += [] if rooms else [text]
             clause_of(out, rooms, text)
         elif near_behind(items, k) and (rooms := there(items, k + 2) or rooms_placed(items, k)):
-            said.asked += [Asked("near", [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms]
+            said.asked += _from_entrance(rooms, items, "near", text)
             clause_of(out, rooms, text)
             k += 2
             continue
@@ -66,20 +66,14 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             more = and_room(items, k)
             if not more and _other_room(items, k + 1):
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
-            kind = "apart" if link.value == "apart" else "near"
-            said.asked += [
-                Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
-            ]
+            said.asked += _from_entrance(rooms, items, link.value, f"{link.text} {text}")
             clause_of(out, rooms, link.text)
             out += [link] if more else []  # "close to the entrance and to the bathroom"
             k += 1 + more
             continue
         elif and_entrance(items, k) and (rooms := rooms_placed(items, link_before(items, k))):
             link = items[link_before(items, k)]
-            kind = "apart" if link.value == "apart" else "near"
-            said.asked += [
-                Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {link.text} {text}") for room in rooms
-            ]
+            said.asked += _from_entrance(rooms, items, link.value, f"{link.text} {text}")
             out.pop()
             k += 1
             continue
@@ -94,6 +88,12 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _from_entrance(rooms: list[RoomPhrase], items: list[Item], value: str, text: str) -> list[Asked]:
+    """Each of the rooms near the entrance, or apart from it."""
+    kind = "apart" if value == "apart" else "near"
+    return [Asked(kind, [known(room, items)], "entrance", "", f"{room.text} {text}") for room in rooms]
 
 
 def _other_room(items: list[Item], k: int) -> bool:
@@ -193,7 +193,7 @@ def _again_beside(items: list[Item], k: int) -> RoomPhrase | str | None:
     if not _plain_direction(items[k]):
         return None
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
-    told = [j for j in range(start, k - 1) if items[j].kind == "beside"]
+    told = [j for j in range(start, k - 1) if side_of(items[j])]
     if not told or any(items[j].kind in ("side", "place") for j in range(told[-1], k)):
         return None
     other = items[told[-1] + 1]

@@ -57,3 +57,9 @@ def sized_otherwise(phrase: RoomPhrase, room: Entity) -> bool:
     """Whether one is said to be large and the other small."""
     new = phrase.quantifier in (Det.A, Det.BARE, Det.THE) and not phrase.ordinals
     return new and (phrase.factor - 1) * (room.factor - 1) < 0
+
+
+def other_than(phrase: RoomPhrase, pool: list[Entity], known: list[Entity]) -> bool:
+    """Whether `the other` is said where but one bedroom was spoken of."""
+    other = phrase.quantifier == Det.OTHER and phrase.count is None and phrase.text == "the other"
+    return other and known == pool and len(pool) == 1 and phrase.type == "bedroom" and not pool[0].counted

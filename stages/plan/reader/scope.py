@@ -109,7 +109,8 @@ def spread_negation(items: list[Item]) -> None:
                 phrase.count is None and phrase.quantifier in (Det.BARE, Det.A) and not phrase.labels & {Trait.SEPARATE}
             )
             told = k > 1 and phrase.quantifier == Det.THE and joint in ("and", "or") and phrase.count is None
-            told = told and items[k - 2].room is not None and items[k - 2].room.quantifier == Det.THE
+            other = items[k - 2].room if told else None
+            told = other is not None and other.quantifier == Det.THE
             if told and scope and word == "without" and (k + 1 == len(items) or items[k + 1].kind == "mark"):
                 phrase.negated = True  # "skip the balcony and the study"
             if (
