@@ -1,12 +1,12 @@
 """Which pictures hang in which room, and on what walls they are wanted."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from apartgen.schemas.plan import Room
 from apartgen.schemas.retrieve import Furnishing
-from apartgen.stages.populate.faces import Face, Hung, seen
+from apartgen.stages.populate.faces import Face, Hung, Rectangle, seen
 from apartgen.stages.things import categories
 from apartgen.stages.things.small import Design
 
@@ -32,6 +32,8 @@ OVER = 0.18
 """Between a piece of furniture and the picture above it, m."""
 _UPRIGHT, _EYES = (0.25, 2.2), (EYE - 0.2, EYE + 0.2)
 """From skirting to lintel, and what eyes see first, m."""
+_REACH, BESIDE = (EYE - 0.5, EYE + 0.5), 0.5
+"""What a picture may cover, and how far its middle is from what stands beside it, m."""
 _UNDER = categories.those(lambda kind: kind.pictures > 0)
 """Furniture that pictures are hung over."""
 
@@ -54,6 +56,8 @@ def hung(room: Room, faces: Sequence[Face], here: Sequence[Furnishing], own: Seq
         found += _hang(free(faces, BARE, *_UPRIGHT, shut=True), left, len(left))
         while more := list(_hang(plain(faces), left, len(left))):
             found += more
+        while more := list(_hang(beside(faces), left, 1)):
+            found += more
     return found
 
 
@@ -61,6 +65,25 @@ def plain(faces: Sequence[Face]) -> list[Place]:
     """Where a picture is wanted on walls with nothing at the height of eyes."""
     found = ((face, free([face], max(min(PLAIN, face.length - 0.02), LEAST), shut=True)) for face in faces)
     return [place for _, places in found for place in places]
+
+
+def beside(faces: Sequence[Face]) -> list[Place]:
+    """Where one is wanted on such a wall that has no room in its middle, as at a television: what is free of all that
+    a picture may cover, as near to the middle as may be.
+    """
+    found = []
+    for face, middle, _ in plain(faces):
+        for first, last in _gaps(_spans([*face.covered, *face.swept], *_REACH), 0.0, face.length):
+            s = min(max(middle, first + BESIDE), last - BESIDE)
+            between = (a < max(s, middle) and b > min(s, middle) for a, b in _spans(face.covered, *_EYES))
+            if last - first > 2 * BESIDE and not any(between):
+                found.append((abs(s - middle), face, s))
+    return [(face, s, _below(face, s, _REACH[0])) for _, face, s in sorted(found, key=lambda row: row[0])]
+
+
+def _spans(rectangles: Iterable[Rectangle], low: float, high: float) -> list[tuple[float, float]]:
+    """From where to where these cover a wall at such heights."""
+    return [(a, b) for a, b, z0, z1 in rectangles if z0 < high and z1 > low]
 
 
 def _hang(places: Sequence[Place], left: list[Design], count: int) -> Iterator[Hung]:
@@ -98,8 +121,7 @@ def free(
     """
     found = []
     for face in faces:
-        over, swept = ([(a, b) for a, b, z0, z1 in rows if z0 < high and z1 > low]
-                       for rows in (face.covered, face.swept))
+        over, swept = _spans(face.covered, low, high), _spans(face.swept, low, high)
         for first, last in _gaps(over if shut else [*over, *swept], 0.0, face.length):
             clear = max(_gaps(swept, first, last), key=lambda span: span[1] - span[0], default=None)
             if last - first > least and clear is not None:

@@ -93,6 +93,17 @@ def test_a_long_plain_wall_gets_one_after_another():
     assert len(hung) >= 2 and not pictures.plain([face])
 
 
+def test_a_plain_wall_whose_middle_has_no_room_gets_one_beside():
+    """A television reaches to just below the height of eyes, and over its edge no picture of the usual height fits."""
+    cabinet, stand, wardrobe = (1.5, 2.44, 0.0, 1.86), (4.08, 5.88, 0.0, 0.58), (6.03, 7.53, 0.0, 2.2)
+    seen, socket = (4.38, 5.58, 0.58, 1.3), (3.94, 4.02, 0.26, 0.34)
+    face = faces.Face(np.zeros(2), np.array([1.0, 0.0]), np.array([0.0, 1.0]), 7.53,
+                      [(0.0, 1.5, 0.0, 2.2), cabinet, stand, seen, socket, wardrobe])
+    room = SimpleNamespace(id="living_room_1", base="living_room")
+    ((_, (x, _, z), _),) = pictures.hung(room, [face], [], models(0), 0.01, np.random.default_rng(0))
+    assert 2.94 <= x <= 3.88 and z == pictures.EYE and not pictures.plain([face])
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_no_wall_of_a_living_room_is_plain(seed):
     home = lived_in(seed)
