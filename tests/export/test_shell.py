@@ -1,5 +1,6 @@
 """The building: walls cut where openings are, solids closed, doors that turn, nothing left out."""
 
+import handmade as h
 import numpy as np
 import pytest
 import trimesh
@@ -184,3 +185,9 @@ def test_what_stands_in_something_is_fixed():
         assert {body.id: body.free for body in Scene(home, sample.load).bodies}["chair_7"] is free
     chair.center = (1.6, 3.4, chair.center[2])
     assert {body.id: body.free for body in Scene(home, sample.load).bodies}["chair_7"]
+
+
+def test_a_door_belongs_to_the_room_it_opens_into_and_a_window_to_its_only_one():
+    plan = h.plan()
+    of = {o.id: shell._opening(plan, o, False).room for o in plan.openings}
+    assert of == {"entrance_1": h.LIVING, "door_1": h.BEDROOM, "window_1": h.BEDROOM}

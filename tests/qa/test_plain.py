@@ -12,7 +12,7 @@ from apartgen.stages import qa, seeds
 from apartgen.stages.qa import plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.kinds import count, direction, in_front, route
+from apartgen.stages.qa.kinds import count, direction, in_front, nearer, route
 from apartgen.stages.retrieve.furniture import looks as looks_of_furniture
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
@@ -189,3 +189,10 @@ def test_a_way_leads_to_where_a_picture_may_have_been_taken(goal, turns):
     entrance, door = (next(o for o in h.openings() if o.kind == kind) for kind in ("entrance", "door"))
     found = Facts(h.home(SOFA), Render(views=[], instances=[]))
     assert route._sure(found, [entrance, door], goal, h.LIVING) == turns
+
+
+def test_how_far_a_thing_is_from_the_camera_by_hand():
+    """The eye at (2, 1.5, 1.2); a block over x 2.5-3.5 and y .3-1.3 whose top is at .5 m."""
+    block = h.thing("coffee_table", 3.0, 0.8, size=(1.0, 1.0, 0.5))
+    found = facts([{block.id: (500, ALL)}], [block])
+    assert nearer._far(found, found.eyes[0], block.id) == pytest.approx(np.sqrt(0.5**2 + 0.2**2 + 0.7**2))
