@@ -19,12 +19,27 @@ _CORNERS = np.array(np.meshgrid([-0.5, 0.5], [-0.5, 0.5], [-0.5, 0.5])).reshape(
 _ANGLES = np.linspace(0, 2 * np.pi, 16, endpoint=False)
 _RING = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), 0 * _ANGLES], -1)
 _AREA = 1e-6  # m², what is smaller is left by rounding
+_ABOVE = [(0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 1)]
+_BELOW = [(x, y, 0) for x, y, _ in _ABOVE]
+_ROUND = [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]
+_BESIDE = [(*at, z) for a, b in zip(_ROUND[:-1], _ROUND[1:], strict=True) for at, z in ((a, 0), (b, 0), (b, 1), (a, 1))]
+_BOX = np.array([*_ABOVE, *_BELOW, *_BESIDE])
+"""Which end of x, y and z each vertex of an extruded rectangle has, (24, 3)."""
+_BOX_FACES = np.concatenate([[[0, 3, 1], [3, 0, 2], [5, 7, 4], [6, 4, 7]], *(_FACES + 4 * k for k in range(2, 6))])
+_BOX_RUN = (np.array([[0, 1, 1, 0]]) + np.arange(4)[:, None]).ravel()
 
 
 def box(lo: ArrayLike, hi: ArrayLike, material: Material) -> Mesh:
     """An upright box between two corners."""
-    (x0, y0, z0), (x1, y1, z1) = np.asarray(lo, float), np.asarray(hi, float)
-    return extruded(Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), z0, z1, material)
+    ends = np.stack([np.asarray(lo, float), np.asarray(hi, float)])
+    (x0, y0, z0), (x1, y1, z1) = ends.tolist()
+    if not (x0 < x1 and y0 < y1 and (x1 - x0) * (y1 - y0) > 2 * _AREA):
+        return extruded(Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), z0, z1, material)
+    vertices = ends[_BOX, np.arange(3)]
+    spread = vertices[:, :2].copy()
+    run = np.cumsum([0.0, x1 - x0, y1 - y0, x1 - x0, y1 - y0])
+    spread[8:, 0], spread[8:, 1] = run[_BOX_RUN], vertices[8:, 2]
+    return Mesh(vertices, _BOX_FACES.copy(), material, _repeats(spread, material))
 
 
 def extruded(area: Geometry, z0: float, z1: float, material: Material) -> Mesh:
@@ -37,8 +52,13 @@ def extruded(area: Geometry, z0: float, z1: float, material: Material) -> Mesh:
             faces.append(triangles + count)
             uv.append(coordinates)
             count += len(points)
-    repeats = np.concatenate(uv) / (materials.span(material.name) if material.texture else 1.0)
-    return Mesh(np.concatenate(vertices), np.concatenate(faces).astype(np.int64), material, repeats)
+    return Mesh(np.concatenate(vertices), np.concatenate(faces).astype(np.int64), material,
+                _repeats(np.concatenate(uv), material))
+
+
+def _repeats(metres: Array, material: Material) -> Array:
+    """Texture coordinates of a surface laid flat."""
+    return np.asarray(metres / (materials.span(material.name) if material.texture else 1.0))
 
 
 def _parts(area: Geometry) -> list[Polygon]:
@@ -60,14 +80,18 @@ def _caps(polygon: Polygon, z0: float, z1: float) -> list[Piece]:
 
 
 def _sides(polygon: Polygon, z0: float, z1: float) -> list[Piece]:
+    """A piece for each ring, of four vertices and two faces an edge."""
     pieces: list[Piece] = []
     for ring in (polygon.exterior, *polygon.interiors):
         start = shapely.get_coordinates(ring)
-        a, b = start[:-1], start[1:]
-        run = np.concatenate([[0.0], np.cumsum(np.hypot(*(b - a).T))])
-        for p, q, u, v in zip(a, b, run[:-1], run[1:], strict=True):
-            points = np.array([[*p, z0], [*q, z0], [*q, z1], [*p, z1]])
-            pieces.append((points, _FACES, np.array([[u, z0], [v, z0], [v, z1], [u, z1]])))
+        run = np.concatenate([[0.0], np.cumsum(np.hypot(*(start[1:] - start[:-1]).T))])
+        corners = np.empty((len(run) - 1, 4, 3))
+        corners[:, [0, 3], :2], corners[:, [1, 2], :2] = start[:-1, None], start[1:, None]
+        corners[:, :2, 2], corners[:, 2:, 2] = z0, z1
+        spread = corners[:, :, 1:].copy()
+        spread[:, [0, 3], 0], spread[:, [1, 2], 0] = run[:-1, None], run[1:, None]
+        faces = _FACES + 4 * np.arange(len(corners))[:, None, None]
+        pieces.append((corners.reshape(-1, 3), faces.reshape(-1, 3), spread.reshape(-1, 2)))
     return pieces
 
 
