@@ -19,7 +19,7 @@ from apartgen.stages.export._xml import Element, add, number, numbers, save
 from apartgen.stages.scene.pieces import image_name, names, pieces
 from apartgen.stages.scene.scene import Scene, identifier
 from apartgen.stages.space import polygons
-from apartgen.stages.things.asset import Collider, Link, Material
+from apartgen.stages.things.asset import UNTURNED, Collider, Link, Material
 from apartgen.stages.things.body import Body, Inertia, counterbalanced, inertia
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ FOLDER = "mjcf"
 ARMATURE = 0.002
 EYE, LOOKED_AT = 0.2, 0.8
 """How far below the ceiling cameras of rooms are, over what stands there, and the height of what they look at, m."""
+STRAIGHT = numbers(quaternion(UNTURNED))
 GEOMS = {"box": "box", "cylinder": "cylinder", "sphere": "sphere", "hull": "mesh"}
 
 
@@ -262,7 +263,13 @@ class _Writer:
             add(self.assets, "mesh", name=name, vertex=(c.vertices @ c.rotation.T + c.center).ravel())
             geom.set("mesh", name)
             return geom
-        extents = {"box": c.size / 2, "cylinder": c.size[[0, 2]] * [1, 0.5], "sphere": c.size[:1]}
-        for key, value in (("size", extents[c.kind]), ("pos", c.center), ("quat", quaternion(c.rotation))):
-            geom.set(key, numbers(value))
+        geom.set("size", numbers(_extents(c)))
+        geom.set("pos", numbers(c.center))
+        geom.set("quat", STRAIGHT if c.rotation is UNTURNED else numbers(quaternion(c.rotation)))
         return geom
+
+
+def _extents(c: Collider) -> list[float]:
+    """Half sides, or radius and half the length, or radius."""
+    x, y, z = c.size.tolist()
+    return {"box": [x / 2, y / 2, z / 2], "cylinder": [x, z * 0.5], "sphere": [x]}[c.kind]
