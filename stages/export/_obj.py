@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from apartgen.stages.export import _digits
 from apartgen.stages.export._xml import number, numbers
 from apartgen.stages.scene.pieces import image, image_name, mesh_digest, relief_image, shaded
 from apartgen.stages.things.asset import Array, Material, Mesh
@@ -70,15 +71,19 @@ class Files:
 def obj(mesh: Mesh) -> str:
     """OBJ text with normals, and uv where there are."""
     vertices, normals, uv, faces = shaded(mesh)
-    lines = [_rows("v", vertices), _rows("vn", normals)]
+    parts = [_rows("v", vertices), _rows("vn", normals)]
     if uv is not None:
-        lines.append(_rows("vt", uv))
-    count = range(1, len(vertices) + 1)
-    corners = [f"{k}//{k}" for k in count] if uv is None else [f"{k}/{k}/{k}" for k in count]
-    return "".join(lines) + "f %s %s %s\n" * len(faces) % tuple([corners[k] for k in faces.ravel().tolist()])
+        parts.append(_rows("vt", uv))
+    return "".join(parts) + _text(_digits.triangles(np.ascontiguousarray(faces), uv is not None))
 
 
 def _rows(tag: str, values: Array) -> str:
-    values = np.where(np.abs(values) < 5e-7, 0.0, values)
+    if (np.abs(values) < _digits.LARGEST).all():
+        return _text(_digits.rows(np.frombuffer(tag.encode(), np.uint8).copy(), np.ascontiguousarray(values, float)))
+    values = np.where(np.abs(values) < _digits.LEAST, 0.0, values)
     pattern = f"{tag} " + " ".join(["%.6g"] * values.shape[1]) + "\n"
     return pattern * len(values) % tuple(values.ravel().tolist())
+
+
+def _text(letters: _digits.Bytes) -> str:
+    return letters.tobytes().decode("ascii")
