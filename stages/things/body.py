@@ -165,15 +165,14 @@ def _hull(c: Collider) -> tuple[float, Array, Array]:
     from scipy.spatial import ConvexHull
 
     assert c.vertices is not None
-    points = c.vertices @ c.rotation.T + c.center
+    points = (c.vertices if c.rotation is UNTURNED else c.vertices @ c.rotation.T) + c.center
     hull = ConvexHull(points)
-    middle = points.mean(0)
+    middle = np.add.reduce(points) / len(points)
     corners = points[hull.simplices] - middle
     volumes = np.abs(np.linalg.det(corners)) / 6
-    total = float(volumes.sum())
-    shift = np.einsum("t,tk->k", volumes, corners.sum(1)) / (4 * total)
+    total, summed = float(volumes.sum()), corners.sum(1)
+    shift = np.einsum("t,tk->k", volumes, summed) / (4 * total)
     # Second moments of a tetrahedron with one corner at the origin: (Σ p)(Σ p)ᵀ + Σ p pᵀ over 20.
-    summed = corners.sum(1)
     moment = np.einsum("t,ti,tj->ij", volumes, summed, summed) + np.einsum("t,tki,tkj->ij", volumes, corners, corners)
     moment = moment / (20 * total) - np.outer(shift, shift)
-    return total, middle + shift, np.trace(moment) * np.eye(3) - moment
+    return total, middle + shift, np.trace(moment) * UNTURNED - moment

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from apartgen.stages.retrieve.furniture import mesh
 from apartgen.stages.retrieve.furniture.mesh import Array, Shape
-from apartgen.stages.things import materials
+from apartgen.stages.things import extents, materials
 from apartgen.stages.things.asset import Collider, Mesh
 
 _CORNER = np.array([[0, 0, 0], [0, 0, 1], [0, 1, 0], [0, 1, 1], [1, 0, 0], [1, 0, 1], [1, 1, 0], [1, 1, 1]])
@@ -73,10 +73,8 @@ class Body:
 
     def hull(self, points: ArrayLike) -> None:
         """A collision piece: the convex hull of points (n, 3)."""
-        p = np.asarray(points, float)
-        lo, hi = p.min(0), p.max(0)
-        middle = (lo + hi) / 2
-        self.colliders.append(Collider("hull", middle, hi - lo, vertices=p - middle))
+        middle, sides, local = extents.centred(np.asarray(points, float))
+        self.colliders.append(Collider("hull", middle, sides, vertices=local))
 
     def rod(self, material: str, a: ArrayLike, b: ArrayLike, r0: float, r1: float | None = None, n: int = 12) -> None:
         """A round bar from a to b, tapering from r0 to r1."""
@@ -261,9 +259,10 @@ def _joined(name: str, boxes: list[tuple[float, ...]], shapes: list[Shape], drop
         k = np.arange(len(boxes))
         vertices, faces, uv = _box_shapes(np.array(boxes, float), np.asarray(0.37 * k, float))
         parts.append(Shape(vertices + 1e-6 * (0.5 + k.repeat(24)[:, None] + len(parts)), faces, uv))
-    start = np.cumsum([0] + [len(p.vertices) for p in parts])
-    nudge = -1e-6 * np.arange(len(parts)) - np.array([0, 0, drop])[:, None]
-    vertices = np.concatenate([p.vertices + nudge[:, i] for i, p in enumerate(parts)])
-    faces = np.concatenate([p.faces + start[i] for i, p in enumerate(parts)])
+    count = [len(p.vertices) for p in parts]
+    nudge = -1e-6 * np.arange(len(parts))[:, None] - np.array([0, 0, drop])
+    vertices = np.concatenate([p.vertices for p in parts]) + np.repeat(nudge, count, 0)
+    start = np.repeat(np.cumsum([0, *count[:-1]]), [len(p.faces) for p in parts])
+    faces = np.concatenate([p.faces for p in parts]) + start[:, None]
     uv = np.concatenate([p.uv for p in parts]) / materials.span(name)
     return Mesh(vertices, faces, materials.PALETTE[name], uv)

@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from apartgen.stages.things import extents
+
 Array = NDArray[np.float64]
 Faces = NDArray[np.int64]
 
@@ -35,11 +37,7 @@ class Shape(NamedTuple):
     @property
     def volume(self) -> float:
         """m³, by the divergence theorem."""
-        x, y, z = self.vertices.T[:, self.faces.T]
-        parts = np.empty((len(self.faces), 3))
-        for k, (p, q, r) in enumerate(((x, y, z), (y, z, x), (z, x, y))):
-            parts[:, k] = (q[0] * r[1] - r[0] * q[1]) * p[2]
-        return float(parts.sum() / 6)
+        return extents.volume(self.vertices, self.faces)
 
 
 def _cross(a: Sequence[float], b: Sequence[float]) -> Array:
