@@ -259,21 +259,30 @@ def _digest(raw: dict[str, Any]) -> str:
     return "sha256:" + hashlib.sha256(text.encode()).hexdigest()
 
 
+_CONTAINERS = {dict, list}
+_QUOTED = json.encoder.encode_basestring
+"""A string in JSON."""
 _LINED = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 """JSON on one line; `json.dumps` would make an encoder anew for each of thousands of values."""
 
 
 def _text(value: Any, indent: int = 0) -> str:
     """JSON with numbers rounded, and short containers, and long rows of numbers, on one line."""
-    if isinstance(value, float) and isfinite(value):
-        return repr(round(value, DECIMALS) + 0.0)  # no negative zero
+    if isinstance(value, str):
+        return _QUOTED(value)
+    if isinstance(value, float):
+        return _number(value)
     if isinstance(value, dict):
-        return _laid([f"{_LINED(key)}: {_text(item, indent + 1)}" for key, item in value.items()], "{}", indent)
+        return _laid([f"{_QUOTED(key)}: {_text(item, indent + 1)}" for key, item in value.items()], "{}", indent)
     if not isinstance(value, list):
         return _LINED(value)
-    rows = [_text(item, indent + 1) for item in value]
-    flat = not any(isinstance(item, dict | list) for item in value)
+    rows = [_number(item) if type(item) is float else _text(item, indent + 1) for item in value]
+    flat = _CONTAINERS.isdisjoint(map(type, value))
     return f"[{', '.join(rows)}]" if flat else _laid(rows, "[]", indent)
+
+
+def _number(value: float) -> str:
+    return repr(round(value, DECIMALS) + 0.0) if isfinite(value) else _LINED(value)  # no negative zero
 
 
 def _laid(rows: list[str], ends: str, indent: int) -> str:
