@@ -104,7 +104,8 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
             said.asked.append(Asked("no_door", [pair], [pair], "", f"{item.text} doors between {pair.text}"))
             skip = 1
             continue
-        each = item.text.endswith(EACH) or any(i.value == "mutual" for i in items[k + 1 : k + 2])
+        alone = item.value == "apart" and (k + 1 == len(items) or items[k + 1].kind in ("mark", "boundary"))
+        each = item.text.endswith(EACH) or alone or any(i.value == "mutual" for i in items[k + 1 : k + 2])
         between = ("copula", "relative", "negation", "area")
         said_of = (i for i in reversed(out) if not (i.kind in between or is_mark(i, ",") or _each(i)))
         rooms = next((i.room for i in said_of), None)
@@ -116,7 +117,7 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
             while out[-1].kind in VERBAL or out[-1].kind == "negation" or is_mark(out[-1], ","):
                 out.pop()
             said.asked.append(Asked(kind, [rooms], [rooms], "", f"{rooms.text} {item.text} each other"))
-            skip = int(not item.text.endswith(EACH))
+            skip = int(not item.text.endswith(EACH) and not alone)
         else:
             out.append(item)
     return out

@@ -138,6 +138,41 @@ def you_go_in(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def to_each_other(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the bedrooms are connected to each other`, `two baths with a door to each other`: the first to the second."""
+    at = len(out) - 1 - (last(out).kind in ("copula", "relative", "with"))
+    room = out[at].room if at >= 0 else None
+    if items[k].kind != "link" or items[k].value not in ("door", "to") or ahead(items, k)[0].value != "mutual":
+        return False
+    if room is None or room.type not in ("bedroom", "bathroom") or room.negated or (room.count or 2) != 2:
+        return False
+    if not room.plural and room.count != 2:
+        return False
+    one, other = (RoomPhrase(room.type, quantifier=Det.THE, ordinals=(n,), text=room.text) for n in (1, 2))
+    out[at + 1 :] = []
+    if room.quantifier != Det.BARE and room.count is None:
+        out.pop()
+    end = Item("mark", ".", ".")
+    out += [end, Item("room", one.type, one.text, one), Item("link", "door", "has a door to", form="s"),
+            Item("room", other.type, other.text, other), end]  # fmt: skip
+    items[k + 1] = Item("stop", "", items[k + 1].text)
+    _closed_off(items, k + 2)
+    return True
+
+
+def which_is_the(out: list[Item], items: list[Item], k: int) -> bool:
+    """`it starts in the living room, which should be the largest room`: a sentence of its own."""
+    verb, most, _ = ahead(items, k)
+    room = out[-2].room if len(out) > 1 and is_mark(last(out), ",") else last(out).room
+    if items[k].kind != "relative" or verb.kind != "copula" or most.kind != "extreme" or room is None or not room.type:
+        return False
+    if is_mark(last(out), ","):
+        out.pop()
+    out += [Item("mark", ".", "."), again_named(room)]
+    _closed_off(items, k + 3)
+    return True
+
+
 def no_door_at_all(out: list[Item], items: list[Item], k: int) -> bool:
     """`there should not be any door between A and B`: no door between them."""
     no, be = ([Item("mark", ".")] * 2 + out)[-2:]

@@ -66,7 +66,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             more = and_room(items, k)
             if not more and _other_room(items, k + 1):
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
-            said.asked += _from_entrance(rooms, items, link.value, f"{link.text} {text}")
+            said.asked += _from_entrance(rooms, items, _unless_denied(out, link.value), f"{link.text} {text}")
             clause_of(out, rooms, link.text)
             out += [link] if more else []  # "close to the entrance and to the bathroom"
             k += 1 + more
@@ -88,6 +88,17 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _unless_denied(out: list[Item], value: str) -> str:
+    """`not far from the entrance` is near it; takes the `not` away."""
+    at = len(out) - 1
+    while at > 0 and out[at].kind == "copula":
+        at -= 1
+    if at < 0 or out[at].kind != "negation" or out[at].value != "not":
+        return value
+    del out[at]
+    return "near" if value == "apart" else "apart"
 
 
 def _from_entrance(rooms: list[RoomPhrase], items: list[Item], value: str, text: str) -> list[Asked]:

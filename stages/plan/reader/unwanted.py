@@ -30,6 +30,19 @@ def not_needed(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def we_do_not_need(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a balcony we don't need`, `living room I do not want`: there is none."""
+    room = last(out).room
+    ends = k + 1 == len(items) or items[k + 1].kind in ("mark", "boundary", "conjunction")
+    denies = items[k].kind == "negation" and items[k].text.split()[-1] in ("need", "want") and ends
+    begins = len(out) < 2 or out[-2].kind in ("mark", "boundary", "conjunction")
+    if not denies or room is None or not begins or not _plain(room) or (room.count or 1) > 1 or room.plural:
+        return False
+    room.negated, room.quantifier, room.count = True, Det.BARE, None
+    out.insert(len(out) - 1, Item("negation", "no", items[k].text))
+    return True
+
+
 def _thing_denied(out: list[Item]) -> bool:
     """`a bathtub is not needed`; `stairs are not needed`, of which the stairs are told."""
     if last(out).kind == "object":

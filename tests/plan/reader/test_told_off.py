@@ -78,6 +78,18 @@ SENTENCES = [
     ("A flat with one bedroom. The living room isn't connected to the hallway; you get there through the kitchen.",
      "B H K L W", "K1L1, !H1L1"),
     ("A living room that also has the kitchen, one bedroom and a bathroom.", "B H K L W", "K1~L1"),
+    # to each other, not far from, larger than usual
+    ("Two bedrooms and a bathroom. The bedrooms are connected to each other.", "B2 H K L W", "B1B2"),
+    ("Two bedrooms. The bedrooms have a door to each other.", "B2 H K L W", "B1B2"),
+    ("A flat with two bedrooms that are linked to one another, one bath.", "B2 H K L W", "B1B2"),
+    ("Two bedrooms at opposite ends of the flat.", "B2 H K L W", "apart B1 B2"),
+    ("Two bedrooms. The kitchen is not far from the entrance.", "B2 H K L W", "near K1 entrance"),
+    ("Two bedrooms. The bathroom must not be near the entrance.", "B2 H K L W", "apart W1 entrance"),
+    ("The robot starts in the living room, which should be the largest room; add two bedrooms.", "B2 H K L W",
+     "order L1 largest"),
+    ("A kitchen that must be the smallest room, two bedrooms and a bath.", "B2 H K L W", "order K1 smallest"),
+    ("Two bedrooms, a study we don't need.", "B2 H K L W", ""),
+    ("Three bedrooms, a study. Drop the study.", "B3 H K L W2", ""),
     # taken back and denied
     ("A two-bedroom flat with a study. Sorry, I meant a dining room, not a study.", "B2 D H K L W", ""),
     ("Two bedrooms; skip the balcony and the study.", "B2 H K L W", ""),
