@@ -155,3 +155,11 @@ def test_a_home_is_entered_with_coats_where_it_has_no_hall() -> None:
         assert [lack.cost for lack in use.lacks_of(place, ["sofa"]) if lack.name == "no place for coats"] == [
             HOOKS if lacks else 1.0]
         assert "no place for coats" not in {lack.name for lack in use.lacks_of(place, ["sofa", "coat_rack"])}
+
+
+def test_a_dishwasher_is_worktop_and_no_cupboard() -> None:
+    site = room("kitchen", 2.4, 3.0).site
+    cook = ["kitchen_sink", "oven", "fridge", "hood", "wall_unit", "wall_unit", "ceiling_lamp"]
+    found = [{lack.name for lack in use.lacks_of(site, [*cook, *more])} & {"no cupboard", "no worktop"}
+             for more in ([], ["dishwasher"], ["kitchen_base"], ["dishwasher", "kitchen_drawers"])]
+    assert found == [{"no cupboard", "no worktop"}, {"no cupboard"}, set(), set()]
