@@ -15,6 +15,7 @@ from apartgen.schemas.populate import without_things
 from apartgen.schemas.walkable import Walkable
 from apartgen.stages import export
 from apartgen.stages.export._seen_walls import walls_seen
+from apartgen.stages.export.elevations import STEP, _merged
 
 HOME = Path(__file__).parent.parent / "golden/v2/walkable.json"
 SVG = "{http://www.w3.org/2000/svg}"
@@ -93,3 +94,8 @@ def test_dimensions_add_up(studio, tmp_path):
 def test_a_home_without_furniture_has_a_sheet(tmp_path):
     export.run(sample.plan(), ["elevations"], tmp_path / "out", sample.load)
     assert "no furnished walls" in (tmp_path / "out/elevations.svg").read_text()
+
+
+def test_dimensions_that_all_but_meet_are_one_from_end_to_end():
+    assert _merged([4.0, 0.0, 1.0, 1.0 + STEP / 2, 2.5]) == [0.0, 1.0, 2.5, 4.0]
+    assert _merged([0.0, 3.0, 3.0 - STEP / 2]) == [0.0, 3.0]

@@ -196,3 +196,9 @@ def test_how_far_a_thing_is_from_the_camera_by_hand():
     block = h.thing("coffee_table", 3.0, 0.8, size=(1.0, 1.0, 0.5))
     found = facts([{block.id: (500, ALL)}], [block])
     assert nearer._far(found, found.eyes[0], block.id) == pytest.approx(np.sqrt(0.5**2 + 0.2**2 + 0.7**2))
+
+
+def test_left_and_right_are_each_others_mirror_images():
+    turns = {name: (low, high) for name, low, high in route.SIDES}
+    for name, other in (("left", "right"), ("straight on", "straight on")):
+        assert turns[name] == tuple(-end for end in turns[other][::-1])

@@ -102,3 +102,20 @@ OTHERWISE = [
 ]  # fmt: skip
 
 test_what_only_looks_alike_is_read_as_it_was = as_meant(OTHERWISE)
+
+
+BRIEFLY = [
+    # with nothing said before
+    ("No bathtub, a shower instead. Two bedrooms.", "B2 H K L W", "W1 has 0 bath, W1 has 1 shower"),
+    # what rooms are to one another, and to what is said behind
+    ("Two bedrooms opposite each other near the entrance.", "B2 H K L W",
+     "opposite B1 B2, near B1 entrance, near B2 entrance, !adjacent B1 B2"),
+    ("Two bedrooms next to each other next to the bathroom.", "B2 H K L W",
+     "adjacent B1 B2, adjacent B1 W1, adjacent B2 W1"),
+    ("Two bedrooms, the living room the largest.", "B2 H K L W", "order L1 largest"),
+    ("One bedroom, a hall which the kitchen opens onto.", "B H K L W", "H1K1"),
+    ("Kitchen/living room, two bedrooms.", "B2 H K L W", "K1~L1"),
+    ("Two bedrooms, a balcony; forget the balcony.", "B2 H K L W", ""),
+]  # fmt: skip
+
+test_what_is_said_in_few_words = as_meant(BRIEFLY)
