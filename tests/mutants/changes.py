@@ -154,6 +154,8 @@ def _call(node: ast.AST, file: _File, place: _Place) -> None:
     plain = [arg for arg in node.args[:2] if not isinstance(arg, ast.Starred | ast.Constant | ast.GeneratorExp)]
     if len(plain) == 2 and name not in EITHER_WAY | {"isinstance", "getattr", "range", "cast", "partial"}:
         (a, b), (c, d) = map(file.span, plain)
+        if file.source[a:b] == file.source[c:d]:
+            return
         file.add("swapped", place, a, d, (file.source[c:d] + file.source[b:c] + file.source[a:b]).decode())
 
 

@@ -23,6 +23,10 @@ def wide(a: int, b: int = 4) -> bool:
     text = f"é {a - b}" + "…"
     return not a < len(b) and max(
         a, b) == place(a, b)
+
+
+def alike(a):
+    return place(a, a)
 '''
 
 
