@@ -12,7 +12,7 @@ from apartgen.stages import qa, seeds
 from apartgen.stages.qa import plain
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.qa.facts import Facts
-from apartgen.stages.qa.kinds import count, direction, in_front, nearer, route
+from apartgen.stages.qa.kinds import count, direction, in_front, nearer, route, where
 from apartgen.stages.retrieve.furniture import looks as looks_of_furniture
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.names import alike
@@ -202,3 +202,12 @@ def test_left_and_right_are_each_others_mirror_images():
     turns = {name: (low, high) for name, low, high in route.SIDES}
     for name, other in (("left", "right"), ("straight on", "straight on")):
         assert turns[name] == tuple(-end for end in turns[other][::-1])
+
+
+def test_the_words_do_not_tell_in_what_kind_of_picture_a_room_is(monkeypatch):
+    """Panoramas are of every room, other pictures of few bathrooms: words that told them apart would tell the room."""
+    shown = {SOFA.id: (900, ALL), f"floor_{h.LIVING}": (9000, ALL)}
+    monkeypatch.setattr(where, "shared", lambda drafts, rng, most: drafts)
+    texts = {draft.text for kind in ("eye", "panorama")
+             for draft in where.ask(facts([shown], [SOFA], kind), np.random.default_rng(0), 9)}
+    assert len(texts) == 1
