@@ -31,7 +31,7 @@ def digits(value: float, power: int) -> int:
     lost = b * d - (((product - a * c) - b * c) - a * d)
     whole = np.floor(product)
     over = (product - whole - 0.5) + lost
-    found = np.int64(whole)
+    found = int(whole)
     return found + 1 if over > 0 or (over == 0 and found % 2 == 1) else found
 
 
@@ -69,7 +69,7 @@ def put(out: Bytes, at: int, value: float) -> int:
     if exponent >= 0:
         ahead = exponent + 1
         if count <= ahead:
-            return put_whole(out, at, found * np.int64(POWERS[ahead - count]))
+            return put_whole(out, at, found * int(POWERS[ahead - count]))
         end = put_whole(out, at + 1, found)
         for k in range(at, at + ahead):
             out[k] = out[k + 1]
