@@ -1,7 +1,8 @@
 """The figures of docs/populate.md: `python docs/experiments/things/measure.py WHAT HOMES.jsonl [FIRST LAST]`.
 
-HOMES is what `apartgen populate` wrote for the list of `--prompts`. WHAT is one of: prompts (forty of ten kinds on the
-standard output), counts, walls, palette; settled, parts, taken (in MuJoCo, a line of JSON a home); alone (no homes).
+HOMES is what `apartgen populate` wrote for the list of `--prompts`. WHAT is one of: prompts (fifty of ten kinds on the
+standard output), counts, walls, palette, stands; begun, settled, parts, taken (in MuJoCo, a line of JSON a home); alone
+(no homes).
 """
 
 import json
@@ -17,6 +18,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from shapely import Polygon
 
 TESTS = Path(__file__).parents[3] / "tests"
 sys.path[:0] = [str(TESTS), str(TESTS / "populate")]
@@ -28,14 +30,16 @@ from apartgen.schemas import artifact  # noqa: E402
 from apartgen.schemas.populate import Populate  # noqa: E402
 from apartgen.stages import retrieve  # noqa: E402
 from apartgen.stages.populate import faces  # noqa: E402
+from apartgen.stages.space import boxes  # noqa: E402
 from apartgen.stages.things import small  # noqa: E402
 from apartgen.stages.things.grasps import WIDEST, holds  # noqa: E402
 
 KINDS = ("studio", "one-bedroom flat", "two-bedroom flat", "three-bedroom flat", "four-bedroom flat",
          "two-bedroom house", "loft", "two-bedroom flat with a balcony", "three-bedroom house",
          "two-bedroom flat with an open kitchen")
-FIRST_SEED, HOMES = 111500, 40
+FIRST_SEED, HOMES = 115500, 50
 ROOMS = ("bedroom", "living_room", "kitchen", "bathroom")
+SOFT = ("curtain", "rug", "ceiling_lamp")
 LIBRARY = retrieve.open_libraries()
 SLEEP = int(mujoco.mjtEnableBit.mjENBL_SLEEP)
 
@@ -99,6 +103,49 @@ def palette(homes: Sequence[Populate]) -> None:
     seen = [(home.finishes[room.id].floor, home.finishes[room.id].wall) for home, room in zip(homes, rooms)]
     pairs = [a == b for a, b in combinations(seen, 2)]
     print(f"{sum(pairs)} of {len(pairs)} pairs share floor and wall: {np.mean(pairs):.4f}")
+
+
+def stands(homes: Sequence[Populate]) -> None:
+    """Furniture, but what hangs or lies, whose box is more than 1 mm outside its room."""
+    tried, out = 0, []
+    for home in homes:
+        rooms = {room.id: Polygon(room.polygon).buffer(1e-3, join_style="mitre") for room in home.rooms}
+        solid = [o for o in home.objects if getattr(o, "stage", "") != "populate" and o.category not in SOFT]
+        for o, corners in zip(solid, boxes.corners(boxes.of(solid))):
+            tried += 1
+            out += [o.id] * (Polygon(corners).difference(rooms[o.room]).area > 1e-9)
+    print(f"{len(out)} of {tried} stand in a wall:", *out)
+
+
+def begun(home: Populate, folder: Path) -> dict[str, Any]:
+    """Contacts deeper than 1 mm at the start, and those of parts led through their range, loose things aside."""
+    model = handling.model(home, LIBRARY.load_asset, folder)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    row = {"deep": _deep(model, data)}
+    loose = model.jnt_bodyid[model.jnt_type == mujoco.mjtJoint.mjJNT_FREE]
+    aside = np.isin(model.geom_bodyid, loose)
+    model.geom_contype[aside] = model.geom_conaffinity[aside] = 0
+    parts = [j for j in range(model.njnt) if model.jnt_type[j] != mujoco.mjtJoint.mjJNT_FREE]
+    return row | {"free": len(loose), "parts": len(parts), "meet": [m for j in parts for m in _met(model, data, j)]}
+
+
+def _met(model: mujoco.MjModel, data: mujoco.MjData, joint: int) -> list[list[str]]:
+    """What a part meets deeper than 1 mm at seven places of its range, all others being shut."""
+    at, found = model.jnt_qposadr[joint], []
+    shut, (low, high) = data.qpos[at], model.jnt_range[joint]
+    for share in np.linspace(0.1, 1.0, 7):
+        data.qpos[at] = share * (high if abs(high) > abs(low) else low)
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_collision(model, data)
+        found += _deep(model, data)
+    data.qpos[at] = shut
+    return found
+
+
+def _deep(model: mujoco.MjModel, data: mujoco.MjData) -> list[list[str]]:
+    return [[model.body(model.geom_bodyid[geom]).name for geom in contact.geom]
+            for contact in data.contact[: data.ncon] if contact.dist < -1e-3]
 
 
 def settled(home: Populate, folder: Path) -> dict[str, Any]:
@@ -167,9 +214,9 @@ def main(what: str, file: str = "", *span: str) -> None:
         return {"prompts": prompts, "alone": alone}[what]()
     lines = Path(file).read_bytes().splitlines()[slice(*map(int, span or ("0", "1000000")))]
     homes = [artifact.parse(line, file, Populate).body for line in lines]
-    if what in ("counts", "walls", "palette"):
-        return {"counts": counts, "walls": walls, "palette": palette}[what](homes)
-    for row in _each({"settled": settled, "parts": parts, "taken": taken}[what], homes):
+    if what in ("counts", "walls", "palette", "stands"):
+        return {"counts": counts, "walls": walls, "palette": palette, "stands": stands}[what](homes)
+    for row in _each({"begun": begun, "settled": settled, "parts": parts, "taken": taken}[what], homes):
         print(json.dumps(row), flush=True)
 
 
