@@ -106,10 +106,17 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
         return [last] if last else []
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
-    listed = listed and not (j > 4 and items[j - 5].kind in ("beside", "link", "front"))
+    listed = listed and not _led_to(items, j - 5)
     single = items[k].text.startswith("is ") or (j > 2 and bool(side_of(items[j - 3])))
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"
     alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
     alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
     return [first, last] if alike and not listed and not single else [last]
+
+
+def _led_to(items: list[Item], k: int) -> bool:
+    """Whether the words before the room behind `k` lead to it: `along a long corridor, kitchen and …`."""
+    while k > 0 and items[k].kind in ("style", "size", "label"):
+        k -= 1
+    return k >= 0 and items[k].kind in ("beside", "link", "front")

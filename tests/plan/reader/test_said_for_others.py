@@ -1,0 +1,28 @@
+"""What is said once and meant of more: of two rooms, of a room named before, of one counted too high."""
+
+import pytest
+from sentences.facts import facts, rooms
+
+from apartgen.stages.plan.reader import read
+
+SENTENCES = [
+    # both of a pair behind a way that ends in the room before the comma
+    ("Two bedrooms and a bath along a long corridor, kitchen and living room near the entrance.", "B2 H K L W",
+     "near K1 entrance, near L1 entrance"),
+    ("Two bedrooms and a bath off a narrow corridor, study and kitchen close to the entrance.", "B2 H K L S W",
+     "near K1 entrance, near S1 entrance"),
+    ("Three bedrooms and a bathroom along a wide hallway, dining room and kitchen far from the entrance.",
+     "B3 D H K L W", "apart D1 entrance, apart K1 entrance"),
+    ("Two bedrooms, bathroom and kitchen, study near the entrance.", "B2 H K L S W",
+     "near S1 entrance, !near K1 entrance"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("prompt", "wanted", "told"), SENTENCES)
+def test_the_programme_is_as_meant(prompt: str, wanted: str, told: str) -> None:
+    program = read(prompt)
+    assert rooms(program) == wanted
+    said = facts(program)
+    entries = [entry for entry in told.split(", ") if entry]
+    assert {entry for entry in entries if entry[0] != "!"} <= said
+    assert not {entry[1:] for entry in entries if entry[0] == "!"} & said
