@@ -15,6 +15,15 @@ SENTENCES = [
      "B3 D H K L W", "apart D1 entrance, apart K1 entrance"),
     ("Two bedrooms, bathroom and kitchen, study near the entrance.", "B2 H K L S W",
      "near S1 entrance, !near K1 entrance"),
+    # the verb of the first, of the second too
+    ("One bedroom. Living room should look to west and the bedroom to east.", "B L",
+     "orientation L1 west, orientation B1 east"),
+    ("The living room faces to the south, the bedroom to the north.", "B L",
+     "orientation L1 south, orientation B1 north"),
+    ("One bedroom. The lounge is facing west, and the bedroom to the east.", "B L",
+     "orientation L1 west, orientation B1 east"),
+    ("One bedroom. The lounge is facing west, and the bedroom is to the east.", "B L",
+     "orientation L1 west, position B1 east"),
 ]  # fmt: skip
 
 
