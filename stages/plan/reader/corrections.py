@@ -146,7 +146,7 @@ def _one_fewer(out: list[Item], room: RoomPhrase) -> bool:
 
 def _commands(out: list[Item]) -> bool:
     """Whether a sentence begins with the negation that ends `out`."""
-    return out[-1].kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
+    return bool(out) and out[-1].kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
 
 
 def _measured_anew(out: list[Item], area: Item) -> bool:

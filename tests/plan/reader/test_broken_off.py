@@ -24,3 +24,12 @@ def test_a_sentence_may_break_off_behind_any_word(part: int) -> None:
                 assert isinstance(read(begun), Program)
             except (BadInput, Unmet) as error:
                 assert str(error), begun
+
+
+@pytest.mark.parametrize("prompt", ["0 of two-bedroom ) m four . a m four", "0 of the two bedrooms four"])
+def test_pieces_that_say_none_of_a_room_first_are_read_or_refused(prompt: str) -> None:
+    """Of a draw of damaged prompts."""
+    try:
+        assert isinstance(read(prompt), Program)
+    except (BadInput, Unmet) as error:
+        assert str(error)
