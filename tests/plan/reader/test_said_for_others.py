@@ -24,6 +24,12 @@ SENTENCES = [
      "orientation L1 west, orientation B1 east"),
     ("One bedroom. The lounge is facing west, and the bedroom is to the east.", "B L",
      "orientation L1 west, position B1 east"),
+    # a home that needs no room
+    ("2 bedrooms of 12 m2, the living room of 24 m², and it doesn't need hallway.", "B2 K L W", "B1=12, B2=12, L1=24"),
+    ("Two bedrooms, and we won't need hallway.", "B2 K L W", ""),
+    ("Two bedrooms. It doesn't need to have a corridor.", "B2 K L W", ""),
+    ("Two bedrooms. The flat does not require a hallway.", "B2 K L W", ""),
+    ("Two bedrooms. The bathroom doesn't need a bathtub.", "B2 H K L W", "W1 has 0 bath"),
 ]  # fmt: skip
 
 
