@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.sufficing import sufficing
 from apartgen.stages.plan.reader.vocabulary import Det
 
 RELATED = ("link", "front", "place", "side", "beside")
@@ -14,7 +15,7 @@ def corrected(items: list[Item]) -> list[Item]:
     anew, dropped = False, False
     recounted = False
     out: list[Item] = []
-    for item in _contrasted(_announced(items)):
+    for item in sufficing(_contrasted(_announced(items))):
         if item.value == "instead" and item.kind == "anew":
             out += [] if recounted or _recounted(out) else [Item("instead", "", item.text)]
             continue
@@ -116,6 +117,7 @@ def _announced(items: list[Item]) -> list[Item]:
     for k, item in enumerate(items):
         aside = item.kind == "negation" and item.text == "no" and is_mark((items[k + 1 : k + 2] or [Item("")])[0], ",")
         related = k + 2 < len(items) and items[k + 2].kind in RELATED
+        related = related or any(i.kind == "enough" for i in items[k + 3 : k + 4])
         out.append(Item("anew", "anew", item.text) if aside and related else item)
     return out
 

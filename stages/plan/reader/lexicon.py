@@ -18,14 +18,14 @@ Phrase = tuple[str, ...]
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
 PRIORITY = (
     "room", "dwelling", "number", "fraction", "ordinal", "determiner", "negation", "link", "compare", "with",
-    "opening", "unneeded", "reach", "relative", "front", "boundary", "label", "size", "unit", "area_word",
-    "conjunction", "pronoun", "only", "style", "shape", "side_role", "side", "beside", "place", "bound", "use",
-    "furniture", "furniture_count", "graph", "main_rooms",
+    "opening", "unneeded", "enough", "reach", "relative", "front", "boundary", "label", "size", "unit",
+    "area_word", "conjunction", "pronoun", "only", "style", "shape", "side_role", "side", "beside", "place", "bound",
+    "use", "furniture", "furniture_count", "graph", "main_rooms",
     "compound", "sum", "anew", "give", "adjective", "stop",
 )  # fmt: skip
 """Which reading of a phrase of the same length comes first."""
 
-UNSPELT = ("stop", "reach", "opening", "unneeded")
+UNSPELT = ("stop", "reach", "opening", "unneeded", "enough")
 """Kinds of which no word is what somebody meant who mistyped."""
 
 _RANK = {kind: k for k, kind in enumerate(PRIORITY)}

@@ -30,6 +30,14 @@ SENTENCES = [
     ("Two bedrooms. It doesn't need to have a corridor.", "B2 K L W", ""),
     ("Two bedrooms. The flat does not require a hallway.", "B2 K L W", ""),
     ("Two bedrooms. The bathroom doesn't need a bathtub.", "B2 H K L W", "W1 has 0 bath"),
+    # a number that is enough
+    ("First I wanted three bedrooms, but two are enough. One bathroom.", "B2 H K L W", ""),
+    ("I thought about two bathrooms, but one is enough. Three bedrooms.", "B3 H K L W", ""),
+    ("Four bedrooms; actually, three bedrooms would be enough. Two bathrooms.", "B3 H K L W2", ""),
+    ("A house with three bathrooms, no, two will do, and four bedrooms.", "B4 H K L W2", ""),
+    ("A two-bedroom flat at first, but one bedroom is sufficient.", "B H K L W", ""),
+    ("Two bedrooms. One bathroom is enough.", "B2 H K L W", ""),
+    ("Three bedrooms, and one bathroom will do.", "B3 H K L W", ""),
 ]  # fmt: skip
 
 

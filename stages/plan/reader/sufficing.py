@@ -1,0 +1,33 @@
+"""Counts taken back by a smaller one: `I wanted three bedrooms, but two are enough`."""
+
+from dataclasses import replace
+
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.vocabulary import Det
+
+
+def sufficing(items: list[Item]) -> list[Item]:
+    """The number that is enough in the place of the one counted before; where none was, nothing but a verb."""
+    out: list[Item] = []
+    for item in items:
+        if item.kind != "enough":
+            out.append(item)
+        elif (before := _too_many(out)) is not None:
+            fewer = out.pop().room
+            assert fewer is not None
+            before.count, before.plural = fewer.count, (fewer.count or 1) > 1
+            if out[-1].kind in ("boundary", "conjunction"):
+                out.pop()
+        else:
+            out.append(replace(item, kind="copula", value="p"))
+    return out
+
+
+def _too_many(out: list[Item]) -> RoomPhrase | None:
+    """The rooms counted last of the type that the last phrase counts fewer of."""
+    fewer = out[-1].room if out else None
+    if fewer is None or fewer.count is None or fewer.quantifier != Det.BARE or fewer.labels or fewer.negated:
+        return None
+    before = [i.room for i in out[:-1] if i.room is not None and fewer.type in ("", i.room.type)][-1:]
+    counted = [r for r in before if (r.count or 1) > fewer.count and not r.negated and not r.labels]
+    return counted[0] if counted else None
