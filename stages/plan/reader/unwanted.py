@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from apartgen.stages.plan.reader.clausal import clause, last
+from apartgen.stages.plan.reader.clausal import ahead, clause, last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -41,6 +41,25 @@ def we_do_not_need(out: list[Item], items: list[Item], k: int) -> bool:
     room.negated, room.quantifier, room.count = True, Det.BARE, None
     out.insert(len(out) - 1, Item("negation", "no", items[k].text))
     return True
+
+
+def again_without(out: list[Item], items: list[Item], k: int) -> bool:
+    """`bathroom 4.5 m²; bathroom without a bathtub`: the bathroom named before, of which no more was said."""
+    room, (no, thing, end) = items[k].room, ahead(items, k)
+    denied = no.kind == "negation" and no.value == "without" and thing.kind in ("object", "thing")
+    if room is None or not denied or not is_mark(last(out), ".") or end.kind not in ("", "mark", "boundary"):
+        return False
+    named = [j for j, i in enumerate(out) if i.room is not None and i.room.type == room.type]
+    told = out[named[0]].room if len(named) == 1 else None
+    bare = told is not None and ahead(out, named[0])[0].kind in ("area", "mark", "conjunction", "boundary")
+    if told is not None and bare and _single(told) and _single(room) and room.quantifier == Det.BARE:
+        room.quantifier = Det.THE
+    return False
+
+
+def _single(room: RoomPhrase) -> bool:
+    plain = room.quantifier in (Det.BARE, Det.A) and not (room.labels or room.owned or room.objects)
+    return plain and (room.count or 1) == 1 and not room.plural and _plain(room)
 
 
 def _thing_denied(out: list[Item]) -> bool:

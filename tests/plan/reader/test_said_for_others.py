@@ -38,6 +38,13 @@ SENTENCES = [
     ("A two-bedroom flat at first, but one bedroom is sufficient.", "B H K L W", ""),
     ("Two bedrooms. One bathroom is enough.", "B2 H K L W", ""),
     ("Three bedrooms, and one bathroom will do.", "B3 H K L W", ""),
+    # a room named before, behind whose name something is denied
+    ("One bedroom, living room 22 m2, bathroom 4.5 m2; bathroom without a bathtub", "B H K L W",
+     "W1=4.5, W1 has 0 bath"),
+    ("Two bedrooms, kitchen, bathroom. Bathroom without bathtub.", "B2 H K L W", "W1 has 0 bath"),
+    ("Two bedrooms. One bathroom. Bathroom without a tub.", "B2 H K L W", "W1 has 0 bath"),
+    ("Kitchen 10 m2, bedroom 12 m2; kitchen without a table.", "B K", "K1 has 0 dining_table"),
+    ("Two bedrooms. Bathroom with a bathtub; bathroom without a bathtub.", "B2 H K L W2", "W1 has 1 bath"),
 ]  # fmt: skip
 
 
