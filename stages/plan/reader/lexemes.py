@@ -74,10 +74,18 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
             j: correct(tokens[j].text, lexicon) for j in range(i, min(i + 3, len(tokens))) if tokens[j].kind == "word"
         }
         found = _longest(tokens, i, lexicon, fixed) if fixed[i] != first.text else None
-        return found or (_compound(first, lexicon), i + 1)
+        whom = found is not None and found[0].kind == "furniture" and _for_whom(tokens, i, lexicon)
+        return found if found and not whom else (_compound(first, lexicon), i + 1)
     if first.text == "." and i and i + 1 < len(tokens) and _abbreviated(tokens[i - 1], tokens[i + 1]):
         return Lexeme("stop", "", "."), i + 1
     return Lexeme("mark", "." if first.text in "\n;!?." else first.text, first.text, glued=first.glued), i + 1
+
+
+def _for_whom(tokens: list[Token], i: int, lexicon: Lexicon) -> bool:
+    """Whether a home is for what stands at `i`, which is no furniture mistyped: `a studio for the hacker`."""
+    home, goal, article = ([""] * 3 + [t.text for t in tokens[:i]])[-3:]
+    homes = lexicon.entries.get((home,)) or []
+    return goal == "for" and article in ("the", "a", "an", "our") and any(e.kind == "dwelling" for e in homes)
 
 
 def _abbreviated(word: Token, following: Token) -> bool:

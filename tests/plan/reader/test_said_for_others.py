@@ -45,6 +45,11 @@ SENTENCES = [
     ("Two bedrooms. One bathroom. Bathroom without a tub.", "B2 H K L W", "W1 has 0 bath"),
     ("Kitchen 10 m2, bedroom 12 m2; kitchen without a table.", "B K", "K1 has 0 dining_table"),
     ("Two bedrooms. Bathroom with a bathtub; bathroom without a bathtub.", "B2 H K L W2", "W1 has 1 bath"),
+    # for whom a home is
+    ("A cramped studio for the hacker character: single bed and desk in the main room.", "K L W", "!L1 has 1 stool"),
+    ("An apartment for a hacker, two bedrooms and a bath.", "B2 H K L W", "!L1 has 1 stool"),
+    ("A house for the hacker with one bedroom and a wardorbe in it.", "B H K L W",
+     "B1 has 1 wardrobe, !L1 has 1 stool"),
 ]  # fmt: skip
 
 
