@@ -44,7 +44,10 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     count = int(phrase.count or (max(2, several) if phrase.plural else 1))
     known = [e for e in home.of(phrase.type) if labels & e.labels and not _of_others(phrase.text, e.name)]
     known = [e for e in known if e.name == phrase.text and not phrase.plural] or known
-    if known and (phrase.quantifier in (Det.THE, Det.BARE) or id(phrase) in home.mentions) and phrase.count is None:
+    again = phrase.quantifier in (Det.THE, Det.BARE) or (
+        id(phrase) in home.mentions and phrase.quantifier != Det.ANOTHER
+    )
+    if known and again and phrase.count is None:
         return known
     if known and phrase.count and all(e.vague for e in known):
         return known[:count] + home.add(phrase.type, count - len(known), labels=set(labels))

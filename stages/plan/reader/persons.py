@@ -129,8 +129,18 @@ def whose(out: list[Item], items: list[Item], k: int) -> bool:
         return False
     if before.type not in ("", "bedroom"):
         return False
+    if before.quantifier == Det.A and _alike_before(out[:at], people.labels):
+        before.quantifier = Det.ANOTHER  # "a room for the daughter and a room for the son"
     before.labels |= people.labels
     return True
+
+
+def _alike_before(out: list[Item], labels: set[Trait]) -> bool:
+    """Whether `out` ends in a bedroom of such people, joined to what follows, and counts none."""
+    rooms = [i.room for i in out if i.room is not None and i.room.type == "bedroom"]
+    joined = [i.kind for i in out[-3:]] == ["room", "with", "conjunction"]
+    one = joined and rooms[-1].quantifier == Det.A and rooms[-1].labels == labels
+    return one and all((r.count or 1) == 1 and not r.plural for r in rooms)
 
 
 def floating(out: list[Item], items: list[Item], k: int) -> bool:

@@ -50,6 +50,13 @@ SENTENCES = [
     ("An apartment for a hacker, two bedrooms and a bath.", "B2 H K L W", "!L1 has 1 stool"),
     ("A house for the hacker with one bedroom and a wardorbe in it.", "B H K L W",
      "B1 has 1 wardrobe, !L1 has 1 stool"),
+    # two children's rooms that share
+    ("The parents' bedroom has its own bathroom. There is a room for the daughter and a room for the son, and they "
+     "share a second bathroom off the hall.", "B3 H K L W2", "B1W1, H1W2, B2H1, B3H1"),
+    ("The parents' bedroom has its own bathroom. A room for my girl and a room for my boy are off the hall.",
+     "B3 H K L W2", "B1W1, B2H1, B3H1"),
+    ("A main bedroom with ensuite. A room for the daughter and a room for the son share a bathroom.", "B3 H K L W2",
+     "B1W1"),
 ]  # fmt: skip
 
 
