@@ -80,9 +80,12 @@ def _renamed(out: list[Item], room: RoomPhrase) -> bool:
         return False
     if which.ordinals or (before[-1].room.count or 1) > 1:
         return _one_becomes(out, before[-1].room, which)
+    others = any(r.type == room.type and not r.negated for i in out if (r := i.room) is not None)
     for item in before:
         told = item.room
         if told is not None:
+            if room.ordinals or others:  # "make the study a second bedroom"
+                told.ordinals, told.quantifier = room.ordinals, told.quantifier if room.ordinals else Det.ANOTHER
             told.type, told.text, told.labels = room.type, room.text, told.labels | room.labels
     out[:-1] = [replace(i, value=room.type) if i in before else i for i in out[:-1]]
     out.pop()

@@ -57,6 +57,12 @@ SENTENCES = [
      "B3 H K L W2", "B1W1, B2H1, B3H1"),
     ("A main bedroom with ensuite. A room for the daughter and a room for the son share a bathroom.", "B3 H K L W2",
      "B1W1"),
+    # a room that becomes one more of a type
+    ("Make it a one-bed with a study. Actually, make the study a second bedroom.", "B2 H K L W", ""),
+    ("One bedroom and a study. Make the study a second bedroom.", "B2 H K L W", ""),
+    ("One bedroom, one bathroom, a study. Make the study a bedroom.", "B2 H K L W", ""),
+    ("A two-bedroom flat with a study and a balcony. No, make the study a third bedroom.", "B3 H K L W2 Y", ""),
+    ("Two bedrooms, a study. Make the study a dining room.", "B2 D H K L W", ""),
 ]  # fmt: skip
 
 
