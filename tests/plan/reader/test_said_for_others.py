@@ -63,6 +63,13 @@ SENTENCES = [
     ("One bedroom, one bathroom, a study. Make the study a bedroom.", "B2 H K L W", ""),
     ("A two-bedroom flat with a study and a balcony. No, make the study a third bedroom.", "B3 H K L W2 Y", ""),
     ("Two bedrooms, a study. Make the study a dining room.", "B2 D H K L W", ""),
+    # likewise
+    ("Two bedrooms, a study and a bathroom off the corridor, likewise the living room; the kitchen is entered through "
+     "the dining room.", "B2 D H K L S W", "H1L1, H1S1"),
+    ("Two bedrooms. The study opens off the living room, likewise the kitchen.", "B2 H K L S W", "L1S1, K1L1"),
+    ("Two bedrooms. The pantry is next to the kitchen. The same goes for the study.", "B2 H K L S T W",
+     "adjacent T1 K1, adjacent S1 K1"),
+    ("Two bedrooms. The pantry opens off the kitchen; similarly the study.", "B2 H K L S T W", "K1T1, K1S1"),
 ]  # fmt: skip
 
 
