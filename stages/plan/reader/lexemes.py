@@ -84,7 +84,7 @@ def _next(tokens: list[Token], i: int, lexicon: Lexicon) -> tuple[Lexeme, int]:
 def _for_whom(tokens: list[Token], i: int, lexicon: Lexicon) -> bool:
     """Whether a home is for what stands at `i`, which is no furniture mistyped: `a studio for the hacker`."""
     home, goal, article = ([""] * 3 + [t.text for t in tokens[:i]])[-3:]
-    homes = lexicon.entries.get((home,)) or []
+    homes = lexicon.entries.get((home,)) or ()
     return goal == "for" and article in ("the", "a", "an", "our") and any(e.kind == "dwelling" for e in homes)
 
 

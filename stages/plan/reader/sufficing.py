@@ -16,7 +16,7 @@ def sufficing(items: list[Item]) -> list[Item]:
             fewer = out.pop().room
             assert fewer is not None
             before.count, before.plural = fewer.count, (fewer.count or 1) > 1
-            if out[-1].kind in ("boundary", "conjunction"):
+            if out[-1].kind == "boundary":
                 out.pop()
         else:
             out.append(replace(item, kind="copula", value="p"))
@@ -28,6 +28,8 @@ def _too_many(out: list[Item]) -> RoomPhrase | None:
     fewer = out[-1].room if out else None
     if fewer is None or fewer.count is None or fewer.quantifier != Det.BARE or fewer.labels or fewer.negated:
         return None
+    if len(out) > 1 and out[-2].kind == "conjunction":
+        return None  # "two bathrooms, and one bathroom is enough for the children"
     before = [i.room for i in out[:-1] if i.room is not None and fewer.type in ("", i.room.type)][-1:]
     counted = [r for r in before if (r.count or 1) > fewer.count and not r.negated and not r.labels]
     return counted[0] if counted else None

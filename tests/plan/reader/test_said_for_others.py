@@ -36,6 +36,7 @@ SENTENCES = [
     ("Four bedrooms; actually, three bedrooms would be enough. Two bathrooms.", "B3 H K L W2", ""),
     ("A house with three bathrooms, no, two will do, and four bedrooms.", "B4 H K L W2", ""),
     ("A two-bedroom flat at first, but one bedroom is sufficient.", "B H K L W", ""),
+    ("Four bedrooms, two bathrooms, and one bathroom is enough for the children.", "B4 H K L W2", ""),
     ("Two bedrooms. One bathroom is enough.", "B2 H K L W", ""),
     ("Three bedrooms, and one bathroom will do.", "B3 H K L W", ""),
     # a room named before, behind whose name something is denied
@@ -69,7 +70,7 @@ SENTENCES = [
     ("Two bedrooms. The study opens off the living room, likewise the kitchen.", "B2 H K L S W", "L1S1, K1L1"),
     ("Two bedrooms. The pantry is next to the kitchen. The same goes for the study.", "B2 H K L S T W",
      "adjacent T1 K1, adjacent S1 K1"),
-    ("Two bedrooms. The pantry opens off the kitchen; similarly the study.", "B2 H K L S T W", "K1T1, K1S1"),
+    ("Two bedrooms. The pantry opens off the kitchen; the same for the study.", "B2 H K L S T W", "K1T1, K1S1"),
 ]  # fmt: skip
 
 
