@@ -186,8 +186,9 @@ def contents(source: str | Path) -> bytes:
         else:
             with open(source, "rb") as file:
                 data = file.read(LARGEST + 1)
-    except OSError as error:
-        raise BadInput(f"{name}: cannot be read ({error.strerror or error}); check the path") from None
+    except (OSError, ValueError) as error:  # no path has a null byte
+        reason = getattr(error, "strerror", None) or error
+        raise BadInput(f"{name}: cannot be read ({reason}); check the path") from None
     if len(data) > LARGEST:
         raise BadInput(f"{name}: larger than {LARGEST // 2**20} MB; not an apartgen artifact")
     return data

@@ -271,7 +271,7 @@ def test_a_new_file_is_for_those_whom_the_mask_lets(tmp_path):
 
 
 def test_unreadable_sources_are_bad_input(tmp_path):
-    for source in (tmp_path, tmp_path / "missing.json"):
+    for source in (tmp_path, tmp_path / "missing.json", "plan\0.json"):
         with pytest.raises(BadInput, match="cannot be read"):
             read(source, Plan)
 

@@ -81,7 +81,7 @@ def test_twins_are_never_parted(homes, seed):
     assert set(part) == {one["id"] for one in rows}
     for a, b in itertools.combinations(rows, 2):
         far = np.sqrt(np.mean((np.array(a["sides"]) - np.array(b["sides"])) ** 2))
-        if a["signature"] == b["signature"] and far < splits.NEAR:
+        if a["signature"] == b["signature"] and far < splits.TWINS_WITHIN:
             assert part[a["id"]] == part[b["id"]]
 
 
