@@ -44,5 +44,5 @@ def test_programs_leave_it_alone_when_they_end():
     assert done.returncode == 0 and done.stdout.splitlines()[-1] == "True"
 
 
-def test_the_rest_of_the_session_is_looked_at():
+def test_what_runs_afterwards_is_looked_at():
     assert gc.isenabled() and gc.get_freeze_count() == 0
