@@ -60,12 +60,7 @@ def _straight(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> F
         fits = TABLE[BASE].min[1] <= boxes[k, 4] <= TABLE[BASE].max[1]
         if names[k] in kinds.CLOSED and fits and not (units & turned[k] & (gap[k] <= JOINED)).any():
             names[k] = BASE
-    if names == there.names:
-        return there
-    out = empty()
-    for name, box in zip(names, boxes, strict=True):
-        out.add(name, box)
-    return out
+    return there if names == there.names else filled(empty(), names, boxes)
 
 
 def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
@@ -155,7 +150,11 @@ def _valid(there: Furniture, boxes: Array, empty: Callable[[], Furniture]) -> Fu
         if rest.prices(name, box[None], loose=True)[0] >= BROKEN or rest.shuts(name, box) >= CUT:
             return None
         rest.add(name, box)
-    out = empty()
-    for name, box in zip(there.names, boxes, strict=True):
-        out.add(name, box)
-    return out
+    return filled(empty(), there.names, boxes)
+
+
+def filled(room: Furniture, names: Sequence[str], boxes: Array) -> Furniture:
+    """A room with all of this in it."""
+    for name, box in zip(names, boxes, strict=True):
+        room.add(name, box)
+    return room

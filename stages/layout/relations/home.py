@@ -135,7 +135,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
                       wide=_wide(room, float(arrays.area[i]), due, told or 0))
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])),
-                _late(plan, room, given))
+                _late(plan, room, given, wanted_of(arrays, i, plan, room)))
 
 
 def _wide(room: Room, area: float, due: Duties, sleep: int) -> dict[str, tuple[float, ...]]:
@@ -181,10 +181,11 @@ def _kept(plan: Plan, place: Site, given: list[Box]) -> Counter[str]:
     return Counter(name for name in belongings(place) if name not in there)
 
 
-def _late(plan: Plan, room: Room, given: list[Box]) -> tuple[str, ...]:
-    """What takes coats where one enters, unless things are counted or it is there."""
-    there = COATS & {o.category for o in given}
-    return () if there or room.id in plan.program.counts else tuple(arrivals(site(plan, room.id)))
+def _late(plan: Plan, room: Room, given: list[Box], wanted: Counter[str]) -> tuple[str, ...]:
+    """What takes coats where one enters, unless things are counted, one is there, or somebody said how many."""
+    if room.id in plan.program.counts or COATS & {o.category for o in given}:
+        return ()
+    return tuple(name for name in arrivals(site(plan, room.id)) if name not in wanted)
 
 
 def _long_table(plan: Plan, room: Room) -> Counter[str]:

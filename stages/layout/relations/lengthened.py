@@ -5,6 +5,7 @@ from collections.abc import Callable, Collection
 
 import numpy as np
 
+from apartgen.stages.layout.relations.exchange import filled
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
@@ -33,15 +34,15 @@ def _wider(there: Furniture, k: int, empty: Callable[[], Furniture]) -> Furnitur
                       for side in (0.0, 1.0, -1.0)], np.float32).reshape(-1, 7)
     if not len(tries):
         return there
-    rest = _without(there, k, empty)
+    others = np.arange(len(there.names)) != k
+    rest = filled(empty(), [there.names[i] for i in np.flatnonzero(others)], there.boxes[others])
     good = rest.prices(name, tries, strict=True) < BROKEN
     found = next((new for new in tries[good] if rest.shuts(name, new) < CUT), None)
     if found is None:
         return there
-    out = empty()
-    for i, (o, b) in enumerate(zip(there.names, there.boxes, strict=True)):
-        out.add(o, found if i == k else b)
-    return out
+    boxes = there.boxes.copy()
+    boxes[k] = found
+    return filled(empty(), there.names, boxes)
 
 
 def _grown(box: Array, wide: float, side: float) -> Array:
@@ -50,11 +51,3 @@ def _grown(box: Array, wide: float, side: float) -> Array:
     out[:2] += more * np.array([-np.sin(box[2]), np.cos(box[2])])
     out[4] = wide
     return out
-
-
-def _without(there: Furniture, k: int, empty: Callable[[], Furniture]) -> Furniture:
-    rest = empty()
-    for i, (name, box) in enumerate(zip(there.names, there.boxes, strict=True)):
-        if i != k:
-            rest.add(name, box)
-    return rest

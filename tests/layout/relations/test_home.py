@@ -1,5 +1,6 @@
 """Homes by the shipped weights: the same alone and in batches, rooms redone, newcomers placed."""
 
+from collections import Counter
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -197,13 +198,23 @@ def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
         racks = [o for o in made(plan).objects if o.category == "coat_rack" and o.room == room.id]
         if use.site(plan, room.id).entered:
             near.append(len(racks) == 1 and np.hypot(*(np.array(racks[0].center[:2]) - np.mean(door.segment, 0))) < 4)
-            assert relations_home._late(plan, room, []) == ("coat_rack",)
-            assert not relations_home._late(plan, room, racks) or not racks
+            assert relations_home._late(plan, room, [], Counter()) == ("coat_rack",)
+            assert not relations_home._late(plan, room, racks, Counter()) or not racks
             counted = plan.program.model_copy(update={"counts": {room.id: 5}})
-            assert not relations_home._late(plan.model_copy(update={"program": counted}), room, [])
+            assert not relations_home._late(plan.model_copy(update={"program": counted}), room, [], Counter())
         else:
             assert room.base == "hallway" and not use.arrivals(use.site(plan, room.id))
     assert len(near) >= 2 and np.mean(near) > 0.7
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_as_many_coat_racks_as_were_asked_for_hang_where_one_enters(count: int) -> None:
+    plan = apartgen.plan("studio", seed=0).body
+    room = next(room for room in plan.rooms if use.site(plan, room.id).entered)
+    asked = plan.program.model_copy(update={
+        "objects": [AskedObjects(room=room.id, category="coat_rack", count=count)]})
+    things = made(plan.model_copy(update={"program": asked}), config=ONE.model_copy(update={"room": [room.id]})).objects
+    assert sum(o.category == "coat_rack" for o in things) == count
 
 
 def test_no_machine_comes_where_none_is_wanted() -> None:
