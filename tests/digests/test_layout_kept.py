@@ -125,8 +125,8 @@ def test_steps_of_training(rows):
     model = trained.empty(config)
     optimizer = torch.optim.AdamW(model.parameters(), 1e-3)
     found = {}
-    for step, (some, rng) in enumerate(train.chosen(rooms, config, 0)):
-        losses = train.train_step(model, optimizer, some, rng, config, train.learning_rate(step, config))
+    for step, told in enumerate(train.steps(rooms, config, 0)):
+        losses = train.train_step(model, optimizer, told, config, train.learning_rate(step, config))
         found[str(step)] = {name: round(value, 2) for name, value in losses.items()}
     kept.same("layout", "steps of training", found)
 

@@ -1,5 +1,7 @@
 """What can be set when the relations model is trained."""
 
+from typing import Literal
+
 from pydantic import Field
 
 from apartgen.schemas.base import Record
@@ -19,7 +21,9 @@ class Training(Record):
     ema: float = Field(0.998, ge=0, lt=1, description="decay of the average of weights, which is what is kept")
     held: int = Field(0, ge=0, description="last rooms of the corpus that are only looked at, beside the loss")
     seed: int = Field(0, ge=0, description="fixes everything drawn")
-    threads: int = Field(1, ge=1, description="cores")
+    threads: int = Field(1, ge=1, description="cores of the network")
+    workers: int = Field(0, ge=0, description="processes that prepare what the network is asked")
+    device: Literal["cpu", "cuda"] = Field("cpu", description="where the network computes")
     bf16: bool = Field(True, description="network in bfloat16 where the processor has it, sums and weights in float32")
     save_every: int = Field(250, ge=1, description="steps between checkpoints")
     shape: Shape = Field(default_factory=Shape)

@@ -1,7 +1,8 @@
-"""Batches of a corpus, and the model's loss on them."""
+"""Batches of a corpus, and all that the model is told and asked of them: numbers alone, before any network."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import torch
@@ -11,8 +12,8 @@ from torch import Tensor
 from apartgen.stages.layout.relations import describe, features
 from apartgen.stages.layout.relations.around import Met, beside, known_of
 from apartgen.stages.layout.relations.corpus import Furnished, earlier
-from apartgen.stages.layout.relations.features import ROOM_FACTS, SHUT_OUT
-from apartgen.stages.layout.relations.network import Head, Known, Relations, Seen
+from apartgen.stages.layout.relations.features import ROOM_FACTS
+from apartgen.stages.layout.relations.network import Known, Seen
 from apartgen.stages.layout.relations.tokens import OBJECT, Array, Ints, mirrored, seen, solids, turned
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
@@ -113,31 +114,72 @@ def scene_mask(shell: Ints, n: Ints, tokens: int, asking: int) -> Tensor:
     return torch.from_numpy(sees)
 
 
-def scene_losses(network: Relations, of: Batch) -> dict[str, Tensor]:
-    """Cross-entropy of the next category and of its reference, a mean over objects."""
+@dataclass
+class Scene:
+    """What is asked of rooms in their own frames, of Q objects each: tokens, what is `left` to come (B, Q, C), what may
+    attend to what (B, T + Q, T + Q), the category that comes (B, Q) and whether there is one, what is `known` of
+    tokens, which of them came `before` (B, Q, T), and those that `told` (B, Q) objects are described from (n,)."""
+
+    view: Seen
+    left: Tensor
+    mask: Tensor
+    asked: Tensor
+    there: Tensor
+    known: Known
+    before: Tensor
+    told: Tensor
+    reference: Tensor
+
+
+def scene(of: Batch) -> Scene:
+    """What is asked of a batch in the rooms' own frames."""
     t, q = of.tokens, of.asked.shape[1]
     here = np.zeros((len(of.n), 7), np.float32)
     real = np.arange(t)[None] < (of.shell + of.n)[:, None]
-    view = as_seen(of, seen(of.boxes, here), None, real)
-    left = torch.from_numpy(of.left)
-    tokens, asking = network.look(view, network.bag(left), scene_mask(of.shell, of.n, t, q))
-    asked, there = torch.from_numpy(of.asked), torch.from_numpy(of.asked >= 0)
-    logits = network.next(asking).float().masked_fill(left == 0, SHUT_OUT)[there]
     soft = SOFT[of.category] & (of.kind == OBJECT)
     bodies, sort = solids(of.boxes, of.kind, of.swing, of.deep, soft)
     known = known_of(of.boxes, of.kind, of.category, of.asked, of.shell[:, None] + np.arange(q), bodies,
                      np.where(real, sort, 0))
-    refer = network.reference(asking, asked.clamp_min(0), tokens, Known(*map(torch.from_numpy, known)))
     before = np.arange(t)[None, None] < of.shell[:, None, None] + np.arange(q)[None, :, None]
-    refer = refer.masked_fill(~torch.from_numpy(before), SHUT_OUT)[there & torch.from_numpy(of.said)]
-    chosen = torch.from_numpy(of.reference)[there & torch.from_numpy(of.said)]
-    cross = torch.nn.functional.cross_entropy
-    return {"next": cross(logits, asked[there]), "refer": cross(refer, chosen)}
+    told = (of.asked >= 0) & of.said
+    return Scene(
+        as_seen(of, seen(of.boxes, here), None, real), torch.from_numpy(of.left),
+        scene_mask(of.shell, of.n, t, q), torch.from_numpy(of.asked), torch.from_numpy(of.asked >= 0),
+        Known(*map(torch.from_numpy, known)), torch.from_numpy(before), torch.from_numpy(told),
+        torch.from_numpy(of.reference[told]))
 
 
-def frame_losses(network: Relations, of: Batch, rows: Ints, which: Ints, hung: NDArray[np.bool_]) -> dict[str, Tensor]:
-    """−log p of the attributes of objects `which` (P,) of rooms `rows` (P,); `hung` (C,) tells categories whose height
-    is spoken."""
+@dataclass
+class Asked:
+    """One attribute of P objects: the rows that have it (R,) and its bins there (R,); who it is told afterwards (P, 1)
+    and as which bins (P,). Where it may be that of a token: the bins of tokens (R, T, ways), which of them are right
+    (R, T, ways) and there (R, T, 1), and how often sizes were theirs so far (R, T, 1); what would be met (R, ...)."""
+
+    name: str
+    rows: Tensor
+    wanted: Tensor
+    told: Tensor
+    bins: Tensor
+    at: Tensor | None = None
+    match: Tensor | None = None
+    real: Tensor | None = None
+    same: Tensor | None = None
+    depths: Tensor | None = None
+
+
+@dataclass
+class Frames:
+    """What is asked of P objects in the frames of their references, attribute after attribute."""
+
+    view: Seen
+    category: Tensor
+    left: Tensor
+    asked: list[Asked]
+
+
+def frames(of: Batch, rows: Ints, which: Ints, hung: NDArray[np.bool_]) -> Frames:
+    """What is asked of objects `which` (P,) of rooms `rows` (P,); `hung` (C,) tells categories whose height is
+    spoken."""
     shell, at = of.shell[rows], of.reference[rows, which]
     category = of.asked[rows, which]
     frame = of.boxes[rows, at]
@@ -145,17 +187,16 @@ def frame_losses(network: Relations, of: Batch, rows: Ints, which: Ints, hung: N
     own = view[np.arange(len(rows)), shell + which]
     said = describe.describe(own, frame[:, 3:5] / 2, of.kind[rows, at])
     real = np.arange(of.tokens)[None] < (shell + which)[:, None]
-    seen_by = as_seen(of, view, at, real, rows)
     left = of.left[rows, which].copy()
     left[np.arange(len(rows)), category] -= 1
-    state, tokens = network.view(seen_by, torch.from_numpy(category), torch.from_numpy(left))
     objects = real & (of.kind[rows] == OBJECT)
     soft = SOFT[of.category[rows]] & objects
     bodies, sort = solids(of.boxes[rows], of.kind[rows], of.swing[rows], of.deep[rows], soft)
     met = Met(seen(bodies, frame), np.where(real, sort, 0), frame[:, 3:5] / 2)
     same = objects & (of.category[rows] == category[:, None])
     taken = beside(view, frame[:, 3:5] / 2, of.kind[rows], np.where(real, sort, 0), same)
-    return spoken(network, state, tokens, Heard(view, said, real, objects, hung[category], met, taken))
+    return Frames(as_seen(of, view, at, real, rows), torch.from_numpy(category), torch.from_numpy(left),
+                  _attributes(Heard(view, said, real, objects, hung[category], met, taken)))
 
 
 @dataclass
@@ -172,64 +213,46 @@ class Heard:
     taken: NDArray[np.float32]
 
 
-def spoken(network: Relations, state: Tensor, tokens: Tensor, heard: Heard) -> dict[str, Tensor]:
-    """−log p of every attribute, each given those before it, a mean over those who have it."""
-    said, view, out = heard.said, heard.view, dict[str, Tensor]()
+def _attributes(heard: Heard) -> list[Asked]:
+    """What is asked of the attributes, in the order in which they are spoken."""
+    said, view = heard.said, heard.view
     every = np.ones(len(said.heading), bool)
-    out["heading"] = _loss(network.heading, state, every, said.heading)
-    state = state + network.heading.own(torch.from_numpy(said.heading))
+    out = [_asked("heading", every, said.heading)]
     same = np.zeros(heard.real.shape, np.float32)
-    for k, head in enumerate(network.of_size):
+    for k in range(3):
         theirs, mine = view[..., 7 + k] if k < 2 else view[..., 6] - view[..., 5], said.size[..., k]
         match = np.abs(theirs - mine[:, None]) < describe.CLOSE
-        extra = network.same[k] * torch.from_numpy(same)[..., None]
-        bins = describe.size_bin(mine)
-        out[f"size {k}"] = _loss(head, state, every, bins, tokens, describe.size_bin(theirs)[..., None],
-                                 match[..., None], heard.objects, extra)
-        state = state + head.own(torch.from_numpy(bins))
+        out.append(_asked(f"size {k}", every, describe.size_bin(mine), describe.size_bin(theirs)[..., None],
+                          match[..., None], heard.objects, same=same.copy()))
         same += match
-    sides = network.side(state, depths=torch.from_numpy(heard.taken))[0]
-    out["side"] = torch.nn.functional.cross_entropy(sides, torch.from_numpy(said.side))
-    state = state + network.side.own(torch.from_numpy(said.side))
+    out.append(_asked("side", every, said.side, depths=heard.taken))
     levels = describe.levelled(view, said.size[..., 2])
     if heard.hung.any():
-        bins = describe.level_bin(said.low)
-        out["low"] = _loss(network.low, state, heard.hung, bins, tokens, describe.level_bin(levels),
-                           np.abs(levels - said.low[:, None, None]) < describe.CLOSE, heard.real)
-        own = network.low.own(torch.from_numpy(bins))
-        state = state + own * torch.from_numpy(heard.hung)[:, None].to(own.dtype)
+        out.append(_asked("low", heard.hung, describe.level_bin(said.low), describe.level_bin(levels),
+                          np.abs(levels - said.low[:, None, None]) < describe.CLOSE, heard.real))
     over = said.side == describe.OVER
-    out["gap"] = _loss(network.gap, state, ~over, said.gap)
-    beside = network.gap.own(torch.from_numpy(said.gap))
-    state = state + beside * torch.from_numpy(~over)[:, None].to(beside.dtype)
+    out.append(_asked("gap", ~over, said.gap))
     ex, ey = describe.extents(said.heading, said.size)
     axis = describe.along_y(said.side).astype(np.int64)
-    for name, head, who, way, half, value in (
-        ("along", network.along, every, axis, np.where(axis == 1, ey, ex), said.along),
-        ("across", network.across, over, 0 * axis, ex, said.across),
-    ):
+    for name, who, way, half, value in (("along", every, axis, np.where(axis == 1, ey, ex), said.along),
+                                        ("across", over, 0 * axis, ex, said.across)):
         if who.any():
             lines = describe.aligned(view, way, half)
-            out[name] = _loss(head, state, who, describe.offset_bin(value), tokens, describe.offset_bin(lines),
+            out.append(_asked(name, who, describe.offset_bin(value), describe.offset_bin(lines),
                               np.abs(lines - value[:, None, None]) < describe.CLOSE, heard.real,
-                              depths=heard.met.told(said, way))
+                              depths=heard.met.told(said, way)))
     return out
 
 
-def _loss(head: Head, state: Tensor, who: NDArray[np.bool_], bins: Ints, tokens: Tensor | None = None,
-          at: Ints | None = None, match: NDArray[np.bool_] | None = None, real: NDArray[np.bool_] | None = None,
-          extra: Tensor | None = None, depths: Array | None = None) -> Tensor:
-    """Mean −log p of values in `bins` or where pointers `match` (P, T, ways), among rows `who`."""
-    row = torch.from_numpy(np.flatnonzero(who))
-    wanted = torch.from_numpy(bins)[row]
-    if tokens is None or at is None or match is None or real is None:
-        return torch.nn.functional.cross_entropy(head(state[row])[0], wanted)
-    met = None if depths is None else torch.from_numpy(depths)[row]
-    logits, points = head(state[row], head.keys(tokens[row]), torch.from_numpy(at)[row], met)
-    points = points if extra is None else points + extra[row]
-    there = torch.from_numpy(real)[row][..., None]
-    points = points.masked_fill(~there, SHUT_OUT)
-    hit = points.masked_fill(~(torch.from_numpy(match)[row] & there), SHUT_OUT).flatten(1)
-    whole = torch.cat([logits, points.flatten(1)], 1).logsumexp(1)
-    right = torch.cat([logits.gather(1, wanted[:, None]), hit], 1).logsumexp(1)
-    return (whole - right).mean()
+def _asked(name: str, who: NDArray[np.bool_], bins: Ints, at: Ints | None = None,
+           match: NDArray[np.bool_] | None = None, real: NDArray[np.bool_] | None = None, same: Array | None = None,
+           depths: Array | None = None) -> Asked:
+    """One attribute of rows `who`, with what concerns these rows only."""
+    rows = np.flatnonzero(who)
+
+    def some(array: NDArray[Any] | None) -> Tensor | None:
+        return None if array is None else torch.from_numpy(np.ascontiguousarray(array[rows]))
+
+    return Asked(name, torch.from_numpy(rows), torch.from_numpy(bins[rows]), torch.from_numpy(who)[:, None],
+                 torch.from_numpy(bins), some(at), some(match), some(None if real is None else real[..., None]),
+                 some(None if same is None else same[..., None]), some(depths))

@@ -169,7 +169,7 @@ class Relations(nn.Module):
         """The scene encoder: tokens (B, T, W) and hidden states of asking ones (B, Q, W); mask (B, T + Q, T + Q) tells
         what may attend to what."""
         x = torch.cat([self.scene_tokens(seen), asking], 1)
-        bias = torch.zeros(mask.shape, dtype=x.dtype).masked_fill(~mask, SHUT_OUT)[:, None]
+        bias = x.new_zeros(mask.shape).masked_fill(~mask, SHUT_OUT)[:, None]
         for layer in self.scene:
             x = layer(x, bias)
         return x[:, : seen.kind.shape[1]], x[:, seen.kind.shape[1] :]
@@ -189,7 +189,7 @@ class Relations(nn.Module):
         asking = self.ask(category) + self.bag(left)
         x = torch.cat([self.frame_tokens(seen), asking[:, None]], 1)
         real = nn.functional.pad(seen.real, (0, 1), value=True)
-        bias = torch.zeros(real.shape, dtype=x.dtype).masked_fill(~real, SHUT_OUT)[:, None, None]
+        bias = x.new_zeros(real.shape).masked_fill(~real, SHUT_OUT)[:, None, None]
         for layer in self.frame:
             x = layer(x, bias)
         x = self.normed(x)

@@ -1,5 +1,7 @@
 """The network that says what a room holds, as it is trained."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import torch
 from numpy.typing import NDArray
@@ -38,14 +40,26 @@ class Contents(nn.Module):
 
 def reached(counts: Tensor, least: int) -> Tensor:
     """Which of `least` … UP_TO counts (..., C) reach, (..., (UP_TO + 1 - least) * C)."""
-    steps = torch.arange(least, UP_TO + 1, dtype=counts.dtype)
+    steps = torch.arange(least, UP_TO + 1, dtype=counts.dtype, device=counts.device)
     return (counts[..., None] >= steps).float().flatten(-2)
 
 
-def loss(network: Contents, rooms: "list[tuple[int, NDArray[np.float32], Ints]]", rank: Ints,
-         rng: np.random.Generator) -> Tensor:
-    """Mean cross-entropy of what comes next in rooms (type, facts, counts by category), of which some do not tell how
-    many objects they hold, and most not which."""
+@dataclass
+class Listed:
+    """What is asked of lists of contents, a step each of n: room types, facts (n, FACTS), counts so far (n, C), objects
+    left or -1, counts still wanted (n, C) or -1, and what comes next, C for the end."""
+
+    type: Tensor
+    facts: Tensor
+    so_far: Tensor
+    left: Tensor
+    wanted: Tensor
+    next: Tensor
+
+
+def listed(rooms: "list[tuple[int, NDArray[np.float32], Ints]]", rank: Ints, rng: np.random.Generator) -> Listed:
+    """What is asked of rooms (type, facts, counts by category), of which some do not tell how many objects they hold,
+    and most not which."""
     order = np.argsort(rank)
     c = len(rank)
     kinds, told, so_fars, lefts, wants, nexts = [], [], [], [], [], []
@@ -64,7 +78,12 @@ def loss(network: Contents, rooms: "list[tuple[int, NDArray[np.float32], Ints]]"
         told.append(np.broadcast_to(room, (n + 1, FACTS)))
         so_fars.append(so_far)
         nexts.append(np.append(drawn, c))
-    arrays = (np.concatenate(part) for part in (kinds, told, so_fars, lefts, wants))
-    type_, facts_, so_far_, left_, wanted_ = (torch.from_numpy(np.ascontiguousarray(a)) for a in arrays)
-    logits = network(type_, facts_, so_far_.float(), left_, wanted_.float())
-    return torch.nn.functional.cross_entropy(logits, torch.from_numpy(np.concatenate(nexts)))
+    type_, facts_, so_far_, left_, wanted_, next_ = (
+        torch.from_numpy(np.concatenate(part)) for part in (kinds, told, so_fars, lefts, wants, nexts))
+    return Listed(type_, facts_, so_far_.float(), left_, wanted_.float(), next_)
+
+
+def loss(network: Contents, of: Listed) -> Tensor:
+    """Mean cross-entropy of what comes next."""
+    logits = network(of.type, of.facts, of.so_far, of.left, of.wanted)
+    return torch.nn.functional.cross_entropy(logits, of.next)

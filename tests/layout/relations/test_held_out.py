@@ -1,6 +1,7 @@
 """Rooms held out are looked at and not learned from; weights say what they started from."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,9 +29,14 @@ def settings(rooms: Path, **more: int | str) -> Training:
 
 
 def test_the_last_rooms_are_never_learned_from(rooms: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    seen, step = [], train.train_step
-    monkeypatch.setattr(train, "train_step", lambda model, optimizer, some, *rest: (
-        seen.extend(some), step(model, optimizer, some, *rest))[1])
+    seen, chosen = [], train.chosen
+
+    def told(*given: Any) -> Any:
+        some, rng = chosen(*given)
+        seen.extend(some)
+        return some, rng
+
+    monkeypatch.setattr(train, "chosen", told)
     record = train.train(settings(rooms, held=4), tmp_path / "w.safetensors")
     every = [room for room in corpus.read(rooms) if room.n]
     learned = {room.boxes.tobytes() for room in seen}
@@ -56,3 +62,11 @@ def test_weights_say_what_they_started_from_but_not_where_it_lay(rooms: Path, tm
     assert record["step"] == 2 and record["start"]["step"] == 4 and record["start"]["corpus"] == record["corpus"]
     assert record["start"]["weights"] == train.digest(str(first))
     assert str(tmp_path) not in second.read_bytes().decode("latin1")
+
+
+def test_whoever_prepares_the_steps_they_are_the_same(rooms: Path, tmp_path: Path) -> None:
+    alone, helped = tmp_path / "alone.safetensors", tmp_path / "helped.safetensors"
+    train.train(settings(rooms), alone)
+    train.train(settings(rooms, workers=2), helped)
+    one, other = weights.load(alone)[2], weights.load(helped)[2]
+    assert one == other and one["step"] == 4
