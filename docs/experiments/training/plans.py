@@ -1,4 +1,4 @@
-"""Floor plans to train the layout model on, three for every line of prompts.txt: `python plans.py FOLDER [FIRST]`."""
+"""Floor plans to train the layout model on, of the lines of prompts.txt in turn: `python plans.py FOLDER [COUNT]`."""
 
 import sys
 from concurrent.futures import ProcessPoolExecutor
@@ -7,7 +7,7 @@ from pathlib import Path
 import apartgen
 
 PROMPTS = (Path(__file__).parent / "prompts.txt").read_text().splitlines()
-TIMES = 3
+COUNT = 4155
 
 
 def draw(folder: Path, i: int) -> None:
@@ -20,7 +20,6 @@ def draw(folder: Path, i: int) -> None:
 if __name__ == "__main__":
     where = Path(sys.argv[1])
     where.mkdir(parents=True, exist_ok=True)
-    first = int(sys.argv[2]) if len(sys.argv) > 2 else 0
-    numbers = range(first, first + TIMES * len(PROMPTS))
+    numbers = range(int(sys.argv[2]) if len(sys.argv) > 2 else COUNT)
     with ProcessPoolExecutor() as workers:
         list(workers.map(draw, [where] * len(numbers), numbers, chunksize=8))

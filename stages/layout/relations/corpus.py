@@ -6,11 +6,15 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.layout.batch import spreading
 from apartgen.stages.layout.corpus import Corpus, read_corpus
 from apartgen.stages.layout.relations import order, references
 from apartgen.stages.layout.relations.tokens import ASKING, OBJECT, Array, Ints, shell
 from apartgen.stages.things.categories import CATEGORIES
 from apartgen.stages.use.household import OPEN
+
+KINDS = ASKING + len(CATEGORIES)
+"""Classes of what an object may be described from."""
 
 
 @dataclass
@@ -41,30 +45,33 @@ class Furnished:
         return len(self.kind) - self.n
 
 
-def read(path: Path) -> list[Furnished]:
-    """The rooms of a corpus file; BadInput where there is none."""
+def read(path: Path, workers: int = 0) -> list[Furnished]:
+    """The rooms of a corpus file; BadInput where there is none. So many processes help."""
     corpus = read_corpus(path)
     n = len(corpus)
     sleepers, duties = _told(path, "sleepers", (n,)), _told(path, "duties", (n, len(OPEN)))
     area = corpus.rooms.area
     rooms = [_tokens(corpus, i, float(area[i]), int(sleepers[i]), duties[i]) for i in range(n)]
-    kinds = ASKING + len(CATEGORIES)
-    found, earlier, row = [], [], 0
-    for room in rooms:
-        objects = np.arange(room.shell, len(room.kind))
-        some = references.pairs(room.boxes, room.kind, room.category, objects, row, kinds)
-        found.append(some)
-        earlier.append(some.token < room.shell + some.row - row)
-        row += room.n
+    first = np.cumsum([0, *(room.n for room in rooms)])[:-1]
+    with spreading(workers or 1) as spread:
+        both = list(spread(_pairs, rooms, first.tolist()))
+    found, earlier = [pairs for pairs, _ in both], [came for _, came in both]
     joined = references.Pairs(*(np.concatenate([getattr(some, name) for some in found])
                                 for name in references.Pairs.__dataclass_fields__))
-    length = references.lengths(joined, np.concatenate(earlier), kinds)
+    length = references.lengths(joined, np.concatenate(earlier), KINDS)
     at = 0
     for room in rooms:
         size = room.n * len(room.kind)
         room.length = length[at : at + size].reshape(room.n, len(room.kind)).astype(np.float32)
         at += size
     return rooms
+
+
+def _pairs(room: Furnished, first: int) -> tuple[references.Pairs, NDArray[np.bool_]]:
+    """Whatever each object could be described from, rows from `first`; and which of it came before the object."""
+    objects = np.arange(room.shell, len(room.kind))
+    found = references.pairs(room.boxes, room.kind, room.category, objects, first, KINDS)
+    return found, found.token < room.shell + found.row - first
 
 
 def _told(path: Path, name: str, shape: tuple[int, ...]) -> Ints:

@@ -142,7 +142,7 @@ def train(config: Training, out: Path, resume: bool = True, report: Report | Non
     BadInput where the checkpoint is of other settings; Unmet where the loss is no longer finite.
     """
     torch.set_num_threads(config.threads)
-    rooms, held = _parted([room for room in corpus.read(Path(config.corpus)) if room.n], config)
+    rooms, held = _parted([room for room in corpus.read(Path(config.corpus), config.workers) if room.n], config)
     model = trained.empty(config).to(config.device)
     if config.start:
         model.load_state_dict(trained.tensors(Path(config.start)), strict=False)
