@@ -2,30 +2,31 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.announced import RELATED, announced
+from apartgen.stages.plan.reader.entity import DISTINCT
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.sufficing import sufficing
 from apartgen.stages.plan.reader.vocabulary import Det
-
-RELATED = ("link", "front", "place", "side", "beside")
-"""Kinds of items that say where a room is or leads."""
 
 
 def corrected(items: list[Item]) -> list[Item]:
     """What is said anew stands in the place of what was before, without the words that announce it."""
     anew, dropped = False, False
-    recounted = False
+    recounted = ""
     out: list[Item] = []
-    for item in sufficing(_contrasted(_announced(items))):
+    for item in sufficing(_contrasted(announced(items))):
         if item.value == "instead" and item.kind == "anew":
             out += [] if recounted or _recounted(out) else [Item("instead", "", item.text)]
             continue
         if item.kind == "anew":
             anew, dropped = item.value != "drop", item.value == "drop"
-            recounted = False
+            recounted = ""
             continue
         room = item.room
         if room is not None and room.negated and room.quantifier == Det.THE and _commands(out):
             _taken_back(out, room)  # "skip the study"
+        if anew and room is not None and room.negated:
+            _taken_back(out, room)  # "a study, sorry, no study"
         if room is not None and room.negated and room.quantifier == Det.THE and room.ordinals and _one_fewer(out, room):
             continue  # "an office instead of the second bedroom"
         if room is not None and _renamed(out, room):
@@ -39,24 +40,28 @@ def corrected(items: list[Item]) -> list[Item]:
         if anew and item.kind == "area" and _measured_anew(out, item):
             anew = False
             continue
+        if anew and item.kind == "object" and _furnished_anew(out, item):
+            continue
         if anew and not recounted and item.kind in RELATED and _related_anew(out, item):
             anew = False
-        told = recounted and room is not None and room.type == ""  # "make it two bathrooms (one belongs to …)"
-        if (
-            anew
-            and not told
-            and room is not None
-            and room.count is not None
-            and (before := _counted(out, room)) is not None
-        ):
-            before.count, room.type = room.count, before.type
-            recounted = True
-            before.plural = before.plural or room.count > 1
-            room.quantifier, room.count, room.headline = Det.THE, None, False
-            room.plural = room.plural or before.count > 1
+        if anew and room is not None and not (recounted and room.type in ("", recounted)):
+            recounted = _counted_anew(out, room) or recounted
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
+
+
+def _counted_anew(out: list[Item], room: RoomPhrase) -> str:
+    """The type of the rooms counted before, which are as many as `room` now says; "" where none were."""
+    before = _counted(out, room) if room.count is not None else None
+    if before is None or room.labels & set(DISTINCT) - before.labels:
+        return ""
+    before.count, room.type = room.count, before.type
+    before.quantifier = Det.BARE if before.quantifier == Det.A else before.quantifier
+    before.plural = before.plural or (room.count or 1) > 1
+    room.quantifier, room.count, room.headline = Det.THE, None, False
+    room.plural = room.plural or (before.count or 1) > 1
+    return before.type
 
 
 def _not_this(out: list[Item], room: RoomPhrase) -> bool:
@@ -114,17 +119,6 @@ def _recounted(out: list[Item]) -> bool:
     return True
 
 
-def _announced(items: list[Item]) -> list[Item]:
-    """`off the kitchen, no, off the living room`: this `no` denies no room."""
-    out: list[Item] = []
-    for k, item in enumerate(items):
-        aside = item.kind == "negation" and item.text == "no" and is_mark((items[k + 1 : k + 2] or [Item("")])[0], ",")
-        related = k + 2 < len(items) and items[k + 2].kind in RELATED
-        related = related or any(i.kind == "enough" for i in items[k + 3 : k + 4])
-        out.append(Item("anew", "anew", item.text) if aside and related else item)
-    return out
-
-
 def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
     """`forget the study`: the study said before is none; False where none was."""
     before = [i.room for i in out if i.room is not None and i.room is not room and i.room.type == room.type]
@@ -167,6 +161,15 @@ def _measured_anew(out: list[Item], area: Item) -> bool:
     return False
 
 
+def _furnished_anew(out: list[Item], thing: Item) -> bool:
+    """`a desk in the study, no, two desks`; False where no such thing was named."""
+    at = next((k for k in range(len(out) - 1, -1, -1) if out[k].kind == "object" and out[k].value == thing.value), -1)
+    if at < 0:
+        return False
+    out[at] = replace(out[at], number=thing.number, form=thing.form)
+    return True
+
+
 def _related_anew(out: list[Item], item: Item) -> bool:
     """`a balcony off the kitchen, actually off the living room`: takes the first relation away."""
     at = next((k for k in range(len(out) - 1, -1, -1) if out[k].kind in RELATED or is_mark(out[k], ".")), -1)
@@ -198,6 +201,9 @@ def _contrasted(items: list[Item]) -> list[Item]:
 
 
 def _counted(items: list[Item], room: RoomPhrase) -> RoomPhrase | None:
-    """The last rooms of this type that were counted, or of any for `no, three`."""
-    rooms = (i.room for i in reversed(items) if i.room is not None and not i.room.negated)
-    return next((r for r in rooms if r.count is not None and room.type in ("", r.type)), None)
+    """The last rooms of this type that were counted, or of any for `no, three`; `a study` where there are now two."""
+    rooms = [i.room for i in reversed(items) if i.room is not None and not i.room.negated]
+    counted = next((r for r in rooms if r.count is not None and room.type in ("", r.type)), None)
+    if counted is not None or not room.type or (room.count or 1) == 1:
+        return counted
+    return next((r for r in rooms if r.type == room.type and r.quantifier == Det.A), None)

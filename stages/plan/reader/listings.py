@@ -106,7 +106,8 @@ def listing(words: list[Lexeme]) -> list[Lexeme]:
     for i in range(len(out) - 2):
         room, mark, number = out[i : i + 3]
         closed = i + 3 >= len(out) or out[i + 3].kind in ("mark", "conjunction")
-        if room.kind == "room" and mark.text in (":", "-") and closed and number.text in NONE:
+        counted = i and out[i - 1].kind in ("number", "determiner")  # "three bedrooms - no, two"
+        if room.kind == "room" and mark.text in (":", "-") and closed and number.text in NONE and not counted:
             out[i : i + 3] = [replace(number, kind="negation", value="no"), room, replace(mark, kind="stop", value="")]
             continue
         if room.kind != "room" or mark.text not in ("(", ":", "-", "x", "*") or number.kind != "number" or not closed:

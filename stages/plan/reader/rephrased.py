@@ -57,6 +57,9 @@ def _paired(found: re.Match[str]) -> str:
     return f". {count // 2} bathrooms. {'. '.join(pairs)}"
 
 
+_AGAIN = "hmm|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|nein|doch|besser|lieber|non|plutot|" \
+    "pardon|perdon|mejor|digo|不对|不"
+"""Words before what is said anew."""
 _WAYS = ("corridor", "hallway", "hall")
 _NUMBERS = {"one": "1", "a": "1", "two": "2", "three": "3", "four": "4"}
 _ORDERED = [(re.compile(pattern), words) for pattern, words in (
@@ -133,7 +136,10 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"(^|[,;.] ?|\band )the rest(?: of the (?:rooms|flat|house|home))? (?=(?:is|are|lies|goes|should|must) )",
      r"\1all other rooms "),
     (r"\bactually,? (?:i (?:need|want) |we (?:need|want) )?"
-     r"(?=(?:two|three|four|five|six|[2-9])\b(?! ?(?:m|sqm|sq|x|by)\b))", "correction, "),
+     r"(?=(?:only |just )?(?:one|two|three|four|five|six|[1-9])\b(?! ?(?:m|sqm|sq|x|by|of)\b))", "correction, "),
+    # "The kitchen is 10 m², sorry, 12."
+    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+)"
+     r"(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),
     (r"\b(?:make|turn|change|convert|replace|swap) the ([a-z ]{4,25}?) (?:into|to|with|by|for|instead) (?=an? )",
      r"make the \1 "),
     # "wide enough for a wheelchair (at least 1.2 m)", "one large room with kitchen", "a luxury suite: …"
@@ -227,7 +233,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\b((?:big |large |great |small )?)hall for (?:eating|dining)\b", r"\1dining room"),
     (r",? (?:and )?straight (?:on|ahead),? (?=the |an? |two |three |is |are )", ". ahead "),
     # "wait no, one bathroom", "scratch that, no balcony", "scratch the study"
-    (r"\bwait,? (?:no|actually|sorry)\b,?", "no wait, "),
+    (r"\bwait,? (?:no|actually|sorry)\b,?"
+     r"(?! ?(?:balcony|terrace|study|office|dining|storage|pantry|utility|laundry|closet))", "no wait, "),
+    (r"\bbetter (?=(?:one|two|three|four|five|\d+)\b)", "or better "),
     (r"\b(?:scratch that|no wait|wait|actually|on second thought),? no (balcony|terrace|study|office|dining room|"
      r"storage|storage room|pantry|utility room|laundry|closet)(?= ?(?:[,.;!]|$))", r"forget the \1"),
     # "书房的门开在客厅里", "次卧要离客厅远一点"
@@ -241,6 +249,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"([^,.;:和]{1,6})和([^,.;:]{1,6})之间(?:不要有|不能有|没有|不要|无)门", r" no door between \1 and \2"),
     (r"在([^,.;:]{1,12}?)之间", r" between \1"),
     (r"(?<=[^,.;:在])在((?!入口|门口|大门)[^,.;:在]{1,6}?)(?:旁边|隔壁|边上)", r"靠近\1"),
+    (r"(?<=[,.])(?:哦|啊|噢)?不(?=[,.])", "不对"),
     # "一个储藏室，从厨房进去"
     (r"从([^,.;:从]{1,8}?)(?:进去|进入|进出|进)(?:[,.;]|$)", r"通向\1."),
 )]  # fmt: skip
