@@ -61,6 +61,9 @@ def one_in_bedroom(out: list[Item], items: list[Item], k: int) -> bool:
 def is_one(out: list[Item], items: list[Item], k: int) -> bool:
     """`the second bathroom is a half bath`: no further room, but what that one is."""
     room, verb, told = items[k].room, last(out), out[-2].room if len(out) > 1 else None
+    if room is not None and (one := _one_of_several(out, room)) is not None:
+        one.labels |= room.labels  # "the other one, 15 m², is the parents' bedroom"
+        return True
     if room is None or told is None or verb.kind != "copula" or verb.value == "p" or room.quantifier != Det.A:
         return False
     known = told.quantifier in (Det.THE, Det.OTHER) or bool(told.ordinals) or (told.count == 1 and not told.type)
@@ -70,6 +73,17 @@ def is_one(out: list[Item], items: list[Item], k: int) -> bool:
     told.factor *= room.factor
     told.owned += room.owned
     return True
+
+
+def _one_of_several(out: list[Item], room: RoomPhrase) -> RoomPhrase | None:
+    """The one of the rooms counted before that `is` ends a clause about, its area perhaps between."""
+    if last(out).kind != "copula" or room.quantifier != Det.THE or not room.labels or room.count:
+        return None
+    said = [i for i in out[:-1] if i.kind != "area" and not is_mark(i, ",(")]
+    told = said[-1].room if said else None
+    one = told is not None and told.type == "" and told.count in (None, 1) and not told.plural
+    counted = [i.room for i in said if i.room is not None and (i.room.count or 1) > 1][-1:]
+    return told if one and counted and counted[0].type == room.type else None
 
 
 def for_each(out: list[Item], items: list[Item], k: int) -> bool:

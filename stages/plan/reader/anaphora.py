@@ -169,9 +169,10 @@ def _furnished(items: list[Item]) -> list[Item]:
 def _one_in(items: list[Item], k: int) -> bool:
     """`a desk in the study and one in each bedroom`: another of the furniture named before."""
     room, joint, ahead = items[k].room, items[k - 1], items[k + 1 : k + 3]
-    counted = room is not None and room.type == "" and (room.count is not None or room.quantifier == Det.ANOTHER)
+    kinds = (Det.ANOTHER, Det.NONE)
+    counted = room is not None and room.type == "" and (room.count is not None or room.quantifier in kinds)
     inside = [i.value == "in" or i.room is not None for i in ahead] == [True, True]
-    return counted and inside and (joint.kind == "conjunction" or is_mark(joint, ",;"))
+    return counted and inside and (joint.kind in ("conjunction", "boundary") or is_mark(joint, ",;"))
 
 
 def _is_other(items: list[Item]) -> bool:
@@ -201,7 +202,9 @@ def unfolded(items: list[Item]) -> list[Item]:
         near = [i.kind for i in items[max(0, k - 1) : k + 2]]
         thing = next((i for i in reversed(items[:k]) if i.kind == "object"), None)
         if thing is not None and _one_in(items, k):
-            out.append(Item("object", thing.value, item.text, number=(item.room and item.room.count) or 1))
+            none = item.room is not None and item.room.quantifier == Det.NONE
+            count = 0 if none else (item.room and item.room.count) or 1
+            out.append(Item("object", thing.value, item.text, number=count))
         elif (
             item.kind == "sum"
             and item.text == "between them"

@@ -33,6 +33,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             owner = None  # "a house without a hallway with four bedrooms"
         if item.kind == "with" and item.value in ("has", "with") and out and out[-1].kind == "conjunction":
             owner = _subject(out) or owner
+        if item.kind == "with" and item.value in ("has", "with") and (head := _headed(out)) is not None:
+            owner = head
         if is_mark(item, ":") and said.graph:
             owner = None
         if owner is not None and (item.value == "including" or item.kind == "mark"):
@@ -88,6 +90,15 @@ def _in_each(before: list[Item], after: list[Item]) -> bool:
     owner.owned.append(inner)
     before.pop()
     return True
+
+
+def _headed(before: list[Item]) -> RoomPhrase | None:
+    """The pantry of `a pantry off the kitchen that has two shelves`."""
+    head, way, hub, which = ([Item("")] * 4 + before)[-4:]
+    if which.value != "which" or way.kind not in ("link", "front") or hub.room is None or head.room is None:
+        return None
+    new = head.room.quantifier == Det.A and not head.room.plural
+    return head.room if new and hub.room.quantifier == Det.THE and way.form == "" else None
 
 
 def _subject(before: list[Item]) -> RoomPhrase | None:

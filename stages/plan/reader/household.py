@@ -64,6 +64,8 @@ class Household:
         self.refs[id(phrase)] = found
         if len(found) > 1:
             self.group = found
+        elif found and phrase.quantifier == Det.THE and phrase.type in ("bedroom", "bathroom"):
+            found[0].picked = found[0].picked or found[0] in self.group  # "the bathroom off the hall …, the other …"
         self.last = found or self.last
         if Trait.SUITE in phrase.labels and not any(o.type == "bathroom" for o in phrase.owned):
             phrase.owned.append(RoomPhrase("bathroom", {Trait.ENSUITE}, quantifier=Det.EACH))
@@ -196,7 +198,9 @@ class Household:
             if phrase.quantifier == Det.OTHER and phrase.count:
                 rest = [e for e in known if not e.picked and e not in self.last]
                 self.add(phrase.type, int(phrase.count) - len(rest))
-            if phrase.quantifier == Det.OTHER and not phrase.plural and len(known) == 1 and known[0].owner is not None:
+            known = known or self.of(phrase.type)
+            single = len(known) == 1 and (known[0].owner is not None or phrase.type not in self.totals)
+            if phrase.quantifier == Det.OTHER and not phrase.plural and single:
                 known += self.add(phrase.type)  # "the main bedroom has its own bath, the other bath is off the hall"
             whole = self._ensure(
                 phrase.type, int(phrase.count or 2) if phrase.quantifier == Det.ONE_OF else max(len(known), 1)
@@ -262,12 +266,8 @@ class Household:
             mentioned and (single or phrase.quantifier == Det.BARE or phrase.type in self.totals)
         )
         refers = refers or (single and not phrase.text.isascii())  # languages without articles
-        if (
-            phrase.type == "bedroom"
-            and not mentioned
-            and known
-            and all(e.labels & {Trait.GUEST, Trait.KIDS} for e in known)
-        ):
+        apart = bool(known) and all(e.labels & {Trait.GUEST, Trait.KIDS} for e in known)
+        if phrase.type == "bedroom" and not mentioned and apart:
             return self.add(phrase.type)  # "a guest room besides our bedroom"
         if (told := told_apart(phrase, known)) is not None:
             return told or self.add(phrase.type)

@@ -31,6 +31,8 @@ def objects(items: list[Item], p: Predicate, following: Predicate | None, left: 
                 and [i.kind for i in items[j - 1 : j + 2 : 2]] == ["conjunction", "copula"]
             ):
                 break  # "not next to the kitchen, and the toilet is separate"
+            if out and phrase.quantifier == Det.OTHER and phrase.labels and is_mark(items[j - 1], ","):
+                break  # "grandma has the bedroom next to the bathroom, the kids the other one"
             if out and phrase.quantifier == Det.ALL and items[j + 1 : j + 2] and items[j + 1].value == "not":
                 break  # "no bathroom next to the kitchen and no bedroom next to the lounge"
             if out and (_heads_next(items, j, following, out[0], left) or not _continues(items, p, j, out, left)):

@@ -186,8 +186,9 @@ def _area(words: list[Lexeme], i: int) -> tuple[Lexeme | None, int]:
     unit = words[j].value if numbers and j < len(words) and words[j].kind == "unit" else ""
     if unit not in SQUARE_METRES:
         return None, i
-    if len(numbers) > 1 and joints[0] == "," and numbers[0] <= 3 < min(numbers[1:]) and words[i].text.isalpha():
-        return None, i  # "bedrooms: one, 13 m²"
+    listed = len(numbers) > 1 and words[i + 1].text == "," and numbers[0] <= 3 < min(numbers[1:])
+    if listed and words[i].text.isalpha():
+        return None, i  # "bedrooms: one, 13 m²", "the other one, 13 m²"
     numbers = [n * SQUARE_METRES[unit] for n in numbers]
     between = joints == ["-"] and numbers[0] < numbers[1]
     values = [sum(numbers) / 2] if joints == ["-"] else numbers

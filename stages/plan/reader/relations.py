@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is
 from apartgen.stages.plan.reader.objects import objects
 from apartgen.stages.plan.reader.openplan import chain
 from apartgen.stages.plan.reader.predicates import Predicate, predicates
+from apartgen.stages.plan.reader.scope import INSTEAD
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, onward
 from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
@@ -51,7 +52,7 @@ def relations(
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
         out += (
-            [Statement(Relation.NOT, left, barred, relation=f"not {_worded(p, items[p.at].text)}")]
+            [Statement(Relation.NOT, left, barred, relation=_denied(items, barred[0], _worded(p, items[p.at].text)))]
             if barred and left
             else []
         )
@@ -77,7 +78,10 @@ def relations(
             out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
         p.kind = Relation.OPEN if _is_to_open(items, p, left, right) else p.kind
-        out += _statement(p, left, right, items[p.at].text)
+        found_here = _statement(p, left, right, items[p.at].text)
+        if p.negated and p.at > 1 and items[p.at - 1].kind == "negation" and _contrasted(items, p.at - 1):
+            found_here = [replace(s, relation="") for s in found_here]
+        out += found_here
     return out
 
 
@@ -194,6 +198,20 @@ def _barred(items: list[Item], phrase: RoomPhrase) -> bool:
     at = next(j for j, i in enumerate(items) if i.room is phrase)
     k = at - 2 if at and items[at - 1].kind in ("front", "link") else at - 1
     return k > 0 and items[k].kind == "negation" and items[k].value == "not"
+
+
+def _contrasted(items: list[Item], at: int) -> bool:
+    """Whether the negation at `at` says where a door is not, behind where it is: `off the bedroom, not the hall`."""
+    links = [i for i in items[:at] if i.kind in ("link", "front")][-1:]
+    plain = items[at].text.startswith(INSTEAD) or (is_mark(items[at - 1], ",") and items[at].value == "not")
+    return at > 0 and plain and bool(links) and links[0].value in ("door", "from", "only")
+
+
+def _denied(items: list[Item], barred: RoomPhrase, words: str) -> str:
+    """The words of what is denied; none of a contrast, which asks no more than what was said before it."""
+    at = next(j for j, i in enumerate(items) if i.room is barred)
+    at -= 1 if items[at - 1].kind == "negation" else 2
+    return "" if _contrasted(items, at) else f"not {words}"
 
 
 def _relative_object(items: list[Item], p: Predicate) -> list[RoomPhrase]:

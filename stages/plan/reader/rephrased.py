@@ -60,6 +60,8 @@ def _paired(found: re.Match[str]) -> str:
 _AGAIN = "hmm|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|nein|doch|besser|lieber|non|plutot|" \
     "pardon|perdon|mejor|digo|不对|不"
 """Words before what is said anew."""
+
+
 _WAYS = ("corridor", "hallway", "hall")
 _NUMBERS = {"one": "1", "a": "1", "two": "2", "three": "3", "four": "4"}
 _ORDERED = [(re.compile(pattern), words) for pattern, words in (

@@ -7,6 +7,17 @@ _THROUGH = "(?:through|via|from|by way of)"
 _WISHED = "place|put|add|set up|set|we need|i need|we want|i want"
 _FINITE = r"\b(?:is|are|will|can|must|should|may)\b"
 _KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
+_SOMEBODY = r"(?:my|our|his|her) [a-z]+|i|we|he|she"
+_NEEDED = (r"\b(?:needs?|wants?|gets?|has|have) an? "
+           r"((?:home |small |large )?(?:study|office|bedroom|bathroom|desk|balcony))\b")  # fmt: skip
+
+
+def _too(found: re.Match[str]) -> str:
+    """`I need a study, my husband too`: another one for the husband."""
+    said = found.group()
+    return f"{said[: found.start(2) - found.start()]}{found[2]} needs another {found[1]}"
+
+
 _ONE_DOOR = re.compile(
     r"\b(?:one|a|the first) (?:door )?(?:leads|goes|opens) (to|into|onto) (?P<first>[^.,;]+?),? "
     r"(?:and |while )?(?:another|(?:the )?other|the second|a second)(?: one| door)?(?: (?:leads|goes|opens))? "
@@ -23,6 +34,12 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
      rf"{_THROUGH} ", r"\1 is reachable only from "),
     (rf"(\bis reachable only from [^.;,]+),? and (?:in)?to ((?:the |an? )?[a-z -]{{3,30}}?) only {_THROUGH} ",
      r"\1, and \2 is reachable only from "),
+    # "I need a study; my husband does too", "and so does my wife"
+    (rf"{_NEEDED}[^.;,]*?[,;.]? ?(?:and |but |so )*so (?:does|do) ({_SOMEBODY})\b", _too),
+    (rf"{_NEEDED}[^.;,]*?[,;.]? ?(?:and |but |so )*({_SOMEBODY}) (?:does|do|did|(?:needs?|wants?) one)?,? ?"
+     r"(?:too|as well|also)\b", _too),
+    (r"\b(?:brauche|brauchen|braucht|mochte|will) ein(?:en|e)? (?P<room>[a-z]+),? (?:und )?"
+     r"(?P<who>(?:mein|unser)e? [a-z]+) auch\b", r"\g<0>: noch ein weiteres \g<room>"),
     # "a balcony where you go out from the kitchen"
     (rf"\b(?:where|(?:on|in|to|onto|into) which) {_ANYONE} (?:can )?(?:go|get|come|step|walk|enter)(?: out| in)?"
      rf"(?: (?:on|in|to|into|onto))? ({_THROUGH}) ", r"that is reached \1 "),

@@ -1,0 +1,53 @@
+"""Rooms that one comes into through others, as five languages say it, with the door behind the room; `none in`."""
+
+import re
+
+_ES_ROOM = r"(?!dormitorio|bano)[a-z]+(?: de [a-z]+| principal)?"
+_ES_WAY = r"(?:entra|accede|llega|sale|pasa)"
+_DE_INTO = "in (?:den|die|das)|ins|zu[mr]|auf (?:den|die|das)|den|die|das"
+_DE_GO = "kommt|gelangt|geht|betritt|erreicht"
+_DE_WAY = "durch|uber|vom|von|aus|via"
+_FR_ROOM = r"[a-z]+(?: de [a-z]+| a [a-z]+)?"
+_FR_WAY = "uniquement par|seulement par|par|depuis|via"
+
+
+def _reached(found: re.Match[str]) -> str:
+    """`in den Abstellraum kommt man durch …` with the door behind the room."""
+    return f"{found[1]} {'only ' if found[2] else ''}reachable from "
+
+
+_SAID = [(re.compile(pattern), words) for pattern, words in (
+    # "One goes into the pantry through the kitchen", "entry to the study is through the living room"
+    (r"\b(?:you|one|we|people) (?:(?:can )?(?:go|get|come|walk|step)|goes|gets|comes|walks|steps) (?:in)?to "
+     r"((?:the |an? )?[a-z -]{3,30}?) (only )?(?:through|via|by way of) ", r"\1 is reached \2from "),
+    (r"\b(?:the )?(?:entry|entrance|access|way) (?:in)?to (the [a-z -]{3,30}?) is (only )?"
+     r"(?:through|via|from|by way of) ", r"\1 is \2reached from "),
+    # "Al lavadero se entra por la cocina", "se accede al despacho desde el salón"
+    (rf"(^|[.;,] ?|\by )(?:al|a la) ({_ES_ROOM}) se {_ES_WAY} (?:por|desde|a traves de) ",
+     r"\1el \2 es accesible desde "),
+    (rf"\bse {_ES_WAY} (?:al|a la) ({_ES_ROOM}) (?:por|desde|a traves de) ", r"el \1 es accesible desde "),
+    # "In den Abstellraum kommt man nur durch die Küche", "den Balkon erreicht man über das Schlafzimmer"
+    (rf"\b(?:{_DE_INTO}) (\w+) (?:{_DE_GO}) man (nur )?(?:{_DE_WAY}) ", _reached),
+    (rf"\bman (?:betritt|erreicht) (?:den|die|das) (\w+) (nur )?(?:{_DE_WAY}) ", _reached),
+    (rf"\b(?:der )?(?:zugang|eingang) (?:zum|zur|in den|in die|ins) (\w+) (?:erfolgt|ist|geht) (nur )?(?:{_DE_WAY}) ",
+     _reached),
+    # "On accède à la buanderie par la cuisine", "l'accès au balcon se fait par la chambre"
+    (rf"\bon (?:entre dans|accede a|accede|arrive a|arrive dans|passe a|sort sur|sort) (?:la |le |l'|au )({_FR_ROOM}) "
+     rf"(?:{_FR_WAY}) ", r"\1 accessible par "),
+    (rf"\bl'acces (?:a la|au|a l') ?({_FR_ROOM}) (?:se fait|est) (?:{_FR_WAY}) ", r"\1 accessible par "),
+    # "进书房要经过客厅"
+    (r"(?:进入|进|去|到)([^,.;:从]{1,6}?)(?:要|得|需要|必须)?先?(?:经过|穿过|通过)([^,.;:]{1,6}?)(?=[,.;]|$)",
+     r"\2通向\1"),
+    # "ein Teppich im Wohnzimmer, aber keiner in der Küche"
+    (r"\bkein(?:er|es|en|e)? (?:im|in der) ", "none in "),
+    (r"\b(?:aucune?|pas) dans ", "none in "),
+    (r"\bningun[oa]? en ", "none in "),
+    (r"(?<=, )(?:et |mais )?pas sur (?=l[ae] )", "not "),
+)]  # fmt: skip
+
+
+def entered(text: str) -> str:
+    """A folded text with such clauses in the words of doors."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
