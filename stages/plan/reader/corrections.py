@@ -59,6 +59,8 @@ def _counted_anew(out: list[Item], room: RoomPhrase) -> str:
     before.count, room.type = room.count, before.type
     before.quantifier = Det.BARE if before.quantifier == Det.A else before.quantifier
     before.plural = before.plural or (room.count or 1) > 1
+    for other in [i.room for i in out if i.room is not None and i.room.type == before.type]:
+        other.quantifier = Det.THE if other.quantifier == Det.ANOTHER else other.quantifier
     room.quantifier, room.count, room.headline = Det.THE, None, False
     room.plural = room.plural or (before.count or 1) > 1
     return before.type

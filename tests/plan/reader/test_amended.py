@@ -13,6 +13,7 @@ SENTENCES = [
     ("Three bedrooms - no, two will do - and one bathroom.", "B2 H K L W", ""),
     ("Three bedrooms - sorry, two - and one bathroom.", "B2 H K L W", ""),
     ("One-bedroom flat. I need a study; my husband too, so make it two studies.", "B H K L S2 W", ""),
+    ("One-bedroom flat. I need a study; my husband does too, so make it two studies.", "B H K L S2 W", ""),
     ("Three bedrooms, two bathrooms. Hmm, actually just one bathroom.", "B3 H K L W", "!unread hmm"),
     ("Three bedrooms, two bathrooms. No, one bathroom is fine.", "B3 H K L W", ""),
     ("Before I said two bathrooms. Now I want only one bathroom. Two bedrooms.", "B2 H K L W", ""),
