@@ -22,7 +22,8 @@ SENTENCES = [
     ("A flat. Grandma has the bedroom next to the bathroom, the kids the other bedroom.", "B2 H K L W",
      "adjacent B1 W1"),
     # it has
-    ("Three bedrooms. We sleep in third bedroom, it has bathroom inside. Other bathroom is in the corridor.", "B3 H K L W2", "B3W1, H1W2"),
+    ("Three bedrooms. We sleep in third bedroom, it has bathroom inside. Other bathroom is in the corridor.",
+     "B3 H K L W2", "B3W1, H1W2"),
     ("Two bedrooms. The second bedroom is big, it has a bathroom.", "B2 H K L W2", "B2W1, H1W2"),
     ("Two bedrooms. The second bedroom is big, and has a bathroom.", "B2 H K L W2", "B2W1, H1W2"),
     ("Three bedrooms. We sleep in the third bedroom. It has a balcony.", "B3 H K L W2 Y", "B3Y1"),
