@@ -18,6 +18,9 @@ def corrected(items: list[Item]) -> list[Item]:
         if item.value == "instead" and item.kind == "anew":
             out += [] if recounted or _recounted(out) else [Item("instead", "", item.text)]
             continue
+        if item.kind == "anew" and item.value == "last":
+            out += [] if _last_taken_back(out) else [Item("instead", "", item.text)]
+            continue
         if item.kind == "anew":
             anew, dropped = item.value != "drop", item.value == "drop"
             recounted = ""
@@ -54,6 +57,11 @@ def corrected(items: list[Item]) -> list[Item]:
 def _counted_anew(out: list[Item], room: RoomPhrase) -> str:
     """The type of the rooms counted before, which are as many as `room` now says; "" where none were."""
     before = _counted(out, room) if room.count is not None else None
+    things = [i for i in out if i.kind in ("object", "room")][-1:]
+    if before is not None and not room.type and things[0].kind == "object":
+        out[out.index(things[0])] = replace(things[0], number=room.count or 1)  # "two bedrooms; four chairs, no, six"
+        room.type, room.quantifier, room.count = "any", Det.NONE, None
+        return "any"
     if before is None or room.labels & set(DISTINCT) - before.labels:
         return ""
     before.count, room.type = room.count, before.type
@@ -132,6 +140,15 @@ def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
     return bool(before)
 
 
+def _last_taken_back(out: list[Item]) -> bool:
+    """`a dining room - no, skip that`: the room named last is none."""
+    room = next((i.room for i in reversed(out) if i.room is not None), None)
+    if room is None or room.plural or (room.count or 1) > 1 or room.quantifier not in (Det.A, Det.BARE):
+        return False
+    room.negated, room.count = True, None
+    return True
+
+
 def _one_fewer(out: list[Item], room: RoomPhrase) -> bool:
     """Takes one from the rooms counted before, and the words that deny it; a room in its place is that said before."""
     counted = [i.room for i in out if i.room is not None and i.room.type == room.type and (i.room.count or 1) > 1]
@@ -174,7 +191,10 @@ def _furnished_anew(out: list[Item], thing: Item) -> bool:
 
 def _related_anew(out: list[Item], item: Item) -> bool:
     """`a balcony off the kitchen, actually off the living room`: takes the first relation away."""
-    at = next((k for k in range(len(out) - 1, -1, -1) if out[k].kind in RELATED or is_mark(out[k], ".")), -1)
+    ends = len(out)
+    while ends and out[ends - 1].kind == "mark":
+        ends -= 1
+    at = next((k for k in range(ends - 1, -1, -1) if out[k].kind in RELATED or is_mark(out[k], ".")), -1)
     if at < 1 or out[at].kind not in RELATED or out[at - 1].room is None:
         return False
     told = [i for i in out[at + 1 :] if i.kind not in ("mark", "boundary", "conjunction")]

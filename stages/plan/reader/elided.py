@@ -28,8 +28,10 @@ from apartgen.stages.plan.reader.gapped import (
     another_door,
     goes_into,
     holds,
+    is_not_in,
     no_wall,
     one_of_counted,
+    one_per,
     taken_back,
     whose_value,
 )
@@ -49,7 +51,7 @@ from apartgen.stages.plan.reader.passages import (
     you_go_in,
 )
 from apartgen.stages.plan.reader.persons import floating, whose
-from apartgen.stages.plan.reader.resumed import has_inside, it_has, same_area, set_off, there_is_in
+from apartgen.stages.plan.reader.resumed import has_inside, it_has, off_it, same_area, set_off, there_is_in
 from apartgen.stages.plan.reader.subjects import ARROWS
 from apartgen.stages.plan.reader.unwanted import again_without, not_ensuite, not_needed, we_do_not_need
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -217,14 +219,15 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (_arrow, _comma, it_has, there_is_in, set_off, same_area, another_door, goes_into, holds, whose_value,
-         taken_back, one_of_counted, another_of_counted, one_in_bedroom, is_one, for_each, for_the_others,
-         none_ensuite, entered_only, only_behind, from_there, inside, has_inside, through_passage, between_the_two,
-         you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without, none_off,
-         denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every, _do_not, _also, _that_again,
-         _together, _between_them, _own_door, _one_from, _bed, _not_just, _from_again, _both_from, _they_from,
-         _neither, not_ensuite, _not_another, _not_open, compared, then_listed, no_wall, none_between, beside_it,
-         several_areas, is_for, one_of_them, opening, open_to_each_other, together_with, not_needed, whose, floating)  # fmt: skip
+RULES = (_arrow, _comma, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, holds,
+         whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom, is_one, for_each,
+         for_the_others, none_ensuite, entered_only, only_behind, from_there, inside, has_inside, through_passage,
+         between_the_two, you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without,
+         none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every, _do_not, _also,
+         _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just, _from_again, _both_from,
+         _they_from, _neither, not_ensuite, _not_another, _not_open, compared, then_listed, no_wall, none_between,
+         beside_it, several_areas, is_for, one_of_them, opening, open_to_each_other, together_with, not_needed,
+         is_not_in, one_per, whose, floating)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 
 

@@ -8,7 +8,8 @@ from apartgen.stages.plan.reader.household import ALWAYS
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
-GOING = ("go", "goes")
+GOING = ("go ", "goes ")
+BEING = ("is in", "are in", "is inside", "is inside of", "is within")
 HOLDING = ("contains", "contain", "includes", "include", "houses", "holds")
 DOORS = ("door", "doors")
 NAMED = (Det.BARE, Det.A, Det.THE)
@@ -26,8 +27,9 @@ def another_door(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 def goes_into(out: list[Item], items: list[Item], k: int) -> bool:
-    """`a sofa goes into the lounge`: things lead nowhere."""
-    if items[k].kind != "link" or items[k].text.split()[0] not in GOING or last(out).kind != "object":
+    """`a sofa goes into the lounge`, `the piano is in the study`: things lead nowhere."""
+    placed = items[k].text.startswith(GOING) or items[k].text in BEING
+    if items[k].kind != "link" or not placed or last(out).kind != "object":
         return False
     start = len(out)
     while start and (out[start - 1].kind in ("object", "conjunction") or is_mark(out[start - 1], ",")):
@@ -35,6 +37,27 @@ def goes_into(out: list[Item], items: list[Item], k: int) -> bool:
     if start and out[start - 1].kind == "with" and out[start - 1].value != "in":
         return False  # "a bedroom with a desk goes into the hall"
     out.append(Item("with", "in", items[k].text))
+    return True
+
+
+def one_per(out: list[Item], items: list[Item], k: int) -> bool:
+    """`one wardrobe per bedroom`: in each of them."""
+    room = items[k].room
+    if room is None or room.quantifier != Det.EACH or not room.type or last(out).kind != "object":
+        return False
+    out += [Item("with", "in", "in"), items[k]]
+    return True
+
+
+def is_not_in(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the piano is not in the lounge`: there is none."""
+    inside, room = ahead(items, k)[:2]
+    end = len(out) - (last(out).kind == "copula")
+    thing = out[end - 1] if end > 0 else Item("")
+    denies = items[k].kind == "negation" and items[k].value == "not" and thing.kind == "object"
+    if not denies or inside.value != "in" or room.room is None or not (end == 1 or is_mark(out[end - 2], ".,")):
+        return False
+    out[end - 1 :] = [replace(thing, number=0)]
     return True
 
 

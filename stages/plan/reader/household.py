@@ -164,6 +164,9 @@ class Household:
         rest = self.of(phrase.type) if phrase.count and phrase.quantifier == Det.BARE else []
         free = [e for e in pool if not e.picked] or [e for e in rest if not e.picked] or pool
         free = [e for e in free if e.owner is None or e.type != "bathroom"] or free  # "one in the bedroom, another …"
+        if len(pool) == 1 and phrase.another and phrase.quantifier == Det.THE:
+            free = [e for e in self.of(phrase.type) if e is not pool[0] and not e.picked]
+            return free[:1] or self.add(phrase.type)  # "she has the bigger bedroom, I have the one with the balcony"
         sized = bool(phrase.areas) and pool[0].area is not None and phrase.quantifier == Det.BARE
         if len(pool) == 1 and (phrase.another or sized) and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"
@@ -177,7 +180,8 @@ class Household:
         elif phrase.quantifier == Det.OTHER and not phrase.count:
             found = free
         elif phrase.ordinals:
-            whole = pool if max(phrase.ordinals) <= len(pool) else self._ensure(phrase.type, max(phrase.ordinals))
+            several = 1 < len(pool) >= max(phrase.ordinals)
+            whole = pool if several else self._ensure(phrase.type, max(phrase.ordinals))
             found = [whole[index_of(n)] for n in phrase.ordinals]
         else:
             found = free[: int(phrase.count or 1)]

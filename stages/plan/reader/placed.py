@@ -40,9 +40,26 @@ def rooms_placed(items: list[Item], k: int) -> list[RoomPhrase]:
             continue  # "every room other than the bathroom has a window to the west"
         if is_mark(items[j], ".") and any(i.kind == "pronoun" and i.value == "it" for i in items[j:k]):
             return _spoken_of(items, j)
+        j = _first_of(items, j, k)
         if is_mark(items[j], ".") or items[j].room is not None:
             return _pair(items, j - 1 if seen_from(items, k) else j, k)
     return [following] if following else []
+
+
+def _first_of(items: list[Item], j: int, k: int) -> int:
+    """Where the study of `the study is far from the kitchen, near the entrance` stands; `j` where there is no such."""
+    apart = [i for i in items[j + 1 : k] if i.kind != "link"]
+    way = j - 1
+    subject = way - 1
+    while subject > 0 and items[subject].kind in ("copula", "link"):
+        subject -= 1
+    if subject < 0:
+        return j
+    near = items[way].kind == "link" and items[way].value in ("near", "apart")
+    said = items[j].room is not None and near
+    joint = len(apart) == 1 and (is_mark(apart[0], ",") or apart[0].kind == "conjunction")
+    fits = said and joint and (k + 1 == len(items) or not items[k + 1].room)
+    return subject if fits and items[subject].room is not None else j
 
 
 def _spoken_of(items: list[Item], end: int) -> list[RoomPhrase]:

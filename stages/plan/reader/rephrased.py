@@ -139,6 +139,11 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"\1all other rooms "),
     (r"\bactually,? (?:i (?:need|want) |we (?:need|want) )?"
      r"(?=(?:only |just )?(?:one|two|three|four|five|six|[1-9])\b(?! ?(?:m|sqm|sq|x|by|of)\b))", "correction, "),
+    # "Actually, put it off the living room instead.", "make the one with the tub 7 m²"
+    (r"\b(?:actually|no|sorry|better|rather|correction)[, ]+(?:please )?(?:put|place|move|make) (?:it|them) "
+     r"((?:off|next to|near|beside|in|at|on|facing) [^,.;]*?)(?: instead)?(?= ?(?:[.,;!]|$))", r"correction, \1"),
+    (r"\bmake (the (?!kitchen|hall|corridor)[a-z ]{3,40}?) (\d+(?:\.\d+)? ?(?:m2|sqm|sq m|square met(?:er|re)s?))",
+     r"\1 is \2"),
     # "The kitchen is 10 m², sorry, 12."
     (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+)"
      r"(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),

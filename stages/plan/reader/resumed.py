@@ -69,6 +69,19 @@ def has_inside(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def off_it(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a kitchen with a table, a pantry off it, a bedroom`: off the kitchen."""
+    end, room = ahead(items, k)[0], last(out).room
+    ends = end.kind in ("", "mark", "conjunction", "boundary") and not is_mark(end, ":")
+    if items[k].kind != "relative" or items[k].text != "off it" or room is None or room.quantifier != Det.A or not ends:
+        return False
+    before = [i.room for i in clause(out[:-1]) if i.room is not None and not i.room.plural and i.room.type != "any"]
+    if len(out) < 2 or not is_mark(out[-2], ",") or not before:
+        return False
+    out += [Item("link", "door", "off"), again_named(before[-1])]
+    return True
+
+
 def set_off(out: list[Item], items: list[Item], k: int) -> bool:
     """`the other one, 6 m², has a bath`: an area between commas."""
     area, comma, verb = ahead(items, k)

@@ -7,6 +7,8 @@ _THROUGH = "(?:through|via|from|by way of)"
 _WISHED = "place|put|add|set up|set|we need|i need|we want|i want"
 _FINITE = r"\b(?:is|are|will|can|must|should|may)\b"
 _KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
+_MATES = "students|friends|flatmates|roommates|colleagues|sisters|brothers|adults|people"
+_WANT = "wants?|needs?|gets?|has|have|should have|would like"
 _SOMEBODY = r"(?:my|our|his|her) [a-z]+|i|we|he|she"
 _NEEDED = (r"\b(?:needs?|wants?|gets?|has|have) an? "
            r"((?:home |small |large )?(?:study|office|bedroom|bathroom|desk|balcony))\b")  # fmt: skip
@@ -40,6 +42,11 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
      r"(?:too|as well|also)\b", _too),
     (r"\b(?:brauche|brauchen|braucht|mochte|will) ein(?:en|e)? (?P<room>[a-z]+),? (?:und )?"
      r"(?P<who>(?:mein|unser)e? [a-z]+) auch\b", r"\g<0>: noch ein weiteres \g<room>"),
+    # "We are four students and each of us wants a room", "we are three and want each our own room"
+    (rf"\bwe are (\d|two|three|four|five|six)(?: (?:{_MATES}))?(?: and|[,;.:])? ?(?:we )?"
+     rf"(?:(?:each|everybody|everyone|all)(?: of us)? (?:{_WANT})|(?:{_WANT}) each) "
+     r"(?:an?|our|his|her|their)(?: own)? (?:bed ?)?room(?: of (?:our|his|her|their) own)?\b",
+     r"\1 friends, each wants a room"),
     # "a balcony where you go out from the kitchen"
     (rf"\b(?:where|(?:on|in|to|onto|into) which) {_ANYONE} (?:can )?(?:go|get|come|step|walk|enter)(?: out| in)?"
      rf"(?: (?:on|in|to|into|onto))? ({_THROUGH}) ", r"that is reached \1 "),
