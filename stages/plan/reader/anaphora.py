@@ -261,6 +261,7 @@ def shared_verb(items: list[Item]) -> list[Item]:
         given = k > 1 and items[k - 2].kind == "give"  # "give each bedroom a closet"
         gap = given or len(out) > 1 and (out[-2].kind in ("conjunction", "boundary") or is_mark(out[-2], ","))
         known = last is not None and (last.quantifier in PARTITIVE or bool(last.ordinals) or last.definite)
+        known = known or (last is not None and last.type == "" and last.count == 1)  # "one has a desk, one a piano"
         new = phrase is not None and (phrase.quantifier in (Det.A, Det.OWN, Det.ANOTHER) or bool(phrase.count))
         new = new or item.kind == "object"  # "the second has a desk and the third one a piano"
         if has is not None and gap and known and new and k and items[k - 1].room is last:

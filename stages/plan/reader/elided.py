@@ -51,7 +51,7 @@ from apartgen.stages.plan.reader.passages import (
     you_go_in,
 )
 from apartgen.stages.plan.reader.persons import floating, whose
-from apartgen.stages.plan.reader.resumed import has_inside, it_has, off_it, same_area, set_off, there_is_in
+from apartgen.stages.plan.reader.resumed import has_inside, it_has, off_it, same_area, set_off, there_is_in, which_has
 from apartgen.stages.plan.reader.subjects import ARROWS
 from apartgen.stages.plan.reader.unwanted import again_without, not_ensuite, not_needed, we_do_not_need
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -124,7 +124,8 @@ def _between_them(out: list[Item], items: list[Item], k: int) -> bool:
 
 def _leads_in(items: list[Item], k: int) -> bool:
     room = ahead(items, k)[0].room
-    return items[k].text == "between them" and room is not None and room.quantifier == Det.A
+    new = room is not None and (room.quantifier == Det.A or (room.count == 1 and room.quantifier == Det.BARE))
+    return items[k].text == "between them" and new
 
 
 def _own_door(out: list[Item], items: list[Item], k: int) -> bool:
@@ -219,7 +220,7 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (_arrow, _comma, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, holds,
+RULES = (_arrow, _comma, which_has, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, holds,
          whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom, is_one, for_each,
          for_the_others, none_ensuite, entered_only, only_behind, from_there, inside, has_inside, through_passage,
          between_the_two, you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without,

@@ -49,7 +49,7 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(has|have|with) (?:two|three|four|\d) doors ?[,:(] ?(to|into|onto|from) ", r"\1 doors \2 "),
     (r"\b(with|has|have|having) no beds?\b", r"\1 no double bed"),
     (r"\b(?:neither|none)(?: of them)? (?:belongs?|opens?|leads?|is attached|is connected) "
-     r"(?:to|onto|into|off) (?:an?|any) bed ?room\b", "neither is en suite"),
+     r"(?:to|onto|into|off) (?:an?|any) bed ?room\b", "neither of them en suite"),
     (r"\bno ([a-z]+(?: [a-z]+)?) (?:anywhere|in any of the rooms)\b", r"no \1 in any room"),
 )]  # fmt: skip
 

@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
-from apartgen.stages.plan.reader.ranked import counted_off, index_of, other_than, ranked, sized_otherwise
+from apartgen.stages.plan.reader.ranked import another_one, counted_off, index_of, other_than, ranked, sized_otherwise
 from apartgen.stages.plan.reader.traits import lay
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -164,9 +164,8 @@ class Household:
         rest = self.of(phrase.type) if phrase.count and phrase.quantifier == Det.BARE else []
         free = [e for e in pool if not e.picked] or [e for e in rest if not e.picked] or pool
         free = [e for e in free if e.owner is None or e.type != "bathroom"] or free  # "one in the bedroom, another …"
-        if len(pool) == 1 and phrase.another and phrase.quantifier == Det.THE:
-            free = [e for e in self.of(phrase.type) if e is not pool[0] and not e.picked]
-            return free[:1] or self.add(phrase.type)  # "she has the bigger bedroom, I have the one with the balcony"
+        if another_one(phrase, pool):
+            return [e for e in self.of("bedroom") if e is not pool[0] and not e.picked][:1] or self.add("bedroom")
         sized = bool(phrase.areas) and pool[0].area is not None and phrase.quantifier == Det.BARE
         if len(pool) == 1 and (phrase.another or sized) and phrase.count:
             return self.add(phrase.type, int(phrase.count))  # "a bedroom for the parents and one for the kids"

@@ -73,8 +73,9 @@ class Modifiers:
 
     def _determiner(self, word: Lexeme) -> None:
         told = self.pending.quantifier == Det.THE and self.pending.factor != 1.0
+        told = told or self.pending.texts == ["one"]
         if word.value == "a" and (self.pending.quantifier == Det.OTHER or self.pending.ordinals or told):
-            self._flush(word)  # "the other a balcony", "the largest a balcony"
+            self._flush(word)  # "the other a balcony", "the largest a balcony", "one a balcony"
         p = self.pending
         if p.quantifier in PARTITIVE and word.value in ("the", "a"):
             return

@@ -9,6 +9,8 @@ from apartgen.stages.plan.reader.vocabulary import Det, Relation
 def objects(items: list[Item], p: Predicate, following: Predicate | None, left: list[RoomPhrase]) -> list[RoomPhrase]:
     """Rooms after the relation, up to the next clause."""
     end = len(items)
+    if items[p.at].text == "between them":
+        return []  # "two bedrooms, a bathroom between them and a kitchen"
     if following is not None:
         goes_on = p.form == "which" or (p.form == "front" and items[p.at].room is not None)
         led = goes_on and following.subject[0] == p.at + 1 and items[p.at + 1].value == "hallway"

@@ -63,3 +63,9 @@ def other_than(phrase: RoomPhrase, pool: list[Entity], known: list[Entity]) -> b
     """Whether `the other` is said where but one bedroom was spoken of."""
     other = phrase.quantifier == Det.OTHER and phrase.count is None and phrase.text == "the other"
     return other and known == pool and len(pool) == 1 and phrase.type == "bedroom" and not pool[0].counted
+
+
+def another_one(phrase: RoomPhrase, pool: list[Entity]) -> bool:
+    """`she has the bigger bedroom, I have the one with the balcony`: not the one bedroom spoken of before."""
+    single = len(pool) == 1 and pool[0].type == "bedroom"
+    return single and phrase.text == "the one" and not phrase.among

@@ -1,7 +1,9 @@
 """Clauses that go on with a room named before: `it has …`, `in the bedroom there is …`, `… inside`, `as is …`."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.clausal import again_named, ahead, clause, last
-from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.mention import PARTITIVE, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
 FINITE = ("copula", "link", "reach")
@@ -80,6 +82,37 @@ def off_it(out: list[Item], items: list[Item], k: int) -> bool:
         return False
     out += [Item("link", "door", "off"), again_named(before[-1])]
     return True
+
+
+def which_has(out: list[Item], items: list[Item], k: int) -> bool:
+    """`two bedrooms, one with a balcony. The one with the balcony …`: that of which it was said."""
+    room, (has, thing, _) = items[k].room, ahead(items, k)
+    if room is None or room.quantifier != Det.THE or room.plural or has.kind != "with" or has.value != "with":
+        return False
+    owned = thing.room is None or thing.room.quantifier == Det.THE
+    if not owned or not (thing.kind == "object" or thing.room is not None):
+        return False
+    told = _who_has(out, room.type, thing)
+    if told is None:
+        return False
+    room.type, room.count, room.another, room.among = "", 1.0, False, [told]
+    items[k + 1 : k + 3] = [Item("stop", "", i.text) for i in (has, thing)]
+    out.append(replace(items[k], value=""))
+    return True
+
+
+def _who_has(out: list[Item], kind: str, thing: Item) -> RoomPhrase | None:
+    """The one room of a type of which such a thing was said."""
+    for j in range(len(out) - 2, -1, -1):
+        room, has = out[j].room, out[j + 1]
+        if room is None or (kind not in ("", room.type) and room.type):
+            continue
+        end = next((n for n in range(j + 1, len(out)) if out[n].kind in ("mark", "boundary", "link")), len(out))
+        own = out[j + 1 : end] if has.kind in ("with", "object") else []
+        same = any(i.kind == thing.kind and i.value == thing.value for i in own)
+        if same:
+            return room if not room.plural and (room.count or 1) == 1 and room.quantifier not in PARTITIVE[:3] else None
+    return None
 
 
 def set_off(out: list[Item], items: list[Item], k: int) -> bool:

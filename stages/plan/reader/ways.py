@@ -9,9 +9,18 @@ _FINITE = r"\b(?:is|are|will|can|must|should|may)\b"
 _KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
 _MATES = "students|friends|flatmates|roommates|colleagues|sisters|brothers|adults|people"
 _WANT = "wants?|needs?|gets?|has|have|should have|would like"
+_YOUNG = "kids|children|boys|girls|twins|daughters|sons|brothers|sisters"
+_SLEEP = "has|have|gets?|takes?|wants?|sleeps? in|use|uses"
+_WHICH = "small|little|large|big|smaller|bigger|larger|other|front|back|first|second"
 _SOMEBODY = r"(?:my|our|his|her) [a-z]+|i|we|he|she"
 _NEEDED = (r"\b(?:needs?|wants?|gets?|has|have) an? "
            r"((?:home |small |large )?(?:study|office|bedroom|bathroom|desk|balcony))\b")  # fmt: skip
+
+
+def _theirs(found: re.Match[str]) -> str:
+    """`I have the little room` as a bedroom, which is not that of the parents named before."""
+    other = found[1] == "i" and "parents' bedroom" in found.string[: found.start()]
+    return f"{found[1]} {found[2]} {'another' if other else 'the'} {found[3] or ''}bedroom"
 
 
 def _too(found: re.Match[str]) -> str:
@@ -36,6 +45,16 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
      rf"{_THROUGH} ", r"\1 is reachable only from "),
     (rf"(\bis reachable only from [^.;,]+),? and (?:in)?to ((?:the |an? )?[a-z -]{{3,30}}?) only {_THROUGH} ",
      r"\1, and \2 is reachable only from "),
+    # "My room has a desk, my brother's a piano", "her room has a piano, his a desk"
+    (rf"\b(my|our|the|his|her) ({_KIN})'s (?=(?:has|is|needs|gets|an?|two|one|with)\b)", r"\1 \2's room "),
+    (r"(\bher room\b[^.]*?[,;] (?:and |while )?)his (?=(?:has|is|needs|gets|an?|two|one|with)\b)", r"\1his room "),
+    # "mum and dad share", "the boys share"
+    (r"\b(?:my )?(?:mum|mom|mother) and (?:dad|father) share(?= ?[,;.])", "a parents' bedroom"),
+    (rf"\b((?:the|our|my|two|three) (?:two |older |younger )?(?:{_YOUNG})) share(?= ?[,;.])", r"\1 share a room"),
+    # "I have the small room next to the kitchen, my sister the one with the balcony"
+    (rf"\b(i|we|he|she|they) ({_SLEEP}) the ((?:{_WHICH}) )?room\b", _theirs),
+    (rf"(\b(?:{_SLEEP}) the [^.;]*?bedroom\b[^.;]*?[,;] (?:and )?)((?:my|our|his|her) (?:{_KIN}) )the "
+     rf"((?:{_WHICH}) )?(?:room|one)\b", r"\1\2has the \3bedroom"),
     # "I need a study; my husband does too", "and so does my wife"
     (rf"{_NEEDED}[^.;,]*?[,;.]? ?(?:and |but |so )*so (?:does|do) ({_SOMEBODY})\b", _too),
     (rf"{_NEEDED}[^.;,]*?[,;.]? ?(?:and |but |so )*({_SOMEBODY}) (?:does|do|did|(?:needs?|wants?) one)?,? ?"
