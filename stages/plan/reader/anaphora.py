@@ -40,7 +40,9 @@ def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
                 group = told[-3:-1] if subject else told[-2:]  # "A is next to B, but C is far from both"
             group = group[-2:] if named else group
             single = all(r.count in (None, 1) and not r.plural for r in group)
-            fits = len(group) == 2 if phrase.quantifier != Det.ALL and not _at_end(items, k) else len(group) > 1
+            sized = phrase.quantifier == Det.EACH and [i.kind for i in items[k + 1 : k + 2]] == ["area"]
+            pair = not sized and phrase.quantifier != Det.ALL and not _at_end(items, k)
+            fits = len(group) == 2 if pair else len(group) > 1
             if single and fits:
                 phrase.among = group
             elif phrase.quantifier == Det.ALL and not _rooms(items[:k]):
@@ -83,7 +85,8 @@ def _coordination(items: list[Item]) -> list[RoomPhrase]:
         j = k - 1
         while j > 0 and (items[j].kind == "conjunction" or is_mark(items[j], ",")):
             other = items[j - 1].room
-            if other is None or other.type == "" or (j > 1 and items[j - 2].kind == "with"):
+            owned = j > 1 and items[j - 2].kind == "with" and not (j > 2 and items[j - 3].kind == "dwelling")
+            if other is None or other.type == "" or owned:
                 break  # "the master with an en suite, a kitchen and a lounge, all …"
             out.insert(0, other)
             j -= 2

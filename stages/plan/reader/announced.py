@@ -44,6 +44,8 @@ def _denies_nothing(items: list[Item], k: int) -> bool:
         return False
     if k and items[k - 1].kind not in ("mark", "conjunction", "boundary", "anew") or (k and is_mark(items[k - 1], ":")):
         return False
+    if k + 2 < len(items) and items[k + 2].kind == "with" and items[k + 2].value == "in":
+        return True
     ahead = [i for i in items[k + 2 :] if i.kind not in LEADING and not is_mark(i, ",")][:2]
     if not ahead:
         return False

@@ -12,7 +12,7 @@ from apartgen.stages.plan.reader.vocabulary import Det
 def corrected(items: list[Item]) -> list[Item]:
     """What is said anew stands in the place of what was before, without the words that announce it."""
     anew, dropped = False, False
-    recounted = ""
+    recounted, start = "", 0
     out: list[Item] = []
     for item in sufficing(_contrasted(announced(items))):
         if item.value == "instead" and item.kind == "anew":
@@ -23,7 +23,7 @@ def corrected(items: list[Item]) -> list[Item]:
             continue
         if item.kind == "anew":
             anew, dropped = item.value != "drop", item.value == "drop"
-            recounted = ""
+            recounted, start = "", len(out)
             continue
         room = item.room
         if room is not None and room.negated and room.quantifier == Det.THE and _commands(out):
@@ -40,11 +40,13 @@ def corrected(items: list[Item]) -> list[Item]:
             dropped = not _taken_back(out, room)
             if not dropped:
                 continue
-        if anew and item.kind == "area" and _measured_anew(out, item):
+        if anew and item.kind == "area" and not _of_another(out, start) and _measured_anew(out, item):
             anew = False
             continue
         if anew and item.kind == "object" and _furnished_anew(out, item):
             continue
+        if anew and item.kind == "with" and item.value == "in" and _placed_anew(out, start):
+            anew = False
         if anew and not recounted and item.kind in RELATED and _related_anew(out, item):
             anew = False
         if anew and room is not None and not (recounted and room.type in ("", recounted)):
@@ -52,6 +54,12 @@ def corrected(items: list[Item]) -> list[Item]:
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
+
+
+def _of_another(out: list[Item], start: int) -> bool:
+    """Whether the room named last, behind `start`, is of a type that was not named before."""
+    named = [i.room for i in out[start:] if i.room is not None][-1:]
+    return bool(named) and all(i.room is None or i.room.type != named[0].type for i in out[:start])
 
 
 def _counted_anew(out: list[Item], room: RoomPhrase) -> str:
@@ -186,6 +194,18 @@ def _furnished_anew(out: list[Item], thing: Item) -> bool:
     if at < 0:
         return False
     out[at] = replace(out[at], number=thing.number, form=thing.form)
+    return True
+
+
+def _placed_anew(out: list[Item], start: int) -> bool:
+    """`a piano in the hall, no, in the lounge`: takes the first place away."""
+    end = start
+    while end and out[end - 1].kind == "mark":
+        end -= 1
+    said = out[max(end - 3, 0) : end]
+    if [i.kind for i in said] != ["object", "with", "room"] or said[1].value != "in":
+        return False
+    del out[end - 2 :]
     return True
 
 

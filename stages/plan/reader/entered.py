@@ -1,4 +1,4 @@
-"""Rooms that one comes into through others, as five languages say it, with the door behind the room; `none in`."""
+"""Rooms that one comes into through others, and what none of them has, as five languages say it."""
 
 import re
 
@@ -16,6 +16,13 @@ def _reached(found: re.Match[str]) -> str:
     return f"{found[1]} {'only ' if found[2] else ''}reachable from "
 
 
+def _becomes(found: re.Match[str]) -> str:
+    """`one of the two bedrooms becomes a study`: one bedroom and a study."""
+    left = {"two": "one bedroom", "three": "two bedrooms", "four": "three bedrooms"}[found[1]]
+    return f"{left} and {found[2]}"
+
+
+_SIZE = {"大": "larger", "小": "smaller"}
 _SAID = [(re.compile(pattern), words) for pattern, words in (
     # "One goes into the pantry through the kitchen", "entry to the study is through the living room"
     (r"\b(?:you|one|we|people) (?:(?:can )?(?:go|get|come|walk|step)|goes|gets|comes|walks|steps) (?:in)?to "
@@ -50,6 +57,18 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(with|has|have|having) no beds?\b", r"\1 no double bed"),
     (r"\b(?:neither|none)(?: of them)? (?:belongs?|opens?|leads?|is attached|is connected) "
      r"(?:to|onto|into|off) (?:an?|any) bed ?room\b", "neither of them en suite"),
+    (r"\b(and|but) none between ", r"\1 no door between "),
+    (r",? (two|three|four|\d) of (?:them|which|these) (?:are |being )?doubles?(?: rooms)?(?= ?[,;.]|$)",
+     r". \1 of the bedrooms are double"),
+    (r"\bformer(?:ly)?(?: an?)? (?=[a-z\d]+-(?:bed|room))", "originally a "),
+    (r"\bone of the (two|three|four) bedrooms (?:becomes|will become|turns into|is turned into|serves as|is used as) "
+     r"(an? (?:home )?(?:study|office|library|playroom|gym|guest room))", _becomes),
+    (r"\bno(?: se)? debe (dar|abrir(?:se)?) (al|a la) ([a-z]+),? sino (al|a la) ", r"da \4 "),
+    (r"(大|小)的那?[间个]?(?=\d|是|有|放|带|朝|靠)", lambda found: f" the {_SIZE[found[1]]} one "),
+    (r"(^|[,;.:] ?|\bund )(?:im|in der) (\w+zimmer|kuche|bad|flur) (?=(?:ein(?:e|en)?|zwei|drei|vier|\d+) )",
+     r"\1in the \2 "),
+    (r"\bam (?:anderen )?ende (?:des flure?s|der diele|vom flur|des ganges)\b", "at the end of the hallway"),
+    (r"\bthe door (?:to|of) (the [a-z ]{3,20}?) is (from|off|in) ", r"\1 is reached from "),
     (r"\bno ([a-z]+(?: [a-z]+)?) (?:anywhere|in any of the rooms)\b", r"no \1 in any room"),
 )]  # fmt: skip
 

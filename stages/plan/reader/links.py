@@ -80,8 +80,18 @@ def complete_links(
         if room.id not in seen:
             partner = _partner(room, rooms, out, seen, forbidden)
             if partner is not None:
-                out.append(edge(room.id, partner))
+                out.append(edge(_dining(room, partner, rooms, out, forbidden) or room.id, partner))
     return sorted(set(out) | set(_also(rooms, [p for p in links if p not in near], forbidden)), key=_natural)
+
+
+def _dining(
+    room: AskedRoom, partner: str, rooms: list[AskedRoom], links: list[Link], forbidden: set[Link]
+) -> str | None:
+    """The dining room through which the living room leads to a kitchen that has no other door; None elsewhere."""
+    kind = {r.id: r.type for r in rooms}
+    near = _beside(room.id, links) if (room.type, kind[partner]) == ("kitchen", "living_room") else []
+    lone = len(near) == 1 and kind[near[0]] == "dining_room" and _beside(near[0], links) == [room.id]
+    return near[0] if lone and edge(near[0], partner) not in forbidden else None
 
 
 def _off_living(hallway: AskedRoom, rooms: list[AskedRoom], links: list[Link]) -> bool:

@@ -57,8 +57,8 @@ def _paired(found: re.Match[str]) -> str:
     return f". {count // 2} bathrooms. {'. '.join(pairs)}"
 
 
-_AGAIN = "hmm|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|nein|doch|besser|lieber|non|plutot|" \
-    "pardon|perdon|mejor|digo|不对|不"
+_AGAIN = "hmm|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|make it|make that|nein|doch|besser|" \
+    "lieber|non|plutot|pardon|perdon|mejor|digo|不对|不"
 """Words before what is said anew."""
 
 
@@ -123,6 +123,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "a bigger living room than kitchen"
     (r"\b(?:an? |the )?(larger|bigger|smaller) ((?:living|dining|bed|bath) ?room|kitchen|study|balcony|hall) than\b",
      r"the \2 \1 than the"),
+    (r"\bis the (largest|biggest|smallest)(?= ?[.,;]|$)", r"is the \1 room"),
     (r"\bthan the (?:the|an?)\b", "than the"),
     (r"\b(to|near|from|beside|touch|touching) any (?:of the )?(bed|bath)rooms?\b", r"\1 the \2rooms"),
     (r"\bon (?:either|both) sides? of the (bath ?room|kitchen|living room|study)\b", r"next to the \1"),
@@ -145,7 +146,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\bmake (the (?!kitchen|hall|corridor)[a-z ]{3,40}?) (\d+(?:\.\d+)? ?(?:m2|sqm|sq m|square met(?:er|re)s?))",
      r"\1 is \2"),
     # "The kitchen is 10 m², sorry, 12."
-    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+)"
+    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?: \w+)?(?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+)"
      r"(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),
     (r"\b(?:make|turn|change|convert|replace|swap) the ([a-z ]{4,25}?) (?:into|to|with|by|for|instead) (?=an? )",
      r"make the \1 "),

@@ -66,3 +66,32 @@ SENTENCES = [
 ]  # fmt: skip
 
 test_the_programme_is_as_meant = as_meant(SENTENCES)
+
+FURTHER = [
+    # said anew
+    ("Das Schlafzimmer soll 16 m² haben, nein, lieber 14, und das Bad 6 m².", "B W", "B1=14, W1=6"),
+    ("The bedroom is 12 m² - make it 14 - and the bathroom 5 m².", "B W", "B1=14, W1=5"),
+    ("There's a piano in the hall, no, in the living room. One-bedroom flat.", "B H K L W",
+     "L1 has 1 piano, !H1 has 1 piano"),
+    ("A former three-bedroom flat, now a two-bedroom with a home office.", "B2 H K L S W", ""),
+    ("My partner works at home, so one of the two bedrooms becomes a study.", "B H K L S W", ""),
+    # none
+    ("A flat with a door between the kitchen and the living room and none between the kitchen and the hall.",
+     "B2 H K L W", "K1L1, no_door K1 H1, !no_door L1 K1"),
+    ("La cocina no debe dar al pasillo, sino al salón. Un piso.", "B2 H K L W", "K1L1, !H1K1"),
+    # which
+    ("两间卧室，大的那间12平米，小的8平米", "B2 H K L W", "B1=12, B2=8"),
+    ("Two bedrooms; the door to the first is from the living room and the door to the second is from the hall.",
+     "B2 H K L W", "B1L1, B2H1"),
+    ("The living room is the biggest room, the bathroom is the smallest. Two bedrooms.", "B2 H K L W",
+     "order L1 largest, order W1 smallest"),
+    ("Four bedrooms, three of them doubles; two bathrooms, one en suite.", "B4 H K L W2", ""),
+    ("A flat with a bedroom, a kitchen and a bathroom, each at least 10 square metres.", "B H K L W",
+     "at_least B1 10, at_least K1 10, at_least W1 10"),
+    ("Im Kinderzimmer zwei Betten, im Elternschlafzimmer ein Bett. Ein Bad.", "B2 H K L W",
+     "B2 has 2 double_bed, B1 has 1 double_bed"),
+    ("Küche am Ende des Flurs, zwei Schlafzimmer, ein Bad.", "B2 H K L W", "H1K1"),
+    ("Two bedrooms; the kitchen opens onto the dining room rather than onto the hall.", "B2 D H K L W", "D1K1, D1L1"),
+]  # fmt: skip
+
+test_so_is_what_is_told_of_one = as_meant(FURTHER)
