@@ -35,8 +35,9 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     """Bedrooms for the people named, where the prompt counts none; a loft has none."""
     known = home.of("bedroom")
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
-    if known and all(Trait.KIDS in e.labels for e in known) and not (home.totals or said.main_rooms):
-        home.add("bedroom")  # whose children they are
+    nursery = len(known) == 1 and Trait.KIDS in known[0].labels and not (home.totals or said.main_rooms)
+    if nursery and not known[0].counted:
+        home.add("bedroom")  # of those whose child it is
     unsaid = not (named or home.totals or said.main_rooms or said.dwelling == "studio")
     if not unsaid or any(kind == "bedroom" for kind, _ in home.banned):
         return
