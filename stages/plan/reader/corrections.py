@@ -14,7 +14,8 @@ def corrected(items: list[Item]) -> list[Item]:
     anew, dropped = False, False
     recounted, start = "", 0
     out: list[Item] = []
-    for item in sufficing(_contrasted(announced(items))):
+    told = sufficing(_contrasted(announced(items)))
+    for k, item in enumerate(told):
         if item.value == "instead" and item.kind == "anew":
             out += [] if recounted or _recounted(out) else [Item("instead", "", item.text)]
             continue
@@ -33,6 +34,8 @@ def corrected(items: list[Item]) -> list[Item]:
         if room is not None and room.negated and room.quantifier == Det.THE and room.ordinals and _one_fewer(out, room):
             continue  # "an office instead of the second bedroom"
         if room is not None and _renamed(out, room):
+            continue
+        if anew and room is not None and _ends(told, k) and _meant(out, room, start):
             continue
         if anew and room is not None and _not_this(out, room):
             continue
@@ -80,6 +83,26 @@ def _counted_anew(out: list[Item], room: RoomPhrase) -> str:
     room.quantifier, room.count, room.headline = Det.THE, None, False
     room.plural = room.plural or (before.count or 1) > 1
     return before.type
+
+
+def _ends(items: list[Item], k: int) -> bool:
+    return k + 1 == len(items) or is_mark(items[k + 1], ".")
+
+
+def _meant(out: list[Item], room: RoomPhrase, start: int) -> bool:
+    """`the bathroom is 6 m², sorry, I meant the kitchen`: what was said of the one room is said of the other."""
+    end = start
+    while end and out[end - 1].kind in ("mark", "boundary"):
+        end -= 1
+    begin = max((j + 1 for j in range(end) if is_mark(out[j], ".")), default=0)
+    named = [i.room for i in out[begin:end] if i.room is not None]
+    told = named[0] if len(named) == 1 and start == len(out) else None
+    if told is None or room.quantifier != Det.THE or told.quantifier != Det.THE or room.type in ("", told.type):
+        return False
+    if out[end - 1].room is told:
+        return False
+    told.type, told.text, told.labels, told.ordinals = room.type, room.text, room.labels, room.ordinals
+    return True
 
 
 def _not_this(out: list[Item], room: RoomPhrase) -> bool:

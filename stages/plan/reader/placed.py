@@ -137,3 +137,22 @@ def _led_to(items: list[Item], k: int) -> bool:
     while k > 0 and items[k].kind in ("style", "size", "label"):
         k -= 1
     return k >= 0 and items[k].kind in ("beside", "link", "front")
+
+
+def nowhere(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the bath does not face south`, `no bedroom is in the north`: takes the denial away."""
+    at = len(out) - 1
+    while at > 0 and out[at].kind == "copula":
+        at -= 1
+    if at < 0:
+        return False
+    if out[at].kind == "negation" and out[at].value == "not":
+        del out[at]
+        return True
+    room = out[at].room
+    if room is None or not (room.quantifier == Det.NONE or room.negated):
+        return False
+    if room.negated and at and out[at - 1].kind == "negation":
+        room.negated, room.quantifier = False, Det.NONE
+        del out[at - 1]
+    return room.quantifier == Det.NONE

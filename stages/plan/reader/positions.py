@@ -6,7 +6,7 @@ from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.clauses import clause_of
 from apartgen.stages.plan.reader.entrances import and_entrance, and_room, at_entrance, link_before, near_behind, there
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
-from apartgen.stages.plan.reader.placed import rooms_placed, seen_from, side_of
+from apartgen.stages.plan.reader.placed import nowhere, rooms_placed, seen_from, side_of
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -47,7 +47,12 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             clause_of(out, rooms_placed(items, k), text)
             k += 2
             continue
-        if item.kind == "place" or (item.kind == "side" and not role_of(items, k)):
+        placing = item.kind == "place" or (item.kind == "side" and not role_of(items, k))
+        if placing and nowhere(out, items, k):
+            said.unread.append(f"not {text}")  # no plan is asked for where a room is not
+            k += 1
+            continue
+        if placing:
             rooms = [known(room, items) for room in rooms_placed(items, k)]
             again = " its " in item.text and any(" its " in i.text for i in items[:k] if i.kind == "place")
             seen_from = seen_from if again else _whose(items, k)

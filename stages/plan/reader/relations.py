@@ -51,11 +51,8 @@ def relations(
         left = _of_a_list(items, p, left, right) if p.form == "part" else left
         barred = [x for x in right if _barred(items, x)]
         right = [x for x in right if x not in barred]
-        out += (
-            [Statement(Relation.NOT, left, barred, relation=_denied(items, barred[0], _worded(p, items[p.at].text)))]
-            if barred and left
-            else []
-        )
+        denied = _denied(items, barred[0], _worded(p, items[p.at].text)) if barred else ""
+        out += [Statement(Relation.NOT, left, barred, relation=denied)] if barred and left else []
         if barred and not right and left:
             continue  # all that is said is denied
         if not right and p.form in ("s", "p"):
@@ -78,11 +75,15 @@ def relations(
             out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
         p.kind = Relation.OPEN if _is_to_open(items, p, left, right) else p.kind
-        found_here = _statement(p, left, right, items[p.at].text)
-        if p.negated and p.at > 1 and items[p.at - 1].kind == "negation" and _contrasted(items, p.at - 1):
-            found_here = [replace(s, relation="") for s in found_here]
-        out += found_here
+        out += _told(items, p, left, right)
     return out
+
+
+def _told(items: list[Item], p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[Statement]:
+    """What a relation says; without its words where it only says what a door is not."""
+    found = _statement(p, left, right, items[p.at].text)
+    denied = p.negated and p.at > 1 and items[p.at - 1].kind == "negation"
+    return [replace(s, relation="") for s in found] if denied and _contrasted(items, p.at - 1) else found
 
 
 def _of_a_list(items: list[Item], p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase]) -> list[RoomPhrase]:
