@@ -52,7 +52,8 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"住一间(?![房卧])", "住一间房"),
     (r"(?<=, )(?:et |mais )?pas sur (?=l[ae] )", "not "),
     (r"(\bin (?:the |every |each )?[a-z ]{3,18}), (?:but |and )?not in (?=the |any |our )", r"\1, none in "),
-    (r"\bentre (?:ellos|ellas|ambos|ambas|los dos|las dos|elles|eux|les deux)\b|\bdazwischen\b", "between them"),
+    (r"\bentre (?:ellos|ellas|ambos|ambas|los dos|las dos|elles|eux|les deux)(?= ?(?:[,.;]|$)| y | et )|"
+     r"\bdazwischen\b", "between them"),
     (r"\b(has|have|with) (?:two|three|four|\d) doors ?[,:(] ?(to|into|onto|from) ", r"\1 doors \2 "),
     (r"\b(with|has|have|having) no beds?\b", r"\1 no double bed"),
     (r"\b(?:neither|none)(?: of them)? (?:belongs?|opens?|leads?|is attached|is connected) "
