@@ -50,7 +50,19 @@ _SAID = [(re.compile(pattern), words) for pattern, words in (
     (r"\b(?:aucune?|pas) dans ", "none in "),
     (r"\bningun[oa]? en ", "none in "),
     (r"住一间(?![房卧])", "住一间房"),
-    (r"(?<=, )(?:et |mais )?pas sur (?=l[ae] )", "not "),
+    (r"(?:,|,? (?:et|mais)) (?:non pas|non|pas) sur (?=l[ae] )", ", not "),
+    # "guests do not have to cross the living room to get to the bathroom"
+    (r"[a-z]+ (?:don't|do not|doesn't|does not|needn't|need not|never) (?:have to |need to )?"
+     r"(?:cross|go through|pass through|walk through) (the [a-z ]{3,20}?) to (?:get to|reach|get into|enter) "
+     r"(the [a-z ]{3,20}?)(?= ?(?:[,.;]|$))", r"no door between \1 and \2"),
+    (r"[,;]? (?:and )?the ([a-z ]{3,20}?) (?:gets|takes|has|is) (?:what(?:'s| is) left|the rest) of "
+     r"(\d+ ?(?:sqm|m2|square met(?:er|re)s))", r", \1, total area \2"),
+    # "zwei Zimmer für die Kinder, eins für uns", "une chambre pour nous, une pour les enfants"
+    (r"\b(ein|zwei|drei|\d) (?:schlaf)?zimmer fur (?:die|unsere) kinder,? (?:und )?ein(?:e?s)? fur uns\b",
+     r"\1 kinderzimmer, ein elternschlafzimmer"),
+    (r"\bune chambre pour nous,? (?:et )?(une|deux|trois) pour les enfants\b",
+     r"une chambre parentale, \1 chambre d'enfants"),
+    (r"(朝[东南西北])(?=一间)", r"\1,"),
     (r"(\bin (?:the |every |each )?[a-z ]{3,18}), (?:but |and )?not in (?=the |any |our )", r"\1, none in "),
     (r"\bentre (?:ellos|ellas|ambos|ambas|los dos|las dos|elles|eux|les deux)(?= ?(?:[,.;]|$)| y | et )|"
      r"\bdazwischen\b", "between them"),

@@ -91,6 +91,20 @@ FURTHER = [
     ("Im Kinderzimmer zwei Betten, im Elternschlafzimmer ein Bett. Ein Bad.", "B2 H K L W",
      "B2 has 2 double_bed, B1 has 1 double_bed"),
     ("Küche am Ende des Flurs, zwei Schlafzimmer, ein Bad.", "B2 H K L W", "H1K1"),
+    ("A flat where guests don't have to cross the living room to get to the bathroom.", "B2 H K L W",
+     "no_door L1 W1, !L1W1"),
+    ("Bedroom 12 sqm, kitchen 8 sqm, bathroom 4 sqm; the living room gets what is left of 50 sqm.", "B H K L W",
+     "all=50, !L1=50"),
+    ("Zwei Zimmer für die Kinder, eins für uns, zwei Bäder.", "B3 H K L W2", ""),
+    ("Une chambre pour nous, une pour les enfants, un bureau qui donne sur le salon et non sur le couloir.",
+     "B2 H K L S W", "L1S1, !H1S1"),
+    ("两间卧室，一间朝南一间朝北", "B2 H K L W", "orientation B1 south, orientation B2 north"),
+    # where a room is not to be
+    ("No bedroom faces north. Two bedrooms.", "B2 H K L W", "unread not faces north"),
+    ("Not a single bedroom faces north. Two bedrooms.", "B2 H K L W", "unread not faces north"),
+    ("The bathroom does not face south. Two bedrooms.", "B2 H K L W",
+     "unread not face south, !orientation W1 south"),
+    ("The bathroom is 6 m², sorry, I meant the kitchen. One-bedroom flat.", "B H K L W", "K1=6, !W1=6"),
     ("Two bedrooms; the kitchen opens onto the dining room rather than onto the hall.", "B2 D H K L W", "D1K1, D1L1"),
 ]  # fmt: skip
 
