@@ -2,6 +2,8 @@
 
 import re
 
+from apartgen.stages.plan.reader.patterns import late
+
 _ES_ROOM = r"(?!dormitorio|bano)[a-z]+(?: de [a-z]+| principal)?"
 _ES_WAY = r"(?:entra|accede|llega|sale|pasa)"
 _DE_INTO = "in (?:den|die|das)|ins|zu[mr]|auf (?:den|die|das)|den|die|das"
@@ -23,7 +25,7 @@ def _becomes(found: re.Match[str]) -> str:
 
 
 _SIZE = {"大": "larger", "小": "smaller"}
-_SAID = [(re.compile(pattern), words) for pattern, words in (
+_SAID = [(late(pattern), words) for pattern, words in (
     # "One goes into the pantry through the kitchen", "entry to the study is through the living room"
     (r"\b(?:you|one|we|people) (?:(?:can )?(?:go|get|come|walk|step)|goes|gets|comes|walks|steps) (?:in)?to "
      r"((?:the |an? )?[a-z -]{3,30}?) (only )?(?:through|via|by way of) ", r"\1 is reached \2from "),

@@ -2,6 +2,8 @@
 
 import re
 
+from apartgen.stages.plan.reader.patterns import late
+
 _ANYONE = "(?:you|one|we|people|i)"
 _THROUGH = "(?:through|via|from|by way of)"
 _WISHED = "place|put|add|set up|set|we need|i need|we want|i want"
@@ -39,7 +41,7 @@ _IN_IT = re.compile(
     r"(?P<other>(?:the |an? )?[\w-]+(?: room)?),? (?P<things>with (?!its|their)[^.,;]+?) in it\b"
 )
 
-_SAID = [(re.compile(pattern), words) for pattern, words in (
+_SAID = [(late(pattern), words) for pattern, words in (
     # "You can only get to the study through the bedroom, and to the closet only through the study."
     (rf"\b{_ANYONE} can only (?:get (?:in)?to|go (?:in)?to|reach|enter|access) ((?:the |an? )?[a-z -]{{3,30}}?) "
      rf"{_THROUGH} ", r"\1 is reachable only from "),
