@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from apartgen.stages.plan.reader.clausal import ahead, last
+from apartgen.stages.plan.reader.clausal import ahead, clause, last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -64,6 +64,10 @@ def is_one(out: list[Item], items: list[Item], k: int) -> bool:
     if room is not None and (one := _one_of_several(out, room)) is not None:
         one.labels |= room.labels  # "the other one, 15 m², is the parents' bedroom"
         return True
+    if room is not None and (one := _also_is(out, room)) is not None:
+        one.labels |= room.labels  # "the smallest one is next to the kitchen and is a guest room"
+        del out[-2:]
+        return True
     if room is None or told is None or verb.kind != "copula" or verb.value == "p" or room.quantifier != Det.A:
         return False
     known = told.quantifier in (Det.THE, Det.OTHER) or bool(told.ordinals) or (told.count == 1 and not told.type)
@@ -73,6 +77,17 @@ def is_one(out: list[Item], items: list[Item], k: int) -> bool:
     told.factor *= room.factor
     told.owned += room.owned
     return True
+
+
+def _also_is(out: list[Item], room: RoomPhrase) -> RoomPhrase | None:
+    """The one room that a clause is about, of which `and is a guest room` goes on to tell."""
+    joint, verb = ([Item("")] * 2 + out)[-2:]
+    told = next((i.room for i in clause(out) if i.room is not None), None)
+    goes_on = joint.kind == "conjunction" and verb.kind == "copula" and verb.value != "p"
+    if told is None or not goes_on or room.quantifier != Det.A or room.count or not room.labels or told.plural:
+        return None
+    known = told.quantifier in (Det.THE, Det.OTHER) or bool(told.ordinals)
+    return told if known and told.type in ("", room.type) else None
 
 
 def _one_of_several(out: list[Item], room: RoomPhrase) -> RoomPhrase | None:

@@ -104,9 +104,8 @@ class Household:
         if phrase.text in BOXES and self.totals.get("bedroom") == 1:
             phrase.type, phrase.labels = "storage", set()  # "1-bed flat with a box room": no second place to sleep
             return self.add("storage")
-        who = phrase.labels & {Trait.KIDS, Trait.GUEST}
-        if phrase.ordinals and who and phrase.type not in self.totals:
-            return self._among(phrase.type, who, phrase.ordinals)
+        if phrase.ordinals and (who := phrase.labels & {Trait.KIDS, Trait.GUEST}) and phrase.type not in self.totals:
+            return self._among(phrase, who)
         if phrase.ordinals:
             self._ensure(phrase.type, max(1, *phrase.ordinals))
             return counted_off(self.of(phrase.type), phrase.ordinals)
@@ -117,11 +116,12 @@ class Household:
             return labelled(self, phrase, labels)
         return self._plain(phrase)
 
-    def _among(self, kind: str, labels: set[Trait], ordinals: tuple[int, ...]) -> list[Entity]:
-        """`a second children's bedroom`: the second of those."""
-        known = [e for e in self.of(kind) if labels & e.labels]
-        known += self.add(kind, max(ordinals) - len(known))
-        return counted_off(known, ordinals)
+    def _among(self, phrase: RoomPhrase, labels: set[Trait]) -> list[Entity]:
+        """`a second children's bedroom`: the second of those; `the second bedroom is a guest room`: that of all."""
+        most, rooms = max(phrase.ordinals), self.of(phrase.type)
+        known = [e for e in rooms if labels & e.labels]
+        known = rooms if phrase.quantifier == Det.THE and len(known) < most <= len(rooms) else known
+        return counted_off(known + self.add(phrase.type, most - len(known)), phrase.ordinals)
 
     def _halls(self, phrase: RoomPhrase) -> list[Entity]:
         """Chinese counts of halls: the first is the living room, the second the dining room."""

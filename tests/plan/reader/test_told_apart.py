@@ -99,6 +99,10 @@ FURTHER = [
     ("Une chambre pour nous, une pour les enfants, un bureau qui donne sur le salon et non sur le couloir.",
      "B2 H K L S W", "L1S1, !H1S1"),
     ("两间卧室，一间朝南一间朝北", "B2 H K L W", "orientation B1 south, orientation B2 north"),
+    ("Three bedrooms; the smallest one is next to the kitchen and is a guest room.", "B3 H K L W2", "adjacent B3 K1"),
+    ("Two bedrooms. The second bedroom is off the living room and is a guest room.", "B2 H K L W", "L1B2"),
+    ("Flat with three bedrooms. The third bedroom is a guest room.", "B3 H K L W2", ""),
+    ("A flat with a children's bedroom, a second children's bedroom and ours.", "B3 H K L W2", ""),
     # where a room is not to be
     ("No bedroom faces north. Two bedrooms.", "B2 H K L W", "unread not faces north"),
     ("Not a single bedroom faces north. Two bedrooms.", "B2 H K L W", "unread not faces north"),
