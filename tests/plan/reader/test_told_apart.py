@@ -100,7 +100,7 @@ FURTHER = [
      "B2 H K L S W", "L1S1, !H1S1"),
     ("两间卧室，一间朝南一间朝北", "B2 H K L W", "orientation B1 south, orientation B2 north"),
     ("Three bedrooms; the smallest one is next to the kitchen and is a guest room.", "B3 H K L W2", "adjacent B3 K1"),
-    ("Two bedrooms. The second bedroom is off the living room and is a guest room.", "B2 H K L W", "L1B2"),
+    ("Two bedrooms. The second bedroom is off the living room and is a guest room.", "B2 H K L W", "B2L1"),
     ("Flat with three bedrooms. The third bedroom is a guest room.", "B3 H K L W2", ""),
     ("A flat with a children's bedroom, a second children's bedroom and ours.", "B3 H K L W2", ""),
     # where a room is not to be
