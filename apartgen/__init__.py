@@ -123,8 +123,8 @@ def view(homes: "Home | Sequence[Home]", out: str | PathLike[str], *, libraries:
 
 def render(home: "Home", out: str | PathLike[str], *, seed: int | None = None, **settings: Any) -> "Render":
     """Write pictures of a home with labels into the folder `out`, whole or not at all."""
+    from apartgen.rendering import RenderSettings, rendered
     from apartgen.settings import configured, opened
-    from apartgen.viewing import RenderSettings, rendered
 
     return rendered(opened(home), configured(RenderSettings, settings), seed, Path(out))
 

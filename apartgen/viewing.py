@@ -1,71 +1,32 @@
-"""What comes of looking at an apartment: a page to walk about in, pictures with labels, and questions about them."""
+"""What comes of looking at an apartment: a page to walk about in, and questions about its pictures."""
 
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from pydantic import Field
 
 from apartgen.outputs import MetricsSettings, measure, opened_libraries
+from apartgen.rendering import RenderSettings, rendered
 from apartgen.schemas import artifact, files
 from apartgen.schemas.artifact import Artifact
 from apartgen.schemas.errors import BadInput
-from apartgen.schemas.export import File
 from apartgen.schemas.plan import Plan
 from apartgen.schemas.qa import Question
-from apartgen.schemas.render import Render
-from apartgen.stages import qa, render
+from apartgen.stages import qa
 from apartgen.stages.qa import card
 from apartgen.stages.qa.config import QaConfig
-from apartgen.stages.render.config import RenderConfig
-from apartgen.stages.render.photo import photographed
-from apartgen.stages.scene.folder import add
-from apartgen.steps import BY, lane, made
+from apartgen.steps import BY, lane
 
 if TYPE_CHECKING:
     from apartgen.stages.things.asset import Asset
 
-VIEWS, CARD = "views.json", "README.md"
+CARD = "README.md"
 FILM, RATE = 480, 5
 """Films that are asked about: pixels from left to right, frames a second."""
 WHOLE, OURS = "apartment", "ours"
 """What is compared side by side: figures of whole homes, by our own definitions."""
-
-
-class RenderSettings(RenderConfig):
-    """What is rendered, and where assets are found."""
-
-    libraries: list[str] = Field(default_factory=list, description="folders of indexed asset libraries in use")
-    photo: str = Field("", description="photographs of views at the height of eyes, too, by path tracing: a Python "
-                                       "that has the package bpy, or the program blender")
-    samples: int = Field(32, ge=1, le=4096, description="paths a pixel of photographs")
-
-
-def rendered(read: Artifact[Any], settings: RenderSettings, seed: int | None, folder: Path) -> Render:
-    """Write the pictures of one apartment and the list of them, views.json."""
-    began, used = perf_counter(), read.made.seed if seed is None else seed
-    rng = lane(used, "render", read.body)
-    found = render.run(read.body, settings, rng, folder, opened_libraries(*settings.libraries).load_asset)
-    if settings.photo:
-        found = found.model_copy(update={"files": [*found.files, *_photographs(read.body, settings, found, folder)]})
-    text, _ = artifact.finish(found, made(used, settings, read, perf_counter() - began))
-    artifact.write(text, folder / VIEWS)
-    return found
-
-
-def _photographs(home: Plan, settings: RenderSettings, found: Render, folder: Path) -> list[File]:
-    from apartgen.stages.export._gltf import packed
-    from apartgen.stages.scene.scene import Scene
-    from apartgen.stages.scene.world import world
-
-    scene = Scene(home, opened_libraries(*settings.libraries).load_asset)
-    around = world(scene)
-    glb = packed(around.bodies, scene.lights, scene.credits)
-    eyes = [view for view in found.views if view.kind == "eye"]
-    paths = photographed(around, glb, eyes, settings.photo, settings.samples, folder)
-    return [File(path=name, format="photo", sha256=digest) for name, digest in add(folder, paths).items()]
 
 
 class QaSettings(QaConfig):

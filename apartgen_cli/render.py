@@ -19,7 +19,7 @@ NAMES = {"libraries": "library"}
 
 def commands() -> dict[str, Callable[..., Any]]:
     """The commands of this module."""
-    from apartgen.viewing import RenderSettings, rendered
+    from apartgen.rendering import RenderSettings, rendered
 
     def run(out: FOLDER, inputs: INPUTS = None, seed: SEED = None, config: CONFIG = None, trust: TRUST = False,
             failures: FAILURES = None, retry: RETRY = None, *, given: Any) -> int:

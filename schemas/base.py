@@ -18,6 +18,9 @@ Polygon = Annotated[list[Point], Field(min_length=3)]
 
 
 class Record(BaseModel):
-    """Fields of later stages and of newer minor additions are read over, never an error; numbers are finite."""
+    """Fields of later stages and of newer minor additions are read over, never an error; numbers are finite.
 
-    model_config = ConfigDict(extra="ignore", validate_assignment=True, allow_inf_nan=False)
+    What checks a record is built when one is first made, for most commands meet few of all kinds.
+    """
+
+    model_config = ConfigDict(extra="ignore", validate_assignment=True, allow_inf_nan=False, defer_build=True)

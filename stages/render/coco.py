@@ -32,10 +32,12 @@ class Coco:
             if part.pixels < LEAST or part.number not in self._things:
                 continue
             thing = self._things[part.number]
+            x, y, wide, high = part.rectangle
+            mask = compressed(instance[y:y + high, x:x + wide] == part.number, (x, y), instance.shape)
             self._found.append({
                 "id": len(self._found) + 1, "image_id": image, "category_id": thing.label, "iscrowd": 0,
                 "area": part.pixels, "bbox": list(part.rectangle), "instance": thing.id,
-                "segmentation": {"size": [view.height, view.width], "counts": compressed(instance == part.number)},
+                "segmentation": {"size": [view.height, view.width], "counts": mask},
             })
 
     def text(self) -> str:
@@ -44,18 +46,22 @@ class Coco:
         return json.dumps(whole, separators=(",", ":")) + "\n"
 
 
-def runs(mask: NDArray[np.bool_]) -> list[int]:
-    """Lengths of runs of a mask column by column, those outside it first."""
-    flat = mask.ravel(order="F")
-    change = np.flatnonzero(np.diff(flat)) + 1
-    ends = np.concatenate([[0], change, [len(flat)]])
-    lengths: list[int] = np.diff(ends).tolist()
-    return [0, *lengths] if flat[0] else lengths
+def runs(mask: NDArray[np.bool_], corner: tuple[int, int] = (0, 0), shape: tuple[int, int] | None = None) -> list[int]:
+    """Lengths of runs of a mask column by column, those outside it first; its upper left pixel is at `corner`, column
+    and row, of a picture of a `shape`, rows and columns, or it is all of the picture.
+    """
+    rows, columns = shape or mask.shape
+    column, row = np.divmod(np.flatnonzero(mask.T), len(mask))
+    at = (column + corner[0]) * rows + row + corner[1]
+    apart = np.flatnonzero(np.diff(at) > 1)
+    ends = np.stack([at[[0, *(apart + 1)]], at[[*apart, -1]] + 1], -1).ravel() if len(at) else at
+    lengths: list[int] = np.diff(np.concatenate([[0], ends, [rows * columns]])).tolist()
+    return lengths if lengths[-1] else lengths[:-1]
 
 
-def compressed(mask: NDArray[np.bool_]) -> str:
+def compressed(mask: NDArray[np.bool_], corner: tuple[int, int] = (0, 0), shape: tuple[int, int] | None = None) -> str:
     """Runs as COCO writes them: differences to the run before last, five bits a character from the low end."""
-    lengths, text = runs(mask), []
+    lengths, text = runs(mask, corner, shape), []
     for k, length in enumerate(lengths):
         left = length - (lengths[k - 2] if k > 2 else 0)
         more = True

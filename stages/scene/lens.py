@@ -1,6 +1,6 @@
 # mypy: disable-error-code="no-untyped-def,no-untyped-call"
-"""What lies between pixels and surfaces: rays of a pinhole, where they end, what labels say of that, and how light
-becomes a picture, compiled.
+"""What lies between pixels and surfaces: rays of a pinhole, panes on their way, where they end, what labels say of
+that, and how light becomes a picture, compiled.
 
 Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
 """
@@ -47,6 +47,43 @@ def ended(origin, direction, distance, normal):
             elif along > 0:
                 normal[i, k] = -normal[i, k]
     return found
+
+
+@njit("Tuple((float32[:,:],float32[:,:]))(int64[:],int64[:],float32[:],float32[:,:],float32[:,:],float32[:],int64[:],"
+      "float32[:,:],float32,float32,float32,float32[:,:],float32[:,:])", cache=True, error_model="numpy")
+def passed(rows, triangle, distance, origin, direction, alpha, material, flat, past, clear, pale, through, veil):
+    """Where some of the rays (n, 3) go on, `past` the panes that they met, and which way; what the panes let `through`
+    and the `veil` that they lay over it change in place: `clear` is the share of their opacity that they have, `pale`
+    how bright they are.
+    """
+    start, way = np.empty((len(rows), 3), np.float32), np.empty((len(rows), 3), np.float32)
+    step = 1 if len(origin) > 1 else 0
+    for r in range(len(rows)):
+        i = rows[r]
+        opaque, far = alpha[triangle[i]] * clear, distance[i] + past
+        for k in range(3):
+            veil[i, k] += through[i, k] * opaque * flat[material[triangle[i]], k] * pale
+            through[i, k] *= np.float32(1.0) - opaque
+            way[r, k] = direction[i, k]
+            start[r, k] = origin[i * step, k] + direction[i, k] * far
+    return start, way
+
+
+@njit("int64[:](int64[:],int64[:],float32[:],float32[:,:],float32[:],float32,int64[:],float32[:],float32[:,:])",
+      cache=True, error_model="numpy")
+def arrived(rows, met, far, corners, alpha, past, triangle, distance, weights):
+    """Writes what those rays met behind their panes in place of these, and gives the ones that met a pane again."""
+    found, count = np.empty(len(rows), np.int64), 0
+    for r in range(len(rows)):
+        i = rows[r]
+        distance[i] = far[r] + (distance[i] + past)
+        triangle[i] = met[r]
+        for k in range(3):
+            weights[i, k] = corners[r, k]
+        if alpha[met[r]] < 1:
+            found[count] = i
+            count += 1
+    return found[:count]
 
 
 @njit("Tuple((uint16[:],uint8[:,:],uint16[:]))(int64[:],float32[:],float32[:,:],float64[:],float32[:,:],int64[:],"

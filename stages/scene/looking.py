@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from apartgen.stages.scene.camera import Camera, Panorama
-from apartgen.stages.scene.lens import ended
+from apartgen.stages.scene.lens import arrived, ended, passed
 from apartgen.stages.scene.soup import Array, Hits, Index, colors
 from apartgen.stages.scene.world import World
 
@@ -13,7 +13,7 @@ PANES = 4
 """Clear surfaces behind one another that are looked through."""
 PAST = np.float32(1e-3)
 """How far behind a pane a ray goes on, m."""
-CLEAR, VEIL = 0.7, 0.75
+CLEAR, VEIL = np.float32(0.7), np.float32(0.75)
 """Share of their opacity that clear surfaces have in pictures, and how bright they are."""
 
 Eye = Camera | Panorama
@@ -57,23 +57,12 @@ def seen(world: World, origin: Array, direction: Array, hits: Hits, angle: float
     for _ in range(PANES):
         if not len(rows):
             break
-        _pass(world, single[rows] if len(single) > 1 else single, direction[rows], rows, hits, through, veil)
-        rows = rows[world.alpha[hits.triangle[rows]] < 1]
+        start, way = passed(rows, hits.triangle, hits.distance, single, direction, world.alpha,
+                            world.every.soup.material, world.flat, PAST, CLEAR, VEIL, through, veil)
+        rows = arrived(rows, *world.every.first(start, way), world.alpha, PAST, *hits)
     color, normal = colors(hits, world.every.soup, angle)
     point = ended(single, direction, hits.distance, normal)
     return Seen(hits.triangle, hits.distance, point, normal, color, through, veil)
-
-
-def _pass(world: World, origin: Array, direction: Array, rows: Index, hits: Hits, through: Array, veil: Array) -> None:
-    """Goes on behind the panes that some rays met, in place."""
-    pane = hits.triangle[rows]
-    alpha = world.alpha[pane][:, None] * CLEAR
-    veil[rows] += through[rows] * alpha * world.flat[world.every.soup.material[pane]] * VEIL
-    through[rows] *= 1 - alpha
-    start = hits.distance[rows] + PAST
-    behind = world.every.first(origin + direction * start[:, None], direction)
-    hits.triangle[rows], hits.weights[rows] = behind.triangle, behind.weights
-    hits.distance[rows] = behind.distance + start
 
 
 def angle(eye: Eye) -> float:

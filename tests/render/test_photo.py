@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from apartgen.outputs import opened_libraries
+from apartgen.rendering import RenderSettings, rendered
 from apartgen.schemas import artifact
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.walkable import Walkable
@@ -15,7 +16,6 @@ from apartgen.stages.render import photo
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.world import world
 from apartgen.stages.things.categories import TABLE
-from apartgen.viewing import RenderSettings, rendered
 
 HOME = Path(__file__).parent.parent / "golden/v2/walkable.json"
 FAKE = '''#!{python}
