@@ -1,5 +1,7 @@
 """Pictures as a photographer would take them: exposure, what is beyond the windows, and smooth edges."""
 
+from functools import reduce
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,19 +9,24 @@ from apartgen.stages.scene.camera import MIDDLE
 from apartgen.stages.scene.kernels import edges, widened
 from apartgen.stages.scene.lens import developed
 from apartgen.stages.scene.looking import Eye, First, Seen, angle, first, seen
-from apartgen.stages.scene.noise import GOLDEN
-from apartgen.stages.scene.shading import outside, refined, shaded
+from apartgen.stages.scene.shading import Shade, outside, refined, shaded
 from apartgen.stages.scene.soup import Array, Hits, Index, byted
 from apartgen.stages.scene.surfaces import amid, crossed
 from apartgen.stages.scene.world import World
 
-EDGE_RAYS = 3
-"""Further rays through pixels where something begins or ends."""
+Corners = tuple[tuple[int, int], ...]
+
+ASIDE = 0.36
+"""How far from the middle of a pixel, to the side and up or down, further rays go where something begins or ends."""
+CORNERS = (((-1, 1), (1, -1)), ((-1, -1), (1, 1)))
+"""Through which corners: two of all such pixels, the other two where those and the middle are apart."""
+CONTRAST, OWN = 0.25, np.float32(1.6)
+"""How far they must be, as roots of light, and how much more the middle counts than a corner."""
 THIN = 6
 """How far things thinner than a pixel are followed from where they are met, pixels."""
 BESIDE, BETWEEN = ((0.25, 0.75),), 5
 """Where else in a pixel it is looked whether something thin crosses it, and in how many pixels once."""
-APART = 0.3
+APART = 0.5
 """What directions and colours of neighbours may differ by within a surface."""
 RAISED = 1.5e-3
 """Surfaces that face alike are two from this distance on, m."""
@@ -54,18 +61,38 @@ def picture(
     exposure = _exposure(shade.sent, surface.triangle >= 0) if exposure is None else exposure
     image = shade.sent
     _developed(image, surface, whole.direction, exposure)
-    edge, crowded = _edges(world, eye, whole, surface)
-    within = (0.5 + np.arange(1, EDGE_RAYS + 1)[:, None] * GOLDEN) % 1
-    known = (amid(whole.hits.triangle.reshape(eye.rows, eye.columns)) & ~crowded)[edge]
-    parts = [_beside(world, eye, edge, at, whole, known) for at in within]
-    fine = [seen(world, eye.eye, part.direction, part.hits, angle(eye)) for part in parts]
-    more = refined(world, eye, shade, edge, [part.direction for part in parts], surface, fine, RAISED)
-    total = image[edge]
-    for part, surfaces, light in zip(parts, fine, more):
-        _developed(light, surfaces, part.direction, exposure)
-        total += light
-    image[edge] = total / (EDGE_RAYS + 1)
+    edge, thin = _edges(world, eye, whole, surface)
+    known = amid(whole.hits.triangle.reshape(eye.rows, eye.columns)) & ~thin
+    middle = image[edge]
+    total, weight = middle * OWN, np.full((len(edge), 1), OWN)
+    some = np.arange(len(edge))
+    for corners in CORNERS:
+        lights = _around(world, eye, edge[some], corners, whole, surface, known, shade, exposure)
+        total[some] += sum(lights)
+        weight[some] += len(lights)
+        some = some[_contrast([middle[some], *lights]) > CONTRAST]
+    image[edge] = total / weight
     return byted(image.reshape(eye.rows, eye.columns, 3))
+
+
+def _around(world: World, eye: Eye, pixels: Index, corners: Corners, whole: First, surface: Seen,
+            known: NDArray[np.bool_], shade: Shade, exposure: float) -> list[Array]:
+    """Linear colours (n, 3) of what rays towards corners of pixels meet; those `known`, of all pixels, meet the
+    triangle of the middle.
+    """
+    within = 0.5 + ASIDE * np.array(corners)
+    parts = [_beside(world, eye, pixels, at, whole, known[pixels]) for at in within]
+    fine = [seen(world, eye.eye, part.direction, part.hits, angle(eye)) for part in parts]
+    lights = refined(world, eye, shade, pixels, [part.direction for part in parts], surface, fine, RAISED)
+    for part, surfaces, light in zip(parts, fine, lights):
+        _developed(light, surfaces, part.direction, exposure)
+    return lights
+
+
+def _contrast(lights: list[Array]) -> Array:
+    """How far colours (n, 3) are apart where they are farthest, as roots of light, (n,)."""
+    least, most = (np.sqrt(reduce(pick, lights)) for pick in (np.minimum, np.maximum))
+    return np.asarray((most - least).max(1))
 
 
 def _beside(world: World, eye: Eye, pixels: Index, within: Array, whole: First, known: NDArray[np.bool_]) -> First:

@@ -139,23 +139,26 @@ def _painting(names: tuple[str | None, ...]) -> tuple[Index, Array]:
 @lru_cache(maxsize=256)
 def _levels(texture: str) -> list[Array]:
     """A texture, and the same at half its size again and again, in 65535ths of linear light."""
-    found = [_texels(texture)]
-    while len(found[-1]) > 1 and len(found[-1]) % 2 == 0:
-        fine = found[-1]
-        four = fine[::2, ::2] + fine[::2, 1::2] + fine[1::2, ::2] + fine[1::2, 1::2]
-        found.append(four / np.float32(4))
-    return [np.rint(level * 65535).astype(np.uint16) for level in found]
+    image = _image(texture)
+    found, fine = [_whole_bytes()[image]], _linear_bytes()[image]
+    while len(fine) > 1 and len(fine) % 2 == 0:
+        four = fine[::2, ::2] + fine[::2, 1::2]
+        four += fine[1::2, ::2]
+        four += fine[1::2, 1::2]
+        fine = np.divide(four, np.float32(4), out=four)
+        found.append(np.rint(fine * 65535).astype(np.uint16))
+    return found
 
 
-def _texels(texture: str) -> Array:
-    """A texture as linear light, square, (size, size, 3)."""
+def _image(texture: str) -> NDArray[np.uint8]:
+    """A texture, square, (size, size, 3)."""
     if texture in materials.textures():
-        return np.asarray(_linear_bytes()[materials.texture(texture)])
+        return materials.texture(texture)
     from PIL import Image
 
     picture = Image.open(io.BytesIO(image(texture))).convert("RGB")
     size = min(picture.size)
-    return np.asarray(_linear_bytes()[np.asarray(picture.resize((size, size)))])
+    return np.asarray(picture.resize((size, size)))
 
 
 def length(vectors: Array) -> Array:
@@ -178,6 +181,12 @@ def byted(light: Array) -> NDArray[np.uint8]:
 def _linear_bytes() -> Array:
     """Linear light of every byte of sRGB."""
     return linear(np.arange(256, dtype=np.float32) / 255).astype(np.float32)
+
+
+@lru_cache(maxsize=1)
+def _whole_bytes() -> NDArray[np.uint16]:
+    """The same in 65535ths."""
+    return np.rint(_linear_bytes() * 65535).astype(np.uint16)
 
 
 @lru_cache(maxsize=1)

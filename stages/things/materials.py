@@ -161,6 +161,7 @@ def texture(name: str, size: int = 256) -> Image:
     color, _, _, pattern, _ = _TABLE[name]
     rng = np.random.default_rng(zlib.crc32(name.encode()))
     shade = (PATTERNS | LAID)[pattern](rng, size, np.array(color, float))
-    image = np.clip(np.rint(shade), 0, 255).astype(np.uint8)
+    whole = np.rint(shade)
+    image = np.clip(whole, 0, 255, out=whole).astype(np.uint8)
     image.flags.writeable = False
     return image

@@ -4,6 +4,7 @@ Each draws a square image of shades about a colour, (size, size, 3), and meets i
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +15,20 @@ Pattern = Callable[[np.random.Generator, int, Array], Array]
 
 def noise(rng: np.random.Generator, size: int, width: float, length: float | None = None) -> Array:
     """Periodic Gaussian noise (size, size), unit variance; feature sizes in shares of the image, y then x."""
+    kept = np.fft.rfft2(rng.standard_normal((size, size)))
+    kept *= _keep(size, width, width if length is None else length)
+    field = np.fft.irfft2(kept, (size, size))
+    spread = field.std() + 1e-12
+    field -= field.mean()
+    field /= spread
+    return np.asarray(field)
+
+
+@lru_cache(maxsize=64)
+def _keep(size: int, width: float, length: float) -> Array:
+    """Shares of waves, (size, size / 2 + 1), that noise of such features keeps."""
     fy, fx = np.fft.fftfreq(size, 1 / size)[:, None], np.fft.rfftfreq(size, 1 / size)[None, :]
-    keep = np.exp(-((fy * width) ** 2 + (fx * (width if length is None else length)) ** 2) * 4)
-    field = np.fft.irfft2(np.fft.rfft2(rng.standard_normal((size, size))) * keep, (size, size))
-    return np.asarray((field - field.mean()) / (field.std() + 1e-12))
+    return np.asarray(np.exp(-((fy * width) ** 2 + (fx * length) ** 2) * 4))
 
 
 def lit(color: Array, change: Array) -> Array:

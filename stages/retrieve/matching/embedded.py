@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -40,7 +41,21 @@ class Embedded:
         self._maker = maker
         self._loose = config.model_copy(update={"size_weight": 0.01 * config.size_weight})
         self._whole = set(TABLE) if table is not None else set[str]()
-        self._take(index() if table is None else table)
+        self._given = table
+
+    @cached_property
+    def _index(self) -> Index:
+        """Read when it is first asked what there is: whoever only fetches pieces by id needs none of it."""
+        return index() if self._given is None else self._given
+
+    @cached_property
+    def _latents(self) -> dict[tuple[str, str, int], Array]:
+        return _means(self._index)
+
+    @cached_property
+    def _table(self) -> Table:
+        own = self._index
+        return Table(own.category, own.size, own.latent, np.ones(len(own.category), bool))
 
     def _take(self, table: Index) -> None:
         self._index, self._latents = table, _means(table)
