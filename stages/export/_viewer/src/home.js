@@ -1,15 +1,38 @@
 // The home that the page carries: its scene as nodes, what moves in it, and what the artifact tells of it.
-import { Box3, Group, Quaternion, Vector3 } from "three";
+import { Box3, Group, Quaternion, Texture, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 
 const SECONDS = 0.6; // from shut to open
 
 export async function load(binary, facts) {
+  const loader = new GLTFLoader().register((parser) => {
+    if (parser.textureLoader.isImageBitmapLoader) parser.textureLoader = INSIDE;
+    return { name: "pictures" };
+  });
+  const { scene, asset } = await loader.parseAsync(bytesOf(binary).buffer, "");
+  return new Home(scene, asset.copyright || "", facts);
+}
+
+// Textures straight from the bytes of the scene: the loader's own way asks the browser for each by an address first.
+// Such loaders are asked only if they are of that name.
+const INSIDE = {
+  isKTX2Loader: true,
+  parse(bytes, done, failed) {
+    const way = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+    createImageBitmap(new Blob([bytes]), way).then((picture) => {
+      const texture = new Texture(picture);
+      texture.needsUpdate = true;
+      done(texture);
+    }, failed);
+  },
+};
+
+function bytesOf(binary) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(binary);
   const text = atob(binary.trim());
   const bytes = new Uint8Array(text.length);
   for (let k = 0; k < text.length; k++) bytes[k] = text.charCodeAt(k);
-  const { scene, asset } = await new GLTFLoader().parseAsync(bytes.buffer, "");
-  return new Home(scene, asset.copyright || "", facts);
+  return bytes;
 }
 
 class Home {

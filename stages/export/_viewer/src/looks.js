@@ -35,6 +35,11 @@ export class Looks {
     this.scene.add(this.sky, this.sun, this.sun.target);
   }
 
+  // Has all programs of what shows compiled side by side; the first frame would wait for one after another.
+  prepare(camera) {
+    this.renderer.compile(this.scene, camera);
+  }
+
   refine() {
     this.fine = true;
     this.around ??= new PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04).texture;

@@ -137,6 +137,7 @@ addEventListener("resize", () => view.resize());
 view.resize();
 view.isolate("");
 read(view, location.hash);
+view.looks.prepare(view.camera);
 requestAnimationFrame(() => requestAnimationFrame(() => (document.body.dataset.frame = performance.now().toFixed(0))));
 
 // For scripts and tests: parts by name, and where on the page one is.
