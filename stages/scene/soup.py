@@ -186,7 +186,7 @@ def _linear_bytes() -> Array:
 @lru_cache(maxsize=1)
 def _whole_bytes() -> NDArray[np.uint16]:
     """The same in 65535ths."""
-    return np.rint(_linear_bytes() * 65535).astype(np.uint16)
+    return np.asarray(np.rint(_linear_bytes() * 65535), np.uint16)
 
 
 @lru_cache(maxsize=1)
