@@ -1,11 +1,9 @@
-"""How often Python looks through everything for garbage in cycles, and what becomes of the memory of freed arrays."""
+"""How often Python looks through everything for garbage in cycles."""
 
 import gc
 
 FRESH = 50_000
 """Objects more than were freed before the youngest are looked at; 700 by default."""
-KEPT = 31 << 20
-"""Bytes of the greatest array whose memory is kept; the C library sets no store by more than 32 MiB."""
 
 
 def seldom() -> None:
@@ -13,13 +11,6 @@ def seldom() -> None:
     thousand objects to go through each time. For programs; a library leaves such things to who uses it.
     """
     gc.set_threshold(FRESH, *gc.get_threshold()[1:])
-
-
-def hold() -> None:
-    """Keep the memory of freed arrays for the next ones: the C library does so for arrays up to the size of the
-    greatest that it has freed, and otherwise has every page of each cleared anew.
-    """
-    bytes(KEPT)  # none of it is touched
 
 
 def no_more() -> None:

@@ -90,7 +90,6 @@ def main() -> None:
 
     signal.signal(signal.SIGTERM, end)
     garbage.seldom()
-    garbage.hold()
     code = status(sys.argv[1:])
     garbage.no_more()
     sys.exit(128 + ended[0] if ended and code == INTERRUPTED else code)

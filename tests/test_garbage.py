@@ -46,27 +46,3 @@ def test_programs_leave_it_alone_when_they_end():
 
 def test_what_runs_afterwards_is_looked_at():
     assert gc.isenabled() and gc.get_freeze_count() == 0
-
-
-GROWING = """
-import resource
-import numpy as np
-from apartgen import garbage
-
-if {hold}:
-    garbage.hold()
-before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
-for k in range(1, 21):
-    np.ones(k << 17)
-print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
-"""
-
-
-def faults(hold: bool) -> int:
-    """Pages that are cleared while arrays of 1, 2, … 20 MB are made and freed one after another."""
-    code = textwrap.dedent(GROWING).format(hold=hold)
-    return int(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
-
-
-def test_the_memory_of_freed_arrays_is_used_again():
-    assert faults(hold=True) < 0.5 * faults(hold=False)
