@@ -42,9 +42,17 @@ def _lone(said: Said, home: Household) -> bool:
         or said.total_area
         or home.banned
         or any(phrase.type == "any" and phrase.quantifier == Det.OTHER for phrase in said.rooms)
+        or _presumed(said)
         or len(home.of("bedroom")) > 1
     )
     return len(home.rooms) < 3 and not homely
+
+
+def _presumed(said: Said) -> bool:
+    """`one bedroom, please, and two armchairs in the living room`: of a home whose other rooms need not be named."""
+    told = [p for p in said.rooms if not p.negated and p.type not in ("", "any")]
+    new = {p.type for p in told if p.quantifier != Det.THE}
+    return any(p.type == "bedroom" and p.count == 1 for p in told) and any(p.type not in new for p in told)
 
 
 def add_missing_rooms(said: Said, home: Household, doors: Doors) -> None:

@@ -25,6 +25,7 @@ from apartgen.stages.plan.reader.orders import orders
 from apartgen.stages.plan.reader.people import housed
 from apartgen.stages.plan.reader.persons import for_people
 from apartgen.stages.plan.reader.phrases import Phraser
+from apartgen.stages.plan.reader.plainly import plainly
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
@@ -45,7 +46,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = rephrased(entered(in_passing(fold(prompt))))
+    folded = rephrased(entered(in_passing(plainly(fold(prompt)))))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)

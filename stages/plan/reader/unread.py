@@ -9,8 +9,10 @@ from typing import Any
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.tokens import fold
 
-DENIED = re.compile(r"\b(?:no|not|without|single|one|ohne|kein\w*|sans|pas d'|pas de|sin|ninguna?) (?:\w+ )?$")
+DENIED = re.compile(r"\b(?:no|not|without|ohne|kein\w*|sans|pas d'|pas de|sin|ninguna?) (?:\w+ )?$")
 """What stands before something that nobody wants."""
+ONE = re.compile(r"\b(?:single|one) (?:\w+ )?$")
+"""What stands before a storey of which there is one only."""
 CLAUSE = re.compile(r"(?<=\D)[.,:](?=\s|$)|[;!?\n()，。；、！？：]| - | – | — |(?<=\d)[.,](?=\s|$)")
 """Where one clause ends and the next begins; 3.5 is one number."""
 LONGEST = 80
@@ -18,13 +20,18 @@ LONGEST = 80
 
 
 def limits(text: str) -> list[tuple[str, str]]:
-    """Words of a folded text for what a plan cannot have, and why; "" where nobody wants it."""
+    """Words of a folded text for what a plan cannot have, and why; "" for what every plan has."""
     return [
-        (found.group(), "" if DENIED.search(text[: found.start()]) else row["why"])
+        (found.group(), _why(text[: found.start()], row["why"]))
         for row in _limits()
         for pattern in row["find"]
         for found in late(pattern).finditer(text)
     ]
+
+
+def _why(before: str, why: str) -> str:
+    """What is told of words behind such a text."""
+    return f"as wished: {why}" if DENIED.search(before) else "" if ONE.search(before) else why
 
 
 def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -> list[str]:

@@ -109,9 +109,16 @@ def test_what_a_plan_cannot_have_is_named_with_the_reason(prompt: str, word: str
     assert why in entry, read(prompt).unread
 
 
-@pytest.mark.parametrize("prompt", ["two-bedroom flat without stairs", "single-storey flat with two bedrooms, no lift"])
-def test_what_nobody_wants_and_no_plan_has_is_not_listed(prompt: str) -> None:
-    assert read(prompt).unread == []
+@pytest.mark.parametrize(("prompt", "entry"), [
+    ("two-bedroom flat without stairs", "stairs (as wished: a plan has one storey"),
+    ("single-storey flat with two bedrooms, no lift", "lift (as wished: a plan has no lift"),
+])  # fmt: skip
+def test_what_nobody_wants_and_no_plan_has_is_told_as_wished(prompt: str, entry: str) -> None:
+    assert [told.partition(";")[0] for told in read(prompt).unread] == [entry]
+
+
+def test_one_storey_is_what_every_plan_has() -> None:
+    assert read("single-storey flat with two bedrooms").unread == []
 
 
 @pytest.mark.parametrize(

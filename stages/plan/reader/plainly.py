@@ -1,0 +1,132 @@
+"""Lists of areas, beds, numbers taken back, other sides and owners, as people say them, in words the rules know."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+
+_ROOM = r"(?:living room|sitting room|bed ?room|bath ?room|kitchen|study|balcony|dining room|lounge|toilet|office)"
+_PIECE = (r"(?:armchair|sofa|couch|desk|table|wardrobe|shelf|shelves|bookshel(?:f|ves)|bookcase|chair|lamp|tv|"
+          r"television|dresser|nightstand|chest|rug|stool)s?\b")  # fmt: skip
+_COUNT = r"(?:an?|one|two|three|four|no|\d)"
+_NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
+_HALL = r"(?:entrance |night |inner |bedroom |second |long )*(?:hall|hallway|corridor|lobby|vestibule|passage)"
+_GETS = r"(?:gets?|has|have|takes?|wants?|needs?|sleeps? in)"
+_WHO = r"(?:i|he|she|we|they|my [a-z]+|the [a-z]+)"
+_THEIRS = r"(?:his|hers|mine|theirs|ours)"
+_LES_MEUBLES = (r"(?:lits?|armoires?|chaises?|fauteuils?|canapes?|tables?|etageres?|tapis|lampes?|commodes?|"
+                r"bibliotheques?|television|tele)\b")  # fmt: skip
+_OF_MANY = re.compile(r"\b(two|three|four|five|six|[2-6]) (?:[a-z]+ )?(?:bed|bath|guest|kids|children's)? ?rooms\b")
+
+
+def _plural(found: re.Match[str]) -> str:
+    """`the bedroom areas are 9 and 11 m²` as areas of the bedrooms."""
+    return f"the {found[1].rstrip('s')}s of "
+
+
+def _of_last(found: re.Match[str]) -> str:
+    """`their areas are …`, of the rooms that were counted last."""
+    named = re.findall(r"\b((?:bed|bath) ?rooms|balconies)\b", found.string[: found.start()])
+    return f"the {named[-1]} of " if named else found.group()
+
+
+def _fewer(found: re.Match[str]) -> str:
+    """`three bedrooms are too many, I want one` as one bedroom."""
+    count, room = found["new"], found["room"].rstrip("s")
+    return f"a flat with {count} {room}{'' if count in ('one', '1') else 's'}{',' if found['more'] else ''}"
+
+
+def _two_rooms(found: re.Match[str]) -> str:
+    """`he gets one bedroom and I get another, far from his` as two bedrooms far from each other."""
+    where = (found["where"] or "").strip(", ")
+    if not where:
+        return "two bedrooms"
+    return f"two bedrooms {'next to' if where.startswith(('next', 'beside', 'near')) else 'far from'} each other"
+
+
+def _all_listed(found: re.Match[str]) -> str:
+    """`all three` as all of them, where no three rooms of a kind were counted."""
+    counted = {number for number in _OF_MANY.findall(found.string[: found.start()])}
+    return found.group() if found[1] in counted else "all of them "
+
+
+_APART = r"(?P<where>,? (?:as )?(?:far away|far|away|next to|beside|near)(?: away)?(?: from| to)? " + _THEIRS + (
+    r"(?: as possible)?)?")  # fmt: skip
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "put one bed and two armchairs in the main room": no bedroom
+    (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1|a single) bed"
+     rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double bed"),
+    (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(two|three|[2-4]) beds"
+     rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double beds"),
+    (rf"({_PIECE}(?:,| and|, and) (?:one|1|a single)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
+    (r"\b(one|1|a single) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
+    # "the bedroom areas are 9, 11 and 14 m²", "the sizes of the bedrooms should be …", "their areas are …"
+    (rf"\b(?:the )?({_ROOM}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of) (?=\d)", _plural),
+    (rf"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of the ({_ROOM}s)(?: are| should be| must be|:) (?=\d)",
+     _plural),
+    (r"\btheir (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:) (?=\d)", _of_last),
+    # "a night corridor, reached from the entrance hall, serving three bedrooms"
+    (rf"\b({_HALL}),? \(?(?:which is )?(?:reached from|entered from|accessible from|accessed from|off) "
+     rf"((?:the|an) {_HALL})\)?,? (?:and )?(?:serving|serves|which serves|that serves) ([^.;]+)",
+     r"\1 serving \3; the \1 is reached from \2"),
+    (r"\b(?:one|two|three|separate) circulation (?:zones?|areas?|spaces?) ?[:,]", ""),
+    # "with a wide opening and no door to", "an opening instead of a door"
+    (r"\b(opening|archway),? (?:and|but|with|without|rather than|instead of|and not|not|no)(?: no| not| without)?"
+     r"(?: an?| any)? doors?\b,?", r"\1"),
+    (r"\b(?:joined|connected|linked) to (the [a-z ]{3,14}?) (?:by|through|via) an? (?:(?:wide|large|broad|big) )?"
+     r"(?:opening|archway)\b", r"open to \1"),
+    (r"\b(opening|archway) from (the [a-z ]{3,14}?) to (?=the )", r"\1 between \2 and "),
+    (r"\bbetween ((?:the )?[a-z ]{3,14}?) and ((?:the )?[a-z ]{3,14}?) an? (?:(?:wide|large|broad|big) )?"
+     r"(?:opening|archway)\b", r"\1 and \2 open to each other"),
+    # "two armchairs in the sitting room and no television in there"
+    (rf"\b(in the {_ROOM})([^.;]*?) in there\b", r"\1\2 \1"),
+    # "each bedroom should have its own bathroom" of two who each want their own
+    (rf"\b(my [a-z]+) and i,? (?:each|both) {_GETS} our own (bed ?)?rooms?\b", r"two bedrooms"),
+    (r"\b(two bedrooms),? (?:each )?with (?:its|their|our) own (bath ?room|balcony)(?: each)?\b",
+     r"\1 each with its own \2"),
+    # "he gets one bedroom and I get another, far away from his"
+    (rf"\b{_WHO} {_GETS} (?:one|an?|his|her) (?:bed ?)?room(?: and|,|;| while|, and) {_WHO} {_GETS} "
+     rf"(?:mine|another|the other|a second)(?: one)?\b{_APART}", _two_rooms),
+    (rf"\b(?:one|a) bed ?room for (?:him|her|me|my [a-z]+)(?: and|,) (?:another|one)(?: one)? for "
+     rf"(?:him|her|me|my [a-z]+)\b{_APART}", _two_rooms),
+    # "three bedrooms are too many for me now. I want just one"
+    (rf"(?:\b(?:our|my|the) )?\b{_NUMBER} (?P<room>bed ?rooms?|bath ?rooms?|studies|balconies) "
+     r"(?:are|is|was|were|would be|will be) (?:far |really )?"
+     r"(?:too (?:many|much|few|little)|more than (?:i|we) (?:need|want)|not enough|no longer enough)(?: [^.,;]*?)?"
+     r"[.,;:-]+ ?(?:so |and |now |but )*(?:(?:i|we) (?:only |just |now )?(?:want|need|would like|prefer)|give (?:us|me)) "
+     rf"(?:just |only )?(?P<new>{_NUMBER})\b(?! ?(?:bed|bath|[a-z]*rooms?))(?P<more>,? with(?= ))?", _fewer),
+    # "all three have the door to the corridor"
+    (r"\ball (two|three|four|five|six)(?: rooms| of them)? (?=(?:have|has|are|open|must|should|lead|need)\b)",
+     _all_listed),
+    # "In the every bedroom must be one wardrobe", "in every of the bedrooms"
+    (rf"(^|[.;,:] ?)in (?:the )?(?:every|each|both|all)(?: of)?(?: the)? ({_ROOM})s? (?:there )?"
+     r"(?:must |should |has to |have to |needs to |will |shall )?(?:there )?(?:be|stand|stands|is|are) ",
+     r"\1each \2 has "),
+    (rf"\b(?:the )(every|each) (?={_ROOM})", r"\1 "),
+    (rf"\b(every|each)(?: of)?(?: the)? ({_ROOM})s (?=has|have|must|should|needs?)", r"\1 \2 "),
+    (r"\bmust be (?=(?:an?|one|two|three) [a-z]+ in (?:the |each |every ))", "there is "),
+    # "opposite the bedroom, on the other side of the corridor"
+    (rf"\b(opposite(?: to)?|across from|facing) (the [a-z ]{{3,14}}?),? (?:and )?"
+     rf"(?:(?:on|at) (?:the )?(?:other|opposite|far) side of|across) the {_HALL}\b", r"opposite \2"),
+    (rf"\b(?:on|at) (?:the )?(?:other|opposite|far) side of the {_HALL},? (?=opposite|across from)", ""),
+    (rf"\bacross the {_HALL} from ", "opposite "),
+    (rf"\bfaces (the [a-z ]{{3,14}}?) across the {_HALL}\b", r"is opposite \1"),
+    (r"(^|[.;,] ?)(?:in|on)?to (the [a-z ]{3,14}?) (?:we|you|one|i) (?:go|goes|come|comes|get|gets) (only )?"
+     r"(from|through|via) ", r"\1\2 is reached \3from "),
+    # "另一个卫生间的门开向走廊"
+    (r"另(?:外)?一个(卫生间|浴室|厕所|洗手间)的?门?(?:要|应该)?(?:开在|开向|通向|朝向|朝)(走廊|过道)",
+     r"另一个\1在\2"),
+    (r"(主卧)带(卫生间|浴室)", r"\1带独立\2"),
+    # "un lit et un bureau dans la pièce principale": a desk; "en la habitación principal" of a studio
+    (rf"\b(une? {_LES_MEUBLES}(?:,| et) )un bureau\b", r"\1une table de travail"),
+    (rf"\bun bureau(?=(?:,| et) (?:une?|deux) {_LES_MEUBLES})", "une table de travail"),
+    (r"\bun bureau (?=dans (?:la piece|le salon|le sejour))", "une table de travail "),
+    (r"(\bestudio\b[^.]*?)\bla habitacion principal\b", r"\1el salon"),
+    (r"\ben cada (dormitorio|habitacion|bano) (?=una? |dos )", r"cada \1 con "),
+)]  # fmt: skip
+
+
+def plainly(text: str) -> str:
+    """A folded text with such clauses in the words of rooms, areas and furniture."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
