@@ -24,7 +24,7 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             found += steps
             asides += [Item("room", r.type, r.text, r) for s in steps for r in (*s.left, *s.right)]
         elif item.number == -1 and before:
-            clause = _sleeping(_clause(out))
+            clause = _clause(out)
             found.append(Statement(Relation.EQUAL, clause, clause))
         elif before and after and not (" that " in item.text and len(before) > 1):
             if after[0].quantifier == Det.A:
@@ -50,13 +50,6 @@ def _steps(rooms: RoomPhrase, number: float) -> list[Statement]:
     count = range(1, int(rooms.count or 1) + 1)
     line = [RoomPhrase(rooms.type, quantifier=Det.THE, ordinals=(n,), text=rooms.text) for n in count]
     return [Statement(Relation.COMPARE, [b], [a], number) for a, b in zip(line, line[1:], strict=False)]
-
-
-def _sleeping(rooms: list[RoomPhrase]) -> list[RoomPhrase]:
-    """`all rooms of the same size`: those that one sleeps in, for a bath is no lounge."""
-    if len(rooms) == 1 and rooms[0].type == "any" and rooms[0].quantifier in (Det.ALL, Det.EACH):
-        rooms[0].type = "bedroom"
-    return rooms
 
 
 def _clause(items: list[Item]) -> list[RoomPhrase]:

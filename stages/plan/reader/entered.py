@@ -84,7 +84,6 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"\1in the \2 "),
     (r"\bam (?:anderen )?ende (?:des flure?s|der diele|vom flur|des ganges)\b", "at the end of the hallway"),
     (r"\bthe door (?:to|of) (the [a-z ]{3,20}?) is (from|off|in) ", r"\1 is reached from "),
-    (r"\bno ([a-z]+(?: [a-z]+)?) (?:anywhere|in any of the rooms)\b", r"no \1 in any room"),
 )]  # fmt: skip
 
 

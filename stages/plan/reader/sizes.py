@@ -35,7 +35,8 @@ def room_areas(
         _share_compared(s, home, ids, shares)
     shares_fit(shares)
     _equalise(base, home, ids)
-    if said.equal:
+    of_all = (p.type == "any" for s in said.statements if s.kind == Relation.EQUAL for p in s.left)
+    if said.equal or any(of_all):  # "all rooms of the same size": those one lives in, for a bath is no lounge
         alike = [ids[id(e)] for kind in ("living_room", "bedroom", "study") for e in home.of(kind)]
         base.update(dict.fromkeys(alike, sum(base[i] for i in alike) / max(len(alike), 1)))
     for statement in said.statements:

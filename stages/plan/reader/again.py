@@ -1,0 +1,96 @@
+"""What holds nowhere, once more, for each, or in another way than was said, in words the rules know."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+
+_ROOM = (r"(?:(?:main |master |small |large |second |first |guest |other )?bed ?room|living room|sitting room|"
+         r"bath ?room|kitchen|study|balcony|dining room|lounge|home office|office|hall(?:way)?)")  # fmt: skip
+_THINGS = r"(?:an?|one|two|three|four|no|\d) (?:(?!has |have |is )[a-z]+,? ?){1,8}?"
+_SAME = r"(?:the same|ditto|likewise)(?: things| furniture| pieces| again)?"
+_FIXED = r"(?!(?:doors?|stairs?|steps?|walls?|windows?|corridors?|hall(?:way)?s?|passages?|(?:[a-z]+ )?rooms?)\b)"
+_WHOLE = r"(?:anywhere|in any of the rooms|in any room|in the (?:whole |entire )?(?:flat|apartment|home|house))"
+_SIDES = ("north(?:[- ]?(?:east|west))?|south(?:[- ]?(?:east|west))?|east|west|norden|suden|osten|westen|nord|sud|ouest|"
+          "norte|sur|este|oeste")  # fmt: skip
+_ANEW = ("no wait|wait no|wait|no|nein|non|sorry|pardon|perdon|i mean|i meant|actually|correction|or rather|rather|"
+         "better|besser|quatsch|plutot|mejor")  # fmt: skip
+_COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "one", "3": "two", "4": "three"}
+_YOUNG = r"(?:children|kids|boys|girls|sons|daughters|teenagers)"
+_PARENTS = r"(?:\b(?:we are )?(?:an? |the )?(?:couple|family|parents) (?:with|and|of) )?"
+_OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|one|big one|little one|baby)"
+        r"(?: (?:one|child|boy|girl|son|daughter))?")  # fmt: skip
+_OURS = re.compile(r"\bfor us\b|\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
+_MIND = (r"(?:on reflection|on second thoughts?|thinking about it|come to think of it|having thought about it|actually|"
+         r"better|no|sorry|correction)")  # fmt: skip
+
+
+def _with_parents(found: re.Match[str], rooms: str) -> str:
+    """Rooms for children and, where nothing is said of it, one for those whose children they are."""
+    rest = found.string[: found.start()] + "|" + found.string[found.end() :]
+    return f"{rooms} kids room{'' if rooms == 'one' else 's'}" + ("" if _OURS.search(rest) else " and a parents' bedroom")
+
+
+def _sharing(found: re.Match[str]) -> str:
+    """`three children: two of them share, the eldest has her own` as two rooms for them."""
+    return _with_parents(found, _COUNTED[found["n"]])
+
+
+def _for_both(found: re.Match[str]) -> str:
+    """`two kids, one room for both`, `three children in two rooms`."""
+    return _with_parents(found, {"1": "one", "2": "two", "3": "three", "a": "one"}.get(found["rooms"], found["rooms"]))
+
+
+def _summed(found: re.Match[str]) -> str:
+    """`a home office each, so two studies` as the two of them."""
+    return f"{found['n']} {found['rooms']}"
+
+
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "no tv anywhere", "no room has a television"
+    (rf"\b(?:no|not an?|not a single|without (?:an?|any)|(?:do not|don't) want any) ({_FIXED}[a-z]+(?: [a-z]+)?) "
+     rf"{_WHOLE}\b", r"no \1 in every room"),
+    (rf"\bnowhere an? ({_FIXED}[a-z]+)\b", r"no \1 in every room"),
+    (rf"(^|[.;,] ?)(?:no room|none of the rooms) (?:has|have|should have|must have|may have) an? ({_FIXED}[a-z]+)\b",
+     r"\1no \2 in every room"),
+    # "a desk in the study, the same in the main bedroom"
+    (rf"\b({_THINGS}) in the ({_ROOM})(?:[,;.] ?|,? )(?:and |but )?{_SAME} in the ({_ROOM})\b",
+     r"\1 in the \2 and \1 in the \3"),
+    (rf"\bthe ({_ROOM}) (has|gets|needs|with) ({_THINGS})(?:[,;.] ?|,? )(?:and |but )?{_SAME} "
+     rf"(?:in|for|goes for|holds for|applies to) the ({_ROOM})\b", r"the \1 \2 \3, the \4 \2 \3"),
+    (rf"\bthe ({_ROOM}) (has|gets|needs) ({_THINGS})(?:[,;.] ?|,? )(?:and |but )?the ({_ROOM}) "
+     rf"(?:has|gets|needs|too has|also has) {_SAME}(?= ?(?:[.,;]|$))", r"the \1 \2 \3, the \4 \2 \3"),
+    # "a room that is open to the kitchen"
+    (r"\b(an?|one) ((?:big |large |small |bright |spacious )?)room,? (?:(?:that|which) (?:is |should be )?)?"
+     r"(open|opens|opening) (to|onto|into) the kitchen\b", r"\1 \2living room that is open to the kitchen"),
+    # "the rooms are all equal in size"
+    (r"(?<!bed )(?<!bath )\b(?:the )?rooms (?:are |should be |must be )?all (?=(?:of )?(?:the same|equal))",
+     "all rooms are "),
+    # "three children: two of them share, the eldest has her own"
+    (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) {_YOUNG}(?:[:,;.] ?| (?:who|of whom) ?)(?:the )?two (?:of (?:them|whom) |"
+     rf"of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:can |will |should )?share(?: an?| one| the "
+     rf"same)?(?: bed ?room| room)?[,;.]? ?(?:and |but |while )?{_OLD} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
+     r"their|its|an?) own(?: bed ?room| room)?|sleeps? alone|is alone)", _sharing),
+    # "two kids, one room for both", "three children in two rooms", "one room for the two children"
+    (rf"\b(?:two|2|three|3|our|my) {_YOUNG}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
+     r"(?:both|all|the two|all three|them|the three)(?: of them)?\b", _for_both),
+    (rf"\b(?:two|three|four|[234]) {_YOUNG} in (?P<rooms>one|two|three|[123]) (?:bed ?)?rooms?\b", _for_both),
+    (rf"\b(?P<rooms>one|a|1) (?:bed ?)?room for (?:both|the two|our two|my two) {_YOUNG}\b", _for_both),
+    # "a home office each, so two studies", "a study each for my wife and me"
+    (rf"\ban? {_ROOM} each(?: for [^.,;:]*)?[,;:]? (?:so|that is|that's|i\.? ?e\.?|meaning|which makes|that makes|"
+     rf"in other words|hence|thus),? (?P<n>two|three|four|five|\d) (?P<rooms>{_ROOM}s|studies|balconies)\b", _summed),
+    (rf"\ban? ({_ROOM}) each for (?:my [a-z]+ and (?:me|i)|me and my [a-z]+|(?:both|the two) of us)\b",
+     lambda found: f"two {'studies' if found[1] == 'study' else 'balconies' if found[1] == 'balcony' else found[1] + 's'}"),
+    # "the bathroom faces north, no, south"
+    (rf"\b(?:{_SIDES})(?:,| -|;|:)? (?:{_ANEW})(?:,? wait)?,? (?:to the |the |nach |au |al )?(?=(?:{_SIDES})\b)", ""),
+    # "on reflection the study should be a second bedroom"
+    (rf"\b{_MIND},? (?:the|that|this) ({_ROOM}|pantry|storage room|utility room|closet|nursery|guest room) "
+     r"(?:should|had|would|could|must|ought to|shall|will)(?: rather| better| preferably| instead)? (?:be|become) "
+     r"(?:better )?(?=an? )", r"make the \1 "),
+)]  # fmt: skip
+
+
+def once_more(text: str) -> str:
+    """A folded text with such clauses in the words of rooms and furniture."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
