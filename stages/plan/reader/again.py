@@ -10,8 +10,8 @@ _THINGS = r"(?:an?|one|two|three|four|no|\d) (?:(?!has |have |is )[a-z]+,? ?){1,
 _SAME = r"(?:the same|ditto|likewise)(?: things| furniture| pieces| again)?"
 _FIXED = r"(?!(?:doors?|stairs?|steps?|walls?|windows?|corridors?|hall(?:way)?s?|passages?|(?:[a-z]+ )?rooms?)\b)"
 _WHOLE = r"(?:anywhere|in any of the rooms|in any room|in the (?:whole |entire )?(?:flat|apartment|home|house))"
-_SIDES = ("north(?:[- ]?(?:east|west))?|south(?:[- ]?(?:east|west))?|east|west|norden|suden|osten|westen|nord|sud|ouest|"
-          "norte|sur|este|oeste")  # fmt: skip
+_SIDES = ("north(?:[- ]?(?:east|west))?|south(?:[- ]?(?:east|west))?|east|west|norden|suden|osten|westen|"
+          "nord|sud|ouest|norte|sur|este|oeste")  # fmt: skip
 _ANEW = ("no wait|wait no|wait|no|nein|non|sorry|pardon|perdon|i mean|i meant|actually|correction|or rather|rather|"
          "better|besser|quatsch|plutot|mejor")  # fmt: skip
 _COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "one", "3": "two", "4": "three"}
@@ -27,7 +27,8 @@ _MIND = (r"(?:on reflection|on second thoughts?|thinking about it|come to think 
 def _with_parents(found: re.Match[str], rooms: str) -> str:
     """Rooms for children and, where nothing is said of it, one for those whose children they are."""
     rest = found.string[: found.start()] + "|" + found.string[found.end() :]
-    return f"{rooms} kids room{'' if rooms == 'one' else 's'}" + ("" if _OURS.search(rest) else " and a parents' bedroom")
+    ours = "" if _OURS.search(rest) else " and a parents' bedroom"
+    return f"{rooms} kids room{'' if rooms == 'one' else 's'}{ours}"
 
 
 def _sharing(found: re.Match[str]) -> str:
@@ -66,9 +67,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(?<!bed )(?<!bath )\b(?:the )?rooms (?:are |should be |must be )?all (?=(?:of )?(?:the same|equal))",
      "all rooms are "),
     # "three children: two of them share, the eldest has her own"
-    (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) {_YOUNG}(?:[:,;.] ?| (?:who|of whom) ?)(?:the )?two (?:of (?:them|whom) |"
-     rf"of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:can |will |should )?share(?: an?| one| the "
-     rf"same)?(?: bed ?room| room)?[,;.]? ?(?:and |but |while )?{_OLD} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
+    (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) {_YOUNG}(?:[:,;.] ?| (?:who|of whom) ?)(?:the )?two "
+     rf"(?:of (?:them|whom) |of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:can |will |should )?"
+     rf"share(?: an?| one| the same)?(?: bed ?room| room)?[,;.]? ?(?:and |but |while )?{_OLD} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
      r"their|its|an?) own(?: bed ?room| room)?|sleeps? alone|is alone)", _sharing),
     # "two kids, one room for both", "three children in two rooms", "one room for the two children"
     (rf"\b(?:two|2|three|3|our|my) {_YOUNG}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
@@ -79,7 +80,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\ban? {_ROOM} each(?: for [^.,;:]*)?[,;:]? (?:so|that is|that's|i\.? ?e\.?|meaning|which makes|that makes|"
      rf"in other words|hence|thus),? (?P<n>two|three|four|five|\d) (?P<rooms>{_ROOM}s|studies|balconies)\b", _summed),
     (rf"\ban? ({_ROOM}) each for (?:my [a-z]+ and (?:me|i)|me and my [a-z]+|(?:both|the two) of us)\b",
-     lambda found: f"two {'studies' if found[1] == 'study' else 'balconies' if found[1] == 'balcony' else found[1] + 's'}"),
+     lambda found: f"two {re.sub('y$', 'ie', found[1])}s"),
     # "the bathroom faces north, no, south"
     (rf"\b(?:{_SIDES})(?:,| -|;|:)? (?:{_ANEW})(?:,? wait)?,? (?:to the |the |nach |au |al )?(?=(?:{_SIDES})\b)", ""),
     # "on reflection the study should be a second bedroom"

@@ -39,6 +39,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             owner = None
         if owner is not None and (item.value == "including" or item.kind == "mark"):
             _mark_subset(owner, items[k + 1 :], item.value == "(")
+        if owner is not None and owner.headline and _placed(items, k + 1):
+            owner = None  # "a T3 with a sofa and a tv in the living room"
         if item.kind == "with" and item.value == "including":
             pass
         elif owner is not None and not (
@@ -121,6 +123,14 @@ def _has_things(items: list[Item], k: int) -> bool:
     return k < len(items) and items[k].value == "with" and _only_things(items, k + 1)
 
 
+def _placed(items: list[Item], k: int) -> bool:
+    """Whether furniture stands at `k` that is in a room named behind it."""
+    end = k
+    while end < len(items) and (items[end].kind in ("object", "conjunction") or is_mark(items[end], ",")):
+        end += 1
+    return end > k and [i.value == "in" or i.room is not None for i in items[end : end + 2]] == [True, True]
+
+
 def _only_things(items: list[Item], k: int) -> bool:
     return k < len(items) and items[k].kind in ("object", "objects")
 
@@ -180,7 +190,7 @@ def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:
             break  # "two guest rooms each with a bathroom, and a roof terrace"
         elif taken > start and owner.quantifier == Det.EACH and is_mark(item, ",") and several_new(ahead(items, k)[0]):
             break  # "three bedrooms each with its own bathroom, two balconies"
-        elif item.kind == "negation" or item.kind == "conjunction" or is_mark(item, ","):
+        elif item.kind in ("negation", "conjunction") or is_mark(item, ",") or (first and item.kind == "copula"):
             k += 1
             continue
         else:
@@ -217,6 +227,7 @@ def _each_after(items: list[Item], k: int) -> bool:
 def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> None:
     """Furniture named before its room (`a piano in the living room`), or with no room at all."""
     holder = None
+    after = after[1:] if after and after[0].kind == "copula" else after  # "a wardrobe must be in every bedroom"
     if after and after[0].kind in ("with", "conjunction", "object", "link"):
         inside = next((j for j, x in enumerate(after) if x.kind == "with" and x.value == "in"), None)
         if (

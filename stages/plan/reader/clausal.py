@@ -99,6 +99,16 @@ def in_every(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def in_each(out: list[Item], items: list[Item], k: int) -> bool:
+    """`dans chaque chambre un lit`, where nothing stands for `in`: each has it."""
+    room, before = last(out).room, last(out[:-1])
+    begins = is_mark(before, ".,:") or before.kind == "conjunction"
+    if items[k].kind != "object" or room is None or room.quantifier != Det.EACH or not begins:
+        return False
+    out += [Item("with", "has", "in"), items[k]]
+    return True
+
+
 def several_areas(out: list[Item], items: list[Item], k: int) -> bool:
     """`two bedrooms of 15 m² and 10 m²`, whose second area is no area of the flat."""
     if items[k].kind == "conjunction" and ahead(items, k)[0].kind == "area" and _owed(out):

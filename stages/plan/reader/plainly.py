@@ -14,8 +14,8 @@ _GETS = r"(?:gets?|has|have|takes?|wants?|needs?|sleeps? in)"
 _WHO = r"(?:i|he|she|we|they|my [a-z]+|the [a-z]+)"
 _THEIRS = r"(?:his|hers|mine|theirs|ours)"
 _LES_MEUBLES = (r"(?:lits?|armoires?|chaises?|fauteuils?|canapes?|tables?|etageres?|tapis|lampes?|commodes?|"
-                r"bibliotheques?|television|tele)\b")  # fmt: skip
-_OF_MANY = re.compile(r"\b(two|three|four|five|six|[2-6]) (?:[a-z]+ )?(?:bed|bath|guest|kids|children's)? ?rooms\b")
+                r"bibliotheques?(?: murale)?|television|tele)\b")  # fmt: skip
+_OF_MANY = re.compile(r"\b(two|three|four|five|six) ((?:[a-z]+ )?(?:bed|bath|guest|kids|children's)? ?rooms)\b")
 
 
 def _plural(found: re.Match[str]) -> str:
@@ -44,31 +44,42 @@ def _two_rooms(found: re.Match[str]) -> str:
 
 
 def _all_listed(found: re.Match[str]) -> str:
-    """`all three` as all of them, where no three rooms of a kind were counted."""
-    counted = {number for number in _OF_MANY.findall(found.string[: found.start()])}
-    return found.group() if found[1] in counted else "all of them "
+    """`all three` as all of them, or as the three rooms of a kind that were counted."""
+    counted = dict(_OF_MANY.findall(found.string[: found.start()]))
+    return f"all {found[1]} {counted[found[1]]} " if found[1] in counted else "all of them "
 
 
+_COUNTED = "bed ?rooms?|bath ?rooms?|studies|balconies"
+_TOO = (r"(?:are|is|was|were|would be|will be) (?:far |really |one |two )?(?:too (?:many|much|few|little)|more than "
+        r"(?:i|we) (?:need|want)|not enough|no longer enough)")  # fmt: skip
+_FILL = r"(?:(?:so|and|now|but|i|we|want|need|would like|prefer|give|us|me|make|it|have|rather|just|only) )*"
+_ALONE = (r"(?! ?(?:m2|sqm|(?!bed|bath)[a-z]*rooms?\b))(?: (?:bed ?|bath ?)rooms?\b)?(?: only)?(?:,? please)?"
+          r"(?: (?:is|are|will be|would be) (?:enough|fine|plenty)| will do| would do)?(?: now)?"
+          r"(?P<more>,? with(?= ))?")  # fmt: skip
 _APART = r"(?P<where>,? (?:as )?(?:far away|far|away|next to|beside|near)(?: away)?(?: from| to)? " + _THEIRS + (
     r"(?: as possible)?)?")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
     # "put one bed and two armchairs in the main room": no bedroom
-    (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1|a single) bed"
+    (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1) bed"
      rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double bed"),
     (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(two|three|[2-4]) beds"
      rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double beds"),
-    (rf"({_PIECE}(?:,| and|, and) (?:one|1|a single)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
-    (r"\b(one|1|a single) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
+    (rf"({_PIECE}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
+    (r"\b(one|1) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
     # "the bedroom areas are 9, 11 and 14 m²", "the sizes of the bedrooms should be …", "their areas are …"
-    (rf"\b(?:the )?({_ROOM}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of) (?=\d)", _plural),
-    (rf"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of the ({_ROOM}s)(?: are| should be| must be|:) (?=\d)",
+    (rf"\b(?:the )?({_ROOM}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of)? (?=\d)", _plural),
+    (rf"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of (?:the )?({_ROOM}s)(?: are| should be| must be|:) (?=\d)",
      _plural),
     (r"\btheir (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:) (?=\d)", _of_last),
+    (r"\b(?:die )?(?:flachen|grossen) der schlafzimmer (?:sind|betragen) (?=\d)", "the bedrooms of "),
     # "a night corridor, reached from the entrance hall, serving three bedrooms"
     (rf"\b({_HALL}),? \(?(?:which is )?(?:reached from|entered from|accessible from|accessed from|off) "
      rf"((?:the|an) {_HALL})\)?,? (?:and )?(?:serving|serves|which serves|that serves) ([^.;]+)",
      r"\1 serving \3; the \1 is reached from \2"),
+    (rf"\b((?:an? |the )?)({_HALL}) serving ([^.;,]+?) is (reached|entered|accessible) from (the {_HALL}[^.;]*)",
+     r"\1\2 is \4 from \5. the \2 serves \3"),
     (r"\b(?:one|two|three|separate) circulation (?:zones?|areas?|spaces?) ?[:,]", ""),
+    (r"\bdoorless (?=opening|archway)", ""),
     # "with a wide opening and no door to", "an opening instead of a door"
     (r"\b(opening|archway),? (?:and|but|with|without|rather than|instead of|and not|not|no)(?: no| not| without)?"
      r"(?: an?| any)? doors?\b,?", r"\1"),
@@ -80,28 +91,38 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "two armchairs in the sitting room and no television in there"
     (rf"\b(in the {_ROOM})([^.;]*?) in there\b", r"\1\2 \1"),
     # "each bedroom should have its own bathroom" of two who each want their own
-    (rf"\b(my [a-z]+) and i,? (?:each|both) {_GETS} our own (bed ?)?rooms?\b", r"two bedrooms"),
+    (rf"\b(my [a-z]+) and i,? (?:each|both) {_GETS} (?:our own (?:bed ?)?rooms?|an? (?:bed ?)?room "
+     r"of our own)\b", "two bedrooms"),
+    (rf"\b(?:each|both) of us two {_GETS} (?:our|his|her|their|an?) own (?:bed ?)?rooms?\b", "two bedrooms"),
+    (rf"\b(each|every) ({_ROOM}) (?=(?:its|his|her|their) own\b)", r"\1 \2 has "),
     (r"\b(two bedrooms),? (?:each )?with (?:its|their|our) own (bath ?room|balcony)(?: each)?\b",
      r"\1 each with its own \2"),
     # "he gets one bedroom and I get another, far away from his"
     (rf"\b{_WHO} {_GETS} (?:one|an?|his|her) (?:bed ?)?room(?: and|,|;| while|, and) {_WHO} {_GETS} "
      rf"(?:mine|another|the other|a second)(?: one)?\b{_APART}", _two_rooms),
+    (r"\bone bed ?room for (?:him|her|me|my [a-z]+),? (?:and )?one for (?:him|her|me|my [a-z]+),? and (?:they|these) "
+     r"(?:must|should|are to) be (?P<where>far)(?: away)? from (?:one another|each other)\b", _two_rooms),
     (rf"\b(?:one|a) bed ?room for (?:him|her|me|my [a-z]+)(?: and|,) (?:another|one)(?: one)? for "
      rf"(?:him|her|me|my [a-z]+)\b{_APART}", _two_rooms),
+    (rf"\bmy (?:own )?bed ?room (?:to be |is |must be |should be )?(?P<where>(?:far away|far|away|next to) (?:from )?"
+     rf"{_THEIRS})\b", _two_rooms),
     # "three bedrooms are too many for me now. I want just one"
-    (rf"(?:\b(?:our|my|the) )?\b{_NUMBER} (?P<room>bed ?rooms?|bath ?rooms?|studies|balconies) "
-     r"(?:are|is|was|were|would be|will be) (?:far |really )?"
-     r"(?:too (?:many|much|few|little)|more than (?:i|we) (?:need|want)|not enough|no longer enough)(?: [^.,;]*?)?"
-     r"[.,;:-]+ ?(?:so |and |now |but )*(?:(?:i|we) (?:only |just |now )?(?:want|need|would like|prefer)|give (?:us|me)) "
-     rf"(?:just |only )?(?P<new>{_NUMBER})\b(?! ?(?:bed|bath|[a-z]*rooms?))(?P<more>,? with(?= ))?", _fewer),
+    (rf"(?:\b(?:our|my|the|i had|we had) )?\b{_NUMBER} (?P<room>{_COUNTED})(?:,? which)? {_TOO}[^.,;:]*[.,;:-]+ ?"
+     rf"{_FILL}(?P<new>{_NUMBER})\b{_ALONE}", _fewer),
+    (rf"\b(?:(?:i|we) )?(?:do not|don't|no longer) (?:need|want) {_NUMBER} (?P<room>{_COUNTED})(?: any ?more| any "
+     rf"longer| now)?[.,;:]+ ?{_FILL}(?P<new>{_NUMBER})\b{_ALONE}", _fewer),
+    (rf"\binstead of {_NUMBER} (?P<room>{_COUNTED}),? {_FILL}(?P<new>{_NUMBER})\b{_ALONE}", _fewer),
     # "all three have the door to the corridor"
+    (r"\bthe (two|three|four|five) of them (?=(?:have|are|open|must|should|lead|need)\b)", _all_listed),
+    (r"\bevery of them\b", "each of them"),
     (r"\ball (two|three|four|five|six)(?: rooms| of them)? (?=(?:have|has|are|open|must|should|lead|need)\b)",
      _all_listed),
     # "In the every bedroom must be one wardrobe", "in every of the bedrooms"
-    (rf"(^|[.;,:] ?)in (?:the )?(?:every|each|both|all)(?: of)?(?: the)? ({_ROOM})s? (?:there )?"
+    (rf"(^|[.;,:] ?)in (?:the )?(?:every|each|both|all)(?: of)?(?: the)? ({_ROOM}|room)s? (?:there )?"
      r"(?:must |should |has to |have to |needs to |will |shall )?(?:there )?(?:be|stand|stands|is|are) ",
      r"\1each \2 has "),
-    (rf"\b(?:the )(every|each) (?={_ROOM})", r"\1 "),
+    (rf"\bin (?:all|both|each|every) of(?: the)? ({_ROOM})s\b", r"in every \1"),
+    (rf"\b(?:the )(every|each) (?={_ROOM}|room)", r"\1 "),
     (rf"\b(every|each)(?: of)?(?: the)? ({_ROOM})s (?=has|have|must|should|needs?)", r"\1 \2 "),
     (r"\bmust be (?=(?:an?|one|two|three) [a-z]+ in (?:the |each |every ))", "there is "),
     # "opposite the bedroom, on the other side of the corridor"
@@ -109,17 +130,29 @@ _SAID = [(late(pattern), words) for pattern, words in (
      rf"(?:(?:on|at) (?:the )?(?:other|opposite|far) side of|across) the {_HALL}\b", r"opposite \2"),
     (rf"\b(?:on|at) (?:the )?(?:other|opposite|far) side of the {_HALL},? (?=opposite|across from)", ""),
     (rf"\bacross the {_HALL} from ", "opposite "),
+    (rf"(^|[.;] ?)(?:directly )?(?:opposite|across from) (the {_ROOM}),? (?:is|lies) ((?:the|an?) {_ROOM})"
+     r"(?= ?[.,;]|$)", r"\1\3 is opposite \2"),
+    (rf"\bthe ({_ROOM})(?: door| entrance)? and the ({_ROOM})(?: door| entrance)? (?:face|are facing|are opposite) "
+     rf"(?:each other|one another)(?:,? across the {_HALL})?", r"the \1 and the \2 are opposite each other"),
+    (r"(\bgegenuber\b[^.;]*?),? auf der (?:anderen|gegenuberliegenden) seite (?:des|vom|der) (?:flure?s?|gang(?:e?s)?|"
+     r"korridors|diele)\b", r"\1"),
+    (r"(\ben face\b[^.;]*?),? de l'autre cote du couloir\b", r"\1"),
+    (r"(\b(?:en)?frente (?:al?|del?)\b[^.;]*?),? al otro lado del pasillo\b", r"\1"),
     (rf"\bfaces (the [a-z ]{{3,14}}?) across the {_HALL}\b", r"is opposite \1"),
     (r"(^|[.;,] ?)(?:in|on)?to (the [a-z ]{3,14}?) (?:we|you|one|i) (?:go|goes|come|comes|get|gets) (only )?"
      r"(from|through|via) ", r"\1\2 is reached \3from "),
     # "另一个卫生间的门开向走廊"
     (r"另(?:外)?一个(卫生间|浴室|厕所|洗手间)的?门?(?:要|应该)?(?:开在|开向|通向|朝向|朝)(走廊|过道)",
      r"另一个\1在\2"),
+    (r"(?:公共|公用)?(卫生间|浴室|公卫)开门(?:向|朝)(走廊|过道)", r"\1在\2"),
+    (r"公卫", "公共卫生间"), (r"卫浴", "卫生间"), (r"主卧套间(?=带|有)", "主卧"),
+    (r"([^,.;:放]{1,4}?)放在([^,.;:放]{1,6}?)(?:里|中)?(?=[,.;]|$)", r"\2放\1"),
     (r"(主卧)带(卫生间|浴室)", r"\1带独立\2"),
     # "un lit et un bureau dans la pièce principale": a desk; "en la habitación principal" of a studio
     (rf"\b(une? {_LES_MEUBLES}(?:,| et) )un bureau\b", r"\1une table de travail"),
     (rf"\bun bureau(?=(?:,| et) (?:une?|deux) {_LES_MEUBLES})", "une table de travail"),
     (r"\bun bureau (?=dans (?:la piece|le salon|le sejour))", "une table de travail "),
+    (r"\bune bibliotheque (?=dans (?:la|le|chaque) )", "une bibliotheque murale "),
     (r"(\bestudio\b[^.]*?)\bla habitacion principal\b", r"\1el salon"),
     (r"\ben cada (dormitorio|habitacion|bano) (?=una? |dos )", r"cada \1 con "),
 )]  # fmt: skip

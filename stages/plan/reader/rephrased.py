@@ -158,7 +158,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "with a bedroom on either side of it", "bedrooms are three"
     (r",? with an? (bed ?room) on (?:either|each|both) sides?(?: of it)?(?= ?(?:[.,;]|$))", r", next to both \1s"),
     (r"\b(bed ?rooms|bath ?rooms|toilets) (?:are|is|must be|should be) (two|three|four|\d)(?= ?(?:[.,;]|$))", r"\2 \1"),
-    (r"\b(chambres?(?: de \d+ ?m2)?(?: chacune)?) avec (?:un )?bureau\b", r"\1 avec une table de travail"),
+    (r"(?:\b(?:appartement|maison|logement) (?:de|a|avec) (?:une?|deux|trois|quatre|\d) )?"
+     r"\b(chambres?(?: de \d+ ?m2)?(?: chacune)?) avec (?:un )?bureau\b",
+     lambda found: found.group() if found.start() < found.start(1) else f"{found[1]} avec une table de travail"),
     (r"(\b(?:piso|apartamento|departamento|casa|vivienda)\b.*\bcon )un estudio\b", r"\1un despacho"),
     # "There are two beds in the bedroom", "my room has a desk, hers a piano", "the parents have their own"
     (r"\b(two|three|\d) beds (?=in (?:the|each|every|my|our|his|her|one|a) )", r"\1 double beds "),

@@ -87,7 +87,8 @@ ANEW = [
      "orientation S1 south, !orientation S1 north"),
     ("One bedroom and a study. On reflection the study should be a second bedroom.", "B2 H K L W", ""),
     ("One bedroom and a study. On second thoughts, the study should be a second bedroom.", "B2 H K L W", ""),
-    ("A flat with one bedroom and a dining room. Thinking about it, the dining room should be a study.", "B H K L S W", ""),
+    ("A flat with one bedroom and a dining room. Thinking about it, the dining room should be a study.", "B H K L S W",
+     ""),
     ("Two bedrooms and a pantry. Actually, the pantry should be a utility room.", "B2 H K L U W", ""),
     ("Two bedrooms and a study. On reflection, the study should rather be a third bedroom.", "B3 H K L W2", ""),
     ("One bedroom, one study. Come to think of it, the study had better be a second bedroom.", "B2 H K L W", ""),
@@ -97,7 +98,8 @@ ALIKE = ["One bedroom flat; all rooms have the same size.", "Two bedrooms, all r
          "A two-bedroom flat in which all rooms are of equal size.", "One bedroom flat, every room is the same size.",
          "Two bedrooms; all the rooms should be equally big.", "Two-bedroom flat, all rooms of the same size.",
          "Two-bedroom flat. All rooms are equally large.", "Two-bedroom flat. All rooms have equal areas.",
-         "Two-bedroom flat, rooms all the same size.", "Two-bedroom flat. The rooms are all equal in size."]  # fmt: skip
+         "Two-bedroom flat, rooms all the same size.",
+         "Two-bedroom flat. The rooms are all equal in size."]  # fmt: skip
 
 test_what_is_nowhere_is_in_no_room = as_meant(NOWHERE)
 test_another_room_has_the_same = as_meant(SAME)

@@ -1,4 +1,4 @@
-"""Beds that are furniture, areas in lists, halls that serve lists, rooms just listed, what is too many, each its own."""
+"""Beds that are furniture, areas in lists, halls that serve lists, openings, one bedroom of a flat, each their own."""
 
 from sentences.facts import as_meant
 
@@ -89,7 +89,8 @@ FLATS = [
     ("I am eighty-one and live alone. One bedroom, please, two armchairs in the sitting room and no television in "
      "there, and light blue walls.", "B H K L W", "L1 has 2 armchair, L1 has 0 tv, !B1 has 0 tv"),
     ("One bedroom, please, and a piano in the living room.", "B H K L W", "L1 has 1 piano"),
-    ("I need one bedroom with a desk and two armchairs in the lounge.", "B H K L W", "B1 has 1 desk, L1 has 2 armchair"),
+    ("I need one bedroom with a desk and two armchairs in the lounge.", "B H K L W",
+     "B1 has 1 desk, L1 has 2 armchair"),
     ("I live alone. One bedroom, a sofa in the living room.", "B H K L W", "L1 has 1 sofa"),
     ("I want only one bedroom, please, a big table in the living room and no sofa there.", "B H K L W",
      "L1 has 0 sofa"),

@@ -3,8 +3,8 @@
 from sentences.facts import as_meant
 
 APART = [
-    ("My husband snores, so he gets one bedroom and I get another, far away from his. One bathroom, a sitting room and a "
-     "kitchen.", "B2 H K L W", "apart B1 B2"),
+    ("My husband snores, so he gets one bedroom and I get another, far away from his. One bathroom, a sitting room "
+     "and a kitchen.", "B2 H K L W", "apart B1 B2"),
     ("He gets one bedroom and I get another. One bathroom.", "B2 H K L W", ""),
     ("My wife snores: she has one bedroom and I have another, far from hers. One bathroom.", "B2 H K L W",
      "apart B1 B2"),
@@ -52,8 +52,8 @@ STAIRS = [
 ]  # fmt: skip
 
 PIECES = [
-    ("Quisiera un piso con salón, cocina, un dormitorio y un baño; en el dormitorio dos camas y en el salón una butaca.",
-     "B H K L W", "B1 has 2 double_bed, L1 has 1 armchair"),
+    ("Quisiera un piso con salón, cocina, un dormitorio y un baño; en el dormitorio dos camas y en el salón una "
+     "butaca.", "B H K L W", "B1 has 2 double_bed, L1 has 1 armchair"),
     ("Un piso de un dormitorio; en el salón dos butacas y una mesita.", "B H K L W", "L1 has 2 armchair"),
     ("Dos dormitorios, un baño; en cada dormitorio una cama y un armario.", "B2 H K L W",
      "B1 has 1 double_bed, B2 has 1 wardrobe"),
@@ -125,17 +125,17 @@ OPPOSITE = [
      "opposite W1 B1, !opposite W1 H1"),
     ("One bedroom. The kitchen is opposite the living room, on the other side of the hallway.", "B H K L W",
      "opposite K1 L1, !opposite K1 H1"),
-    ("One bedroom. The bathroom is on the other side of the corridor, opposite the bedroom.", "B H K L W",
+    ("One bedroom flat. The bathroom is on the other side of the corridor, opposite the bedroom.", "B H K L W",
      "opposite W1 B1, !opposite W1 H1"),
-    ("One bedroom. Opposite the bedroom, on the opposite side of the corridor, is the bathroom.", "B H K L W",
-     "opposite B1 W1, !opposite W1 H1"),
-    ("One bedroom. The bathroom must be across from the bedroom, on the other side of the hall.", "B H K L W",
+    ("One bedroom flat. Opposite the bedroom, on the opposite side of the corridor, is the bathroom.", "B H K L W",
+     "opposite W1 B1, !opposite W1 H1"),
+    ("One bedroom flat. The bathroom must be across from the bedroom, on the other side of the hall.", "B H K L W",
      "opposite W1 B1, !opposite W1 H1"),
     ("Two bedrooms. The study is across the corridor from the kitchen.", "B2 H K L S W",
      "opposite S1 K1, !opposite S1 H1"),
-    ("One bedroom. The bathroom faces the bedroom across the corridor.", "B H K L W",
+    ("One bedroom flat. The bathroom faces the bedroom across the corridor.", "B H K L W",
      "opposite W1 B1, !opposite W1 H1"),
-    ("One bedroom. The bathroom is opposite the bedroom, with the corridor between them.", "B H K L W",
+    ("One bedroom flat. The bathroom is opposite the bedroom, with the corridor between them.", "B H K L W",
      "opposite W1 B1, !opposite W1 H1"),
     ("One bedroom. To the pantry you go only from the kitchen.", "B H K L T W", "K1T1, !H1T1"),
     ("One bedroom. Into the kitchen we come only from the living room.", "B H K L W", "K1L1, !H1K1"),
