@@ -125,20 +125,6 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\b(?:the )(every|each) (?={_ROOM}|room)", r"\1 "),
     (rf"\b(every|each)(?: of)?(?: the)? ({_ROOM})s (?=has|have|must|should|needs?)", r"\1 \2 "),
     (r"\bmust be (?=(?:an?|one|two|three) [a-z]+ in (?:the |each |every ))", "there is "),
-    # "opposite the bedroom, on the other side of the corridor"
-    (rf"\b(opposite(?: to)?|across from|facing) (the [a-z ]{{3,14}}?),? (?:and )?"
-     rf"(?:(?:on|at) (?:the )?(?:other|opposite|far) side of|across) the {_HALL}\b", r"opposite \2"),
-    (rf"\b(?:on|at) (?:the )?(?:other|opposite|far) side of the {_HALL},? (?=opposite|across from)", ""),
-    (rf"\bacross the {_HALL} from ", "opposite "),
-    (rf"(^|[.;] ?)(?:directly )?(?:opposite|across from) (the {_ROOM}),? (?:is|lies) ((?:the|an?) {_ROOM})"
-     r"(?= ?[.,;]|$)", r"\1\3 is opposite \2"),
-    (rf"\bthe ({_ROOM})(?: door| entrance)? and the ({_ROOM})(?: door| entrance)? (?:face|are facing|are opposite) "
-     rf"(?:each other|one another)(?:,? across the {_HALL})?", r"the \1 and the \2 are opposite each other"),
-    (r"(\bgegenuber\b[^.;]*?),? auf der (?:anderen|gegenuberliegenden) seite (?:des|vom|der) (?:flure?s?|gang(?:e?s)?|"
-     r"korridors|diele)\b", r"\1"),
-    (r"(\ben face\b[^.;]*?),? de l'autre cote du couloir\b", r"\1"),
-    (r"(\b(?:en)?frente (?:al?|del?)\b[^.;]*?),? al otro lado del pasillo\b", r"\1"),
-    (rf"\bfaces (the [a-z ]{{3,14}}?) across the {_HALL}\b", r"is opposite \1"),
     (r"(^|[.;,] ?)(?:in|on)?to (the [a-z ]{3,14}?) (?:we|you|one|i) (?:go|goes|come|comes|get|gets) (only )?"
      r"(from|through|via) ", r"\1\2 is reached \3from "),
     # "另一个卫生间的门开向走廊"
@@ -157,9 +143,34 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\ben cada (dormitorio|habitacion|bano) (?=una? |dos )", r"cada \1 con "),
 )]  # fmt: skip
 
+_ACROSS = [(late(pattern), words) for pattern, words in (
+    # "opposite the bedroom, on the other side of the corridor"
+    (rf"\b(opposite(?: to)?|across from|facing) (the [a-z ]{{3,14}}?),? (?:and )?"
+     rf"(?:(?:on|at) (?:the )?(?:other|opposite|far) side of|across) the {_HALL}\b", r"opposite \2"),
+    (rf"\b(?:on|at) (?:the )?(?:other|opposite|far) side of the {_HALL},? (?=opposite|across from)", ""),
+    (rf"\bacross the {_HALL} from ", "opposite "),
+    (rf"(^|[.;] ?)(?:directly )?(?:opposite|across from) (the {_ROOM}),? (?:is|lies) ((?:the|an?) {_ROOM})"
+     r"(?= ?[.,;]|$)", r"\1\3 is opposite \2"),
+    (rf"\bthe ({_ROOM})(?: door| entrance)? and the ({_ROOM})(?: door| entrance)? (?:face|are facing|are opposite) "
+     rf"(?:each other|one another)(?:,? across the {_HALL})?", r"the \1 and the \2 are opposite each other"),
+    (r"(\bgegenuber\b[^.;]*?),? auf der (?:anderen|gegenuberliegenden) seite (?:des|vom|der) (?:flure?s?|gang(?:e?s)?|"
+     r"korridors|diele)\b", r"\1"),
+    (r"(\ben face\b[^.;]*?),? de l'autre cote du couloir\b", r"\1"),
+    (r"(\b(?:en)?frente (?:al?|del?)\b[^.;]*?),? al otro lado del pasillo\b", r"\1"),
+    (rf"\bfaces (the [a-z ]{{3,14}}?) across the {_HALL}\b", r"is opposite \1"),
+)]  # fmt: skip
+
 
 def plainly(text: str) -> str:
     """A folded text with such clauses in the words of rooms, areas and furniture."""
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
-    return text
+    return _across(text)
+
+
+def _across(text: str) -> str:
+    """`opposite the bedroom, on the other side of the hall` is one wish, of a home that has a hall."""
+    said = text
+    for pattern, words in _ACROSS:
+        said = pattern.sub(words, said)
+    return said if said == text or "hall" in said else f"{said.rstrip(' .')}. the hallway."

@@ -47,8 +47,12 @@ OPEN = [
     ("Two bedrooms. A living room which is open to the kitchen.", "B2 H K L W", "K1~L1"),
     ("One bedroom and a room that is open to the kitchen.", "B H K L W", "K1~L1"),
     ("A room open to the kitchen, one bedroom and a bathroom.", "B H K L W", "K1~L1"),
-    ("One bedroom. The kitchen is open to the room next to it.", "B H K L W", ""),
     ("One bedroom, a bathroom and a big room that opens to the kitchen.", "B H K L W", "K1~L1"),
+    ("Two bedrooms, and one large room which is open to the kitchen.", "B2 H K L W", "K1~L1"),
+    ("I want a bright room opening to the kitchen, one bedroom and one bathroom.", "B H K L W", "K1~L1"),
+    ("One bedroom, one bathroom, one room open to the kitchen with a sofa.", "B H K L W", "K1~L1"),
+    ("A spacious room that should be open onto the kitchen, two bedrooms and a bathroom.", "B2 H K L W", "K1~L1"),
+    ("Two bedrooms. A study that is open to the living room.", "B2 H K L S W", "L1S1"),
 ]  # fmt: skip
 
 CHILDREN = [
