@@ -54,8 +54,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"(^|[.;,] ?)(?:no room|none of the rooms) (?:has|have|should have|must have|may have) an? ({_FIXED}[a-z]+)\b",
      r"\1no \2 in every room"),
     # "a desk in the study, the same in the main bedroom"
-    (rf"\b({_THINGS}) in the ({_ROOM})(?:[,;.] ?|,? )(?:and |but )?{_SAME} in the ({_ROOM})\b",
-     r"\1 in the \2 and \1 in the \3"),
+    (rf"\b({_THINGS}) in ((?:the|each|every|both)(?: of the (?:two|three|four))? {_ROOM}s?)(?:[,;.] ?|,? )"
+     rf"(?:and |but )?{_SAME} in the ({_ROOM})\b", r"\1 in \2 and \1 in the \3"),
     (rf"\bthe ({_ROOM}) (has|gets|needs|with) ({_THINGS})(?:[,;.] ?|,? )(?:and |but )?{_SAME} "
      rf"(?:in|for|goes for|holds for|applies to) the ({_ROOM})\b", r"the \1 \2 \3, the \4 \2 \3"),
     (rf"\bthe ({_ROOM}) (has|gets|needs) ({_THINGS})(?:[,;.] ?|,? )(?:and |but )?the ({_ROOM}) "

@@ -11,7 +11,7 @@ _COUNT = r"(?:an?|one|two|three|four|no|\d)"
 _NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
 _HALL = r"(?:entrance |night |inner |bedroom |second |long )*(?:hall|hallway|corridor|lobby|vestibule|passage)"
 _GETS = r"(?:gets?|has|have|takes?|wants?|needs?|sleeps? in)"
-_WHO = r"(?:i|he|she|we|they|my [a-z]+|the [a-z]+)"
+_WHO = r"(?:i|he|she|we|they|(?:my|our|the) [a-z]+|(?:grand)?(?:mother|father|ma|pa)|mum|mom|dad|granny)"
 _THEIRS = r"(?:his|hers|mine|theirs|ours)"
 _LES_MEUBLES = (r"(?:lits?|armoires?|chaises?|fauteuils?|canapes?|tables?|etageres?|tapis|lampes?|commodes?|"
                 r"bibliotheques?(?: murale)?|television|tele)\b")  # fmt: skip
@@ -37,7 +37,7 @@ def _fewer(found: re.Match[str]) -> str:
 
 def _two_rooms(found: re.Match[str]) -> str:
     """`he gets one bedroom and I get another, far from his` as two bedrooms far from each other."""
-    where = (found["where"] or "").strip(", ")
+    where = re.sub("^(?:as|right|directly|just) ", "", (found["where"] or "").strip(", "))
     if not where:
         return "two bedrooms"
     return f"two bedrooms {'next to' if where.startswith(('next', 'beside', 'near')) else 'far from'} each other"
@@ -56,12 +56,13 @@ _FILL = r"(?:(?:so|and|now|but|i|we|want|need|would like|prefer|give|us|me|make|
 _ALONE = (r"(?! ?(?:m2|sqm|(?!bed|bath)[a-z]*rooms?\b))(?: (?:bed ?|bath ?)rooms?\b)?(?: only)?(?:,? please)?"
           r"(?: (?:is|are|will be|would be) (?:enough|fine|plenty)| will do| would do)?(?: now)?"
           r"(?P<more>,? with(?= ))?")  # fmt: skip
-_APART = r"(?P<where>,? (?:as )?(?:far away|far|away|next to|beside|near)(?: away)?(?: from| to)? " + _THEIRS + (
-    r"(?: as possible)?)?")  # fmt: skip
+_APART = (r"(?P<where>,? (?:as |right |directly |just )?(?:far away|far|away|next to|beside|near)(?: away)?(?: from| to)? "
+          rf"{_THEIRS}(?: as possible)?)?")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
     # "put one bed and two armchairs in the main room": no bedroom
     (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1) bed"
-     rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double bed"),
+     rf"(?=(?: (?:against|by|near|under|along) the [a-z]+)?(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})",
+     r"\1 double bed"),
     (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(two|three|[2-4]) beds"
      rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double beds"),
     (rf"({_PIECE}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
@@ -79,6 +80,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\b((?:an? |the )?)({_HALL}) serving ([^.;,]+?) is (reached|entered|accessible) from (the {_HALL}[^.;]*)",
      r"\1\2 is \4 from \5. the \2 serves \3"),
     (r"\b(?:one|two|three|separate) circulation (?:zones?|areas?|spaces?) ?[:,]", ""),
+    (r"\bno doors?,? (?:but|just|only|but only) (?=an? (?:[a-z]+ )?(?:opening|archway)\b)", ""),
     (r"\bdoorless (?=opening|archway)", ""),
     # "with a wide opening and no door to", "an opening instead of a door"
     (r"\b(opening|archway),? (?:and|but|with|without|rather than|instead of|and not|not|no)(?: no| not| without)?"
@@ -93,6 +95,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "each bedroom should have its own bathroom" of two who each want their own
     (rf"\b(my [a-z]+) and i,? (?:each|both) {_GETS} (?:our own (?:bed ?)?rooms?|an? (?:bed ?)?room "
      r"of our own)\b", "two bedrooms"),
+    (rf"\b(?:my [a-z]+) and i,? (?:each|both) {_GETS} an? (?:bed ?)?room (?=with (?:its|our|their|his|her|an?) )",
+     "two bedrooms each "),
     (rf"\b(?:each|both) of us two {_GETS} (?:our|his|her|their|an?) own (?:bed ?)?rooms?\b", "two bedrooms"),
     (rf"\b(each|every) ({_ROOM}) (?=(?:its|his|her|their) own\b)", r"\1 \2 has "),
     (r"\b(two bedrooms),? (?:each )?with (?:its|their|our) own (bath ?room|balcony)(?: each)?\b",
@@ -128,7 +132,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(^|[.;,] ?)(?:in|on)?to (the [a-z ]{3,14}?) (?:we|you|one|i) (?:go|goes|come|comes|get|gets) (only )?"
      r"(from|through|via) ", r"\1\2 is reached \3from "),
     # "另一个卫生间的门开向走廊"
-    (r"另(?:外)?一个(卫生间|浴室|厕所|洗手间)的?门?(?:要|应该)?(?:开在|开向|通向|朝向|朝)(走廊|过道)",
+    (r"另(?:外)?一个(卫生间|浴室|厕所|洗手间)的?门?(?:要|应该)?"
+     r"(?:开在|开向|通向|朝向|朝)(走廊|过道)",
      r"另一个\1在\2"),
     (r"(?:公共|公用)?(卫生间|浴室|公卫)开门(?:向|朝)(走廊|过道)", r"\1在\2"),
     (r"公卫", "公共卫生间"), (r"卫浴", "卫生间"), (r"主卧套间(?=带|有)", "主卧"),
@@ -137,6 +142,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "un lit et un bureau dans la pièce principale": a desk; "en la habitación principal" of a studio
     (rf"\b(une? {_LES_MEUBLES}(?:,| et) )un bureau\b", r"\1une table de travail"),
     (rf"\bun bureau(?=(?:,| et) (?:une?|deux) {_LES_MEUBLES})", "une table de travail"),
+    (rf"\b({_LES_MEUBLES}(?:,| et) )bureau\b", r"\1table de travail"),
     (r"\bun bureau (?=dans (?:la piece|le salon|le sejour))", "une table de travail "),
     (r"\bune bibliotheque (?=dans (?:la|le|chaque) )", "une bibliotheque murale "),
     (r"(\bestudio\b[^.]*?)\bla habitacion principal\b", r"\1el salon"),

@@ -204,6 +204,50 @@ LOOKALIKE = [
     ("The kitchen and the bathroom are on the other side of the hall. One bedroom flat.", "B H K L W", ""),
 ]  # fmt: skip
 
+ONCE_MORE = [
+    ("Studio, 25 m². One bed against the wall, one armchair and a small table in the room.", "K L W",
+     "L1 has 1 double_bed, L1 has 1 armchair"),
+    ("Generate a studio with exactly one bed, one sofa and one tv stand; one bathroom.", "K L W",
+     "L1 has 1 double_bed, L1 has 1 sofa"),
+    ("Four bedrooms measuring 8, 9, 10 and 12 m², two bathrooms measuring 4 and 6 m².", "B4 H K L W2",
+     "B1=8, B4=12, W1=4, W2=6"),
+    ("The areas of the two bedrooms: 10 and 13 m². One bathroom of 5 m².", "B2 H K L W", "B1=10, B2=13, W1=5"),
+    ("Main hall for the living room, kitchen and toilet; private corridor for the three bedrooms and the "
+     "bathroom.", "B3 H2 K L W2",
+     "H1L1, H1K1, B1H2, B2H2, B3H2"),
+    ("Between the kitchen and the dining room no door, just a wide opening. One bedroom.", "B D H K L W", "D1~K1"),
+    ("I live alone with my cat. One bedroom is plenty. Please put a rocking chair in the living room and "
+     "no tv.", "B H K L W",
+     "L1 has 0 tv"),
+    ("My brother and I each want a bedroom with its own bathroom.", "B2 H K L W2", "B1W1, B2W2"),
+    ("Grandmother gets one bedroom and I get another, right next to hers. One bathroom.", "B2 H K L W",
+     "adjacent B1 B2"),
+    ("Two bathrooms are too much cleaning for me; one will do. Two bedrooms.", "B2 H K L W", ""),
+    ("We no longer need four bedrooms, only two. One bathroom.", "B2 H K L W", ""),
+    ("No stairs please, my knees are bad. Two bedrooms.", "B2 H K L W", "unread stairs"),
+    ("Quiero un piso de dos dormitorios; en cada dormitorio dos camas y una lámpara; en el salón una "
+     "butaca y un sofá.", "B2 H K L W",
+     "B1 has 2 double_bed, B2 has 2 double_bed, L1 has 1 armchair, L1 has 1 sofa"),
+    ("Wohnung mit zwei Schlafzimmern. In jedem Schlafzimmer ein Bett und ein Schrank, im Wohnzimmer zwei "
+     "Sessel.", "B2 H K L W",
+     "B1 has 1 wardrobe, B2 has 1 wardrobe, L1 has 2 armchair"),
+    ("I need flat with three bedroom. In each bedroom should stand one bed and one desk.", "B3 H K L W2",
+     "B1 has 1 double_bed, B2 has 1 desk, B3 has 1 desk"),
+    ("Bedroom, bathroom, kitchen, living room. All four have door to corridor.", "B H K L W",
+     "B1H1, H1W1, H1K1, H1L1"),
+    ("Two bedrooms, a study and a bathroom. All four are off the corridor.", "B2 H K L S W",
+     "B1H1, B2H1, H1S1, H1W1"),
+    ("Flat with one bedroom. Bathroom is opposite to the bedroom, between them is the corridor.", "B H K L W",
+     "opposite W1 B1"),
+    ("三房两厅两卫，主人房带独立卫生间，另外一个卫生间开门在走廊。", "B3 D H K L W2", "B1W1, H1W2"),
+    ("Two bedrooms, one tv in the living room and none in the other rooms.", "B2 H K L W",
+     "L1 has 1 tv, B1 has 0 tv, B2 has 0 tv"),
+    ("A desk and a bookcase in each of the two bedrooms, the same in the living room.", "B2 H K L W",
+     "B1 has 1 desk, B2 has 1 desk, L1 has 1 desk, L1 has 1 bookshelf"),
+    ("We are five: three kids, the two girls share and the boy has his own room.", "B3 H K L W2", ""),
+    ("Two bedrooms. The balcony is on the south side, or no, the west side.", "B2 H K L W Y", "position Y1 west"),
+]  # fmt: skip
+
 test_a_bed_in_a_room_is_furniture = as_meant(BEDS)
 test_areas_in_a_list_are_of_rooms_in_turn = as_meant(AREAS)
 test_a_hall_serves_the_rooms_listed_behind_it = as_meant(HALLS)
@@ -219,3 +263,4 @@ test_all_of_those_are_the_rooms_just_listed = as_meant(LISTED)
 test_opposite_is_one_wish_where_the_hall_is_between = as_meant(OPPOSITE)
 test_the_other_bath_is_nobodys = as_meant(BATHS)
 test_what_only_looks_alike_is_read_as_it_was = as_meant(LOOKALIKE)
+test_the_programme_is_as_meant = as_meant(ONCE_MORE)
