@@ -56,8 +56,8 @@ _FILL = r"(?:(?:so|and|now|but|i|we|want|need|would like|prefer|give|us|me|make|
 _ALONE = (r"(?! ?(?:m2|sqm|(?!bed|bath)[a-z]*rooms?\b))(?: (?:bed ?|bath ?)rooms?\b)?(?: only)?(?:,? please)?"
           r"(?: (?:is|are|will be|would be) (?:enough|fine|plenty)| will do| would do)?(?: now)?"
           r"(?P<more>,? with(?= ))?")  # fmt: skip
-_APART = (r"(?P<where>,? (?:as |right |directly |just )?(?:far away|far|away|next to|beside|near)(?: away)?(?: from| to)? "
-          rf"{_THEIRS}(?: as possible)?)?")  # fmt: skip
+_APART = (r"(?P<where>,? (?:as |right |directly |just )?(?:far away|far|away|next to|beside|near)(?: away)?"
+          rf"(?: from| to)? {_THEIRS}(?: as possible)?)?")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
     # "put one bed and two armchairs in the main room": no bedroom
     (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1) bed"
