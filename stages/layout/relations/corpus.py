@@ -54,7 +54,7 @@ def read(path: Path, workers: int = 0) -> list[Furnished]:
     rooms = [_tokens(corpus, i, float(area[i]), int(sleepers[i]), duties[i]) for i in range(n)]
     first = np.cumsum([0, *(room.n for room in rooms)])[:-1]
     with spreading(workers or 1) as spread:
-        both = list(spread(_pairs, rooms, first.tolist()))
+        both = list(spread(_pairs, list(zip(rooms, first.tolist(), strict=True))))
     found, earlier = [pairs for pairs, _ in both], [came for _, came in both]
     joined = references.Pairs(*(np.concatenate([getattr(some, name) for some in found])
                                 for name in references.Pairs.__dataclass_fields__))
@@ -67,8 +67,10 @@ def read(path: Path, workers: int = 0) -> list[Furnished]:
     return rooms
 
 
-def _pairs(room: Furnished, first: int) -> tuple[references.Pairs, NDArray[np.bool_]]:
-    """Whatever each object could be described from, rows from `first`; and which of it came before the object."""
+def _pairs(numbered: tuple[Furnished, int]) -> tuple[references.Pairs, NDArray[np.bool_]]:
+    """Whatever each object of a room could be described from, in rows from its first; and which of it came before the
+    object."""
+    room, first = numbered
     objects = np.arange(room.shell, len(room.kind))
     found = references.pairs(room.boxes, room.kind, room.category, objects, first, KINDS)
     return found, found.token < room.shell + found.row - first
