@@ -16,6 +16,8 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.words import OTHER, category
 
 Array = NDArray[np.float64]
+THIN = 1e-3
+"""What is thinner in some way is no body, m."""
 LITTLE = 1e-3
 """What reaches less into walls is left where it is, m²."""
 IN_WALL = 0.15
@@ -31,7 +33,11 @@ def boxes(things: list[Thing], rooms: list[Room], said: list[str]) -> list[Box]:
     out: list[Box] = []
     strange: Counter[str] = Counter()
     outside: Counter[str] = Counter()
+    flat: Counter[str] = Counter()
     for thing in things:
+        if not min(thing.size) >= THIN:
+            flat[thing.name or "without a name"] += 1
+            continue
         name = _category(thing)
         room = _room(thing, rooms)
         if name is None or room is None:
@@ -39,7 +45,7 @@ def boxes(things: list[Thing], rooms: list[Room], said: list[str]) -> list[Box]:
             continue
         number = sum(box.room == room.id and box.category == name for box in out) + 1
         out.append(_box(f"{room.id}.{name}_{number}", thing, name, room))
-    for found, why in ((strange, "no furniture known here"), (outside, "in no room")):
+    for found, why in ((strange, "no furniture known here"), (outside, "in no room"), (flat, "without a body")):
         if found:
             told = ", ".join(f"{name} ({count})" if count > 1 else name for name, count in sorted(found.items()))
             said.append(f"left out, {why}: {told}")

@@ -24,7 +24,7 @@ def _drawing(member: ModuleType, name: str, data: bytes) -> Drawing:
     """What a format reads; whatever its parser stumbles over is the file's fault."""
     try:
         drawing: Drawing = member.read(name, data)
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, ShapelyError) as error:
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError, ShapelyError) as error:
         kind = member.__name__.rpartition(".")[2]
         raise BadInput(
             f"broken where {kind} does not allow it ({type(error).__name__}: {error}); save it again"

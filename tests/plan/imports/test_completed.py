@@ -218,3 +218,17 @@ def test_broken_files_are_errors_and_nothing_else(format: str, seed: int, tmp_pa
 def test_other_files_are_left_to_others() -> None:
     for data in (b'{"rooms": []}', b"", b"[]", b"PK\x05\x06" + 18 * b"\0"):
         assert imports.read("x.json", data, PlanConfig()) is None
+
+
+def test_what_has_no_body_is_left_out(caplog: pytest.LogCaptureFixture) -> None:
+    piece = "<pieceOfFurniture name='sofa' x='200' y='200' width='180' depth='{}' height='80'/>"
+    plan, said = read(PAIR + piece.format(90), caplog)
+    assert [o.category for o in plan.objects] == ["sofa"] and "without a body" not in said
+    plan, said = read(PAIR + piece.format("0.001"), caplog)
+    assert not getattr(plan, "objects", []) and "left out, without a body: sofa" in said
+
+
+def test_what_is_nested_without_end_is_told() -> None:
+    deep = b'{"floorPolygon": ' + b"[" * 100_000
+    with pytest.raises(BadInput, match="house.json: broken where procthor does not allow it"):
+        imports.read("house.json", deep, PlanConfig())
