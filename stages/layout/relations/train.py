@@ -101,7 +101,7 @@ def step_losses(model: trained.Model, step: Step, device: str = "cpu") -> dict[s
 
 
 class Steps(torch.utils.data.Dataset[Step]):
-    """What every step asks, by its number; others than the last are made by `workers` beforehand."""
+    """What every step asks, by its number."""
 
     def __init__(self, rooms: list[Furnished], config: Training) -> None:
         self.rooms, self.config = rooms, config
