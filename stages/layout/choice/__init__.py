@@ -13,7 +13,8 @@ from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
 from apartgen.stages.use import Furnished, of_plan
 
-WEIGHTS = {"faults": 1.0, "contents": 1.0, "neighbours": 1.0, "likeness": 1.0, "axes": 1.0, "crowding": 1.0}
+WEIGHTS = {"faults": 1.0, "contents": 1.0, "neighbours": 1.0, "likeness": 1.0, "axes": 1.0, "crowding": 1.0,
+           "distances": 1.0}
 
 
 @cache

@@ -8,7 +8,7 @@ from apartgen.stages.use.rules.sit import before, main_sofa, shown
 
 OFF = 0.3
 """Nobody minds less than this beside the axis, m."""
-ASIDE, FLOATING, UNPAIRED = 0.3, 0.5, 0.2
+ASIDE, FLOATING, UNPAIRED = 0.3, 0.7, 0.2
 """What costs: each thing beside its axis, a sofa with its back to nothing, a bed whose nightstands are no pair."""
 BACKED = 0.35
 """A sofa's back is at a wall or at something within this, m."""

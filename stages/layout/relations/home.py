@@ -17,7 +17,7 @@ from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import contents, features, sampler, weights
+from apartgen.stages.layout.relations import contents, features, sampler, sizes, weights
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
@@ -28,8 +28,8 @@ from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
 from apartgen.stages.use import arrivals, belongings, lacks_of, site
-from apartgen.stages.use.household import DOUBLE, Duties, duties, sleepers
-from apartgen.stages.use.kinds import COATS, HANGING
+from apartgen.stages.use.household import duties, sleepers
+from apartgen.stages.use.kinds import COATS
 from apartgen.stages.use.site import Site
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
@@ -44,14 +44,8 @@ BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 30.0
 """What it costs that something was asked for and is not there: more than all that a room may lack."""
-LENGTHS = dict.fromkeys(HANGING, (1.5, 1.2))
-"""Least widths at a first and a second look, in bedrooms of two and where one sleeps in the living room, m."""
-SCREENS = (1.2, 1.0)
-"""Least widths of a living room's television, and of its stand the first, m: for a sofa 3 m away."""
-LONG_TABLE, ROUND_TABLE = 1.8, 1.2
-"""Least widths of tables where five and more eat, m."""
-FIVE, ROUND = 5, 6
-"""So many, and those who eat at a round table at most."""
+ROUND = 6
+"""So many eat at a round table at most."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -132,23 +126,10 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     facts = features.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.type)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
-                      wide=_wide(room, float(arrays.area[i]), due, told or 0))
+                      large=sizes.least(room.base, float(arrays.area[i]), due, told or 0))
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
                 wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])),
                 _late(plan, room, given, wanted_of(arrays, i, plan, room)))
-
-
-def _wide(room: Room, area: float, due: Duties, sleep: int) -> dict[str, tuple[float, ...]]:
-    """Least widths at one look after another: of wardrobes where two sleep, televisions, the table where all of a
-    home eat."""
-    some: dict[str, tuple[float, ...]] = {}
-    if area >= DOUBLE and (room.base == "bedroom" or due.sleeps > 0):
-        some |= LENGTHS
-    if room.base == "living_room":
-        some["tv_stand"], some["tv"] = (SCREENS[0],) * 2, SCREENS
-    if due.eats > 0 and sleep >= FIVE:
-        some |= {"dining_table": (LONG_TABLE,) * 2, "round_table": (ROUND_TABLE,) * 2}
-    return some
 
 
 def _row(o: Box, origin: Array) -> Array:

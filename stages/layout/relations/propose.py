@@ -3,7 +3,7 @@
 All rooms are seen together, one token after another, each drawing from a generator of its own.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import company, looking
+from apartgen.stages.layout.relations import company, looking, sizes
 from apartgen.stages.layout.relations.features import SHUT_OUT
 from apartgen.stages.layout.relations.memory import Memory
 from apartgen.stages.layout.relations.speak import LEAST, Asked, Lanes, drawn, speak
@@ -42,7 +42,7 @@ class Particle:
 class Speaker:
     """The model before a room: its shell, type and facts, and how much is drawn of an object: `frames` references at
     most, `branches` of each, `offsets` of each branch; what logits of attributes (`sharp`) and of references (`sure`)
-    are multiplied with. What is `wide` is at least so wide at one look after another, of any width at a later one."""
+    are multiplied with. What is `large` is at least so large at one look after another, of any size at a later one."""
 
     model: Model
     known: Vocabulary
@@ -54,7 +54,7 @@ class Speaker:
     offsets: int
     sharp: float
     sure: float = 1.0
-    wide: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    large: sizes.Sizes = field(default_factory=dict)
 
     @cached_property
     def empty(self) -> Memory:
@@ -173,9 +173,7 @@ class _Rooms:
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
         least = np.array([k.min for k in kinds], np.float32)
-        looks = [(self.rooms[i].wide.get(names[i], ()), self.particles[i].tries) for i in rows.tolist()]
-        wide = [widths[tries] if tries < len(widths) else 0.0 for widths, tries in looks]
-        least[:, 1] = np.maximum(least[:, 1], wide)
-        least[:, 0] = np.where([k.stands.round for k in kinds], np.maximum(least[:, 0], wide), least[:, 0])
+        large = [sizes.at_look(self.rooms[i].large, names[i], self.particles[i].tries) for i in rows.tolist()]
+        least[:, :2] = np.minimum(np.maximum(least[:, :2], large), most[:, :2])
         return (least, most, np.array([k.place in ("wall", "top") for k in kinds]),
                 np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.relations import ahead, exchange, followers, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
+from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
@@ -23,7 +24,7 @@ from apartgen.stages.use import kinds
 BEGUN = 3
 """How often a room is begun at most."""
 TRIES = 2
-"""How often candidates are drawn for an object before its room is begun again, and once more for what is wide."""
+"""How often candidates are drawn for an object before its room is begun again; once more for what is to be large."""
 LOOKS, LAST = 8, 40
 """Candidates whose ways are looked at before new ones are drawn, and where none will be."""
 INSTEAD = {"double_bed": ("single_bed",)}
@@ -104,7 +105,7 @@ class Sampler:
             p.left.remove(name)
             p.left.append(other[0])
             name, found = other
-        if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.wide):
+        if found is None and p.tries + 1 < TRIES + (name in self.room.speaker.large):
             p.tries += 1
             return p
         needed = found is None and self.room.needs(name, p.furniture.names)
@@ -127,7 +128,7 @@ class Sampler:
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
         if not p.left and not p.late:
             if self.constrained:
-                p.furniture = lengthened.grown(p.furniture, self.room.speaker.wide, given, self.room.empty.fork)
+                p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
             p.left, p.late = list(self.room.late), True
         return p
 
@@ -161,7 +162,7 @@ class Sampler:
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
         """A place for what leads a group, anywhere in the room, where what follows it finds its own."""
-        places = followers.leading(name, boxes, there.space, min(self.room.speaker.wide.get(name, (0.0,))))
+        places = followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
         if not self.constrained or self.places != "model" or not len(places):
             return None
         weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in kinds.BEDS else 1.0

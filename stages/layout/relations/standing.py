@@ -12,7 +12,7 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import HUNG, SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import company, elbowroom, fixtures, hung, order, runs
+from apartgen.stages.layout.relations import company, distances, elbowroom, fixtures, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.robot.reach import LEVER
@@ -36,7 +36,7 @@ OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
 AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2, 0.1
 """What has its back at a wall, no farther from it, m, with a radiator between, up to so near its ends."""
-FREE = 4.0
+FREE = 8.0
 """Price of a sofa that turns its back to the room."""
 ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
 """What one uses coming home, and how far from the entrance's middle at most, m."""
@@ -51,8 +51,9 @@ APART = 6.0
 ALONE = 8.0
 """Price of a leader that is not where it is used with what stands there, once nothing better was found; what follows
 is rather left out."""
-CRAMPED = 4.0
-"""Price of what has no floor for its use, or takes that of others, once nothing better was found."""
+CRAMPED, AWAY = 6.0, 4.0
+"""Prices of what has no floor for its use, or takes that of others, and of coats far from the entrance, once nothing
+better was found."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
 ABOVE = 0.25
@@ -130,6 +131,7 @@ class Furniture:
         total += np.where(barred, ALONE if loose else 2 * BROKEN, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
         total += np.where(cramped, 2 * BROKEN if strict else CRAMPED, 0.0)
+        total += 0.0 if loose else distances.price(name, boxes, found, self.names, self.boxes, self.space)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
@@ -144,7 +146,7 @@ class Furniture:
             total += np.where(self.space.behind(found) > BEHIND, FREE, 0.0)
         if name in ARRIVAL and len(self.space.entrances):
             far = self.space.from_entrance(found.center[:, :2]) > NEAR
-            total += np.where(far, 2 * BROKEN if strict else CRAMPED, 0.0)
+            total += np.where(far, 2 * BROKEN if strict else AWAY, 0.0)
         return total
 
     def _meets_leaves(self, name: str, found: Boxes) -> NDArray[np.bool_]:

@@ -6,7 +6,7 @@ import sys
 import handmade
 import numpy as np
 import pytest
-from lived_in import ROOMS, SOUTH, WEST, bedroom, room, thing
+from lived_in import NORTH, ROOMS, SOUTH, WEST, bedroom, room, thing
 
 from apartgen.stages import registry
 from apartgen.stages.layout import choice
@@ -75,6 +75,18 @@ def test_sets_of_one_size_are_better() -> None:
     pair = bedroom()
     unlike = [*pair[:2], pair[2].model_copy(update={"size": (0.35, 0.4, 0.5)}), pair[3]]
     assert energy("bedroom", unlike) > energy("bedroom", pair)
+
+
+@pytest.mark.parametrize("screen, table, cost", [
+    (2.2, 1.9, 0.0), (2.0, 3.0, 0.0), (3.2, 2.5, 0.3), (2.0, 0.9, 0.3), (2.7, 1.4, 0.3), (None, None, 0.0),
+])
+def test_a_far_screen_and_a_near_table_cost_more(screen: float | None, table: float | None, cost: float) -> None:
+    """From a sofa .9 m deep, whose front is at 1 m; a stand .4 m deep across, a table .9 m deep beside."""
+    things = [thing("sofa", 3.0, 0.55, NORTH, (0.9, 2.0, 0.8))]
+    if screen is not None and table is not None:
+        things += [thing("tv_stand", 3.0, 1.0 + screen + 0.2, SOUTH, (0.4, 1.6, 0.5)),
+                   thing("dining_table", 4.0 + table + 0.45, 0.55, WEST, (0.9, 1.6, 0.75))]
+    assert choice.parts(room("living_room", 9.0, 5.0, *things))["distances"] == pytest.approx(cost, abs=1e-3)
 
 
 def test_choosing_imports_no_torch() -> None:

@@ -99,7 +99,7 @@ def test_leaders_may_stand_all_over_the_room_square_to_its_walls() -> None:
 
 def test_a_sofa_stands_rather_at_a_wall() -> None:
     there = room(6.0, 6.0)
-    rows = np.stack([box((0.9, 2.0, 0.8), -3 + 0.45 + gap, 0.5) for gap in (0.05, 1.5)])
+    rows = np.stack([box((0.9, 2.0, 0.8), -3 + 0.45 + gap, 0.5) for gap in (0.05, 2.2)])
     for strict in (False, True):
         at_wall, free = there.prices("sofa", rows, strict=strict)
         assert at_wall < free < BROKEN

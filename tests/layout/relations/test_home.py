@@ -191,7 +191,7 @@ def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
 def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
     """Nobody asked; where all is counted nothing comes, and where it stands already no second one does."""
     near = []
-    for seed in range(4):
+    for seed in range(8):
         plan = apartgen.plan("studio", seed=seed).body
         door = next(o for o in plan.openings if o.kind == "entrance")
         room = next(room for room in plan.rooms if room.id in door.rooms)
@@ -204,7 +204,7 @@ def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
             assert not relations_home._late(plan.model_copy(update={"program": counted}), room, [], Counter())
         else:
             assert room.base == "hallway" and not use.arrivals(use.site(plan, room.id))
-    assert len(near) >= 2 and np.mean(near) > 0.7
+    assert len(near) >= 6 and np.mean(near) > 0.5
 
 
 @pytest.mark.parametrize("count", [0, 1])

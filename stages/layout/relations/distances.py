@@ -1,0 +1,45 @@
+"""How far people like things from one another that are not used together in reach: what is watched, where one eats."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.relations.company import Seen
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.use import kinds
+
+VIEW, STAND = 2.1, 0.4
+"""A sofa is no farther before the wall that it looks at, but for what stands there with the television, m."""
+FARTHER = 4.0
+"""What each further metre costs, up to where a screen is too far off anyway."""
+TOO_FAR = 1.0
+MEALS, NEARER = 1.9, 6.0
+"""From a dining table to a sofa, m, and what each metre less costs."""
+
+
+def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space) -> Array:
+    """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): sofas far from what they look at,
+    tables where one eats near to sofas, (n,)."""
+    kind = kinds.basic(name)
+    if kind in kinds.SOFAS:
+        view = ahead(found, space) - STAND - VIEW
+        return np.asarray(FARTHER * np.clip(view, 0, TOO_FAR))
+    if kind in kinds.TABLES:
+        sofas = [k for k, o in enumerate(names) if kinds.basic(o) in kinds.SOFAS]
+        if sofas:
+            return np.asarray(NEARER * np.clip(MEALS - Seen(boxes, there[sofas]).gap.min(1), 0, TOO_FAR))
+    return np.zeros(len(boxes))
+
+
+def ahead(found: Boxes, space: Space) -> Array:
+    """Free length from each front to the wall across, m, (n,)."""
+    heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
+    front = found.center[:, :2] + heading * found.size[:, :1] / 2
+    approach = -(heading @ space.normal.T)
+    off = ((front[:, None] - space.start) * space.normal).sum(-1)
+    far = np.where((approach > 1e-6) & (off > 0), off / np.maximum(approach, 1e-6), np.inf)
+    reached = front[:, None] + np.where(np.isfinite(far), far, 0.0)[..., None] * heading[:, None]
+    along = ((reached - space.start) * space.along).sum(-1)
+    return np.asarray(np.where((along >= 0) & (along <= space.length), far, np.inf).min(1))

@@ -1,0 +1,56 @@
+"""A sofa far from what it looks at, a table near to a sofa: prices by hand."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import box, room, some_rooms
+
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.relations import distances
+from apartgen.stages.layout.relations.standing import Furniture
+from apartgen.stages.layout.relations.tokens import upright
+
+SOFA, TABLE = (0.9, 2.0, 0.8), (0.9, 1.6, 0.75)
+
+
+def priced(name: str, one: np.ndarray, there: Furniture) -> float:
+    boxes = one[None]
+    return float(distances.price(name, boxes, upright(boxes), there.names, there.boxes, there.space)[0])
+
+
+def free(one: np.ndarray, there: Furniture) -> float:
+    return float(distances.ahead(upright(one[None]), there.space)[0])
+
+
+def angle() -> Furniture:
+    """5 m by 4 without its north-east quarter of 2 m by 2."""
+    rooms = some_rooms(1)
+    corners = [[-2.5, -2], [2.5, -2], [2.5, 0], [0.5, 0], [0.5, 2], [-2.5, 2]]
+    rooms.polygon[0], rooms.openings[0] = np.nan, np.nan
+    rooms.polygon[0, :6] = np.array(corners, np.float32)
+    return Furniture(space_of(rooms, 0))
+
+
+@pytest.mark.parametrize("x, y, yaw, far", [
+    (-2.05, -1.0, 0.0, 4.1), (-2.05, 1.0, 0.0, 2.1),    # past the quarter that is not there, and before it
+    (0.0, -1.55, np.pi / 2, 3.1), (1.5, -1.55, np.pi / 2, 1.1),
+    (2.05, -1.0, np.pi, 4.1), (0.0, 0.45, -np.pi / 2, 2.0),
+])
+def test_free_length_ends_at_the_wall_across(x: float, y: float, yaw: float, far: float) -> None:
+    assert free(box(SOFA, x, y, yaw), angle()) == pytest.approx(far, abs=1e-5)
+
+
+@pytest.mark.parametrize("width, far", [(3.4, 0.0), (3.6, 0.2), (4.0, 0.6), (4.4, 1.0), (6.0, 1.0)])
+def test_a_sofa_costs_what_its_screen_is_too_far(width: float, far: float) -> None:
+    """It is .9 m deep, the stand across .4 m, and 2.1 m between them cost nothing; over a metre more no more."""
+    at_wall = box(SOFA, -width / 2 + 0.45, 0.0)
+    assert priced("sofa", at_wall, room(width, 4.0)) == pytest.approx(distances.FARTHER * far, abs=1e-4)
+    assert priced("armchair", at_wall, room(width, 4.0)) == 0
+
+
+@pytest.mark.parametrize("gap, near", [(0.5, 1.0), (0.9, 1.0), (1.5, 0.4), (1.9, 0.0), (3.0, 0.0)])
+def test_a_table_costs_what_it_is_too_near_to_a_sofa(gap: float, near: float) -> None:
+    there, table = room(9.0, 5.0), box(TABLE, -4.5 + 0.9 + gap + 0.45, 0.0)
+    assert priced("dining_table", table, there) == 0, "without a sofa"
+    there.add("sofa", box(SOFA, -4.05, 0.0))
+    assert priced("dining_table", table, there) == pytest.approx(distances.NEARER * near, abs=1e-4)
+    assert priced("desk", table, there) == 0
