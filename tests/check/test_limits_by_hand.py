@@ -179,6 +179,8 @@ def test_parts_go_two_centimetres_into_cabinets_and_five_into_others():
         assert bool(strictly(chest, h.chest(2.45 + gap + 0.25, 2.45, math.pi, id="other", travel=0.06))) == met
     for gap, met in ((-0.049, False), (-0.051, True)):
         assert bool(strictly(chest, h.thing("bench", 2.45 + gap + 0.2, 2.45, id="b", size=(0.4, 1.0, 0.45)))) == met
+    for gap, met in ((-0.029, False), (-0.031, True)):  # half of what is 6 cm thick
+        assert bool(strictly(chest, h.thing("plant", 2.45 + gap + 0.03, 2.45, id="b", size=(0.06, 1.0, 0.45)))) == met
 
 
 def test_before_and_behind_doors_is_a_way():

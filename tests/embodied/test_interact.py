@@ -287,3 +287,16 @@ def test_a_drawer_is_pushed_behind_its_front_and_below_its_box(flat):
     assert push.point == pytest.approx([0.3 + x - 0.07, 2.0, 0.4 + 0.25 - parts.RIM])
     # A long bar is held off its middle, too.
     assert {round(float(hold.point[1]), 3) for hold in part.others if hold.kind == "pinch"} == {1.925, 2.075}
+
+
+def test_of_other_rooms_only_what_is_near_a_passage_is_touched() -> None:
+    """A door 1 m wide at x = 4 to another room: things of that room .1 m on either side of .8 m from it, and what
+    belongs to no room; no door leads to a third room."""
+    around = object.__new__(Surroundings)
+    middle = np.array([[4.85, 1.5], [4.95, 1.5], [4.3, 2.85], [4.3, 3.05], [3.0, 9.0], [30.0, 30.0], [4.2, 1.5]])
+    around.lo, around.hi = (np.column_stack([middle + by, np.zeros(len(middle))]) for by in (-0.1, 0.1))
+    around.rooms = np.array(["other", "other", "other", "other", "own", "", "third"])
+    around.passages = [(["own", "other"], np.array([[4.0, 1.0], [4.0, 2.0]]))]
+    assert around._beside("own").tolist() == [True, False, True, False, True, True, True]
+    around.passages = [(["other", "third"], np.array([[4.0, 1.0], [4.0, 2.0]]))]
+    assert around._beside("own").tolist() == [False, False, False, False, True, True, False]

@@ -1,7 +1,9 @@
 """Where things can be put: hand-made furniture with known places, then all furniture that things are put on."""
 
+import handmade
 import numpy as np
 import pytest
+from shapely import Polygon, affinity, box
 
 from apartgen.schemas.retrieve import Joint
 from apartgen.stages.populate import boards, rules
@@ -139,3 +141,19 @@ def test_curtains_are_as_large_as_they_look_and_what_slides_aside_is_told_apart(
     found = boards._pieces(lambda library, id: asset(base(BOTTOM), *parts), "made", "robe")
     assert len(found.swept) == 3 and len(found.sideways) == 1
     assert found.sideways[0] == pytest.approx(np.array([(0.25, -0.4, -0.3), (0.3, 0.9, 0.3)]))
+
+
+@pytest.mark.parametrize("yaw", [0.0, np.pi / 2, 2.0])
+def test_floor_beside_furniture_lies_at_its_sides_along_its_back(yaw: float) -> None:
+    """A sofa of .9 by 2 m in the middle of a room: .03 m beside it, from 1 cm before its back."""
+    o = handmade.thing("sofa", 3.0, 2.0, yaw, size=(0.9, 2.0, 0.8), id="sofa")
+    here = boards._here([o], lambda library, id: asset(base(TOP)))
+    deep, wide = boards.BESIDE
+    for side, (low, high) in ((1, (1.03, 1.03 + wide)), (-1, (-1.03 - wide, -1.03))):
+        board = boards._beside(0, side, box(0, 0, 6, 4), Polygon(), here)
+        assert np.allclose([board.place.lo, board.place.hi], [(-0.44, low), (-0.44 + deep, high)])
+        turned = affinity.rotate(Polygon(board.place.polygon()), yaw, (0, 0), use_radians=True)
+        turned = affinity.translate(turned, 3.0, 2.0)
+        assert boards._beside(0, side, turned.buffer(0.01), Polygon(), here) is not None, "inside its room"
+        assert boards._beside(0, side, turned.buffer(-0.01), Polygon(), here) is None, "outside"
+        assert boards._beside(0, side, box(0, 0, 6, 4), turned.centroid.buffer(0.05), here) is None, "where one passes"

@@ -76,6 +76,15 @@ def test_vertices_that_are_no_numbers_in_every_mesh_format(tmp_path, capsys):
     assert "not finite" in told(tmp_path, "sweethome3d", capsys)
 
 
+@pytest.mark.parametrize("width", ["0", "-20"])
+def test_a_piece_without_width_is_none(tmp_path, capsys, width):
+    catalogue = CATALOGUE.format("a.obj").replace("width#1=10", f"width#1={width}")
+    assert f"width#1={width}" in catalogue
+    archive(tmp_path / "a.sh3f", **{"PluginFurnitureCatalog.properties": catalogue,
+                                    "a.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"})  # fmt: skip
+    assert "dimensions of" in told(tmp_path, "sweethome3d", capsys)
+
+
 def test_a_small_mesh_shown_very_often_counts_as_often(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(pieces, "FACES", 100)
     (tmp_path / "m.stl").write_bytes(STL)

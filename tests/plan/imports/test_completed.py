@@ -17,6 +17,7 @@ from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 from apartgen.schemas.layout import Layout
 from apartgen.stages import check, registry
 from apartgen.stages.plan import PlanConfig, imports
+from apartgen.stages.plan.drawing import Drawing, Space, completed
 from apartgen.stages.plan.imports import roomplan
 
 
@@ -232,3 +233,13 @@ def test_what_is_nested_without_end_is_told() -> None:
     deep = b'{"floorPolygon": ' + b"[" * 100_000
     with pytest.raises(BadInput, match="house.json: broken where procthor does not allow it"):
         imports.read("house.json", deep, PlanConfig())
+
+
+@pytest.mark.parametrize("x, y", [(2e8, 0.0), (0.0, 2e8), (-2e8, 3.0)])
+def test_what_lies_off_the_earth_is_refused_along_either_axis(x: float, y: float) -> None:
+    far = Polygon([(x, y), (x + 4, y), (x + 4, y + 3), (x, y + 3)])
+    near = Polygon([(9e7, 0), (9e7 + 4, 0), (9e7 + 4, 3), (9e7, 3)])
+    assert completed._measured(Drawing(spaces=[Space("", near)]), []).spaces
+    for drawing in (Drawing(spaces=[Space("", near), Space("", far)]), Drawing(walls=[far])):
+        with pytest.raises(BadInput, match="no place on earth"):
+            completed._measured(drawing, [])

@@ -27,3 +27,11 @@ def test_the_rest_stretches_to_the_total() -> None:
     found = fill(asked, base, {"living_room_1": 20.0}, {}, 100.0)
     assert found["living_room_1"] == 20.0 and sum(found.values()) == pytest.approx(100.0, abs=0.02)
     assert found["kitchen_1"] > 10.0 and found["bedroom_1"] > 20.0
+
+
+def test_a_share_of_nothing_is_none() -> None:
+    """A room that is said to take 0 % of a home is as large as it is as a rule."""
+    asked = rooms(living_room_1="living_room", kitchen_1="kitchen")
+    base = {"living_room_1": 30.0, "kitchen_1": 10.0}
+    assert fill(asked, base, {}, {"kitchen_1": 0.0}, None) == base
+    assert fill(asked, base, {}, {"kitchen_1": 0.0}, 40.0) == pytest.approx(base, abs=0.02)

@@ -5,12 +5,15 @@ import pytest
 
 from apartgen.schemas.errors import Unmet
 from apartgen.stages.plan.reader import read
+from apartgen.stages.plan.reader.distributed import matched
+from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.measures import _coordinated, _corrected
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase
 from apartgen.stages.plan.reader.objects import _continues
 from apartgen.stages.plan.reader.predicates import Predicate
+from apartgen.stages.plan.reader.ranked import _by_size
 from apartgen.stages.plan.reader.subjects import and_group
-from apartgen.stages.plan.reader.vocabulary import Relation
+from apartgen.stages.plan.reader.vocabulary import Relation, Trait
 
 AND, PLUS, COMMA = Item("conjunction", "and"), Item("conjunction", "plus"), Item("mark", ",")
 NO, AREA = Item("negation", "not", "no"), Item("area", values=(12.0,))
@@ -115,3 +118,19 @@ def test_a_room_that_nobody_asked_for_and_nobody_wants_is_not_there(prompt: str)
     found = read(prompt)
     assert not {room.type for room in found.rooms} & {"balcony", "storage"} and found.requirements == []
     assert not [link for link in found.links if {"bedroom_1", "living_room_1"} == set(link)]
+
+
+def test_each_of_some_rooms_gets_the_next_of_others_and_the_last_again() -> None:
+    beds, baths = [Entity("bedroom") for _ in range(4)], [Entity("bathroom") for _ in range(3)]
+    assert list(matched(beds, baths)) == [*zip(beds, baths), (beds[3], baths[2])]
+    baths[0].owner = beds[1]
+    others = [bed for bed in beds if bed is not beds[1]]
+    assert list(matched(beds, baths)) == list(zip(others, [baths[1], baths[2], baths[2]]))
+
+
+def test_of_rooms_as_large_as_another_the_main_one_is_the_largest() -> None:
+    """And of others the one with the most or the least floor, wherever it is told."""
+    plain, main = Entity("bedroom", area=12.0), Entity("bedroom", labels={Trait.MASTER}, area=12.0)
+    assert _by_size("largest", [plain, main]) is main
+    large = Entity("bedroom", area=14.0)
+    assert _by_size("largest", [plain, large, main]) is large and _by_size("smallest", [large, main, plain]) is main
