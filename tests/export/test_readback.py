@@ -1,16 +1,19 @@
 """What a format's own reader refuses is no export: an error says so, and nothing is left or lost."""
 
+import io
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import trimesh
 from export import sample
 from PIL import Image
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages import export, registry
+from apartgen.stages.export import _readback
 from apartgen.stages.things.asset import Material, Mesh
 
 FORMATS = list(export.formats())
@@ -94,3 +97,29 @@ def test_two_libraries_may_have_one_image(name, tmp_path):
     made = export.run(sample.home(), [name], tmp_path / "scene", painted)
     pictures = [file for file in made.files if Path(file.path).name.startswith("texture_")]
     assert name == "glb" or len(pictures) == len({file.sha256 for file in pictures}) == 2
+
+
+@pytest.mark.parametrize("last, sound", [(2, True), (3, False), (7, False)])
+def test_faces_name_vertices_that_there_are(last, sound):
+    """Three vertices; in the bytes of the file the last index of the one face is another."""
+    corners, face = np.eye(3), np.array([0, 1, 2], np.uint32)
+    data = bytearray(trimesh.Trimesh(corners, face[None], process=False).export(file_type="glb"))
+    at = data.rindex(face.tobytes())
+    data[at:at + 12] = np.array([0, 1, last], np.uint32).tobytes()
+    if sound:
+        _readback.read_glb([io.BytesIO(bytes(data))])
+    else:
+        with pytest.raises(_readback.Refused, match="without vertices"):
+            _readback.read_glb([io.BytesIO(bytes(data))])
+
+
+@pytest.mark.parametrize("error, told", [
+    (ValueError("no such joint\nin line 3"), "(no such joint)"), (ValueError(), "(ValueError)"),
+])
+def test_what_a_reader_minds_is_told_by_its_first_line_or_its_name(error, told):
+    def refuse(files):
+        raise error
+
+    with pytest.raises(BadInput) as found:
+        export._read_back("mine", SimpleNamespace(read_back=refuse), [], Path("nowhere"))
+    assert told in str(found.value) and found.value.__cause__ is error

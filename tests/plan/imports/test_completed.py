@@ -17,7 +17,7 @@ from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
 from apartgen.schemas.layout import Layout
 from apartgen.stages import check, registry
 from apartgen.stages.plan import PlanConfig, imports
-from apartgen.stages.plan.drawing import Drawing, Space, completed
+from apartgen.stages.plan.drawing import Drawing, Space, Thing, completed, furniture
 from apartgen.stages.plan.imports import roomplan
 
 
@@ -243,3 +243,14 @@ def test_what_lies_off_the_earth_is_refused_along_either_axis(x: float, y: float
     for drawing in (Drawing(spaces=[Space("", near), Space("", far)]), Drawing(walls=[far])):
         with pytest.raises(BadInput, match="no place on earth"):
             completed._measured(drawing, [])
+
+
+@pytest.mark.parametrize("at, wall", [((0.3, 2.0), 0.0), ((4.7, 2.0), np.pi), ((2.5, 0.3), np.pi / 2),
+                                      ((2.5, 3.7), -np.pi / 2)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_what_has_a_back_turns_it_to_the_wall_that_it_stands_at(
+        at: tuple[float, float], wall: float, turned: bool) -> None:
+    """A wardrobe in a room of 5 m by 4, drawn the right way round or with its doors to the wall."""
+    size, yaw = furniture._faced(Thing("", (*at, 1.0), (0.6, 1.2, 2.0), wall + np.pi * turned), "wardrobe",
+                                 Polygon([(0, 0), (5, 0), (5, 4), (0, 4)]))
+    assert size == (0.6, 1.2) and np.cos(yaw - wall) == pytest.approx(1)
