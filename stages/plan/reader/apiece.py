@@ -46,8 +46,16 @@ def bedrooms_apiece(words: list[Lexeme], people: int) -> list[Lexeme]:
             continue
         number = Lexeme("number", str(count), str(count), values=(float(count),))
         before = [replace(w, kind="stop", value="") if j == at else w for j, w in enumerate(words[:each])]
+        if _counted(words[:each], count):
+            before.append(Lexeme("determiner", "the", "the"))  # "four bedrooms …; the two older ones have one each"
         return [*before, number, replace(word, plural=True), *words[end:]]
     return words
+
+
+def _counted(words: list[Lexeme], count: int) -> bool:
+    """Whether at least so many bedrooms were counted."""
+    pairs = zip(words, words[1:], strict=False)
+    return any(n.kind == "number" and n.number >= count and w.value == "bedroom" and w.plural for n, w in pairs)
 
 
 def _one(word: Lexeme) -> bool:

@@ -21,6 +21,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             k += 1
             continue
         opens = (item.kind == "with" and not _inside(out, item, items[k + 1 : k + 2])) or is_mark(item, "(:")
+        opens = opens or _without_things(out, items, k)
         owner = (
             next(
                 (i.room for i in reversed(out) if not is_mark(i, ")") and i.kind not in ASIDE),
@@ -66,6 +67,12 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             out.append(item)
         k += 1
     return out
+
+
+def _without_things(before: list[Item], items: list[Item], k: int) -> bool:
+    """`two bedrooms without a desk`."""
+    denies = items[k].kind == "negation" and items[k].value in ("without", "no") and bool(before)
+    return denies and before[-1].room is not None and _only_things(items, k + 1)
 
 
 def _inside(before: list[Item], item: Item, after: list[Item]) -> bool:

@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.household import Household
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
 from apartgen.stages.plan.reader.statements import Statement
+from apartgen.stages.plan.reader.told import beside_usual, in_passing
 from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
 
 Pair = tuple[Entity, Entity]
@@ -16,7 +17,8 @@ Pair = tuple[Entity, Entity]
 class Doors:
     """Doors said and doors forbidden, between entities; `only` are the rooms that are to have no others.
 
-    `near` are neighbours that a door may stand for, `beside` all.
+    `near` are neighbours that a door may stand for, `beside` all. A kitchen keeps its usual door beside those of
+    `passing`; rooms of `reached` are entered as is said, past rooms that have doors of their own to the hall.
     """
 
     links: list[Pair] = field(default_factory=list)
@@ -25,6 +27,8 @@ class Doors:
     near: list[Pair] = field(default_factory=list)
     beside: list[Pair] = field(default_factory=list)
     only: list[Entity] = field(default_factory=list)
+    passing: list[Pair] = field(default_factory=list)
+    reached: list[Entity] = field(default_factory=list)
 
 
 def doors_said(statements: list[Statement], home: Household) -> Doors:
@@ -38,6 +42,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
         pairs = [(a, b) for a in left for b in right if a is not b and (own or not _served(a, b, s.kind))]
         if left and left == right:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"
+        in_passing(s, pairs, out)
         match s.kind:
             case Relation.OPEN:
                 if {"living_room", "dining_room"} <= {e.type for e in right}:  # in the order in which food travels
@@ -72,6 +77,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
     for room, theirs in owned:  # "two bathrooms, one of which belongs to the main bedroom"
         out.links = [p for p in out.links if room not in p or {id(p[0]), id(p[1])} <= theirs]
     out.links += out.near
+    beside_usual(out)
     stated = {frozenset((id(a), id(b))) for a, b in out.open}
     for e in home.rooms:
         if e.owner is not None:

@@ -38,6 +38,7 @@ from apartgen.stages.plan.reader.gapped import (
 )
 from apartgen.stages.plan.reader.journeys import journeys
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.nowhere import in_several
 from apartgen.stages.plan.reader.openings import denied_doors, open_to_each_other, opening, together_with
 from apartgen.stages.plan.reader.passages import (
     between_the_two,
@@ -51,7 +52,7 @@ from apartgen.stages.plan.reader.passages import (
     which_is_the,
     you_go_in,
 )
-from apartgen.stages.plan.reader.persons import floating, whose
+from apartgen.stages.plan.reader.persons import floating, sleeps_in, whose
 from apartgen.stages.plan.reader.resumed import has_inside, it_has, off_it, same_area, set_off, there_is_in, which_has
 from apartgen.stages.plan.reader.subjects import ARROWS
 from apartgen.stages.plan.reader.unwanted import again_without, not_ensuite, not_needed, we_do_not_need
@@ -65,7 +66,7 @@ FLOATING = (Det.BOTH, Det.ALL, Det.EACH)
 def written_out(items: list[Item]) -> list[Item]:
     """Each short form in the place of which a longer one of the same meaning stands."""
     out: list[Item] = []
-    items = journeys(denied_doors(items))
+    items = journeys(denied_doors(in_several(items)))
     for k, item in enumerate(items):
         if item.kind != "stop" and not any(rule(out, items, k) for rule in RULES):
             out.append(item)
@@ -229,7 +230,7 @@ RULES = (_arrow, _comma, which_has, it_has, there_is_in, off_it, set_off, same_a
          _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just, _from_again, _both_from,
          _they_from, _neither, not_ensuite, _not_another, _not_open, compared, then_listed, no_wall, none_between,
          beside_it, several_areas, is_for, one_of_them, opening, open_to_each_other, together_with, not_needed,
-         is_not_in, one_per, whose, floating)  # fmt: skip
+         is_not_in, one_per, whose, floating, sleeps_in)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 
 

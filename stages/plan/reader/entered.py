@@ -65,7 +65,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\bune chambre pour nous,? (?:et )?(une|deux|trois) pour les enfants\b",
      r"une chambre parentale, \1 chambre d'enfants"),
     (r"(朝[东南西北])(?=一间)", r"\1,"),
-    (r"(\bin (?:the |every |each )?[a-z ]{3,18}), (?:but |and )?not in (?=the |any |our )", r"\1, none in "),
+    (r"((?<!not )\bin (?:the |every |each )?[a-z ]{3,18}), (?:but |and )?not in (?=the |any |our )", r"\1, none in "),
     (r"\bentre (?:ellos|ellas|ambos|ambas|los dos|las dos|elles|eux|les deux)(?= ?(?:[,.;]|$)| y | et )|"
      r"\bdazwischen\b", "between them"),
     (r"\b(has|have|with) (?:two|three|four|\d) doors ?[,:(] ?(to|into|onto|from) ", r"\1 doors \2 "),

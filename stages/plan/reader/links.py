@@ -60,10 +60,13 @@ def complete_links(
     forbidden: set[Link],
     near: set[Link] = frozenset(),  # type: ignore[assignment]
     only: set[str] = frozenset(),  # type: ignore[assignment]
+    passing: set[Link] = frozenset(),  # type: ignore[assignment]
+    told: set[str] = frozenset(),  # type: ignore[assignment]
 ) -> list[Link]:
     """`links` and as many more as needed, by `sense.toml`; those of `near` do not stand for a room's usual doors.
 
-    Rooms of `only` get further doors where nothing else leads to them.
+    Rooms of `only` get further doors where nothing else leads to them; a kitchen has its usual door beside those of
+    `passing`; rooms of `told` are entered through whatever leads to them.
     """
     out = sorted({edge(a, b) for a, b in links}, key=_natural)
     for room in rooms:
@@ -74,8 +77,9 @@ def complete_links(
     order = sense()["order"]["types"]
     inner = {r.id for r in rooms if r.type == "hallway" and r.id != start and _off_living(r, rooms, out)}
     after = order.index("dining_room")  # "a second hallway off the living room": first the way to the living room
-    for room in sorted(rooms, key=lambda r: (r.id in only, after if r.id in inner else order.index(r.type))):
-        ways = out if room.id in only else _without_short_cuts(room, rooms, out, start)
+    for room in sorted(rooms, key=lambda r: (r.id in only | told, after if r.id in inner else order.index(r.type))):
+        ways = out if room.id in only | told else _without_short_cuts(room, rooms, out, start)
+        ways = [w for w in ways if w not in passing] if room.type == "kitchen" else ways
         seen = reached(rooms, ways, start)
         if room.id not in seen:
             partner = _partner(room, rooms, out, seen, forbidden)

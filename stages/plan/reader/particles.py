@@ -50,7 +50,16 @@ def bathing(word: Lexeme, following: Lexeme | None, own: bool) -> Lexeme:
 def holds(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
     """Whether this is the `in` of `ein Esstisch im Wohnzimmer`."""
     room = [w.kind for w in after if w.kind != "determiner"][:1] == ["room"]
-    return word.text in IN and room and bool(items) and items[-1].kind == "object"
+    things = [i for i in items if i.kind in ("object", "room") or i.value == "."]
+    goes_on = bool(things) and things[-1].kind == "object" and things[-1].number == 0  # "keine Teppiche: weder im …"
+    return word.text in IN and room and bool(items) and (items[-1].kind == "object" or goes_on)
+
+
+def has_to(words: list[Lexeme], i: int) -> bool:
+    """Whether `have to` stands at `i`, which says of nobody that they have something."""
+    to, verb = [*(w.text for w in words[i + 1 : i + 2]), ""][0], words[i + 2 : i + 3]
+    noun = bool(verb) and verb[0].kind in ("room", "determiner", "number", "label", "size", "mark")
+    return words[i].text in ("have", "has", "had", "having") and to == "to" and bool(verb) and not noun
 
 
 def owns_home(word: Lexeme, following: Lexeme | None) -> bool:

@@ -20,6 +20,10 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
+COUPLE = re.compile(
+    r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
+    r"|\b(?:me|myself|i) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
+)
 SUMMED = re.compile(
     r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
     r"\b(?! in total)"
@@ -43,9 +47,9 @@ def housed(text: str) -> tuple[People | None, str]:
         people, text = _household(text)
         people = people and replace(people, children=max(people.children - fewer, 0))
         return people, text
-    text, claimed = _claims(_placed(text))
+    claims, claimed = _claims(_placed(COUPLE.sub("the couple", text)))
     if claimed:
-        text = SUMMED.sub(r"\1 in total", text)
+        text = SUMMED.sub(r"\1 in total", claims)
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
     people, text = _household(text)
     return _without_sharing(people, text) if people is not None else (people, text)
@@ -119,7 +123,7 @@ def _claims(text: str) -> tuple[str, bool]:
     found += each
     text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = pattern(
-        "{who}{relative}?,? ?(?P<one>(?:{every}|alle|jeweils|各)(?: one| of them)? ?)?{need} ?"
+        "{who}{relative}?,? ?(?:and (?={every}))?(?P<one>(?:{every}|alle|jeweils|各)(?: one| of them)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
         "(?P<each>{each})?(?P<bath> and (?:(?:an?|their|his|her|own|private|separate) )*{bathroom}\\b)?"
         "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
@@ -128,6 +132,7 @@ def _claims(text: str) -> tuple[str, bool]:
     text = pattern("{who} {need} (?P<bath>{article}+{bathroom}\\b)").sub(bathed, text)
     if found:
         text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
+        text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
         text = _with_ours(text, found)
     if found:  # "then my parents also a room, and I a room"
         also = "(?:also |too |auch |aussi |tambien )?"

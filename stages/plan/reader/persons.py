@@ -163,3 +163,15 @@ def _joined(out: list[Item]) -> bool:
 
 def _pair(out: list[Item]) -> bool:
     return len(out) > 3 and out[-3].kind == "conjunction" and out[-4].room is not None and not is_mark(out[-4], ",")
+
+
+def sleeps_in(out: list[Item], items: list[Item], k: int) -> bool:
+    """`they sleep in one bedroom, in a double bed`: the bedroom has it."""
+    inside, room = ([Item("")] * 2 + (out[:-1] if is_mark(last(out), ",") else out))[-2:]
+    fits = items[k].value == "in" and room.room is not None and room.room.type in ("bedroom", "") and inside.value == "in"
+    if not fits or ahead(items, k)[0].kind != "object" or ahead(items, k)[1].value == "in":
+        return False
+    if is_mark(last(out), ","):
+        out.pop()
+    out.append(Item("with", "has", items[k].text))
+    return True

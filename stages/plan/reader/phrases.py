@@ -15,6 +15,7 @@ from apartgen.stages.plan.reader.particles import (
     GERMAN,
     bathing,
     furnishes,
+    has_to,
     holds,
     is_german,
     of_dwelling,
@@ -82,6 +83,8 @@ class Phraser(Modifiers):
             return i + 1  # "I would like a study"
         if word.text == "to" and following is not None and following.text == "be":
             return i + 1  # "must to be", "has to be"
+        if has_to(words, i):
+            return i + 2  # "I have to go"
         word = words[i] = bathing(word, following, Trait.OWN in self.pending.labels)
         if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():
             self.items.append(Item("style", word.value, word.text))  # "five private bedrooms"

@@ -142,7 +142,8 @@ def _program(said: Said, home: Household, doors: Doors, complete: bool) -> Progr
 
     banned = set(pairs(doors.forbidden))
     links = [link for link in pairs(doors.links) if link not in banned]
-    links = complete_links(rooms, links, banned, set(pairs(doors.near)), {ids[id(e)] for e in doors.only})
+    links = complete_links(rooms, links, banned, set(pairs(doors.near)), {ids[id(e)] for e in doors.only},
+                           set(pairs(doors.passing)), {ids[id(e)] for e in doors.reached})  # fmt: skip
     areas = room_areas(said, home, rooms, links, ids)
     style = style_of(said)
     return Program(

@@ -238,7 +238,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"but not (?:with|to|next to) (the [a-z ]+?)(?= ?(?:[.,;]|$))", r"\1 \2 each other. they are not next to \3"),
     (r"\b((?:cocina|salon|bano|dormitorio|terraza|comedor)(?: \w+)?) de (\d+) metros(?! de)", r"\1 de \2 m2"),
     (r"\b((?:[a-z]+teen|ten|twelve|eleven|twenty|thirty|forty)) (met(?:er|re)s) square\b", r"\1 square \2"),
-    (r",? (?:and |who )?they (?:both |all )?sleep in (?:the )?(?:same|one) (?:bed)?room\b", " who share a room"),
+    (r",? (?:and |who )?they (?:both |all )?sleep in (?:the )?(?:same|one) (?:bed)?room\b(?!,? (?:in|with) )", " who share a room"),
     (r"\beverything in one room,? (?:apart from|except|but)(?: for)? the bath ?room\b", "a studio"),
     (r"\b((?:big |large |great |small )?)hall for (?:eating|dining)\b", r"\1dining room"),
     (r",? (?:and )?straight (?:on|ahead),? (?=the |an? |two |three |is |are )", ". ahead "),
