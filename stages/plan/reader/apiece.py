@@ -19,6 +19,12 @@ EACH_BEHIND = re.compile(
     r"(?P<room>study|home office|office|balcony|bath ?room|shower room)(?: for)? each\b(?! other)"
 )
 """The same with `each` at the end."""
+EACH_OF_US = re.compile(
+    r"\b(?P<n>[2-6]|two|three|four|five|six) of us\b(?P<said>[^.;:]{0,40})[.;:,-] ?(?:and )?(?:everyone|everybody|each)"
+    r"(?: of us| one)? (?:gets?|has|have|needs?|wants?|should have|must have) (?:an?|their own|his own|our own) "
+    r"(?:own )?(?:bed ?)?room\b"
+)
+"""People of whom nobody shares a room."""
 EACH_OF_FAMILY = re.compile(
     r"\b(?:everyone|everybody|each(?: one| member| person)?|every member) (?:in|of) (?:the|our|my|a) "
     r"family of (?P<n>[2-6]|two|three|four|five|six) (?:has|have|needs|wants|gets|should have|must have) "
@@ -95,6 +101,7 @@ def apiece(text: str) -> str:
     """A folded text with as many of such rooms as there are people."""
     for pattern in (EACH_NEEDS, EACH_BEHIND):
         text = pattern.sub(_of_each, text)
+    text = EACH_OF_US.sub(r"a flat for \g<n> people\g<said>: \g<n> bedrooms", text)
     return EACH_OF_FAMILY.sub(r"\g<n> bedrooms", text)
 
 

@@ -51,7 +51,8 @@ def belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare:
     if not first and after and after[0].kind in ("link", "front"):
         return False
     alike = not owner.owned or bool(owner.owned[-1].quantifier) >= bool(phrase.quantifier)
-    return first or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
+    stored = phrase.type == "storage" and kind == "kitchen" and not bare and not owner.owned
+    return first or stored or phrase.type in ("closet", "balcony") and (not bare or listed) and alike
 
 
 def _not_own(owner: RoomPhrase) -> set[Trait]:

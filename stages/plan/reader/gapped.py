@@ -80,6 +80,20 @@ def holds(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def another_alike(out: list[Item], items: list[Item], k: int) -> bool:
+    """`bedroom, bedroom, bathroom`: two bedrooms."""
+    room, before = items[k].room, last(out[:-1]).room
+    joined = is_mark(last(out), ",") or last(out).kind == "conjunction"
+    after = ahead(items, k)[0]
+    joined = joined and (after.kind in ("", "conjunction", "boundary") or is_mark(after, ",.)"))
+    if room is None or before is None or not joined or room.type not in ("bedroom", "bathroom", "balcony"):
+        return False
+    plain = all(r.quantifier in (Det.BARE, Det.ANOTHER) and not (r.count or r.plural or r.negated) for r in (room, before))
+    if plain and room.text == before.text and not (room.labels or before.labels or room.ordinals or before.ordinals):
+        room.quantifier = Det.ANOTHER
+    return False
+
+
 def _within(out: list[Item]) -> bool:
     """Whether a relative clause begins: `a living room that has the kitchen`."""
     return last(out).kind == "relative"

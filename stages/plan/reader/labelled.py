@@ -32,7 +32,9 @@ def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
         return [e for e in known if e.area == phrase.areas[0]][:1] or None
     if phrase.text.split()[0] not in POSSESSIVE:
         return None
-    free = [e for e in known if e.name == phrase.text] or [e for e in known if e.name.split()[0] not in POSSESSIVE]
+    free = [e for e in known if e.name == phrase.text] or [
+        e for e in known if not e.name.startswith((*POSSESSIVE, "parent")) and not e.labels & OTHERS
+    ]
     for room in free[:1]:
         room.name = phrase.text
     return free[:1]

@@ -7,6 +7,12 @@ CODES = {"k": "kitchen", "kt": "kitchen", "lr": "living room", "dr": "dining roo
 """Abbreviations of rooms that are read as such only where a text has two of them."""
 DIGITS = {sign: n for n, sign in enumerate("一二三四五六七八九", 1)} | {"两": 2, "兩": 2}
 
+_TYPED = re.compile(r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)s?"?\s*[,.]\s*"?(?:count|number)"?\s*:\s*(\d)\s*\)')
+_TYPED_TO = re.compile(
+    r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)"?\s*[,.]\s*"?(open|next|adjacent|connected) to"?\s*:\s*"?([a-z ]+?)"?\s*\)'
+)
+_DOTTED = re.compile(r"(?<=[a-z])\.(?=[a-z][a-z ]*\s*:)")
+_OPEN_KEY = re.compile(r"\b(kitchen|living room|dining room) open\s*:\s*(?:true|yes|1)\b")
 _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
 _KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
@@ -68,6 +74,9 @@ def _side(found: re.Match[str]) -> str:
 def worded(text: str) -> str:
     """A folded text with truth values as yes and no, areas behind their units, codes and numerals written out."""
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
+    text = _TYPED.sub(r"\2 \1s, ", text)
+    text = _TYPED_TO.sub(r"\1 \2 to \3, ", text)
+    text = _OPEN_KEY.sub(r"open \1", _DOTTED.sub(" ", text))
     text = _WHOSE.sub(r"\1", _TAG.sub(r"\1 ;", text))
     text = re.sub(r" / ", " ; ", text) if text.count(" / ") > 1 else text
     text = _OBJECT.sub(_with_relations, text)

@@ -18,11 +18,12 @@ def in_several(items: list[Item]) -> list[Item]:
     out: list[Item] = []
     k = 0
     items = _neither_has(_none_of_several(items))
+    _known_places(items)
     while k < len(items):
         end = _things_end(items, k)
         inside = _first_place(items, end, denied=items[k].number == 0) if end > k else None
         places, after = _places(items, inside, denied=items[k].number == 0) if inside is not None else ([], k)
-        if len(places) < 2:
+        if len(places) < 2 and (inside is None or inside == end + 1):
             end = max(end, k + 1)
             out += items[k:end]
             k = end
@@ -33,6 +34,21 @@ def in_several(items: list[Item]) -> list[Item]:
         out.pop()
         k = after
     return out
+
+
+def _known_places(items: list[Item]) -> None:
+    """`one bedroom; tv not in bedroom`: in the one that was named, though no article says so."""
+    named: set[str] = set()
+    for k, item in enumerate(items):
+        room = item.room
+        if room is None:
+            continue
+        within = k > 1 and items[k - 1].kind == "with" and items[k - 1].value == "in"
+        within = within and items[k - 2].kind in ("object", "negation", "copula")
+        plain = room.quantifier == Det.BARE and room.count is None and not (room.labels or room.ordinals or room.plural)
+        if within and plain and room.type in named:
+            room.quantifier = Det.THE
+        named.add(room.type)
 
 
 def _things_end(items: list[Item], k: int) -> int:
@@ -90,8 +106,8 @@ def _listed(items: list[Item], at: int, joint: list[Item]) -> bool:
     if any(i.kind in JOINING for i in joint):
         return one
     rest = items[at + 1 : at + 6]
-    closes = next((i.kind == "conjunction" for i in rest if i.room is None and not is_mark(i, ",")), False)
-    return one and room.quantifier == Det.THE and closes
+    joins = next((i.value for i in rest if i.room is None and not is_mark(i, ",")), "")
+    return one and (joins == "or" or (joins == "and" and room.quantifier == Det.THE))
 
 
 def _none_of_several(items: list[Item]) -> list[Item]:
@@ -117,10 +133,12 @@ def _neither_has(items: list[Item]) -> list[Item]:
         while end < len(items) and (items[end].room is not None or items[end].kind == "conjunction"):
             end += 1
         rooms = [i for i in items[start:end] if i.room is not None]
+        while start > k and end < len(items) and items[end].kind == "copula":
+            end += 1
         neither = start > k and end < len(items) and items[end].value == "has"
         none = start == k and end < len(items) and items[end].text == "不 要"
         things_end = _things_end(items, end + 1) if (neither or none) and end + 1 < len(items) else end + 1
-        if len(rooms) < 2 or things_end <= end + 1 or items[start].room is None:
+        if len(rooms) < 2 - neither or things_end <= end + 1 or items[start].room is None:
             out.append(items[k])
             k += 1
             continue
@@ -128,6 +146,7 @@ def _neither_has(items: list[Item]) -> list[Item]:
         for item in rooms:
             assert item.room is not None
             item.room.negated = False
+            item.room.quantifier = Det.BOTH if len(rooms) == 1 else item.room.quantifier
             out += [*things, Item("with", "in", "in"), item, Item("mark", ",", ",")]
         out.pop()
         k = things_end

@@ -16,6 +16,7 @@ from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
+from apartgen.stages.plan.reader.learners import as_learnt
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
@@ -48,7 +49,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = rephrased(entered(in_passing(plainly(once_more(turned(fold(prompt)))))))
+    folded = rephrased(entered(in_passing(plainly(once_more(turned(as_learnt(fold(prompt))))))))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)

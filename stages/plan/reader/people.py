@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
+from apartgen.stages.plan.reader.possessions import aged, ours, possessed
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
@@ -36,18 +37,20 @@ def housed(text: str) -> tuple[People | None, str]:
 
     Where some have rooms, others beside them have some, too; where nobody has, they are told as a household.
     """
-    text = apiece(text)
+    text = aged(apiece(text))
     if not any(stem in text for stem in data()["stems"]):
         return None, text
     text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
-    text = re.sub(r"\b(?:our|my) (?:own )?bedroom\b", "the parents' bedroom", text)
+    mine = "my room" if re.search(r"\bparents' bedroom|\bmy parents\b", text) else "the parents' bedroom"
+    text = re.sub(r"\bour (?:own )?bedroom\b", "the parents' bedroom", re.sub(r"\bmy (?:own )?bedroom\b", mine, text))
     text = pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
     fewer, text = _told_again(text)
     if fewer is not None:
         people, text = _household(text)
         people = people and replace(people, children=max(people.children - fewer, 0))
         return people, text
-    claims, claimed = _claims(_placed(COUPLE.sub("the couple", text)))
+    others = pattern("{who}").search(COUPLE.sub("", text)) is not None
+    claims, claimed = _claims(_placed(COUPLE.sub("the couple", text) if others else text))
     if claimed:
         text = SUMMED.sub(r"\1 in total", claims)
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
@@ -94,13 +97,13 @@ def _claims(text: str) -> tuple[str, bool]:
         if re.search(r",? an? \w+$", match.group()) and _for_them(match):
             return match.group()
         count = number_of(match) or number_of(match, "later")
-        apart = bool(match["each"] or match["one"] or match["own"])
+        apart = bool(match["each"] or match["one"] or match["own"] or match["of"])
         found.append(match.group())
         both = match.group().startswith(("both ", "beide ")) and several(match)
         apart = apart or both
         if not count:
             count = 2 if apart and several(match) else 1
-        one = not apart and re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$", match.group())
+        one = not apart and (kind_of(match) == "twins" or re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$|一间", match.group()))
         rooms = rooms_for(match, count if (apart or several(match)) and not one else 1)
         return rooms + " each with its own bathroom" if match["bath"] else rooms
 
@@ -120,10 +123,12 @@ def _claims(text: str) -> tuple[str, bool]:
         return f"{rooms_for(match, 1)} with its own bathroom"
 
     text, each = _each_of(text)
-    found += each
+    text, which = possessed(text)
+    found += each + which
     text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = pattern(
-        "{who}{relative}?,? ?(?:and (?={every}))?(?P<one>(?:{every}|alle|jeweils|各)(?: one| of them)? ?)?{need} ?"
+        "(?P<of>\\b(?:each|every one|all|both) of )?{who}{relative}?,? ?(?:and (?={every}))?"
+        "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)(?: one| of them)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
         "(?P<each>{each})?(?P<bath> and (?:(?:an?|their|his|her|own|private|separate) )*{bathroom}\\b)?"
         "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
@@ -133,13 +138,23 @@ def _claims(text: str) -> tuple[str, bool]:
     if found:
         text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
         text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
-        text = _with_ours(text, found)
+        text = _with_ours(ours(text), found)
+        text = _heading(text)
     if found:  # "then my parents also a room, and I a room"
         also = "(?:also |too |auch |aussi |tambien )?"
         gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
         text = gapped.sub(_gapped, text)
         text = re.sub(r"\bi (?:also )?an? room\b", "another bedroom", text)
     return text, bool(found)
+
+
+def _heading(text: str) -> str:
+    """`our three daughters: …`, before the rooms of each, counts no further rooms."""
+    def people(match: re.Match[str]) -> str:
+        return "" if kind_of(match) == "child" and several(match) else match.group()
+
+    rooms = "(?:an?|\\d) (?:small |large )?(?:kids room|relative's room)"
+    return pattern(f"(?:we (?:have|are) (?:got )?)?{{who}} ?[:;.-]+ ?(?={rooms})").sub(people, text)
 
 
 def _gapped(match: re.Match[str]) -> str:

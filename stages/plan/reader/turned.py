@@ -1,6 +1,8 @@
 """Clauses in an order the rules do not follow, and adverbs that part a verb from its room, in words they know."""
 
 
+import re
+
 from apartgen.stages.plan.reader.patterns import late
 
 _ROOM_EN = r"(?:the |an? |our |my )?[a-z'-]+(?: (?:room|hall|closet|wc))?"
@@ -11,6 +13,8 @@ _ROOM_ZH = r"[^,.;:和与跟之间]{1,6}"
 _BE = r"(?:there )?(?:is|are|must|should|shall|may|can|will|has|have)? ?(?:to )?(?:there )?(?:be )?"
 _END = r"(?= ?(?:[.,;:!)]|$|and |but |so |und |et |y |because ))"
 _MORE = r"bed ?room|bath ?room|toilet|wc|balcony|study|room|shower room|store ?room|storage room|closet|terrace|office"
+_WHO = ("(?:you|one|we|i|people|nobody|visitors|guests|(?:the|a|my|our) "
+        "(?:robot|player|agent|drone|user|wheelchair|character|cat|dog|guests?))")
 _VERB = ("flows?|opens?|leads?|connects?|runs?|merges?|blends?|extends?|goes|go|spills?|passes|gives|"
          "open|opening|flowing|leading|connected|linked|joined|attached|accessible|reachable|reached|entered|next|"
          "adjacent|close")  # fmt: skip
@@ -32,14 +36,79 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\b(one|two|three|an?|\d) ((?:small |big |large |guest |separate )?(?:{_MORE})s?) more{_END}", r"\1 more \2"),
     # "weder im Wohnzimmer noch im Flur"
     (r"\bweder ([^.;:]+?) noch ", r"neither \1 nor "),
+    # "you cannot walk directly from the kitchen into the living room; you have to go through the hallway"
+    (rf"\b{_WHO} (?:can ?not|can't|must not|mustn't|should not|shouldn't|may not|is not able to|never)(?: be able to)? "
+     rf"(?:walk|go|get|pass|step|move|drive|come)s?(?: directly| straight)* from ({_ROOM_EN})(?: directly| straight)* "
+     rf"(?:in|on)?to ({_ROOM_EN}){_END}", r"no door between \1 and \2"),
+    (rf"[,;:]? ?(?:but |and |so )?\b{_WHO} (?:always |only )?(?:must|have to|has to|needs? to|should|will) "
+     rf"(?:always |first )?(?:go|pass|walk|get|drive|move|come|cross)(?: there)?(?: through| via| by)? "
+     rf"the (?:hall|hallway|corridor){_END}", ""),
+    # "the living room runs into the kitchen without any wall"
+    (r"\b(?:runs?|goes|go|extends?|leads?|opens?|passes|continues?|flows?|blends?)(?: on| straight| directly)*"
+     r" (?:in|on)?to ((?:the )?(?:kitchen|living room|dining room|dining area|lounge)),? without (?:any|an?) (?:dividing )?"
+     r"walls?(?: (?:in )?between(?: them)?)?", r"is open to \1"),
+    (r"\b(spills?|spilling|spilled) (?:over )?(?:in|on)?to ", r"open to "),
+    # "two bedrooms at opposite ends of the flat"
+    (r"\b(two|both|the|three) (bed ?rooms|bath ?rooms)\b([^.;]*?),? (?:(?:both |which |that )?(?:are |being |lie |placed |at))?"
+     r"(?:at|on) (?:the )?(?:opposite|different|two|both|far) (?:ends|sides) of (?:the |my |our )?"
+     r"(?:flat|apartment|home|house|plan|corridor|hall|hallway|unit)\b", r"\1 \2\3. the \2 are far from each other"),
+    # "put a table in the kitchen, … put it in the dining room"
+    (r"\b(an?|the|one) ([a-z]+) (in(?:to)? [^.;,]+)[.;,] ?((?:but |and |please |rather |instead )*)(put|place|move) it in(?:to)? ",
+     r"\1 \2 \3. \4\5 a \2 in "),
+    # "every door leads off it", "everything as small as possible"
+    (r"\b(?:every|all the|all) doors? (?:leads?|opens?|goes|go|is|are|should be|must be)(?: off| to| onto| into| from| on| in)+ "
+     r"(?:it|this|the (hall|hallway|corridor))\b", r"all rooms open onto the hallway"),
+    (r"\beverything (?:(?:should be|must be|is) )?(?:as (?:small|compact|tight) as possible|very small|tiny|compact)\b", "compact"),
+    # "the dining room sits between kitchen and living room with doors to both"
+    (rf"(?:,? (?:which |that )?(?:is|sits|lies|placed|located|should be))? between ({_ROOM_EN}) and ({_ROOM_EN}),? "
+     r"(?:with|and has|having|and with) (?:an? |one )?doors? to (?:both|each|either)(?: of (?:them|these|the two))?",
+     r" with a door to \1 and a door to \2"),
+    # "short way from bedroom to toilet"
+    (rf"\b(?:an? )?(?:short|quick|easy) (?:way|path|walk|distance|route|trip) (?:from|between) ({_ROOM_EN}) (?:to|and) "
+     r"(?:the )?(?:toilet|bathroom|bath|loo)\b", r"\1 next to the bathroom"),
+    # "three bedrooms: one 10, one 12 and one 15 square metres"
+    (r"\b(bed ?rooms|bath ?rooms|balconies)[:,]? (?:one|the first|a) (?:of |is )?(\d+)(?: m2| sqm)?,? (?:and )?(?:one|the second|a|"
+     r"the other) (?:of |is )?(\d+)(?: m2| sqm)?,? (?:and )?(?:one|the third|a) (?:of |is )?(\d+) (m2|sqm|square met(?:er|re)s)",
+     r"\1 of \2, \3 and \4 m2"),
+    (r"\b(bed ?rooms|bath ?rooms|balconies)[:,]? (?:one|the first|a) (?:of |is )?(\d+)(?: m2| sqm)?,? (?:and )?(?:one|the second|a|"
+     r"the other) (?:of |is )?(\d+) (m2|sqm|square met(?:er|re)s)", r"\1 of \2 and \3 m2"),
+    # "one for the boys with two beds"
+    (r"(?<!flat )(?<!apartment )(?<!house )(?<!home )(?<!studio )(?<!place )\bwith (two|three|[23]) beds\b"
+     r"(?!,? ?(?:and |& )?(?:one|two|an?|\d) bath)", r"with \1 double beds"),
+    # "connect everything to a corridor", "link all rooms to the hall"
+    (r"(^|[.;,:] ?|\band )(?:please )?(?:connect|link|join|attach) (everything|(?:all|every) (?:the |other |of the )?rooms?)"
+     r"(?: up)? (?:to|with) ", r"\1all rooms open onto "),
+    # "in the first there is a big bed", "in the second two small beds"
+    (r"(^|[.,;:] ?|\band )in ((?:the (?:first|second|third|other|smaller|larger|bigger|main)(?: one| bed ?room)?|each|both)),?"
+     r" (?:there )?(?:is|are|must be|should be|i want|we want|i need|put|goes|go|stands?) ", r"\1\2 has "),
+    (r"\b(has|have|with|put|is|are|for|in) (an?|one|two|three|\d) (?:small|little|narrow) bed(s?)\b", r"\1 \2 single bed\3"),
+    (r"\b(has|have|with|put|is|are|for|in) (an?|one|two|three|\d) (?:big|large|wide|king[- ]size|queen[- ]size) bed(s?)\b",
+     r"\1 \2 double bed\3"),
     # "I hear everything", of no room
     (rf"\b(i|we|he|she|they|you|one|who) ((?:can |will |could )?(?!want|need|have|put|keep)[a-z]+) everything{_END}",
      r"\1 \2"),
 )]  # fmt: skip
 
 
+_LINED = re.compile(
+    r"\b(?:(?:\d|two|three|four|five|six|seven) )?(?:rooms|spaces) (?:(?:arranged |laid out )?in (?:a|one) (?:single )?(?:line|row|chain|"
+    r"sequence|series)|one after (?:another|the other))[^:;.]*?(?:, | - |: ?)(?P<first>(?:an? |the )?[a-z ]+(?:, | -> | and )[^.;]+)"
+)
+_STUDIO_BED = re.compile(r"(?<!one )(?<!1 )(?<!two )(?<!2 )\bbed (?=(?:near|by|under|opposite|in|at|next|against|behind|on)\b)|(?<=\bthe )bed\b")
+
+
+def _in_line(found: re.Match[str]) -> str:
+    """`five rooms in a line: hall, lounge, kitchen` as a chain of doors."""
+    tail, after = found["first"], ""
+    if ", each" in tail:
+        tail, after = tail.split(", each", 1)
+    names = [name for name in re.split(r", (?:and )?| -> | and |->", tail) if name]
+    return " -> ".join(names) + ("" if "->" in after else "")
+
+
 def turned(text: str) -> str:
     """A folded text with such clauses in the usual order."""
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
-    return text
+    text = _LINED.sub(_in_line, text) if "rooms in" in text or "one after" in text else text
+    return _STUDIO_BED.sub("double bed ", text) if "studio" in text and "bedroom" not in text else text

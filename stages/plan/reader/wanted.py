@@ -35,6 +35,7 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
     """Bedrooms for the people named, where the prompt counts none; a loft has none."""
     known = home.of("bedroom")
     named = [e for e in known if not e.vague]  # "the grandmother's room" is one of theirs
+    named = named or (known if {Trait.MASTER, Trait.KIDS} <= {label for e in known for label in e.labels} else [])
     nursery = len(known) == 1 and Trait.KIDS in known[0].labels and not (home.totals or said.main_rooms)
     if nursery and not known[0].counted:
         home.add("bedroom")  # of those whose child it is

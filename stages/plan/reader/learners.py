@@ -1,0 +1,43 @@
+"""English as those write it who learn it, in the words and the order of those who do not."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+
+_ROOM = r"(?:bed ?room|bath ?room|living room|dining room|kitchen|balcony|hall|study|toilet|room|lounge|corridor)"
+_LIVING = re.compile(r"\b(?:living|lounge|sitting|main room|salon)")
+
+
+def _big_room(found: re.Match[str]) -> str:
+    """`hall, kitchen, big room and bedroom`: the big one is the living room, where none is named."""
+    return found.group() if _LIVING.search(found.string) or "bedroom" not in found.string else f"{found[1]}living room"
+
+
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "kitchen no have door", "there is not balcony", "it is not balcony"
+    (r"\b(no|not) (have|has) (?:an? |any )?", "has no "),
+    (r"\b(?:there is|there are|it is) not (?:an? |any )?(?=(?:balcony|hall|corridor|study|dining|toilet|pantry|storage|tv|sofa|"
+     r"table|desk|bathtub|[a-z]+room)\b)", "there is no "),
+    # "Big room is 25 meters", "kitchen of 10 meters"
+    (rf"({_ROOM}) ?(is|are|has|of|about|:|,|-)? ?(about )?(\d{{1,2}}(?:\.\d)?) met(?:er|re)s?(?! ?(?:long|wide|by|x|high|from|away|"
+     r"square|deep|in|of|and \d))", r"\1 \2 \3\4 m2"),
+    (rf"(^|[.;,] ?)({_ROOM}) (is|must be|should be) (?!one\b|two\b|three\b|for\b|\d (?:room|bed)|in the plan)", r"\1the \2 \3 "),
+    (r"\b((?:the |one |a )?)(?:big|large|great) room(?= ?(?:[.,;]|is|and|with|$))", _big_room),
+    # "balcony not in bedroom but in kitchen"
+    (rf"\b((?:the |an? )?(?:balcony|terrace|closet|pantry|storage room)) not (?:in|off|on|at) (?:the |an? )?{_ROOM},? but "
+     rf"(?:in|off|on|at) (?:the |an? )?({_ROOM})\b", r"\1 off the \2"),
+    # "not make the kitchen open"
+    (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to be |be |which is )?"
+     r"open\b(?! to)", "separate kitchen"),
+    (r"\b(?:do not|don't) (?:want|like|need) (?:the |an? )?open (?:plan )?kitchen\b", "separate kitchen"),
+    # "the bathroom is entering from the bedroom"
+    (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
+    (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),
+)]  # fmt: skip
+
+
+def as_learnt(text: str) -> str:
+    """A folded text with such clauses put right."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text

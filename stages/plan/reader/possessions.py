@@ -1,0 +1,118 @@
+"""Who has which room, said by a verb: `my son gets the small one, my daughter the big one`, `we sleep in the third`."""
+
+import re
+
+from apartgen.stages.plan.reader.kin import kind_of, number_of, pattern, rooms_for, several, value_of
+
+VERB = (r"(?:{need}|takes?|uses?|occup(?:y|ies)|(?:sleeps?|stays?|lives?|is|are|moves?) in(?:to)?|schlaf(?:t|en) in|"
+        r"nimmt|nehmen|dor(?:t|ment) dans|prend|prennent|duermen? en|ocupan?)")  # fmt: skip
+"""What people do who have a room."""
+WHICH = (r"(?:(?P<size>small|smaller|smallest|little|tiny|big|bigger|biggest|large|larger|largest|main|guest|"
+         r"single|double)(?:er|est)? |second |third |fourth |last |other |first |same )?")  # fmt: skip
+OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this) )(?:own )?(?:(?P<many>{{numbers}}) )?{WHICH}"
+          r"(?P<noun>bed ?rooms?|rooms?|ones?)(?! (?:bath|wide|of (?:the|our) (?:flat|house)))\b(?!')")  # fmt: skip
+AGED = re.compile(
+    r"\b(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
+    r"(?=,? (?:in |can |will |both |each |share|sleep|has |have |get|need|want|take))"
+    r"|\b(the|his|her|their) (eldest|oldest|youngest|elder|younger)(?=,? (?:in |can |will |share|sleep|has |gets?|needs?|wants?|takes?))"
+)
+"""Children told by their age."""
+SEVERAL = re.compile(r"\b(?:two|three|four|five|six|[2-6])[ -]?(?:bed ?rooms?|br\b|schlafzimmer|chambres|dormitorios)")
+"""Bedrooms that are counted: those of whom it is told are among them."""
+IN_BEDS = re.compile(r"\b(sleep) in (?:(?:a|two) )?((?:[a-z]+ )?beds?) (in (?:one|the same|a) (?:bed ?)?room)\b")
+BARE = re.compile(
+    r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small))"
+    r"(?= ?(?:[.,;]|$| and (?:i|we|my|our|the)\b))"
+)
+"""What tells a room without a word for it."""
+OURS = (
+    r"\b(?:we|my [a-z]+ and i|i and my [a-z]+) (?:both |two |parents )?(?:{verb}) (?:the|an?|our|one) (?:own )?"
+    r"(?:(?:biggest|largest|big|large|second|third|fourth|last|other|main|remaining|same|smallest|small) )?"
+    r"(?:bed ?room|room|one|other)\b"
+)
+OURS_ELSEWHERE = re.compile(
+    r"\bwe (?:take|get|have|sleep in|use) the (?:biggest|largest|third|last|other|remaining)(?= ?(?:[.,;]|$))"
+    r"|\bwir (?:schlafen|wohnen|haben|nehmen|bekommen)(?: in| im)? (?:de[mnr] |das |die )?"
+    r"(?:dritten|vierten|zweiten|grossten|grosste|anderen|andere|letzten)(?: schlafzimmer| zimmer)?\b"
+    r"|\bnous (?:avons|dormons dans|prenons|occupons|aurons) (?:la |une )?(?:plus grande|troisieme|quatrieme|deuxieme|"
+    r"derniere|autre)(?: chambre)?\b"
+    r"|\bnosotros (?:dormimos en|tenemos|ocupamos|usamos) (?:la |el |una? )?(?:mas grande|tercer[oa]?|segund[oa]|cuart[oa]|"
+    r"ultim[oa]|otr[oa])(?: habitacion| dormitorio)?\b"
+)
+MINE = (
+    r"\bi (?:also )?(?:{verb}) (?:the|an?|my|one) (?:own )?(?:(?:second|third|fourth|last|other|remaining|small|big) )?"
+    r"(?:bed ?room|room|one|other)\b(?! bath)"
+)
+SELF = "(?:takes?|gets?|has|have|needs?|wants?|uses?|sleeps? in|live in|stay in)"
+
+
+def aged(text: str) -> str:
+    """`the two little ones`, `the eldest` as children, where a text speaks of some."""
+    if not re.search(r"\b(?:children|kids?|sons?|daughters?|boys|girls)\b", text):
+        return text
+    text = AGED.sub(lambda found: f"{found[1]} children" if found[1] else f"{found[2]} {found[3]} child", text)
+    text = re.sub(r"\b(the (?:little|small|young|older|younger|big|bigger|elder|other) )children(?= (?:has|gets|needs|wants|takes))", r"\1child", text)
+    return IN_BEDS.sub(r"\1 \3 with \2", text)
+
+
+def possessed(text: str) -> tuple[str, list[str]]:
+    """A folded text with rooms in the place of clauses that say who has one, and those clauses."""
+    found: list[str] = []
+    said, text = text, BARE.sub(r"\1 one", text)
+    counted = SEVERAL.search(said) is not None
+
+    def room(match: re.Match[str]) -> str:
+        plain = match["noun"].startswith(("room", "bed"))
+        if not plain and not (match["size"] or re.search(r"\b(?:one|ones)$", match.group())):
+            return match.group()
+        found.append(match.group())
+        if counted and not match["many"]:
+            known = f"the {match['size']} bedroom" if match["size"] else "one of the bedrooms"
+            return "the parents' bedroom" if kind_of(match) in ("couple", "spouse") else known
+        many = value_of(match["many"]) if match["many"] else 1
+        one = not match["noun"].endswith("s") or many == 1
+        rooms = rooms_for(match, 1 if one else many)
+        return _sized(rooms, match["size"])
+
+    def shared(match: re.Match[str]) -> str:
+        found.append(match.group())
+        return rooms_for(match, 1)
+
+    text = pattern("{who}{relative} (?:will |can |must |should )?(?:share|teilen|partagent|comparten)(?= ?(?:[,.;:]|$|and ))"
+                   ).sub(shared, text)  # fmt: skip
+    text = pattern(f"{{who}}{{relative}}? (?:will |should |must |can )?{VERB} {OBJECT}").sub(
+        lambda match: room(match) if _takes(match) else match.group(), text)  # fmt: skip
+    if found:
+        text = pattern(f"{{who}}{{relative}}? (?:will |should |must |can )?share {OBJECT}").sub(
+            lambda match: _sized(shared(match), match["size"]), text)  # fmt: skip
+        text = pattern(rf"(?<=[,;] )(?:and |while )?{{who}},? (?:in )?{OBJECT}").sub(room, text)
+    return (text if found else said), found
+
+
+def _takes(match: re.Match[str]) -> bool:
+    """Whether the clause tells which room somebody has, rather than that there is to be one for them."""
+    which = re.search(r"\b(?:the|his|her|their) (?:own )?(?:[a-z]+ ){0,2}(?:bed ?rooms?|rooms?|ones?)$", match.group())
+    own = re.search(r"\b(?:own|same)\b", match.group())
+    single = kind_of(match) != "child" or not several(match) or number_of(match) == 1
+    single = single and kind_of(match) != "spouse"
+    return bool(which) and not own and (single or bool(match["many"]) or match["noun"].endswith("s"))
+
+
+def _sized(rooms: str, size: str | None) -> str:
+    """`a kids room` that is large or small."""
+    word = {"s": "small", "l": "small", "b": "large", "t": "small"}.get((size or " ")[0], "")
+    word = "large" if (size or "").startswith("large") else word
+    if not word or size in ("single", "double", "main", "guest") or "parents'" in rooms:
+        return rooms
+    return re.sub(r"^(a|\d+) ", rf"\1 {word} ", rooms)
+
+
+def ours(text: str) -> str:
+    """Rooms of those who write, in a text that tells rooms of others."""
+    def parents(match: re.Match[str]) -> str:
+        before = "parents' bedroom" in match.string[: match.start()]
+        return "another bedroom" if before else f"{'the' if SEVERAL.search(text) else 'a'} parents' bedroom"
+
+    text = OURS_ELSEWHERE.sub(parents, text)
+    text = re.sub(OURS.replace("{verb}", SELF), parents, text)
+    return re.sub(MINE.replace("{verb}", SELF), "another bedroom", text)
