@@ -49,6 +49,7 @@ class Entity:
     counted: bool = False
     picked: bool = False
     vague: bool = False
+    spoken: bool = False
     rank: str = ""
     name: str = ""
 

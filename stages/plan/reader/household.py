@@ -7,7 +7,7 @@ from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
-from apartgen.stages.plan.reader.ranked import another_one, counted_off, index_of, other_than, ranked, sized_otherwise
+from apartgen.stages.plan.reader.ranked import another_one, counted_off, index_of, other_than, ranked, rest_of, sized_otherwise
 from apartgen.stages.plan.reader.traits import lay
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -21,13 +21,14 @@ BOXES = ("box room", "boxroom")
 class Household:
     """Rooms in the order of their creation, and what each phrase refers to."""
 
-    def __init__(self, mentions: set[int]) -> None:
+    def __init__(self, mentions: set[int], asked: set[int] = frozenset()) -> None:  # type: ignore[assignment]
         self.rooms: list[Entity] = []
         self.refs: dict[int, list[Entity]] = {}
         self.totals: dict[str, int] = {}
         self.banned: set[tuple[str, str]] = set()
         self.open_kitchen = False
         self.mentions = mentions
+        self.asked = asked
         self.last: list[Entity] = []
         self.group: list[Entity] = []
 
@@ -59,6 +60,7 @@ class Household:
         for entity in self.rooms[before:]:
             named = phrase.quantifier == Det.BARE and (id(phrase) in self.mentions or phrase.plural)
             entity.name = phrase.text
+            entity.spoken = phrase.quantifier == Det.BARE and id(phrase) in self.asked and not phrase.plural
             entity.vague = bool(phrase.ordinals) or phrase.count is None and (phrase.definite or named)
         lay(phrase, found)
         self.refs[id(phrase)] = found
@@ -93,8 +95,9 @@ class Household:
             return []
         if phrase.type == "":
             return self._ellipsis(phrase)
-        if Trait.HALLS in phrase.labels:
-            return self._halls(phrase)
+        if Trait.HALLS in phrase.labels:  # Chinese counts of halls: a living room, then a dining room
+            made = self._ensure("living_room", min(int(phrase.count or 1), 1))
+            return made + (self._ensure("dining_room", 1) if (phrase.count or 1) > 1 else [])
         if phrase.rank and phrase.whole and phrase.type not in self.totals and len(self.of(phrase.type)) < 2:
             self._ensure(phrase.type, phrase.whole)
         if found := ranked(phrase, self.of(phrase.type)):
@@ -122,12 +125,6 @@ class Household:
         known = [e for e in rooms if labels & e.labels]
         known = rooms if phrase.quantifier == Det.THE and len(known) < most <= len(rooms) else known
         return counted_off(known + self.add(phrase.type, most - len(known)), phrase.ordinals)
-
-    def _halls(self, phrase: RoomPhrase) -> list[Entity]:
-        """Chinese counts of halls: the first is the living room, the second the dining room."""
-        count = int(phrase.count or 1)
-        made = self._ensure("living_room", 1 if count else 0)
-        return made + (self._ensure("dining_room", 1) if count > 1 else [])
 
     def _headline(self, phrase: RoomPhrase) -> list[Entity]:
         count = phrase.count or 0
@@ -232,12 +229,15 @@ class Household:
         known = self.of(phrase.type)
         mentioned = id(phrase) in self.mentions
         if phrase.quantifier == Det.ANOTHER:
+            if rest := rest_of(phrase, known):
+                return rest  # "three-bed flat: a main bedroom with ensuite, two further bedrooms"
             free = [e for e in known if e.area is None] if phrase.areas and phrase.type in self.totals else []
             return free[:1] or self.add(phrase.type, int(phrase.count or 1))
         if phrase.count == len(known) > 1 and any(e.picked for e in known) and not (phrase.definite or phrase.another):
             return known  # "one bedroom has a balcony, the other a closet. Two bedrooms."
         plain = mentioned or phrase.count in (None, 1)
-        vague = [e for e in known if e.vague and not (plain and e.labels & set(DISTINCT))]
+        spoken = [e for e in known if e.spoken and phrase.count == 1 and len(known) == 1]
+        vague = spoken or [e for e in known if e.vague and not (plain and e.labels & set(DISTINCT))]
         if vague and not phrase.definite and (phrase.count is not None or not mentioned):
             for entity in vague:
                 entity.vague = False

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from apartgen.stages.plan.reader.entity import DISTINCT, OTHERS, Entity
 from apartgen.stages.plan.reader.halls import may_be
 from apartgen.stages.plan.reader.mention import RoomPhrase
+from apartgen.stages.plan.reader.ranked import rest_of
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 if TYPE_CHECKING:
@@ -65,6 +66,8 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     placed = placed and phrase.count is None and len([e for e in free if e.counted]) > 1  # "study near master bedroom"
     lone = phrase.type == "bedroom" and len(home.of("bedroom")) == 1 and bool(free) and not free[0].counted
     another = lone and bool(labels & OTHERS) and not total  # "their bedroom …; the guest room …"
+    further = rest_of(phrase, home.of(phrase.type)) if phrase.quantifier == Det.ANOTHER else []
+    placed = placed or bool(further)  # "a main bedroom, two further doubles"
     take = free if placed or (not another and _among_known(phrase, labels, free, total)) else []
     found = take[-count:] if labels & OTHERS else take[:count]  # the first bedroom is whose the home is
     full = len(home.of(phrase.type)) >= home.totals.get(phrase.type, 99) and phrase.quantifier != Det.ANOTHER

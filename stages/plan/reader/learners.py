@@ -26,6 +26,14 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "balcony not in bedroom but in kitchen"
     (rf"\b((?:the |an? )?(?:balcony|terrace|closet|pantry|storage room)) not (?:in|off|on|at) (?:the |an? )?{_ROOM},? but "
      rf"(?:in|off|on|at) (?:the |an? )?({_ROOM})\b", r"\1 off the \2"),
+    # "two balcony: one on living room, second on bedroom"
+    (rf"\b(?:two|2) (balcony|balconies|terraces?)[:,] (?:one|first) (?:on|in|at|from|off|near) (?:the )?({_ROOM}),? (?:and )?(?:the )?"
+     rf"(?:second|other|one|another|the other)(?: one)? (?:on|in|at|from|off|near) (?:the )?({_ROOM})\b",
+     r"a balcony off the \2 and another balcony off the \3"),
+    # "in living room not must be table"
+    (r"\bnot (must|should|can|may) be\b", r"\1 not be"),
+    (rf"(^|[.;,] ?|\band )(?:in|at) (?:the |my )?({_ROOM}) (?:there )?(?:must|should|can|may) not (?:be|have) (?:an? |any )?"
+     r"([a-z]+)", r"\1no \3 in the \2"),
     # "not make the kitchen open"
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to be |be |which is )?"
      r"open\b(?! to)", "separate kitchen"),

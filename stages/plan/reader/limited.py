@@ -161,7 +161,7 @@ def _ask(item: Item, room: RoomPhrase, said: Said) -> None:
     if not extent and room.type != "hallway":
         said.unread.append(item.text)
         return
-    said.asked.append(Asked(kind, [room], extent or "length", f"{item.number:g}", f"{room.text} {item.text}"))
+    said.asked.append(Asked(kind, [room], extent or ("width" if kind == "at_least" else "length"), f"{item.number:g}", f"{room.text} {item.text}"))
 
 
 def _ahead(items: list[Item], k: int) -> RoomPhrase | None:

@@ -20,7 +20,7 @@ _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*
 _WHOSE = re.compile(r"\b(kitchen|(?:living|dining|bath|bed) ?room|hall(?:way)?|corridor|study|balcony|lounge|flat)'s\b")
 _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
-_VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at|on|in|beside|adjacent to)\b)")
+_VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at(?! (?:most|least))|on|in|beside|adjacent to)\b)")
 _RELATED = re.compile(
     r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from)"?\s*:\s*'
     r'"?([a-z][a-z \d]*)"?\s*(?:[.,;]\s*|$)'

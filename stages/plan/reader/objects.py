@@ -63,7 +63,8 @@ def _heads_next(
     room = items[j].room
     if following is None or room is None or j not in range(*following.subject) or following.form != "part":
         return False
-    return first.quantifier == Det.THE and _new(room) and _no_hallway(left)
+    closes = items[j - 1].kind == "conjunction" and is_mark(items[j - 2], ",")  # "…, and a bathroom off the hall"
+    return (first.quantifier == Det.THE or closes) and _new(room) and _no_hallway(left)
 
 
 def _new(room: RoomPhrase) -> bool:

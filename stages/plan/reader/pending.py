@@ -66,6 +66,8 @@ class Pending:
     def elliptical(self, known: bool, following: Lexeme | None) -> RoomPhrase | None:
         """A room without a noun, `known` when one was named before: `one of them`, `the largest`, `its own`."""
         if Trait.OWN in self.labels and self.number is None:
+            if following is not None and following.kind in ("side_role", "unknown", "number"):
+                return None  # "with its own entrance"
             return RoomPhrase("bathroom", {Trait.ENSUITE, Trait.OWN}, text="own")
         few = self.number is not None and self.number <= 9 and self.number % 1 == 0
         one = self.quantifier in (*PARTITIVE, Det.ANOTHER) or bool(self.ordinals)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.possessions import aged, ours, possessed
+from apartgen.stages.plan.reader.possessions import aged, equipped, ours, possessed
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
@@ -21,6 +21,10 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
+TOGETHER = re.compile(
+    r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
+    r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
+)
 COUPLE = re.compile(
     r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
     r"|\b(?:me|myself|i) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
@@ -52,10 +56,11 @@ def housed(text: str) -> tuple[People | None, str]:
     others = pattern("{who}").search(COUPLE.sub("", text)) is not None
     claims, claimed = _claims(_placed(COUPLE.sub("the couple", text) if others else text))
     if claimed:
-        text = SUMMED.sub(r"\1 in total", claims)
+        text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", equipped(claims)))
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
+    whole = text
     people, text = _household(text)
-    return _without_sharing(people, text) if people is not None else (people, text)
+    return _without_sharing(people, text, whole) if people is not None else (people, text)
 
 
 def _told_again(text: str) -> tuple[int | None, str]:
@@ -201,7 +206,7 @@ def _each_of(text: str) -> tuple[str, list[str]]:
     group = "(?P<all>{who}(?:(?:,| and|,? und|,? et|,? y| &) {who})+),? (?:(?:will|should|must|can) )?"
     own = "(?:{every}|both|beide|all)(?: one)?(?: of them)? ?{need} ?{article}*{room}"
     text = pattern(group + own, unnamed=True).sub(together, text)
-    one = "(?:one|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
+    one = "(?:one|kind|enfant|hijo|hija|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
     every = f"{{every}}(?: {one})?(?: of (?:them|us|you))?"
     gap = "(?P<between>[^.;:]{0,40})(?P<mark>[,.;:]) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
     return pattern("(?={number}){who}" + gap).sub(apart, text), found
@@ -266,7 +271,7 @@ def _sum(groups: list[re.Match[str]]) -> People:
     return People(pairs=pairs, singles=singles, children=children)
 
 
-def _without_sharing(people: People, text: str) -> tuple[People, str]:
+def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str]:
     """`the two small ones share a room`, `the eldest has her own`, of people counted before."""
     some = "{before}?(?P<n>{numbers}) (?:of (?:them|the kids|the children) )?(?:\\w+ )?"
     shared = pattern(some + "{share} ?{article}*{room}?", unnamed=True).search(text)
@@ -280,6 +285,12 @@ def _without_sharing(people: People, text: str) -> tuple[People, str]:
     if they is not None and people.children > 1:
         people = replace(people, children=1)
         text = text[: they.start()] + text[they.end() :]
+    together = TOGETHER.search(text)
+    if together is not None and people.children > 1:
+        told = re.search(rf"\\b({'|'.join(sorted(numbers(), key=len, reverse=True))}|\\d) {together[1].rstrip('s')}", whole)
+        fewer = value_of(told[1]) - 1 if told else 1
+        people = replace(people, children=max(people.children - fewer, 1))
+        text = text[: together.start()] + text[together.end() :]
     own = pattern("{before}(?:\\w+ )?(?:\\w+ )?{need} {hers}", unnamed=True)
     each = pattern("(?:{every} (?:of (?:the |my |our )?)?(?:\\w+ )?(?:{need}|with|in) ?{article}*{room})")
     return people, each.sub("", own.sub("", text))

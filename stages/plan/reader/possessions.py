@@ -25,6 +25,7 @@ BARE = re.compile(
     r"(?= ?(?:[.,;]|$| and (?:i|we|my|our|the)\b))"
 )
 """What tells a room without a word for it."""
+AND_THING = re.compile(r"\b(\d (?:kids room|relative's room|bedroom)s) and (?:an? |their own |own )?(desk|bed|wardrobe|balcony|bathroom)\b")
 OURS = (
     r"\b(?:we|my [a-z]+ and i|i and my [a-z]+) (?:both |two |parents )?(?:{verb}) (?:the|an?|our|one) (?:own )?"
     r"(?:(?:biggest|largest|big|large|second|third|fourth|last|other|main|remaining|same|smallest|small) )?"
@@ -105,6 +106,11 @@ def _sized(rooms: str, size: str | None) -> str:
     if not word or size in ("single", "double", "main", "guest") or "parents'" in rooms:
         return rooms
     return re.sub(r"^(a|\d+) ", rf"\1 {word} ", rooms)
+
+
+def equipped(text: str) -> str:
+    """`three bedrooms and desk each` of those who each have a room: each room has one."""
+    return AND_THING.sub(r"\1 each with a \2", text)
 
 
 def ours(text: str) -> str:

@@ -59,6 +59,13 @@ def sized_otherwise(phrase: RoomPhrase, room: Entity) -> bool:
     return new and (phrase.factor - 1) * (room.factor - 1) < 0
 
 
+def rest_of(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:
+    """Of rooms counted before, those that `two further bedrooms` are: as many as were not told apart yet."""
+    free = [e for e in known if e.counted and not (e.picked or e.labels & set(DISTINCT) or e.owner)]
+    told = any(e.counted and (e.picked or e.labels & set(DISTINCT)) for e in known)
+    return free if told and phrase.count == len(free) else []
+
+
 def other_than(phrase: RoomPhrase, pool: list[Entity], known: list[Entity]) -> bool:
     """Whether `the other` is said where but one bedroom was spoken of."""
     other = phrase.quantifier == Det.OTHER and phrase.count is None and phrase.text == "the other"

@@ -55,6 +55,28 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "put a table in the kitchen, … put it in the dining room"
     (r"\b(an?|the|one) ([a-z]+) (in(?:to)? [^.;,]+)[.;,] ?((?:but |and |please |rather |instead )*)(put|place|move) it in(?:to)? ",
      r"\1 \2 \3. \4\5 a \2 in "),
+    # "Do we need a dining room? No."
+    (r"(?:\b(?:do|does|should|shall|will) (?:we|i|you|it|the flat|there) (?:need|want|have|be|get) |^|[.;!?] ?)(?:an?|any|the) "
+     r"([a-z ]{3,16})\?[ ,]*(?:no|nope|not needed|not really)\b[.,;!]?(?= |$)", r". no \1."),
+    (r"(?:\b(?:do|does|should|shall|will) (?:we|i|you|it|the flat|there) (?:need|want|have|be|get) |^|[.;!?] ?)(an?) "
+     r"([a-z ]{3,16})\?[ ,]*(?:yes|yes please|of course|sure)\b[.,;!]?(?= |$)", r". \1 \2."),
+    (r"\ba bed ?room (?:on|at|to) (?:each|either|both) sides? of (?:the|a|one) bath ?room\b",
+     "two bedrooms with a bathroom between them"),
+    (r"\b((?:the |our |my )?(?:two |three )?(?:twins|kids|children|boys|girls|sons|daughters|teenagers)) (?:both |all |each )?"
+     r"(want|need|get|have|should have) (?:separate|different|individual|their own) (?:bed ?)?rooms\b", r"\1 each \2 a room"),
+    (r"\bfull of (?=[a-z]+)", "with "),
+    (r"((?:children|kid)'?s'? bath(?:room)?\b[^.]*?)\bour bath(?:room)?\b", r"\1another bathroom"),
+    # "en el primero una cama doble, en el segundo dos camas", "im ersten ein Doppelbett", "im Wohnzimmer kein Fernseher"
+    (r"(^|[.,;:] ?|\by )en (?:el|la) (?:(primer[oa]?)|(segund[oa])|(?:el |la )?(otr[oa]))(?: dormitorio| habitacion)?,? (?=una? |dos |tres )",
+     lambda found: f"{found[1]}the {'first' if found[2] else 'second' if found[3] else 'other'} one has "),
+    (r"(^|[.,;:] ?|\bet )dans (?:la|le) (?:(premiere?)|(deuxieme|seconde?))(?: chambre)?,? (?=une? |deux |trois )",
+     lambda found: f"{found[1]}the {'first' if found[2] else 'second'} one has "),
+    (r"(^|[.,;:] ?|\bund )im (?:(ersten)|(zweiten)|(anderen))(?: schlafzimmer| zimmer)?,? (?=eine? |zwei |drei )",
+     lambda found: f"{found[1]}the {'first' if found[2] else 'second' if found[3] else 'other'} one has "),
+    (r"(^|[.,;:] ?|\bund )(im|in der) (\w+) (keine?n? \w+)(?= ?(?:[.,;]|$|und ))", r"\1\4 \2 \3"),
+    (r"\b(?:des |les |de )?toilettes,? (?:a part|separees|independantes|a cote)\b", "un wc"),
+    (r"(?:每个|每间|各个)?(卧室|房间)(?:都|各)?(?:带|有)(?:独立|自己的|单独的)?(?:卫生间|浴室)", r"every bedroom has its own bathroom"),
+    (r"(客厅|餐厅|厨房)(?:和|与|跟)(客厅|餐厅|厨房)(?:都)?(?:是|为|在|做成)(?:同)?一个?大?(?:空间|房间|整体)", r"\1, \2 in one open space"),
     # "every door leads off it", "everything as small as possible"
     (r"\b(?:every|all the|all) doors? (?:leads?|opens?|goes|go|is|are|should be|must be)(?: off| to| onto| into| from| on| in)+ "
      r"(?:it|this|the (hall|hallway|corridor))\b", r"all rooms open onto the hallway"),
