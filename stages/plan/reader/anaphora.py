@@ -108,6 +108,7 @@ def exceptions(items: list[Item]) -> list[Item]:
             continue
         end = _run(items, k + 1)
         whole.excluded += [i.room for i in items[k + 1 : end] if i.room is not None and i.room not in whole.excluded]
+        whole_at = k + 1
         aside = but or (bool(out) and out[-1].room is whole)
         if not aside or end == k + 1:
             out.append(item)
@@ -115,7 +116,7 @@ def exceptions(items: list[Item]) -> list[Item]:
         else:
             k = end
             if _told_on(items, end):  # "every room except the kitchen, which opens off the lounge"
-                out += [Item("boundary", "while"), items[end - 1]]
+                out += [Item("boundary", "while"), *(i for i in items[whole_at:end] if i.kind in ("room", "conjunction"))]
                 k = end + 2
     return out
 

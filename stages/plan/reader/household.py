@@ -80,6 +80,8 @@ class Household:
             self.totals.setdefault(phrase.type, len(self._ensure(phrase.type, min(phrase.ordinals) - 1, counted=True)))
         elif phrase.quantifier == Det.ANOTHER and (self.of(phrase.type) or phrase.type in ALWAYS):
             pass  # "no extra bathroom"
+        elif phrase.factor != 1.0 and phrase.type in ALWAYS:
+            pass  # "no big kitchen": a smaller one
         elif Trait.OPEN in phrase.labels:
             pass  # "no open kitchen": a closed one
         elif Trait.PLACED in phrase.labels and phrase.type in ALWAYS:

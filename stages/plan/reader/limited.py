@@ -106,7 +106,7 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
             continue
         alone = item.value == "apart" and (k + 1 == len(items) or items[k + 1].kind in ("mark", "boundary"))
         each = item.text.endswith(EACH) or alone or any(i.value == "mutual" for i in items[k + 1 : k + 2])
-        between = ("copula", "relative", "negation", "area")
+        between = ("copula", "relative", "negation", "area", "pronoun")
         said_of = (i for i in reversed(out) if not (i.kind in between or is_mark(i, ",") or _each(i)))
         rooms = next((i.room for i in said_of), None)
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)

@@ -24,7 +24,8 @@ def full_graph(said: Said, home: Household, doors: Doors) -> bool:
                 seen.add(id(there))
                 queue.append(there)
     kinds = {e.type for e in home.rooms}
-    home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals)
+    lived_in = {"living_room", "bathroom", "bedroom"} <= kinds and not said.graph
+    home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals or lived_in)
     met = all(len(home.of(kind)) == n for kind, n in home.totals.items())
     entered = said.graph or bool(kinds & {"hallway", *OPEN_TYPES})  # bedrooms and baths alone want a way in
     return len(seen) == len(home.rooms) and home_like and met and entered

@@ -99,7 +99,7 @@ class Modifiers:
         if phrase is not None:
             self.items.append(Item("room", phrase.type, text, phrase))
         elif Trait.OPEN in p.labels:
-            self.items.append(Item("open", "", "open"))
+            self.items.append(Item("open", "", text))
         elif p.number not in (None, 1):
             self.unread.append(text)
         elif p.factor != 1.0:

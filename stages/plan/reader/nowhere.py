@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.vocabulary import Det
 
 SPARED = ("no", "not", "without")
 """What may stand again before each of several rooms that are to be without something."""
+NOR = ("ni", "nor", "neither", "non plus", "tampoco")
 JOINING = ("conjunction", "negation")
 HAVING = ("with", "copula", "link", "object", "objects", "reach", "area", "side", "place")
 """With which begins what is said of a room behind a list."""
@@ -73,7 +74,8 @@ def _first_place(items: list[Item], end: int, denied: bool) -> int | None:
 
 
 def _spares(item: Item) -> bool:
-    return item.kind == "negation" and item.value in SPARED
+    again = item.value != "no" or item.text in NOR  # "kein Fernseher im Wohnzimmer, keine Möbel im Flur"
+    return item.kind == "negation" and item.value in SPARED and again
 
 
 def _places(items: list[Item], first: int, denied: bool) -> tuple[list[int], int]:

@@ -96,12 +96,17 @@ def _whole(items: list[Item], said: Said) -> None:
     """What concerns the flat as a whole, wherever it stands."""
     for k, item in enumerate(items):
         match item.kind:
+            case "only" if item.text == "nothing else" and _furnished(items[:k]):
+                pass
             case "only":
                 said.only = said.only or item.value == "only" or (_alone(items[:k]) and _lists_home(items[k:]))
             case "graph":
                 said.graph = True
             case "style":
                 said.styles.append(item.value)
+            case "open" if "plan" in item.text or "concept" in item.text:
+                around = (items[k - 1] if k else Item("mark"), items[k + 1] if k + 1 < len(items) else Item("mark"))
+                said.open_plan = said.open_plan or all(i.kind in ("mark", "dwelling") for i in around)
             case "opening" | "unneeded" | "instead":
                 said.unread.append(item.text)
             case "shape" if _of_room(items[k + 1 : k + 3]):
@@ -121,6 +126,12 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.flat_size *= item.number
             case "side" if role := role_of(items, k):
                 said.sides.append((role, item.value))
+
+
+def _furnished(before: list[Item]) -> bool:
+    """Whether what stands before says what furniture there is: `a bed in the main room, nothing else`."""
+    start = max((j + 1 for j, i in enumerate(before) if is_mark(i, ".")), default=0)
+    return any(i.kind == "object" for i in before[start:])
 
 
 def _beside_living(items: list[Item], k: int) -> bool:

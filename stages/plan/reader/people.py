@@ -21,6 +21,10 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
+HAVING = re.compile(
+    r"(?:\b(?:we have|we are|we've|our|my|wir haben|unsere|nous avons|nos|tenemos|nuestr[oa]s)\b|我们|一家)[^.]{0,48}kids room"
+)
+"""Children of those who write."""
 TOGETHER = re.compile(
     r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
     r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
@@ -133,7 +137,7 @@ def _claims(text: str) -> tuple[str, bool]:
     text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = pattern(
         "(?P<of>\\b(?:each|every one|all|both) of )?{who}{relative}?,? ?(?:and (?={every}))?"
-        "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)(?: one| of them)? ?)?{need} ?"
+        "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)(?: one| of them| student| child| kid| person)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
         "(?P<each>{each})?(?P<bath> and (?:(?:an?|their|his|her|own|private|separate) )*{bathroom}\\b)?"
         "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
@@ -141,6 +145,7 @@ def _claims(text: str) -> tuple[str, bool]:
     text = pattern("{who}[:,] {article}{room}{each}").sub(own_each, text)
     text = pattern("{who} {need} (?P<bath>{article}+{bathroom}\\b)").sub(bathed, text)
     if found:
+        text = re.sub(r"\bour (?:own )?room\b", "the parents' bedroom", text)
         text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
         text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
         text = _with_ours(ours(text), found)
@@ -159,7 +164,7 @@ def _heading(text: str) -> str:
         return "" if kind_of(match) == "child" and several(match) else match.group()
 
     rooms = "(?:an?|\\d) (?:small |large )?(?:kids room|relative's room)"
-    return pattern(f"(?:we (?:have|are) (?:got )?)?{{who}} ?[:;.-]+ ?(?={rooms})").sub(people, text)
+    return pattern(f"(?:(?:we (?:have|are)|tenemos|wir haben|nous avons) (?:got )?)?{{who}} ?[:;.-]+ ?(?={rooms})").sub(people, text)
 
 
 def _gapped(match: re.Match[str]) -> str:
@@ -174,6 +179,8 @@ def _for_them(match: re.Match[str]) -> bool:
 
 def _with_ours(text: str, claims: list[str]) -> str:
     """`our two kids each want a room`: whose children they are have one too, where no other bedroom is spoken of."""
+    if HAVING.search(text) and not (COUNTED.search(text) or BEDROOMS.search(text)):
+        return f"{text.rstrip(' .!')}. a parents' bedroom."
     ours = [match for claim in claims if OURS.search(claim) for match in pattern("{who}").finditer(claim)]
     if not any(match["child"] or match["twins"] for match in ours) or COUNTED.search(text) or BEDROOMS.search(text):
         return text
@@ -204,7 +211,7 @@ def _each_of(text: str) -> tuple[str, list[str]]:
         return f"{lead}{number_of(match)} {rooms}"
 
     group = "(?P<all>{who}(?:(?:,| and|,? und|,? et|,? y| &) {who})+),? (?:(?:will|should|must|can) )?"
-    own = "(?:{every}|both|beide|all)(?: one)?(?: of them)? ?{need} ?{article}*{room}"
+    own = "(?:(?:and )?(?:we )?(?:want|would like|need) )?(?:{every}|both|beide|all)(?: one)?(?: of them)? ?(?:to )?{need} ?{article}*{room}"
     text = pattern(group + own, unnamed=True).sub(together, text)
     one = "(?:one|kind|enfant|hijo|hija|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
     every = f"{{every}}(?: {one})?(?: of (?:them|us|you))?"

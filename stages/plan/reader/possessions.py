@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.kin import kind_of, number_of, pattern, rooms_for, several, value_of
+from apartgen.stages.plan.reader.patterns import late
 
 VERB = (r"(?:{need}|takes?|uses?|occup(?:y|ies)|(?:sleeps?|stays?|lives?|is|are|moves?) in(?:to)?|schlaf(?:t|en) in|"
         r"nimmt|nehmen|dor(?:t|ment) dans|prend|prennent|duermen? en|ocupan?)")  # fmt: skip
@@ -18,7 +19,17 @@ AGED = re.compile(
 )
 """Children told by their age."""
 SEVERAL = re.compile(r"\b(?:two|three|four|five|six|[2-6])[ -]?(?:bed ?rooms?|br\b|schlafzimmer|chambres|dormitorios)")
+BESIDES = re.compile(r"\b(?:besides|beside that|apart from|in addition|additionally|on top of that|further)\b")
 """Bedrooms that are counted: those of whom it is told are among them."""
+ABROAD = [(late(said), words) for said, words in (
+    (r"\blos (dos|tres) (?:pequenos|menores|mayores|chicos)(?= (?:comparten|duermen|tienen|quieren))", r"los \1 hijos"),
+    (r"\b(?:el|la) (?:mayor|menor|pequen[oa])(?= (?:tiene|duerme|quiere|necesita))", "el hijo"),
+    (r"\bles (deux|trois) (?:petits|petites|cadets|grands|plus jeunes)(?= (?:partagent|dorment|ont|veulent))", r"les \1 enfants"),
+    (r"\b(?:l'ainee?|le grand|la grande|le cadet|la cadette)(?= (?:a|dort|veut) )", "l'enfant"),
+    (r"\bdie (?:beiden|zwei) (?:kleinen|grossen|jungeren|alteren)(?= (?:teilen|schlafen|haben|bekommen))", "die zwei kinder"),
+    (r"\b(?:der|die) (?:grosse|alteste|jungste|kleine)(?= (?:hat|schlaft|bekommt|braucht))", "das kind"),
+    (r"\b(die|meine|unsere|zwei|drei) ((?:zwei |drei )?[a-z]+), die sich ein(?:en)? (?:schlaf)?zimmer teilen\b", r"\1 \2 teilen sich ein zimmer"),
+)]
 IN_BEDS = re.compile(r"\b(sleep) in (?:(?:a|two) )?((?:[a-z]+ )?beds?) (in (?:one|the same|a) (?:bed ?)?room)\b")
 BARE = re.compile(
     r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small))"
@@ -49,6 +60,8 @@ SELF = "(?:takes?|gets?|has|have|needs?|wants?|uses?|sleeps? in|live in|stay in)
 
 def aged(text: str) -> str:
     """`the two little ones`, `the eldest` as children, where a text speaks of some."""
+    for pattern_, words in ABROAD:
+        text = pattern_.sub(words, text)
     if not re.search(r"\b(?:children|kids?|sons?|daughters?|boys|girls)\b", text):
         return text
     text = AGED.sub(lambda found: f"{found[1]} children" if found[1] else f"{found[2]} {found[3]} child", text)
@@ -60,7 +73,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
     """A folded text with rooms in the place of clauses that say who has one, and those clauses."""
     found: list[str] = []
     said, text = text, BARE.sub(r"\1 one", text)
-    counted = SEVERAL.search(said) is not None
+    counted = SEVERAL.search(said) is not None and BESIDES.search(said) is None
 
     def room(match: re.Match[str]) -> str:
         plain = match["noun"].startswith(("room", "bed"))

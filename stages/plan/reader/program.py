@@ -27,7 +27,7 @@ from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.style import style_of
 from apartgen.stages.plan.reader.unread import with_clauses
-from apartgen.stages.plan.reader.vocabulary import Det
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 from apartgen.stages.plan.reader.wanted import add_bedrooms, add_rooms
 from apartgen.stages.things.categories import TABLE
 
@@ -55,6 +55,8 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
         )
+    closed = any(e.type == "kitchen" and Trait.SEPARATE in e.labels for e in home.rooms)
+    home.open_kitchen = home.open_kitchen or (said.open_plan and not closed)
     consistent(said, home)
     doors = doors_said(said.statements, home)
     complete = said.only or full_graph(said, home, doors)

@@ -255,6 +255,12 @@ def _everybody_uses(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase
     return everybody
 
 
+def _only_beside(hub: RoomPhrase, ends: list[RoomPhrase]) -> bool:
+    """`the kitchen between the living room and the bedroom`: neighbours, for no way leads through a bedroom."""
+    beds = any(e.type == "bedroom" for e in ends)
+    return hub.type == "bedroom" or (beds and hub.type in (*OPEN_TYPES, "study"))
+
+
 def _open_ones(right: list[RoomPhrase]) -> list[RoomPhrase]:
     """The dining room of `living room -> dining room (open), kitchen`."""
     return [r for r in right if r.type in OPEN_TYPES and Trait.OPEN in r.labels]
@@ -268,6 +274,8 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
         hubs = left if left and left[-1] not in right else []
         if _dines(hubs, right):
             return [Statement(Relation.BETWEEN, hubs, right)]  # until all is read: see `at_table`
+        if hubs and _only_beside(hubs[-1], right):
+            return [Statement(Relation.NEAR, hubs[-1:], right, relation="next to")]
         if hubs:
             return [Statement(Relation.DOOR, hubs[-1:], right)] if right else []
         return [Statement(Relation.DOOR, right[:1], right[1:])] if len(right) > 1 else []

@@ -48,6 +48,7 @@ class Said:
     main_rooms: int | None = None
     main_area: float | None = None
     equal: bool = False
+    open_plan: bool = False
     only: bool = False
     graph: bool = False
     styles: list[str] = field(default_factory=list)

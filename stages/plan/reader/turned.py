@@ -5,7 +5,7 @@ import re
 
 from apartgen.stages.plan.reader.patterns import late
 
-_ROOM_EN = r"(?:the |an? |our |my )?[a-z'-]+(?: (?:room|hall|closet|wc))?"
+_ROOM_EN = r"(?:the |an? |our |my )?[a-z'-]+(?: (?:room|hall|closet|wc|area|space))?"
 _ROOM_DE = r"(?:de[rmn] |die |das )?[a-z-]+"
 _ROOM_FR = r"(?:la |le |les |l')[a-z-]+(?: (?:de |d'|a )(?!cote)[a-z]+)?"
 _ROOM_ES = r"(?:el |la |los |las )[a-z]+(?: de [a-z]+| principal)?"
@@ -43,6 +43,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"[,;:]? ?(?:but |and |so )?\b{_WHO} (?:always |only )?(?:must|have to|has to|needs? to|should|will) "
      rf"(?:always |first )?(?:go|pass|walk|get|drive|move|come|cross)(?: there)?(?: through| via| by)? "
      rf"the (?:hall|hallway|corridor){_END}", ""),
+    # "I don't want that the guests go through the bedroom to the bathroom"
+    (rf"\b(?:i|we) (?:do not|don't|would not|wouldn't) (?:want|like)(?: that)? [a-z ]{{3,20}}? (?:to )?(?:goe?s?|walks?|pass(?:es)?|must go|have "
+     rf"to go) through ({_ROOM_EN}) (?:in order )?(?:to|into|to get to|to reach|for) ({_ROOM_EN}){_END}", r"no door between \1 and \2"),
     # "the living room runs into the kitchen without any wall"
     (r"\b(?:runs?|goes|go|extends?|leads?|opens?|passes|continues?|flows?|blends?)(?: on| straight| directly)*"
      r" (?:in|on)?to ((?:the )?(?:kitchen|living room|dining room|dining area|lounge)),? without (?:any|an?) (?:dividing )?"
@@ -77,6 +80,33 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(?:des |les |de )?toilettes,? (?:a part|separees|independantes|a cote)\b", "un wc"),
     (r"(?:每个|每间|各个)?(卧室|房间)(?:都|各)?(?:带|有)(?:独立|自己的|单独的)?(?:卫生间|浴室)", r"every bedroom has its own bathroom"),
     (r"(客厅|餐厅|厨房)(?:和|与|跟)(客厅|餐厅|厨房)(?:都)?(?:是|为|在|做成)(?:同)?一个?大?(?:空间|房间|整体)", r"\1, \2 in one open space"),
+    # "la cocina tiene dos puertas, una al pasillo y otra al comedor"
+    (r"\b(?:(tiene)|con) dos puertas[,:]? una (?:al|a la) (\w+),? y (?:la )?otra (?:al|a la) (\w+)",
+     lambda found: f"{'has' if found[1] else 'with'} a door to the {found[2]} and a door to the {found[3]}"),
+    (r"\b(?:(a)|avec) deux portes[,:]? (?:l')?une (?:vers|sur|donnant sur) (?:le |la |l')(\w+(?: a manger)?),? et (?:l'autre|une autre|une)"
+     r" (?:vers|sur|donnant sur) (?:le |la |l')(\w+(?: a manger)?)",
+     lambda found: f"{'has' if found[1] else 'with'} a door to the {found[2]} and a door to the {found[3]}"),
+    (r"\b(?:(hat)|mit) zwei turen[,:]? eine (?:zum|zur|in den|ins|in die) (\w+),? und (?:die andere|eine andere|eine) (?:zum|zur|in den|ins|in die) (\w+)",
+     lambda found: f"{'has' if found[1] else 'with'} a door to the {found[2]} and a door to the {found[3]}"),
+    # "between living room and bedroom should be the kitchen"
+    (rf"(^|[.;] ?)between ({_ROOM_EN}) and ({_ROOM_EN}),? (?:there )?(?:should be|must be|is|lies|comes|goes) ((?:the|an?) {_ROOM_EN})(?= ?(?:[.,;]|$))",
+     r"\1\4 is between \2 and \3"),
+    # "a bathroom I can reach from my bedroom and guests can reach from the hall"
+    (rf",? (?:that |which )?{_WHO} can (?:reach|enter|get to|access|go (?:in)?to)(?: straight| directly)* from ", " reachable from "),
+    (rf"(\breachable from [^.;,]+?),? and (?:that |which )?{_WHO} (?:can )?(?:reach|enter|get to|access|go (?:in)?to) from ", r"\1 and from "),
+    (r"(\breachable from [^.;,]+?),? and [a-z]+ can (?:reach|enter|get to|access) from ", r"\1 and from "),
+    (rf"\bwhich {_WHO} (?:can )?(?:reach|enter|get (?:in)?to|access) (through|via|from) ", r"which are reached from "),
+    # "no walls between living room, dining area and kitchen"
+    (rf"\b(?:no|without(?: any)?) walls? between ({_ROOM_EN}), ({_ROOM_EN}),? and ({_ROOM_EN})\b", r"\1, \2 and \3 in one open space"),
+    # "side by side with a door between them"
+    (rf"({_ROOM_EN}) and ({_ROOM_EN}) (?:must be|should be|are|is|be|lie) (?:side by side|next to each other|adjacent|neighbours),? "
+     r"(?:with|and have|connected by|joined by) an? (?:connecting )?door between (?:them|the two)",
+     r"\1 is next to \2. \1 has a door to \2"),
+    # "a bathroom shared by both bedrooms and not reachable from anywhere else"
+    (r"\bshared by (both|the two) bed ?rooms,? (?:and|which is|that is|but) not (?:reachable|accessible|entered) (?:from|by) "
+     r"(?:anywhere else|any other room|elsewhere|the hall(?:way)?)", "between the two bedrooms, with doors to both"),
+    # "two doubles and a single"
+    (r"(\bdoubles?(?: bed ?rooms?)?)(?:,? and|,) (?:an?|one) single(?= ?(?:[.,;]|$))", r"\1 and a single bedroom"),
     # "every door leads off it", "everything as small as possible"
     (r"\b(?:every|all the|all) doors? (?:leads?|opens?|goes|go|is|are|should be|must be)(?: off| to| onto| into| from| on| in)+ "
      r"(?:it|this|the (hall|hallway|corridor))\b", r"all rooms open onto the hallway"),
