@@ -69,9 +69,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "three children: two of them share, the eldest has her own"
     (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) {_YOUNG}(?:[:,;.] ?| (?:who|of whom) ?)(?:the )?two "
      rf"(?:of (?:them|whom) |of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:can |will |should )?"
-     rf"share(?: an?| one| the same)?(?: bed ?room| room)?[,;.]? ?(?:and |but |while )?"
+     rf"share(?: an?| one| the same| the (?:bigger|larger|big|large|smaller|small))?(?: bed ?room| room| one)?[,;.]? ?(?:and |but |while )?"
      rf"{_OLD} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
-     r"their|its|an?) own(?: bed ?room| room)?|sleeps? alone|is alone)", _sharing),
+     r"their|its|an?) own(?: bed ?room| room)?|(?:has|gets|takes) the (?:smaller|bigger|small|big|other|second)(?: one| room| bed ?room)|sleeps? alone|is alone)", _sharing),
     # "two kids, one room for both", "three children in two rooms", "one room for the two children"
     (rf"\b(?:two|2|three|3|our|my) {_YOUNG}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
      r"(?:both|all|the two|all three|them|the three)(?: of them)?\b", _for_both),

@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.about import numbers
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import plural
 
@@ -32,6 +33,16 @@ EACH_OF_FAMILY = re.compile(
 )
 """A family of which nobody shares a room."""
 
+EACH_CHILD = [re.compile(said) for said in (
+    r"\b(?:each|every) (?:child|kid|son|daughter|boy|girl|of the (?:children|kids)|of our (?:children|kids)) (?:should have|must have|has|gets|needs|"
+    r"wants|should get) (?:its|his|her|their|an?) (?:own )?(?:bed ?)?room[;,.:]? (?:and )?(?:we have|there are|we've got|they are) "
+    r"(?P<n>two|three|four|five|[2-5])(?: of them| children| kids)?(?= ?(?:[.,;]|$))",
+    r"\b(?:les|nos|mes) (?:enfants|filles|garcons) ont chacune? (?:leur|sa|une) (?:propre )?chambre,? \(?(?:ils|elles) sont (?P<n>deux|trois|quatre|[2-4])\)?",
+    r"\bcada (?:hij[oa]|nin[oa]) (?:tiene|quiere|necesita|tendra) (?:su|una) (?:propia )?habitacion(?: propia)?,? y son (?P<n>dos|tres|cuatro|[2-4])\b",
+    r"\bjedes (?:kind|madchen) (?:hat|bekommt|braucht|soll) (?:ein|sein) (?:eigenes )?zimmer(?: haben| bekommen)?[,;.:]? (?:und )?(?:wir haben|es sind) "
+    r"(?P<n>zwei|drei|vier|[2-4])\b",
+)]
+"""Children who each have a room, counted behind it."""
 EVERYBODY = (("each",), ("for", "each"), ("for", "everyone"), ("for", "everybody"), ("per", "person"), ("per", "head"),
              ("for", "each", "person"), ("for", "every", "person"))  # fmt: skip
 """What behind a bedroom says that everybody has one, where no rooms are spoken of."""
@@ -101,8 +112,15 @@ def apiece(text: str) -> str:
     """A folded text with as many of such rooms as there are people."""
     for pattern in (EACH_NEEDS, EACH_BEHIND):
         text = pattern.sub(_of_each, text)
+    for pattern in EACH_CHILD:
+        text = pattern.sub(lambda found: f"{number(found['n'])} kids rooms", text)
     text = EACH_OF_US.sub(r"a flat for \g<n> people\g<said>: \g<n> bedrooms", text)
     return EACH_OF_FAMILY.sub(r"\g<n> bedrooms", text)
+
+
+def number(said: str) -> int:
+    """A number as it is written in any of the languages."""
+    return int(said) if said.isdigit() else numbers()[said]
 
 
 def _of_each(match: re.Match[str]) -> str:

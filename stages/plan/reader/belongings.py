@@ -36,7 +36,7 @@ def belongs(owner: RoomPhrase, item: Item, first: bool, after: list[Item], bare:
         return not bare and (first or phrase.type in ("bedroom", "bathroom", "study", *ANNEXES))
     if phrase.type == "bathroom":
         own = bool(phrase.labels & {Trait.ENSUITE, Trait.OWN}) or (Trait.SUITE in owner.labels and bare == "(")
-        own = own and not phrase.labels & {Trait.FAMILY, Trait.HALF}
+        own = own and not phrase.labels & ({Trait.FAMILY} if Trait.OWN in phrase.labels else {Trait.FAMILY, Trait.HALF})
         lone = first and not bare and phrase.count in (None, 1) and not any(is_mark(i, ",") for i in after)
         lone = lone and not phrase.labels & _not_own(owner)
         lone = lone and not (phrase.exact and owner.plural and not _each_follows(after))  # "two bedrooms with one bath"

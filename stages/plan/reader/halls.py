@@ -19,6 +19,17 @@ NAMED = ("utility", "storage", "study", "dining_room", "closet", "balcony")
 PASSAGES = ("hallway", "passageway", *CORRIDORS)
 
 
+STUDIES = frozenset("study office den workroom".split()) | {"home office", "work room", "office room", "study room", "work space"}
+"""Words that are said of one room to work in."""
+
+
+def other_study(phrase: RoomPhrase, known: list[Entity]) -> bool:
+    """Whether the phrase speaks of another room than the `known` ones: a library is no study."""
+    if phrase.type != "study" or not known or phrase.text == "":
+        return False
+    return all({phrase.text, e.name} - STUDIES and phrase.text != e.name for e in known)
+
+
 def other_hall(phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> bool:
     """Whether the phrase speaks of a hallway besides the `known` ones."""
     if phrase.type != "hallway" or not known or not mentioned:

@@ -3,7 +3,7 @@
 import math
 
 from apartgen.stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
-from apartgen.stages.plan.reader.halls import best_named, other_hall, spoken_of_before
+from apartgen.stages.plan.reader.halls import best_named, other_hall, other_study, spoken_of_before
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
@@ -276,7 +276,7 @@ class Household:
             return self.add(phrase.type)  # "a guest room besides our bedroom"
         if (told := told_apart(phrase, known)) is not None:
             return told or self.add(phrase.type)
-        if other_hall(phrase, known, mentioned):
+        if other_hall(phrase, known, mentioned) or other_study(phrase, known):
             return self.add(phrase.type)
         known = best_named(phrase, known)
         if spoken_of_before(phrase, known):

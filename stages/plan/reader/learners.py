@@ -34,6 +34,19 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\bnot (must|should|can|may) be\b", r"\1 not be"),
     (rf"(^|[.;,] ?|\band )(?:in|at) (?:the |my )?({_ROOM}) (?:there )?(?:must|should|can|may) not (?:be|have) (?:an? |any )?"
      r"([a-z]+)", r"\1no \3 in the \2"),
+    # "bathroom must have the door from bedroom, but also second door from corridor"
+    (rf"({_ROOM}) (?:must |should )?(?:has|have) (?:the |an? |one )?door (?:from|to|in) (?:the )?({_ROOM}),? (?:but |and )?(?:also )?(?:the |an? )?"
+     rf"(?:second|another|other|one more|one)(?: door)? (?:from|to|in) (?:the )?({_ROOM})", r"\1 has a door to the \2 and a door to the \3"),
+    (rf"({_ROOM}) without (?:an? |the )?doors? to (?:the )?{_ROOM},? (?:but )?only to (?:the )?({_ROOM})", r"\1 reached only from the \2"),
+    # "in one bedroom two bed, in other one bed", "balcony for kitchen"
+    (r"\bin (?:the )?one (?:bed ?room )?(two|three|one|an?) (?:single |double )?beds?,? (?:and )?in (?:the )?(?:other|second|another)"
+     r"(?: one| bed ?room)? (one|two|an?) (?:double |single )?beds?\b", r"the first bedroom has \1 double beds, the second bedroom has \2 double bed"),
+    (rf"\b(balcony|terrace) for (?:the )?({_ROOM})\b", r"\1 off the \2"),
+    # "in bedroom stay bed and table for work", "the third is smallest", "no need balcony"
+    (rf"(^|[.;] ?)in (?:the |my )?({_ROOM}) (?:must |should )?(?:stays?|stands?|is standing|are standing) (?=[a-z])", r"\1the \2 has "),
+    (r"\btable for (?:work|working|study|studying|writing)\b", "desk"),
+    (r"\b(is|are) (smallest|largest|biggest)(?= ?(?:[.,;]|$))", r"\1 the \2"),
+    (r"\bno need (?:of |for |to have )?(?:an? )?(?=[a-z])", "no "),
     # "not make the kitchen open"
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to be |be |which is )?"
      r"open\b(?! to)", "separate kitchen"),

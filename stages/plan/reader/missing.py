@@ -24,7 +24,7 @@ def full_graph(said: Said, home: Household, doors: Doors) -> bool:
                 seen.add(id(there))
                 queue.append(there)
     kinds = {e.type for e in home.rooms}
-    lived_in = {"living_room", "bathroom", "bedroom"} <= kinds and not said.graph
+    lived_in = {"bathroom", "bedroom"} <= kinds and not said.graph
     home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals or lived_in)
     met = all(len(home.of(kind)) == n for kind, n in home.totals.items())
     entered = said.graph or bool(kinds & {"hallway", *OPEN_TYPES})  # bedrooms and baths alone want a way in
@@ -44,6 +44,7 @@ def _lone(said: Said, home: Household) -> bool:
         or home.banned
         or any(phrase.type == "any" and phrase.quantifier == Det.OTHER for phrase in said.rooms)
         or _presumed(said)
+        or any(e.labels & {Trait.KIDS, Trait.RELATIVE} for e in home.of("bedroom"))
         or len(said.unread) > 1  # what is told of people and purposes is told of a home
         or len(home.of("bedroom")) > 1
     )

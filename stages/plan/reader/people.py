@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.possessions import aged, equipped, ours, possessed
+from apartgen.stages.plan.reader.possessions import aged, equipped, ours, possessed, sized
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
@@ -21,6 +21,7 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
+LIVING = re.compile(r"\b(?:lives?|stays?|moves? in) with (?:us|me) and (?=ha[sv]e?|needs?|gets?|wants?|takes?|sleeps?)")
 HAVING = re.compile(
     r"(?:\b(?:we have|we are|we've|our|my|wir haben|unsere|nous avons|nos|tenemos|nuestr[oa]s)\b|我们|一家)[^.]{0,48}kids room"
 )
@@ -45,7 +46,7 @@ def housed(text: str) -> tuple[People | None, str]:
 
     Where some have rooms, others beside them have some, too; where nobody has, they are told as a household.
     """
-    text = aged(apiece(text))
+    text = LIVING.sub("", aged(apiece(text)))
     if not any(stem in text for stem in data()["stems"]):
         return None, text
     text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
@@ -114,6 +115,7 @@ def _claims(text: str) -> tuple[str, bool]:
             count = 2 if apart and several(match) else 1
         one = not apart and (kind_of(match) == "twins" or re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$|一间", match.group()))
         rooms = rooms_for(match, count if (apart or several(match)) and not one else 1)
+        rooms = sized(rooms, match["sized"])
         return rooms + " each with its own bathroom" if match["bath"] else rooms
 
     def shared(match: re.Match[str]) -> str:
@@ -136,9 +138,9 @@ def _claims(text: str) -> tuple[str, bool]:
     found += each + which
     text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = pattern(
-        "(?P<of>\\b(?:each|every one|all|both) of )?{who}{relative}?,? ?(?:and (?={every}))?"
+        "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada un[oa] de )?{who}{relative}?,? ?(?:and (?={every}))?"
         "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)(?: one| of them| student| child| kid| person)? ?)?{need} ?"
-        "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*{room}"
+        "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*(?P<sized>(?:small|little|large|big|tiny) )?{room}"
         "(?P<each>{each})?(?P<bath> and (?:(?:an?|their|his|her|own|private|separate) )*{bathroom}\\b)?"
         "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
     ).sub(own, text)

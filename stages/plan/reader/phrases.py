@@ -95,6 +95,8 @@ class Phraser(Modifiers):
         if word.kind == "stop" and holds(word, words[i + 1 : i + 3], self.items):
             self._flush(word)
             self.items.append(Item("with", "in", word.text))
+            if word.text in CONTRACTED:
+                self._determiner(replace(word, kind="determiner", value="the"))
             return i + 1
         if word.text in CONTRACTED and word.kind == "stop" and following is not None and following.kind == "room":
             self._flush(word)

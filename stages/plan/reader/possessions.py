@@ -86,7 +86,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
         many = value_of(match["many"]) if match["many"] else 1
         one = not match["noun"].endswith("s") or many == 1
         rooms = rooms_for(match, 1 if one else many)
-        return _sized(rooms, match["size"])
+        return sized(rooms, match["size"])
 
     def shared(match: re.Match[str]) -> str:
         found.append(match.group())
@@ -98,7 +98,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
         lambda match: room(match) if _takes(match) else match.group(), text)  # fmt: skip
     if found:
         text = pattern(f"{{who}}{{relative}}? (?:will |should |must |can )?share {OBJECT}").sub(
-            lambda match: _sized(shared(match), match["size"]), text)  # fmt: skip
+            lambda match: sized(shared(match), match["size"]), text)  # fmt: skip
         text = pattern(rf"(?<=[,;] )(?:and |while )?{{who}},? (?:in )?{OBJECT}").sub(room, text)
     return (text if found else said), found
 
@@ -112,7 +112,7 @@ def _takes(match: re.Match[str]) -> bool:
     return bool(which) and not own and (single or bool(match["many"]) or match["noun"].endswith("s"))
 
 
-def _sized(rooms: str, size: str | None) -> str:
+def sized(rooms: str, size: str | None) -> str:
     """`a kids room` that is large or small."""
     word = {"s": "small", "l": "small", "b": "large", "t": "small"}.get((size or " ")[0], "")
     word = "large" if (size or "").startswith("large") else word

@@ -52,9 +52,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"walls?(?: (?:in )?between(?: them)?)?", r"is open to \1"),
     (r"\b(spills?|spilling|spilled) (?:over )?(?:in|on)?to ", r"open to "),
     # "two bedrooms at opposite ends of the flat"
-    (r"\b(two|both|the|three) (bed ?rooms|bath ?rooms)\b([^.;]*?),? (?:(?:both |which |that )?(?:are |being |lie |placed |at))?"
+    (r"\b((?:two|both|the|three) )?(bed ?rooms|bath ?rooms)\b([^.;]*?),? (?:(?:both |which |that )?(?:are |being |lie |placed |at))?"
      r"(?:at|on) (?:the )?(?:opposite|different|two|both|far) (?:ends|sides) of (?:the |my |our )?"
-     r"(?:flat|apartment|home|house|plan|corridor|hall|hallway|unit)\b", r"\1 \2\3. the \2 are far from each other"),
+     r"(?:flat|apartment|home|house|plan|corridor|hall|hallway|unit)\b", r"\1\2\3. the \2 are far from each other"),
     # "put a table in the kitchen, … put it in the dining room"
     (r"\b(an?|the|one) ([a-z]+) (in(?:to)? [^.;,]+)[.;,] ?((?:but |and |please |rather |instead )*)(put|place|move) it in(?:to)? ",
      r"\1 \2 \3. \4\5 a \2 in "),
@@ -80,8 +80,42 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(?:des |les |de )?toilettes,? (?:a part|separees|independantes|a cote)\b", "un wc"),
     (r"(?:每个|每间|各个)?(卧室|房间)(?:都|各)?(?:带|有)(?:独立|自己的|单独的)?(?:卫生间|浴室)", r"every bedroom has its own bathroom"),
     (r"(客厅|餐厅|厨房)(?:和|与|跟)(客厅|餐厅|厨房)(?:都)?(?:是|为|在|做成)(?:同)?一个?大?(?:空间|房间|整体)", r"\1, \2 in one open space"),
+    # "the kitchen is visible from the lounge, so make it open", "so it should be the biggest room"
+    (r"(\bkitchen\b[^.]*?),? (?:so|and|but) (?:please )?(?:make|keep|leave) it open(?: plan)?(?= ?(?:[.,;]|$))", r"\1. an open kitchen"),
+    (r"(\bthe (kitchen|living room|study|bathroom|dining room|bedroom)\b[^.;]*?),? (?:so|and|but) it (?:should|must|is to|has to) be the "
+     r"(biggest|largest|smallest)(?: room)?(?= ?(?:[.,;]|$))", r"\1. the \2 is the \3 room"),
+    (r"\b(office|study|toilet|wc|bathroom|storage room|kitchen|closet|bedroom|room) (?:right |just |directly )?at the (?:entrance|entry|front door)\b",
+     r"\1 near the entrance"),
+    (r"(?<=[a-z\d])@(?=[a-z])", " off the "),
+    (r"\b(bed|bath)(?:room)?s? ?: ?(\d) ?\((\d[\d., ]*\d)\)", r"\2 \1rooms of \3 m2"),
+    (r"\b(kitchen|bathroom|bedroom|study|living room) the size of an? (?:closet|cupboard|shoe ?box|match ?box|wardrobe)\b", r"tiny \1"),
+    (r"^(?:an? |the )?[a-z']+ (?:den|lair|nest|hub) ?:", "a home:"),
+    (r"\bavoid (?!that|[a-z]+ing\b)(?:any |the |all )?", "no "),
+    (r"\b(?:none|neither)(?: of them)? (?:off|in|from|inside) (?:an?|any|the) bed ?rooms?\b", "neither of them en suite"),
+    # "a corridor between 1.2 and 1.5 m wide", "bath2 ensuite to bed1", "dining-living open"
+    (r"\bbetween (\d+(?:\.\d+)?)(?: ?m)? and (\d+(?:\.\d+)?) ?m(?:et(?:er|re)s)? (wide|long|in width|in length)\b",
+     r"at least \1 m \3 and at most \2 m \3"),
+    (r"\b(bath ?(?:room)? ?\d),? (?:is )?(?:an? )?(?:en ?suite|ensuite) (?:to|of|for) ", r"\1 off "),
+    (r"\b([a-z]+)-([a-z]+) open(?= ?(?:[,;.]|$))", r"\1 open to \2"),
+    # "her maid sleeps in a tiny room", "one more small room for baby", "one for each of our three children"
+    (r"\bsleeps? in (an?|her|his|their|another) ((?:own |tiny |small |little |large |big |separate |spare |single ){0,2})room\b",
+     r"sleeps in \1 \2bedroom"),
+    (r"\b((?:small |little |big |large |tiny )?)room for (?:the |a |our |my )?(?:baby|child|kid|toddler)\b(?! and)", r"\1kids room"),
+    (r"\bone for each of (?:our|my|the) (two|three|four|[234]) (?:children|kids|sons|daughters|boys|girls)\b", r"\1 kids rooms"),
+    # "A and B must not be near. Between them put the kitchen."
+    (rf"((?:^|[.;] ?)({_ROOM_EN}) and ({_ROOM_EN}) [^.;]*[.;]) ?between them,? (?:you |we )?(?:put|place|there is|comes|goes|is|lies) (the [a-z]+(?: room)?)",
+     r"\1 \4 is between \2 and \3"),
+    (r"(\b(?:two|both) (?:[a-z]+ )?bed ?rooms\b[^.;]*?next to each other),? (?:and )?with an? (?:connecting )?door between(?: them| the two)?",
+     r"\1. bedroom 1 has a door to bedroom 2"),
+    (r"\b(?:die|der|das) (\w+) (?:darf|soll|hat|muss|sollte) keine tur (?:zum|zur) (\w+)(?: haben)?,? sondern (?:nur )?(?:eine )?"
+     r"(?:zum|zur) (\w+)(?: haben)?", r"no door between \1 and \2. the \1 has a door to the \3"),
+    (r"\b(kuche|wohnzimmer|esszimmer) und (kuche|wohnzimmer|esszimmer) (?:gehoren zusammen|sind zusammen|sind eins)\b", r"\1 und \2 sind offen"),
+    (r"每间(?:房间?|卧室)?(?=放|要|有|都)", "每个卧室"),
+    (r"([^,.;:]{1,6}?)(?:不要|不能|不可)(?:和|与|跟)([^,.;:]{1,6}?)(?:相邻|挨着|挨在一起|靠在一起)", r"\1 must not be next to \2"),
+    (r"\b(comunica|conecta|comunicad[oa]|conectad[oa]) con ((?:el|la) \w+),? y con ", r"\1 con \2 y "),
+    (r"\b(communique|communiquant) avec ((?:le|la) \w+),? et avec ", r"\1 avec \2 et "),
     # "la cocina tiene dos puertas, una al pasillo y otra al comedor"
-    (r"\b(?:(tiene)|con) dos puertas[,:]? una (?:al|a la) (\w+),? y (?:la )?otra (?:al|a la) (\w+)",
+    (r"\b(?:(tiene|tener|tenga)|con) dos puertas[,:]? una (?:al|a la) (\w+),? y (?:la )?otra (?:al|a la) (\w+)",
      lambda found: f"{'has' if found[1] else 'with'} a door to the {found[2]} and a door to the {found[3]}"),
     (r"\b(?:(a)|avec) deux portes[,:]? (?:l')?une (?:vers|sur|donnant sur) (?:le |la |l')(\w+(?: a manger)?),? et (?:l'autre|une autre|une)"
      r" (?:vers|sur|donnant sur) (?:le |la |l')(\w+(?: a manger)?)",
