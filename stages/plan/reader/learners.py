@@ -47,6 +47,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\btable for (?:work|working|study|studying|writing)\b", "desk"),
     (r"\b(is|are) (smallest|largest|biggest)(?= ?(?:[.,;]|$))", r"\1 the \2"),
     (r"\bno need (?:of |for |to have )?(?:an? )?(?=[a-z])", "no "),
+    (rf"(?:^|[.;,] ?)(?:and )?in (?:the )?({_ROOM}) ((?:an? |one |two )?[a-z]+) and no ([a-z]+)(?= ?(?:[.,;]|$))", r". the \1 has \2 and no \3"),
     # "not make the kitchen open"
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to be |be |which is )?"
      r"open\b(?! to)", "separate kitchen"),

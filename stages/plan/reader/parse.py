@@ -6,6 +6,7 @@ from apartgen.stages.plan.reader.about import about
 from apartgen.stages.plan.reader.again import once_more
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
+from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.comparisons import comparisons
 from apartgen.stages.plan.reader.corrections import corrected
@@ -49,7 +50,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = rephrased(entered(in_passing(plainly(once_more(turned(as_learnt(fold(prompt))))))))
+    folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(as_learnt(fold(prompt)))))))))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)

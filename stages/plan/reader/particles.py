@@ -77,6 +77,6 @@ def of_dwelling(words: list[Lexeme], i: int) -> bool:
 
 def furnishes(word: Lexeme, last: list[Item], items: list[Item]) -> bool:
     """Whether a word that may be a room or furniture goes on with the furniture of the room spoken of."""
-    owner = next((i.room.type for i in reversed(items) if i.room), "")
+    owner = next((i.room.type for i in reversed(items) if i.room and i.room.type), "")
     of = {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom")
     return of == owner and last[-1].kind in ("object", "with")

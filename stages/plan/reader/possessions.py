@@ -9,9 +9,10 @@ VERB = (r"(?:{need}|takes?|uses?|occup(?:y|ies)|(?:sleeps?|stays?|lives?|is|are|
         r"nimmt|nehmen|dor(?:t|ment) dans|prend|prennent|duermen? en|ocupan?)")  # fmt: skip
 """What people do who have a room."""
 WHICH = (r"(?:(?P<size>small|smaller|smallest|little|tiny|big|bigger|biggest|large|larger|largest|main|guest|"
-         r"single|double)(?:er|est)? |second |third |fourth |last |other |first |same )?")  # fmt: skip
-OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this) )(?:own )?(?:(?P<many>{{numbers}}) )?{WHICH}"
-          r"(?P<noun>bed ?rooms?|rooms?|ones?)(?! (?:bath|wide|of (?:the|our) (?:flat|house)))\b(?!')")  # fmt: skip
+         r"single|double|middle|medium|kleine[sn]?|grosse[sn]?|petite|grande)(?:er|est)? |second |third |fourth |last |other |first |same |"
+         r"zweite |dritte |andere |deuxieme |troisieme |autre |segunda |tercera |otra )?")  # fmt: skip
+OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(?:own )?(?:(?P<many>{{numbers}}) )?{WHICH}"
+          r"(?P<noun>bed ?rooms?|rooms?|ones?|(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|our) (?:flat|house)))\b(?!')")  # fmt: skip
 AGED = re.compile(
     r"\b(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
     r"(?=,? (?:in |can |will |both |each |share|sleep|has |have |get|need|want|take))"
@@ -32,8 +33,8 @@ ABROAD = [(late(said), words) for said, words in (
 )]
 IN_BEDS = re.compile(r"\b(sleep) in (?:(?:a|two) )?((?:[a-z]+ )?beds?) (in (?:one|the same|a) (?:bed ?)?room)\b")
 BARE = re.compile(
-    r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small))"
-    r"(?= ?(?:[.,;]|$| and (?:i|we|my|our|the)\b))"
+    r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small)|das (?:grosse|kleine|andere|zweite)|"
+    r"la (?:petite|grande|otra|autre|pequena))(?= ?(?:[.,;]|$| (?:and|und|et|y) (?:i|we|my|our|the|wir|je|nous|yo)\b))"
 )
 """What tells a room without a word for it."""
 AND_THING = re.compile(r"\b(\d (?:kids room|relative's room|bedroom)s) and (?:an? |their own |own )?(desk|bed|wardrobe|balcony|bathroom)\b")
@@ -76,7 +77,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
     counted = SEVERAL.search(said) is not None and BESIDES.search(said) is None
 
     def room(match: re.Match[str]) -> str:
-        plain = match["noun"].startswith(("room", "bed"))
+        plain = not match["noun"].startswith("one")
         if not plain and not (match["size"] or re.search(r"\b(?:one|ones)$", match.group())):
             return match.group()
         found.append(match.group())
@@ -105,8 +106,9 @@ def possessed(text: str) -> tuple[str, list[str]]:
 
 def _takes(match: re.Match[str]) -> bool:
     """Whether the clause tells which room somebody has, rather than that there is to be one for them."""
-    which = re.search(r"\b(?:the|his|her|their) (?:own )?(?:[a-z]+ ){0,2}(?:bed ?rooms?|rooms?|ones?)$", match.group())
-    own = re.search(r"\b(?:own|same)\b", match.group())
+    which = re.search(r"\b(?:the|his|her|their|das|la) (?:own )?(?:[a-z]+ ){0,2}(?:[a-z]*rooms?|ones?|[a-z]*zimmer|chambre|habitacion)$",
+                      match.group())  # fmt: skip
+    own = re.search(r"\b(?:own|same|eigenes?|propre|propia)\b", match.group())
     single = kind_of(match) != "child" or not several(match) or number_of(match) == 1
     single = single and kind_of(match) != "spouse"
     return bool(which) and not own and (single or bool(match["many"]) or match["noun"].endswith("s"))
@@ -114,9 +116,9 @@ def _takes(match: re.Match[str]) -> bool:
 
 def sized(rooms: str, size: str | None) -> str:
     """`a kids room` that is large or small."""
-    word = {"s": "small", "l": "small", "b": "large", "t": "small"}.get((size or " ")[0], "")
+    word = {"s": "small", "l": "small", "b": "large", "t": "small", "k": "small", "p": "small", "g": "large"}.get((size or " ")[0], "")
     word = "large" if (size or "").startswith("large") else word
-    if not word or size in ("single", "double", "main", "guest") or "parents'" in rooms:
+    if not word or size in ("single", "double", "main", "guest", "middle", "medium") or "parents'" in rooms:
         return rooms
     return re.sub(r"^(a|\d+) ", rf"\1 {word} ", rooms)
 

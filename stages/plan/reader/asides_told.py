@@ -1,0 +1,62 @@
+"""Lists with dashes, ages, whose the rooms are by a copula, second doors: what stands beside the point, in plain words."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+
+_PIECE = "(?:single bed|double bed|bed|desk|chair|armchair|sofa|lamp|wardrobe|table|nightstand|bookshelf|rug|plant|mirror)"
+_COUNTED = re.compile(r"(?:an?|one|two|three|four|five|six|no|\d) ?[a-z][a-z /-]*")
+_DOORS = re.compile(r"->|\b(?:connections?|connected|edges|graph|topology|adjacency|links|doors?)\b")
+_FOR = re.compile(
+    r"\bthe (big|bigger|biggest|large|larger|largest|small|smaller|smallest|middle|medium|second|third|other|first)(?: one| bed ?room| room)? "
+    r"(?:is|will be|should be) for ((?:my|our|the) [a-z]+(?: and (?:me|i))?|me(?: and my [a-z]+)?|us)(?= ?(?:[.,;]|$|and ))"
+)
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "the kitchen is the only way to the balcony"
+    (r"\b(the [a-z]+(?: room)?) is the only (?:way|access|entrance|entry|door) (?:in|on)?to (the [a-z]+(?: room)?)\b",
+     r"\2 is reached only from \1"),
+    # "a door to the kitchen and a second one to the balcony"
+    (r"(\bdoor to (?:the |an? )?[a-z]+(?: room)?),? and (?:a second|another|one more)(?: one| door)? to (?=the |an? )", r"\1 and a door to "),
+    # "a room each for our two daughters"
+    (r"\ban? (?:bed ?)?room each for (?:our |my |the )?(two|three|four|[2-4]) (?:daughters|sons|children|kids|boys|girls|teenagers)\b",
+     r"\1 kids rooms"),
+    # "the girls (8 and 10) share"
+    (r" ?\((?:aged? )?\d{1,2}(?:,? (?:and|&) \d{1,2}|, \d{1,2}(?:,? (?:and|&) \d{1,2})?)?(?: years?(?: old)?)?\)(?= (?:share|has|have|need|want|get))", ""),
+    (r",? (?:the )?toilet (?:is |should be |must be )?(?:together|in one|combined|joint)(?: with| in)? (?:the )?bath ?room\b", ""),
+    # "not less 6 m2"
+    (r"\b(?:be )?not (?:be )?less (?:than |then |as )?(?=\d)", "at least "),
+    (r"\b(?:be )?not (?:be )?more (?:than |then |as )?(?=\d)", "at most "),
+    (r"\b(?:an?|one) (toilet|wc) (?:extra|more|in addition)\b", r"a separate \1"),
+    # "two bedrooms …; the bathroom between them"
+    (r"(\btwo (?:[a-z]+ )?bed ?rooms\b[^.]*?)[;,] (?:and )?(the|an?|one) bath ?room between them(?= ?(?:[.,;]|$))",
+     r"\1. \2 bathroom is between the two bedrooms"),
+    (r"\bzwei balkone?(?: haben)?,? einen? (?:am|vor dem|beim|im|an der|vor der|zum|zur) (\w+) und (?:noch )?einen? (?:weiteren )?"
+     r"(?:am|vor dem|beim|im|an der|vor der|zum|zur) (\w+)", r"ein balkon am \1 und ein weiterer balkon am \2"),
+    (rf"\b({_PIECE}) ?x ?(\d)\b(?! ?[xm.\d])", r"\2 \1s"),
+    (r"我和[^,.;和]{1,4}各(?:要|住)?一间(?:卧室|房间|房)?", "两间次卧"),
+    (r"爸妈", "父母"),
+)]  # fmt: skip
+
+
+def beside_told(text: str) -> str:
+    """A folded text with such clauses in the words of rooms."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    if len(_FOR.findall(text)) > 1:
+        text = _FOR.sub(_whose, text)
+    return _dashed(text)
+
+
+def _whose(found: re.Match[str]) -> str:
+    """`the small one is for my son` as what the son has."""
+    who = found[2]
+    ours = who == "us" or " and " in who
+    size = "large" if found[1].startswith(("big", "larg")) else found[1]
+    return f"{'we have' if ours else 'i have' if who == 'me' else f'{who} has'} the {size} bedroom"
+
+
+def _dashed(text: str) -> str:
+    """`three beds - two baths - lounge` as a list; dashes between rooms alone are doors."""
+    parts = text.split(" - ")
+    listed = len(parts) > 3 and any(_COUNTED.fullmatch(part.strip()) for part in parts) and not _DOORS.search(text)
+    return ", ".join(parts) if listed else text
