@@ -17,7 +17,7 @@ _ANEW = ("no wait|wait no|wait|no|nein|non|sorry|pardon|perdon|i mean|i meant|ac
 _COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "one", "3": "two", "4": "three"}
 _YOUNG = r"(?:children|kids|boys|girls|sons|daughters|teenagers)"
 _PARENTS = r"(?:\b(?:we are )?(?:an? |the )?(?:couple|family|parents) (?:with|and|of) )?"
-_OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|one|big one|little one|baby)"
+_OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|boy|girl|one|big one|little one|baby)"
         r"(?: (?:one|child|boy|girl|son|daughter))?")  # fmt: skip
 _OURS = re.compile(r"\bfor us\b|\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
 _MIND = (r"(?:on reflection|on second thoughts?|thinking about it|come to think of it|having thought about it|actually|"
@@ -68,10 +68,13 @@ _SAID = [(late(pattern), words) for pattern, words in (
      "all rooms are "),
     # "three children: two of them share, the eldest has her own"
     (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) {_YOUNG}(?:[:,;.] ?| (?:who|of whom) ?)(?:the )?two "
-     rf"(?:of (?:them|whom) |of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:can |will |should )?"
-     rf"share(?: an?| one| the same| the (?:bigger|larger|big|large|smaller|small))?(?: bed ?room| room| one)?[,;.]? ?(?:and |but |while )?"
+     rf"(?:of (?:them|whom) |of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:{_YOUNG} )?"
+     rf"(?:can |will |should )?"
+     rf"share(?: an?| one| the same| the (?:bigger|larger|big|large|smaller|small))?(?: bed ?room| room| one)?[,;.]? "
+     rf"?(?:and |but |while )?"
      rf"{_OLD} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
-     r"their|its|an?) own(?: bed ?room| room)?|(?:has|gets|takes) the (?:smaller|bigger|small|big|other|second)(?: one| room| bed ?room)|sleeps? alone|is alone)", _sharing),
+     r"their|its|an?) own(?: bed ?room| room)?|(?:has|gets|takes) the (?:smaller|bigger|small|big|other|second)(?: "
+     r"one| room| bed ?room)|sleeps? alone|is alone)", _sharing),
     # "two kids, one room for both", "three children in two rooms", "one room for the two children"
     (rf"\b(?:two|2|three|3|our|my) {_YOUNG}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
      r"(?:both|all|the two|all three|them|the three)(?: of them)?\b", _for_both),

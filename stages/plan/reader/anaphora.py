@@ -116,7 +116,8 @@ def exceptions(items: list[Item]) -> list[Item]:
         else:
             k = end
             if _told_on(items, end):  # "every room except the kitchen, which opens off the lounge"
-                out += [Item("boundary", "while"), *(i for i in items[whole_at:end] if i.kind in ("room", "conjunction"))]
+                left_out = [i for i in items[whole_at:end] if i.kind in ("room", "conjunction")]
+                out += [Item("boundary", "while"), *left_out]
                 k = end + 2
     return out
 

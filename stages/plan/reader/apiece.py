@@ -34,12 +34,17 @@ EACH_OF_FAMILY = re.compile(
 """A family of which nobody shares a room."""
 
 EACH_CHILD = [re.compile(said) for said in (
-    r"\b(?:each|every) (?:child|kid|son|daughter|boy|girl|of the (?:children|kids)|of our (?:children|kids)) (?:should have|must have|has|gets|needs|"
-    r"wants|should get) (?:its|his|her|their|an?) (?:own )?(?:bed ?)?room[;,.:]? (?:and )?(?:we have|there are|we've got|they are) "
+    r"\b(?:each|every) (?:child|kid|son|daughter|boy|girl|of the (?:children|kids)|of our (?:children|kids)) "
+    r"(?:should have|must have|has|gets|needs|"
+    r"wants|should get) (?:its|his|her|their|an?) (?:own )?(?:bed ?)?room[;,.:]? (?:and )?(?:we have|there are|we've "
+    r"got|they are) "
     r"(?P<n>two|three|four|five|[2-5])(?: of them| children| kids)?(?= ?(?:[.,;]|$))",
-    r"\b(?:les|nos|mes) (?:enfants|filles|garcons) ont chacune? (?:leur|sa|une) (?:propre )?chambre,? \(?(?:ils|elles) sont (?P<n>deux|trois|quatre|[2-4])\)?",
-    r"\bcada (?:hij[oa]|nin[oa]) (?:tiene|quiere|necesita|tendra) (?:su|una) (?:propia )?habitacion(?: propia)?,? y son (?P<n>dos|tres|cuatro|[2-4])\b",
-    r"\bjedes (?:kind|madchen) (?:hat|bekommt|braucht|soll) (?:ein|sein) (?:eigenes )?zimmer(?: haben| bekommen)?[,;.:]? (?:und )?(?:wir haben|es sind) "
+    r"\b(?:les|nos|mes) (?:enfants|filles|garcons) ont chacune? (?:leur|sa|une) (?:propre )?chambre,? \(?(?:ils|"
+    r"elles) sont (?P<n>deux|trois|quatre|[2-4])\)?",
+    r"\bcada (?:hij[oa]|nin[oa]) (?:tiene|quiere|necesita|tendra) (?:su|una) (?:propia )?habitacion(?: propia)?,? y "
+    r"son (?P<n>dos|tres|cuatro|[2-4])\b",
+    r"\bjedes (?:kind|madchen) (?:hat|bekommt|braucht|soll) (?:ein|sein) (?:eigenes )?zimmer(?: haben| "
+    r"bekommen)?[,;.:]? (?:und )?(?:wir haben|es sind) "
     r"(?P<n>zwei|drei|vier|[2-4])\b",
 )]
 """Children who each have a room, counted behind it."""

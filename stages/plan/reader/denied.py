@@ -1,6 +1,6 @@
 """What no room of a type is to be: `no bedroom next to the kitchen` denies a neighbour, not the bedrooms."""
 
-from apartgen.stages.plan.reader.household import ALWAYS
+from apartgen.stages.plan.reader.banned import ALWAYS
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, rooms_of
 from apartgen.stages.plan.reader.vocabulary import Det, Relation

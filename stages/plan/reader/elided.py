@@ -223,9 +223,10 @@ def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (another_alike, _arrow, _comma, which_has, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, holds,
-         whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom, is_one, for_each,
-         for_the_others, none_ensuite, entered_only, only_behind, from_there, inside, has_inside, through_passage,
+RULES = (another_alike, _arrow, _comma, which_has, it_has, there_is_in, off_it, set_off, same_area,
+         another_door, goes_into, holds, whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom,
+         is_one, for_each, for_the_others, none_ensuite,
+         entered_only, only_behind, from_there, inside, has_inside, through_passage,
          between_the_two, you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without,
          none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every, in_each, _do_not, _also,
          _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just, _from_again, _both_from,

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.banned import ALWAYS
 from apartgen.stages.plan.reader.belongings import OWNED_BY
 from apartgen.stages.plan.reader.clausal import ahead, clause, last
-from apartgen.stages.plan.reader.household import ALWAYS
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
@@ -88,7 +88,8 @@ def another_alike(out: list[Item], items: list[Item], k: int) -> bool:
     joined = joined and (after.kind in ("", "conjunction", "boundary") or is_mark(after, ",.)"))
     if room is None or before is None or not joined or room.type not in ("bedroom", "bathroom", "balcony"):
         return False
-    plain = all(r.quantifier in (Det.BARE, Det.ANOTHER) and not (r.count or r.plural or r.negated) for r in (room, before))
+    pair = (room, before)
+    plain = all(r.quantifier in (Det.BARE, Det.ANOTHER) and not (r.count or r.plural or r.negated) for r in pair)
     if plain and room.text == before.text and not (room.labels or before.labels or room.ordinals or before.ordinals):
         room.quantifier = Det.ANOTHER
     return False

@@ -19,7 +19,8 @@ NAMED = ("utility", "storage", "study", "dining_room", "closet", "balcony")
 PASSAGES = ("hallway", "passageway", *CORRIDORS)
 
 
-STUDIES = frozenset("study office den workroom".split()) | {"home office", "work room", "office room", "study room", "work space"}
+STUDIES = frozenset("study office den workroom".split()) | {"home office", "work room", "office room", "study room",
+"work space"}
 """Words that are said of one room to work in."""
 
 

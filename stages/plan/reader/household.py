@@ -2,17 +2,23 @@
 
 import math
 
+from apartgen.stages.plan.reader.banned import ban
 from apartgen.stages.plan.reader.entity import DISTINCT, MOST, PAIRED, Entity
 from apartgen.stages.plan.reader.halls import best_named, other_hall, other_study, spoken_of_before
 from apartgen.stages.plan.reader.labelled import labelled, told_apart
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.owned import own
-from apartgen.stages.plan.reader.ranked import another_one, counted_off, index_of, other_than, ranked, rest_of, sized_otherwise
+from apartgen.stages.plan.reader.ranked import (
+    another_one,
+    counted_off,
+    index_of,
+    other_than,
+    ranked,
+    rest_of,
+    sized_otherwise,
+)
 from apartgen.stages.plan.reader.traits import lay
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
-
-ALWAYS = ("living_room", "kitchen", "bedroom", "bathroom")
-"""Rooms a home has: no additional one is still one."""
 
 BOXES = ("box room", "boxroom")
 """A small bedroom, or in a flat of one bedroom a place for boxes."""
@@ -47,7 +53,7 @@ class Household:
         if id(phrase) in self.refs:
             return self.refs[id(phrase)]
         if phrase.negated:
-            self._ban(phrase)
+            ban(self, phrase)
             self.refs[id(phrase)] = []
             return []
         if phrase.plural and phrase.count is None and len(phrase.areas) > 1:
@@ -75,33 +81,16 @@ class Household:
             own(self, owned, found, phrase.quantifier in PAIRED)
         return found
 
-    def _ban(self, phrase: RoomPhrase) -> None:
-        if phrase.ordinals:  # "no second bathroom"
-            self.totals.setdefault(phrase.type, len(self._ensure(phrase.type, min(phrase.ordinals) - 1, counted=True)))
-        elif phrase.quantifier == Det.ANOTHER and (self.of(phrase.type) or phrase.type in ALWAYS):
-            pass  # "no extra bathroom"
-        elif phrase.factor != 1.0 and phrase.type in ALWAYS:
-            pass  # "no big kitchen": a smaller one
-        elif Trait.OPEN in phrase.labels:
-            pass  # "no open kitchen": a closed one
-        elif Trait.PLACED in phrase.labels and phrase.type in ALWAYS:
-            pass  # "no internal bathroom": another is
-        elif phrase.type == "kitchen" and Trait.SEPARATE in phrase.labels:
-            self.open_kitchen = True
-        elif Trait.SEPARATE not in phrase.labels:
-            label = next((x for x in sorted(phrase.labels) if x in DISTINCT), "")
-            self.banned.add((phrase.type, label))
-
     def _find(self, phrase: RoomPhrase) -> list[Entity]:
         if phrase.type == "any" or phrase.quantifier == Det.NONE:
             return []
         if phrase.type == "":
             return self._ellipsis(phrase)
         if Trait.HALLS in phrase.labels:  # Chinese counts of halls: a living room, then a dining room
-            made = self._ensure("living_room", min(int(phrase.count or 1), 1))
-            return made + (self._ensure("dining_room", 1) if (phrase.count or 1) > 1 else [])
+            made = self.ensure("living_room", min(int(phrase.count or 1), 1))
+            return made + (self.ensure("dining_room", 1) if (phrase.count or 1) > 1 else [])
         if phrase.rank and phrase.whole and phrase.type not in self.totals and len(self.of(phrase.type)) < 2:
-            self._ensure(phrase.type, phrase.whole)
+            self.ensure(phrase.type, phrase.whole)
         if found := ranked(phrase, self.of(phrase.type)):
             return found
         if phrase.headline and phrase.count is not None:
@@ -112,7 +101,7 @@ class Household:
         if phrase.ordinals and (who := phrase.labels & {Trait.KIDS, Trait.GUEST}) and phrase.type not in self.totals:
             return self._among(phrase, who)
         if phrase.ordinals:
-            self._ensure(phrase.type, max(1, *phrase.ordinals))
+            self.ensure(phrase.type, max(1, *phrase.ordinals))
             return counted_off(self.of(phrase.type), phrase.ordinals)
         if phrase.quantifier in (*PAIRED, Det.ONE_OF, Det.OTHER) or (phrase.quantifier == Det.THE and phrase.count):
             return self._partitive(phrase)
@@ -131,7 +120,7 @@ class Household:
     def _headline(self, phrase: RoomPhrase) -> list[Entity]:
         count = phrase.count or 0
         self.totals[phrase.type] = math.ceil(count)
-        found = self._ensure(phrase.type, math.ceil(count), counted=True)
+        found = self.ensure(phrase.type, math.ceil(count), counted=True)
         self._half(phrase, found)
         return found
 
@@ -139,7 +128,7 @@ class Household:
         if phrase.type == "bathroom" and phrase.count and phrase.count % 1 and found:
             found[-1].labels.add(Trait.HALF)
 
-    def _ensure(self, kind: str, count: int, counted: bool = False) -> list[Entity]:
+    def ensure(self, kind: str, count: int, counted: bool = False) -> list[Entity]:
         """At least `count` rooms of a type; all of them."""
         self.add(kind, count - len(self.of(kind)))
         for entity in self.of(kind):
@@ -179,7 +168,7 @@ class Household:
             found = free
         elif phrase.ordinals:
             several = 1 < len(pool) >= max(phrase.ordinals)
-            whole = pool if several else self._ensure(phrase.type, max(phrase.ordinals))
+            whole = pool if several else self.ensure(phrase.type, max(phrase.ordinals))
             found = [whole[index_of(n)] for n in phrase.ordinals]
         else:
             found = free[: int(phrase.count or 1)]
@@ -194,7 +183,7 @@ class Household:
 
     def _partitive(self, phrase: RoomPhrase) -> list[Entity]:
         labels = phrase.labels & {Trait.MASTER, Trait.GUEST, Trait.KIDS}
-        self._ensure(phrase.type, phrase.whole or 0)
+        self.ensure(phrase.type, phrase.whole or 0)
         known = [e for e in self.of(phrase.type) if not labels or labels & e.labels]
         if phrase.quantifier in (Det.ONE_OF, Det.OTHER):
             if phrase.quantifier == Det.OTHER and phrase.count:
@@ -204,7 +193,7 @@ class Household:
             single = len(known) == 1 and (known[0].owner is not None or phrase.type not in self.totals)
             if phrase.quantifier == Det.OTHER and not phrase.plural and single:
                 known += self.add(phrase.type)  # "the main bedroom has its own bath, the other bath is off the hall"
-            whole = self._ensure(
+            whole = self.ensure(
                 phrase.type, int(phrase.count or 2) if phrase.quantifier == Det.ONE_OF else max(len(known), 1)
             )
             self.group = whole if phrase.quantifier == Det.ONE_OF and len(whole) > 1 else self.group
@@ -225,7 +214,7 @@ class Household:
             return (free if len(free) >= count else known)[:count]
         least = 2 if phrase.type == "bedroom" and phrase.quantifier in PAIRED else 1  # "each bedroom" of a home unsaid
         counted = phrase.quantifier == Det.ALL and count > 1
-        return known if labels else self._ensure(phrase.type, max(count, len(known) or least), counted)
+        return known if labels else self.ensure(phrase.type, max(count, len(known) or least), counted)
 
     def _plain(self, phrase: RoomPhrase) -> list[Entity]:
         known = self.of(phrase.type)
@@ -251,12 +240,12 @@ class Household:
         if phrase.type in self.totals or (mentioned and len(known) >= count):
             free = [e for e in known if not e.picked] or known
             if count >= len(known):
-                return self._ensure(phrase.type, count)
+                return self.ensure(phrase.type, count)
             for entity in free[:count]:
                 entity.picked = True
             return free[:count]
         if phrase.type == "bathroom" and count > 1 and any(e.owner for e in known):
-            found = self._ensure(phrase.type, count, counted=True)
+            found = self.ensure(phrase.type, count, counted=True)
         else:
             found = self.add(phrase.type, count, counted=count > 1)
         self._half(phrase, found)
@@ -265,7 +254,7 @@ class Household:
     def _uncounted(self, phrase: RoomPhrase, known: list[Entity], mentioned: bool) -> list[Entity]:
         if phrase.plural or phrase.quantifier == Det.SEVERAL:
             few = 3 if phrase.quantifier == Det.SEVERAL else 2
-            return known if len(known) > 1 else self._ensure(phrase.type, few)
+            return known if len(known) > 1 else self.ensure(phrase.type, few)
         single = phrase.type in ("living_room", "kitchen", "dining_room", "hallway")
         refers = phrase.quantifier == Det.THE or (
             mentioned and (single or phrase.quantifier == Det.BARE or phrase.type in self.totals)

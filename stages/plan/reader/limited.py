@@ -11,6 +11,8 @@ EACH = ("share a wall", "share a common wall", "share walls", "each other", "one
         "cote a cote", "face a face")
 ACROSS = ("opposite", "across", "fac", "einander geg")
 VERBAL, PLACED = ("with", "copula", "relative", "conjunction"), ("side", "place", "area", "reach")
+NARROW = 3.0
+"""Metres below which a least extent of a hallway is its width."""
 DOOR = ("door", "doors", "tur", "turen", "porte", "portes", "puerta", "puertas")
 OFF = ("off", "off of", "in", "from", "opening off", "onto")
 """What stands between doors and the hallway whose they are."""
@@ -161,7 +163,8 @@ def _ask(item: Item, room: RoomPhrase, said: Said) -> None:
     if not extent and room.type != "hallway":
         said.unread.append(item.text)
         return
-    said.asked.append(Asked(kind, [room], extent or ("width" if kind == "at_least" else "length"), f"{item.number:g}", f"{room.text} {item.text}"))
+    extent = extent or ("width" if kind == "at_least" and item.number < NARROW else "length")
+    said.asked.append(Asked(kind, [room], extent, f"{item.number:g}", f"{room.text} {item.text}"))
 
 
 def _ahead(items: list[Item], k: int) -> RoomPhrase | None:

@@ -7,9 +7,11 @@ CODES = {"k": "kitchen", "kt": "kitchen", "lr": "living room", "dr": "dining roo
 """Abbreviations of rooms that are read as such only where a text has two of them."""
 DIGITS = {sign: n for n, sign in enumerate("一二三四五六七八九", 1)} | {"两": 2, "兩": 2}
 
-_TYPED = re.compile(r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)s?"?\s*[,.]\s*"?(?:count|number)"?\s*:\s*(\d)\s*\)')
+_TYPED = re.compile(r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)s?"?\s*[,.]\s*"?(?:count|'
+    r'number)"?\s*:\s*(\d)\s*\)')
 _TYPED_TO = re.compile(
-    r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)"?\s*[,.]\s*"?(open|next|adjacent|connected) to"?\s*:\s*"?([a-z ]+?)"?\s*\)'
+    r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)"?\s*[,.]\s*"?(open|next|adjacent|connected) '
+    r'to"?\s*:\s*"?([a-z ]+?)"?\s*\)'
 )
 _DOTTED = re.compile(r"(?<=[a-z])\.(?=[a-z][a-z ]*\s*:)")
 _OPEN_KEY = re.compile(r"\b(kitchen|living room|dining room) open\s*:\s*(?:true|yes|1)\b")
@@ -20,7 +22,8 @@ _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*
 _WHOSE = re.compile(r"\b(kitchen|(?:living|dining|bath|bed) ?room|hall(?:way)?|corridor|study|balcony|lounge|flat)'s\b")
 _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
-_VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at(?! (?:most|least))|on|in|beside|adjacent to)\b)")
+_VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at(?! (?:most|least))|on|in|"
+    r"beside|adjacent to)\b)")
 _RELATED = re.compile(
     r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from)"?\s*:\s*'
     r'"?([a-z][a-z \d]*)"?\s*(?:[.,;]\s*|$)'

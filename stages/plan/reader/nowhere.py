@@ -1,4 +1,4 @@
-"""Furniture said once and meant in several rooms: `no rugs: not in the lounge, nor in the hall`, `in A, in B and in C`."""
+"""Furniture said once and meant in several rooms: `no rugs: not in the lounge, nor in the hall`, `in A and in B`."""
 
 from dataclasses import replace
 

@@ -97,7 +97,8 @@ def _continues(items: list[Item], p: Predicate, j: int, out: list[RoomPhrase], l
         return False  # "the bathroom is off the bedroom, plus a guest toilet"
     if p.form == "which" and items[p.at].text in ("into which", "onto which"):
         return True  # "a hall into which the lounge, the kitchen and the study open"
-    if not phrase.text.isascii() and is_mark(items[j - 1], ",") and phrase.count and not first.count and _no_hallway(left):
+    counted = is_mark(items[j - 1], ",") and phrase.count and not first.count
+    if counted and not phrase.text.isascii() and _no_hallway(left):
         return False  # "餐厅连着客厅,三室两卫"
     if p.kind == Relation.TO and _both_new(items, j, first):
         return True  # "the lounge leads to the kitchen, the kitchen to a pantry and a balcony"

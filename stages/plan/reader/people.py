@@ -5,40 +5,12 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.possessions import aged, equipped, ours, possessed, sized
+from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
+from apartgen.stages.plan.reader.possessions import aged, among_counted, equipped, ours, possessed, sized
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
-OURS = re.compile(
-    r"^(?:\w+ (?:of|von|de) )?(?:both |beide )?"
-    r"(?:our|my|mein\w*|unser\w*|nos|notre|mes|mon|ma|mis?|nuestr\w+)\b"
-)
-BEDROOMS = re.compile(
-    r"\b(?:bed ?rooms?|master|parents|schlafzimmer|eltern\w*|chambre|dormitorios?|habitaci\w+|my room|our room|us|"
-    r"(?:and|&|und|et|y) (?:i|me|ich|moi|yo)|i (?:also|need|want|get)|we (?:also|need|have|get|sleep))\b|卧"
-)
-"""What tells where those sleep whose children have rooms."""
-COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
-"""A number of bedrooms, beside which people have no further rooms."""
-LIVING = re.compile(r"\b(?:lives?|stays?|moves? in) with (?:us|me) and (?=ha[sv]e?|needs?|gets?|wants?|takes?|sleeps?)")
-HAVING = re.compile(
-    r"(?:\b(?:we have|we are|we've|our|my|wir haben|unsere|nous avons|nos|tenemos|nuestr[oa]s)\b|我们|一家)[^.]{0,48}kids room"
-)
-"""Children of those who write."""
-TOGETHER = re.compile(
-    r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
-    r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
-)
-COUPLE = re.compile(
-    r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
-    r"|\b(?:me|myself|i) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
-)
-SUMMED = re.compile(
-    r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
-    r"\b(?! in total)"
-)
-"""Bedrooms that are counted once those who have rooms are named: all of them."""
 
 
 def housed(text: str) -> tuple[People | None, str]:
@@ -52,7 +24,8 @@ def housed(text: str) -> tuple[People | None, str]:
     text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
     mine = "my room" if re.search(r"\bparents' bedroom|\bmy parents\b", text) else "the parents' bedroom"
     text = re.sub(r"\bour (?:own )?bedroom\b", "the parents' bedroom", re.sub(r"\bmy (?:own )?bedroom\b", mine, text))
-    text = pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
+    said, text = text, pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
+    beside = said != text
     fewer, text = _told_again(text)
     if fewer is not None:
         people, text = _household(text)
@@ -61,6 +34,8 @@ def housed(text: str) -> tuple[People | None, str]:
     others = pattern("{who}").search(COUPLE.sub("", text)) is not None
     claims, claimed = _claims(_placed(COUPLE.sub("the couple", text) if others else text))
     if claimed:
+        if beside and "parents' bedroom" not in claims and not COUNTED.search(claims):
+            claims = f"{claims.rstrip(' .!')}. a parents' bedroom."  # "the baby sleeps with us, …"
         text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", equipped(claims)))
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
     whole = text
@@ -113,9 +88,11 @@ def _claims(text: str) -> tuple[str, bool]:
         apart = apart or both
         if not count:
             count = 2 if apart and several(match) else 1
-        one = not apart and (kind_of(match) == "twins" or re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$|一间", match.group()))
+        the_one = re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$|一间", match.group())
+        one = not apart and (kind_of(match) == "twins" or the_one)
         rooms = rooms_for(match, count if (apart or several(match)) and not one else 1)
         rooms = sized(rooms, match["sized"])
+        rooms = f"the {rooms}" if rooms[0].isdigit() and among_counted(match.string) else rooms
         return rooms + " each with its own bathroom" if match["bath"] else rooms
 
     def shared(match: re.Match[str]) -> str:
@@ -138,9 +115,12 @@ def _claims(text: str) -> tuple[str, bool]:
     found += each + which
     text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = pattern(
-        "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada un[oa] de )?{who}{relative}?,? ?(?:and (?={every}))?"
-        "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)(?: one| of them| student| child| kid| person)? ?)?{need} ?"
-        "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*(?P<sized>(?:small|little|large|big|tiny) )?{room}"
+        "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada "
+        "un[oa] de )?{who}{relative}?,? ?(?:and (?={every}))?"
+        "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)"
+        "(?: one| of them| student| child| kid| person)? ?)?{need} ?"
+        "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*"
+        "(?P<sized>(?:small|little|large|big|tiny) )?{room}"
         "(?P<each>{each})?(?P<bath> and (?:(?:an?|their|his|her|own|private|separate) )*{bathroom}\\b)?"
         "(?:, (?:they|there) are (?P<later>{numbers})(?: of them)?)?"
     ).sub(own, text)
@@ -150,23 +130,14 @@ def _claims(text: str) -> tuple[str, bool]:
         text = re.sub(r"\bour (?:own )?room\b", "the parents' bedroom", text)
         text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
         text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
-        text = _with_ours(ours(text), found)
-        text = _heading(text)
+        text = with_ours(ours(text), found)
+        text = heading(text)
     if found:  # "then my parents also a room, and I a room"
         also = "(?:also |too |auch |aussi |tambien )?"
         gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
         text = gapped.sub(_gapped, text)
         text = re.sub(r"\bi (?:also )?an? room\b", "another bedroom", text)
     return text, bool(found)
-
-
-def _heading(text: str) -> str:
-    """`our three daughters: …`, before the rooms of each, counts no further rooms."""
-    def people(match: re.Match[str]) -> str:
-        return "" if kind_of(match) == "child" and several(match) else match.group()
-
-    rooms = "(?:an?|\\d) (?:small |large )?(?:kids room|relative's room)"
-    return pattern(f"(?:(?:we (?:have|are)|tenemos|wir haben|nous avons) (?:got )?)?{{who}} ?[:;.-]+ ?(?={rooms})").sub(people, text)
 
 
 def _gapped(match: re.Match[str]) -> str:
@@ -177,16 +148,6 @@ def _gapped(match: re.Match[str]) -> str:
 def _for_them(match: re.Match[str]) -> bool:
     """`a room for my mother, a room for …`: the room behind is not hers."""
     return bool(re.search(r"\bfor (?:\w+ )?$", match.string[: match.start()]))
-
-
-def _with_ours(text: str, claims: list[str]) -> str:
-    """`our two kids each want a room`: whose children they are have one too, where no other bedroom is spoken of."""
-    if HAVING.search(text) and not (COUNTED.search(text) or BEDROOMS.search(text)):
-        return f"{text.rstrip(' .!')}. a parents' bedroom."
-    ours = [match for claim in claims if OURS.search(claim) for match in pattern("{who}").finditer(claim)]
-    if not any(match["child"] or match["twins"] for match in ours) or COUNTED.search(text) or BEDROOMS.search(text):
-        return text
-    return f"{text.rstrip(' .!')}. a parents' bedroom."
 
 
 def _each_of(text: str) -> tuple[str, list[str]]:
@@ -213,7 +174,10 @@ def _each_of(text: str) -> tuple[str, list[str]]:
         return f"{lead}{number_of(match)} {rooms}"
 
     group = "(?P<all>{who}(?:(?:,| and|,? und|,? et|,? y| &) {who})+),? (?:(?:will|should|must|can) )?"
-    own = "(?:(?:and )?(?:we )?(?:want|would like|need) )?(?:{every}|both|beide|all)(?: one)?(?: of them)? ?(?:to )?{need} ?{article}*{room}"
+    own = (
+        "(?:(?:and )?(?:we )?(?:want|would like|need) )?(?:{every}|both|beide|all)(?: one)?(?: of them)? ?"
+        "(?:to )?{need} ?{article}*{room}"
+    )
     text = pattern(group + own, unnamed=True).sub(together, text)
     one = "(?:one|kind|enfant|hijo|hija|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
     every = f"{{every}}(?: {one})?(?: of (?:them|us|you))?"
@@ -296,7 +260,8 @@ def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str
         text = text[: they.start()] + text[they.end() :]
     together = TOGETHER.search(text)
     if together is not None and people.children > 1:
-        told = re.search(rf"\\b({'|'.join(sorted(numbers(), key=len, reverse=True))}|\\d) {together[1].rstrip('s')}", whole)
+        words = "|".join(sorted(numbers(), key=len, reverse=True))
+        told = re.search(rf"\b({words}|\d) {together[1].rstrip('s')}", whole)
         fewer = value_of(told[1]) - 1 if told else 1
         people = replace(people, children=max(people.children - fewer, 1))
         text = text[: together.start()] + text[together.end() :]

@@ -168,7 +168,8 @@ def _pair(out: list[Item]) -> bool:
 def sleeps_in(out: list[Item], items: list[Item], k: int) -> bool:
     """`they sleep in one bedroom, in a double bed`: the bedroom has it."""
     inside, room = ([Item("")] * 2 + (out[:-1] if is_mark(last(out), ",") else out))[-2:]
-    fits = items[k].value == "in" and room.room is not None and room.room.type in ("bedroom", "") and inside.value == "in"
+    bedroom = room.room is not None and room.room.type in ("bedroom", "")
+    fits = items[k].value == "in" and bedroom and inside.value == "in"
     if not fits or ahead(items, k)[0].kind != "object" or ahead(items, k)[1].value == "in":
         return False
     if is_mark(last(out), ","):

@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.families import FAMILY
 from apartgen.stages.plan.reader.kin import kind_of, number_of, pattern, rooms_for, several, value_of
 from apartgen.stages.plan.reader.patterns import late
 
@@ -9,14 +10,18 @@ VERB = (r"(?:{need}|takes?|uses?|occup(?:y|ies)|(?:sleeps?|stays?|lives?|is|are|
         r"nimmt|nehmen|dor(?:t|ment) dans|prend|prennent|duermen? en|ocupan?)")  # fmt: skip
 """What people do who have a room."""
 WHICH = (r"(?:(?P<size>small|smaller|smallest|little|tiny|big|bigger|biggest|large|larger|largest|main|guest|"
-         r"single|double|middle|medium|kleine[sn]?|grosse[sn]?|petite|grande)(?:er|est)? |second |third |fourth |last |other |first |same |"
+         r"single|double|middle|medium|kleine[sn]?|grosse[sn]?|petite|grande)(?:er|est)? |second |third |fourth |last "
+         r"|other |first |same |"
          r"zweite |dritte |andere |deuxieme |troisieme |autre |segunda |tercera |otra )?")  # fmt: skip
-OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(?:own )?(?:(?P<many>{{numbers}}) )?{WHICH}"
-          r"(?P<noun>bed ?rooms?|rooms?|ones?|(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|our) (?:flat|house)))\b(?!')")  # fmt: skip
+OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(?:own )?(?:(?P<many>{{numbers}}) "
+    rf")?{WHICH}"
+          r"(?P<noun>bed ?rooms?|rooms?|ones?|(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|"
+          r"our) (?:flat|house)))\b(?!')")  # fmt: skip
 AGED = re.compile(
     r"\b(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
     r"(?=,? (?:in |can |will |both |each |share|sleep|has |have |get|need|want|take))"
-    r"|\b(the|his|her|their) (eldest|oldest|youngest|elder|younger)(?=,? (?:in |can |will |share|sleep|has |gets?|needs?|wants?|takes?))"
+    r"|\b(the|his|her|their) (eldest|oldest|youngest|elder|younger)(?=,? (?:in |can |will |share|sleep|has |gets?|"
+    r"needs?|wants?|takes?))"
 )
 """Children told by their age."""
 SEVERAL = re.compile(r"\b(?:two|three|four|five|six|[2-6])[ -]?(?:bed ?rooms?|br\b|schlafzimmer|chambres|dormitorios)")
@@ -25,19 +30,24 @@ BESIDES = re.compile(r"\b(?:besides|beside that|apart from|in addition|additiona
 ABROAD = [(late(said), words) for said, words in (
     (r"\blos (dos|tres) (?:pequenos|menores|mayores|chicos)(?= (?:comparten|duermen|tienen|quieren))", r"los \1 hijos"),
     (r"\b(?:el|la) (?:mayor|menor|pequen[oa])(?= (?:tiene|duerme|quiere|necesita))", "el hijo"),
-    (r"\bles (deux|trois) (?:petits|petites|cadets|grands|plus jeunes)(?= (?:partagent|dorment|ont|veulent))", r"les \1 enfants"),
+    (r"\bles (deux|trois) (?:petits|petites|cadets|grands|plus jeunes)(?= (?:partagent|dorment|ont|veulent))",
+     r"les \1 enfants"),
     (r"\b(?:l'ainee?|le grand|la grande|le cadet|la cadette)(?= (?:a|dort|veut) )", "l'enfant"),
-    (r"\bdie (?:beiden|zwei) (?:kleinen|grossen|jungeren|alteren)(?= (?:teilen|schlafen|haben|bekommen))", "die zwei kinder"),
+    (r"\bdie (?:beiden|zwei) (?:kleinen|grossen|jungeren|alteren)(?= (?:teilen|schlafen|haben|bekommen))",
+     "die zwei kinder"),
     (r"\b(?:der|die) (?:grosse|alteste|jungste|kleine)(?= (?:hat|schlaft|bekommt|braucht))", "das kind"),
-    (r"\b(die|meine|unsere|zwei|drei) ((?:zwei |drei )?[a-z]+), die sich ein(?:en)? (?:schlaf)?zimmer teilen\b", r"\1 \2 teilen sich ein zimmer"),
+    (r"\b(die|meine|unsere|zwei|drei) ((?:zwei |drei )?[a-z]+), die sich ein(?:en)? (?:schlaf)?zimmer teilen\b",
+     r"\1 \2 teilen sich ein zimmer"),
 )]
 IN_BEDS = re.compile(r"\b(sleep) in (?:(?:a|two) )?((?:[a-z]+ )?beds?) (in (?:one|the same|a) (?:bed ?)?room)\b")
 BARE = re.compile(
-    r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small)|das (?:grosse|kleine|andere|zweite)|"
+    r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small)|das (?:grosse|"
+    r"kleine|andere|zweite)|"
     r"la (?:petite|grande|otra|autre|pequena))(?= ?(?:[.,;]|$| (?:and|und|et|y) (?:i|we|my|our|the|wir|je|nous|yo)\b))"
 )
 """What tells a room without a word for it."""
-AND_THING = re.compile(r"\b(\d (?:kids room|relative's room|bedroom)s) and (?:an? |their own |own )?(desk|bed|wardrobe|balcony|bathroom)\b")
+AND_THING = re.compile(r"\b(\d (?:kids room|relative's room|bedroom)s) and (?:an? |their own |own )?(desk|bed|"
+    r"wardrobe|balcony|bathroom)\b")
 OURS = (
     r"\b(?:we|my [a-z]+ and i|i and my [a-z]+) (?:both |two |parents )?(?:{verb}) (?:the|an?|our|one) (?:own )?"
     r"(?:(?:biggest|largest|big|large|second|third|fourth|last|other|main|remaining|same|smallest|small) )?"
@@ -49,7 +59,10 @@ OURS_ELSEWHERE = re.compile(
     r"(?:dritten|vierten|zweiten|grossten|grosste|anderen|andere|letzten)(?: schlafzimmer| zimmer)?\b"
     r"|\bnous (?:avons|dormons dans|prenons|occupons|aurons) (?:la |une )?(?:plus grande|troisieme|quatrieme|deuxieme|"
     r"derniere|autre)(?: chambre)?\b"
-    r"|\bnosotros (?:dormimos en|tenemos|ocupamos|usamos) (?:la |el |una? )?(?:mas grande|tercer[oa]?|segund[oa]|cuart[oa]|"
+    r"|\bje dors dans (?:la |une )?(?:plus grande|troisieme|quatrieme|deuxieme|derniere|autre)(?: chambre)?\b"
+    r"|\bich schlafe (?:im|in dem) (?:dritten|zweiten|anderen|letzten)(?: schlafzimmer| zimmer)?\b"
+    r"|\bnosotros (?:dormimos en|tenemos|ocupamos|usamos) (?:la |el |una? )?(?:mas grande|tercer[oa]?|segund[oa]|"
+    r"cuart[oa]|"
     r"ultim[oa]|otr[oa])(?: habitacion| dormitorio)?\b"
 )
 MINE = (
@@ -61,12 +74,13 @@ SELF = "(?:takes?|gets?|has|have|needs?|wants?|uses?|sleeps? in|live in|stay in)
 
 def aged(text: str) -> str:
     """`the two little ones`, `the eldest` as children, where a text speaks of some."""
-    for pattern_, words in ABROAD:
-        text = pattern_.sub(words, text)
-    if not re.search(r"\b(?:children|kids?|sons?|daughters?|boys|girls)\b", text):
+    for said, words in ABROAD if not FAMILY.search(text) else []:
+        text = said.sub(words, text)
+    if not re.search(r"\b(?:children|kids?|sons?|daughters?|boys|girls|baby|toddler|twins)\b", text):
         return text
     text = AGED.sub(lambda found: f"{found[1]} children" if found[1] else f"{found[2]} {found[3]} child", text)
-    text = re.sub(r"\b(the (?:little|small|young|older|younger|big|bigger|elder|other) )children(?= (?:has|gets|needs|wants|takes))", r"\1child", text)
+    text = re.sub(r"\b(the (?:little|small|young|older|younger|big|bigger|elder|other) )children(?= (?:has|gets|needs|"
+        r"wants|takes))", r"\1child", text)
     return IN_BEDS.sub(r"\1 \3 with \2", text)
 
 
@@ -74,7 +88,7 @@ def possessed(text: str) -> tuple[str, list[str]]:
     """A folded text with rooms in the place of clauses that say who has one, and those clauses."""
     found: list[str] = []
     said, text = text, BARE.sub(r"\1 one", text)
-    counted = SEVERAL.search(said) is not None and BESIDES.search(said) is None
+    counted = among_counted(said)
 
     def room(match: re.Match[str]) -> str:
         plain = not match["noun"].startswith("one")
@@ -93,7 +107,8 @@ def possessed(text: str) -> tuple[str, list[str]]:
         found.append(match.group())
         return rooms_for(match, 1)
 
-    text = pattern("{who}{relative} (?:will |can |must |should )?(?:share|teilen|partagent|comparten)(?= ?(?:[,.;:]|$|and ))"
+    text = pattern("{who}{relative} (?:will |can |must |should )?(?:share|teilen|partagent|comparten)(?= ?(?:[,.;:]|$|"
+        "and ))"
                    ).sub(shared, text)  # fmt: skip
     text = pattern(f"{{who}}{{relative}}? (?:will |should |must |can )?{VERB} {OBJECT}").sub(
         lambda match: room(match) if _takes(match) else match.group(), text)  # fmt: skip
@@ -104,9 +119,15 @@ def possessed(text: str) -> tuple[str, list[str]]:
     return (text if found else said), found
 
 
+def among_counted(text: str) -> bool:
+    """Whether a text counts bedrooms among which those are of whom it tells."""
+    return SEVERAL.search(text) is not None and BESIDES.search(text) is None
+
+
 def _takes(match: re.Match[str]) -> bool:
     """Whether the clause tells which room somebody has, rather than that there is to be one for them."""
-    which = re.search(r"\b(?:the|his|her|their|das|la) (?:own )?(?:[a-z]+ ){0,2}(?:[a-z]*rooms?|ones?|[a-z]*zimmer|chambre|habitacion)$",
+    which = re.search(r"\b(?:the|his|her|their|das|la) (?:own )?(?:[a-z]+ ){0,2}(?:[a-z]*rooms?|ones?|[a-z]*zimmer|"
+        r"chambre|habitacion)$",
                       match.group())  # fmt: skip
     own = re.search(r"\b(?:own|same|eigenes?|propre|propia)\b", match.group())
     single = kind_of(match) != "child" or not several(match) or number_of(match) == 1
@@ -116,7 +137,8 @@ def _takes(match: re.Match[str]) -> bool:
 
 def sized(rooms: str, size: str | None) -> str:
     """`a kids room` that is large or small."""
-    word = {"s": "small", "l": "small", "b": "large", "t": "small", "k": "small", "p": "small", "g": "large"}.get((size or " ")[0], "")
+    word = {"s": "small", "l": "small", "b": "large", "t": "small", "k": "small", "p": "small",
+    "g": "large"}.get((size or " ")[0], "")
     word = "large" if (size or "").startswith("large") else word
     if not word or size in ("single", "double", "main", "guest", "middle", "medium") or "parents'" in rooms:
         return rooms

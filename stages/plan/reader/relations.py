@@ -94,6 +94,8 @@ def _of_a_list(items: list[Item], p: Predicate, left: list[RoomPhrase], right: l
         left = left[-1:]  # "a toilet, a living room and a laundry room adjacent to the kitchen"
     if len(left) > 1 and ends and _closes_list(items, p):
         left = left[-1:]  # "a lounge, a bathroom and a terrace off the kitchen"
+    if left and left[-1].type == "balcony" and all(r.type in OPEN_TYPES for r in right):
+        left = [r for r in left if r.type == "balcony"]  # "one bathroom and a balcony off the living room"
     if left and p.kind in WAYS and _other_kind_last(items, p, left):
         left = left[-1:]  # "two bathrooms and a utility room off the kitchen", "storage and a balcony off it"
     return left

@@ -52,7 +52,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(\bher room\b[^.]*?[,;] (?:and |while )?)his (?=(?:has|is|needs|gets|an?|two|one|with)\b)", r"\1his room "),
     # "mum and dad share", "the boys share"
     (r"\b(?:my )?(?:mum|mom|mother) and (?:dad|father) share(?= ?[,;.])", "a parents' bedroom"),
-    (rf"\b((?:the|our|my|two|three) (?:(?:two|three|older|younger|little|small|big) ){{0,2}}(?:{_YOUNG})) share(?= ?[,;.])", r"\1 share a room"),
+    (rf"\b((?:the|our|my|two|three) "
+     rf"(?:(?:two|three|older|younger|little|small|big) ){{0,2}}(?:{_YOUNG})) share(?= ?[,;.])",
+     r"\1 share a room"),
     # "I have the small room next to the kitchen, my sister the one with the balcony"
     (rf"\b(i|we|he|she|they) ({_SLEEP}) the ((?:{_WHICH}) )?room\b", _theirs),
     (rf"(\b(?:{_SLEEP}) the [^.;]*?bedroom\b[^.;]*?[,;] (?:and )?)((?:my|our|his|her) (?:{_KIN}) )the "

@@ -4,7 +4,8 @@ from sentences.facts import as_meant
 
 SENTENCES = [
     # furniture that several rooms are to have, or to be without
-    ("No rugs, please: not in the living room, not in the hallway and not in the bedroom. One-bedroom flat.", "B H K L W",
+    ("No rugs, please: not in the living room, not in the hallway and not in the bedroom. One-bedroom flat.",
+     "B H K L W",
      "L1 has 0 rug, H1 has 0 rug, B1 has 0 rug"),
     ("One-bedroom flat, no rug in the living room, the hallway or the bedroom.", "B H K L W",
      "L1 has 0 rug, H1 has 0 rug, B1 has 0 rug"),
@@ -24,7 +25,8 @@ SENTENCES = [
     ("Ninguna alfombra en el salón ni en el pasillo ni en el dormitorio. Un dormitorio, un baño.", "B H K L W",
      "L1 has 0 rug, H1 has 0 rug, B1 has 0 rug"),
     ("客厅和走廊都不要地毯，一室一厅。", "B H K L W", "L1 has 0 rug, H1 has 0 rug"),
-    ("Two bedrooms. A desk in the study, in the bedrooms two lamps each.", "B2 H K L S W", "S1 has 1 desk, !B1 has 1 desk"),
+    ("Two bedrooms. A desk in the study, in the bedrooms two lamps each.", "B2 H K L S W", "S1 has 1 desk, !B1 has 1 "
+     "desk"),
     ("Three bedrooms without a desk or a tv. One bathroom.", "B3 H K L W",
      "B1 has 0 desk, B3 has 0 desk, B1 has 0 tv, B3 has 0 tv, !L1 has 1 tv"),
     ("Weder Balkon noch Arbeitszimmer. Zwei Schlafzimmer.", "B2 H K L W", ""),
@@ -57,9 +59,11 @@ SENTENCES = [
     # verbs of people that say nothing of rooms
     ("Two bedrooms, each with its own en suite bathroom. My bedroom must not be near the kitchen, I smell everything.",
      "B2 H K L W2", "B1H1, B2H1, B1W1, B2W2, H1K1, apart B1 K1"),
-    ("One bedroom. The kitchen should be opposite the living room so that I only have to go straight across the hallway, "
+    ("One bedroom. The kitchen should be opposite the living room so that I only have to go straight across the "
+     "hallway, "
      "and the bedroom opposite the bathroom.", "B H K L W", "opposite K1 L1, opposite B1 W1"),
-    ("Please to make flat for my parents and me. They sleep in one bedroom, in double bed. I sleep in other bedroom, in "
+    ("Please to make flat for my parents and me. They sleep in one bedroom, in double bed. I sleep in other bedroom, "
+     "in "
      "single bed.", "B2 H K L W", "B1 has 1 double_bed, B2 has 1 single_bed"),
     # people who have rooms
     ("Three kids, and each gets a bedroom. One more bedroom for us parents with its own bathroom, another bathroom off "
@@ -67,11 +71,13 @@ SENTENCES = [
     ("The twins share a room with two single beds, their big sister has her own room with a desk, and my husband and I "
      "have one with a double bed. One bathroom.", "B3 H K L W",
      "B1 has 1 double_bed, B2 has 2 single_bed, B3 has 1 desk"),
-    ("Four bedrooms and a bathroom. The baby sleeps in the bedroom next to ours; the two older ones have a bedroom each.",
+    ("Four bedrooms and a bathroom. The baby sleeps in the bedroom next to ours; the two older ones have a bedroom "
+     "each.",
      "B4 H K L W", "adjacent B2 B1"),
     ("Three bedroom, one bathroom and one toilet more.", "B3 H K L W2", "H1W1, H1W2"),
     # what a plan cannot tell, and words of one language that are another's
-    ("Two bedrooms on the eighth floor, with views of the sea.", "B2 H K L W", "unread eighth floor, unread views of the sea"),
+    ("Two bedrooms on the eighth floor, with views of the sea.", "B2 H K L W", "unread eighth floor, unread views of "
+     "the sea"),
     ("Two bedrooms on the 8th floor, one bathroom.", "B2 H K L W", "unread 8th floor"),
 ]  # fmt: skip
 

@@ -1,0 +1,58 @@
+"""Words of people who write of their own family: whose children they tell of, and where they sleep themselves."""
+
+import re
+
+from apartgen.stages.plan.reader.kin import kind_of, pattern, several
+
+OURS = re.compile(
+    r"^(?:\w+ (?:of|von|de) )?(?:both |beide )?"
+    r"(?:our|my|mein\w*|unser\w*|nos|notre|mes|mon|ma|mis?|nuestr\w+)\b"
+)
+BEDROOMS = re.compile(
+    r"\b(?:bed ?rooms?|master|parents|schlafzimmer|eltern\w*|chambre|dormitorios?|habitaci\w+|my room|our room|us|"
+    r"(?:and|&|und|et|y) (?:i|me|ich|moi|yo)|i (?:also|need|want|get)|we (?:also|need|have|get|sleep))\b|卧"
+)
+"""What tells where those sleep whose children have rooms."""
+COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
+"""A number of bedrooms, beside which people have no further rooms."""
+LIVING = re.compile(r"\b(?:lives?|stays?|moves? in) with (?:us|me) and (?=ha[sv]e?|needs?|gets?|wants?|takes?|sleeps?)")
+HAVING = re.compile(
+    r"(?:\b(?:we have|we are|we've|our|my|wir haben|unsere|nous avons|nos|tenemos|nuestr[oa]s)\b|我们|一家)[^.]{0,48}"
+    r"kids room"
+)
+"""Children of those who write."""
+FAMILY = re.compile(r"\b(?:couple|family|paar|familie|famille|pareja|familia) (?:with|of|mit|avec|con)\b")
+"""Families whose members are counted elsewhere."""
+TOGETHER = re.compile(
+    r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
+    r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
+)
+COUPLE = re.compile(
+    r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
+    r"|\b(?:me|myself|i) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
+)
+SUMMED = re.compile(
+    r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
+    r"\b(?! in total)"
+)
+"""Bedrooms that are counted once those who have rooms are named: all of them."""
+
+
+def heading(text: str) -> str:
+    """`our three daughters: …`, before the rooms of each, counts no further rooms."""
+    def people(match: re.Match[str]) -> str:
+        return "" if kind_of(match) == "child" and several(match) else match.group()
+
+    rooms = "(?:an?|\\d) (?:small |large )?(?:kids room|relative's room)"
+    we = "(?:(?:we (?:have|are)|tenemos|wir haben|nous avons) (?:got )?)?"
+    return pattern(f"{we}{{who}} ?[:;.-]+ ?(?={rooms})").sub(people, text)
+
+
+def with_ours(text: str, claims: list[str]) -> str:
+    """`our two kids each want a room`: whose children they are have one too, where no other bedroom is spoken of."""
+    if HAVING.search(text) and not (FAMILY.search(text) or COUNTED.search(text) or BEDROOMS.search(text)):
+        return f"{text.rstrip(' .!')}. a parents' bedroom."
+    ours = [match for claim in claims if OURS.search(claim) for match in pattern("{who}").finditer(claim)]
+    if not any(match["child"] or match["twins"] for match in ours) or COUNTED.search(text) or BEDROOMS.search(text):
+        return text
+    return f"{text.rstrip(' .!')}. a parents' bedroom."
