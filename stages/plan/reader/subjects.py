@@ -23,8 +23,8 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
         return
     first, *onto = items[p.at].text.split()
     if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link" and p.kind != Relation.NEAR:
-        again = last is not None and items[last.at].text.split()[0] in ("one", "another", "a", "the")
-        near = not again and bool(rooms) and (last is None or last.kind != Relation.HAS)
+        counted_on = last is not None and items[last.at].text.split()[0] in ("one", "another", "a", "the")
+        near = not counted_on and bool(rooms) and (last is None or last.kind != Relation.HAS)
         head = rooms[-1] if near else next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
         at_head = (0, 0) if head is None else (head, head + 1)
         p.subject = last.subject if last and not near else at_head
