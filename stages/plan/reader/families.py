@@ -21,6 +21,7 @@ HAVING = re.compile(
     r"kids room"
 )
 """Children of those who write."""
+HEADED = re.compile(r"[:;.-] ?(?:an?|\d) (?:small |large )?(?:kids room|relative's room)")
 FAMILY = re.compile(r"\b(?:couple|family|paar|familie|famille|pareja|familia) (?:with|of|mit|avec|con)\b")
 """Families whose members are counted elsewhere."""
 TOGETHER = re.compile(
@@ -44,6 +45,8 @@ def heading(text: str) -> str:
         return "" if kind_of(match) == "child" and several(match) else match.group()
 
     rooms = "(?:an?|\\d) (?:small |large )?(?:kids room|relative's room)"
+    if HEADED.search(text) is None:
+        return text
     we = "(?:(?:we (?:have|are)|tenemos|wir haben|nous avons) (?:got )?)?"
     return pattern(f"{we}{{who}} ?[:;.-]+ ?(?={rooms})").sub(people, text)
 

@@ -1,6 +1,7 @@
 """What a text says of the people who live in a home, as rooms: who has a room of their own, who shares one."""
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
@@ -31,8 +32,8 @@ def housed(text: str) -> tuple[People | None, str]:
         people, text = _household(text)
         people = people and replace(people, children=max(people.children - fewer, 0))
         return people, text
-    others = pattern("{who}").search(COUPLE.sub("", text)) is not None
-    claims, claimed = _claims(_placed(COUPLE.sub("the couple", text) if others else text))
+    couple = COUPLE.search(text) is not None and pattern("{who}").search(COUPLE.sub("", text)) is not None
+    claims, claimed = _claims(_placed(COUPLE.sub("the couple", text) if couple else text))
     if claimed:
         if beside and "parents' bedroom" not in claims and not COUNTED.search(claims):
             claims = f"{claims.rstrip(' .!')}. a parents' bedroom."  # "the baby sleeps with us, …"
@@ -126,18 +127,19 @@ def _claims(text: str) -> tuple[str, bool]:
     ).sub(own, text)
     text = pattern("{who}[:,] {article}{room}{each}").sub(own_each, text)
     text = pattern("{who} {need} (?P<bath>{article}+{bathroom}\\b)").sub(bathed, text)
-    if found:
-        text = re.sub(r"\bour (?:own )?room\b", "the parents' bedroom", text)
-        text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
-        text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
-        text = with_ours(ours(text), found)
-        text = heading(text)
-    if found:  # "then my parents also a room, and I a room"
-        also = "(?:also |too |auch |aussi |tambien )?"
-        gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
-        text = gapped.sub(_gapped, text)
-        text = re.sub(r"\bi (?:also )?an? room\b", "another bedroom", text)
-    return text, bool(found)
+    return (_claims_on(text, found, shared) if found else text), bool(found)
+
+
+def _claims_on(text: str, found: list[str], shared: Callable[[re.Match[str]], str]) -> str:
+    """Rooms of those of whom less is said where others are told to have one: `the girl has her own`, `and I a room`."""
+    text = re.sub(r"\bour (?:own )?room\b", "the parents' bedroom", text)
+    text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
+    text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
+    text = heading(with_ours(ours(text), found))
+    also = "(?:also |too |auch |aussi |tambien )?"  # "then my parents also a room, and I a room"
+    gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
+    text = gapped.sub(_gapped, text)
+    return re.sub(r"\bi (?:also )?an? room\b", "another bedroom", text)
 
 
 def _gapped(match: re.Match[str]) -> str:

@@ -79,12 +79,8 @@ class Phraser(Modifiers):
         ):
             self.pending.labels.add(Trait.ADJOINING)
             return i + 1
-        if word.text == "like" and word.kind == "link" and not self._compares():
-            return i + 1  # "I would like a study"
-        if word.text == "to" and following is not None and following.text == "be":
-            return i + 1  # "must to be", "has to be"
-        if has_to(words, i):
-            return i + 2  # "I have to go"
+        if skipped := self._without_meaning(words, i):
+            return i + skipped
         word = words[i] = bathing(word, following, Trait.OWN in self.pending.labels)
         if word.kind == "style" and word.text.endswith(" bedrooms") and not self.pending.empty():
             self.items.append(Item("style", word.value, word.text))  # "five private bedrooms"
@@ -117,6 +113,12 @@ class Phraser(Modifiers):
             return i + 1
         self._other(word, following)
         return i + 1
+
+    def _without_meaning(self, words: list[Lexeme], i: int) -> int:
+        """How many words from `i` on belong to a verb alone: `I would like a study`, `has to be`, `I have to go`."""
+        like = words[i].text == "like" and words[i].kind == "link" and not self._compares()
+        to_be = words[i].text == "to" and i + 1 < len(words) and words[i + 1].text == "be"
+        return 1 if like or to_be else 2 if has_to(words, i) else 0
 
     def _is_object(self, word: Lexeme, following: Lexeme | None) -> bool:
         """`bed` and `bath` are furniture where a room is being furnished, not after "3 …" of a listing."""

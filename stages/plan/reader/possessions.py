@@ -39,6 +39,14 @@ ABROAD = [(late(said), words) for said, words in (
     (r"\b(die|meine|unsere|zwei|drei) ((?:zwei |drei )?[a-z]+), die sich ein(?:en)? (?:schlaf)?zimmer teilen\b",
      r"\1 \2 teilen sich ein zimmer"),
 )]
+TOLD = re.compile(
+    r"\b(?:the|his|her|their|das|la) (?:[a-z]+ ){0,2}(?:rooms?|bed ?rooms?|ones?|(?:schlaf)?zimmer|chambre|"
+    r"habitacion)\b"
+    r"|\b(?:the|das|la) (?:other|second|third|fourth|last|big|small|grosse|kleine|petite|grande)[a-z]*(?= ?(?:[.,;]|$|"
+    r" and))"
+    r"|\b(?:share|teilen|partagent|comparten)\b"
+)
+"""Without which nobody is told to have one of several rooms."""
 IN_BEDS = re.compile(r"\b(sleep) in (?:(?:a|two) )?((?:[a-z]+ )?beds?) (in (?:one|the same|a) (?:bed ?)?room)\b")
 BARE = re.compile(
     r"\b(the (?:other|second|third|fourth|last|biggest|largest|smallest|bigger|smaller|big|small)|das (?:grosse|"
@@ -87,6 +95,8 @@ def aged(text: str) -> str:
 def possessed(text: str) -> tuple[str, list[str]]:
     """A folded text with rooms in the place of clauses that say who has one, and those clauses."""
     found: list[str] = []
+    if TOLD.search(text) is None:
+        return text, found
     said, text = text, BARE.sub(r"\1 one", text)
     counted = among_counted(said)
 

@@ -23,11 +23,7 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
         return
     first, *onto = items[p.at].text.split()
     if first in ("one", "another", "a", "the") and onto and items[p.at].kind == "link" and p.kind != Relation.NEAR:
-        counted_on = last is not None and items[last.at].text.split()[0] in ("one", "another", "a", "the")
-        near = not counted_on and bool(rooms) and (last is None or last.kind != Relation.HAS)
-        head = rooms[-1] if near else next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
-        at_head = (0, 0) if head is None else (head, head + 1)
-        p.subject = last.subject if last and not near else at_head
+        p.subject = _of_doors(items, p, last, rooms)
         return  # "the kitchen has two doors, one to the hall and one to the lounge"
     if last and _goes_on(items, p, last):
         return
@@ -71,6 +67,16 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
         p.shared = True
         return
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
+
+
+def _of_doors(items: list[Item], p: Predicate, last: Predicate | None, rooms: list[int]) -> tuple[int, int]:
+    """Whose doors `one to the hall and one to the lounge` are: those of the room named last before them."""
+    counted_on = last is not None and items[last.at].text.split()[0] in ("one", "another", "a", "the")
+    near = not counted_on and bool(rooms) and (last is None or last.kind != Relation.HAS)
+    if last and not near:
+        return last.subject
+    head = rooms[-1] if near else next((j for j, i in enumerate(items[: p.at]) if i.room is not None), None)
+    return (0, 0) if head is None else (head, head + 1)
 
 
 def _stated(p: Predicate) -> bool:
