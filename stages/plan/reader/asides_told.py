@@ -43,6 +43,11 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"\1 kids rooms"),
     (r"\bune (?:autre )?pour chacune? de (?:nos|mes|leurs) (deux|trois|quatre) (?:enfants|filles|fils)\b",
      r"\1 kids rooms"),
+    (r"\bfree (?:of|from) (?=[a-z])", "with no "),
+    (r"\bvom (\w+) aus (?:(?:soll|kann|muss|will) )?man (?:direkt )?(?:auf|in|zu) (?:den|die|das|einen|eine) (\w+)"
+     r"(?: (?:kommen|gelangen|gehen))?(?: (?:soll|kann|konnen))?", r"\2 zuganglich vom \1"),
+    (r"\b(el balcon|la terraza) (?:esta|debe estar|tiene que estar|va) en (el|la) (\w+)(?:,? y no en (?:el|la) \w+)?",
+     r"\1 accesible desde \2 \3"),
     # "a room each for our two daughters"
     (r"\ban? (?:bed ?)?room each for (?:our |my |the )?(two|three|four|[2-4]) (?:daughters|sons|children|kids|boys|"
      r"girls|teenagers)\b",
@@ -57,8 +62,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(?:be )?not (?:be )?more (?:than |then |as )?(?=\d)", "at most "),
     (r"\b(?:an?|one) (toilet|wc) (?:extra|more|in addition)\b", r"a separate \1"),
     # "two bedrooms …; the bathroom between them"
-    (r"(\btwo (?:[a-z]+ )?bed ?rooms\b[^.]*?)[;,] (?:and )?(the|an?|one) bath ?room between them(?= ?(?:[.,;]|$))",
-     r"\1. \2 bathroom is between the two bedrooms"),
+    (r"(\btwo (?:[a-z]+ )?bed ?rooms\b[^.]*?)[;,] (?:and )?(the|an?|one) bath ?room between them ?(?:[.,;]|$)",
+     r"\1. \2 bathroom is between the two bedrooms. "),
     (r"\bzwei balkone?(?: haben)?,? einen? (?:am|vor dem|beim|im|an der|vor der|zum|zur) (\w+) und (?:noch )?einen? "
      r"(?:weiteren )?"
      r"(?:am|vor dem|beim|im|an der|vor der|zum|zur) (\w+)", r"ein balkon am \1 und ein weiterer balkon am \2"),

@@ -77,6 +77,7 @@ def _side(found: re.Match[str]) -> str:
 def worded(text: str) -> str:
     """A folded text with truth values as yes and no, areas behind their units, codes and numerals written out."""
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
+    text = re.sub(r'\b(kitchen)"?\s*:\s*\(\s*"?open"?\s*:\s*"?(?:true|yes)"?\s*\)', r"open \1", text)
     text = re.sub(r"\b(?:forbidden|excluded?|avoid|unwanted|banned|not wanted)\s*:", "no", text)
     text = _TYPED.sub(r"\2 \1s, ", text)
     text = _TYPED_TO.sub(r"\1 \2 to \3, ", text)

@@ -134,7 +134,7 @@ class Phraser(Modifiers):
             return False  # "a shower and no bathtub, the toilet close to the bedroom"
         if word.text == "bed" and self.pending.quantifier == Det.A and self.pending.number is None:
             return True
-        last = [i for i in self.items if i.kind not in ("conjunction", "mark")][-2:]
+        last = [i for i in self.items if i.kind not in ("conjunction", "mark", "area")][-2:]
         furnishing = any(i.kind in ("object", "with") for i in last[-1:])
         return (
             furnishing

@@ -53,7 +53,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "mum and dad share", "the boys share"
     (r"\b(?:my )?(?:mum|mom|mother) and (?:dad|father) share(?= ?[,;.])", "a parents' bedroom"),
     (rf"\b((?:the|our|my|two|three) "
-     rf"(?:(?:two|three|older|younger|little|small|big) ){{0,2}}(?:{_YOUNG})) share(?= ?[,;.])",
+     rf"(?:(?:two|three|older|younger|little|small|big) ){{0,2}}(?:{_YOUNG})) "
+     rf"(?:may |can |could |will )?share(?= ?[,;.])",
      r"\1 share a room"),
     # "I have the small room next to the kitchen, my sister the one with the balcony"
     (rf"\b(i|we|he|she|they) ({_SLEEP}) the ((?:{_WHICH}) )?room\b", _theirs),

@@ -115,6 +115,19 @@ SENTENCES = [
      "one bathroom.", "B H K L W", "K1~L1"),
     ("Each of the three bedrooms gets a wardrobe and a desk, the largest one also an armchair. One bathroom.",
      "B3 H K L W", "B1 has 1 armchair, !L1 has 1 armchair"),
+    ("Two bedrooms, one bathroom; the hallway must be at least 1.1 m wide and free of rugs.", "B2 H K L W",
+     "H1 has 0 rug, at_least H1 width 1.1, !L1 has 2 rug"),
+    ('apartment: {bedrooms: 2, bathrooms: 1, kitchen: {open: true}}', "B2 H K L W", "K1~L1"),
+    ("living 20 m2 w/ 2 sofas; kitchen 8 m2 w/ table; bedroom 12 m2 w/ bed + desk; bath 4 m2; hall", "B H K L W",
+     "B1 has 1 double_bed, B1 has 1 desk"),
+    ("The kids may share, but they need two desks. Our bedroom should be far from theirs. One bathroom with a tub.",
+     "B2 H K L W", "B2 has 2 desk, apart B1 B2"),
+    ("Parents plus one child: two bedrooms next to each other, a bathroom between them, open kitchen.", "B2 H K L W",
+     "B1W1, B2W1, !K1W1"),
+    ("I don't like bathtub, please only shower. One bedroom, one bathroom.", "B H K L W", "W1 has 0 bath"),
+    ("Wohnung mit Wohnküche, zwei Schlafzimmern und Bad; vom Schlafzimmer aus soll man auf den Balkon kommen.",
+     "B2 H K L W Y", "B1Y1, !L1Y1"),
+    ("El balcón está en el dormitorio y no en el salón. Un dormitorio, un baño.", "B H K L W Y", "B1Y1, !L1Y1"),
 ]  # fmt: skip
 
 test_the_programme_is_as_meant = as_meant(SENTENCES)
