@@ -31,7 +31,9 @@ def limits(text: str) -> list[tuple[str, str]]:
 
 def _why(before: str, why: str) -> str:
     """What is told of words behind such a text."""
-    return f"as wished: {why}" if DENIED.search(before) else "" if ONE.search(before) else why
+    if DENIED.search(before):
+        return f"as wished: {why}"
+    return "" if ONE.search(before) and "storey" in why else why
 
 
 def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -> list[str]:

@@ -128,6 +128,8 @@ SENTENCES = [
     ("Wohnung mit Wohnküche, zwei Schlafzimmern und Bad; vom Schlafzimmer aus soll man auf den Balkon kommen.",
      "B2 H K L W Y", "B1Y1, !L1Y1"),
     ("El balcón está en el dormitorio y no en el salón. Un dormitorio, un baño.", "B H K L W Y", "B1Y1, !L1Y1"),
+    ("A flat with one bedroom facing the sea.", "B H K L W", "unread facing the sea"),
+    ("A two-bedroom flat with bay windows in the lounge.", "B2 H K L W", "unread bay windows, !unread with bay"),
 ]  # fmt: skip
 
 test_the_programme_is_as_meant = as_meant(SENTENCES)
