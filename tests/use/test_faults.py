@@ -11,6 +11,7 @@ from lived_in import EAST, NORTH, ROOMS, SOUTH, WEST, room, thing
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages import use
+from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.site import Hole
 
 
@@ -309,3 +310,11 @@ def test_only_a_little_table_beside_the_one_where_they_eat_has_two_seats(
     place = room("living_room", 5.0, 4.0, thing(name, 2.5, 2.0, NORTH, size))
     place.site = replace(place.site, sleepers=4, meals=meals)
     assert seats_wanted(place, 0) == seats
+
+
+@pytest.mark.parametrize("name, minded", [
+    ("rug", False), ("laundry_basket", False), ("bin", False), ("chest", True), ("shoe_cabinet", True)])
+def test_what_one_steps_on_or_pushes_aside_takes_no_floor_before_a_toilet(name: str, minded: bool) -> None:
+    width, depth, things = ROOMS["bathroom"]
+    before = thing(name, 1.0, 1.0, WEST, (0.4, 0.7, TABLE[name].size[2]))
+    assert ("no floor before the toilet" in names(room("bathroom", width, depth, *things(), before))) == minded
