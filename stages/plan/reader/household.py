@@ -114,7 +114,8 @@ class Household:
         """`a second children's bedroom`: the second of those; `the second bedroom is a guest room`: that of all."""
         most, rooms = max(phrase.ordinals), self.of(phrase.type)
         known = [e for e in rooms if labels & e.labels]
-        known = rooms if phrase.quantifier == Det.THE and len(known) < most <= len(rooms) else known
+        which = phrase.quantifier == Det.THE or phrase.text == phrase.type  # "bedroom 2 is a nursery"
+        known = rooms if which and len(known) < most <= len(rooms) else known
         return counted_off(known + self.add(phrase.type, most - len(known)), phrase.ordinals)
 
     def _headline(self, phrase: RoomPhrase) -> list[Entity]:

@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.differences import by_difference, differs
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.remarks import behind_remark
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -177,7 +178,7 @@ SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", 
 
 def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms the area or share at `items[k]` is said of; none means the flat."""
-    if (whole := _has_and(before, items[k])) is not None:
+    if (whole := _has_and(before, items[k]) or behind_remark(before, items[k])) is not None:
         return [whole]
     ahead = rooms_of(items[k + 2 : k + 3])
     if ahead and items[k + 1].value == "with" and (items[k].kind == "share" or items[k + 1].text == "for"):

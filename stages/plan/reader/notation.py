@@ -2,6 +2,8 @@
 
 import re
 
+from apartgen.stages.plan.reader.lettered import numbered
+
 CODES = {"k": "kitchen", "kt": "kitchen", "lr": "living room", "dr": "dining room", "br": "bedroom", "bd": "bedroom",
          "ba": "bathroom", "bth": "bathroom"}  # fmt: skip
 """Abbreviations of rooms that are read as such only where a text has two of them."""
@@ -19,6 +21,11 @@ _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
 _KEY = re.compile(r'\b((?:total )?(?:floor )?area|size|surface)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _UNIT_KEY = re.compile(r'\b(?:total )?(sqm|m2|sqft|ft2)"?\s*:\s*"?(\d+(?:\.\d+)?)"?(?=\s*(?:[.,;)\n]|$))')
 _KEYED = re.compile(r'\b(area|size) ?\(?(m2|sqm|sq m|sqft|sq ft|ft2)\)?"?\s*:\s*(\d+(?:\.\d+)?)')
+_KEYED_ROOM = re.compile(
+    r'(?:(?<=["(.,;:\n] )|(?<=["(.,;:\n])|^)(bed ?room|bath ?room|study|balcony|kitchen)s? (?:area|size)"?: '
+    r"(\d+(?:\.\d+)?) (m2|sqm|sq m|sqft|sq ft|ft2)\b"
+)
+"""Areas of rooms of which there is a count elsewhere."""
 _WHOSE = re.compile(r"\b(kitchen|(?:living|dining|bath|bed) ?room|hall(?:way)?|corridor|study|balcony|lounge|flat)'s\b")
 _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
@@ -38,6 +45,12 @@ _COMBINED = re.compile(r"(?<![\w/])([kld])([/+])([kld])(?:\2([kld]))?(?![\w/])")
 _TIMES = re.compile(
     r"\b(bedroom|bathroom|bed|bath|br|ba|wc|balcony|closet|storage|study)s? ?x ?(\d)\b(?! ?[xm.]\d)(?!\.\d)"
 )
+_THINGS = re.compile(
+    r"(^|[-;,.:(\n]\s*|\b(?:and|with|plus|has|have) )"
+    r"(?!(?:bedroom|bathroom|bed|bath|br|ba|wc|balcony|closet|storage|study)s? ?x)"
+    r"(?:an? |the )?([a-z]+(?:[ -][a-z]+){0,2}) ?x ?(\d)\b(?! ?[xm.]\d| ?(?:x|m|m2|cm|sqm|by|ft)\b)"
+)
+"""`desk x2`: how many of a thing there are, 0 for none."""
 _NOT_HAVE = re.compile(r"\b((?:must|should|may|do|does|shall) not (?:have|include|contain)|without|excluding|no)\s*:")
 _OPEN_PLAN = re.compile(r"\bopen (?:plan|concept|space)\"?\s*:\s*yes\b(?:\s*\(([^)]*)\))?")
 _LETTERS = re.compile(r"[+,&] ?k ?[+,&] ?b\b")
@@ -76,6 +89,7 @@ def _side(found: re.Match[str]) -> str:
 
 def worded(text: str) -> str:
     """A folded text with truth values as yes and no, areas behind their units, codes and numerals written out."""
+    text = numbered(text)
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
     text = re.sub(r'\b(kitchen)"?\s*:\s*\(\s*"?open"?\s*:\s*"?(?:true|yes)"?\s*\)', r"open \1", text)
     text = re.sub(r"\b(?:forbidden|excluded?|avoid|unwanted|banned|not wanted)\s*:", "no", text)
@@ -95,11 +109,13 @@ def worded(text: str) -> str:
     text = _NAMED.sub(r"\1: \2 m2", text)
     text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
     text = _SIZED.sub(r"\1 \2: \3 m2", text)
+    text = _THINGS.sub(lambda found: f"{found[1]}{'no' if found[3] == '0' else found[3]} {found[2]}", text)
     text = _TIMES.sub(r"\2 \1s", _NOT_HAVE.sub(r"\1", text))
     text = re.sub(r"\b(bed|bath)(?:room)? count:? (\d)\b", r"\2 \1s", re.sub(r"\b(sqm|m2) (\d{2,3})$", r"\2 \1", text))
-    text = _COUNT.sub(r"\1s:", text)
+    text = _COUNT.sub(r"\1s:", re.sub(r"\b(?:num|nb|nr) (?=[a-z]+s\b)", "", text))
     text = _KEYED.sub(r"\1: \3 \2", text)
     text = _UNIT_KEY.sub(r"area: \2 \1", _KEY.sub(r"\1: \2 m2", text))
+    text = _KEYED_ROOM.sub(_counted_before, text)
     text = _EACH_OF.sub("each with ", _IN_EACH.sub("each with a ", text))
     text = _BY_COUNT.sub(_counted, text)
     text = _TOLERANCE.sub(_range, text)
@@ -114,6 +130,15 @@ def _with_relations(found: re.Match[str]) -> str:
     rest = _RELATED.sub("", said).strip(" .,;")
     kept = [f"{room}: ({rest})"] if rest else []
     return ". ".join([*kept, *relations]) if relations else found.group()
+
+
+def _counted_before(found: re.Match[str]) -> str:
+    """`bedroom area: 14 m2` beside `bedrooms: 1` as said of that bedroom, beside `bedrooms: 2` as said of each."""
+    room, area, unit = found.groups()
+    told = re.search(rf'\b{room.rstrip("y")}(?:y|ies|s)?"?\s*:\s*"?(\d)"?(?=\s*(?:[.,;)\n]|$))', found.string)
+    if told is None:
+        return found.group()
+    return f"{'the' if told[1] == '1' else 'each'} {room}: {area} {unit}"
 
 
 def _counted(found: re.Match[str]) -> str:

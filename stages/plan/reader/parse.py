@@ -33,6 +33,7 @@ from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
 from apartgen.stages.plan.reader.relations import at_table, place, relations
+from apartgen.stages.plan.reader.remarks import of_that_home
 from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
@@ -179,7 +180,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     _it_is(items)
-    items = [i for i in merge_ensuites(intended(items)) if i.kind != "stop"]
+    items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
     items = _closed(attach_areas(of_the_last(items, before), said))
     items = [
         i for k, i in enumerate(items) if i.kind not in DONE and not (i.kind == "pronoun" and not _of_link(items, k))

@@ -1,8 +1,11 @@
 """One room said twice: what it also serves as, what it is, and people who are no rooms."""
 
-from apartgen.stages.plan.reader.mention import Item, RoomPhrase
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
+
+WHOSE = {Trait.GUEST, Trait.KIDS, Trait.RELATIVE, Trait.MASTER}
+"""Traits of a bedroom that say who sleeps there."""
 
 
 def uses(items: list[Item], said: Said) -> list[Item]:
@@ -21,7 +24,7 @@ def uses(items: list[Item], said: Said) -> list[Item]:
         elif _either(items, k):
             _used(items[k + 2].room, [Item("use", "", "/"), items[k]], said)
             k += 2
-        elif _is_a(items, k, [r for r in rooms if r.type]):
+        elif _is_a(items, k, [r for r in rooms if r.type]) or _is_whose(items, k):
             out = [*out, items[k]]
             _same(items[k].room, items[k + 2].room)
             k += 3
@@ -67,6 +70,17 @@ def _is_a(items: list[Item], k: int, before: list[RoomPhrase]) -> bool:
     told = bool(one.ordinals) or one.count == 1 or one.quantifier in (Det.OTHER, Det.ONE_OF)
     the_one = one.type == "bathroom" and one.quantifier == Det.THE  # "the bathroom is an ensuite"
     return named and (the_one or ((one.type == "" or one.count == 1) and told)) and alike
+
+
+def _is_whose(items: list[Item], k: int) -> bool:
+    """`the other bedroom is the guest room`, `bedroom 2 = kids' room`: told from others twice."""
+    one, same = items[k].room, items[k + 2].room if k + 2 < len(items) else None
+    if one is None or same is None or not (items[k + 1].kind == "copula" or is_mark(items[k + 1], ":")):
+        return False
+    told = bool(one.ordinals or one.rank or one.labels) or one.quantifier in (Det.OTHER, Det.ONE_OF)
+    whose = bool(same.labels & WHOSE) and same.count is None and not same.ordinals
+    alike = one.type == same.type == "bedroom" and one.plural == same.plural
+    return told and whose and alike and one.labels <= {Trait.SIZED}
 
 
 def _same(one: RoomPhrase | None, same: RoomPhrase | None) -> None:

@@ -1,0 +1,39 @@
+"""Rooms that areas are said of behind remarks: in commas, or whose home it is."""
+
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.sense import sense
+from apartgen.stages.plan.reader.vocabulary import Det
+
+REMARKS = ("relative", "link", "label", "size", "adjective", "side", "place")
+"""What a remark in commas begins with."""
+VERBS = ("copula", "with", "compare", "only", "reach", "area_word")
+"""What stands between such a remark and an area."""
+
+
+def of_that_home(items: list[Item]) -> list[Item]:
+    """The bathroom of `the bathroom of my flat is small, only 4 m²`, of which the rest is said."""
+    homes = [k for k, i in enumerate(items) if i.kind == "dwelling" and _in_home(items, k)]
+    inside = [k - 1 for k in homes if items[k - 1].value == "in"]
+    return [i for k, i in enumerate(items) if k not in homes and k not in inside]
+
+
+def _in_home(items: list[Item], k: int) -> bool:
+    """Whether the home at `k` only says whose the room before it is."""
+    before = [i for i in items[max(k - 2, 0) : k] if i.value != "in"]
+    room, after = before[-1].room if before else None, items[k + 1 : k + 2]
+    alone = room is not None and not room.headline and room.count is None and room.quantifier in (Det.THE, Det.BARE)
+    return alone and any(i.kind == "copula" or i.value == "has" for i in after)
+
+
+def behind_remark(before: list[Item], area: Item) -> RoomPhrase | None:
+    """The kitchen of `the kitchen, which is open to the living room, has 12 m²`."""
+    verb = next((n + 1 for n in range(len(before) - 1, 1, -1) if before[n].kind not in VERBS), 0)
+    if not verb or not is_mark(before[verb - 1], ",") or area.kind != "area" or area.value:
+        return None
+    start = max((n + 1 for n in range(verb) if before[n].kind == "boundary" or is_mark(before[n], ".:")), default=0)
+    head, comma, remark = (before[start : verb - 1] + [Item("")] * 3)[:3]
+    room = head.room if is_mark(comma, ",") and remark.kind in REMARKS else None
+    if room is None or room.areas or room.headline or any(is_mark(i, ",") for i in before[start + 2 : verb - 1]):
+        return None
+    told = any(i.kind == "copula" or i.value == "has" for i in before[verb:])
+    return room if told or area.values[0] <= 2.2 * sense()["area"].get(room.type, 12.0) else None

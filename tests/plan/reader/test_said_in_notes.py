@@ -1,0 +1,50 @@
+"""What stands behind remarks in commas, in keys of data, behind letters and in notes of clients."""
+
+from sentences.facts import as_meant
+
+SENTENCES = [
+    ("The bathroom of our house is tiny, just 4 m², and the living room is huge, 34 m². Two bedrooms.", "B2 H K L W",
+     "W1=4, L1=34, !all=4"),
+    ("One bedroom. The kitchen in this apartment is big, about 14 square metres.", "B H K L W", "K1=14, !all=14"),
+    ("The living room of my home has 30 m²; one bedroom.", "B H K L W", "L1=30, !all=30"),
+    ("Das Bad meiner Wohnung ist klein, nur 4 m². Ein Schlafzimmer.", "B H K L W", "W1=4, !all=4"),
+    ("Le salon de mon appartement est grand, il fait 30 m². Une chambre.", "B H K L W", "L1=30, !all=30"),
+    ("The kitchen, which is open to the living room, has 12 m². One bedroom.", "B H K L W", "K1=12, K1~L1, !L1=12"),
+    ("The kitchen, opposite the bathroom, is only 7 m². One bedroom.", "B H K L W", "K1=7, opposite K1 W1, !W1=7"),
+    ("The bedroom, next to the living room, measures about 15 m². One bathroom.", "B H K L W", "B1=15, !L1=15"),
+    ("The one-bedroom flat is small, only 40 m².", "B H K L W", "all=40"),
+    ("A two-bedroom flat, very bright, has 70 m².", "B2 H K L W", "all=70"),
+    ('{"bedrooms": 1, "bathrooms": 1, "living_room_m2": 24, "bedroom_m2": 13}', "B H K L W", "B1=13, L1=24"),
+    ("bedrooms=2; bathrooms=1; bedroom_sqm=12; bathroom_sqm=5", "B2 H K L W", "B1=12, B2=12, W1=5"),
+    ("bathroom_area_m2=6, bathrooms=1, bedrooms=1, study_m2=8", "B H K L S W", "W1=6, S1=8"),
+    ('{"num_bedrooms": 2, "num_bathrooms": 1, "bathroom_m2": 5, "total_m2": 60}', "B2 H K L W",
+     "W1=5, all=60, !unread num"),
+    ('{"rooms": {"bedroom": 1, "bathroom": 1, "study": 1}, "bedroom_m2": 13, "study_m2": 8}', "B H K L S W",
+     "B1=13, S1=8"),
+    ("Two bedrooms A and B: bedroom A faces north, bedroom B faces south. Bathroom off bedroom B.", "B2 H K L W",
+     "orientation B1 north, orientation B2 south, B2W1, !orientation B1 south, !unread b"),
+    ("Bedrooms A and B, bathroom, kitchen. A on the north side, B on the south side; the bathroom is next to B.",
+     "B2 H K L W", "position B1 north, position B2 south, adjacent W1 B2"),
+    ("rooms: bedroom A (15 m2); bedroom B (10 m2); study; bathroom. bedroom A on the west side, bedroom B on the "
+     "east side, study next to bedroom B.", "B2 H K L S W",
+     "B1=15, B2=10, position B1 west, position B2 east, adjacent S1 B2"),
+    ("Three bedrooms. Bedroom A has its own bathroom. Bedroom C is not next to the kitchen and bedroom B gets a "
+     "desk. Two bathrooms.", "B3 H K L W2", "B1W1, apart B3 K1, B2 has 1 desk"),
+    ("Put in every bedroom a desk. Two bedrooms.", "B2 H K L W", "B1 has 1 desk, B2 has 1 desk"),
+    ("one-bedroom flat; washing machine x1 in bathroom; dishwasher x0 in kitchen", "B H K L W",
+     "W1 has 1 washing_machine, K1 has 0 dishwasher"),
+    ("two-bedroom flat. single bed x2 in each bedroom, floor lamp x3 in living room, tv x0 in living room",
+     "B2 H K L W", "B1 has 2 single_bed, B2 has 2 single_bed, L1 has 3 floor_lamp, L1 has 0 tv"),
+    ("bedroom x2, bathroom x1; double bed x1 in master bedroom", "B2 H K L W", "B1 has 1 double_bed"),
+    ("living room 4 x 5 m, kitchen 3x2 m, one bedroom", "B H K L W", "dimension L1 4 x 5"),
+    ("Needs: 2 bedrooms. Cot in parents' bedroom. The other bedroom is the guest room with a double bed.",
+     "B2 H K L W", "B1 has 1 cot, B2 has 1 double_bed"),
+    ("2 bedrooms, 1 bath. Bedroom 1 = parents' room, bedroom 2 = kids' room with two single beds.", "B2 H K L W",
+     "B2 has 2 single_bed"),
+    ("3 bedrooms, 2 bathrooms. Other bedrooms = kids' rooms, each with a single bed.", "B3 H K L W2", ""),
+    ("Two bedrooms; bedroom 2 is a nursery with a cot.", "B2 H K L W", "B2 has 1 cot"),
+    ("Two bedrooms; the larger bedroom is the children's room with two single beds.", "B2 H K L W",
+     "B2 has 2 single_bed, B2=14.3"),
+]  # fmt: skip
+
+test_it_is_read_as_meant = as_meant(SENTENCES)
