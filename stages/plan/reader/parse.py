@@ -25,6 +25,7 @@ from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, o
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
+from apartgen.stages.plan.reader.parted import parted
 from apartgen.stages.plan.reader.people import housed
 from apartgen.stages.plan.reader.persons import for_people
 from apartgen.stages.plan.reader.phrases import Phraser
@@ -51,7 +52,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(as_learnt(fold(prompt)))))))))
+    folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(parted(as_learnt(fold(prompt))))))))))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)

@@ -45,6 +45,25 @@ SENTENCES = [
     ("Two bedrooms; bedroom 2 is a nursery with a cot.", "B2 H K L W", "B2 has 1 cot"),
     ("Two bedrooms; the larger bedroom is the children's room with two single beds.", "B2 H K L W",
      "B2 has 2 single_bed, B2=14.3"),
+    ("A one-bedroom flat where the kitchen, the bathroom, the bedroom and the living room all open off the hallway, "
+     "and there is also a door between kitchen and living room.", "B H K L W", "H1K1, H1L1, K1L1, !B1K1, !B1L1, !K1W1"),
+    ("One-bedroom flat: kitchen and bathroom open off the hallway, plus a second door between the kitchen and the "
+     "dining room.", "B D H K L W", "H1K1, D1K1, !K1W1, !D1W1"),
+    ("One bedroom. Living room and kitchen are off the hall, with a door between the living room and the kitchen as "
+     "well.", "B H K L W", "H1K1, H1L1, K1L1"),
+    ("One bedroom. The living room, which has the balcony too, must have at least three doors.", "B H K L W Y",
+     "at_least L1 doors 3, L1Y1, !at_least Y1 doors 3"),
+    ("One bedroom. The hallway, which also leads to the study, should be at least 1.4 m wide.", "B H K L S W",
+     "at_least H1 width 1.4, H1S1, !at_least S1 width 1.4"),
+    ("One bathroom. The bedroom, which has a balcony, should face south.", "B H K L W Y",
+     "orientation B1 south, B1Y1, !orientation Y1 south"),
+    ("One bedroom. The kitchen has a door to the living room but none to the hallway.", "B H K L W",
+     "K1L1, no_door K1 H1"),
+    ("One bedroom. The study has a door to the bedroom and none to the hall.", "B H K L S W", "B1S1, no_door S1 H1"),
+    ("One bedroom. The bathroom is off the hallway. The bedroom has no door to the hallway, only one to the "
+     "bathroom.", "B H K L W", "B1W1, H1W1, no_door B1 H1, !B1H1"),
+    ("The player starts in the study, which has no door to the hall; from the study you get to the bedroom, and the "
+     "bedroom leads to the hall. One bathroom.", "B H K L S W", "B1S1, B1H1, no_door S1 H1, !H1S1"),
 ]  # fmt: skip
 
 test_it_is_read_as_meant = as_meant(SENTENCES)
