@@ -1,5 +1,6 @@
 """Clauses within clauses and doors said last, parted into sentences of their own."""
 
+
 import re
 
 from apartgen.stages.plan.reader.patterns import late
@@ -29,10 +30,36 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"(\bdoors? (?:to|into) (?:the |an? )?{_ROOM}),? (?:but|and) (?:none|no door|no doors|not one|no other) "
      r"(?:to|into|towards) ", r"\1 but not to "),
 )]  # fmt: skip
+_YOUNG = r"(?:(?:our|my|the) )?(?:two |three )?(?:twins|kids|children|sons|daughters|boys|girls)"
+_IN = r"(?:will |should |can )?(?:share|sleep in|sleep together in|have|get|are in|sleeps? in)"
+_TWO_SLEEP = [late(pattern) for pattern in (
+    rf"\b{_YOUNG} {_IN} one (?:bed)?room,? (?:and|while|but)? ?(?:we|my (?:wife|husband|partner) and (?:i|me)) "
+    rf"(?:{_IN} |in )?the other(?: one| (?:bed)?room)?\b",
+    rf"\b(?:we|my (?:wife|husband|partner) and i) {_IN} one (?:bed)?room,? (?:and|while|but)? ?{_YOUNG} "
+    rf"(?:{_IN} |in )?the other(?: one| (?:bed)?room)?\b",
+)]  # fmt: skip
+_KIDS, _OURS = "the kids' bedroom", "the parents' bedroom"
+_SAID_OF = [(re.compile(pattern), words) for pattern, words in (
+    (r"\btheirs\b", _KIDS), (r"\b(?:ours|our (?:bed)?room)\b", _OURS),
+    (r"\b(?:they|the twins|the kids|the children) (?:get|have|need|want)\b", f"{_KIDS} has"),
+    (r"\bwe (?:get|have|need|want) (?=an? )", f"{_OURS} has "),
+)]  # fmt: skip
+
+
+def _two_sleep(text: str) -> str:
+    """`our twins sleep in one bedroom and we sleep in the other; theirs is next to ours` as what is said of the two."""
+    for pattern in _TWO_SLEEP:
+        the = "the" if re.search(r"\b(?:two|three|four|[2-4])[ -]bed", text) else "a"
+        said = pattern.sub(f"{the} kids bedroom, {the} parents' bedroom", text)
+        if said != text:
+            for words, room in _SAID_OF:
+                said = words.sub(room, said)
+            return said
+    return text
 
 
 def parted(text: str) -> str:
     """A folded text with such clauses behind one another."""
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
-    return text
+    return _two_sleep(text)

@@ -48,7 +48,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"(\bis reachable only from [^.;,]+),? and (?:in)?to ((?:the |an? )?[a-z -]{{3,30}}?) only {_THROUGH} ",
      r"\1, and \2 is reachable only from "),
     # "My room has a desk, my brother's a piano", "her room has a piano, his a desk"
-    (rf"\b(my|our|the|his|her) ({_KIN})'s (?=(?:has|is|needs|gets|an?|two|one|with)\b)", r"\1 \2's room "),
+    (r"\b(mother|father|sister|brother|son|daughter)-in-law's\b", r"\1's"),
+    (rf"\b(my|our|the|his|her) ({_KIN})'s (?=(?:has|is|needs|gets|should|must|faces|opens|lies|an?|two|one|with|on|"
+     r"next|opposite|off)\b)", r"\1 \2's room "),
     (r"(\bher room\b[^.]*?[,;] (?:and |while )?)his (?=(?:has|is|needs|gets|an?|two|one|with)\b)", r"\1his room "),
     # "mum and dad share", "the boys share"
     (r"\b(?:my )?(?:mum|mom|mother) and (?:dad|father) share(?= ?[,;.])", "a parents' bedroom"),

@@ -64,6 +64,17 @@ SENTENCES = [
      "bathroom.", "B H K L W", "B1W1, H1W1, no_door B1 H1, !B1H1"),
     ("The player starts in the study, which has no door to the hall; from the study you get to the bedroom, and the "
      "bedroom leads to the hall. One bathroom.", "B H K L S W", "B1S1, B1H1, no_door S1 H1, !H1S1"),
+    ("Three bedrooms: ours has its own bathroom, and my mother-in-law's is on the south side, right opposite the other "
+     "bathroom, which is off the hall.", "B3 H K L W2",
+     "B1W1, H1W2, position B3 south, opposite B3 W2, !position W1 south"),
+    ("Three bedrooms: ours faces east, my mother's faces south and our son's is next to the kitchen. One bathroom.",
+     "B3 H K L W", "orientation B1 east, orientation B3 south, adjacent B2 K1, !orientation B1 south"),
+    ("Our twins sleep in one bedroom and we sleep in the other; theirs must be next to ours. They get a bunk bed, we "
+     "get a double bed. One bathroom.", "B2 H K L W", "adjacent B2 B1, B2 has 1 bunk_bed, B1 has 1 double_bed"),
+    ("Two bedrooms. We sleep in one bedroom and the children in the other. Ours is on the south side, theirs is "
+     "opposite the bathroom.", "B2 H K L W", "position B1 south, opposite B2 W1"),
+    ("The boys share one room, we have the other one. They need two desks, and ours should be far from the kitchen.",
+     "B2 H K L W", "B2 has 2 desk, apart B1 K1"),
 ]  # fmt: skip
 
 test_it_is_read_as_meant = as_meant(SENTENCES)
