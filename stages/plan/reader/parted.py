@@ -1,6 +1,5 @@
 """Clauses within clauses and doors said last, parted into sentences of their own."""
 
-
 import re
 
 from apartgen.stages.plan.reader.patterns import late
@@ -29,6 +28,23 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "a door to the living room but none to the hallway"
     (rf"(\bdoors? (?:to|into) (?:the |an? )?{_ROOM}),? (?:but|and) (?:none|no door|no doors|not one|no other) "
      r"(?:to|into|towards) ", r"\1 but not to "),
+    # "a balcony off the living room and, in the kitchen, two fridges", "y, en la cocina, dos"
+    (rf",? and, in the ({_ROOM}), (?=an? |one |two |three |four |\d |no )", r". the \1 has "),
+    (r",? y,? en (la|el) (\w+), (?=una? |dos |tres |cuatro |\d )", r". \1 \2 tiene "),
+    (r",? et,? dans (la|le) (\w+), (?=une? |deux |trois |quatre |\d )", r". \1 \2 a "),
+    # "Abstellraum mit Zugang von der Küche"
+    (r"\bmit (?:direktem |eigenem )?(?:zugang|zutritt|eingang) (?:von|aus|uber) (?:der|dem|die|den|das) (\w+)",
+     r"zuganglich vom \1"),
+    (r"\bmit (?:direktem |eigenem )?(?:zugang|zutritt|eingang) (?:vom|ubers|zum|zur) (\w+)", r"zuganglich vom \1"),
+    # "the bedroom of me and my husband"
+    (r"\b(?:the )?(?:bed ?)?room of (?:me and my (?:wife|husband|partner)|my (?:wife|husband|partner) and (?:me|i)|"
+     r"us)\b", "the parents' bedroom"),
+    # "the second is for everybody and its door is in the corridor"
+    (r"\b(is|are) for (?:everybody|everyone|all(?: of us)?|the whole family),? and (?:its|the|their) doors? (?:is|are) "
+     r"(?=in|on|off|to)", r"\1 "),
+    # "a studio with the kitchen in a separate room"
+    (r"\b(?:the |an? )?kitchen (?:is |should be |must be )?(?:in|as) (?:an?|its own|another) (?:separate |own )?room\b",
+     "a separate kitchen"),
 )]  # fmt: skip
 _YOUNG = r"(?:(?:our|my|the) )?(?:two |three )?(?:twins|kids|children|sons|daughters|boys|girls)"
 _IN = r"(?:will |should |can )?(?:share|sleep in|sleep together in|have|get|are in|sleeps? in)"
