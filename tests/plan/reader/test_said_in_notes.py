@@ -85,8 +85,8 @@ SENTENCES = [
      "bedroom.", "B2 H K L W2", "B1W1, H1W2, !W1W2, !H1W1"),
     ("A studio of 32 m² with the kitchen in a separate room.", "K L W", "K1L1, !K1~L1"),
     ("Studio with kitchen in another room, 30 m².", "K L W", "K1L1, !K1~L1"),
-    ("Two bedrooms, two bathrooms: the first bathroom is off my bedroom, the second is for everybody and its door is in "
-     "the corridor.", "B2 H K L W2", "B1W1, H1W2, !W1W2, !H1W1"),
+    ("Two bedrooms, two bathrooms: the first bathroom is off my bedroom, the second is for everybody and its door is "
+     "in the corridor.", "B2 H K L W2", "B1W1, H1W2, !W1W2, !H1W1"),
 ]  # fmt: skip
 
 test_it_is_read_as_meant = as_meant(SENTENCES)
