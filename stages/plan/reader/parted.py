@@ -42,6 +42,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "the second is for everybody and its door is in the corridor"
     (r"\b(is|are) for (?:everybody|everyone|all(?: of us)?|the whole family),? and (?:its|the|their) doors? (?:is|are) "
      r"(?=in|on|off|to)", r"\1 "),
+    # "the living room is on the south side of the house"
+    (rf"(\b{_ROOM}\b[^.;:]* )on the (north|south|east|west)(?:ern)? (?:side|edge) of (?:the|our|my|this) (?:house|home|"
+     r"flat|apartment|plan|unit)\b", r"\1at the \2 end of the flat"),
     # "a studio with the kitchen in a separate room"
     (r"\b(?:the |an? )?kitchen (?:is |should be |must be )?(?:in|as) (?:an?|its own|another) (?:separate |own )?room\b",
      "a separate kitchen"),

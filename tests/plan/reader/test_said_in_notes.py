@@ -87,6 +87,9 @@ SENTENCES = [
     ("Studio with kitchen in another room, 30 m².", "K L W", "K1L1, !K1~L1"),
     ("Two bedrooms, two bathrooms: the first bathroom is off my bedroom, the second is for everybody and its door is "
      "in the corridor.", "B2 H K L W2", "B1W1, H1W2, !W1W2, !H1W1"),
+    ("One bedroom. The living room is on the south side of the flat.", "B H K L W", "position L1 south"),
+    ("Two bedrooms. The kitchen and the bathroom are on the northern side of our house.", "B2 H K L W",
+     "position K1 north, position W1 north"),
 ]  # fmt: skip
 
 test_it_is_read_as_meant = as_meant(SENTENCES)
