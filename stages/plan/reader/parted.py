@@ -28,17 +28,13 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "a door to the living room but none to the hallway"
     (rf"(\bdoors? (?:to|into) (?:the |an? )?{_ROOM}),? (?:but|and) (?:none|no door|no doors|not one|no other) "
      r"(?:to|into|towards) ", r"\1 but not to "),
-    # "a balcony off the living room and, in the kitchen, two fridges", "y, en la cocina, dos"
-    (rf",? and, in the ({_ROOM}), (?=an? |one |two |three |four |\d |no )", r". the \1 has "),
+    # "un balcón en el salón y, en la cocina, dos frigoríficos"
     (r",? y,? en (la|el) (\w+), (?=una? |dos |tres |cuatro |\d )", r". \1 \2 tiene "),
     (r",? et,? dans (la|le) (\w+), (?=une? |deux |trois |quatre |\d )", r". \1 \2 a "),
     # "Abstellraum mit Zugang von der Küche"
     (r"\bmit (?:direktem |eigenem )?(?:zugang|zutritt|eingang) (?:von|aus|uber) (?:der|dem|die|den|das) (\w+)",
      r"zuganglich vom \1"),
     (r"\bmit (?:direktem |eigenem )?(?:zugang|zutritt|eingang) (?:vom|ubers|zum|zur) (\w+)", r"zuganglich vom \1"),
-    # "the bedroom of me and my husband"
-    (r"\b(?:the )?(?:bed ?)?room of (?:me and my (?:wife|husband|partner)|my (?:wife|husband|partner) and (?:me|i)|"
-     r"us)\b", "the parents' bedroom"),
     # "the second is for everybody and its door is in the corridor"
     (r"\b(is|are) for (?:everybody|everyone|all(?: of us)?|the whole family),? and (?:its|the|their) doors? (?:is|are) "
      r"(?=in|on|off|to)", r"\1 "),
