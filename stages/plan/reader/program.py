@@ -1,6 +1,7 @@
 """What was said as a programme: rooms with ids, links, areas, furniture, weights."""
 
 import logging
+import re
 from dataclasses import replace
 
 from numpy.random import Generator
@@ -33,6 +34,8 @@ from apartgen.stages.things.categories import TABLE
 
 log = logging.getLogger("apartgen")
 LONGEST = 8000
+ENDLESS = re.compile(r"[a-zà-öø-ÿœß]{100,}|[0-9]{100,}", re.IGNORECASE)
+"""No word and no number: patterns would look through all that follows at each of its letters."""
 """Characters of a prompt."""
 LIVED_IN = ("living_room", "kitchen", "dining_room", "bedroom", "bathroom", "study")
 """Rooms that `a lamp in every room` speaks of."""
@@ -90,6 +93,7 @@ def bounded(prompt: str) -> Said:
         raise BadInput('the prompt is empty; name rooms, e.g. "two-bedroom flat"')
     if len(prompt) > LONGEST:
         raise BadInput(f"the prompt has {len(prompt)} characters; keep it below {LONGEST}")
+    prompt = ENDLESS.sub(lambda word: word[0][:100], prompt)
     understood(prompt)
     said = parse(prompt)
     _counts_in_bounds(said)

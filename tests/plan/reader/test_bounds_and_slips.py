@@ -1,9 +1,20 @@
 """How large and how many rooms may be, slips of five letters, and ratios below one."""
 
+import time
+
 import pytest
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.plan.reader import read
+
+
+@pytest.mark.parametrize("sign", ["a", "Ü", "7"])
+def test_a_word_without_end_is_read_in_no_time(sign: str) -> None:
+    """It is told as not understood, in part; at each of its letters patterns looked through all that follows."""
+    start = time.process_time()
+    program = read("two-bedroom flat " + sign * 7900 + " with a balcony")
+    assert time.process_time() - start < 4
+    assert [room.type for room in program.rooms].count("balcony") == 1 and sign * 4 in str(program.unread)
 
 
 @pytest.mark.parametrize("text, fine", [
