@@ -26,7 +26,7 @@ def seated(plan: Plan, objects: list[Box]) -> bool:
 
 def test_a_home_has_a_table_with_chairs(homes: list[Plan]) -> None:
     rngs = [np.random.default_rng(i) for i in range(len(homes))]
-    for home in run_many(homes, LayoutConfig(), rngs):
+    for home in run_many(homes, LayoutConfig(candidates=2), rngs):
         assert seated(home, home.objects)
     for home in homes:
         assert seated(home, furnisher.furnish(home, np.random.default_rng(0)))
@@ -53,8 +53,9 @@ def test_beside_a_dining_room_the_living_room_has_a_table_only_where_one_is_aske
     rows = [AskedObjects(room=living, category="dining_table", count=1)]
     asked = plan.model_copy(update={"program": plan.program.model_copy(update={"objects": rows})})
     assert without_table(plan) == [living] and not without_table(asked)
+    config = LayoutConfig(room=[living, "bedroom_2"])
     tables = [{box.room for box in home.objects if box.category in ("dining_table", "round_table")}
-              for seed in range(3) for home in run_many([plan, asked], LayoutConfig(), list(map(np.random.default_rng,
-                                                                                             (seed, seed))))]
+              for seed in range(3)
+              for home in run_many([plan, asked], config, list(map(np.random.default_rng, (seed, seed))))]
     assert all(living not in there and "bedroom_2" in there for there in tables[::2])
     assert all(living in there for there in tables[1::2])
