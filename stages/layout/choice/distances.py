@@ -1,11 +1,12 @@
 """Distances: a screen not far from its sofa, a table where one eats not close to it."""
 
+from apartgen.stages.layout.relations.distances import MEALS
 from apartgen.stages.use import Furnished
 from apartgen.stages.use.kinds import TABLES
 from apartgen.stages.use.rules.sit import main_sofa, shown
 
-VIEW, MEALS = 2.2, 1.9
-"""Farther from the sofa than this a screen, and nearer than this a table, is liked less, m."""
+VIEW = 2.2
+"""Farther from the sofa than this a screen is liked less, m."""
 STEEP = 0.3
 """What each metre costs."""
 

@@ -24,6 +24,7 @@ LIVING, STUDIO = Duties(0, 0, 0, 0), Duties(1, 1, 0, 0)
     ("living_room", 12.0, LIVING, 2, "tv", [1.2, 1.0]), ("study", 20.0, LIVING, 2, "tv", []),
     ("bedroom", 9.0, LIVING, 2, "wardrobe", []), ("bedroom", 10.0, LIVING, 2, "wardrobe", [1.5, 1.2]),
     ("living_room", 20.0, STUDIO, 2, "sliding_wardrobe", [1.5, 1.2]),
+    ("bedroom", 10.0, LIVING, 2, "clothes_rail", [1.5, 1.2]), ("bedroom", 9.0, LIVING, 2, "clothes_rail", []),
     ("living_room", 20.0, LIVING, 2, "wardrobe", []),
     ("kitchen", 12.0, STUDIO, 2, "dining_table", []), ("kitchen", 12.0, STUDIO, 4, "dining_table", [1.6, 1.2]),
     ("kitchen", 12.0, LIVING, 4, "dining_table", []), ("kitchen", 12.0, STUDIO, 7, "round_table", [1.2, 1.2]),
