@@ -56,7 +56,7 @@ def test_a_network_that_loves_plants_is_brought_back(corpus: Corpus) -> None:
 @pytest.fixture(scope="module")
 def corpus(tmp_path_factory: pytest.TempPathFactory) -> Corpus:
     path: Path = tmp_path_factory.mktemp("corpus") / "c.npz"
-    _arrays.write_corpus(path, [(home, 1) for home in single_rooms.homes(None, seed=3, rooms=24)])
+    _arrays.write_corpus(path, [(home, 1) for home in single_rooms.homes(None, seed=3, rooms=12)])
     return read_corpus(path)
 
 

@@ -1,13 +1,11 @@
 """Distances: a screen not far from its sofa, a table where one eats not close to it."""
 
-from apartgen.stages.layout.relations.distances import MEALS
+from apartgen.stages.layout.relations.distances import MEALS, VIEW
 from apartgen.stages.use import Furnished
 from apartgen.stages.use.kinds import TABLES
 from apartgen.stages.use.rules.sit import main_sofa, shown
 
-VIEW = 2.2
-"""Farther from the sofa than this a screen is liked less, m."""
-STEEP = 0.3
+STEEP = 0.4
 """What each metre costs."""
 
 

@@ -42,12 +42,13 @@ def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
 
 def _furnished(path: Path, seed: int, times: int) -> list[Layout]:
     """One plan, furnished so many times."""
-    plan = _read(path)
+    plan = read(path)
     return [Layout(**dict(plan), objects=furnish(plan, rng))
             for rng in np.random.default_rng([seed, *path.name.encode()]).spawn(times)]
 
 
-def _read(path: Path) -> Plan:
+def read(path: Path) -> Plan:
+    """A plan artifact, or its body; BadInput for anything else."""
     try:
         whole = json.loads(path.read_text())
         return Plan.model_validate(whole.get("body", whole))

@@ -111,7 +111,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
-    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **wanted_of(arrays, i, plan, room)})
+    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **dict.fromkeys(task.late, 0),
+                      **wanted_of(arrays, i, plan, room)})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
