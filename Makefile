@@ -41,9 +41,9 @@ digests: $(READY)
 # Hours: the corpus and the weights of the layout model, as those that are shipped came of the ones before them.
 weights: $(READY)
 	$(BIN)/python docs/experiments/training/plans.py build/plans
-	$(BIN)/apartgen train corpus single_rooms furnisher=build/plans/ --rooms 6000 --times 2 -o build/corpus.npz
+	$(BIN)/apartgen train corpus sampled=build/plans/ --seed 9 -o build/corpus.npz
 	$(BIN)/apartgen train layout --corpus build/corpus.npz --start stages/layout/relations/weights.safetensors \
-		--steps 8000 --lr 1e-3 --held 700 --save-every 500
+		--steps 2200 --batch 192 --objects 768 --lr 1e-3 --warmup 100 --held 700 --save-every 200
 
 # The pictures of the README and of the example, of this version.
 pictures: $(READY)

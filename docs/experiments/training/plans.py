@@ -7,7 +7,7 @@ from pathlib import Path
 import apartgen
 
 PROMPTS = (Path(__file__).parent / "prompts.txt").read_text().splitlines()
-COUNT = 2280
+COUNT = 4000
 
 
 def draw(folder: Path, i: int) -> None:

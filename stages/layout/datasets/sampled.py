@@ -1,7 +1,8 @@
 """Floor plans furnished by the layout model's own weights: what constraints and the choice among its samples left.
 
 Weights that learn from these rooms have seen where a thing stands that leaves a place to what comes after it: expert
-iteration (Anthony et al. 2017, arXiv:1705.08439). `homes(root)` furnishes every plan artifact (`*.json`) below a folder.
+iteration (Anthony et al. 2017, arXiv:1705.08439). `homes(root)` furnishes every plan artifact (`*.json`) below a
+folder.
 """
 
 import os

@@ -15,7 +15,7 @@ LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(18), np.radians(35)
 """Within these angles one sits at a table, watches a screen, and is a screen seen."""
 FAR, FARTHEST, ASKANCE = 3.5, 4.0, np.radians(30)
 """A television stands no farther from its sofa, m; if need be, it does, and so far aside."""
-TURNED, STRANDED = np.radians(68), 1.9
+TURNED, STRANDED = np.radians(68), 1.6
 """An armchair looks at a sofa or its table within this angle, and stands no farther from it, m."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
 """So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
@@ -212,7 +212,7 @@ def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(~seen.walls_in().any(1))
 
 
-FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table", "tv"}
+FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table", "tv", "armchair"}
 LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS),
     (frozenset({"nightstand"}), kinds.BEDS),

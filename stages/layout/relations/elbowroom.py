@@ -21,8 +21,8 @@ SHALLOW = 0.06
 """So deep in it something is no hindrance yet, m."""
 HEAD, SILL = 0.35, 0.3
 """A window is behind the head of a bed that is no farther from it and has so much of it behind, m."""
-MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS | kinds.SLENDER
-"""What one pushes aside."""
+MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS
+"""What one pushes aside; what is slender only to draw a chair back."""
 CASES = kinds.CASES | {"dressing_table"}
 SEATS = kinds.CHAIRS - {"balcony_chair"}
 USED = SEATS | CASES
@@ -40,6 +40,9 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     if kind in USED:
         zones = _zones(kind, boxes)
         found |= outside(zones, space) > SHALLOW
+        doors = space.zones.take(~space.window)
+        if kind in SEATS and doors.n:
+            found |= (penetration(zones, doors) > SHALLOW).any(1)
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
             found |= (penetration(zones, upright(there[solid])) > SHALLOW).any(1)
@@ -68,7 +71,8 @@ def _at_window(boxes: Array, space: Space) -> Flags:
 def _bars(kind: str, used: str) -> bool:
     """Whether one thing before or behind another is in the way of its use."""
     own = used in SEATS and kind in kinds.TABLES | kinds.DESKS
-    return kind in kinds.ON_THE_FLOOR and kind not in MOVED and not own
+    moved = kind in MOVED and (kind not in kinds.SLENDER or used in SEATS)
+    return kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
 def _zones(kind: str, boxes: Array) -> Boxes:

@@ -12,8 +12,9 @@ import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import company, order
+from apartgen.stages.layout.relations.hung import cornered, lit
 from apartgen.stages.layout.relations.runs import local
-from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture, cornered, lit
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds

@@ -111,8 +111,7 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
-    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **dict.fromkeys(task.late, 0),
-                      **wanted_of(arrays, i, plan, room)})
+    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **wanted_of(arrays, i, plan, room)})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
@@ -129,8 +128,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       large=sizes.least(room.base, float(arrays.area[i]), due, told or 0))
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
-                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])),
-                _late(plan, room, given, wanted_of(arrays, i, plan, room)))
+                wanted_of(arrays, i, plan, room), room.id in plan.program.counts, _least(room, float(arrays.area[i])))
 
 
 def _row(o: Box, origin: Array) -> Array:
@@ -160,14 +158,8 @@ def _kept(plan: Plan, place: Site, given: list[Box]) -> Counter[str]:
     if place.id in plan.program.counts:
         return Counter()
     there = {o.category for o in given}
-    return Counter(name for name in belongings(place) if name not in there)
-
-
-def _late(plan: Plan, room: Room, given: list[Box], wanted: Counter[str]) -> tuple[str, ...]:
-    """What takes coats where one enters, unless things are counted, one is there, or somebody said how many."""
-    if room.id in plan.program.counts or COATS & {o.category for o in given}:
-        return ()
-    return tuple(name for name in arrivals(site(plan, room.id)) if name not in wanted)
+    coats = [] if COATS & there else arrivals(place)
+    return Counter(name for name in (*belongings(place), *coats) if name not in there)
 
 
 def _long_table(plan: Plan, room: Room) -> Counter[str]:

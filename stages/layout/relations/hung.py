@@ -6,11 +6,13 @@ Such places are known exactly, so that they are among the candidates, with littl
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.relations import order
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import CLOSED
+from apartgen.stages.use.rules.cook import CORNER
 
 LOW = 1.2
 """Units with a worktop are no higher, m."""
@@ -18,6 +20,8 @@ ABOVE = 0.1
 """What hangs keeps at least so far above what it hangs over, m."""
 HEAD, CONTACT = 2.0, 0.008
 """Up to here a hood or a mirror hangs, and contact that is none, m."""
+HOOD = (1.5, 2.1)
+"""Between these heights a hood hangs, m."""
 SIZES = 2
 """Sizes that are tried, the likeliest of what the model says."""
 
@@ -78,3 +82,18 @@ def _below_units(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.boo
     if not units.n:
         return np.zeros(found.n, bool)
     return np.asarray((penetration(Boxes(center, size, found.yaw), units) > CONTACT).any(1) & (tops < LOW))
+
+
+def cornered(boxes: Array, space: Space) -> NDArray[np.bool_]:
+    """Which candidates for a hob have a wall close at one side."""
+    found = upright(boxes)
+    return outside(found._replace(size=found.size + [0.0, 2 * CORNER, 0.0]), space) > CORNER / 2
+
+
+def lit(boxes: Array, space: Space) -> NDArray[np.bool_]:
+    """Above which candidates a hood would hang before a window."""
+    above, windows = boxes.copy(), space.zones.take(space.window)
+    above[:, 5:] = HOOD
+    if not windows.n:
+        return np.zeros(len(boxes), bool)
+    return np.asarray((penetration(upright(above), windows) > CONTACT).any(1))

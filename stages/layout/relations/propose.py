@@ -25,14 +25,12 @@ Floats = NDArray[np.float32]
 
 @dataclass
 class Particle:
-    """A room on its way: what stands there, names still to come, whether that is what comes `late`, after all that the
-    model knows of such rooms, notes on what found no place; what the encoder remembers of it, as long as that is of the
-    same furniture."""
+    """A room on its way: what stands there, names still to come, notes on what found no place; what the encoder
+    remembers of it, as long as that is of the same furniture."""
 
     furniture: Furniture
     left: list[str]
     notes: list[str] = field(default_factory=list)
-    late: bool = False
     tries: int = 0
     begun: int = 1
     memory: tuple[Furniture, Memory] | None = None

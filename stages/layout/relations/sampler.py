@@ -44,8 +44,7 @@ Floats = NDArray[np.floating[Any]]
 
 @dataclass(frozen=True)
 class Room:
-    """A room to be furnished: what the model sees of it, its space, what is given, what was asked for by name, and what
-    comes `late`, when all else stands, since the model never saw it in such a room."""
+    """A room to be furnished: what the model sees of it, its space, what is given, and what was asked for by name."""
 
     speaker: Speaker
     empty: Furniture
@@ -53,7 +52,6 @@ class Room:
     asked: Counter[str]
     counted: bool
     least: tuple[frozenset[str], ...]
-    late: tuple[str, ...] = ()
 
     def needs(self, name: str, there: list[str]) -> bool:
         """Whether the room is not what was asked for, or not what it is for, without one more of a category."""
@@ -126,10 +124,8 @@ class Sampler:
         given = len(self.room.given)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
-        if not p.left and not p.late:
-            if self.constrained:
-                p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
-            p.left, p.late = list(self.room.late), True
+        if self.constrained and not p.left:
+            p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,

@@ -20,7 +20,7 @@ from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE, reach, tucks
 from apartgen.stages.use import kinds
 from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WARDROBES, WET, basic
-from apartgen.stages.use.rules.cook import CORNER, JOINED, PUT_DOWN
+from apartgen.stages.use.rules.cook import JOINED, PUT_DOWN
 
 SLACK = 0.008
 """Contact that is none, m; below what metrics allow."""
@@ -34,8 +34,12 @@ LEVEL = 0.02
 SEATS = BEDS | EASY | CHAIRS | SMALL_SEATS
 OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
-AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand"}, 0.2, 0.1
+AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand", "piano"}, 0.2, 0.1
 """What has its back at a wall, no farther from it, m, with a radiator between, up to so near its ends."""
+NEVER_OFF = {**dict.fromkeys(WARDROBES | {"piano"}, END), "tv_stand": 0.3}
+"""What is rather left out than put elsewhere, and how near its ends its back has to be at a wall."""
+ASIDE, STRAY = frozenset({"coat_rack", "plant"}), 0.5
+"""What has a wall within so much of it, m: one walks where there is none."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
 ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
@@ -54,8 +58,6 @@ is rather left out."""
 CRAMPED, AWAY = 6.0, 4.0
 """Prices of what has no floor for its use, or takes that of others, and of coats far from the entrance, once nothing
 better was found."""
-HOOD = (1.5, 2.1)
-"""Between these heights a hood hangs, m."""
 ABOVE = 0.25
 """A hood is above what is no farther from its middle, m."""
 ASKEW = np.cos(np.pi / 4)
@@ -139,15 +141,22 @@ class Furniture:
         """What has a back has all of it at a wall, a sofa rather than not; coats and shoes are near the entrance."""
         total, kind = np.zeros(found.n), basic(name)
         if kind in AT_WALLS:
-            ends = found.size[:, 1] / 2 - END
-            off = np.maximum(self.space.behind(found, ends), self.space.behind(found, -ends))
-            total += np.where(off > BEHIND, 2 * BROKEN if strict or kind in WARDROBES else ALONE, 0.0)
+            total += np.where(self._off_wall(found, END), 2 * BROKEN if strict else ALONE, 0.0)
+            total += np.where(self._off_wall(found, NEVER_OFF[kind]), BROKEN, 0.0) if kind in NEVER_OFF else 0.0
         if kind in kinds.SOFAS:
             total += np.where(self.space.behind(found) > BEHIND, FREE, 0.0)
+        if kind in ASIDE:
+            around = found._replace(size=found.size + [2 * STRAY, 2 * STRAY, 0.0])
+            total += np.where(outside(around, self.space) > 0, 0.0, CRAMPED)
         if name in ARRIVAL and len(self.space.entrances):
             far = self.space.from_entrance(found.center[:, :2]) > NEAR
             total += np.where(far, 2 * BROKEN if strict else AWAY, 0.0)
         return total
+
+    def _off_wall(self, found: Boxes, end: float) -> NDArray[np.bool_]:
+        """Which candidates have no wall behind them up to so near their ends, m."""
+        ends = np.maximum(found.size[:, 1] / 2 - end, 0.0)
+        return np.asarray(np.maximum(self.space.behind(found, ends), self.space.behind(found, -ends)) > BEHIND)
 
     def _meets_leaves(self, name: str, found: Boxes) -> NDArray[np.bool_]:
         """Which candidates have parts that would open into a door that stands open."""
@@ -188,7 +197,7 @@ class Furniture:
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
         worse = 2 * BROKEN if strict else APART
         total += np.where(self._ill_beside(name, boxes), worse, 0.0)
-        return total + (np.where(lit(boxes, self.space), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
+        return total + (np.where(hung.lit(boxes, self.space), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
 
     def _ill_beside(self, name: str, boxes: Array) -> NDArray[np.bool_]:
         """Which candidates leave no worktop between sink and hob, or put a hob in a corner or beside what is tall."""
@@ -199,7 +208,7 @@ class Furniture:
         for some, far in ((WET, PUT_DOWN), (COLD, JOINED)):
             met = [o in some if kind in HOT else kind in some and o in HOT for o in others]
             ill |= (seen.gap[:, met] < far).any(1)
-        return np.asarray(ill | cornered(boxes, self.space) if kind in HOT else ill)
+        return np.asarray(ill | hung.cornered(boxes, self.space) if kind in HOT else ill)
 
     def shuts(self, name: str, box: Array, loose: bool = False) -> float:
         """What an object there would cut off of the floor, in metres of way: doors, ways, things out of reach; its own
@@ -246,21 +255,6 @@ class Furniture:
             found |= ((np.abs(boxes[:, 5] - under[6]) < LEVEL) & (np.abs(x) + ex < under[3] / 2 + 2 * LEVEL)
                       & (np.abs(y) + ey < under[4] / 2 + 2 * LEVEL))
         return found
-
-
-def cornered(boxes: Array, space: Space) -> NDArray[np.bool_]:
-    """Which candidates for a hob have a wall close at one side."""
-    found = upright(boxes)
-    return outside(found._replace(size=found.size + [0.0, 2 * CORNER, 0.0]), space) > CORNER / 2
-
-
-def lit(boxes: Array, space: Space) -> NDArray[np.bool_]:
-    """Above which candidates a hood would hang before a window."""
-    above, windows = boxes.copy(), space.zones.take(space.window)
-    above[:, 5:] = HOOD
-    if not windows.n:
-        return np.zeros(len(boxes), bool)
-    return np.asarray((penetration(upright(above), windows) > SLACK).any(1))
 
 
 def _with_levers(leaves: Boxes) -> Boxes:

@@ -2,14 +2,16 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import handmade
 import numpy as np
 import pytest
 from lived_in import NORTH, ROOMS, SOUTH, WEST, bedroom, room, thing
 
-from apartgen.stages import registry
+from apartgen.stages import registry, use
 from apartgen.stages.layout import choice
+from apartgen.stages.use.site import Hole
 
 
 def energy(kind: str, things: list) -> float:  # type: ignore[type-arg]
@@ -87,6 +89,17 @@ def test_a_far_screen_and_a_near_table_cost_more(screen: float | None, table: fl
         things += [thing("tv_stand", 3.0, 1.0 + screen + 0.2, SOUTH, (0.4, 1.6, 0.5)),
                    thing("dining_table", 4.0 + table + 0.45, 0.55, WEST, (0.9, 1.6, 0.75))]
     assert choice.parts(room("living_room", 9.0, 5.0, *things))["distances"] == pytest.approx(cost, abs=1e-3)
+
+
+@pytest.mark.parametrize("far, cost", [(1.0, 0.0), (3.0, 0.0), (5.0, 0.2)])
+def test_a_table_far_from_where_dishes_come_in_costs_more(far: float, cost: float) -> None:
+    """Their door is in the middle of the south wall; where nobody knows of one, nothing is said."""
+    door = Hole("door_1", "door", (4.0, 0.0), (5.0, 0.0), 0.0, 2.0, False, 0)
+    table = thing("dining_table", 4.5, far, NORTH, (0.9, 1.6, 0.75))
+    alone = room("living_room", 9.0, 8.0, table)
+    served = use.Furnished(replace(alone.site, holes=(door,), served=("door_1",)), [table])
+    assert choice.parts(alone)["distances"] == 0
+    assert choice.parts(served)["distances"] == pytest.approx(cost, abs=1e-3)
 
 
 def test_choosing_imports_no_torch() -> None:

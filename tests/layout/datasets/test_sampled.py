@@ -35,8 +35,7 @@ def test_rooms_are_those_of_layout_or_empty(plans: Path) -> None:
 def test_a_room_that_came_out_badly_is_empty(plans: Path) -> None:
     home = next(sampled.homes(plans, seed=5))
     bed = next(o for o in home.objects if o.room == "bedroom_1" and o.category.endswith("bed"))
-    x, y, z = bed.center
-    inside = Box(id="bedroom_1_desk_9", room="bedroom_1", category="desk", center=(x, y, z), size=(0.6, 1.2, 0.7), yaw=0)
+    inside = bed.model_copy(update={"id": "bedroom_1_desk_9", "category": "desk", "size": (0.6, 1.2, 0.7)})
     assert sampled._good(home).objects == home.objects
     worse = home.model_copy(update={"objects": [*home.objects, inside, inside.model_copy(update={"id": "b"})]})
     kept = sampled._good(worse).objects

@@ -93,3 +93,17 @@ def test_nothing_opens_into_a_door_that_stands_open(gap: float, turned: float, m
     shower = box((0.8, 0.8, 2.0), *middle, yaw)
     there = Furniture(space)
     assert bool(there._meets_leaves("shower", upright(shower[None]))[0]) == met
+
+
+@pytest.mark.parametrize("name, barred", [("plant", True), ("coat_rack", True), ("bin", False)])
+def test_what_stands_before_a_wardrobe_bars_it_unless_it_is_light(name: str, barred: bool) -> None:
+    wardrobe, before = box((0.6, 1.5, 2.1), -2 + 0.305, 0), box((0.3, 0.3, 1.0), -2 + 0.61 + 0.3, 0)
+    assert taken("wardrobe", wardrobe, (name, before)) == taken(name, before, ("wardrobe", wardrobe)) == barred
+
+
+@pytest.mark.parametrize("gap, barred", [(0.1, True), (0.25, True), (0.32, False), (0.6, False)])
+def test_nobody_sits_where_a_door_opens(gap: float, barred: bool) -> None:
+    """The chair looks north, its back so far from what the door in the south wall needs, .34 m of which it takes."""
+    zone = room().space.zones
+    clear = float(zone.center[0, 1] + zone.size[0, 0] / 2)
+    assert taken("chair", box(CHAIR, 0, clear + gap + 0.25, yaw=np.pi / 2)) == barred

@@ -1,6 +1,5 @@
 """Homes by the shipped weights: the same alone and in batches, rooms redone, newcomers placed."""
 
-from collections import Counter
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 
 import apartgen
-from apartgen.schemas.layout import Layout
+from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import AskedObjects, Plan, Room
 from apartgen.stages import layout, seeds, use
 from apartgen.stages.layout import batch, choice
@@ -189,7 +188,7 @@ def test_a_home_washes_its_clothes_and_two_have_length_for_theirs() -> None:
 
 
 def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
-    """Nobody asked; where all is counted nothing comes, and where it stands already no second one does."""
+    """Nobody asked."""
     near = []
     for seed in range(8):
         plan = apartgen.plan("studio", seed=seed).body
@@ -199,13 +198,21 @@ def test_where_a_home_has_no_hall_coats_hang_where_one_enters() -> None:
         if use.site(plan, room.id).entered:
             assert len(racks) <= 1
             near.append(len(racks) == 1 and np.hypot(*(np.array(racks[0].center[:2]) - np.mean(door.segment, 0))) < 4)
-            assert relations_home._late(plan, room, [], Counter()) == ("coat_rack",)
-            assert not relations_home._late(plan, room, racks, Counter()) or not racks
-            counted = plan.program.model_copy(update={"counts": {room.id: 5}})
-            assert not relations_home._late(plan.model_copy(update={"program": counted}), room, [], Counter())
         else:
             assert room.base == "hallway" and not use.arrivals(use.site(plan, room.id))
     assert len(near) >= 6 and np.mean(near) > 0.5
+
+
+def test_nobody_hangs_coats_twice_or_where_all_is_counted() -> None:
+    plan = apartgen.plan("studio", seed=0).body
+    place = next(site for room in plan.rooms if (site := use.site(plan, room.id)).entered)
+    rack, wardrobe = (Box(id="a", room=place.id, category=name, center=(1, 1, 1), size=(0.6, 1, 2), yaw=0)
+                      for name in ("coat_rack", "wardrobe"))
+    counted = plan.model_copy(update={"program": plan.program.model_copy(update={"counts": {place.id: 5}})})
+    kept = relations_home._kept
+    assert kept(plan, place, [])["coat_rack"] == 1
+    assert not any(kept(*of)["coat_rack"] for of in ((plan, place, [rack]), (plan, place, [wardrobe]),
+                                                     (counted, place, [])))
 
 
 @pytest.mark.parametrize("count", [0, 1])
