@@ -50,7 +50,7 @@ def large(tmp_path_factory):
     out = tmp_path_factory.mktemp("views") / "views"
     body = artifact.read(FLAT, Retrieve).body
     home = Walkable(**dict(body), walkable=Report(target=0.7, before=1, after=1))
-    config = RenderConfig(width=200, height=150, views=48, frames=8, points=0)
+    config = RenderConfig(width=160, height=120, views=48, frames=8, points=0)
     return home, render.run(home, config, seeds.drawn(3, "views"), out, opened_libraries().load_asset), out
 
 

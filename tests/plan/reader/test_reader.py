@@ -418,7 +418,7 @@ def test_benchmark(half: str, floors: tuple[float, float, float]) -> None:
 
 def test_reading_takes_less_than_fifty_milliseconds() -> None:
     read("studio")
-    prompts = [c.prompt for c in cases()]
+    prompts = [c.prompt for c in cases()][::3]
     start = time.process_time()
     for prompt in prompts:
         try:
@@ -431,7 +431,7 @@ def test_reading_takes_less_than_fifty_milliseconds() -> None:
 def test_the_same_bytes_whatever_the_hash_seed() -> None:
     code = (
         "from apartgen.stages.plan.reader import read; from sentences import cases;"
-        "print([read(c.prompt).model_dump_json() for c in cases('tune')[::4]])"
+        "print([read(c.prompt).model_dump_json() for c in cases('tune')[::8]])"
     )
     runs = [
         subprocess.run(
