@@ -10,8 +10,9 @@ from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.use import kinds
 
-VIEW, STAND = 2.1, 0.4
-"""A sofa is no farther before the wall that it looks at, but for what stands there with the television, m."""
+VIEW, STAND, SCREEN = 2.1, 0.4, 0.5
+"""A sofa is no farther before the wall that it looks at, but for what stands there with the television, m, which needs
+so much of it on both sides."""
 FARTHER = 4.0
 """What each further metre costs, up to where a screen is too far off anyway."""
 TOO_FAR = 1.0
@@ -24,7 +25,7 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
     tables where one eats near to sofas, (n,)."""
     kind = kinds.basic(name)
     if kind in kinds.SOFAS:
-        view = ahead(found, space) - STAND - VIEW
+        view = np.max([ahead(found, space, aside) for aside in (0.0, SCREEN, -SCREEN)], 0) - STAND - VIEW
         return np.asarray(FARTHER * np.clip(view, 0, TOO_FAR))
     if kind in kinds.TABLES:
         sofas = [k for k, o in enumerate(names) if kinds.basic(o) in kinds.SOFAS]
@@ -33,10 +34,11 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
     return np.zeros(len(boxes))
 
 
-def ahead(found: Boxes, space: Space) -> Array:
-    """Free length from each front to the wall across, m, (n,)."""
+def ahead(found: Boxes, space: Space, aside: float = 0.0) -> Array:
+    """Free length from each front, `aside` of its middle, to the wall across, m, (n,)."""
     heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
     front = found.center[:, :2] + heading * found.size[:, :1] / 2
+    front = front + aside * np.stack([-heading[:, 1], heading[:, 0]], -1)
     approach = -(heading @ space.normal.T)
     off = ((front[:, None] - space.start) * space.normal).sum(-1)
     far = np.where((approach > 1e-6) & (off > 0), off / np.maximum(approach, 1e-6), np.inf)

@@ -54,3 +54,9 @@ def test_a_table_costs_what_it_is_too_near_to_a_sofa(gap: float, near: float) ->
     there.add("sofa", box(SOFA, -4.05, 0.0))
     assert priced("dining_table", table, there) == pytest.approx(distances.NEARER * near, abs=1e-4)
     assert priced("desk", table, there) == 0
+
+
+@pytest.mark.parametrize("y, far", [(1.0, 0.0), (0.55, 0.0), (0.45, 1.0), (0.1, 1.0)])
+def test_the_wall_that_a_sofa_looks_at_is_as_wide_as_a_screen(y: float, far: float) -> None:
+    """It ends at y = 0; past it the room goes on for 2 m."""
+    assert priced("sofa", box(SOFA, -2.05, y), angle()) == pytest.approx(distances.FARTHER * far, abs=1e-4)
