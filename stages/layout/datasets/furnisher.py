@@ -5,7 +5,7 @@
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
@@ -32,11 +32,16 @@ TRIES, MINDED = 4, 0.3
 
 def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
     """Every plan below `root` in name order, furnished `times` times, on all cores; BadInput for what is no plan."""
+    yield from each(root, "furnisher", partial(_furnished, seed=seed, times=times))
+
+
+def each(root: Path | None, source: str, furnished: Callable[[Path], list[Layout]]) -> Iterator[Layout]:
+    """What becomes of every plan below `root`, in name order, on all cores; BadInput where there is none."""
     paths = sorted(root.rglob("*.json")) if root is not None else []
     if not paths:
-        raise BadInput(f"furnisher: {root} holds no plan artifact (*.json); make some with `apartgen plan`")
+        raise BadInput(f"{source}: {root} holds no plan artifact (*.json); make some with `apartgen plan`")
     with spreading((os.cpu_count() or 1) if len(paths) > MANY else 1) as spread:
-        for some in spread(partial(_furnished, seed=seed, times=times), paths):
+        for some in spread(furnished, paths):
             yield from some
 
 

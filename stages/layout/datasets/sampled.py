@@ -5,34 +5,24 @@ iteration (Anthony et al. 2017, arXiv:1705.08439). `homes(root)` furnishes every
 folder.
 """
 
-import os
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
-from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Layout
 from apartgen.stages import seeds
 from apartgen.stages.layout import choice
-from apartgen.stages.layout.batch import spreading
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.datasets import furnisher
 from apartgen.stages.layout.relations import home
 
-MANY = 16
-"""Plans that are worth processes of their own."""
 MINDED = 1.0
 """Energy of a room from which nothing is to be learned."""
 
 
 def homes(root: Path | None, seed: int = 0, times: int = 1) -> Iterator[Layout]:
     """Every plan below `root` in name order, furnished `times` times, on all cores; BadInput for what is no plan."""
-    paths = sorted(root.rglob("*.json")) if root is not None else []
-    if not paths:
-        raise BadInput(f"sampled: {root} holds no plan artifact (*.json); make some with `apartgen plan`")
-    with spreading((os.cpu_count() or 1) if len(paths) > MANY else 1) as spread:
-        for some in spread(partial(_furnished, seed=seed, times=times), paths):
-            yield from some
+    yield from furnisher.each(root, "sampled", partial(_furnished, seed=seed, times=times))
 
 
 def _furnished(path: Path, seed: int, times: int) -> list[Layout]:
