@@ -30,7 +30,7 @@ from apartgen.stages.walkable.ways import Ways, after, ways
 
 SLIGHT = (0.003, 0.006, 0.012, 0.025)
 """Shifts in any direction tried first, even away from a wall, m."""
-UP = (0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
+UP = (0.1, -0.1, 0.05, -0.05, 0.2, -0.2, 0.3, -0.3)
 """Shifts in height of what hangs on a wall, m."""
 BACK = (0.35, 0.4, 0.45, 0.5, 0.55)
 """How far a seat is drawn back where less does not do, m."""

@@ -16,7 +16,9 @@ LOOKS, WATCHES, SHOWN = np.radians(32), np.radians(18), np.radians(35)
 FAR, FARTHEST, ASKANCE = 3.5, 4.0, np.radians(30)
 """A television stands no farther from its sofa, m; if need be, it does, and so far aside."""
 TURNED, STRANDED = np.radians(68), 1.6
-"""An armchair looks at a sofa or its table within this angle, and stands no farther from it, m."""
+"""An armchair looks at a sofa within this angle, and stands no farther from it, m."""
+AROUND, BY = np.radians(50), 1.2
+"""The same of the low table before the sofa, if there is one."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
 """So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
 HEAD, BESIDE = 0.7, (-0.08, 0.3)
@@ -193,14 +195,17 @@ def _watches(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _in_group(seen: Seen, hosts: Sequence[str]) -> Flags:
-    return _any((seen.off < TURNED) & (seen.gap < STRANDED))
+    """An armchair looks at the low table, or the sofa, and into nobody's arm or back."""
+    low = np.array([o == "coffee_table" for o in hosts])
+    near = np.where(low, (seen.off < AROUND) & (seen.gap < BY), (seen.off < TURNED) & (seen.gap < STRANDED))
+    return np.asarray(near[:, low if low.any() else ~low].any(1) & ~seen.walls_in()[:, ~low].any(1))
 
 
 def _apart(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray((seen.gap >= AGAINST).all(1))
 
 
-def _within(far: float) -> Callable[[Seen, Sequence[str]], Flags]:
+def _within(far: float) -> Judge:
     return lambda seen, hosts: _any(seen.gap <= far)
 
 
@@ -238,6 +243,7 @@ RULES = (
     (frozenset({"side_table"}), kinds.EASY | kinds.BEDS, _within(REACH)),
     (kinds.SMALL_SEATS, USED_AT, _within(NEAR)),
     (LARGE, kinds.SOFAS, _leaves_open),
+    (kinds.BEFORE_A_SEAT & (kinds.SLENDER | {"side_table"}), kinds.EASY, _leaves_open),
     (kinds.SOFAS, LARGE, _open_before),
 )
 """Whose place is judged, by whom, and what must hold for it where any of these is there."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations.company import Seen
+from apartgen.stages.layout.relations.hung import lit
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.use import kinds
@@ -16,22 +17,26 @@ so much of it on both sides."""
 FARTHER = 4.0
 """What each further metre costs, up to where a screen is too far off anyway."""
 TOO_FAR = 1.0
-MEALS, NEARER = 1.9, 6.0
-"""From a dining table to a sofa, m, and what each metre less costs."""
+MEALS, FOOT, NEARER = 1.9, 0.8, 6.0
+"""From a dining table to a sofa and a bed, m, and what each metre less costs."""
+GLARE = 4.0
+"""Price of a screen before a window."""
 
 
 def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space) -> Array:
     """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): sofas far from what they look at,
-    tables where one eats near to sofas, (n,)."""
+    screens at windows, tables where one eats near to sofas or beds, (n,)."""
     kind = kinds.basic(name)
     if kind in kinds.SOFAS:
         view = np.max([ahead(found, space, aside) for aside in (0.0, SCREEN, -SCREEN)], 0) - STAND - VIEW
         return np.asarray(FARTHER * np.clip(view, 0, TOO_FAR))
-    if kind in kinds.TABLES:
-        sofas = [k for k, o in enumerate(names) if kinds.basic(o) in kinds.SOFAS]
-        if sofas:
-            return np.asarray(NEARER * np.clip(MEALS - Seen(boxes, there[sofas]).gap.min(1), 0, TOO_FAR))
-    return np.zeros(len(boxes))
+    if kind == "tv_stand":
+        return np.where(lit(boxes, space), GLARE, 0.0)
+    total = np.zeros(len(boxes))
+    for some, least in ((kinds.SOFAS, MEALS), (kinds.BEDS, FOOT)) if kind in kinds.TABLES else ():
+        if others := [k for k, o in enumerate(names) if kinds.basic(o) in some]:
+            total += NEARER * np.clip(least - Seen(boxes, there[others]).gap.min(1), 0, TOO_FAR)
+    return total
 
 
 def ahead(found: Boxes, space: Space, aside: float = 0.0) -> Array:

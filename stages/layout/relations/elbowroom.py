@@ -7,12 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.distances import ahead
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.use import kinds
 
-BACK, BEFORE = 0.34, 0.45
-"""Behind a chair, and before what is used from its front, m (less than one wants, NKBA 8: what is closer bars it)."""
+BACK, BEFORE = 0.46, 0.45
+"""Behind a chair, .81 from its table (NKBA planning guideline 8), and before what is used from its front, m."""
+CORRIDOR, PASSAGE = 1.9, 0.75
+"""What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m."""
 SHARE = 0.8
 """Of the width that has to be free."""
 LOW, HIGH = 0.05, 0.9
@@ -24,8 +27,10 @@ HEAD, SILL = 0.35, 0.3
 MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS
 """What one pushes aside; what is slender only to draw a chair back."""
 CASES = kinds.CASES | {"dressing_table"}
+SPARED = CASES - kinds.WARDROBES | {"bench"}
+"""What is rather left out than put where it takes such floor."""
 SEATS = kinds.CHAIRS - {"balcony_chair"}
-USED = SEATS | CASES
+USED = SEATS | CASES | {"bench"}
 Flags = NDArray[np.bool_]
 
 
@@ -38,7 +43,7 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
         found |= _at_window(boxes, space)
     others = [kinds.basic(o) for o in names]
     if kind in USED:
-        zones = _zones(kind, boxes)
+        zones = _zones(kind, boxes, space)
         found |= outside(zones, space) > SHALLOW
         doors = space.zones.take(~space.window)
         if kind in SEATS and doors.n:
@@ -48,7 +53,7 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
             found |= (penetration(zones, upright(there[solid])) > SHALLOW).any(1)
     used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
     if used:
-        theirs = _joined([_zones(others[k], there[k:k + 1]) for k in used])
+        theirs = _joined([_zones(others[k], there[k:k + 1], space) for k in used])
         found |= (penetration(upright(boxes), theirs) > SHALLOW).any(1)
     return found
 
@@ -75,13 +80,16 @@ def _bars(kind: str, used: str) -> bool:
     return kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
-def _zones(kind: str, boxes: Array) -> Boxes:
-    """The floor that the use of each takes."""
-    far = -BACK if kind in SEATS else BEFORE
-    away = np.sign(far) * boxes[:, 3] / 2 + far / 2
+def _zones(kind: str, boxes: Array, space: Space) -> Boxes:
+    """The floor that the use of each takes, or who passes it."""
+    far = np.full(len(boxes), -BACK if kind in SEATS else BEFORE if kind in CASES else 0.0)
+    if kind not in SEATS:
+        narrow = boxes[:, 3] + ahead(upright(boxes), space) < CORRIDOR
+        far = np.where(narrow, PASSAGE, far)
+    away = np.where(far < 0, -1, 1) * boxes[:, 3] / 2 + far / 2
     c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
     center = np.column_stack([boxes[:, 0] + c * away, boxes[:, 1] + s * away, np.full(len(boxes), (LOW + HIGH) / 2)])
-    size = np.column_stack([np.full(len(boxes), abs(far)), SHARE * boxes[:, 4], np.full(len(boxes), HIGH - LOW)])
+    size = np.column_stack([np.abs(far), SHARE * boxes[:, 4], np.full(len(boxes), HIGH - LOW)])
     return Boxes(np.asarray(center, float), np.asarray(size, float), np.asarray(boxes[:, 2], float))
 
 

@@ -25,8 +25,9 @@ BEFORE = 0.36
 MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
-FEW, DRAWN = 6, 0.67
-"""More chairs than so many stand at the ends of a table, too; each, drawn back, takes so much beyond its edge, m."""
+FEW, DRAWN = 6, (0.78, 0.55)
+"""More chairs than so many stand at the ends of a table, too; each, drawn back or squeezed in, takes so much beyond its
+edge, m."""
 
 LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"sofa"}, LOW))
 TINY, BOTH = 1e-6, 2
@@ -44,24 +45,30 @@ STEP, TRIED = 0.3, 3
 
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
-    """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one; a quarter
-    of that where what comes later on finds none, which is worse: a wardrobe, the television, the table; half of it
-    where one of two in a bed gets out over the other."""
+    """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one, a chair
+    that can't be drawn back there being half of one; a quarter of that where what comes later on finds none, worse:
+    a wardrobe, the television, the table; half of it where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
     follower = next((name for leaders, name in LEADERS if kind in leaders), "")
-    narrow, due = False, max(left.count(follower), BOTH if follower == STAND else 0)
+    narrow, due, worse = False, max(left.count(follower), BOTH if follower == STAND else 0), 0
     if due:
         places = _about(box, PLACES[follower](kind, box, TABLE[follower].size), TABLE[follower].size)
-        open_ = places[there.besides(name, box).prices(follower, places, strict=follower == CHAIR) < BROKEN]
-        due, narrow = min(due, len(places)), follower == STAND and len(open_) < BOTH
+        good = there.besides(name, box).prices(follower, places, strict=follower == CHAIR) < BROKEN
+        open_, due = places[good], min(due, len(places))
+        narrow = follower == STAND and len(open_) < BOTH
+        if follower == CHAIR and len(open_) < due:
+            some = places[~good]
+            some = some[there.besides(name, box).prices(follower, some) < BROKEN]
+            worse = min(len(some), due - len(open_))
+            open_ = np.concatenate([open_, some])
         group += [(follower, place) for place in open_[:due]]
     later = _later(there, kind, group, left)
     while len(group) > 1 and there.shut_by(group) >= MOST:
         fewer = (group[:k] + group[k + 1 :] for k in reversed(range(1, len(group))))
         group = next((some for some in fewer if there.shut_by(some) < MOST), group[:-1])
-    share = (len(group) - 1) / due * (0.5 if narrow else 1.0) if due else 1.0
+    share = max(len(group) - 1 - worse / 2, 0) / due * (0.5 if narrow else 1.0) if due else 1.0
     fine = later is None or any(there.shut_by([*group, one]) < MOST for one in later)
-    return share if fine and (kind not in kinds.SOFAS or _leaves_table(there, group, left)) else share / 4
+    return share * (_table_left(there, group, left) if kind in kinds.SOFAS else 1.0) if fine else share / 4
 
 
 def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
@@ -79,28 +86,32 @@ def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
     return [(name, place) for place in good[:: max(1, len(good) // TRIED)]]
 
 
-def _leaves_table(there: Furniture, group: list[tuple[str, Array]], left: Sequence[str]) -> bool:
-    """Whether a table that is still to come finds a place with its chairs, drawn back, beside a group."""
+def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence[str]) -> float:
+    """Whether a table that is still to come finds a place with its chairs beside a group: 1 if these are drawn back
+    there, a half if one squeezes in, a quarter if not."""
     name = next((o for o in left if kinds.basic(o) in kinds.TABLES), "")
     chairs = left.count(CHAIR)
     if not name or not chairs:
-        return True
+        return 1.0
     for o, box in group:
         there = there.besides(o, box)
     depth, width, height = TABLE[name].size
     ends = 2 * (chairs > FEW)
-    wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1]) + ends * DRAWN
-    places = _anywhere(there.space, (depth + 2 * DRAWN, wide, height))
-    return bool((there.prices(name, places, strict=True) < BROKEN).any())
+    wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1])
+    for share, drawn in zip((1.0, 0.5), DRAWN, strict=True):
+        places = _anywhere(there.space, (depth + 2 * drawn, wide + ends * drawn, height))
+        if (there.prices(name, places, strict=True) < BROKEN).any():
+            return share
+    return 0.25
 
 
 def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
-    """Places (m, 7) all over the room for what others follow: beds and wardrobes along all walls, tables anywhere
+    """Places (m, 7) all over the room for what others follow: beds, sofas, wardrobes along all walls, tables anywhere
     square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes."""
     kind = kinds.basic(name)
     if kind in kinds.TABLES:
         return _anywhere(space, _likeliest(boxes))
-    if kind not in kinds.BEDS | kinds.WARDROBES:
+    if kind not in kinds.BEDS | kinds.WARDROBES | kinds.SOFAS:
         return boxes[:0]
     depth, width, height = _likeliest(boxes)
     sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]

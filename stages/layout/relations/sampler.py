@@ -32,7 +32,8 @@ INSTEAD = {"double_bed": ("single_bed",)}
 SAME, ELSEWHERE = 0.05, 0.15
 """A candidate that is no good takes those with it that are so near, m; farther ones where a group finds no place."""
 PART = 0.5
-"""A bed has its wardrobe and a nightstand at least, if its place is not the model's."""
+"""A bed has its wardrobe and a nightstand at least, a sofa its television and table, where they are placed anyway."""
+PARTLY = kinds.BEDS | kinds.SOFAS
 LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
 KNOWN = 0.02
@@ -161,7 +162,7 @@ class Sampler:
         places = followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
         if not self.constrained or self.places != "model" or not len(places):
             return None
-        weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in kinds.BEDS else 1.0
+        weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in PARTLY else 1.0
         return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough, looks=LAST)
 
     def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:

@@ -38,7 +38,7 @@ AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand", "piano"}, 
 """What has its back at a wall, no farther from it, m, with a radiator between, up to so near its ends."""
 NEVER_OFF = {**dict.fromkeys(WARDROBES | {"piano"}, END), "tv_stand": 0.3}
 """What is rather left out than put elsewhere, and how near its ends its back has to be at a wall."""
-ASIDE, STRAY = frozenset({"coat_rack", "plant"}), 0.5
+ASIDE, STRAY = kinds.SLENDER, 0.5
 """What has a wall within so much of it, m: one walks where there is none."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
@@ -60,6 +60,10 @@ CRAMPED, AWAY = 6.0, 4.0
 better was found."""
 ABOVE = 0.25
 """A hood is above what is no farther from its middle, m."""
+WIDE = 0.58
+"""Worktop between sink and hob, if there is a place with so much of it, m."""
+JUTS = 0.7
+"""Deeper, a unit in a corner stands out before its neighbours, m."""
 ASKEW = np.cos(np.pi / 4)
 """A seat that is drawn under a table looks at it within this cosine."""
 Floats = NDArray[np.float64]
@@ -132,7 +136,7 @@ class Furniture:
         barred = company.barred(name, boxes, self.names, self.boxes)
         total += np.where(barred, ALONE if loose else 2 * BROKEN, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
-        total += np.where(cramped, 2 * BROKEN if strict else CRAMPED, 0.0)
+        total += np.where(cramped, 2 * BROKEN if strict or basic(name) in elbowroom.SPARED else CRAMPED, 0.0)
         total += 0.0 if loose else distances.price(name, boxes, found, self.names, self.boxes, self.space)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
@@ -196,16 +200,17 @@ class Furniture:
         alone = ~runs.touching(name, boxes, self.names, self.boxes)
         total = np.where(away, 2 * BROKEN, 0.0) + np.where(alone, APART if loose else BROKEN, 0.0)
         worse = 2 * BROKEN if strict else APART
-        total += np.where(self._ill_beside(name, boxes), worse, 0.0)
+        total += np.where(boxes[:, 3] > JUTS, worse, 0.0) if name in CLOSED else 0.0
+        total += np.where(self._ill_beside(name, boxes, strict), worse, 0.0)
         return total + (np.where(hung.lit(boxes, self.space), worse, 0.0) if TABLE[name].is_for("cook") else 0.0)
 
-    def _ill_beside(self, name: str, boxes: Array) -> NDArray[np.bool_]:
+    def _ill_beside(self, name: str, boxes: Array, strict: bool) -> NDArray[np.bool_]:
         """Which candidates leave no worktop between sink and hob, or put a hob in a corner or beside what is tall."""
         kind, others = basic(name), list(map(basic, self.names))
         if kind not in HOT | WET | COLD:
             return np.zeros(len(boxes), bool)
         seen, ill = company.Seen(boxes, self.boxes), np.zeros(len(boxes), bool)
-        for some, far in ((WET, PUT_DOWN), (COLD, JOINED)):
+        for some, far in ((WET, WIDE if strict else PUT_DOWN), (COLD, JOINED)):
             met = [o in some if kind in HOT else kind in some and o in HOT for o in others]
             ill |= (seen.gap[:, met] < far).any(1)
         return np.asarray(ill | hung.cornered(boxes, self.space) if kind in HOT else ill)

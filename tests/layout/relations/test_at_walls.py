@@ -33,7 +33,7 @@ def test_a_television_stand_has_a_wall_behind_it(corner: Furniture, past: float,
     assert (price(corner, "tv_stand", at) >= BROKEN) == plain
 
 
-@pytest.mark.parametrize("name", ["coat_rack", "plant"])
+@pytest.mark.parametrize("name", ["coat_rack", "floor_lamp", "plant"])
 def test_what_stands_in_the_middle_of_the_floor_is_rather_at_a_wall(corner: Furniture, name: str) -> None:
     middle, beside = (price(corner, name, box((0.4, 0.4, 1.7), x, 0.6)) for x in (-1.5, -0.5))
     assert beside == 0 and 0 < middle < BROKEN

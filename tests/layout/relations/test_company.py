@@ -137,3 +137,27 @@ def test_in_a_room_begun_anew_the_bed_comes_before_what_one_can_do_without() -> 
     assert set(company.next_of(left, [])) == set(left)
     assert set(company.next_of(left, [], anew=True)) == {"double_bed", "sofa"}
     assert set(company.next_of(["tv_stand", "armchair"], ["double_bed"], anew=True)) == {"tv_stand", "armchair"}
+
+
+@pytest.mark.parametrize("x, y, yaw, good", [
+    (3.0, 2.9, -NORTH, True),      # across the low table from the sofa
+    (4.5, 1.4, np.pi, True),       # beside it, looking at it
+    (4.6, 0.5, NORTH, False),      # in line with the sofa, looking past all of it
+    (4.55, 0.5, np.pi, False),     # looking into the arm of the sofa
+    (3.0, 3.6, -NORTH, False),     # out of reach of the table
+])
+def test_an_armchair_stands_about_the_low_table_and_looks_into_no_arm(x: float, y: float, yaw: float,
+                                                                      good: bool) -> None:
+    sofa, table = thing("sofa", 3.0, 0.5, NORTH), thing("coffee_table", 3.0, 1.6, NORTH)
+    chair = token(thing("armchair", x, y, yaw))[None]
+    there = np.stack([token(sofa), token(table)])
+    assert bool(company.alone("armchair", chair, ["sofa", "coffee_table"], there)[0]) != good
+
+
+@pytest.mark.parametrize("ahead, good", [(0.45, False), (0.7, False), (1.3, True)])
+def test_a_side_table_stands_beside_a_seat(ahead: float, good: bool) -> None:
+    """Not where the feet of who sits there are, m from the seat's middle; a low table is reached over them."""
+    seat = thing("armchair", 3.0, 2.5, NORTH)
+    before = token(thing("side_table", 3.0, 2.5 + ahead + 0.2, NORTH))[None]
+    judges = [wanted for mine, _, wanted in company.RULES if "side_table" in mine]
+    assert all(bool(wanted(company.Seen(before, token(seat)[None]), ["armchair"])[0]) for wanted in judges[1:]) == good

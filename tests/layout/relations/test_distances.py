@@ -60,3 +60,22 @@ def test_a_table_costs_what_it_is_too_near_to_a_sofa(gap: float, near: float) ->
 def test_the_wall_that_a_sofa_looks_at_is_as_wide_as_a_screen(y: float, far: float) -> None:
     """It ends at y = 0; past it the room goes on for 2 m."""
     assert priced("sofa", box(SOFA, -2.05, y), angle()) == pytest.approx(distances.FARTHER * far, abs=1e-4)
+
+
+@pytest.mark.parametrize("gap, near", [(0.1, 0.7), (0.5, 0.3), (0.8, 0.0), (2.0, 0.0)])
+def test_a_table_costs_what_it_is_too_near_to_a_bed(gap: float, near: float) -> None:
+    there = room(9.0, 5.0)
+    there.add("double_bed", box((2.0, 1.6, 0.5), -3.5, 0.0))
+    table = box(TABLE, -2.5 + gap + 0.45, 0.0)
+    assert priced("dining_table", table, there) == pytest.approx(distances.NEARER * near, abs=1e-4)
+
+
+def test_a_screen_is_rather_not_before_a_window() -> None:
+    """The window is in the north wall, 1.2 m wide about the middle."""
+    there = Furniture(space_of(some_rooms(1), 0))
+    low, high = there.space.corners.min(0), there.space.corners.max(0)
+    stand = (0.4, 1.2, 0.5)
+    at_window = box(stand, 0.0, float(high[1]) - 0.205, -np.pi / 2)
+    away = box(stand, float(low[0]) + 0.205, 0.0)
+    assert priced("tv_stand", at_window, there) == distances.GLARE
+    assert priced("tv_stand", away, there) == priced("chest", at_window, there) == 0

@@ -90,7 +90,8 @@ def test_leaders_may_stand_all_over_the_room_square_to_its_walls() -> None:
     tables = followers.leading("dining_table", table[None], there.space)
     turned = np.abs(np.sin(2 * tables[:, 2]))
     assert len(tables) > 100 and (turned < 1e-3).all() and np.ptp(tables[:, 0]) > 3 and np.ptp(tables[:, 1]) > 2
-    assert not len(followers.leading("sofa", table[None], there.space))
+    assert not len(followers.leading("desk", table[None], there.space))
+    assert len(followers.leading("sofa", bed[None], there.space)) == len(beds)
     clothes = box((0.6, 1.8, 2.1), 0, 0)[None]
     found = [followers.leading("wardrobe", clothes, there.space, least)[:, 4] for least in (0.0, 1.2, 2.0)]
     widths = [sorted({round(float(wide), 3) for wide in some}) for some in found]
