@@ -32,14 +32,19 @@ def some_rooms(n: int, seed: int = 0) -> Rooms:
     )
 
 
-def room(width: float = 4.0, depth: float = 4.0) -> Furniture:
+def one_room(width: float = 4.0, depth: float = 4.0) -> Rooms:
     """A room about the origin with a door in its south wall."""
     rooms = some_rooms(1)
     x, y = width / 2, depth / 2
     rooms.polygon[0, :4] = np.array([[-x, -y], [x, -y], [x, y], [-x, y]], np.float32)
     rooms.openings[0] = np.nan
     rooms.openings[0, 0] = [-0.4, -y, 0.4, -y, 0, -1, 0]
-    return Furniture(space_of(rooms, 0))
+    return rooms
+
+
+def room(width: float = 4.0, depth: float = 4.0) -> Furniture:
+    """The same, as it is to be furnished."""
+    return Furniture(space_of(one_room(width, depth), 0))
 
 
 def box(size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0) -> np.ndarray:

@@ -11,14 +11,18 @@ from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
 
-TAKEN, BROKEN = 9.5, 20.0
-"""Prices of taken floor, just below what breaks a requirement, and of what does."""
+TAKEN, BROKEN = 7.0, 20.0
+"""Prices of taken floor, below what breaks a requirement, and of what does."""
 OFF_WALL = 0.06
 """A fixture's back is no farther from its wall, m."""
 ASIDE, BEYOND = 0.3, 0.1
 """Half the width of the floor before a fixture, and how much wider than the fixture it may be on each side, m."""
 AXIS = 0.385
-"""From a toilet's axis to what stands beside it, m."""
+"""From the axis of a toilet or a basin to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
+SQUEEZED = 2.5
+"""Price of no elbow room at a basin; together with that of taken floor it stays below what breaks a requirement."""
+RAIL, BELOW, OVER, HIGH = "towel_rail", ("bath", "toilet"), 6.0, 4.0
+"""What one reaches for, over what it rather does not hang, the price of it there, and more than rooms are high, m."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -28,19 +32,27 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
            strict: bool) -> Floats:
     """Of candidates (n,) for an object, among those that stand there."""
     total = np.zeros(found.n)
+    if name == RAIL:
+        return _over_fixtures(found, names, there)
     if TABLE[name].place != "floor":
         return total
     stands = np.array([TABLE[o].place == "floor" for o in names], bool)
-    taken = np.zeros(found.n, bool)
+    taken, tight = np.zeros(found.n, bool), np.zeros(found.n, bool)
     if name in FIXTURES:
         total += np.where(space.behind(found) > OFF_WALL, BROKEN, 0.0)
         others = there.take(np.flatnonzero(stands))
         for zone in kept(name, found):
             taken |= outside(zone, space) > SLACK
             taken |= (penetration(zone, others) > SLACK).any(1)
+        for zone in elbows(name, found):
+            fast = others.take(np.array([not TABLE[o].loose for o, on in zip(names, stands, strict=True) if on], bool))
+            tight |= (outside(zone, space) > SLACK) | (penetration(zone, fast) > SLACK).any(1)
     for k in (k for k, o in enumerate(names) if o in FIXTURES):
         for zone in kept(names[k], there.take(np.array([k]))):
             taken |= penetration(found, zone)[:, 0] > SLACK
+        for zone in [] if TABLE[name].loose else elbows(names[k], there.take(np.array([k]))):
+            tight |= penetration(found, zone)[:, 0] > SLACK
+    total += np.where(tight, BROKEN if strict else SQUEEZED, 0.0)
     return total + np.where(taken, BROKEN if strict or name not in FIXTURES else TAKEN, 0.0)
 
 
@@ -51,6 +63,19 @@ def kept(name: str, some: Boxes) -> list[Boxes]:
     if name != "toilet":
         return [front]
     return [front, _strip(some, OFF - some.size[:, 0] / 2, some.size[:, 0] / 2, np.full(some.n, AXIS))]
+
+
+def _over_fixtures(found: Boxes, names: list[str], there: Boxes) -> Floats:
+    """Of what hangs, reached over a tub or in the way of who sits below."""
+    below = there.take(np.array([o in BELOW for o in names], bool))
+    center, size = below.center.copy(), below.size.copy()
+    center[:, 2], size[:, 2] = HIGH / 2, HIGH
+    return np.where((penetration(found, Boxes(center, size, below.yaw)) > SLACK).any(1), OVER, 0.0)
+
+
+def elbows(name: str, some: Boxes) -> list[Boxes]:
+    """Floor beside the front half of each basin."""
+    return [_strip(some, np.zeros(some.n), some.size[:, 0] / 2, np.full(some.n, AXIS))] if name == "vanity" else []
 
 
 def _strip(some: Boxes, near: Floats, far: Floats, half: Floats) -> Boxes:

@@ -1,13 +1,14 @@
-"""Wardrobes of a finished room grow along their wall into floor that nothing else took: what is drawn before all else
-stands cannot know how much will be left."""
+"""Wardrobes of a finished room grow along their wall into floor that nothing else took, runs that are complete by base
+units where they lack worktop: what is drawn before all else stands cannot know how much will be left."""
 
 from collections.abc import Callable, Collection
 
 import numpy as np
 
-from apartgen.stages.layout.relations.exchange import filled
+from apartgen.stages.layout.relations import exchange, order, runs
+from apartgen.stages.layout.relations.exchange import BASE, filled
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.tokens import Array, Shell
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
@@ -15,6 +16,8 @@ WIDTHS = (2.0, 1.8, 1.6, 1.4)
 """What is tried, m: one metre for each of two is usual."""
 LITTLE = 0.05
 """What is no gain, m."""
+MORE, BASES = 2, (0.9, 0.6, 0.45)
+"""So many base units come to a run that lacks worktop, at most, as wide as they are sold, m."""
 
 
 def grown(there: Furniture, names: Collection[str], fixed: int, empty: Callable[[], Furniture]) -> Furniture:
@@ -51,3 +54,31 @@ def _grown(box: Array, wide: float, side: float) -> Array:
     out[:2] += more * np.array([-np.sin(box[2]), np.cos(box[2])])
     out[4] = wide
     return out
+
+
+def run_on(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
+    """The furniture with base units more in its run while it lacks worktop beside sink and hob, where they break
+    nothing; then the units are put in order anew, the first `fixed` as they are."""
+    longer = there
+    for _ in range(MORE):
+        found = _another(longer, shell)
+        if found is None:
+            break
+        longer = longer.fork()
+        longer.add(BASE, found)
+    return there if longer is there else exchange.settled(longer, fixed, empty)
+
+
+def _another(there: Furniture, shell: Shell) -> Array | None:
+    """Where one more base unit does most for who cooks there; None where it does nothing."""
+    now = exchange.cost(there.names, there.boxes, there.space)
+    if now < exchange.LEAST or order.runs().isdisjoint(there.names):
+        return None
+    sizes = np.repeat(runs.usual(BASE)[None], len(BASES), 0)
+    sizes[:, 4] = BASES
+    places = runs.further(BASE, sizes, there.names, there.boxes, shell)
+    good = places[there.prices(BASE, places, strict=True) < BROKEN]
+    names = [*there.names, BASE]
+    costs = np.array([exchange.cost(names, np.concatenate([there.boxes, box[None]]), there.space) for box in good])
+    better = (good[k] for k in np.argsort(costs, kind="stable").tolist() if costs[k] < now - exchange.LEAST)
+    return next((box for box in better if there.shuts(BASE, box) < CUT), None)

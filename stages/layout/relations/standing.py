@@ -47,7 +47,7 @@ ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
-"""Nothing to look at stands on what is higher, m: the eyes of who sits are at 1.1 to 1.2."""
+"""Nothing to look at and no lamp stands on what is higher, m: the eyes of who sits are at 1.1 to 1.2."""
 ABOVE_TOPS = 0.7
 """What hangs higher at a wall may hang above a low cabinet, a basin or a bed, m."""
 APART = 6.0
@@ -245,11 +245,11 @@ class Furniture:
         return np.asarray(total)
 
     def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
-        """Whether candidates stand on the top of something, wholly, that nobody sits, lies or walks on, and no screen
-        above where one looks."""
+        """Whether candidates stand on the top of something, wholly, that nobody sits, lies or walks on, screens and
+        lamps not above where one looks."""
         found = np.zeros(len(boxes), bool)
         for o, under in zip(self.names, self.boxes, strict=True):
-            if basic(o) in SEATS or TABLE[o].soft or under[6] > EYES and TABLE[name].is_for("watch"):
+            if basic(o) in SEATS or TABLE[o].soft or under[6] > EYES and TABLE[name].is_for("watch", "light"):
                 continue
             offset = boxes[:, :2] - under[:2]
             c, s = np.cos(under[2]), np.sin(under[2])

@@ -47,3 +47,20 @@ def test_an_armchair_apart_from_its_group_is_left_out() -> None:
     near = box((0.8, 0.8, 0.8), 0, float(sofa[1]) + 0.45 + 1.2 + 0.4, SOUTH)
     far = box((0.8, 0.8, 0.8), 0, float(sofa[1]) + 0.45 + 1.7 + 0.4, SOUTH)
     assert price(there, "armchair", near) < BROKEN <= price(there, "armchair", far)
+
+
+@pytest.mark.parametrize("name, size, on_wardrobe", [
+    ("table_lamp", (0.2, 0.2, 0.4), False), ("tv", (0.1, 0.6, 0.4), False), ("plant", (0.2, 0.2, 0.4), None),
+])
+def test_no_lamp_or_screen_stands_on_what_is_higher_than_eyes(name: str, size: tuple[float, float, float],
+                                                             on_wardrobe: bool | None) -> None:
+    there = Furniture(space_of(some_rooms(1), 0))
+    low = there.space.corners.min(0)
+    for other, wide, high, at in (("wardrobe", (0.6, 1.0), 2.0, 0.52), ("chest", (0.45, 1.0), 0.8, 1.6)):
+        there.add(other, box((*wide, high), float(low[0]) + wide[0] / 2 + 0.005, float(low[1]) + at))
+    found = []
+    for k, top in ((0, 2.0), (1, 0.8)):
+        one = box(size, *there.boxes[k, :2])
+        one[5:] += top
+        found.append(bool(there._carried(name, one[None])[0]))
+    assert found == [on_wardrobe is None, True]

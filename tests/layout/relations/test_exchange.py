@@ -125,3 +125,13 @@ def test_the_hob_does_not_stay_at_the_end_of_its_run() -> None:
     found = order(settled(along(names)))
     assert sorted(found) == sorted(names) and 0 < found.index("oven") < 4
     assert between(found, WET, HOT) and abs(found.index("oven") - found.index("fridge")) > 1
+
+
+def test_the_dishwasher_comes_near_the_sink() -> None:
+    """Behind the hob it is 2.2 m from it, and .4 m of base unit take its place."""
+    before = along(["kitchen_sink", "kitchen_base", "kitchen_drawers", "oven", "dishwasher", "kitchen_base"])
+    after = settled(before)
+    names, at, wide = after.names, after.boxes[:, 0], after.boxes[:, 4]
+    sink, dishes = names.index("kitchen_sink"), names.index("dishwasher")
+    assert abs(float(at[sink] - at[dishes])) - float(wide[sink] + wide[dishes]) / 2 < exchange.DISHES
+    assert exchange.cost(names, after.boxes, after.space) < exchange.cost(before.names, before.boxes, before.space)

@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import box, room
+from rooms_for_tests import box, one_room, room
 
 from apartgen.stages.layout.relations import lengthened
+from apartgen.stages.layout.relations.exchange import cost
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import shell
 
 NAMES = ("wardrobe",)
 CLOTHES = (0.6, 1.2, 2.1)
@@ -52,3 +54,41 @@ def test_two_are_two_metres_together_and_what_is_given_or_of_other_rooms_stays()
     assert grown(bedroom(second)).boxes[:, 4] == pytest.approx([1.2, 1.2])
     assert ends(grown(bedroom(), fixed=1)) == (-0.6, 0.6)
     assert ends(lengthened.grown(bedroom(), (), 0, room(5.0, 4.0).fork)) == (-0.6, 0.6)
+
+
+def kitchen(*more: tuple[str, np.ndarray]) -> Furniture:
+    """Sink, base unit and hob side by side in the middle of the north wall of a room of 5 m by 4."""
+    there = room(5.0, 4.0)
+    for name, x, wide in (("kitchen_sink", -0.753, 0.6), ("kitchen_base", -0.15, 0.6), ("oven", 0.453, 0.6)):
+        there.add(name, box((0.6, wide, 0.9), x, 1.695, -np.pi / 2))
+    for name, one in more:
+        there.add(name, one)
+    return there
+
+
+def run_on(there: Furniture, fixed: int = 0) -> Furniture:
+    return lengthened.run_on(there, shell(one_room(5.0, 4.0), 0), fixed, room(5.0, 4.0).fork)
+
+
+def test_a_run_goes_on_where_it_lacks_worktop() -> None:
+    """.6 m in one piece are half of what one wants; base units more make it longer, and end the run beside the hob."""
+    before = kitchen()
+    there = run_on(before)
+    base = [k for k, name in enumerate(there.names) if name == "kitchen_base"]
+    assert len(base) in (2, 3) and len(there.names) == 3 + len(base) - 1
+    widths, at = there.boxes[:, 4].astype(float), there.boxes[:, 0].astype(float)
+    line = sorted(range(len(at)), key=lambda k: at[k])
+    ends = [at[b] - widths[b] / 2 - at[a] - widths[a] / 2 for a, b in zip(line[:-1], line[1:], strict=True)]
+    assert np.abs(ends).max() < 0.01, "side by side"
+    assert cost(there.names, there.boxes, there.space) < cost(before.names, before.boxes, before.space)
+
+
+def test_no_unit_is_put_where_something_stands_nor_where_there_is_enough() -> None:
+    """What stands at an end closes it; a run with 1.3 m beside its hob, amid its units, is long enough."""
+    closed = kitchen(("fridge", box((0.6, 0.6, 1.9), -1.356, 1.695, -np.pi / 2)),
+                     ("plant", box((0.6, 0.6, 1.2), 1.1, 1.6, -np.pi / 2)))
+    names = run_on(closed).names
+    at_hob = [box for name, box in zip(names, run_on(closed).boxes, strict=True) if name == "kitchen_base"]
+    assert all(abs(float(one[0]) - 1.1) > 0.5 for one in at_hob)
+    enough = kitchen(("kitchen_drawers", box((0.6, 1.3, 0.9), 1.406, 1.695, -np.pi / 2)))
+    assert run_on(enough).names == enough.names
