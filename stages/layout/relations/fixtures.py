@@ -11,16 +11,16 @@ from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
 
-TAKEN, BROKEN = 7.0, 20.0
-"""Prices of taken floor, below what breaks a requirement, and of what does."""
+TAKEN, BROKEN = 9.5, 20.0
+"""Prices of taken floor, just below what breaks a requirement, and of what does."""
 OFF_WALL = 0.06
 """A fixture's back is no farther from its wall, m."""
 ASIDE, BEYOND = 0.3, 0.1
 """Half the width of the floor before a fixture, and how much wider than the fixture it may be on each side, m."""
 AXIS = 0.385
 """From the axis of a toilet or a basin to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
-SQUEEZED = 2.5
-"""Price of no elbow room at a basin; together with that of taken floor it stays below what breaks a requirement."""
+SQUEEZED = 4.0
+"""Price of no elbow room at a basin, until nothing better was found."""
 RAIL, BELOW, OVER, HIGH = "towel_rail", ("bath", "toilet"), 6.0, 4.0
 """What one reaches for, over what it rather does not hang, the price of it there, and more than rooms are high, m."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
@@ -29,7 +29,7 @@ Floats = NDArray[np.float64]
 
 
 def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space,
-           strict: bool) -> Floats:
+           strict: bool, loose: bool = False) -> Floats:
     """Of candidates (n,) for an object, among those that stand there."""
     total = np.zeros(found.n)
     if name == RAIL:
@@ -52,7 +52,7 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
             taken |= penetration(found, zone)[:, 0] > SLACK
         for zone in [] if TABLE[name].loose else elbows(names[k], there.take(np.array([k]))):
             tight |= penetration(found, zone)[:, 0] > SLACK
-    total += np.where(tight, BROKEN if strict else SQUEEZED, 0.0)
+    total += np.where(tight, BROKEN if strict else 0.0 if loose else SQUEEZED, 0.0)
     return total + np.where(taken, BROKEN if strict or name not in FIXTURES else TAKEN, 0.0)
 
 

@@ -138,7 +138,7 @@ class Furniture:
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
         total += np.where(cramped, 2 * BROKEN if strict or basic(name) in elbowroom.SPARED else CRAMPED, 0.0)
         total += 0.0 if loose else distances.price(name, boxes, found, self.names, self.boxes, self.space)
-        total += fixtures.prices(name, found, self.names, self.upright, self.space, strict)
+        total += fixtures.prices(name, found, self.names, self.upright, self.space, strict, loose)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
     def _away(self, name: str, found: Boxes, strict: bool) -> Floats:
