@@ -21,8 +21,8 @@ AXIS = 0.385
 """From the axis of a toilet or a basin to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
 SQUEEZED = 4.0
 """Price of no elbow room at a basin, until nothing better was found."""
-RAIL, BELOW, OVER, HIGH = "towel_rail", ("bath", "toilet"), 6.0, 4.0
-"""What one reaches for, over what it rather does not hang, the price of it there, and more than rooms are high, m."""
+RAIL, OVER, HIGH = "towel_rail", {"bath": 6.0, "toilet": BROKEN}, 4.0
+"""What one reaches for, its price over a tub, and where a lid opens into it, and more than rooms are high, m."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -67,10 +67,11 @@ def kept(name: str, some: Boxes) -> list[Boxes]:
 
 def _over_fixtures(found: Boxes, names: list[str], there: Boxes) -> Floats:
     """Of what hangs, reached over a tub or in the way of who sits below."""
-    below = there.take(np.array([o in BELOW for o in names], bool))
-    center, size = below.center.copy(), below.size.copy()
-    center[:, 2], size[:, 2] = HIGH / 2, HIGH
-    return np.where((penetration(found, Boxes(center, size, below.yaw)) > SLACK).any(1), OVER, 0.0)
+    below = np.array([k for k, o in enumerate(names) if o in OVER], int)
+    columns = there.take(below)
+    columns.center[:, 2], columns.size[:, 2] = HIGH / 2, HIGH
+    price = np.array([OVER[names[k]] for k in below])
+    return np.asarray(((penetration(found, columns) > SLACK) * price).max(1, initial=0.0))
 
 
 def elbows(name: str, some: Boxes) -> list[Boxes]:
