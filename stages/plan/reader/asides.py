@@ -15,6 +15,23 @@ def doors_counted(out: list[Item], items: list[Item], k: int) -> bool:
     return False
 
 
+def of_which(out: list[Item], items: list[Item], k: int) -> bool:
+    """The `of which` of `three bedrooms, two of which have a balcony`, behind the number it belongs to."""
+    counted = last(out).room
+    return items[k].text == "of which" and counted is not None and not counted.type and counted.count is not None
+
+
+def heading(out: list[Item], items: list[Item], k: int) -> bool:
+    """The dash of `three bedrooms - one with a balcony`, which begins what is told of them and is no door."""
+    counted, one = last(out).room, ahead(items, k)[0].room
+    if not is_mark(items[k], "-") or counted is None or one is None or (counted.count or 1) < 2 or not counted.type:
+        return False
+    if one.type not in ("", counted.type) or not (is_mark(last(out[:-1]), ".:,") or last(out[:-1]).kind == "dwelling"):
+        return False
+    out.append(Item("mark", ":", ":"))
+    return True
+
+
 def bath_each(out: list[Item], items: list[Item], k: int) -> bool:
     """`a two-bedroom flat with a bathroom each`: each of the bedrooms has one."""
     bath, each = items[k].room, ahead(items, k)[0].room

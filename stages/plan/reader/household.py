@@ -33,6 +33,7 @@ class Household:
         self.totals: dict[str, int] = {}
         self.banned: set[tuple[str, str]] = set()
         self.open_kitchen = False
+        self.closed_kitchen = False
         self.mentions = mentions
         self.asked = asked
         self.last: list[Entity] = []

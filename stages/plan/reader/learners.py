@@ -65,7 +65,6 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to "
      r"be |be |which is )?"
      r"open\b(?! to)", "separate kitchen"),
-    (r"\b(?:do not|don't) (?:want|like|need) (?:the |an? )?open (?:plan )?kitchen\b", "separate kitchen"),
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),

@@ -11,6 +11,8 @@ from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, patt
 from apartgen.stages.plan.reader.possessions import aged, among_counted, equipped, ours, possessed, sized
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
+PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
+"""Words for two people that need no article."""
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
 
 
@@ -117,7 +119,7 @@ def _claims(text: str) -> tuple[str, bool]:
     text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
     text = pattern(
         "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada "
-        "un[oa] de )?{who}{relative}?,? ?(?:and (?={every}))?"
+        "un[oa] de )?{who}{relative}?,? ?(?:(?:and|they) (?={every}))?"
         "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)"
         "(?: one| of them| student| child| kid| person)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*"
@@ -173,7 +175,9 @@ def _each_of(text: str) -> tuple[str, list[str]]:
         found.append(match.group())
         rooms = "bedrooms" if kind == "adult" else f"{ROOM[kind]}s"
         lead = f"{match['between']}, " if re.search("room|kitchen|bath", match["between"]) else ""
-        return f"{lead}{number_of(match)} {rooms}"
+        if match["me"] and kind == "child":
+            return f"{lead}a parents' bedroom, {number_of(match)} {rooms}"
+        return f"{lead}{number_of(match) + bool(match['me'])} {rooms}"
 
     group = "(?P<all>{who}(?:(?:,| and|,? und|,? et|,? y| &) {who})+),? (?:(?:will|should|must|can) )?"
     own = (
@@ -182,9 +186,10 @@ def _each_of(text: str) -> tuple[str, list[str]]:
     )
     text = pattern(group + own, unnamed=True).sub(together, text)
     one = "(?:one|kind|enfant|hijo|hija|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
-    every = f"{{every}}(?: {one})?(?: of (?:them|us|you))?"
-    gap = "(?P<between>[^.;:]{0,40})(?P<mark>[,.;:]) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
-    return pattern("(?={number}){who}" + gap).sub(apart, text), found
+    every = f"(?:they )?{{every}}(?: {one})?(?: of (?:them|us|you))?"
+    gap = "(?P<between>[^.;:]{0,40}?)(?P<mark>[,.;:]| -) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
+    me = "(?P<me>\\b(?:me|myself|i|us|we) (?:and|&|plus|live with) )?"
+    return pattern(me + "(?={before}*{number}){who}" + gap).sub(apart, text), found
 
 
 def _others(text: str) -> str:
@@ -195,8 +200,9 @@ def _others(text: str) -> str:
         lead = match["lead"].replace("- ", ", ")
         return f"{lead}{rooms_for(match, 1 if kind_of(match) in ('couple', 'spouse') else count)}"
 
-    begins, ends = "^|[:,;.-] |\\b(?:and|with|und|et|y) ", " ?[-,.;:]| (?:and|with|und|et|y)\\b|$"
-    return pattern(f"(?P<lead>{begins})(?={{number}}|{{before}}){{who}}(?={ends})").sub(room, text)
+    begins = "^|[:,;.-] |\\b(?:and|with|und|et|y|(?:flat|apartment|home|house|place) for) "
+    ends = " ?[-,.;:]| (?:and|with|und|et|y)\\b|$"
+    return pattern(f"(?P<lead>{begins})(?={{number}}|{{before}}|{PAIRS}){{who}}(?={ends})").sub(room, text)
 
 
 def _baths(text: str) -> str:
@@ -267,6 +273,9 @@ def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str
         fewer = value_of(told[1]) - 1 if told else 1
         people = replace(people, children=max(people.children - fewer, 1))
         text = text[: together.start()] + text[together.end() :]
-    own = pattern("{before}(?:\\w+ )?(?:\\w+ )?{need} {hers}", unnamed=True)
+    own = pattern(
+        "{before}(?:\\w+ )?(?:\\w+ )?{need} {hers}|\\b(?:i|we) {need} (?:my|our) own(?: {room})?(?= ?(?:[.,;]|$))",
+        unnamed=True,
+    )
     each = pattern("(?:{every} (?:of (?:the |my |our )?)?(?:\\w+ )?(?:{need}|with|in) ?{article}*{room})")
     return people, each.sub("", own.sub("", text))
