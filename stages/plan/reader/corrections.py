@@ -43,9 +43,11 @@ def corrected(items: list[Item]) -> list[Item]:
             dropped = not _taken_back(out, room)
             if not dropped:
                 continue
-        if anew and item.kind == "area" and not _of_another(out, start) and _measured_anew(out, item):
+        if anew and item.kind == "area" and not _of_another(out, start) and _measured_anew(out, item, start):
             anew = False
             continue
+        if anew and room is not None and room.areas and _resized(out, _area_of(room), len(out), room):
+            room.areas, room.sides, room.bounds, room.quantifier = (), (), (), Det.THE
         if anew and item.kind == "object" and _furnished_anew(out, item):
             continue
         if anew and item.kind == "with" and item.value == "in" and _placed_anew(out, start):
@@ -198,17 +200,37 @@ def _commands(out: list[Item]) -> bool:
     return bool(out) and out[-1].kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
 
 
-def _measured_anew(out: list[Item], area: Item) -> bool:
-    """`kitchen of 10 m², correction: 12 m²`; False where no area was said."""
-    for k in range(len(out) - 1, -1, -1):
+def _measured_anew(out: list[Item], area: Item, start: int) -> bool:
+    """`kitchen of 10 m², correction: 12 m²`, of the room named behind `start`, if any; False where no area was said."""
+    named = [i.room for i in out[start:] if i.room is not None][-1:]
+    return _resized(out, area, start if named else len(out), *named)
+
+
+def _resized(out: list[Item], area: Item, end: int, named: RoomPhrase | None = None) -> bool:
+    """Puts `area` in the place of the last one before `end`, which is said of such a room as `named`, if any is."""
+    for k in range(end - 1, -1, -1):
         room = out[k].room
-        if out[k].kind == "area":
+        if out[k].kind == "area" and (named is None or _alike(_sized(out, k), named)):
             out[k] = replace(area, value=out[k].value)
             return True
-        if room is not None and room.areas:
+        if room is not None and room.areas and (named is None or _alike(room, named)):
             room.areas, room.sides, room.bounds = area.values, area.sides, area.bounds
             return True
     return False
+
+
+def _area_of(room: RoomPhrase) -> Item:
+    return Item("area", values=room.areas, sides=room.sides, bounds=room.bounds)
+
+
+def _sized(items: list[Item], k: int) -> RoomPhrase | None:
+    """The room whose area stands at `k`."""
+    before = [i for i in items[:k] if i.kind not in ("copula", "with", "area_word") and not is_mark(i, ":(,")]
+    return before[-1].room if before else None
+
+
+def _alike(room: RoomPhrase | None, named: RoomPhrase) -> bool:
+    return room is not None and (room.type, room.labels, room.ordinals) == (named.type, named.labels, named.ordinals)
 
 
 def _furnished_anew(out: list[Item], thing: Item) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.bounds import bounded
+from apartgen.stages.plan.reader.contrasted import that_hold
 from apartgen.stages.plan.reader.denied import limits_denied
 from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.extents import extents
@@ -18,7 +19,7 @@ BETWEEN = ("between", "entre", "zwischen")
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    words = _of_home(_numbers(words))
+    words = _of_home(that_hold(_numbers(words)))
     return _of_things(_quantities(words))
 
 

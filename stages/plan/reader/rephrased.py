@@ -57,7 +57,7 @@ def _paired(found: re.Match[str]) -> str:
     return f". {count // 2} bathrooms. {'. '.join(pairs)}"
 
 
-_AGAIN = "hmm|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|make it|make that|nein|doch|besser|" \
+_AGAIN = "hmm|erm?|uhm?|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|make it|make that|nein|doch|besser|" \
     "lieber|non|plutot|pardon|perdon|mejor|digo|不对|不"
 """Words before what is said anew."""
 
@@ -145,9 +145,11 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"((?:off|next to|near|beside|in|at|on|facing) [^,.;]*?)(?: instead)?(?= ?(?:[.,;!]|$))", r"correction, \1"),
     (r"\bmake (the (?!kitchen|hall|corridor)[a-z ]{3,40}?) (\d+(?:\.\d+)? ?(?:m2|sqm|sq m|square met(?:er|re)s?))",
      r"\1 is \2"),
+    # "The kitchen is 10 m² - er, 12."
+    (r"(?:,| -)+ ?(?:erm?|uhm?|umm?|ah|eh),? (?=\d|no\b|make|sorry|rather|i mean)", ", sorry, "),
     # "The kitchen is 10 m², sorry, 12."
-    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?: \w+)?(?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+)"
-     r"(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),
+    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?: \w+)?(?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+"
+     r"(?:(?:,|,? and|,? und|,? et|,? y) \d+)*)(?: instead)?(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),
     (r"\b(?:make|turn|change|convert|replace|swap) the ([a-z ]{4,25}?) (?:into|to|with|by|for|instead) (?=an? )",
      r"make the \1 "),
     # "wide enough for a wheelchair (at least 1.2 m)", "one large room with kitchen", "a luxury suite: …"

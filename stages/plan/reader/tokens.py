@@ -74,7 +74,7 @@ def fold(text: str) -> str:
     text = re.sub(r'(?<=["\w])"?\s*,\s*(?="[\w ]+"\s*:)', '" . ', text)  # `"kitchen": "open", "bath": …`
     for sign, words in _BOUNDS.items():
         text = re.sub(rf"\s*{sign}\s*(?=\d)", f" {words} ", text)
-    text = re.sub(r"(?<![-=<>])>", "->", text)
+    text = re.sub(r"(?<![-=<>])>", "->", re.sub(r"~~[^~]*~~", "", text))  # what is struck through is not said
     text = re.sub(r"(?<=\d)â(?:€[™²])?", "'", text)  # a prime that came through a wrong encoding
     text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
     for sign, plain in _FRACTIONS.items():
