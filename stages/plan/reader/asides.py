@@ -1,6 +1,6 @@
 """What stands among rooms and is none: doors counted, things that are no rooms; and `a bathroom each` of the home's."""
 
-from apartgen.stages.plan.reader.clausal import ahead, last
+from apartgen.stages.plan.reader.clausal import ahead, clause, last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -29,6 +29,20 @@ def heading(out: list[Item], items: list[Item], k: int) -> bool:
     if one.type not in ("", counted.type) or not (is_mark(last(out[:-1]), ".:,") or last(out[:-1]).kind == "dwelling"):
         return False
     out.append(Item("mark", ":", ":"))
+    return True
+
+
+def nor_this(out: list[Item], items: list[Item], k: int) -> bool:
+    """`not next to the bath or next to the kitchen`, `nor opposite the study`: a relation that is denied as well."""
+    link = ahead(items, k)[0]
+    denied = [i.kind for i in clause(out) if i.kind in ("negation", "link")][:2] == ["negation", "link"]
+    if items[k].kind != "conjunction" or items[k].value != "or" or link.kind != "link" or not denied:
+        return False
+    if link.form in ("s", "p") or last(out).room is None and not is_mark(last(out), ","):
+        return False
+    if is_mark(last(out), ","):
+        out.pop()
+    out += [Item("mark", ",", ","), Item("negation", "not", items[k].text)]
     return True
 
 

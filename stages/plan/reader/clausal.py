@@ -42,7 +42,7 @@ def next_one(out: list[Item], items: list[Item], k: int) -> bool:
     """`the first off the hall, the second with a desk`: what is said of the second begins anew."""
     other, verb, _ = ahead(items, k)
     said = clause(out)
-    told = _one_of_several(other) and verb.kind == "with" and any(_one_of_several(i) for i in said)
+    told = _one_of_several(other) and verb.kind in ("with", "link") and any(_one_of_several(i) for i in said)
     if not is_mark(items[k], ",") or not told or not any(i.kind == "link" for i in said):
         return False
     out.append(Item("mark", ".", "."))

@@ -53,6 +53,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"(?: one| bed ?room)? (one|two|an?) (?:double |single )?beds?\b", r"the first bedroom has \1 double beds, the "
      r"second bedroom has \2 double bed"),
     (rf"\b(balcony|terrace) for (?:the )?({_ROOM})\b", r"\1 off the \2"),
+    (rf"(\boff the {_ROOM}[.,;] ?(?:(?:no|sorry|actually|rather|better|wait),? )+)for the (?={_ROOM})", r"\1off the "),
     # "in bedroom stay bed and table for work", "the third is smallest", "no need balcony"
     (rf"(^|[.;] ?)in (?:the |my )?({_ROOM}) (?:must |should )?(?:stays?|stands?|is standing|are standing) (?=[a-z])",
      r"\1the \2 has "),

@@ -40,7 +40,7 @@ from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, s
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.turned import turned
-from apartgen.stages.plan.reader.unread import limits
+from apartgen.stages.plan.reader.unread import can_be_met, limits
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 from apartgen.stages.plan.reader.ways import in_passing
@@ -85,7 +85,7 @@ def parse(prompt: str) -> Said:
         before = _sentence(sentence, said, before, trail)
     said.rooms += [room for room in said.seen_from if room not in said.rooms]
     each_beside_one(said)
-    said.statements = at_table(said.statements)
+    said.statements = at_table(can_be_met(said))
     return said
 
 

@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.statements import Said, Statement
 from apartgen.stages.plan.reader.tokens import fold
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Relation
 
 DENIED = re.compile(r"\b(?:no|not|without|ohne|kein\w*|sans|pas d'|pas de|sin|ninguna?) (?:\w+ )?$")
 """What stands before something that nobody wants."""
@@ -34,6 +36,14 @@ def _why(before: str, why: str) -> str:
     if DENIED.search(before):
         return f"as wished: {why}"
     return "" if ONE.search(before) and "storey" in why else why
+
+
+def can_be_met(said: Said) -> list[Statement]:
+    """What is said without `not opposite the bedroom`, which no plan is judged by: it is told."""
+    denied = [s for s in said.statements if s.kind == Relation.NOT and s.relation.removeprefix("not ") != s.relation]
+    across = [s for s in denied if s.relation.removeprefix("not ").startswith(OPPOSITE)]
+    said.unread += [f"{s.relation} {phrase.text}" for s in across for phrase in s.right[:1]]
+    return [s for s in said.statements if s not in across]
 
 
 def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -> list[str]:
