@@ -98,7 +98,8 @@ def _everybody(words: list[Lexeme], k: int) -> tuple[int, int]:
 
 def _of_rooms(words: list[Lexeme], end: int) -> bool:
     """`a bedroom for each child`, `for each of the two boys`: not of those counted before."""
-    ends = end >= len(words) or words[end].kind in ("mark", "conjunction", "with", "boundary")
+    ends = end >= len(words) or words[end].kind in ("mark", "conjunction", "with", "boundary", "area")
+    ends = ends or [w.kind for w in words[end : end + 2]] == ["stop", "area"]  # "a bedroom each of 13 m²"
     return not ends and words[end].text not in ("of them", "of us")
 
 

@@ -15,10 +15,19 @@ def doors_counted(out: list[Item], items: list[Item], k: int) -> bool:
     return False
 
 
+def no_such_home(out: list[Item], items: list[Item], k: int) -> bool:
+    """`not a studio`: of the home it says what it is not."""
+    if items[k].kind != "dwelling" or last(out).kind != "negation" or last(out).value not in ("not", "without"):
+        return False
+    out.pop()
+    return True
+
+
 def of_which(out: list[Item], items: list[Item], k: int) -> bool:
-    """The `of which` of `three bedrooms, two of which have a balcony`, behind the number it belongs to."""
-    counted = last(out).room
-    return items[k].text == "of which" and counted is not None and not counted.type and counted.count is not None
+    """The `of which` of `three bedrooms, two of which have a balcony`, and of `A and B, of which B is small`."""
+    counted, which = last(out).room, ahead(items, k)[0].room
+    told = counted is not None and not counted.type and counted.count is not None
+    return items[k].text == "of which" and (told or (which is not None and bool(which.ordinals)))
 
 
 def heading(out: list[Item], items: list[Item], k: int) -> bool:

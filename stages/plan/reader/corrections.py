@@ -172,7 +172,7 @@ def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
 
 def _not_wanted(out: list[Item], room: RoomPhrase) -> None:
     """`the balcony can go` of one that nobody spoke of: there is none."""
-    if room.type and room.quantifier == Det.THE and not (room.rank or room.labels or room.plural or room.ordinals):
+    if room.type and room.quantifier == Det.THE and not (room.rank or room.labels or room.plural):
         room.negated, room.quantifier = True, Det.BARE
         out.append(Item("negation", "no", "no"))
 

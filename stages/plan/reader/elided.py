@@ -16,6 +16,7 @@ from apartgen.stages.plan.reader.asides import (
     doors_counted,
     has_itself,
     heading,
+    no_such_home,
     none_off,
     nor_this,
     of_no_room,
@@ -226,9 +227,9 @@ def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (another_alike, _arrow, heading, _comma, which_has, it_has, there_is_in, off_it, set_off, same_area,
-         another_door, goes_into, has_too, holds, whose_value, taken_back, one_of_counted, another_of_counted,
-         one_in_bedroom, is_one, for_each, for_the_others, none_ensuite,
+RULES = (another_alike, _arrow, heading, no_such_home, _comma, which_has, it_has, there_is_in, off_it, set_off,
+         same_area, another_door, goes_into, has_too, holds, whose_value, taken_back, one_of_counted,
+         another_of_counted, one_in_bedroom, is_one, for_each, for_the_others, none_ensuite,
          entered_only, only_behind, from_there, inside, has_inside, through_passage,
          between_the_two, you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without,
          none_off, nor_this, denied_beside, doors_counted, of_no_room, of_which, bath_each, has_itself,

@@ -6,14 +6,14 @@ _ROOM = r"(?:bed ?room|bath ?room|room|study|balcony|toilet|office|store ?room)"
 _SAID = (
     r"(?= ?(?:[-,.;:()/=+&]|$)| (?:and|or|is|has|gets?|on|in|at|to|off|with|by|next|opposite|near|beside|behind|faces?|"
     r"facing|opens?|lies|should|must|leads?|connects?|adjoins|shares?|measures|far|from|north|south|east|west|left|"
-    r"right|not|only|can|may|needs?|does|\d))"
+    r"right|twice|not|only|can|may|needs?|does|\d))"
 )
 """What follows a letter that is no article."""
-_MANY = re.compile(rf"\b({_ROOM})s? ([a-d])((?: ?(?:,|/|&|\+|,? and|or) ?[b-d]\b)+){_SAID}")
+_MANY = re.compile(rf"\b({_ROOM})(?:s?|s[,:](?= a\b)) ([a-d])((?: ?(?:,|/|&|\+|,? and|or) ?[b-d]\b)+){_SAID}")
 _ONE = re.compile(rf"\b({_ROOM}) ?[-:]? ?([a-d]){_SAID}")
-_LETTERED = re.compile(rf"\b({_ROOM})s? (?:a ?(?:,|/|&|\+|,? and|or) ?)?[-:]?[b-d]{_SAID}")
+_LETTERED = re.compile(rf"\b({_ROOM})(?:s?|s[,:](?= a\b)) (?:a ?(?:,|/|&|\+|,? and|or) ?)?[-:]?[b-d]{_SAID}")
 _ALONE = re.compile(
-    rf"(^|[,.;:(] |\b(?:to|of|by|from|near|with|and|off|opposite|beside|behind|between) )([a-d]){_SAID}"
+    rf"(^|[,.;:(] |\b(?:to|of|which|by|from|near|with|and|off|opposite|beside|behind|between) )([a-d]){_SAID}"
 )
 _COUNTED = re.compile(r"\b([2-6]|two|three|four|five|six) ((?:bed|bath) ?room)s\b")
 _COUNTS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6}

@@ -8,7 +8,7 @@ from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
 from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
-from apartgen.stages.plan.reader.possessions import aged, among_counted, equipped, ours, possessed, sized
+from apartgen.stages.plan.reader.possessions import SEVERAL, aged, among_counted, equipped, ours, possessed, sized
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
@@ -116,7 +116,10 @@ def _claims(text: str) -> tuple[str, bool]:
     text, each = _each_of(text)
     text, which = possessed(text)
     found += each + which
-    text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
+    shares = "{who}{relative}?,? ?(?:all |both |will |can )?{share} ?"
+    text = pattern(shares + "{article}*{room}").sub(shared, text)
+    if SEVERAL.search(text):
+        text = pattern(shares + "one(?= with )").sub("one of the bedrooms", text)
     text = pattern(
         "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada "
         "un[oa] de )?{who}{relative}?,? ?(?:(?:and|they) (?={every}))?"
@@ -136,7 +139,8 @@ def _claims_on(text: str, found: list[str], shared: Callable[[re.Match[str]], st
     """Rooms of those of whom less is said where others are told to have one: `the girl has her own`, `and I a room`."""
     text = re.sub(r"\bour (?:own )?room\b", "the parents' bedroom", text)
     text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
-    text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
+    text = pattern("{who} {need} {other}(?: to (?:him|her|them)sel(?:f|ves))?"
+                   "(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)  # fmt: skip
     text = heading(with_ours(ours(text), found))
     also = "(?:also |too |auch |aussi |tambien )?"  # "then my parents also a room, and I a room"
     gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
