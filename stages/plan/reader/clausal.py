@@ -156,7 +156,8 @@ def one_of_them(out: list[Item], items: list[Item], k: int) -> bool:
     """`two bedrooms, one bedroom is for us`: of which something is said is one of those counted before."""
     room, verb = items[k].room, ahead(items, k)[0]
     plain = room is not None and room.count == 1 and room.quantifier == Det.BARE and not room.labels
-    if room is None or not plain or room.headline or not (verb.kind == "copula" or verb.value == "has"):
+    told = verb.kind in ("copula", "side", "place") or verb.value == "has"
+    if room is None or not plain or room.headline or not told:
         return False
     counted = [i.room for i in out if i.room is not None and i.room.type == room.type][-1:]
     if not counted or not room.type or (counted[0].count or 1) < 2 or counted[0].quantifier != Det.BARE:

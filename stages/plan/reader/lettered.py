@@ -20,7 +20,9 @@ _COUNTS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
 _SIGNED = re.compile(rf"(?:\b(?:no|nos|nr|number|numbers)\b\.? ?|#)([1-6])(?: ?(?:and|&) ?([1-6]))?{_SAID}")
 _ONE_DOES = r"(?= (?:has|gets|is|shares|uses|faces|needs|opens|should|must)\b)"
 _TWO_DO = r"(?= (?:both |all )?(?:have|get|are|share|use|face|need|open|should|must)\b)"
-_BARE = re.compile(rf"(?:(?<=[-,.;:] )|(?<=and ))([1-6])(?: (?:and|&) ([1-6]){_TWO_DO}|{_ONE_DOES})")
+_BARE = re.compile(
+    rf"(?:(?<=[-,.;:] )|(?<=and ))(?<!\d, )(?<!\d and )([1-6])(?: (?:and|&) ([1-6]){_TWO_DO}|{_ONE_DOES})"
+)
 
 
 def numbered(text: str) -> str:

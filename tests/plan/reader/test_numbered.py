@@ -21,6 +21,10 @@ SENTENCES = [
      "B1 has 1 double_bed, B2 has 1 desk"),
     ("Two bedrooms: the first off the hall with a double bed, the second with a desk.", "B2 H K L W",
      "B1 has 1 double_bed, B2 has 1 desk, !B1B2"),
+    ("Six bedrooms, four bathrooms (bedrooms 1, 2 and 3 have an en suite each, the fourth bathroom is off the "
+     "hallway).", "B6 H K L W4", "B1W1, B2W2, B3W3, H1W4"),
+    ("One bedroom will do, but we need two studies. One study faces north, the other faces east.", "B H K L S2 W",
+     "orientation S1 north, orientation S2 east"),
 ]  # fmt: skip
 
 test_it_is_read_as_meant = as_meant(SENTENCES)

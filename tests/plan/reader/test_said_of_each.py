@@ -10,6 +10,8 @@ SENTENCES = [
     ("A flat for us and our two kids - each gets their own bedroom.", "B3 H K L W2", ""),
     ("Me and two flatmates: everybody has their own bedroom.", "B3 H K L W2", ""),
     ("Flat for a couple and three kids: the boys share, the girl has her own room.", "B3 H K L W2", ""),
+    ("A house for two adults and three children. Parents' bedroom with en suite; each child gets their own bedroom; "
+     "plus a family bathroom.", "B4 H K L W2", "B1W1, H1W2"),
 ]  # fmt: skip
 
 test_it_is_read_as_meant = as_meant(SENTENCES)
