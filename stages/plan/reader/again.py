@@ -16,6 +16,7 @@ _ANEW = ("no wait|wait no|wait|no|nein|non|sorry|pardon|perdon|i mean|i meant|ac
          "better|besser|quatsch|plutot|mejor")  # fmt: skip
 _COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "one", "3": "two", "4": "three"}
 _YOUNG = r"(?:children|kids|boys|girls|sons|daughters|teenagers)"
+_GROWN = r"(?:of us|sisters|brothers|siblings|friends|students|(?:flat|house|room)mates|colleagues|people|adults)"
 _PARENTS = r"(?:\b(?:we are )?(?:an? |the )?(?:couple|family|parents) (?:with|and|of) )?"
 _OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|boy|girl|one|big one|little one|baby)"
         r"(?: (?:one|child|boy|girl|son|daughter))?")  # fmt: skip
@@ -32,8 +33,9 @@ def _with_parents(found: re.Match[str], rooms: str) -> str:
 
 
 def _sharing(found: re.Match[str]) -> str:
-    """`three children: two of them share, the eldest has her own` as two rooms for them."""
-    return _with_parents(found, _COUNTED[found["n"]])
+    """`three children: two of them share, the eldest has her own` as two rooms for them; grown people's are all."""
+    rooms = _COUNTED[found["n"]]
+    return f"a flat with {rooms} bedrooms" if found["grown"] else _with_parents(found, rooms)
 
 
 def _for_both(found: re.Match[str]) -> str:
@@ -67,8 +69,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(?<!bed )(?<!bath )\b(?:the )?rooms (?:are |should be |must be )?all (?=(?:of )?(?:the same|equal))",
      "all rooms are "),
     # "three children: two of them share, the eldest has her own"
-    (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) {_YOUNG}(?:[:,;.] ?| (?:who|of whom) ?)(?:the )?two "
-     rf"(?:of (?:them|whom) |of the {_YOUNG} )?(?:little |small |younger |older )?(?:ones? )?(?:{_YOUNG} )?"
+    (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) (?:{_YOUNG}|(?P<grown>{_GROWN}))"
+     rf"(?:[:,;.] ?| - | (?:who|of whom) ?)(?:the )?two (?:of (?:them|us|whom) |of the {_YOUNG} )?"
+     rf"(?:little |small |younger |older )?(?:ones? )?(?:{_YOUNG} )?"
      rf"(?:can |will |should )?"
      rf"share(?: an?| one| the same| the (?:bigger|larger|big|large|smaller|small))?(?: bed ?room| room| one)?[,;.]? "
      rf"?(?:and |but |while )?"

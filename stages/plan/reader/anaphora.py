@@ -25,7 +25,8 @@ def bind(items: list[Item], before: list[Item], listed: list[Item]) -> None:
         if phrase.count == 1 and k and items[k - 1].value == "share":
             phrase.type = next((r.type for r in reversed(_rooms([*before, *items[:k]])) if r.type == "bathroom"), "")
             phrase.quantifier = Det.A
-        if phrase.labels == {Trait.SIZED} or (phrase.quantifier == Det.THE and phrase.factor != 1.0):
+        which = phrase.quantifier == Det.THE and (phrase.factor != 1.0 or bool(phrase.ordinals))
+        if phrase.labels == {Trait.SIZED} or which:
             phrase.among = _headed_list(items[:k]) or phrase.among
         near = next((i.room for i in reversed(items[:k]) if i.kind != "mark"), None)
         if phrase.quantifier == Det.ONE_OF and near is not None and near.type and near.plural:

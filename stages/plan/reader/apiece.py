@@ -48,6 +48,11 @@ EACH_CHILD = [re.compile(said) for said in (
     r"(?P<n>zwei|drei|vier|[2-4])\b",
 )]
 """Children who each have a room, counted behind it."""
+COUNTED_CHILDREN = re.compile(r"\b(?P<n>two|three|four|five|[2-5]) (?:children|kids|sons|daughters|boys|girls)\b")
+OWN_ROOM = re.compile(
+    r"(?<=[.;:,-] )(?:and )?(?:each|every) (?:child|kid|son|daughter|boy|girl) "
+    r"(?:should have|must have|has|gets|needs|wants) (?:its|his|her|their) own (?:bed ?)?room(?= ?(?:[.,;]|$))"
+)
 EVERYBODY = (("each",), ("for", "each"), ("for", "everyone"), ("for", "everybody"), ("per", "person"), ("per", "head"),
              ("for", "each", "person"), ("for", "every", "person"))  # fmt: skip
 """What behind a bedroom says that everybody has one, where no rooms are spoken of."""
@@ -98,7 +103,8 @@ def _everybody(words: list[Lexeme], k: int) -> tuple[int, int]:
 
 def _of_rooms(words: list[Lexeme], end: int) -> bool:
     """`a bedroom for each child`, `for each of the two boys`: not of those counted before."""
-    ends = end >= len(words) or words[end].kind in ("mark", "conjunction", "with", "boundary")
+    ends = end >= len(words) or words[end].kind in ("mark", "conjunction", "with", "boundary", "area")
+    ends = ends or [w.kind for w in words[end : end + 2]] == ["stop", "area"]  # "a bedroom each of 13 m²"
     return not ends and words[end].text not in ("of them", "of us")
 
 
@@ -119,8 +125,17 @@ def apiece(text: str) -> str:
         text = pattern.sub(_of_each, text)
     for pattern in EACH_CHILD:
         text = pattern.sub(lambda found: f"{number(found['n'])} kids rooms", text)
+    text = _each_child(text)
     text = EACH_OF_US.sub(r"a flat for \g<n> people\g<said>: \g<n> bedrooms", text)
     return EACH_OF_FAMILY.sub(r"\g<n> bedrooms", text)
+
+
+def _each_child(text: str) -> str:
+    """`three children. A parents' bedroom; each child gets their own bedroom`, of a home whose other rooms are told."""
+    counted, ours = COUNTED_CHILDREN.search(text), re.search(r"\b(?:parents'|master|main|our) bed ?room\b", text)
+    if counted is None or ours is None:
+        return text
+    return OWN_ROOM.sub(f"{number(counted['n'])} kids rooms", text)
 
 
 def number(said: str) -> int:

@@ -1,6 +1,6 @@
 """What stands among rooms and is none: doors counted, things that are no rooms; and `a bathroom each` of the home's."""
 
-from apartgen.stages.plan.reader.clausal import ahead, last
+from apartgen.stages.plan.reader.clausal import ahead, clause, last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -13,6 +13,46 @@ def doors_counted(out: list[Item], items: list[Item], k: int) -> bool:
         items[k + 1] = Item("stop", "", items[k + 1].text)
         return True
     return False
+
+
+def no_such_home(out: list[Item], items: list[Item], k: int) -> bool:
+    """`not a studio`: of the home it says what it is not."""
+    if items[k].kind != "dwelling" or last(out).kind != "negation" or last(out).value not in ("not", "without"):
+        return False
+    out.pop()
+    return True
+
+
+def of_which(out: list[Item], items: list[Item], k: int) -> bool:
+    """The `of which` of `three bedrooms, two of which have a balcony`, and of `A and B, of which B is small`."""
+    counted, which = last(out).room, ahead(items, k)[0].room
+    told = counted is not None and not counted.type and counted.count is not None
+    return items[k].text == "of which" and (told or (which is not None and bool(which.ordinals)))
+
+
+def heading(out: list[Item], items: list[Item], k: int) -> bool:
+    """The dash of `three bedrooms - one with a balcony`, which begins what is told of them and is no door."""
+    counted, one = last(out).room, ahead(items, k)[0].room
+    if not is_mark(items[k], "-") or counted is None or one is None or (counted.count or 1) < 2 or not counted.type:
+        return False
+    if one.type not in ("", counted.type) or not (is_mark(last(out[:-1]), ".:,") or last(out[:-1]).kind == "dwelling"):
+        return False
+    out.append(Item("mark", ":", ":"))
+    return True
+
+
+def nor_this(out: list[Item], items: list[Item], k: int) -> bool:
+    """`not next to the bath or next to the kitchen`, `nor opposite the study`: a relation that is denied as well."""
+    link = ahead(items, k)[0]
+    denied = [i.kind for i in clause(out) if i.kind in ("negation", "link")][:2] == ["negation", "link"]
+    if items[k].kind != "conjunction" or items[k].value != "or" or link.kind != "link" or not denied:
+        return False
+    if link.form in ("s", "p") or last(out).room is None and not is_mark(last(out), ","):
+        return False
+    if is_mark(last(out), ","):
+        out.pop()
+    out += [Item("mark", ",", ","), Item("negation", "not", items[k].text)]
+    return True
 
 
 def bath_each(out: list[Item], items: list[Item], k: int) -> bool:

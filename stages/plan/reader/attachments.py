@@ -1,6 +1,6 @@
 """What belongs to one room phrase: the rooms that open off it, its furniture."""
 
-from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, is_the_suite
+from apartgen.stages.plan.reader.belongings import OWNED_BY, belongs, is_the_suite, of_the_first
 from apartgen.stages.plan.reader.clausal import ahead, several_new
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Said
@@ -36,6 +36,8 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             owner = _subject(out) or owner
         if item.kind == "with" and item.value in ("has", "with") and (head := _headed(out)) is not None:
             owner = head
+        if item.kind == "with" and item.value in ("has", "with"):
+            owner = of_the_first(out, ahead(items, k)[0]) or owner
         if is_mark(item, ":") and said.graph:
             owner = None
         if owner is not None and (item.value == "including" or item.kind == "mark"):
@@ -52,8 +54,10 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             k = _take(owner, items, start, item.value if item.kind == "mark" else "")
             while owner.owned and items[k - 1].room is owner.owned[-1] and _has_things(items, k):
                 k = _take(owner.owned[-1], items, k + 1, "")  # "a hall with a rack, an office with a desk"
-            if item.value == "has" and item.text in PLURAL:
-                _give_each(owner, owner.owned[before:], out)
+            given = owner.owned[before:]
+            several = bool(given) and all(r.plural and r.count is None for r in given)
+            if (item.value == "has" and item.text in PLURAL) or (item.value == "with" and several and _one(owner)):
+                _give_each(owner, given, out)
             if k == start and is_mark(item, ":"):
                 out.append(item)
             if (item.value == "has" or not owner.type) and (owner.plural or (owner.count or 1) > 1):
@@ -152,15 +156,25 @@ def _mark_subset(owner: RoomPhrase, after: list[Item], parenthesis: bool) -> Non
             item.room.subset = True
 
 
+def _one(owner: RoomPhrase) -> bool:
+    return bool(owner.type) and not owner.plural and (owner.count or 1) == 1
+
+
 def _give_each(owner: RoomPhrase, given: list[RoomPhrase], before: list[Item]) -> None:
-    """`the lounge and the main bedroom have balconies`: one for each."""
+    """`the lounge and the main bedroom have balconies`, `bedroom 1, bedroom 2 and 3 with en suites`: one for each."""
     at = next((k for k, i in enumerate(before) if i.room is owner), 0)
-    first = before[at - 2].room if at > 1 and before[at - 1].kind == "conjunction" else None
-    if first is None or not first.type or owner.quantifier != first.quantifier:
-        return
-    for room in given:
+    others: list[RoomPhrase] = []
+    joint = at - 1
+    while joint > 0 and (before[joint].kind == "conjunction" or (others and is_mark(before[joint], ","))):
+        other = before[joint - 1].room
+        if other is None or not other.type or owner.quantifier != other.quantifier:
+            break
+        others.append(other)
+        joint -= 2
+    for room in given if others else []:
         room.plural, room.quantifier = False, Det.EACH
-        first.owned.append(RoomPhrase(room.type, set(room.labels), quantifier=Det.EACH, text=room.text))
+        for other in others:
+            other.owned.append(RoomPhrase(room.type, set(room.labels), quantifier=Det.EACH, text=room.text))
 
 
 def _take(owner: RoomPhrase, items: list[Item], k: int, bare: str) -> int:

@@ -22,7 +22,7 @@ def ban(home: "Household", phrase: RoomPhrase) -> None:
     elif phrase.factor != 1.0 and phrase.type in ALWAYS:
         pass  # "no big kitchen": a smaller one
     elif Trait.OPEN in phrase.labels:
-        pass  # "no open kitchen": a closed one
+        home.closed_kitchen = True  # "no open kitchen", "no open-plan living"
     elif Trait.PLACED in phrase.labels and phrase.type in ALWAYS:
         pass  # "no internal bathroom": another is
     elif phrase.type == "kitchen" and Trait.SEPARATE in phrase.labels:

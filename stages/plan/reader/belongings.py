@@ -3,6 +3,7 @@
 from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
+from apartgen.stages.things.categories import TABLE
 
 OWNED_BY = {
     "closet": ("bedroom", "hallway"),
@@ -16,6 +17,15 @@ OWNED_BY = {
     "bedroom": ("hallway",),
 }
 """What `A with a B` makes B: a room that opens off A."""
+
+
+def of_the_first(before: list[Item], thing: Item) -> RoomPhrase | None:
+    """The bedroom of `a bedroom off the hall with a double bed`: no hall has a bed."""
+    head, way, hub = ([Item("")] * 3 + before)[-3:]
+    if way.kind != "link" or head.room is None or hub.room is None or thing.kind != "object":
+        return None
+    fits, first = TABLE[thing.value].rooms, head.room.type or "bedroom"
+    return head.room if hub.room.quantifier == Det.THE and first in fits and hub.room.type not in fits else None
 
 
 def is_the_suite(owner: RoomPhrase, room: RoomPhrase, bare: str, first: bool) -> bool:

@@ -38,6 +38,23 @@ def compared(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def next_one(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the first off the hall, the second with a desk`: what is said of the second begins anew."""
+    other, verb, _ = ahead(items, k)
+    said = clause(out)
+    told = _one_of_several(other) and verb.kind in ("with", "link") and any(_one_of_several(i) for i in said)
+    if not is_mark(items[k], ",") or not told or not any(i.kind == "link" for i in said):
+        return False
+    out.append(Item("mark", ".", "."))
+    return True
+
+
+def _one_of_several(item: Item) -> bool:
+    """`the first`, `the other`."""
+    room = item.room
+    return room is not None and not room.type and (bool(room.ordinals) or room.quantifier == Det.OTHER)
+
+
 def then_listed(out: list[Item], items: list[Item], k: int) -> bool:
     """`a bedroom with a desk and a chair, then a kitchen`: a list goes on, no way does."""
     furnished = len(out) > 1 and is_mark(out[-1], ",") and out[-2].kind == "object"
@@ -139,7 +156,8 @@ def one_of_them(out: list[Item], items: list[Item], k: int) -> bool:
     """`two bedrooms, one bedroom is for us`: of which something is said is one of those counted before."""
     room, verb = items[k].room, ahead(items, k)[0]
     plain = room is not None and room.count == 1 and room.quantifier == Det.BARE and not room.labels
-    if room is None or not plain or room.headline or not (verb.kind == "copula" or verb.value == "has"):
+    told = verb.kind in ("copula", "side", "place") or verb.value == "has"
+    if room is None or not plain or room.headline or not told:
         return False
     counted = [i.room for i in out if i.room is not None and i.room.type == room.type][-1:]
     if not counted or not room.type or (counted[0].count or 1) < 2 or counted[0].quantifier != Det.BARE:

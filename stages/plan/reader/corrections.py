@@ -5,6 +5,7 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.announced import RELATED, announced
 from apartgen.stages.plan.reader.entity import DISTINCT
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.resized import measured_anew, of_another, resized
 from apartgen.stages.plan.reader.sufficing import sufficing
 from apartgen.stages.plan.reader.vocabulary import Det
 
@@ -40,12 +41,16 @@ def corrected(items: list[Item]) -> list[Item]:
         if anew and room is not None and _not_this(out, room):
             continue
         if dropped and room is not None:
-            dropped = not _taken_back(out, room)
-            if not dropped:
+            dropped = False
+            if _taken_back(out, room):
                 continue
-        if anew and item.kind == "area" and not _of_another(out, start) and _measured_anew(out, item):
+            _not_wanted(out, room)
+        if anew and item.kind == "area" and not of_another(out, start) and measured_anew(out, item, start):
             anew = False
             continue
+        if anew and room is not None:
+            _none_beyond(out, room)
+            resized(out, room)
         if anew and item.kind == "object" and _furnished_anew(out, item):
             continue
         if anew and item.kind == "with" and item.value == "in" and _placed_anew(out, start):
@@ -57,12 +62,6 @@ def corrected(items: list[Item]) -> list[Item]:
         anew = anew and not is_mark(item, ".")
         out.append(item)
     return out
-
-
-def _of_another(out: list[Item], start: int) -> bool:
-    """Whether the room named last, behind `start`, is of a type that was not named before."""
-    named = [i.room for i in out[start:] if i.room is not None][-1:]
-    return bool(named) and all(i.room is None or i.room.type != named[0].type for i in out[:start])
 
 
 def _counted_anew(out: list[Item], room: RoomPhrase) -> str:
@@ -171,6 +170,21 @@ def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
     return bool(before)
 
 
+def _not_wanted(out: list[Item], room: RoomPhrase) -> None:
+    """`the balcony can go` of one that nobody spoke of: there is none."""
+    if room.type and room.quantifier == Det.THE and not (room.rank or room.labels or room.plural):
+        room.negated, room.quantifier = True, Det.BARE
+        out.append(Item("negation", "no", "no"))
+
+
+def _none_beyond(out: list[Item], room: RoomPhrase) -> None:
+    """`the second bathroom - no, just one bathroom`: what was said of the second is said of the last there is."""
+    for item in out if room.count else []:
+        told = item.room
+        if told is not None and told.type == room.type and told.ordinals and max(told.ordinals) > (room.count or 0):
+            told.ordinals = (int(room.count or 1),)
+
+
 def _last_taken_back(out: list[Item]) -> bool:
     """`a dining room - no, skip that`: the room named last is none."""
     room = next((i.room for i in reversed(out) if i.room is not None), None)
@@ -196,19 +210,6 @@ def _one_fewer(out: list[Item], room: RoomPhrase) -> bool:
 def _commands(out: list[Item]) -> bool:
     """Whether a sentence begins with the negation that ends `out`."""
     return bool(out) and out[-1].kind == "negation" and (len(out) == 1 or is_mark(out[-2], "."))
-
-
-def _measured_anew(out: list[Item], area: Item) -> bool:
-    """`kitchen of 10 m², correction: 12 m²`; False where no area was said."""
-    for k in range(len(out) - 1, -1, -1):
-        room = out[k].room
-        if out[k].kind == "area":
-            out[k] = replace(area, value=out[k].value)
-            return True
-        if room is not None and room.areas:
-            room.areas, room.sides, room.bounds = area.values, area.sides, area.bounds
-            return True
-    return False
 
 
 def _furnished_anew(out: list[Item], thing: Item) -> bool:

@@ -39,6 +39,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
         right = entities(s.right, home)
         beds = [e for e in (*left, *right) if e.type == "bedroom"]
         own = s.kind in (Relation.DOOR, Relation.ONLY) and len(beds) == 1  # "the main bath off the main bedroom"
+        own = own or (s.kind == Relation.DOOR and bool({"door", "doors"} & set(s.relation.split())))
         pairs = [(a, b) for a in left for b in right if a is not b and (own or not _served(a, b, s.kind))]
         if left and left == right:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"

@@ -10,7 +10,18 @@ from apartgen.stages.plan.reader.allotted import (
     none_ensuite,
     one_in_bedroom,
 )
-from apartgen.stages.plan.reader.asides import bath_each, denied_beside, doors_counted, has_itself, none_off, of_no_room
+from apartgen.stages.plan.reader.asides import (
+    bath_each,
+    denied_beside,
+    doors_counted,
+    has_itself,
+    heading,
+    no_such_home,
+    none_off,
+    nor_this,
+    of_no_room,
+    of_which,
+)
 from apartgen.stages.plan.reader.clausal import (
     again_named,
     ahead,
@@ -20,6 +31,7 @@ from apartgen.stages.plan.reader.clausal import (
     in_every,
     is_for,
     last,
+    next_one,
     none_between,
     one_of_them,
     several_areas,
@@ -29,6 +41,7 @@ from apartgen.stages.plan.reader.gapped import (
     another_alike,
     another_door,
     goes_into,
+    has_too,
     holds,
     is_not_in,
     no_wall,
@@ -40,7 +53,7 @@ from apartgen.stages.plan.reader.gapped import (
 from apartgen.stages.plan.reader.journeys import journeys
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.nowhere import in_several
-from apartgen.stages.plan.reader.openings import denied_doors, open_to_each_other, opening, together_with
+from apartgen.stages.plan.reader.openings import denied_doors, not_open, open_to_each_other, opening, together_with
 from apartgen.stages.plan.reader.passages import (
     between_the_two,
     entered_only,
@@ -214,25 +227,17 @@ def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-def _not_open(out: list[Item], items: list[Item], k: int) -> bool:
-    """`the kitchen is not open`."""
-    if items[k].kind != "open" or last(out).value != "not" or (closed := _closed(out)) is None:
-        return False
-    closed.labels.add(Trait.SEPARATE)
-    out.pop()
-    return True
-
-
-RULES = (another_alike, _arrow, _comma, which_has, it_has, there_is_in, off_it, set_off, same_area,
-         another_door, goes_into, holds, whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom,
-         is_one, for_each, for_the_others, none_ensuite,
+RULES = (another_alike, _arrow, heading, no_such_home, _comma, which_has, it_has, there_is_in, off_it, set_off,
+         same_area, another_door, goes_into, has_too, holds, whose_value, taken_back, one_of_counted,
+         another_of_counted, one_in_bedroom, is_one, for_each, for_the_others, none_ensuite,
          entered_only, only_behind, from_there, inside, has_inside, through_passage,
          between_the_two, you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without,
-         none_off, denied_beside, doors_counted, of_no_room, bath_each, has_itself, in_every, in_each, _do_not, _also,
-         _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just, _from_again, _both_from,
-         _they_from, _neither, not_ensuite, _not_another, _not_open, compared, then_listed, no_wall, none_between,
-         beside_it, several_areas, is_for, one_of_them, opening, open_to_each_other, together_with, not_needed,
-         is_not_in, one_per, whose, floating, sleeps_in)  # fmt: skip
+         none_off, nor_this, denied_beside, doors_counted, of_no_room, of_which, bath_each, has_itself,
+         in_every, in_each, _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed,
+         _not_just, _from_again, _both_from, _they_from, _neither, not_ensuite, _not_another, not_open, compared,
+         next_one, then_listed, no_wall, none_between, beside_it, several_areas, is_for, one_of_them, opening,
+         open_to_each_other, together_with,
+         not_needed, is_not_in, one_per, whose, floating, sleeps_in)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 
 
@@ -251,13 +256,6 @@ def _contrasted(out: list[Item], room: RoomPhrase) -> bool:
     earlier = [i.room for i in out[:-2] if i.room is not None][-1:]
     lone = len(out) > 2 and is_mark(out[-2], ",") and room.quantifier in (Det.A, Det.BARE)
     return lone and bool(earlier) and earlier[0].type == room.type and not earlier[0].negated
-
-
-def _closed(out: list[Item]) -> RoomPhrase | None:
-    """The kitchen that `not open` is said of."""
-    said_of = [i for i in out[:-1] if i.kind != "copula"][-1:]
-    room = said_of[0].room if said_of else None
-    return room if room is not None and room.type == "kitchen" and not room.negated else None
 
 
 def _ends(items: list[Item], k: int) -> bool:

@@ -53,7 +53,8 @@ def heading(text: str) -> str:
 
 def with_ours(text: str, claims: list[str]) -> str:
     """`our two kids each want a room`: whose children they are have one too, where no other bedroom is spoken of."""
-    if HAVING.search(text) and not (FAMILY.search(text) or COUNTED.search(text) or BEDROOMS.search(text)):
+    rest = HAVING.sub("", text)  # "we have three kids rooms" tells not where those sleep who have them
+    if rest != text and not (FAMILY.search(text) or COUNTED.search(text) or BEDROOMS.search(rest)):
         return f"{text.rstrip(' .!')}. a parents' bedroom."
     ours = [match for claim in claims if OURS.search(claim) for match in pattern("{who}").finditer(claim)]
     if not any(match["child"] or match["twins"] for match in ours) or COUNTED.search(text) or BEDROOMS.search(text):

@@ -80,6 +80,16 @@ def holds(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def has_too(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the study has a desk; the bedroom a wardrobe but no desk`: it has them."""
+    room = last(out).room
+    begins = room is not None and room.quantifier == Det.THE and is_mark(last(out[:-1]), ".")
+    if items[k].kind != "object" or not begins or not any(i.value == "has" for i in clause(out[:-2])):
+        return False
+    out += [Item("with", "has", "has"), items[k]]
+    return True
+
+
 def another_alike(out: list[Item], items: list[Item], k: int) -> bool:
     """`bedroom, bedroom, bathroom`: two bedrooms."""
     room, before = items[k].room, last(out[:-1]).room

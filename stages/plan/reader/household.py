@@ -33,6 +33,7 @@ class Household:
         self.totals: dict[str, int] = {}
         self.banned: set[tuple[str, str]] = set()
         self.open_kitchen = False
+        self.closed_kitchen = False
         self.mentions = mentions
         self.asked = asked
         self.last: list[Entity] = []
@@ -146,7 +147,8 @@ class Household:
         if other_than(phrase, pool, self.of(phrase.type)):
             pool[0].picked = True
             return self.add(phrase.type)  # "one bedroom has a balcony, the other a closet"
-        if phrase.rank and all(e.rank and e.rank != phrase.rank for e in pool):
+        alike = any(e.rank == phrase.rank and e not in pool for e in self.of(phrase.type))
+        if phrase.rank and (alike or all(e.rank and e.rank != phrase.rank for e in pool)):
             pool = self.of(phrase.type)  # "the two smaller bedrooms share a bath, the largest has its own"
         if found := ranked(phrase, pool if len(pool) > 1 else self.of(phrase.type)):
             return found

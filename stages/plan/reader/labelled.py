@@ -69,7 +69,8 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     further = rest_of(phrase, home.of(phrase.type)) if phrase.quantifier == Det.ANOTHER else []
     placed = placed or bool(further)  # "a main bedroom, two further doubles"
     take = free if placed or (not another and _among_known(phrase, labels, free, total)) else []
-    found = take[-count:] if labels & OTHERS else take[:count]  # the first bedroom is whose the home is
+    lesser = bool(labels & OTHERS) or (phrase.type == "bedroom" and Trait.SMALL in labels)
+    found = take[-count:] if lesser else take[:count]  # the first bedroom is whose the home is
     full = len(home.of(phrase.type)) >= home.totals.get(phrase.type, 99) and phrase.quantifier != Det.ANOTHER
     if phrase.type in home.totals and phrase.quantifier != Det.ANOTHER and Trait.HALF not in labels:
         count = max(len(found), 1) if found else count

@@ -53,6 +53,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"(?: one| bed ?room)? (one|two|an?) (?:double |single )?beds?\b", r"the first bedroom has \1 double beds, the "
      r"second bedroom has \2 double bed"),
     (rf"\b(balcony|terrace) for (?:the )?({_ROOM})\b", r"\1 off the \2"),
+    (rf"(\boff the {_ROOM}[.,;] ?(?:(?:no|sorry|actually|rather|better|wait),? )+)for the (?={_ROOM})", r"\1off the "),
     # "in bedroom stay bed and table for work", "the third is smallest", "no need balcony"
     (rf"(^|[.;] ?)in (?:the |my )?({_ROOM}) (?:must |should )?(?:stays?|stands?|is standing|are standing) (?=[a-z])",
      r"\1the \2 has "),
@@ -65,7 +66,6 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to "
      r"be |be |which is )?"
      r"open\b(?! to)", "separate kitchen"),
-    (r"\b(?:do not|don't) (?:want|like|need) (?:the |an? )?open (?:plan )?kitchen\b", "separate kitchen"),
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),

@@ -73,6 +73,7 @@ def complete_links(
         if room.private_to is not None and not any(room.id in pair for pair in out):
             out.append(edge(room.id, room.private_to))
     mark_private(rooms, out)
+    _inner_bedrooms([r for r in rooms if r.id in only], rooms, out)
     start = hub(rooms).id
     order = sense()["order"]["types"]
     inner = {r.id for r in rooms if r.type == "hallway" and r.id != start and _off_living(r, rooms, out)}
@@ -86,6 +87,15 @@ def complete_links(
             if partner is not None:
                 out.append(edge(_dining(room, partner, rooms, out, forbidden) or room.id, partner))
     return sorted(set(out) | set(_also(rooms, [p for p in links if p not in near], forbidden)), key=_natural)
+
+
+def _inner_bedrooms(only: list[AskedRoom], rooms: list[AskedRoom], links: list[Link]) -> None:
+    """A bedroom that is to be entered only through another one belongs to that one."""
+    beds = {r.id for r in rooms if r.type == "bedroom"}
+    for room in only:
+        near = _beside(room.id, links)
+        if room.id in beds and len(near) == 1 and near[0] in beds:
+            room.private_to = near[0]
 
 
 def _dining(

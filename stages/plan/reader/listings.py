@@ -125,3 +125,23 @@ def _bracketed(room: Lexeme, mark: Lexeme, number: Lexeme) -> bool:
 
 def made(values: list[float], words: list[Lexeme], i: int, j: int) -> Lexeme:
     return Lexeme("area", "", " ".join(w.text for w in words[i:j]), values=tuple(values), joined=words[i].joined)
+
+
+def counted_behind(words: list[Lexeme]) -> list[Lexeme]:
+    """`rugs: two in the lounge, one in each bedroom`: so many of what is named before."""
+    out: list[Lexeme] = []
+    thing: Lexeme | None = None
+    for k, word in enumerate(words):
+        number, inside = [*words[k + 1 : k + 3], *[Lexeme("mark", ".", ".")] * 2][:2]
+        if word.text == ":" and out and out[-1].kind == "furniture" and _so_many(number, inside):
+            thing = out.pop()
+        elif thing is not None and _so_many(word, number):
+            out += [word, thing]
+        else:
+            thing = None if word.value == "." else thing
+            out.append(word)
+    return out
+
+
+def _so_many(number: Lexeme, inside: Lexeme) -> bool:
+    return number.kind == "number" and inside.kind == "with" and inside.value == "in"

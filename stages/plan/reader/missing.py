@@ -28,6 +28,7 @@ def full_graph(said: Said, home: Household, doors: Doors) -> bool:
     home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals or lived_in)
     met = all(len(home.of(kind)) == n for kind, n in home.totals.items())
     entered = said.graph or bool(kinds & {"hallway", *OPEN_TYPES})  # bedrooms and baths alone want a way in
+    entered = entered and (said.graph or bool(kinds - {"bedroom", "hallway"}))  # "two bedrooms, one off the hall"
     return len(seen) == len(home.rooms) and home_like and met and entered
 
 
@@ -150,5 +151,5 @@ def _studio(said: Said, home: Household) -> None:
             living.objects.append(("double_bed", 1))
         living.labels |= {Trait.LOFT} if said.about.loft else set()
     for kitchen in home.of("kitchen"):
-        if Trait.SEPARATE not in kitchen.labels:
+        if Trait.SEPARATE not in kitchen.labels and not home.closed_kitchen:
             kitchen.labels |= {Trait.OPEN} if said.about.loft else {Trait.OPEN, Trait.SMALL}

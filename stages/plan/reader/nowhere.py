@@ -31,7 +31,8 @@ def in_several(items: list[Item]) -> list[Item]:
             continue
         things = [i for i in items[k:end] if i.kind in ("object", "conjunction") or is_mark(i, ",")]
         for at in places:
-            out += [*things, Item("with", "in", "in"), items[at], Item("mark", ",", ",")]
+            there = [replace(i, number=0) if i.kind == "object" and _spared(items, at) else i for i in things]
+            out += [*there, Item("with", "in", "in"), items[at], Item("mark", ",", ",")]
         out.pop()
         k = after
     return out
@@ -98,6 +99,11 @@ def _places(items: list[Item], first: int, denied: bool) -> tuple[list[int], int
         places.append(at + again)
         end = at + again + 1
     return places, end
+
+
+def _spared(items: list[Item], at: int) -> bool:
+    """`a piano in the lounge rather than in the study`: none in the room at `at`."""
+    return at > 1 and items[at - 1].value == "in" and _spares(items[at - 2])
 
 
 def _listed(items: list[Item], at: int, joint: list[Item]) -> bool:

@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.clausal import ahead, clause, last
-from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, is_mark
-from apartgen.stages.plan.reader.vocabulary import Det
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 BY = ("front", "with", "negation")
 """Kinds of what leads to an opening: `through an opening`, `with an opening`, `without a door`."""
@@ -24,6 +24,23 @@ def denied_doors(items: list[Item]) -> list[Item]:
         item = Item("link", "door", "door to") if denies else item
         out.append(Item("negation", "without", item.text) if none else item)
     return out
+
+
+def not_open(out: list[Item], items: list[Item], k: int) -> bool:
+    """`the kitchen is not open`, `a studio, no open plan`."""
+    end = len(out) - (last(out).kind == "copula")
+    if items[k].kind != "open" or last(out[:end]).kind != "negation" or ahead(items, k)[0].room is not None:
+        return False
+    no, said_of = out[end - 1], [i for i in out[: end - 1] if i.kind != "copula"][-1:]
+    del out[end - 1 :]
+    room = said_of[0].room if said_of else None
+    if room is not None and room.type == "kitchen" and not room.negated:
+        room.labels.add(Trait.SEPARATE)
+    elif room is None or room.type in OPEN_TYPES:
+        out += [no, Item("room", "kitchen", "kitchen", RoomPhrase("kitchen", {Trait.OPEN}, negated=True))]
+    else:
+        out += [no, items[k]]
+    return True
 
 
 def opening(out: list[Item], items: list[Item], k: int) -> bool:

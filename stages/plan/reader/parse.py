@@ -22,7 +22,7 @@ from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
-from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
 from apartgen.stages.plan.reader.parted import parted
@@ -40,7 +40,7 @@ from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, s
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.turned import turned
-from apartgen.stages.plan.reader.unread import limits
+from apartgen.stages.plan.reader.unread import can_be_met, limits
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 from apartgen.stages.plan.reader.ways import in_passing
@@ -85,7 +85,7 @@ def parse(prompt: str) -> Said:
         before = _sentence(sentence, said, before, trail)
     said.rooms += [room for room in said.seen_from if room not in said.rooms]
     each_beside_one(said)
-    said.statements = at_table(said.statements)
+    said.statements = at_table(can_be_met(said))
     return said
 
 
@@ -102,7 +102,7 @@ def _whole(items: list[Item], said: Said) -> None:
             case "only" if item.text == "nothing else" and _furnished(items[:k]):
                 pass
             case "only":
-                said.only = said.only or item.value == "only" or (_alone(items[:k]) and _lists_home(items[k:]))
+                said.only = said.only or item.value == "only" or _names_all(items, k)
             case "graph":
                 said.graph = True
             case "style":
@@ -156,9 +156,11 @@ def _of_room(after: list[Item]) -> bool:
     return room is not None and not room.headline and all(i.kind != "dwelling" for i in after)
 
 
-def _alone(before: list[Item]) -> bool:
-    """Whether no room was named before: `five bedrooms, but only two bathrooms`."""
-    return not rooms_of(before)
+def _names_all(items: list[Item], k: int) -> bool:
+    """Whether no room but those behind the `only` at `k` is named: `just a kitchen`, of no home."""
+    rooms = rooms_of(items)
+    lone = len(rooms) == 1 and rooms[0].quantifier == Det.A and rooms[0].type in (*OPEN_TYPES, "bathroom")
+    return not rooms_of(items[:k]) and (_lists_home(items[k:]) or (lone and all(i.kind != "dwelling" for i in items)))
 
 
 def _lists_home(after: list[Item]) -> bool:

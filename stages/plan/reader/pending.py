@@ -129,24 +129,28 @@ def trailing_number(words: list[Lexeme], i: int, phrase: RoomPhrase) -> int:
     while j < len(words) and _is_ordinal(words, j):
         numbers.append(int(words[j].number))
         j += 1
-        if not (
-            phrase.plural and j + 1 < len(words) and words[j].text in ("and", "&", ",") and _is_ordinal(words, j + 1)
-        ):
+        if not (j + 1 < len(words) and _is_ordinal(words, j + 1) and _goes_on(phrase, words[j], words[j + 1])):
             break
         j += 1
     spelled = phrase.type in ("bedroom", "bathroom") and not phrase.quantifier and phrase.text not in LISTED
-    fits = phrase.plural or (len(numbers) == 1 and (words[i].text[0].isdigit() or spelled))
-    if not numbers or phrase.count is not None or not fits:
+    fits = bool(numbers) and (phrase.plural or words[i].text[0].isdigit() or (len(numbers) == 1 and spelled))
+    if phrase.count is not None or not fits:
         return i
     if phrase.plural and len(numbers) == 1 and phrase.quantifier == Det.BARE:
         phrase.count = float(numbers[0])  # "bedrooms 3, bath 2"
         return j
-    phrase.ordinals = tuple(numbers)
+    phrase.ordinals, phrase.plural = tuple(numbers), phrase.plural or len(numbers) > 1
     area = j < len(words) and words[j].kind == "number" and words[j].text[0].isdigit() and 3 < words[j].number <= 200
     if area and len(numbers) == 1 and not counts_next(words, j):  # "bedroom 1 14, bedroom 2 11"
         phrase.areas = (words[j].number,)
         return j + 1
     return j
+
+
+def _goes_on(phrase: RoomPhrase, joint: Lexeme, following: Lexeme) -> bool:
+    """Whether `joint` leads to the number of a further room: `bedrooms 1, 2`, `bedroom 2 and 3`."""
+    alike = phrase.type in ("bedroom", "bathroom") and following.text[0].isdigit()
+    return joint.text in (("and", "&", ",") if phrase.plural else ("and", "&") if alike else ())
 
 
 def _areas_end(words: list[Lexeme], i: int) -> int:

@@ -8,9 +8,11 @@ from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
 from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
-from apartgen.stages.plan.reader.possessions import aged, among_counted, equipped, ours, possessed, sized
+from apartgen.stages.plan.reader.possessions import SEVERAL, aged, among_counted, equipped, ours, possessed, sized
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
+PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
+"""Words for two people that need no article."""
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
 
 
@@ -114,10 +116,13 @@ def _claims(text: str) -> tuple[str, bool]:
     text, each = _each_of(text)
     text, which = possessed(text)
     found += each + which
-    text = pattern("{who}{relative}?,? ?(?:all |both |will |can )?{share} ?{article}*{room}").sub(shared, text)
+    shares = "{who}{relative}?,? ?(?:all |both |will |can )?{share} ?"
+    text = pattern(shares + "{article}*{room}").sub(shared, text)
+    if SEVERAL.search(text):
+        text = pattern(shares + "one(?= with )").sub("one of the bedrooms", text)
     text = pattern(
         "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada "
-        "un[oa] de )?{who}{relative}?,? ?(?:and (?={every}))?"
+        "un[oa] de )?{who}{relative}?,? ?(?:(?:and|they) (?={every}))?"
         "(?P<one>(?:{every}|alle|jeweils|各自?|自己|单独|独自)"
         "(?: one| of them| student| child| kid| person)? ?)?{need} ?"
         "(?P<own>(?=[^,.;]*(?:own|eigen|propr|propi|自己)))?{article}*"
@@ -134,7 +139,8 @@ def _claims_on(text: str, found: list[str], shared: Callable[[re.Match[str]], st
     """Rooms of those of whom less is said where others are told to have one: `the girl has her own`, `and I a room`."""
     text = re.sub(r"\bour (?:own )?room\b", "the parents' bedroom", text)
     text = pattern("{who} {need} {hers}(?= ?(?:[,.;]|$|and ))").sub(shared, text)
-    text = pattern("{who} {need} {other}(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)
+    text = pattern("{who} {need} {other}(?: to (?:him|her|them)sel(?:f|ves))?"
+                   "(?= ?(?:[,.;:]|$|and |with |next |near |off |of \\d))").sub(shared, text)  # fmt: skip
     text = heading(with_ours(ours(text), found))
     also = "(?:also |too |auch |aussi |tambien )?"  # "then my parents also a room, and I a room"
     gapped = pattern(f"(?:then )?{{who}},? {also}(?:an?|one|ein|une|una) (?:own )?{{room}}(?P<each>{{each}})?")
@@ -173,7 +179,9 @@ def _each_of(text: str) -> tuple[str, list[str]]:
         found.append(match.group())
         rooms = "bedrooms" if kind == "adult" else f"{ROOM[kind]}s"
         lead = f"{match['between']}, " if re.search("room|kitchen|bath", match["between"]) else ""
-        return f"{lead}{number_of(match)} {rooms}"
+        if match["me"] and kind == "child":
+            return f"{lead}a parents' bedroom, {number_of(match)} {rooms}"
+        return f"{lead}{number_of(match) + bool(match['me'])} {rooms}"
 
     group = "(?P<all>{who}(?:(?:,| and|,? und|,? et|,? y| &) {who})+),? (?:(?:will|should|must|can) )?"
     own = (
@@ -182,9 +190,10 @@ def _each_of(text: str) -> tuple[str, list[str]]:
     )
     text = pattern(group + own, unnamed=True).sub(together, text)
     one = "(?:one|kind|enfant|hijo|hija|student|person|child|kid|friend|flatmate|roommate|adult|resident)"
-    every = f"{{every}}(?: {one})?(?: of (?:them|us|you))?"
-    gap = "(?P<between>[^.;:]{0,40})(?P<mark>[,.;:]) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
-    return pattern("(?={number}){who}" + gap).sub(apart, text), found
+    every = f"(?:they )?{{every}}(?: {one})?(?: of (?:them|us|you))?"
+    gap = "(?P<between>[^.;:]{0,40}?)(?P<mark>[,.;:]| -) ?(?:and )?" + every + " ?{need} ?{article}*{room}"
+    me = "(?P<me>\\b(?:me|myself|i|us|we) (?:and|&|plus|live with) )?"
+    return pattern(me + "(?={before}*{number}){who}" + gap).sub(apart, text), found
 
 
 def _others(text: str) -> str:
@@ -195,8 +204,9 @@ def _others(text: str) -> str:
         lead = match["lead"].replace("- ", ", ")
         return f"{lead}{rooms_for(match, 1 if kind_of(match) in ('couple', 'spouse') else count)}"
 
-    begins, ends = "^|[:,;.-] |\\b(?:and|with|und|et|y) ", " ?[-,.;:]| (?:and|with|und|et|y)\\b|$"
-    return pattern(f"(?P<lead>{begins})(?={{number}}|{{before}}){{who}}(?={ends})").sub(room, text)
+    begins = "^|[:,;.-] |\\b(?:and|with|und|et|y|(?:flat|apartment|home|house|place) for) "
+    ends = " ?[-,.;:]| (?:and|with|und|et|y)\\b|$"
+    return pattern(f"(?P<lead>{begins})(?={{number}}|{{before}}|{PAIRS}){{who}}(?={ends})").sub(room, text)
 
 
 def _baths(text: str) -> str:
@@ -267,6 +277,9 @@ def _without_sharing(people: People, text: str, whole: str) -> tuple[People, str
         fewer = value_of(told[1]) - 1 if told else 1
         people = replace(people, children=max(people.children - fewer, 1))
         text = text[: together.start()] + text[together.end() :]
-    own = pattern("{before}(?:\\w+ )?(?:\\w+ )?{need} {hers}", unnamed=True)
+    own = pattern(
+        "{before}(?:\\w+ )?(?:\\w+ )?{need} {hers}|\\b(?:i|we) {need} (?:my|our) own(?: {room})?(?= ?(?:[.,;]|$))",
+        unnamed=True,
+    )
     each = pattern("(?:{every} (?:of (?:the |my |our )?)?(?:\\w+ )?(?:{need}|with|in) ?{article}*{room})")
     return people, each.sub("", own.sub("", text))

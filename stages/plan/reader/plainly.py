@@ -9,6 +9,7 @@ _PIECE = (r"(?:armchair|sofa|couch|desk|table|wardrobe|shelf|shelves|bookshel(?:
           r"television|dresser|nightstand|chest|rug|stool)s?\b")  # fmt: skip
 _COUNT = r"(?:an?|one|two|three|four|no|\d)"
 _NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
+_SEATS = r"(?:two|three|four|five|six|seven|eight|nine|ten|twelve)"
 _HALL = r"(?:entrance |night |inner |bedroom |second |long )*(?:hall|hallway|corridor|lobby|vestibule|passage)"
 _GETS = r"(?:gets?|has|have|takes?|wants?|needs?|sleeps? in)"
 _WHO = r"(?:i|he|she|we|they|(?:my|our|the) [a-z]+|(?:grand)?(?:mother|father|ma|pa)|mum|mom|dad|granny)"
@@ -27,6 +28,16 @@ def _of_last(found: re.Match[str]) -> str:
     """`their areas are …`, of the rooms that were counted last."""
     named = re.findall(r"\b((?:bed|bath) ?rooms|balconies)\b", found.string[: found.start()])
     return f"the {named[-1]} of " if named else found.group()
+
+
+def _seated(found: re.Match[str]) -> str:
+    """`a table for six` as one with six chairs, where no chairs are counted."""
+    table, count = found["table"], found["n"] or found["zahl"] or found["nombre"] or found["cuantos"]
+    if re.search(r"\b(?:chairs?|stuhle?n?|chaises?|sillas?|seats\b(?= around))", found.string):
+        return table
+    with_them = ("with {} chairs", "mit {} stuhlen", "avec {} chaises", "con {} sillas")
+    which = next(k for k, name in enumerate(("n", "zahl", "nombre", "cuantos")) if found[name])
+    return f"{table} {with_them[which].format(count)}"
 
 
 def _fewer(found: re.Match[str]) -> str:
@@ -67,6 +78,14 @@ _SAID = [(late(pattern), words) for pattern, words in (
      rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double beds"),
     (rf"({_PIECE}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
     (r"\b(one|1) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
+    # "a dining table for six", "Esstisch für sechs Personen"
+    (r"(?P<table>\b(?:[a-z]*table|[a-z]*tisch|table(?: a manger)?|mesa(?: de comedor)?)),? "
+     r"(?:(?:(?:(?:that|which) (?:seats|fits)|seating|for|(?:big|large) enough for|with (?:seats?|space|room) for) "
+     rf"(?P<n>{_SEATS}|\d\d?)|fur (?P<zahl>zwei|drei|vier|funf|sechs|acht|zehn|\d\d?)|"
+     r"pour (?P<nombre>deux|trois|quatre|cinq|six|huit|dix|\d\d?)|"
+     r"para (?P<cuantos>dos|tres|cuatro|cinco|seis|ocho|diez|\d\d?))"
+     r"(?: people| persons| guests| of us| diners| personen| personnes| personas)?)"
+     r"(?= ?(?:[.,;)]|$)| (?:in|and|with|at|im|und|mit|dans|et|en|y)\b)", _seated),
     # "the bedroom areas are 9, 11 and 14 m²", "the sizes of the bedrooms should be …", "their areas are …"
     (rf"\b(?:the )?({_ROOM}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of)? (?=\d)", _plural),
     (rf"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of (?:the )?({_ROOM}s)(?: are| should be| must be|:) (?=\d)",

@@ -15,7 +15,8 @@ WHICH = (r"(?:(?P<size>small|smaller|smallest|little|tiny|big|bigger|biggest|lar
          r"zweite |dritte |andere |deuxieme |troisieme |autre |segunda |tercera |otra )?")  # fmt: skip
 OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(?:own )?(?:(?P<many>{{numbers}}) "
     rf")?{WHICH}"
-          r"(?P<noun>bed ?rooms?|rooms?|ones?|(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|"
+          r"(?P<noun>bed ?rooms?|rooms?|ones?|master(?: bed ?room)?|"
+          r"(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|"
           r"our) (?:flat|house)))\b(?!')")  # fmt: skip
 AGED = re.compile(
     r"\b(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
@@ -136,8 +137,8 @@ def among_counted(text: str) -> bool:
 
 def _takes(match: re.Match[str]) -> bool:
     """Whether the clause tells which room somebody has, rather than that there is to be one for them."""
-    which = re.search(r"\b(?:the|his|her|their|das|la) (?:own )?(?:[a-z]+ ){0,2}(?:[a-z]*rooms?|ones?|[a-z]*zimmer|"
-        r"chambre|habitacion)$",
+    which = re.search(r"\b(?:the|his|her|their|das|la) (?:own )?(?:[a-z]+ ){0,2}(?:[a-z]*rooms?|ones?|master|"
+        r"[a-z]*zimmer|chambre|habitacion)$",
                       match.group())  # fmt: skip
     own = re.search(r"\b(?:own|same|eigenes?|propre|propia)\b", match.group())
     single = kind_of(match) != "child" or not several(match) or number_of(match) == 1

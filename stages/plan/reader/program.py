@@ -58,7 +58,7 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
         raise BadInput(
             f'no room could be read from the prompt {_quoted(prompt)}; name rooms, e.g. "two-bedroom flat with a study"'
         )
-    closed = any(e.type == "kitchen" and Trait.SEPARATE in e.labels for e in home.rooms)
+    closed = home.closed_kitchen or any(e.type == "kitchen" and Trait.SEPARATE in e.labels for e in home.rooms)
     home.open_kitchen = home.open_kitchen or (said.open_plan and not closed)
     consistent(said, home)
     doors = doors_said(said.statements, home)

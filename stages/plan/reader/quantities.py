@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.bounds import bounded
+from apartgen.stages.plan.reader.contrasted import that_hold
 from apartgen.stages.plan.reader.denied import limits_denied
 from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.listings import bare, listing, made, numbers_joined
+from apartgen.stages.plan.reader.listings import bare, counted_behind, listing, made, numbers_joined
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
@@ -18,8 +19,8 @@ BETWEEN = ("between", "entre", "zwischen")
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
     """Merge compound numbers, then numbers with their units into areas and shares."""
-    words = _of_home(_numbers(words))
-    return _of_things(_quantities(words))
+    words = _of_home(that_hold(_numbers(words)))
+    return counted_behind(_of_things(_quantities(words)))
 
 
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:

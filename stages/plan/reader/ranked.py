@@ -25,6 +25,7 @@ def ranked(phrase: RoomPhrase, pool: list[Entity]) -> list[Entity]:
     told = [e for e in pool if e.rank == phrase.rank][:1]
     found = told or [_by_size(phrase.rank, [e for e in pool if not e.rank] or pool)]
     found[0].rank, found[0].picked = phrase.rank, True
+    phrase.factor = 1.0 if told and told[0].factor != 1.0 else phrase.factor  # how small it is was said before
     return found
 
 

@@ -60,7 +60,7 @@ def relations(
         if not right and p.at + 1 < len(items) and items[p.at + 1].kind == "pronoun":
             topic = _topic(items, p, found[:k])
             right = [r for r in (trail if trail and onward(items[p.at]) else topic or before) if r not in left]
-            right = _not_alike(right, left, out)
+            right = _not_alike(right, left, out, p.kind)
         if p.kind == Relation.BETWEEN and not right:
             right = _rooms(items, 0, p.subject[0])[-1:] if left and left[-1].count in (None, 1) else []
             left = left[-1:] if right else []
@@ -117,11 +117,13 @@ def _topic(items: list[Item], p: Predicate, before: list[Predicate]) -> list[Roo
     return named[:1] if told else (single or named)[-1:]
 
 
-def _not_alike(it: list[RoomPhrase], left: list[RoomPhrase], out: list[Statement]) -> list[RoomPhrase]:
+def _not_alike(it: list[RoomPhrase], left: list[RoomPhrase], out: list[Statement], kind: str) -> list[RoomPhrase]:
     """`the kids' bedroom is next to the bathroom, ours is far from it`: from the bathroom, what else."""
     other = out[-1].right if out and len(out[-1].right) == 1 else []
     alike = len(it) == len(left) == 1 and it[0].type == left[0].type and bool(it[0].type)
-    return other if alike and other and other[0].type not in ("", it[0].type) else it
+    alike = alike and bool(other) and other[0].type not in ("", it[0].type)
+    lived = kind == Relation.OPEN and bool(other) and other[0].type in OPEN_TYPES  # "… off the lounge, … open to it"
+    return other if alike or (lived and not {r.type for r in it} & set(OPEN_TYPES)) else it
 
 
 def _of_one_another(items: list[Item], p: Predicate, left: list[RoomPhrase]) -> list[RoomPhrase]:

@@ -2,6 +2,8 @@
 
 import re
 
+from apartgen.stages.plan.reader.retold import retold
+
 _DE_ROOMS = {"kochen": "kuche", "essen": "esszimmer", "wohnen": "wohnzimmer"}
 _DOING = "kochen|essen|wohnen"
 _TOGETHER = re.compile(rf"\b(?:{_DOING})(?:(?:, ?| und |/| & | \+ )(?:{_DOING})){{1,2}}\b")
@@ -57,8 +59,8 @@ def _paired(found: re.Match[str]) -> str:
     return f". {count // 2} bathrooms. {'. '.join(pairs)}"
 
 
-_AGAIN = "hmm|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|make it|make that|nein|doch|besser|" \
-    "lieber|non|plutot|pardon|perdon|mejor|digo|不对|不"
+_AGAIN = "hmm|erm?|uhm?|no|sorry|wait|oops|actually|correction|i mean|i meant|or rather|make it|make that|nein|doch|" \
+    "besser|lieber|non|plutot|pardon|perdon|mejor|digo|不对|不"
 """Words before what is said anew."""
 
 
@@ -146,8 +148,8 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"\bmake (the (?!kitchen|hall|corridor)[a-z ]{3,40}?) (\d+(?:\.\d+)? ?(?:m2|sqm|sq m|square met(?:er|re)s?))",
      r"\1 is \2"),
     # "The kitchen is 10 m², sorry, 12."
-    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?: \w+)?(?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+)"
-     r"(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),
+    (rf"\b(m2|sqm|qm|square met(?:er|re)s?|quadratmeter|平米|平方米)((?: \w+)?(?:[,.; -]+(?:{_AGAIN}))+[, ]+)(\d+"
+     r"(?:(?:,|,? and|,? und|,? et|,? y) \d+)*)(?: instead)?(?= ?(?:[.,;!)]|-|$))", r"\1\2\3 m2"),
     (r"\b(?:make|turn|change|convert|replace|swap) the ([a-z ]{4,25}?) (?:into|to|with|by|for|instead) (?=an? )",
      r"make the \1 "),
     # "wide enough for a wheelchair (at least 1.2 m)", "one large room with kitchen", "a luxury suite: …"
@@ -268,6 +270,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
 
 def rephrased(text: str) -> str:
     """A folded text whose verbs and comparisons stand where the rules look for them."""
+    text = retold(text)
     text = _OF_WHOM.sub(lambda found: _WHOSE[found[1]], text)
     text = _OPENED.sub(lambda found: f"open plan {found[1].replace('+', ', ')}", text)
     text = _TOGETHER.sub(_doing, text)

@@ -96,7 +96,7 @@ def _without_contrast(items: list[Item]) -> list[Item]:
 
 def spread_negation(items: list[Item]) -> None:
     """`no study or balcony`, `without a dining room and balcony`."""
-    word, scope = "", False
+    word, scope, alike = "", False, Det.BARE
     for k, item in enumerate(items):
         if item.kind == "negation":
             word, scope = item.value, item.text == "neither"
@@ -113,22 +113,12 @@ def spread_negation(items: list[Item]) -> None:
             told = other is not None and other.quantifier == Det.THE
             if told and scope and word == "without" and (k + 1 == len(items) or items[k + 1].kind == "mark"):
                 phrase.negated = True  # "skip the balcony and the study"
-            if (
-                scope
-                and not phrase.negated
-                and plain
-                and (joint == "or" or (joint == "and" and (word == "without" or phrase.quantifier == Det.BARE)))
-            ):
-                phrase.negated = True
-            elif (
-                scope
-                and not phrase.negated
-                and plain
-                and k
-                and is_mark(items[k - 1], ",")
-                and phrase.quantifier == Det.BARE
-            ):
-                phrase.negated = _closes_with_or(items[k:])
+            if scope and plain and not phrase.negated:
+                listed = bool(k) and is_mark(items[k - 1], ",") and phrase.quantifier in (Det.BARE, alike)
+                denied = word == "without" or phrase.quantifier == Det.BARE
+                phrase.negated = joint == "or" or (joint == "and" and denied) or (listed and _closes_with_or(items[k:]))
+            if phrase.negated:
+                alike = phrase.quantifier
             scope = phrase.negated
             if scope and k + 1 < len(items) and items[k + 1].kind in ("link", "front", "with", "relative"):
                 phrase.labels.add(Trait.PLACED)  # "no bathroom off the hallway": not there, but maybe elsewhere

@@ -13,8 +13,12 @@ from apartgen.stages.plan.reader.statements import Said, Statement
 from apartgen.stages.plan.reader.style import style_of
 from apartgen.stages.plan.reader.vocabulary import Relation, Trait
 
+SETTLED = 1e-4
+"""Part by which areas may change once comparisons hold together."""
 CLEARLY = 1.3
 """How much larger than the others the largest room is."""
+PASSES = 20
+"""How often several comparisons are gone through, for each may spoil the others."""
 SHARED = 11.5
 """Floor of a bedroom that two share, as it is asked for, m²: what is built may be a sixth less."""
 
@@ -39,14 +43,29 @@ def room_areas(
     if said.equal or any(of_all):  # "all rooms of the same size": those one lives in, for a bath is no lounge
         alike = [ids[id(e)] for kind in ("living_room", "bedroom", "study") for e in home.of(kind)]
         base.update(dict.fromkeys(alike, sum(base[i] for i in alike) / max(len(alike), 1)))
-    for statement in said.statements:
-        _compare(statement, home, ids, base, stated)
+    _all_compared(said, home, ids, base, stated)
     _extremes(said, home, ids, base, stated)
     filled = fill(rooms, base, stated, shares, said.total_area)
     for statement in said.statements:
         if statement.kind == Relation.COMPARE and said.total_area is not None:
             filled = _compared(statement, home, ids, filled, rooms, stated, shares, said.total_area)
     return filled
+
+
+def _all_compared(
+    said: Said, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]
+) -> None:
+    """All comparisons, again and again where several can hold together; once where they cannot."""
+    for statement in said.statements:
+        _compare(statement, home, ids, base, stated)
+    together = dict(base)
+    for k in range(PASSES if sum(s.kind == Relation.COMPARE for s in said.statements) > 1 else 0):
+        before = dict(together)
+        for statement in said.statements:
+            _compare(statement, home, ids, together, stated)
+        if all(math.isclose(together[i], before[i], rel_tol=SETTLED) for i in together):
+            base.update(together if k else {})
+            return
 
 
 def _for_all(

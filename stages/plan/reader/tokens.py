@@ -15,6 +15,7 @@ _INCHES = re.compile(
     r"""(\d+)\s?(?:'|(?:ft|feet|foot)\b\.?)\s?(\d{1,2}(?:\.\d+)?)(?![\d.'m])\s?(?:"|''|in(?:ch(?:es)?)?\b)?"""
 )
 _FEET = re.compile(r"(\d)'(?=\s?(?:x|by)\b)|(?<=[xy] )(\d+)'(?![\d'])")
+_METRES = re.compile(r"(?<![\w.,])(\d{1,2}) ?m ?(\d{2})(?=\s?(?:[x*,;)]|by\b|$)|\.(?:\s|$))")  # "5m50 x 4m20"
 _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
 _BOUNDS = {"(?:>=|≥)": "at least", "(?:<=|≤)": "at most"}
 _NUMBERED = re.compile(r"(?:(?<=\s)|^)(\d{1,2})[.)]\s+(?=[^\W\d])")
@@ -74,7 +75,7 @@ def fold(text: str) -> str:
     text = re.sub(r'(?<=["\w])"?\s*,\s*(?="[\w ]+"\s*:)', '" . ', text)  # `"kitchen": "open", "bath": …`
     for sign, words in _BOUNDS.items():
         text = re.sub(rf"\s*{sign}\s*(?=\d)", f" {words} ", text)
-    text = re.sub(r"(?<![-=<>])>", "->", text)
+    text = re.sub(r"(?<![-=<>])>", "->", re.sub(r"~~[^~]*~~", "", text))  # what is struck through is not said
     text = re.sub(r"(?<=\d)â(?:€[™²])?", "'", text)  # a prime that came through a wrong encoding
     text = re.sub(r"=(?!>)", ":", text)  # `hall=none` is said like `hall: none`
     for sign, plain in _FRACTIONS.items():
@@ -83,6 +84,7 @@ def fold(text: str) -> str:
     text = unicodedata.normalize("NFKC", text.translate(_QUOTES)).lower().replace("ß", "ss")
     text = worded(text)
     text = _INCHES.sub(lambda found: f"{float(found[1]) + float(found[2]) / 12:.4f} ft ", text)
+    text = _METRES.sub(r"\1.\2 m", text)
     text = _FEET.sub(lambda found: f"{found[1] or found[2]} ft", text)
     text = _SQUARED.sub(" m2", _unnumbered(text))
     text = _PAIRED.sub(r"\1, ", text)

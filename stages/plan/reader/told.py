@@ -27,6 +27,8 @@ def in_passing(s: Statement, pairs: list["Pair"], out: "Doors") -> None:
     for a, b in pairs:
         noun = any(word in DOORS for word in words) and not way_in
         out.passing += [(a, b)] if "dining_room" in (a.type, b.type) and noun else []
+        listed = (noun or words == ["to"]) and (a.type, b.type) == ("kitchen", "dining_room")
+        out.near += [(a, b)] if listed else []  # "the kitchen has doors to the hall and to the dining room"
         out.reached += [a] if way_in and (a.type, b.type) == ("living_room", "kitchen") else []
     halls = [p.type == "hallway" for p in s.left]
     listed = s.kind == Relation.DOOR and bool(halls) and all(halls) and len(s.right) > 1

@@ -2,13 +2,14 @@
 
 from apartgen.stages.plan.reader.entity import Entity
 from apartgen.stages.plan.reader.mention import RoomPhrase
-from apartgen.stages.plan.reader.vocabulary import Trait
+from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
 def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:
     """Areas, traits and furniture of a phrase onto its rooms."""
+    anew = len(rooms) == 1 and phrase.quantifier == Det.THE  # "the kitchen is 9 m². … The kitchen should be 12 m²."
     for k, entity in enumerate(rooms):
-        if phrase.areas and entity.area is None:
+        if phrase.areas and (entity.area is None or anew):
             entity.area = phrase.areas[min(k, len(phrase.areas) - 1)]
         entity.share = entity.share if phrase.share is None else phrase.share / (len(rooms) if phrase.together else 1)
         if phrase.together and phrase.areas:

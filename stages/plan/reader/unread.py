@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.statements import Said, Statement
 from apartgen.stages.plan.reader.tokens import fold
+from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Relation, Trait
 
 DENIED = re.compile(r"\b(?:no|not|without|ohne|kein\w*|sans|pas d'|pas de|sin|ninguna?) (?:\w+ )?$")
 """What stands before something that nobody wants."""
@@ -15,6 +17,8 @@ ONE = re.compile(r"\b(?:single|one) (?:\w+ )?$")
 """What stands before a storey of which there is one only."""
 CLAUSE = re.compile(r"(?<=\D)[.,:](?=\s|$)|[;!?\n()，。；、！？：]| - | – | — |(?<=\d)[.,](?=\s|$)")
 """Where one clause ends and the next begins; 3.5 is one number."""
+CLOSED = re.compile(r"not (?:(?:be|is|are) )?open (?:to|towards?)\b")
+"""What denies that rooms share a space, and no door."""
 LONGEST = 80
 """Characters of a clause that are quoted."""
 
@@ -34,6 +38,20 @@ def _why(before: str, why: str) -> str:
     if DENIED.search(before):
         return f"as wished: {why}"
     return "" if ONE.search(before) and "storey" in why else why
+
+
+def can_be_met(said: Said) -> list[Statement]:
+    """What is said without `not opposite the bedroom`, which no plan is judged by: it is told.
+
+    Nor is `the kitchen is not open to the living room`: the kitchen is closed, and may have a door there.
+    """
+    denied = [s for s in said.statements if s.kind == Relation.NOT and s.relation.removeprefix("not ") != s.relation]
+    across = [s for s in denied if s.relation.removeprefix("not ").startswith(OPPOSITE)]
+    said.unread += [f"{s.relation} {phrase.text}" for s in across for phrase in s.right[:1]]
+    closed = [s for s in denied if CLOSED.match(s.relation)]
+    for phrase in [p for s in closed for p in (*s.left, *s.right) if p.type == "kitchen"]:
+        phrase.labels.add(Trait.SEPARATE)
+    return [s for s in said.statements if s not in across + closed]
 
 
 def with_clauses(words: list[str], beyond: list[tuple[str, str]], prompt: str) -> list[str]:

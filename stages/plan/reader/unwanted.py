@@ -44,14 +44,22 @@ def we_do_not_need(out: list[Item], items: list[Item], k: int) -> bool:
 
 
 def again_without(out: list[Item], items: list[Item], k: int) -> bool:
-    """`bathroom 4.5 m²; bathroom without a bathtub`: the bathroom named before, of which no more was said."""
+    """`bathroom 4.5 m²; bathroom without a bathtub`: the bathroom named before, of which no more was said.
+
+    So is the bedroom of `one bedroom. … Bedroom with a double bed`, which the one told of is.
+    """
     room, (no, thing, end) = items[k].room, ahead(items, k)
     denied = no.kind == "negation" and no.value == "without" and thing.kind in ("object", "thing")
-    if room is None or not denied or not is_mark(last(out), ".") or end.kind not in ("", "mark", "boundary"):
+    denied = denied and end.kind in ("", "mark", "boundary")
+    told_of = no.kind == "area" or (no.kind == "with" and thing.kind == "object")
+    if room is None or not (denied or told_of) or not is_mark(last(out), ".," if told_of else "."):
         return False
     named = [j for j, i in enumerate(out) if i.room is not None and i.room.type == room.type]
     told = out[named[0]].room if len(named) == 1 else None
-    bare = told is not None and ahead(out, named[0])[0].kind in ("area", "mark", "conjunction", "boundary")
+    bare = told is not None and ahead(out, named[0])[0].kind in ("", "area", "mark", "conjunction", "boundary")
+    if not denied and named:
+        ended = any(is_mark(i, ".") for i in out[named[0] :])
+        bare = bare and ended and told is not None and told.count == 1 and ahead(out, named[0])[0].kind != "area"
     if told is not None and bare and _single(told) and _single(room) and room.quantifier == Det.BARE:
         room.quantifier = Det.THE
     return False

@@ -85,7 +85,7 @@ def _draw(said: Said, home: Household, doors: Doors, rng: Generator) -> None:
     lots["second_balcony"] &= lots["balcony"]
     for kitchen in home.of("kitchen"):
         living = home.of("living_room")
-        if lots["open_kitchen"] and beds:
+        if lots["open_kitchen"] and beds and not home.closed_kitchen:
             kitchen.labels.add(Trait.OPEN)
         elif lots["kitchen_off_living"] and living and beds:
             doors.links.append((kitchen, living[0]))

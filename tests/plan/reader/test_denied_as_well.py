@@ -1,0 +1,46 @@
+"""What is denied, taken back or excepted behind what was said first, and what is said of one room in two places."""
+
+from sentences.facts import as_meant
+
+SENTENCES = [
+    ("Two bedrooms. The study is not to be next to the kids' room, nor next to the kitchen.", "B2 H K L S W",
+     "apart S1 B2, apart S1 K1, !adjacent S1 K1"),
+    ("One bedroom flat. The study must not be next to the bathroom or next to the kitchen.", "B H K L S W",
+     "apart S1 W1, apart S1 K1, !adjacent S1 K1"),
+    ("The study must not be opposite the bedroom. One bedroom flat.", "B H K L S W", "unread not opposite bedroom"),
+    ("One bedroom, a study, piano in the living room rather than in the study.", "B H K L S W",
+     "L1 has 1 piano, S1 has 0 piano"),
+    ("One bedroom and a study. The study has a desk but no wardrobe; the bedroom a wardrobe but no desk.", "B S",
+     "S1 has 1 desk, S1 has 0 wardrobe, B1 has 1 wardrobe, B1 has 0 desk"),
+    ("One bedroom flat. Bedroom with a king-size bed and two nightstands.", "B H K L W", "B1 has 1 double_bed"),
+    ("One bedroom. Living room with two sofas; bedroom with a double bed.", "B L", "B1 has 1 double_bed"),
+    ("One bedroom with a double bed. Bedroom with two single beds.", "B2 H K L W", "B2 has 2 single_bed"),
+    ("Three bedrooms. They all face south except the smallest, which faces north.", "B3 H K L W2",
+     "orientation B1 south, orientation B2 south, orientation B3 north, !orientation B2 north, B3=7.12"),
+    ("Two bedrooms. The second bathroom - scratch that, just one bathroom.", "B2 H K L W", ""),
+    ("A balcony for the living room. No, for the bedroom. One bedroom flat.", "B H K L W Y", "B1Y1, !L1Y1"),
+    ("I said two bedrooms, but we need three now, and the balcony can go.", "B3 H K L W2", "!unread go"),
+    ("Two bedrooms and a balcony. The balcony can go.", "B2 H K L W", ""),
+    ("Two bedrooms and two baths: hers opens off the main bedroom, the other off the hallway.", "B2 H K L W2",
+     "B1W1, H1W2, !B1B2, !unread hers"),
+    ("Two bedrooms and two studies, his next to the kitchen and hers next to the main bedroom.", "B2 H K L S2 W",
+     "adjacent S1 K1, adjacent S2 B1"),
+    ("80 m² flat, half of it for the living room, two bedrooms of 12 m² each.", "B2 H K L W", "L1=40, all=80"),
+    ("Living room 5m50 x 4m20, one bedroom.", "B L", "dimension L1 5.5 x 4.2, !all=200"),
+    ("One bedroom flat. A table for 4 in the kitchen.", "B H K L W", "K1 has 1 dining_table, K1 has 4 chair"),
+    ("One bedroom flat. A dining table that seats eight in the living room.", "B H K L W",
+     "L1 has 1 dining_table, L1 has 8 chair"),
+    ("Zwei Schlafzimmer, ein Esstisch für sechs Personen im Wohnzimmer.", "B2 H K L W",
+     "L1 has 1 dining_table, L1 has 6 chair"),
+    ("A dining table for six with six chairs in the living room. One bedroom flat.", "B H K L W", "L1 has 6 chair"),
+    ("Four of us: my parents share the master, my brother and I each have our own room.", "B3 H K L W2", ""),
+    ("My parents take the master, the kids share a room.", "B2 H K L W", "!unread parents"),
+    ("Three friends - two of them share, the other has her own room. Two bathrooms.", "B2 H K L W2", ""),
+    ("I live with my two kids. They share a bedroom; I have my own.", "B2 H K L W", ""),
+    ("A house for a family of five: parents, two boys who share a room and a girl with her own room.", "B3 H K L W2",
+     "!unread parents"),
+    ("All I need is a bedroom, a kitchen and a bathroom.", "B K W", ""),
+    ("A three-bed semi with box room.", "B3 H K L W2", "B3=8, !B1=8"),
+]  # fmt: skip
+
+test_it_is_read_as_meant = as_meant(SENTENCES)
