@@ -28,7 +28,8 @@ def full_graph(said: Said, home: Household, doors: Doors) -> bool:
     home_like = {"living_room", "kitchen", "bathroom"} <= kinds or not (said.dwelling or home.totals or lived_in)
     met = all(len(home.of(kind)) == n for kind, n in home.totals.items())
     entered = said.graph or bool(kinds & {"hallway", *OPEN_TYPES})  # bedrooms and baths alone want a way in
-    entered = entered and (said.graph or bool(kinds - {"bedroom", "hallway"}))  # "two bedrooms, one off the hall"
+    several = len(home.of("bedroom")) > 1  # "two bedrooms, one off the hall" is no whole plan
+    entered = entered and (said.graph or not several or bool(kinds - {"bedroom", "hallway"}))
     return len(seen) == len(home.rooms) and home_like and met and entered
 
 
