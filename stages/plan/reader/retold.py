@@ -32,11 +32,6 @@ def children_named(text: str) -> str:
     return _NAMED.sub(_children, text)
 
 
-def _hers(found: re.Match[str]) -> str:
-    """`8 m² for hers`, of a daughter and her parent."""
-    return "the kids room" if re.search(r"\bmy (?:[a-z]+ )?(?:daughter|girl)\b", found.string) else "hers"
-
-
 def _theirs(found: re.Match[str]) -> str:
     """`two baths: hers off the bedroom, his off the hall` as the first and the second."""
     names = iter(("the first", "the second", "the third"))
@@ -63,9 +58,8 @@ _SAID = [(late(said), words) for said, words in (
     (r"(?:,? (?:with|and)|\bthere are) two (?:ways in(?:to)?|entrances (?:in)?to|doors (?:in)?to) "
      r"(the [a-z]+(?: room)?)[,:]? one(?: door)? (?:from|off) (the [a-z ]+?) and (?:one|another|the other)(?: door)? "
      r"(?:from|off) (the [a-z ]+?)(?= ?(?:[.,;]|$))", r". \1 has a door to \2 and a door to \3"),
-    # "twins of six who share a room", "8 m² for hers", "as the plan allows"
+    # "twins of six who share a room", "as the plan allows"
     (rf"\b({_YOUNG}),? (?:\({_AGE}\)|(?:of|aged?) {_AGE})(?=,? (?:who\b|that\b|{_DO}\b)|[.,;:])", r"\1"),
-    (r"\b(?:for|in) hers\b", lambda found: found.group().replace("hers", _hers(found))),
     (r"\bas (far|close|near) (apart |together |away )?as (?:the (?:plan|layout|flat|space)|it|space) "
      r"(?:allows?|permits?|can be)\b", r"as \1 \2as possible"),
     # "the last is grandma's", "they share one and sleep in two beds", "with a shower room entered only from it"
