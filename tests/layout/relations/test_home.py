@@ -152,6 +152,16 @@ def test_what_is_asked_for_is_there() -> None:
     assert found.count("armchair") == 2 and "rug" not in found
 
 
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_run_does_not_go_on_by_units_whose_number_was_said(count: int) -> None:
+    plan = home().model_copy(deep=True)
+    kitchen = next(room.id for room in plan.rooms if room.type == "kitchen")
+    plan.program.objects.append(AskedObjects(room=kitchen, category="kitchen_base", count=count))
+    for seed in range(4):
+        found = [o.category for o in made(plan, seed=seed).objects if o.room == kitchen]
+        assert found.count("kitchen_base") == count
+
+
 def test_a_bare_room_with_what_was_asked_for_is_better_than_a_full_one_without() -> None:
     plan = home().model_copy(deep=True)
     living = next(room for room in plan.rooms if room.type == "living_room")
