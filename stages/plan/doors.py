@@ -32,6 +32,8 @@ NEARER = 0.5
 """Cost of a metre between the entrance and the living room."""
 DETOUR = 0.3
 """Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
+BARS, PASSED = 8.0, 0.27
+"""Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it in, m."""
 TRIES = 4000
 WITHIN, AS_FAR = 0.05, 20.0
 """A wall is followed so deep in its room, m, and no farther than that."""
@@ -143,7 +145,8 @@ def _doors(
         for into in (a, b):
             away = 0.0 if into == better else 5.0 if types[into] in ("closet", "storage") else 3.0
             out += _placed(face, width, into, floors[into], away, into == a, approach)
-    return _fitting(out, floors)
+    halls = [room for room in (a, b) if types[room] == "hallway"]
+    return _passing(_fitting(out, floors), {hall: floors[hall] for hall in halls})
 
 
 def _opens_into(a: str, b: str, types: dict[str, RoomType]) -> str:
@@ -251,6 +254,19 @@ def _fitting(choices: list[Choice], floors: Floors) -> list[Choice]:
         inside = shapely.contains(whole, shapely.box(*np.array([c.sweep for c in mine]).T))
         out += [c for c, ok in zip(mine, inside, strict=True) if ok]
     return sorted(out, key=lambda c: c.cost)
+
+
+def _passing(choices: list[Choice], halls: Floors) -> list[Choice]:
+    """Choices, cheapest first; a leaf that nobody gets by where it stands open in a hallway costs more."""
+    swept = [choice for choice in choices if choice.into in halls]
+    if not swept:
+        return choices
+    floor = np.array([halls[choice.into] for choice in swept if choice.into], dtype=object)
+    leaves = shapely.box(*np.array([choice.sweep for choice in swept]).T)
+    left = shapely.buffer(shapely.difference(floor, leaves), -PASSED)
+    cuts = shapely.get_num_geometries(left) > shapely.get_num_geometries(shapely.buffer(floor, -PASSED))
+    dearer = {id(choice) for choice, cut in zip(swept, cuts, strict=True) if cut}
+    return sorted((c._replace(cost=c.cost + BARS * (id(c) in dearer)) for c in choices), key=lambda c: c.cost)
 
 
 def _meet(a: Box, b: Box) -> bool:
