@@ -4,8 +4,6 @@ Every link has many possible doors (place, hinge side, room it opens into). A se
 which no leaf meets another leaf or stands in another doorway.
 """
 
-from typing import Literal, NamedTuple
-
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
@@ -18,90 +16,76 @@ from apartgen.stages.plan.blocks import entrance_sides, facing
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.faces import Face
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
+from apartgen.stages.plan.swings import NOWHERE, Box, Choice, Column, Depths, together
 
 Floors = dict[str, Polygon]
 FRAME = 0.1
 """Least wall between a door and a corner, m."""
 HEAD, OPEN_HEAD, GLAZED_HEAD = 2.1, 2.3, 2.2
 ENTRANCE = 0.95
-APPROACHES = (0.7, 0.35, 0.12)
-"""Depths of floor kept free of other leaves in front of a door, m; the next where the one before cannot be had."""
+APPROACHES = ((0.7, 0.7), (0.35, 0.55), (0.12, 0.55), (0.12, 0.12))
+"""Depths of floor before a door, m, over which no other leaf turns, and in which none stands open; the next where the
+one before cannot be had."""
 WIDEST = 3.2
 """Widest opening between open-plan rooms, m."""
 NEARER = 0.5
 """Cost of a metre between the entrance and the living room."""
+AFAR = 1.0
+"""Cost of a metre between the entrance and the place that ways were reckoned from."""
 DETOUR = 0.3
 """Cost of a metre that the way from the entrance through a door to a room's middle is longer than the straight one."""
 BARS, PASSED = 8.0, 0.27
 """Cost of a leaf that, standing open, cuts the hallway it opens into; half the width one passes by it in, m."""
-TRIES = 4000
+LEAF = 0.05
+"""Thickness of a leaf that stands open, m."""
 WITHIN, AS_FAR = 0.05, 20.0
 """A wall is followed so deep in its room, m, and no farther than that."""
-
-
-Box = tuple[float, float, float, float]
-
-
-class Choice(NamedTuple):
-    """One way to build a door: where it cuts its face, how its leaf turns, what floor it sweeps and needs in front."""
-
-    face: Face
-    lo: float
-    hi: float
-    hinge: Literal[0, 1]
-    into: str | None
-    cost: float
-    sweep: Box
-    front: tuple[Box, ...]
-
-
-class Column(NamedTuple):
-    """A door to be placed and the ways to do it, cheapest first."""
-
-    kind: Literal["door", "opening", "entrance"]
-    rooms: list[str]
-    choices: list[Choice]
-    head: float = HEAD
 
 
 def place(program: Program, floors: Floors, walls: Walls) -> list[Opening]:
     """Openings for all links and the entrance; raises Unmet naming the door that finds no place."""
     *wider, least = APPROACHES
-    for approach in wider:
+    for deep in wider:
         try:
-            return _placed_all(program, floors, walls, approach)
+            return _placed_all(program, floors, walls, deep)
         except Unmet:
             continue
     return _placed_all(program, floors, walls, least)
 
 
-def _placed_all(program: Program, floors: Floors, walls: Walls, approach: float) -> list[Opening]:
+def _placed_all(program: Program, floors: Floors, walls: Walls, deep: Depths) -> list[Opening]:
+    columns = _columns(program, floors, walls, deep)
+    chosen = together(columns)
+    return [_built(column, choice, i + 1) for i, (column, choice) in enumerate(zip(columns, chosen, strict=True))]
+
+
+def _columns(program: Program, floors: Floors, walls: Walls, deep: Depths) -> list[Column]:
+    """What is to be placed; raises Unmet naming what no wall has room for."""
     types = {room.id: room.base for room in program.rooms}
     open_links = {frozenset(pair) for pair in program.open_links}
     first = entrance_room(program).id
     far = _doors_from(program, first)
-    entrances = _entrances(program, first, floors, walls, approach)
+    entrances = _entrances(program, first, floors, walls, deep)
     columns = []
     for a, b in links(program):
         found = faces.between(floors[a], floors[b])
         if frozenset((a, b)) in open_links:
             wide = [face for face in found[:1] if face.length >= LINK_WALL]
-            columns.append(Column("opening", [a, b], [_wide(face, approach) for face in wide]))
+            columns.append(Column("opening", [a, b], [_wide(face, deep) for face in wide], OPEN_HEAD))
         else:
             head = GLAZED_HEAD if "balcony" in (types[a], types[b]) else HEAD
-            choices = _doors(a, b, found, floors, types, approach)
+            choices = _doors(a, b, found, floors, types, deep)
             if entrances and {types[a], types[b]} == {types[first], "living_room"} and first in (a, b):
                 choices = _nearest(choices, entrances[0])
             elif entrances:
                 behind = floors[max((a, b), key=lambda room: far.get(room, 0))]
                 choices = _on_the_way(choices, _middle(entrances[0]), behind, program)
             columns.append(Column("door", [a, b], choices, head))
-    columns.append(Column("entrance", [first], entrances))
+    columns.append(Column("entrance", [first], _about(entrances), HEAD))
     for column in columns:
         if not column.choices:
             raise Unmet(f"no wall has room for the {column.kind} of {' and '.join(column.rooms)}")
-    chosen = _search(columns)
-    return [_built(column, choice, i + 1) for i, (column, choice) in enumerate(zip(columns, chosen, strict=True))]
+    return columns
 
 
 def _built(column: Column, choice: Choice, number: int) -> Opening:
@@ -111,16 +95,17 @@ def _built(column: Column, choice: Choice, number: int) -> Opening:
         rooms=column.rooms,
         segment=choice.face.segment(choice.lo, choice.hi, (choice.face.gap or 0.0) / 2),
         sill=0.0,
-        head=OPEN_HEAD if column.kind == "opening" else column.head,
+        head=column.head,
         hinge=choice.hinge,
         into=choice.into,
     )
 
 
-def _wide(face: Face, approach: float) -> Choice:
+def _wide(face: Face, deep: Depths) -> Choice:
     clear = min(face.length - 2 * FRAME, WIDEST)
     lo = 0.5 * (face.length - clear)
-    return Choice(face, lo, lo + clear, 0, None, 0.0, (0.0, 0.0, 0.0, 0.0), _fronts(face, lo, lo + clear, approach))
+    front, way = (_fronts(face, lo, lo + clear, depth) for depth in deep)
+    return Choice(face, lo, lo + clear, 0, None, 0.0, NOWHERE, NOWHERE, front, way)
 
 
 def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:
@@ -130,21 +115,19 @@ def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _fronts(face: Face, lo: float, hi: float, approach: float) -> tuple[Box, Box]:
+def _fronts(face: Face, lo: float, hi: float, deep: float) -> tuple[Box, Box]:
     gap = face.gap or 0.0
-    return _box(face, lo, hi, 0.0, approach), _box(face, lo, hi, -gap - approach, -gap)
+    return _box(face, lo, hi, 0.0, deep), _box(face, lo, hi, -gap - deep, -gap)
 
 
-def _doors(
-    a: str, b: str, found: list[Face], floors: Floors, types: dict[str, RoomType], approach: float
-) -> list[Choice]:
+def _doors(a: str, b: str, found: list[Face], floors: Floors, types: dict[str, RoomType], deep: Depths) -> list[Choice]:
     width = min(STANDARDS[types[r]].door for r in (a, b))
     better = _opens_into(a, b, types)
     out = []
     for face in (face for face in found if face.length >= width + 2 * FRAME - 1e-6):
         for into in (a, b):
             away = 0.0 if into == better else 5.0 if types[into] in ("closet", "storage") else 3.0
-            out += _placed(face, width, into, floors[into], away, into == a, approach)
+            out += _placed(face, width, into, floors[into], away, into == a, deep)
     halls = [room for room in (a, b) if types[room] == "hallway"]
     return _passing(_fitting(out, floors), {hall: floors[hall] for hall in halls})
 
@@ -158,12 +141,12 @@ def _opens_into(a: str, b: str, types: dict[str, RoomType]) -> str:
     return max((a, b), key=lambda r: (rank.index(types[r]), r))
 
 
-def _entrances(program: Program, room: str, floors: Floors, walls: Walls, approach: float) -> list[Choice]:
+def _entrances(program: Program, room: str, floors: Floors, walls: Walls, deep: Depths) -> list[Choice]:
     sides = entrance_sides(program.envelope)
     out = []
     for face in faces.outside(floors[room], [f for r, f in floors.items() if r != room]):
         if facing(*face.along) in sides and face.length >= ENTRANCE + 2 * FRAME - 1e-6:
-            out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, floors[room], 0.0, True, approach)
+            out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, floors[room], 0.0, True, deep)
     return _fitting([_towards(choice, _lived(program, room, floors)) for choice in out], floors)
 
 
@@ -178,6 +161,13 @@ def _towards(choice: Choice, living: Polygon | None) -> Choice:
     if living is None:
         return choice
     return choice._replace(cost=choice.cost + NEARER * float(shapely.Point(_middle(choice)).distance(living)))
+
+
+def _about(entrances: list[Choice]) -> list[Choice]:
+    """Entrances cost more the farther they are from the cheapest: from there the ways through the other doors count."""
+    away = [float(np.abs(_middle(choice) - _middle(entrances[0])).sum()) for choice in entrances]
+    dearer = [choice._replace(cost=choice.cost + AFAR * d) for choice, d in zip(entrances, away, strict=True)]
+    return sorted(dearer, key=lambda c: c.cost)
 
 
 def _nearest(choices: list[Choice], entrance: Choice) -> list[Choice]:
@@ -213,8 +203,7 @@ def _middle(choice: Choice) -> faces.Array:
     return middle
 
 
-def _placed(face: Face, width: float, into: str, room: Polygon, extra: float, mine: bool,
-            approach: float) -> list[Choice]:
+def _placed(face: Face, width: float, into: str, room: Polygon, extra: float, mine: bool, deep: Depths) -> list[Choice]:
     """Doors along a face; a leaf that opens flat against a side wall of its room costs least, one in mid-wall most."""
     slack = face.length - 2 * FRAME - width
     steps = [0.3 * i for i in range(int(slack / 0.3) + 1)]
@@ -224,12 +213,14 @@ def _placed(face: Face, width: float, into: str, room: Polygon, extra: float, mi
     for lo in sorted({FRAME + round(step, 4) for step in [*steps, slack / 2, slack]}):
         hi = lo + width
         sweep = _box(face, lo, hi, 0.0, width) if mine else _box(face, lo, hi, -gap - width, -gap)
-        fronts = _fronts(face, lo, hi, approach)
+        front, way = (_fronts(face, lo, hi, depth) for depth in deep)
         left, right = before + lo, face.length - hi + after
         middle = 0.6 * min(left, right, 1.5)
         for hinge, beside in ((0, left), (1, right)):
             cost = extra + min(beside, 0.8) + middle
-            out.append(Choice(face, lo, hi, hinge, into, cost, sweep, fronts))  # type: ignore[arg-type]
+            edge = hi - LEAF if hinge else lo
+            stands = _box(face, edge, edge + LEAF, *((0.0, width) if mine else (-gap - width, -gap)))
+            out.append(Choice(face, lo, hi, hinge, into, cost, sweep, stands, front, way))  # type: ignore[arg-type]
     return out
 
 
@@ -267,38 +258,3 @@ def _passing(choices: list[Choice], halls: Floors) -> list[Choice]:
     cuts = shapely.get_num_geometries(left) > shapely.get_num_geometries(shapely.buffer(floor, -PASSED))
     dearer = {id(choice) for choice, cut in zip(swept, cuts, strict=True) if cut}
     return sorted((c._replace(cost=c.cost + BARS * (id(c) in dearer)) for c in choices), key=lambda c: c.cost)
-
-
-def _meet(a: Box, b: Box) -> bool:
-    return min(a[2], b[2]) - max(a[0], b[0]) > 1e-3 and min(a[3], b[3]) - max(a[1], b[1]) > 1e-3
-
-
-def clash(a: Choice, b: Choice) -> bool:
-    """Whether two doors get in each other's way: a leaf meets the other's leaf or stands before the other door."""
-    if _meet(a.sweep, b.sweep):
-        return True
-    return any(_meet(a.sweep, front) for front in b.front) or any(_meet(b.sweep, front) for front in a.front)
-
-
-def _search(columns: list[Column]) -> list[Choice]:
-    """Depth-first over the columns, fewest choices first, bounded by the best cost found."""
-    ranked = sorted(range(len(columns)), key=lambda i: (len(columns[i].choices), i))
-    rest = [sum(columns[i].choices[0].cost for i in ranked[depth:]) for depth in range(len(ranked) + 1)]
-    low, best, left = float("inf"), list[Choice](), TRIES
-
-    def descend(depth: int, cost: float, taken: list[Choice]) -> None:
-        nonlocal low, best, left
-        if depth == len(ranked):
-            low, best = cost, taken
-            return
-        for choice in columns[ranked[depth]].choices:
-            left -= 1
-            if left < 0 or cost + choice.cost + rest[depth + 1] >= low - 1e-9:
-                return
-            if not any(clash(choice, other) for other in taken):
-                descend(depth + 1, cost + choice.cost, [*taken, choice])
-
-    descend(0, 0.0, [])
-    if not best:
-        raise Unmet("the doors get in each other's way wherever they are put")
-    return [best[ranked.index(i)] for i in range(len(columns))]

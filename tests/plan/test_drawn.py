@@ -36,17 +36,6 @@ def test_a_given_programme_is_kept() -> None:
     assert [o.rooms for o in plan.openings if o.kind == "opening"] == [["living_room_1", "kitchen_1"]]
 
 
-@pytest.mark.parametrize(("wide", "into"), [(1.35, "storage_1"), (2.1, "hallway_1")])
-def test_a_leaf_bars_no_hall(wide: float, into: str) -> None:
-    """A storage's leaf opens out of it, unless nobody gets by the leaf to the rooms behind."""
-    rooms = [drawn("hallway_1", 0, 0, 9, wide), drawn("storage_1", 3.6, wide, 5.0, wide + 2),
-             drawn("bathroom_1", 0, wide, 3.6, wide + 2), drawn("bedroom_1", 5.0, wide, 9, wide + 4),
-             drawn("living_room_1", 0, -5, 9, 0)]  # fmt: skip
-    plan = from_polygons(rooms, PlanConfig())
-    (door,) = [o for o in plan.openings if "storage_1" in o.rooms]
-    assert door.into == into
-
-
 def test_a_room_without_outside_wall_is_told() -> None:
     ring = [drawn("living_room_1", 0, 0, 12, 4), drawn("kitchen_1", 0, 8, 12, 12), drawn("bedroom_1", 0, 4, 4, 8),
             drawn("bedroom_2", 8, 4, 12, 8), drawn("study_1", 4, 4, 8, 8)]  # fmt: skip
