@@ -26,6 +26,8 @@ SLACK = 0.004
 """Contact that a change may make, m: less than half of what counts as collision."""
 COMPANY = 0.25
 """What belongs together and is closer than this stays so, m."""
+BACK = 0.15
+"""Depth of a seat's back, in shares of the seat's."""
 DRAWN_BACK = 0.5
 """Seats may be this far from their tables, m."""
 BEFORE_DOOR = 0.6
@@ -172,6 +174,8 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
     company = np.flatnonzero(kin.any(0))
     kin, close = kin[:, company], np.where(apart, COMPANY, DRAWN_BACK)[:, company]
     apart[np.arange(len(rows)), rows] = False
+    if _backs_meet(before, after, old, set(rows.tolist())):
+        return False
     for shapes in (boxes.of, sweeps.extended):
         ours, theirs = shapes(after), shapes(before)
         was = boxes.penetration(theirs.take(old[rows]), theirs)[:, old]
@@ -182,6 +186,31 @@ def _meets_nothing(before: Sequence[Furnishing], after: Sequence[Furnishing], ch
         return True
     left = (_gaps(after, rows, company) > close) & (_gaps(before, old[rows], old[company]) <= close)
     return not (left & kin).any()
+
+
+def _backs_meet(before: Sequence[Furnishing], after: Sequence[Furnishing], old: NDArray[np.int64],
+                changed: set[int]) -> bool:
+    """Whether the back of a seat stands deeper in what the seat is drawn under than it did; seats alone go under it."""
+    pairs = [(i, j) for i, a in enumerate(after) if a.category in categories.SEATS for j, b in enumerate(after)
+             if i != j and (i in changed or j in changed) and a.size[2] > b.size[2]
+             and categories.tucks(a.category, b.category)]
+    if not pairs:
+        return False
+    seat, under = np.array(pairs).T
+    was, now = (_depths(scene, some, others) for scene, some, others in
+                ((before, old[seat], old[under]), (after, seat, under)))
+    return bool((now > np.maximum(was, SLACK) + 1e-6).any())
+
+
+def _depths(scene: Sequence[Furnishing], seat: NDArray[np.int64], under: NDArray[np.int64]) -> Array:
+    """How deep the back of each seat is in what it is drawn under, m."""
+    every = boxes.of(scene)
+    own = every.take(seat)
+    behind = -(1 - BACK) / 2 * own.size[:, :1] * boxes.axes(own)[:, 0]
+    center = own.center + np.pad(behind, ((0, 0), (0, 1)))
+    backs = boxes.Boxes(center, own.size * [BACK, 1.0, 1.0], own.yaw)
+    deep: Array = np.diagonal(boxes.penetration(backs, every.take(under)))
+    return deep
 
 
 def _gaps(objects: Sequence[Furnishing], some: NDArray[np.int64], others: NDArray[np.int64]) -> boxes.Array:
