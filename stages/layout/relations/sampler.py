@@ -22,7 +22,7 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 BEGUN = 3
-"""How often a room is begun at most."""
+"""How often a room is begun at most; once more with only those units of a run that it cannot do without."""
 TRIES = 2
 """How often candidates are drawn for an object before its room is begun again; once more for what is to be large."""
 LOOKS, LAST = 8, 40
@@ -110,9 +110,12 @@ class Sampler:
         needed = found is None and self.room.needs(name, p.furniture.names)
         if found is None and spare and needed:
             return None
-        if needed and p.begun < BEGUN:
-            again = self.begin(contents)
+        bare = contents if p.begun < BEGUN else self._bare(name, contents)
+        if needed and (p.begun < BEGUN or (p.begun == BEGUN and len(bare) < len(contents))):
+            again = self.begin(bare)
             again.begun = p.begun + 1
+            again.notes += [f"no place for the {o}; left out" for o in (Counter(contents) - Counter(bare)).elements()
+                            if o != exchange.BASE]
             return again
         if found is None and needed:
             found = self._instead(p, name, boxes)
@@ -130,6 +133,12 @@ class Sampler:
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
+
+    def _bare(self, name: str, contents: list[str]) -> list[str]:
+        """The contents without units that a run can do without, for one that it cannot; what was asked for stays."""
+        if self.room.counted or name not in order.runs():
+            return contents
+        return [other for other in contents if self.room.asked[other] or not runs.spare(other)]
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
                 strict: bool = False, left: Sequence[str] = (), enough: float = 1.0,

@@ -16,7 +16,7 @@ from apartgen.stages.layout import batch, choice
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.relations import home as relations_home
 from apartgen.stages.layout.relations import weights
-from apartgen.stages.plan import build
+from apartgen.stages.plan import build, from_polygons
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.study import archetypes
 from apartgen.stages.use import kinds
@@ -248,3 +248,18 @@ def test_no_machine_comes_where_none_is_wanted() -> None:
 def test_where_there_is_floor_for_it_one_washes(kind: str, area: float, needed: bool) -> None:
     room = Room(id="a", type=kind, polygon=[(0, 0), (area / 2, 0), (area / 2, 2), (0, 2)])
     assert (frozenset({"shower", "bath"}) in relations_home._least(room, area)) == needed
+
+
+@pytest.mark.parametrize(("wide", "deep", "seed"), [(2.0, 2.2, 1), (2.0, 2.2, 2), (1.97, 2.34, 3)])
+def test_a_small_kitchen_can_do_without_a_washing_machine_and_not_without_a_fridge(
+    wide: float, deep: float, seed: int
+) -> None:
+    drawn = [
+        ("living_room", [(wide, 0), (wide + 5, 0), (wide + 5, 5), (wide, 5)]),
+        ("kitchen", [(0, 0), (wide, 0), (wide, deep), (0, deep)]),
+        ("bathroom", [(0, deep), (wide, deep), (wide, 5), (0, 5)]),
+    ]
+    plan = from_polygons([Room(id=f"{name}_1", type=name, polygon=ring) for name, ring in drawn], PlanConfig())
+    for config in (ONE, ONE.model_copy(update={"candidates": 4})):
+        found = {o.category for o in made(plan, seed, config).objects if o.room == "kitchen_1"}
+        assert {"fridge", "kitchen_sink"} <= found and {"oven", "hob"} & found, found
