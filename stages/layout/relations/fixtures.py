@@ -22,7 +22,8 @@ AXIS = 0.385
 SQUEEZED = 4.0
 """Price of no elbow room at a basin, until nothing better was found."""
 RAIL, OVER, HIGH = "towel_rail", {"bath": 6.0, "toilet": BROKEN}, 4.0
-"""What one reaches for, its price over a tub, and where a lid opens into it, and more than rooms are high, m."""
+"""What one reaches for, its price over a tub where no other place was found, and where a lid opens into it; more than
+rooms are high, m."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -33,7 +34,7 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     """Of candidates (n,) for an object, among those that stand there."""
     total = np.zeros(found.n)
     if name == RAIL:
-        return _over_fixtures(found, names, there)
+        return _over_fixtures(found, names, there, strict)
     if TABLE[name].place != "floor":
         return total
     stands = np.array([TABLE[o].place == "floor" for o in names], bool)
@@ -65,12 +66,12 @@ def kept(name: str, some: Boxes) -> list[Boxes]:
     return [front, _strip(some, OFF - some.size[:, 0] / 2, some.size[:, 0] / 2, np.full(some.n, AXIS))]
 
 
-def _over_fixtures(found: Boxes, names: list[str], there: Boxes) -> Floats:
+def _over_fixtures(found: Boxes, names: list[str], there: Boxes, strict: bool) -> Floats:
     """Of what hangs, reached over a tub or in the way of who sits below."""
     below = np.array([k for k, o in enumerate(names) if o in OVER], int)
     columns = there.take(below)
     columns.center[:, 2], columns.size[:, 2] = HIGH / 2, HIGH
-    price = np.array([OVER[names[k]] for k in below])
+    price = np.array([BROKEN if strict else OVER[names[k]] for k in below])
     return np.asarray(((penetration(found, columns) > SLACK) * price).max(1, initial=0.0))
 
 

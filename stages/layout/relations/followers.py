@@ -7,9 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.relations.fixtures import RAIL
 from apartgen.stages.layout.relations.runs import distinct
 from apartgen.stages.layout.relations.standing import ARRIVAL, BROKEN, NEAR, Furniture
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.tokens import Array, upright
+from apartgen.stages.space.boxes import gap
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
@@ -40,6 +42,8 @@ LATER = (
 """What comes to some wall later on: a place for one of such a size, m, is left."""
 Size = tuple[float, float, float]
 Place = tuple[float, float, float]
+WASHING, AT_HAND = ("shower", "bath", "vanity"), 0.7
+"""Where one washes, and how far from it a towel is, m."""
 STEP, TRIED = 0.3, 3
 """From one place along a wall to the next, m; so many of the good ones are tried for the ways they leave."""
 
@@ -124,6 +128,16 @@ def arriving(name: str, boxes: Array, space: Space) -> Array:
         return boxes[:0]
     places = _along(space, _likeliest(boxes))
     return np.asarray(places[space.from_entrance(places[:, :2].astype(float)) < NEAR])
+
+
+def drying(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
+    """Places (m, 7) at walls for towels, near where one washes, in the likeliest size of the candidates (n, 7)."""
+    near = [box for o, box in zip(names, there, strict=True) if o in WASHING]
+    if name != RAIL or not near:
+        return boxes[:0]
+    places = _along(space, _likeliest(boxes))
+    places[:, 5:] += np.median(boxes[:, 5])
+    return np.asarray(places[(gap(upright(places), upright(np.array(near))) < AT_HAND).any(1)])
 
 
 def _anywhere(space: Space, size: Size) -> Array:

@@ -195,3 +195,22 @@ def test_a_sofa_leaves_a_wall_before_it_to_the_television(width: float, fits: bo
 
 def test_others_lead_nothing() -> None:
     assert followers.fit(room(), "wardrobe", box((0.6, 1.8, 2.1), 0, 0), ["chair", "nightstand"]) == 1
+
+
+def test_towels_are_looked_for_at_walls_near_where_one_washes() -> None:
+    """In a room of 4 m, a shower .9 m square in its north-east corner: flush with the north and east walls, as high as
+    the candidates, no farther from it than .7 m; nowhere in a room without, and nothing but rails."""
+    there = room()
+    said = np.tile(np.array([0, 0, 0, 0.1, 0.5, 0.7, 1.5], np.float32), (3, 1))
+    shower = box((0.9, 0.9, 2.0), 1.55, 1.55, np.pi)[None]
+    for name, near in (("towel_rail", []), ("bath", ["shower"])):
+        assert not len(followers.drying(name, said, near, shower[: len(near)], there.space))
+    places = followers.drying("towel_rail", said, ["shower"], shower, there.space)
+    assert len(places) > 3
+    assert np.allclose(places[:, 5:], [0.7, 1.5]) and np.allclose(places[:, 3:5], [0.1, 0.5])
+    x, y = places[:, 0], places[:, 1]
+    for east in (True, False):
+        at, along = (x, y) if east else (y, x)
+        mine = along < at
+        assert mine.any() and np.allclose(at[mine], 2 - 0.05, atol=0.02)
+        assert (1.1 - (along[mine] + 0.25) <= 0.7).all()
