@@ -47,7 +47,7 @@ def settled(there: Furniture, fixed: int, empty: Callable[[], Furniture]) -> Fur
         tries = list(_moved(there, fixed))
         costs = np.array([cost(there.names, boxes, there.space) for boxes in tries])
         better = (tries[k] for k in np.argsort(costs, kind="stable").tolist() if costs[k] < now - LEAST)
-        found = next((new for boxes in better if (new := _valid(there, boxes, empty)) is not None), None)
+        found = next((new for boxes in better if (new := valid(there, boxes, empty)) is not None), None)
         if found is None:
             break
         there = found
@@ -145,7 +145,7 @@ def _in_line(boxes: Array, i: int, k: int, some: list[int]) -> Iterator[Array]:
         yield out
 
 
-def _valid(there: Furniture, boxes: Array, empty: Callable[[], Furniture]) -> Furniture | None:
+def valid(there: Furniture, boxes: Array, empty: Callable[[], Furniture]) -> Furniture | None:
     """The furniture with those units moved that stand elsewhere now; None where one breaks something there."""
     moved = (np.abs(boxes - there.boxes) > TINY).any(1)
     rest = empty()

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, exchange, followers, hung, lengthened, order, runs
+from apartgen.stages.layout.relations import ahead, corners, exchange, followers, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.sizes import narrowest
@@ -130,6 +130,7 @@ class Sampler:
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
             if not self.room.counted and exchange.BASE not in self.room.asked:
                 p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork)
+            p.furniture = corners.squared(p.furniture, given, self.room.empty.fork)
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
