@@ -109,6 +109,11 @@ class Site:
         """What lets light in."""
         return tuple(hole for hole in self.holes if hole.kind == "window")
 
+    @cached_property
+    def dark(self) -> bool:
+        """Whether no daylight comes in, by a window of its own or from a room that it is open to."""
+        return self.kind != "balcony" and not any(hole.kind in ("window", "opening") for hole in self.holes)
+
 
 def site(plan: Plan, room_id: str) -> Site:
     """The room of that id; the same one for the same walls and openings."""

@@ -88,6 +88,10 @@ def _rounds(candidates: int) -> list[tuple[str, int, float]]:
     return [("", half, 0.0), (" once more", candidates - half, GOOD), (" again", candidates, POOR)]
 
 
+NO_LIGHT = {"plant": 0}
+"""What is not kept where no daylight comes, unless it is asked for."""
+
+
 class Furnished(NamedTuple):
     """A furnishing of a room: its objects, what is to be said about it, and its energy."""
 
@@ -111,7 +115,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
-    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **wanted_of(arrays, i, plan, room)})
+    never = {**_long_table(plan, room), **(NO_LIGHT if place.dark else {})}
+    wanted = Counter({**_kept(plan, place, given), **never, **wanted_of(arrays, i, plan, room)})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])

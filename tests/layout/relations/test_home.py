@@ -263,3 +263,16 @@ def test_a_small_kitchen_can_do_without_a_washing_machine_and_not_without_a_frid
     for config in (ONE, ONE.model_copy(update={"candidates": 4})):
         found = {o.category for o in made(plan, seed, config).objects if o.room == "kitchen_1"}
         assert {"fridge", "kitchen_sink"} <= found and {"oven", "hob"} & found, found
+
+
+def test_plants_stand_where_daylight_comes() -> None:
+    """Halls without a window or a room that they are open to have none, unless it is asked for."""
+    halls = [(plan, room.id) for plan in map(home, range(3, 9)) for room in plan.rooms if room.type == "hallway"]
+    dark = [(plan, id) for plan, id in halls if not any(o.kind in ("window", "opening") and id in o.rooms
+                                                        for o in plan.openings)]
+    assert dark
+    for plan, id in dark:
+        asked = plan.program.model_copy(update={"objects": [AskedObjects(room=id, category="plant", count=1)]})
+        for these, count in ((plan, 0), (plan.model_copy(update={"program": asked}), 1)):
+            found = made(these, config=ONE.model_copy(update={"room": [id]})).objects
+            assert sum(o.category == "plant" for o in found if o.room == id) == count
