@@ -18,6 +18,7 @@ from apartgen.stages.use.kinds import (
     MACHINES,
     ON_THE_FLOOR,
     TABLES,
+    WARDROBES,
     basic,
 )
 from apartgen.stages.use.room import Furnished
@@ -37,6 +38,12 @@ for clothes where one sleeps in the living room, and a place to sleep for the se
 FOR_TWO, LEAST_FOR_TWO = 10.0, 8.5
 """From so much floor on, m², a bed for one is minded in a bedroom (`household` counts two who sleep there from a little
 less on), and the want of a double bed in the largest of a home."""
+CUPBOARD, FAMILY, ROOMY = 0.3, 3, 7.0
+"""What it costs that so many and more have no closed cupboard for coats in a hall of so much floor, m²."""
+SEAT, MOST_SEATS, WIDE = 0.2, 6, 22.0
+"""What each soft seat costs that more than four lack in a living room of so much floor, m²; so many are enough."""
+SEATS = {"sofa": 3, "corner_sofa": 4, "armchair": 1}
+"""How many sit there."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
@@ -139,6 +146,12 @@ def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
         yield Lack("no machine to wash", 1, MACHINE)
     if site.entered and not _number(count, COATS):
         yield Lack("no place for coats", 1, HOOKS)
+    many = site.sleepers or 0
+    if site.kind == "hallway" and many >= FAMILY and site.area >= ROOMY and not _number(count, WARDROBES):
+        yield Lack("no cupboard for the coats of many", 1, CUPBOARD)
+    missing = min(many, MOST_SEATS) - sum(count[name] * n for name, n in SEATS.items())
+    if site.kind == "living_room" and site.area >= WIDE and many > GUESTS and missing > 0:
+        yield Lack("few seats beside the sofa", missing, missing * SEAT)
     bare = count["tv_stand"] - count["tv"]
     if bare > 0:
         yield Lack("stand without television", bare, bare * SCREEN)

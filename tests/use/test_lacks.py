@@ -1,5 +1,7 @@
 """What rooms lack: taking things away never makes a room lack less, and what belongs together is missed."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from lived_in import EAST, NORTH, ROOMS, bedroom, room, table, thing
@@ -55,8 +57,6 @@ def test_a_double_bed_wants_two_nightstands() -> None:
 @pytest.mark.parametrize(("people", "missing"), [(None, 2), (1, 0), (2, 0), (3, 2), (4, 2), (6, 4), (9, 6)])
 def test_everyone_who_sleeps_there_has_a_chair(people: int | None, missing: int) -> None:
     site = room("dining_room", 4, 3).site
-    from dataclasses import replace
-
     seated = table()[:3]
     found = lacking(use.Furnished(replace(site, sleepers=people), seated))
     assert found.get("few chairs at the table", 0) == missing
@@ -93,8 +93,6 @@ def test_too_much_is_named() -> None:
 
 
 def test_newcomers_are_used_as_what_they_are_like(monkeypatch: pytest.MonkeyPatch) -> None:
-    from dataclasses import replace
-
     newcomer = replace(TABLE["double_bed"], name="water_bed", lineage=("water_bed", "double_bed"))
     monkeypatch.setitem(TABLE, "water_bed", newcomer)
     own = room("bedroom", 4, 4, thing("water_bed", 1.06, 2.0, EAST), *bedroom()[1:])
@@ -103,8 +101,6 @@ def test_newcomers_are_used_as_what_they_are_like(monkeypatch: pytest.MonkeyPatc
 
 
 def test_clothes_are_washed_in_one_room_of_a_home() -> None:
-    from dataclasses import replace
-
     here = room("bathroom", 2.45, 3.0).site
     there = replace(here, laundry=True)
     assert "no machine to wash" in {lack.name for lack in use.lacks_of(there, [])}
@@ -121,8 +117,6 @@ def test_clothes_are_washed_in_one_room_of_a_home() -> None:
 def test_two_sleep_where_there_is_floor_and_a_couple_in_the_largest_bedroom(
         width: float, main: bool, bed: str, lacks: set[str]) -> None:
     """Rooms of 2.3, 2.6 and 3 by 3.6 m: 8.3, 9.4 and 10.8 m²."""
-    from dataclasses import replace
-
     site = replace(room("bedroom", width, 3.6).site, sleepers=4, main=main)
     found = {lack.name for lack in use.lacks_of(site, [bed])}
     assert found & {"bed for one where two sleep", "no double bed in the largest bedroom"} == lacks
@@ -163,3 +157,24 @@ def test_a_dishwasher_is_worktop_and_no_cupboard() -> None:
     found = [{lack.name for lack in use.lacks_of(site, [*cook, *more])} & {"no cupboard", "no worktop"}
              for more in ([], ["dishwasher"], ["kitchen_base"], ["dishwasher", "kitchen_drawers"])]
     assert found == [{"no cupboard", "no worktop"}, {"no cupboard"}, set(), set()]
+
+
+@pytest.mark.parametrize(("people", "wide", "things", "missing"), [
+    (6, 5.0, ["sofa", "armchair"], 2), (6, 5.0, ["sofa", "sofa"], 0), (5, 5.0, ["corner_sofa", "armchair"], 0),
+    (8, 5.0, ["sofa"], 3), (4, 5.0, ["sofa"], 0), (6, 3.5, ["sofa"], 0), (None, 5.0, ["sofa"], 0),
+])  # fmt: skip
+def test_many_want_soft_seats(people: int | None, wide: float, things: list[str], missing: int) -> None:
+    """In living rooms of 25 m², and of 17.5 m², where four are enough."""
+    site = replace(room("living_room", wide, 5.0).site, sleepers=people)
+    found = {lack.name: lack.number for lack in use.lacks_of(site, things)}
+    assert found.get("few seats beside the sofa", 0) == missing
+
+
+@pytest.mark.parametrize(("people", "deep", "things", "lacks"), [
+    (3, 4.0, ["coat_rack"], True), (3, 4.0, ["sliding_wardrobe"], False), (2, 4.0, ["coat_rack"], False),
+    (3, 3.0, ["coat_rack"], False), (None, 4.0, [], False),
+])  # fmt: skip
+def test_coats_of_many_want_a_cupboard(people: int | None, deep: float, things: list[str], lacks: bool) -> None:
+    """In halls of 8 m², not of 6 m²."""
+    site = replace(room("hallway", 2.0, deep).site, sleepers=people)
+    assert ("no cupboard for the coats of many" in {lack.name for lack in use.lacks_of(site, things)}) == lacks
