@@ -276,3 +276,17 @@ def test_plants_stand_where_daylight_comes() -> None:
         for these, count in ((plan, 0), (plan.model_copy(update={"program": asked}), 1)):
             found = made(these, config=ONE.model_copy(update={"room": [id]})).objects
             assert sum(o.category == "plant" for o in found if o.room == id) == count
+
+
+def test_some_living_rooms_have_no_television_unless_it_is_asked_for() -> None:
+    plan = home()
+    room = next(room for room in plan.rooms if room.base == "living_room")
+    one = ONE.model_copy(update={"room": [room.id], "candidates": 1})
+    drawn = {k: seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)}
+    without = [k for k, rng in drawn.items() if not relations_home._watched(plan, room, rng)]
+    assert 0.06 < len(without) / len(drawn) < 0.14
+    asked = plan.program.model_copy(update={"objects": [AskedObjects(room=room.id, category="tv", count=1)]})
+    for these, count in ((plan, 0), (plan.model_copy(update={"program": asked}), 1)):
+        for k in without[:2]:
+            found = layout.run(these, one, drawn[k]).objects
+            assert sum(o.category == "tv" for o in found if o.room == room.id) == count
