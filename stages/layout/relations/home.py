@@ -57,13 +57,13 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     style = int(home.integers(1 << 16))
     due = [i for i, room in enumerate(plan.rooms) if not config.room or room.id in config.room]
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
-    watched = {i: _watched(plan, plan.rooms[i], rng) for i in due}
+    habits = {i: _habits(plan, plan.rooms[i], rng) for i in due}
     best: dict[int, Furnished] = {}
     for name, samples, limit in _rounds(config.candidates):
         share = [SHARED if limit == POOR and room.base == "living_room" else 1.0 for room in plan.rooms]
-        some = [i for i in due if i not in best or best[i].cost > share[i] * limit + (0 if watched[i] else SCREEN)]
+        some = [i for i in due if i not in best or best[i].cost > share[i] * limit + SCREEN * ("tv" in habits[i])]
         lanes = [seeds.lane(rng, plan.rooms[i].id + name) for i in some]
-        rooms = [_sampler(plan, i, arrays, config, samples, lane, there[i], watched[i])
+        rooms = [_sampler(plan, i, arrays, config, samples, lane, there[i], habits[i])
                  for i, lane in zip(some, lanes, strict=True)]
         for i, made in zip(some, sampler.furnished(rooms), strict=True):
             one = _best(plan, plan.rooms[i], made, arrays.origin[i], style, there[i])
@@ -89,10 +89,12 @@ def _rounds(candidates: int) -> list[tuple[str, int, float]]:
     return [("", half, 0.0), (" once more", candidates - half, GOOD), (" again", candidates, POOR)]
 
 
-NO_LIGHT, NO_SCREEN = {"plant": 0}, {"tv_stand": 0, "tv": 0}
-"""What is not kept where no daylight comes, and where nobody watches, unless it is asked for."""
+NO_LIGHT = {"plant": 0}
+"""What is not kept where no daylight comes, unless it is asked for."""
 UNWATCHED, SCREEN = 0.1, 1.0
 """Share of living rooms without a television (of people's one in five and more), and its want's weight."""
+CORNERED, WIDE = 0.3, 20.0
+"""Share of living rooms of so much floor, m², and more with a sofa round a corner; of people's, one in four."""
 
 
 class Furnished(NamedTuple):
@@ -103,11 +105,14 @@ class Furnished(NamedTuple):
     cost: float
 
 
-def _watched(plan: Plan, room: Room, rng: Generator) -> bool:
-    """Whether one watches television there, should there be a place for it."""
-    if room.base != "living_room" or site(plan, room.id).sleeps:
-        return True
-    return bool(seeds.lane(rng, room.id + " evenings").random() >= UNWATCHED)
+def _habits(plan: Plan, room: Room, rng: Generator) -> dict[str, int]:
+    """What a living room has or has not, whatever else is in it, as people differ; nothing where one sleeps there."""
+    place = site(plan, room.id)
+    if room.base != "living_room" or place.sleeps:
+        return {}
+    draws = seeds.lane(rng, room.id + " habits").random(2)
+    found = {"tv_stand": 0, "tv": 0} if draws[0] < UNWATCHED else {}
+    return found | ({"corner_sofa": 1, "sofa": 0} if draws[1] < CORNERED and place.area >= WIDE else {})
 
 
 def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style: int, given: list[Box]) -> Furnished:
@@ -119,16 +124,16 @@ def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style
 
 
 def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rng: Generator,
-             given: list[Box], watched: bool) -> tuple[Sampler, list[list[str]]]:
+             given: list[Box], habits: dict[str, int]) -> tuple[Sampler, list[list[str]]]:
     """What furnishes a room, and the contents of each of its k samples."""
     model, known, _ = weights.load(Path(config.weights) if config.weights else None)
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
     asked = wanted_of(arrays, i, plan, room)
-    screens = watched or any(asked[name] for name in NO_SCREEN)
-    never = {**_long_table(plan, room), **(NO_LIGHT if place.dark else {}), **({} if screens else NO_SCREEN)}
-    wanted = Counter({**_kept(plan, place, given), **never, **asked})
+    own = {name: count for name, count in habits.items() if not any(asked[other] for other in habits)}
+    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}), **own,
+                      **asked})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])

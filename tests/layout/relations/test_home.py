@@ -278,15 +278,17 @@ def test_plants_stand_where_daylight_comes() -> None:
             assert sum(o.category == "plant" for o in found if o.room == id) == count
 
 
-def test_some_living_rooms_have_no_television_unless_it_is_asked_for() -> None:
-    plan = home()
-    room = next(room for room in plan.rooms if room.base == "living_room")
+def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_asked() -> None:
+    plan, room = next((plan, room) for plan in map(home, range(9)) for room in plan.rooms
+                      if room.base == "living_room" and use.site(plan, room.id).area > 20)
     one = ONE.model_copy(update={"room": [room.id], "candidates": 1})
     drawn = {k: seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)}
-    without = [k for k, rng in drawn.items() if not relations_home._watched(plan, room, rng)]
-    assert 0.06 < len(without) / len(drawn) < 0.14
-    asked = plan.program.model_copy(update={"objects": [AskedObjects(room=room.id, category="tv", count=1)]})
-    for these, count in ((plan, 0), (plan.model_copy(update={"program": asked}), 1)):
-        for k in without[:2]:
-            found = layout.run(these, one, drawn[k]).objects
-            assert sum(o.category == "tv" for o in found if o.room == room.id) == count
+    habits = {k: relations_home._habits(plan, room, rng) for k, rng in drawn.items()}
+    bare, round_ = ([k for k, found in habits.items() if name in found] for name in ("tv", "corner_sofa"))
+    assert 0.06 < len(bare) / len(drawn) < 0.14 and 0.24 < len(round_) / len(drawn) < 0.36
+    for some, asked in ((bare, "tv"), (round_, "sofa")):
+        objects = [AskedObjects(room=room.id, category=asked, count=1)]
+        wished = plan.program.model_copy(update={"objects": objects})
+        for these, count in ((plan, 0), (plan.model_copy(update={"program": wished}), 1)):
+            found = layout.run(these, one, drawn[some[0]]).objects
+            assert sum(o.category == asked for o in found if o.room == room.id) == count
