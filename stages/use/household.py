@@ -10,9 +10,9 @@ STUDIO = 30.0
 """A home without bedrooms of which the largest room has so much floor sleeps two, m²."""
 
 PLACES = (("dining_room", 0.0), ("kitchen", 10.5), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
-"""Where up to four people eat, the likeliest first, with the floor that takes, m²."""
-FOUR, ONE_MORE = 4, 2.2
-"""A kitchen of the least floor has a table for four; each one more who sleeps there takes so much more, m²."""
+"""Where up to two people eat, the likeliest first, with the floor that takes, m²."""
+TWO, ONE_MORE = 2, 1.3
+"""A kitchen of the least floor has a table for two; each one more who sleeps there takes so much more, m²."""
 
 
 def sleepers(plan: Plan) -> int | None:
@@ -33,7 +33,7 @@ def eats_in(plan: Plan) -> str | None:
 
 def places(plan: Plan) -> tuple[tuple[str, float], ...]:
     """Where those who live in a home may eat, the likeliest first, with the floor that takes, m²."""
-    more = ONE_MORE * max((sleepers(plan) or 0) - FOUR, 0)
+    more = ONE_MORE * max((sleepers(plan) or 0) - TWO, 0)
     return tuple((kind, least + more if kind == "kitchen" else least) for kind, least in PLACES)
 
 

@@ -123,8 +123,8 @@ def belongings(site: Site) -> list[str]:
 
 
 def arrivals(site: Site) -> list[str]:
-    """What takes coats in the room that a home is entered by, where that is no hall."""
-    return list(_table()["home"]["arrivals"]) if site.entered else []
+    """What takes coats in the room that a home is entered by."""
+    return list(_table()["home"]["arrivals"]) if any(hole.kind == "entrance" for hole in site.holes) else []
 
 
 def _number(count: Counter[str], names: Iterable[str]) -> int:
