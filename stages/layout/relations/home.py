@@ -40,6 +40,8 @@ DRAWN = 6
 GOOD, POOR, SHARED = 0.3, 1.0, 0.7
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn; of a room
 that all share already above this share of it."""
+HOOKS = "coat_rack"
+"""What takes coats where a cupboard finds no place."""
 BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 30.0
@@ -137,6 +139,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
+    if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
+        drawn = [_hung(place, given, some) for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
     return Sampler(task, lanes[0], config.constraints, config.places), names
 
@@ -180,8 +184,14 @@ def _kept(plan: Plan, place: Site, given: list[Box]) -> Counter[str]:
     if place.id in plan.program.counts:
         return Counter()
     there = {o.category for o in given}
-    coats = [] if COATS & there else arrivals(place)
+    coats = [] if COATS & there or place.kind == "hallway" else arrivals(place)
     return Counter(name for name in (*belongings(place), *coats) if name not in there)
+
+
+def _hung(place: Site, given: list[Box], names: list[str]) -> list[str]:
+    """Contents of a hall that one enters, with hooks beside a cupboard, which may find no place."""
+    lacking = HOOKS in arrivals(place) and not COATS & {o.category for o in given} and HOOKS not in names
+    return [*names, HOOKS] if place.kind == "hallway" and lacking else names
 
 
 def _long_table(plan: Plan, room: Room) -> Counter[str]:

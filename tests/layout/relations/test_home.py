@@ -292,3 +292,20 @@ def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_
         for these, count in ((plan, 0), (plan.model_copy(update={"program": wished}), 1)):
             found = layout.run(these, one, drawn[some[0]]).objects
             assert sum(o.category == asked for o in found if o.room == room.id) == count
+
+
+def test_a_hall_one_enters_has_hooks_beside_a_cupboard_unless_it_is_counted_or_none_are_wanted() -> None:
+    for seed in range(3, 9):
+        plan = home(seed)
+        door = next(o for o in plan.openings if o.kind == "entrance")
+        room = next(room for room in plan.rooms if room.id in door.rooms)
+        if room.base != "hallway":
+            continue
+        one = ONE.model_copy(update={"room": [room.id]})
+        none = {"objects": [AskedObjects(room=room.id, category="coat_rack", count=0)]}
+        for change, counts in (({}, {1}), (none, {0}), ({"counts": {room.id: 2}}, {0, 1})):
+            program = plan.program.model_copy(update=change)
+            found = made(plan.model_copy(update={"program": program}), config=one).objects
+            there = [o.category for o in found if o.room == room.id]
+            assert there.count("coat_rack") in counts
+            assert "counts" not in change or len(there) == 2
