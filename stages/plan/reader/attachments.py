@@ -249,7 +249,8 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
     """Furniture named before its room (`a piano in the living room`), or with no room at all."""
     holder = None
     after = after[1:] if after and after[0].kind == "copula" else after  # "a wardrobe must be in every bedroom"
-    if after and after[0].kind in ("with", "conjunction", "object", "link"):
+    lists = bool(after) and is_mark(after[0], ",") and not rooms_of(before)  # "a desk, a chair and a lamp in the study"
+    if lists or (after and after[0].kind in ("with", "conjunction", "object", "link")):
         inside = next((j for j, x in enumerate(after) if x.kind == "with" and x.value == "in"), None)
         if (
             inside is not None

@@ -84,6 +84,13 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"\1in the \2 "),
     (r"\bam (?:anderen )?ende (?:des flure?s|der diele|vom flur|des ganges)\b", "at the end of the hallway"),
     (r"\bthe door (?:to|of) (the [a-z ]{3,20}?) is (from|off|in) ", r"\1 is reached from "),
+    # "zwei Bäder am Flur", "deux salles de bains sur le couloir", "两个卫生间都在走廊上"
+    (r"\b(bad|bader|badezimmer|duschbad|duschbader|wc|wcs|toiletten?|\w+zimmer|kuche) (?:am|auf dem|vom|an dem) "
+     r"(flur|gang|korridor)\b(?! aus)", r"\1 zuganglich vom \2"),
+    (r"\b(salles? de bains?|salles? d'eau|wc|toilettes|chambres?) (?:sur|dans) le (couloir|hall)\b",
+     r"\1 accessibles depuis le \2"),
+    (r"\b(banos?|aseos?|dormitorios?) (?:en|junto) (?:el|al) (pasillo|distribuidor)\b", r"\1 accesibles desde el \2"),
+    (r"((?:卫生间|浴室|厕所|卧室))(?:都|全部|全都)(?:在|靠)走廊(?:上|里|边)?", r"\1都从走廊进"),
 )]  # fmt: skip
 
 
