@@ -132,8 +132,13 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"
     alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
+    alike = alike or (first.quantifier == Det.THE and _shares_article(last))  # "the kitchen and bathroom face north"
     alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
     return [first, last] if alike and not listed and not single else [last]
+
+
+def _shares_article(last: RoomPhrase) -> bool:
+    return last.quantifier == Det.BARE and last.count is None and not last.labels
 
 
 def _led_to(items: list[Item], k: int) -> bool:

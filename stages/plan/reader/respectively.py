@@ -30,6 +30,11 @@ def _the(rooms: str, object_: bool = False) -> str:
     return again if object_ else f"{again} {'are' if again.endswith('s') else 'is'}"
 
 
+def _one_more(found: re.Match[str]) -> str:
+    """`… y uno grande` as `… and a big one`."""
+    return f"{found[1]} and a {'big' if found[2].startswith('g') else 'small'} one"
+
+
 def _only_one(found: re.Match[str]) -> str:
     """`only one of the two bathrooms has a bathtub`: the other has none."""
     _, verb, article, thing = found.groups()
@@ -45,6 +50,10 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"(?:entered|reached|accessed|accessible|reachable|opening|opening off|to be entered) (?:only )?(?:from|off|"
      r"through) it\b",
      r"\1 off it"),
+    # "the other with a shower, en suite to our bedroom"
+    (r"\b(with an? [a-z -]{3,20}?),? en[- ]?suite (?:to|with|off) (?=(?:our|my|the|their|his|her) (?:[a-z']+ )?(?"
+     r":bed ?)?"
+     r"room\b)", r"\1 off "),
     # "only one of the two bathrooms has a bathtub", "everyone else uses the bathroom off the hall"
     (r"\bonly one of (the two [a-z]+ ?[a-z]*s|them|these) (has|gets|should have|is to have|needs) (an?) (?!balcony|"
      r"bath ?room|"
@@ -61,6 +70,10 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(\b(gets|has|needs|contains)\b [^.;]*?(?:,| and|, and|;|,? while|,? but) )(the (?:smaller|larger|bigger|"
      r"second|"
      r"first|third|smallest|biggest|largest)(?: one)?) (?=(?:two|three|four|[2-4]) (?!bed ?rooms))", r"\1\3 \2 "),
+    # "dos dormitorios pequeños y uno grande", "deux petites chambres et une grande"
+    (r"(\b(?:dormitorios|habitaciones)(?: \w+)?) y un[oa] (grande|pequen[oa])\b", _one_more),
+    (r"(\b(?:petites|grandes) chambres) et une (petite|grande)\b", _one_more),
+    (r"(\b(?:kleine|grosse) (?:schlafzimmer|zimmer)) und ein (grosses|kleines)(?= ?(?:[.,;]|$)| mit )", _one_more),
     # "four bedrooms, 11 m² each, with a bed and a desk"
     (r"\b((?:m2|sqm|sq m|square met(?:er|re)s?) each),? with (?=an? |two |its |one )",
      r"\1, each with "),

@@ -37,7 +37,33 @@ def _which(found: re.Match[str]) -> str:
     return found.group() if _SLEEPS.search(found.string[: found.start()]) else f"in the {_WHICH[found[1]]}"
 
 
+def _in_ours(found: re.Match[str]) -> str:
+    """`… in the guest room, a double bed in ours` as in our bedroom."""
+    told = re.search(r"\b(?:bed ?rooms?|guest rooms?|nursery|kids'? rooms?|room)\b", found.string[: found.start()])
+    return found.group() if told is None else f"in {'our' if found[1] == 'ours' else 'my'} bedroom"
+
+
+def _in_none(found: re.Match[str]) -> str:
+    """`neither of them has a tv` as no television in the rooms that were counted last."""
+    before = found.string[: found.start()]
+    counted = re.findall(r"\b(?:two|three|four|five|[2-5]) ([a-z]+ ?rooms|studies|balconies)\b", before)
+    rooms = found[1] if found[1] != "them" else f"the {counted[-1]}" if counted else ""
+    return f"no {found[2]} in {rooms}" if rooms else found.group()
+
+
 _SAID = [(late(pattern), words) for pattern, words in (
+    # "six chairs around the dining table, which stands in the lounge", "one double bed in ours"
+    (r"\b((?:two|three|four|five|six|eight|[2-8]) chairs) (?:around|round|at) (the|an?|our|my) ((?:[a-z]+ )?table)\b",
+     r"\2 \3 with \1"),
+    (rf"\b((?:an?|the|my|our) (?!{_ROOM}\b)[a-z]+(?: [a-z]+)?(?: with [a-z]+ chairs)?), (?:which|that) (?:stands?|"
+     rf"goes|is to stand|"
+     rf"should stand|should go|must stand|belongs|is|should be|will be) in (?=(?:the|my|our) {_ROOM}\b)", r"\1 in "),
+    (r"\bin (ours|mine)(?= ?(?:[.,;]|$)| and )", _in_ours),
+    # "neither of them has a tv"
+    (r"\b(?:neither|none) of (them|the (?:two |three )?[a-z]+ ?rooms) (?:has|have|gets?|needs?|should have|is to "
+     r"have) (?:an? |any )?"
+     r"(?!own|balcon|bath ?room|en|door|window|closet|toilet|view|access)([a-z]+(?: [a-z]+)?)(?= ?(?:[.,;]|$))",
+     _in_none),
     # "ein Doppelbett im ersten, zwei Einzelbetten im zweiten", "dans la première", "en el segundo"
     (rf"\b(?:im|in dem) ({'|'.join(_DE)}){_ENDS}", _which),
     (rf"\bdans (?:la |l')({'|'.join(_FR)}){_ENDS}", _which),

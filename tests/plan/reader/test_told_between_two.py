@@ -27,6 +27,13 @@ BETWEEN = [
      "H1S1, L1S1, H1L1"),
     ("Two bedrooms. The study has a door to the hallway and a door to the living room.", "B2 H K L S W",
      "H1S1, L1S1, H1L1"),
+    ("There should be two ways to get to the kitchen: from the hall and from the living room. Two bedrooms.",
+     "B2 H K L W", "H1K1, K1L1, H1L1"),
+    ("The bathroom has two entrances, from the hall and from the main bedroom. Two bedrooms.", "B2 H K L W",
+     "B1W1, H1W1"),
+    ("Die Küche hat zwei Zugänge: vom Flur und vom Wohnzimmer. Zwei Schlafzimmer.", "B2 H K L W", "H1K1, K1L1"),
+    ("La cuisine a deux accès, par le couloir et par le séjour. Deux chambres.", "B2 H K L W", "H1K1, K1L1"),
+    ("La cocina tiene dos accesos: desde el pasillo y desde el salón. Dos dormitorios.", "B2 H K L W", "H1K1, K1L1"),
     # beside and open to each other
     ("Two bedrooms. The kitchen is to be adjacent to the lounge, but without a door between the two.", "B2 H K L W",
      "adjacent K1 L1, no_door K1 L1, H1K1"),
@@ -70,6 +77,13 @@ FACED = [
      "B2 H K L W", "at_least K1 12, !at_least home 12"),
 ]  # fmt: skip
 
+FACED += [
+    ("Two bedrooms. The kitchen and bathroom face north.", "B2 H K L W",
+     "orientation K1 north, orientation W1 north"),
+    ("Two bedrooms; the living room and kitchen on the west side.", "B2 H K L W", "position L1 west, position K1 west"),
+    ("Two bedrooms; in the living room a sofa with a lamp beside it.", "B2 H K L W", "!adjacent L1 B1"),
+]  # fmt: skip
+
 test_a_side_is_its_subjects = as_meant(FACED)
 
 THINGS = [
@@ -101,5 +115,35 @@ THINGS = [
      "B1 has 1 double_bed, !B1 has 2 double_bed"),
     ("Two-bedroom flat for a laundry-folding task, with a utility room off the kitchen.", "B2 H K L U W", "K1U1"),
 ]  # fmt: skip
+
+COUNTED = [
+    ("Two small bedrooms and a big one.", "B3 H K L W2", ""),
+    ("Two bedrooms, a big one and a small one.", "B2 H K L W", ""),
+    ("Dos dormitorios pequeños y uno grande.", "B3 H K L W2", ""),
+    ("Deux petites chambres et une grande.", "B3 H K L W2", ""),
+    ("Zwei kleine Schlafzimmer und ein großes.", "B3 H K L W2", ""),
+    ("一套公寓，一间卧室，卧室里放一张床。", "B H K L W", "B1 has 1 double_bed"),
+    ("living 24, kitchen 10, bedroom 14 and 11, bath 5.", "B2 H K L W", "B1=14, B2=11"),
+    ("Two bathrooms: one with a bathtub, the other with a shower, en suite to our bedroom. Three bedrooms.",
+     "B3 H K L W2", "W1 has 1 bath, W2 has 1 shower, B1W2, H1W1, !W1W2"),
+    ("A utility room off the kitchen, with a washing machine and a dryer. Two bedrooms.", "B2 H K L U W",
+     "U1 has 1 washing_machine, U1 has 1 dryer"),
+]  # fmt: skip
+
+COUNTED += [
+    ("Two bedrooms. Neither of them has a TV.", "B2 H K L W", "B1 has 0 tv, B2 has 0 tv"),
+    ("None of the bedrooms has a desk. Two bedrooms.", "B2 H K L W", "B1 has 0 desk, B2 has 0 desk"),
+    ("Six chairs around the dining table, which stands in the living room. Two bedrooms.", "B2 H K L W",
+     "L1 has 6 chair, L1 has 1 dining_table"),
+    ("Two single beds in the guest room, one double bed in ours.", "B2 H K L W",
+     "B2 has 2 single_bed, B1 has 1 double_bed"),
+    ("Two bedrooms, each with exactly one bed, a nightstand left of it and a wardrobe.", "B2 H K L W",
+     "B2 has 1 nightstand, !position B1 B2 left"),
+    ("Balcony along the living room and the master bedroom, with a door from each. Two bedrooms.", "B2 H K L W Y",
+     "L1Y1, B1Y1"),
+    ("主卧比次卧大，客厅最大。两室一厅。", "B2 H K L W", "order L1 largest"),
+]  # fmt: skip
+
+test_how_many_there_are = as_meant(COUNTED)
 
 test_things_are_where_they_are_put = as_meant(THINGS)
