@@ -2,6 +2,7 @@
 
 from apartgen.stages.plan.reader.clausal import ahead, clause, last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
+from apartgen.stages.plan.reader.placed import side_of
 from apartgen.stages.plan.reader.vocabulary import Det
 
 
@@ -13,6 +14,16 @@ def doors_counted(out: list[Item], items: list[Item], k: int) -> bool:
         items[k + 1] = Item("stop", "", items[k + 1].text)
         return True
     return False
+
+
+def beside_a_thing(out: list[Item], items: list[Item], k: int) -> bool:
+    """`a sofa with a lamp beside it`: beside the sofa, which asks nothing of rooms."""
+    beside = (items[k].kind == "link" and items[k].value == "near") or bool(side_of(items[k]))
+    fits = beside and ahead(items, k)[0].value == "it"
+    if not fits or last(out).kind != "object":
+        return False
+    items[k + 1] = Item("stop", "", items[k + 1].text)
+    return True
 
 
 def no_such_home(out: list[Item], items: list[Item], k: int) -> bool:

@@ -38,8 +38,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             owner = head
         if item.kind == "with" and item.value in ("has", "with"):
             owner = of_the_first(out, ahead(items, k)[0]) or owner
-        if is_mark(item, ":") and said.graph:
-            owner = None
+        owner = None if is_mark(item, ":") and said.graph else owner or _off_another(out, items, k)
         if owner is not None and (item.value == "including" or item.kind == "mark"):
             _mark_subset(owner, items[k + 1 :], item.value == "(")
         if owner is not None and owner.headline and _placed(items, k + 1):
@@ -112,6 +111,14 @@ def _headed(before: list[Item]) -> RoomPhrase | None:
         return None
     new = head.room.quantifier == Det.A and not head.room.plural
     return head.room if new and hub.room.quantifier == Det.THE and way.form == "" else None
+
+
+def _off_another(before: list[Item], items: list[Item], k: int) -> RoomPhrase | None:
+    """The utility room of `a utility room off the kitchen, with a washing machine`."""
+    head, way, hub, joint = ([Item("")] * 4 + before)[-4:]
+    fits = items[k].kind == "with" and items[k].value == "with" and is_mark(joint, ",") and _only_things(items, k + 1)
+    fits = fits and way.kind == "link" and way.form == "" and hub.room is not None and hub.room.quantifier == Det.THE
+    return head.room if fits else None
 
 
 def _subject(before: list[Item]) -> RoomPhrase | None:
@@ -249,7 +256,8 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
     """Furniture named before its room (`a piano in the living room`), or with no room at all."""
     holder = None
     after = after[1:] if after and after[0].kind == "copula" else after  # "a wardrobe must be in every bedroom"
-    if after and after[0].kind in ("with", "conjunction", "object", "link"):
+    lists = bool(after) and is_mark(after[0], ",") and not rooms_of(before)  # "a desk, a chair and a lamp in the study"
+    if lists or (after and after[0].kind in ("with", "conjunction", "object", "link")):
         inside = next((j for j, x in enumerate(after) if x.kind == "with" and x.value == "in"), None)
         if (
             inside is not None

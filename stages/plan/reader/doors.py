@@ -8,7 +8,7 @@ from apartgen.stages.plan.reader.links import ANNEXES
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, RoomPhrase
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.told import beside_usual, in_passing
-from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
+from apartgen.stages.plan.reader.vocabulary import EACH_OTHER, OPPOSITE, Det, Relation, Trait
 
 Pair = tuple[Entity, Entity]
 
@@ -43,6 +43,7 @@ def doors_said(statements: list[Statement], home: Household) -> Doors:
         pairs = [(a, b) for a in left for b in right if a is not b and (own or not _served(a, b, s.kind))]
         if left and left == right:
             pairs = []  # "the bathroom between the bedrooms, reachable from both"
+            pairs = list(zip(left, left[1:], strict=False)) if s.relation == EACH_OTHER else pairs
         in_passing(s, pairs, out)
         match s.kind:
             case Relation.OPEN:

@@ -24,6 +24,26 @@ def _becomes(found: re.Match[str]) -> str:
     return f"{left} and {found[2]}"
 
 
+_EN = (r"(?:(?:main|master|second|first|guest|living|dining|sitting|utility|laundry|storage|shower|bath|bed) ?)?"
+       r"[a-z]+(?: ?room)?")  # fmt: skip
+_WAYS = r"(?:ways(?: in)?|entrances|accesses|doors|routes)"
+_ONE_FROM = r"(?:(?:one|another|the other)(?: door)? )?(?:from|through|via|off) "
+_IN_ZH = {"卧室": " the bedroom has ", "卫生间": " the bathroom has "}
+"""Rooms in which something is."""
+
+
+def _along(found: re.Match[str]) -> str:
+    """`a balcony along A and B, with a door from each` as what it has doors to."""
+    room = re.sub(r"^(?:an?|the) ", "", found[1])
+    return f"{found[1]}. the {room} has a door to {found[2]} and a door to {found[3]}"
+
+
+def _two_of(found: re.Match[str]) -> str:
+    """`bedroom 14 and 11` as two bedrooms, where the numbers can be areas of such."""
+    sizes = [float(n.replace(",", ".")) for n in found.groups()]
+    return f"two bedrooms of {found[1]} and {found[2]} m2" if all(6 < n < 40 for n in sizes) else found.group()
+
+
 _SIZE = {"大": "larger", "小": "smaller"}
 _SAID = [(late(pattern), words) for pattern, words in (
     # "One goes into the pantry through the kitchen", "entry to the study is through the living room"
@@ -84,6 +104,52 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"\1in the \2 "),
     (r"\bam (?:anderen )?ende (?:des flure?s|der diele|vom flur|des ganges)\b", "at the end of the hallway"),
     (r"\bthe door (?:to|of) (the [a-z ]{3,20}?) is (from|off|in) ", r"\1 is reached from "),
+    # "zwei Bäder am Flur", "deux salles de bains sur le couloir", "两个卫生间都在走廊上"
+    (r"\b(bad|bader|badezimmer|duschbad|duschbader|wc|wcs|toiletten?|\w+zimmer|kuche) (?:am|auf dem|vom|an dem) "
+     r"(flur|gang|korridor)\b(?! aus)", r"\1 zuganglich vom \2"),
+    (r"\b(salles? de bains?|salles? d'eau|wc|toilettes|chambres?) (?:sur|dans) le (couloir|hall)\b",
+     r"\1 accessibles depuis le \2"),
+    (r"\b(banos?|aseos?|dormitorios?) (?:en|junto) (?:el|al) (pasillo|distribuidor)\b", r"\1 accesibles desde el \2"),
+    (r"((?:卫生间|浴室|厕所|卧室))(?:都|全部|全都)(?:在|靠)走廊(?:上|里|边)?", r"\1都从走廊进"),
+    # "two ways to get to the kitchen: from the hall and from the lounge", "it has two entrances, from A and from B"
+    (rf"(?:\bthere (?:are|should be|must be|have to be|are to be) |\b(?:we|i) want |,? (?:with|and) |(?<=[.;] )|^)"
+     rf"two {_WAYS} "
+     rf"(?:in|into|to|onto|to get (?:in)?to|to reach|to enter)(?: to)? (the {_EN})[,:;]? {_ONE_FROM}(the {_EN}),?(?: "
+     rf"and|,) "
+     rf"{_ONE_FROM}(the {_EN})(?= ?(?:[.,;]|$))", r". \1 has a door to \2 and a door to \3"),
+    (rf"\b(the {_EN}) (?:has|should have|must have|gets) two {_WAYS}(?: in)?[,:;]? {_ONE_FROM}(the {_EN}),?(?: and|,) "
+     rf"{_ONE_FROM}(the {_EN})(?= ?(?:[.,;]|$))", r"\1 has a door to \2 and a door to \3"),
+    (rf"\b(?:you|one|we) (?:can )?(?:enter|reach|get to|get into|go into) (the {_EN}) (?:in|by|from) two (?:ways|"
+     rf"sides)[,:;]? "
+     rf"{_ONE_FROM}(the {_EN}),?(?: and|,) {_ONE_FROM}(the {_EN})(?= ?(?:[.,;]|$))",
+     r"\1 has a door to \2 and a door to \3"),
+    (r"\bhat zwei (?:zugange|eingange|turen)[,:]? (?:eine[nr]? )?(?:vom|von der|zum|zur) (\w+) und (?:eine[nr]? )?(?"
+     r":vom|von der|"
+     r"zum|zur) (\w+)", r"hat eine tur zum \1 und eine tur zum \2"),
+    (r"\ba deux (?:acces|entrees|portes)[,:]? (?:l'une? )?(?:par|depuis|sur|vers) (l[ea] \w+) et (?:l'autre )?(?:par|"
+     r"depuis|sur|"
+     r"vers) (l[ea] \w+)", r"has a door to \1 and a door to \2"),
+    (r"\btiene dos (?:accesos|entradas|puertas)[,:]? (?:una? )?(?:desde|por|al?) ((?:el|la) \w+) y (?:otr[oa] )?(?"
+     r":desde|por|al?) "
+     r"((?:el|la) \w+)", r"has a door to \1 and a door to \2"),
+    (r"([^,.;:的]{1,6})有[两二2][个扇]门[,:]?一[个扇](?:通向|通往|开向|通|朝)([^,.;:]{1,5}?)[,和]?另?一[个扇]"
+     r"(?:通向|通往|开向|通|朝)([^,.;:]{1,5})(?=[,.;]|$)", r" the \1 has a door to \2 and a door to \3"),
+    # "a balcony along the living room and the bedroom, with a door from each"
+    (rf"\b((?:an? |the )?{_EN}) (?:along|for|between|shared by|serving|in front of) (the {_EN}) and (the {_EN}),? (?"
+     rf":with |and )?"
+     r"(?:an? )?doors? (?:from|to|into) (?:each|both)(?: of (?:them|the two))?(?= ?(?:[.,;]|$))",
+     _along),
+    # "客厅最大", "das Wohnzimmer ist am größten"
+    (r"([^,.;:的]{1,6}?)(?:面积)?(?:是|要)?最(大|小)(?=[,.;]|$)",
+     lambda found: f" the {found[1]} is the {'largest' if found[2] == '大' else 'smallest'} room"),
+    (r"\b((?:der|die|das) \w+) (?:ist |soll |sei )?am (grossten|kleinsten)(?: sein)?(?= ?(?:[,.;]|$))",
+     lambda found: f"{found[1]} is the {'largest' if found[2][0] == 'g' else 'smallest'} room"),
+    # "一间卧室,卧室里放一张床"
+    (r"(?<![间个主次小大两房])(卧室|卫生间)里(?=有|放|摆|要)", lambda found: _IN_ZH[found[1]]),
+    # "bedroom 14 and 11 m²"
+    (r"\bbed(?: ?room)?:? (\d{1,2}(?:[.,]\d)?) ?(?:m2|sqm)? ?(?:and|&|\+) ?(\d{1,2}(?:[.,]\d)?) ?(?:m2|sqm)?(?= ?(?"
+     r":[,.;]|$))",
+     _two_of),
 )]  # fmt: skip
 
 

@@ -142,7 +142,7 @@ class Household:
         if not pool:
             return []
         phrase.type = pool[0].type
-        if len(self.of(phrase.type)) == 1 and sized_otherwise(phrase, pool[0]):
+        if sized_otherwise(phrase, self.of(phrase.type), self.totals.get(phrase.type)):
             return self.add(phrase.type, int(phrase.count or 1))  # "a big bedroom and a small one"
         if other_than(phrase, pool, self.of(phrase.type)):
             pool[0].picked = True

@@ -190,7 +190,7 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value in ("it", "them")):
         j -= 1
-    if 0 < j < len(before) - 1 and before[j].kind == "conjunction" and before[-1].kind == "copula":
+    if 0 < j < len(before) - 1 and before[j].kind == "conjunction" and _verb(before[-1]):
         j = _subject_at(before, j)  # "the balcony faces south and is 6 m²"
     while j > 0 and is_mark(before[j - 1], ",") is False and before[j].kind in ("side", "place"):
         j -= 1  # "living room on the south side, 27 m²"
@@ -205,6 +205,11 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
     if items[k].kind == "share" or (follows and not homely):
         return rooms_of(items[k + 1 : k + 4])[:1]
     return []
+
+
+def _verb(item: Item) -> bool:
+    """The verb of `… and is 6 m²`, `… and must have at least 12 m²`."""
+    return item.kind == "copula" or (item.kind == "with" and item.value == "has")
 
 
 def _subject_at(before: list[Item], j: int) -> int:

@@ -1,8 +1,10 @@
 """Doors told beside the point: `whose only door is to the kitchen`, `entered just from it`, `entered from there`."""
 
+from dataclasses import replace
+
 from apartgen.stages.plan.reader.clausal import again_named, ahead, clause, last
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
-from apartgen.stages.plan.reader.vocabulary import Det, Trait
+from apartgen.stages.plan.reader.vocabulary import EACH_OTHER, Det, Trait
 
 FROM = ("from", "through", "via", "over")
 ONLY = ("only", "just", "solely", "exclusively", "merely", "simply")
@@ -140,14 +142,40 @@ def you_go_in(out: list[Item], items: list[Item], k: int) -> bool:
 
 def to_each_other(out: list[Item], items: list[Item], k: int) -> bool:
     """`the bedrooms are connected to each other`, `two baths with a door to each other`: the first to the second."""
-    at = len(out) - 1 - (last(out).kind in ("copula", "relative", "with"))
-    room = out[at].room if at >= 0 else None
+    at = len(out) - 1
+    while at >= 0 and (out[at].kind in ("copula", "relative", "with", "pronoun") or out[at].text == "also"):
+        at -= 1
+    room, they = (out[at].room if at >= 0 else None), any(i.kind == "pronoun" for i in out[at + 1 :])
+    they = they or last(out[: at + 1]).kind == "conjunction"
     if items[k].kind != "link" or items[k].value not in ("door", "to") or ahead(items, k)[0].value != "mutual":
         return False
-    if room is None or room.type not in ("bedroom", "bathroom") or room.negated or (room.count or 2) != 2:
+    if they or (room is not None and not _two(room) and any(i.kind == "link" for i in clause(out[: at + 1]))):
+        they = True
+        room = next((i.room for i in reversed(out) if i.room is not None and _two(i.room)), None)
+    if room is None or room.negated or not _two(room) or room.type not in ("bedroom", "bathroom", "study", ""):
         return False
-    if not room.plural and room.count != 2:
-        return False
+    plain = room.type in ("bedroom", "bathroom") and not room.labels and not they
+    if plain or room.type == "study":
+        _first_to_second(out, at, room)
+    else:
+        out[at + 1 :] = [Item("mark", ".", ".")] if they else []
+        pair = replace(items[k], value="door", text=EACH_OTHER, form="p")
+        these = [Item("room", "", "both", RoomPhrase("", quantifier=Det.BOTH, among=[room], text="both"))
+                 for _ in range(2)]  # fmt: skip
+        out += [*these[:they], pair, these[1], Item("mark", ".", ".")]
+    items[k + 1] = Item("stop", "", items[k + 1].text)
+    _closed_off(items, k + 2)
+    return True
+
+
+def _two(room: RoomPhrase) -> bool:
+    """Whether a phrase may be of two rooms."""
+    several = room.plural or room.count == 2 or (not room.type and room.quantifier in (Det.BOTH, Det.EACH))
+    return several and room.count in (2, None)
+
+
+def _first_to_second(out: list[Item], at: int, room: RoomPhrase) -> None:
+    """Puts `room 1 has a door to room 2` behind the rooms at `at`."""
     one, other = (RoomPhrase(room.type, quantifier=Det.THE, ordinals=(n,), text=room.text) for n in (1, 2))
     out[at + 1 :] = []
     if room.quantifier != Det.BARE and room.count is None:
@@ -155,9 +183,6 @@ def to_each_other(out: list[Item], items: list[Item], k: int) -> bool:
     end = Item("mark", ".", ".")
     out += [end, Item("room", one.type, one.text, one), Item("link", "door", "has a door to", form="s"),
             Item("room", other.type, other.text, other), end]  # fmt: skip
-    items[k + 1] = Item("stop", "", items[k + 1].text)
-    _closed_off(items, k + 2)
-    return True
 
 
 def which_is_the(out: list[Item], items: list[Item], k: int) -> bool:

@@ -1,11 +1,15 @@
 """Of which rooms a place is said: `on the left the kitchen and the bath`, `north of A is B`, `it is at the back`."""
 
+from apartgen.stages.plan.reader.faced import subject_of
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
 
 LEADING = ("on", "at", "in", "to", "along", "im", "an", "auf", "links", "rechts", "hinten", "vorne", "a", "au",
            "en", "al")  # fmt: skip
 """First words of a place that is said of the rooms behind it."""
+
+SINGULAR = ("oriente ", "orientee ", "expose ", "exposee ", "orientado ", "orientada ")
+"""What a side begins with that is said of one room."""
 
 
 def side_of(item: Item) -> str:
@@ -40,7 +44,7 @@ def rooms_placed(items: list[Item], k: int) -> list[RoomPhrase]:
             continue  # "every room other than the bathroom has a window to the west"
         if is_mark(items[j], ".") and any(i.kind == "pronoun" and i.value == "it" for i in items[j:k]):
             return _spoken_of(items, j)
-        j = _first_of(items, j, k)
+        j = subject_of(items, _first_of(items, j, k), k)
         if is_mark(items[j], ".") or items[j].room is not None:
             return _pair(items, j - 1 if seen_from(items, k) else j, k)
     return [following] if following else []
@@ -124,12 +128,17 @@ def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
     listed = listed and not _led_to(items, j - 5)
-    single = items[k].text.startswith("is ") or (j > 2 and bool(side_of(items[j - 3])))
+    single = items[k].text.startswith(("is ", *SINGULAR)) or (j > 2 and bool(side_of(items[j - 3])))
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"
     alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
+    alike = alike or (first.quantifier == Det.THE and _shares_article(last))  # "the kitchen and bathroom face north"
     alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
     return [first, last] if alike and not listed and not single else [last]
+
+
+def _shares_article(last: RoomPhrase) -> bool:
+    return last.quantifier == Det.BARE and last.count is None and not last.labels
 
 
 def _led_to(items: list[Item], k: int) -> bool:

@@ -211,8 +211,9 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
                 wanted.setdefault((ids[id(e)], category), count)
     for category, count in said.loose_objects:
         homes = [e for kind in (TABLE[category].rooms if category else ()) for e in home.of(kind)]
-        if category and not home.of("bedroom") and "bedroom" in TABLE[category].rooms:
+        if category and not home.of("bedroom") and {"bedroom", "dining_room"} & set(TABLE[category].rooms):
             homes = home.of("living_room")
+        homes = (category and "utility" in TABLE[category].rooms and home.of("utility")) or homes
         if homes:
             key = ids[id(homes[0])], category
             wanted[key] = wanted.get(key, 0) + count

@@ -54,10 +54,11 @@ def counted_off(rooms: list[Entity], ordinals: tuple[int, ...]) -> list[Entity]:
     return [rooms[k] for n in ordinals if (k := index_of(n)) < len(rooms)]
 
 
-def sized_otherwise(phrase: RoomPhrase, room: Entity) -> bool:
-    """Whether one is said to be large and the other small."""
+def sized_otherwise(phrase: RoomPhrase, rooms: list[Entity], total: int | None) -> bool:
+    """Whether one is said to be large and the other small: `two small bedrooms and a big one`, where no total is."""
     new = phrase.quantifier in (Det.A, Det.BARE, Det.THE) and not phrase.ordinals
-    return new and (phrase.factor - 1) * (room.factor - 1) < 0
+    one = len(rooms) == 1 or (total is None and phrase.quantifier == Det.A)
+    return new and one and all((phrase.factor - 1) * (room.factor - 1) < 0 for room in rooms)
 
 
 def rest_of(phrase: RoomPhrase, known: list[Entity]) -> list[Entity]:

@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.faced import facing
 from apartgen.stages.plan.reader.kin import pattern
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.patterns import late
@@ -80,4 +81,4 @@ def retold(text: str) -> str:
     """A folded text with such clauses in the words of rooms."""
     for said, words in _SAID:
         text = said.sub(words, text)
-    return text
+    return facing(text)

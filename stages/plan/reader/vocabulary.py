@@ -88,3 +88,7 @@ class Relation(StrEnum):
 
 OPPOSITE = ("opposite", "across from", "gegenuber", "en face", "enfrente", "frente")
 """How words begin that say of neighbours that they face one another, and nothing of a common wall."""
+
+
+EACH_OTHER = "connected to each other"
+"""What is said of rooms of one phrase, of which the first has a door to the second."""

@@ -1,0 +1,61 @@
+"""What is no room and no furniture though its words are: tasks of robots, people who are living somewhere."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+
+_DOING = (r"(?:making|folding|cleaning|washing|setting|clearing|opening|closing|sorting|loading|unloading|fetching|"
+          r"finding|"
+          r"tidying|watching|serving|vacuuming|mopping|sweeping|ironing|drying|dusting|wiping|rearranging|"
+          r"rearrangement|"
+          r"assembly|search|navigation|delivery|loading|polishing)")  # fmt: skip
+_NOUN = (r"(?:bed|laundry|dish|dishes|table|window|door|drawer|sofa|chair|kitchen|bathroom|toilet|shelf|shelves|fridge|"
+         r"cabinet|wardrobe|clothes|floor|room|furniture|lamp|book|books|cup|plant|dishwasher|carpet|rug)")  # fmt: skip
+_WHAT = (r"(?:robots?|tasks?|agents?|benchmarks?|demos?|scenes?|experiments?|stud(?:y|ies)|tests?|missions?|skills?|"
+         r"episodes?|"
+         r"policy|policies|arm|humanoid|challenge|trials?|work|practice|training|data ?sets?)")  # fmt: skip
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "for a bed-making robot", "for a laundry folding task"
+    (rf"(?<!-)\b{_NOUN}[- ]{_DOING}(?:[- ](?:and|or|&)[- ]{_DOING})? (?={_WHAT}\b)", ""),
+    (rf"\b(?:for|to test|to train|to learn|a test of|about) {_NOUN}[- ]{_DOING}(?= ?[:,.;]| with )", "for research"),
+    # "our grandfather is living with us"
+    (r"\b(is|are|am|was|were|be|who|that|[a-z]+) living (?=(?:with (?:us|me|my|our|him|her|them)|together|alone|in "
+     r"an? |here|"
+     r"at home)\b)", r"\1 staying "),
+    # "Sunday lunch is at ours"
+    (r"\b(?:at|over at|round at|back at) (?:ours|mine|theirs)\b", ""),
+    # "dataset entry: four-bedroom house"
+    (r"\b(?:data ?set|data ?base|dictionary|log|list|catalogue|table|json|csv|blog|diary|benchmark|corpus) entry(?= ?"
+     r"(?:[:,.]|$|\d|#|for\b))", ""),
+)]  # fmt: skip
+
+
+def without_tasks(text: str) -> str:
+    """A folded text without such words."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
+
+
+_EDGE = late(r"\b([a-z]+(?: ?room)?(?: \d)?) ?(?:<?-+>?|to|/|,|&|\+) ?([a-z]+(?: ?room)?(?: \d)?) ?"
+             r"\((?:open(?:ing)?|open[- ]plan|archway|no door|no wall|doorless|open connection)\)")  # fmt: skip
+_KEY = (r"(bed ?room|bath ?room|kitchen|living room|study|office|storage(?: room)?|closet|hall(?:way)?|toilet|"
+        r"balcony|dining room)")  # fmt: skip
+_COUNTS = re.compile(rf"(?:(?<=[,;.:({{\n] )|(?<=[,;.:({{\n])|^)\"?{_KEY}\"?: ?(\d)(?= ?(?:[,;.)}}\n]|$))")
+_MOST = {"bedroom": 7, "bathroom": 4}
+"""How many of a room a list of counts may say; of others it is two."""
+
+
+def as_listed(text: str) -> str:
+    """`kitchen-lounge (open)` as an opening, `bedroom: 4, bathroom: 2` as counts where no number can be an area."""
+    text = _EDGE.sub(r"\1 <-> \2: open", text)
+    found = [(key.replace(" ", ""), int(number)) for key, number in _COUNTS.findall(text)]
+    small = all(number <= _MOST.get(key, 2) for key, number in found)
+    if len(found) < 2 or not small or "bedroom" not in dict(found) or dict(found)["bedroom"] < 2:
+        return text
+    return _COUNTS.sub(lambda one: f"{_named(one[1])}: {one[2]}", text)
+
+
+def _named(key: str) -> str:
+    """The plural of a key that counts rooms."""
+    return key if key.endswith("ing room") else f"{key[:-1]}ies" if key.endswith("y") and key[-2] != "a" else f"{key}s"
