@@ -40,7 +40,7 @@ def test_furnished_by_rule(type):
 def test_furnished_as_asked():
     """So many things in a room, some of them named, some not wanted."""
     found = {}
-    for seed, name in enumerate(kept.HOMES[:2]):
+    for seed, name in enumerate(kept.HOMES[:1]):
         plan, rng = bare(name).model_copy(deep=True), np.random.default_rng(seed)
         for room in plan.rooms:
             kinds = [kind for kind in CATEGORIES if room.base in TABLE[kind].rooms]
