@@ -2,6 +2,7 @@
 
 import re
 import sys
+from collections.abc import Iterator
 from types import ModuleType
 from typing import Protocol
 
@@ -20,6 +21,8 @@ def package(tmp_path, monkeypatch):
     (folder / "cat.py").write_text('"""Purrs.\n\nMore."""\nsound = "meow"\n')
     (folder / "broken.py").write_text('"""Never imported by listing."""\nraise RuntimeError\n')
     (folder / "owl" / "__init__.py").write_text('"""Hoots."""\n')
+    (folder / "newt.py").write_text('# Of ponds.\n\n"""Swims.\n"""\n')
+    (folder / "silent.py").write_text('sound = "none"\n')
     (folder / "_private.py").write_text('"""Hidden."""\n')
     monkeypatch.syspath_prepend(str(tmp_path))
     registry._folders.cache_clear()
@@ -31,7 +34,7 @@ def package(tmp_path, monkeypatch):
 
 def test_members_are_listed_with_help_and_not_imported(package):
     assert registry.members(package) == {
-        "broken": "Never imported by listing.", "cat": "Purrs.", "owl": "Hoots."}
+        "broken": "Never imported by listing.", "cat": "Purrs.", "newt": "Swims.", "owl": "Hoots.", "silent": ""}
     assert not any(name.startswith("zoo.") for name in sys.modules)
 
 
@@ -40,9 +43,9 @@ def test_a_member_is_loaded_by_name(package):
 
 
 def test_an_unknown_name_says_which_there_are(package):
-    with pytest.raises(BadInput, match="did you mean 'cat'.*broken, cat, owl"):
+    with pytest.raises(BadInput, match="did you mean 'cat'.*broken, cat, newt, owl, silent"):
         registry.load(package, "cap")
-    with pytest.raises(BadInput):
+    with pytest.raises(BadInput, match="no zoo '_private'; there are: broken"):
         registry.load(package, "_private")
 
 
@@ -115,3 +118,53 @@ def test_a_type_that_is_asked_for_is_a_type_and_a_value_any() -> None:
     assert list(contract._lacks(member, Configured)) == ["has no Config, a type"]
     vars(member).update(Config=bool, LEAST=None)
     assert list(contract._lacks(member, Configured)) == ["has no LEAST, a value"]
+
+
+class Many(Protocol):
+    """A contract of several values at once."""
+
+    def some(self, number: int) -> list[int]:
+        """So many."""
+
+    def each(self, number: int) -> Iterator[int]:
+        """So many, one after another."""
+
+
+@pytest.mark.parametrize(("name", "gives", "words"), [
+    ("some", [1, 2], ""), ("some", [], ""), ("some", (1, 2), "gave a tuple, not a list"),
+    ("some", [1, "2"], "gave a list with a str, not of int"), ("each", (1, 2), ""), ("each", [], ""),
+    ("each", [1, "2"], "gave a str, not a int")])
+def test_of_several_values_each_is_of_its_type(name, gives, words) -> None:
+    member = ModuleType("stranger")
+    vars(member)[name] = lambda number: gives
+    guard = contract.guarded(member, (Many,), "theirs: {}".format)
+    assert not hasattr(guard, "each" if name == "some" else "some"), "what is not there is not guarded"
+    if words:
+        with pytest.raises(BadInput, match=f"^theirs: .* failed, TypeError: {words} "):
+            list(getattr(guard, name)(2))
+    else:
+        assert list(getattr(guard, name)(2)) == list(gives)
+
+
+def test_what_fails_between_values_is_told_and_what_we_refuse_passes() -> None:
+    def broken(number):
+        yield number
+        raise BadInput("as we say it") if number else KeyError("gone")
+
+    member = ModuleType("stranger")
+    vars(member)["each"] = broken
+    guard = contract.guarded(member, (Many,), "theirs: {}".format)
+    with pytest.raises(BadInput, match="^theirs: broken failed, KeyError: 'gone'"):
+        list(guard.each(0))
+    with pytest.raises(BadInput, match="^as we say it$"):
+        list(guard.each(1))
+
+
+@pytest.mark.parametrize(("function", "said"), [
+    (lambda number: 0, ""), (lambda number, further=1: 0, ""), (3, "has no double(number)"),
+    (lambda: 0, "has double() where double(number) is called"),
+    (lambda count: 0, "has double(count) where double(number) is called")])
+def test_arguments_are_called_as_the_contract_calls_them(function, said) -> None:
+    member = ModuleType("stranger")
+    vars(member)["double"] = function
+    assert contract.fault(member, (Doubles,)) == said

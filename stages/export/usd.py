@@ -49,7 +49,7 @@ def read_back(files: list[Path]) -> None:
     stage = Usd.Stage.Open(str(files[0]))
     if errors := stage.GetCompositionErrors():
         raise Refused(str(errors[0]))
-    if not stage.GetDefaultPrim() or not all(prim.IsDefined() for prim in stage.Traverse()):
+    if not stage.GetDefaultPrim() or not all(prim.IsDefined() for prim in stage.TraverseAll()):
         raise Refused(f"{files[0].name} has prims that are not defined")
 
 

@@ -33,15 +33,20 @@ def prompts() -> list[str]:
     return (HERE / "prompts.txt").read_text(encoding="utf-8").splitlines()
 
 
+def asked() -> list[str]:
+    """What the reader's own tests ask it."""
+    return (HERE / "asked.txt").read_text(encoding="utf-8").splitlines()
+
+
 def benchmark() -> list[str]:
     """The prompts of the benchmark."""
     lines = (HERE.parent / "sentences" / "sentences.jsonl").read_text(encoding="utf-8").splitlines()
     return [json.loads(line)["prompt"] for line in lines]
 
 
-def spliced(many: int) -> Iterator[str]:
+def spliced(many: int, whole: list[str]) -> Iterator[str]:
     """Beginnings of prompts with pieces of others behind them."""
-    rng, whole = Random("spliced"), prompts()
+    rng = Random("spliced")
     pieces = [[one for text in whole if chinese(text) == kind for one in CUT.split(text)] for kind in (False, True)]
     for _ in range(many):
         first = rng.choice(whole)

@@ -25,6 +25,9 @@ def test_a_job_is_done_in_another_process_and_its_errors_come_back():
     with aside(os.getpid) as wait:
         assert wait() != os.getpid()
 
+    with aside(lambda: signal.getsignal(signal.SIGINT)) as wait:
+        assert wait() == signal.SIG_IGN != signal.getsignal(signal.SIGINT), "the first process ends both"
+
     def refused():
         raise BadInput("no such wall")
 

@@ -123,3 +123,16 @@ def test_what_a_reader_minds_is_told_by_its_first_line_or_its_name(error, told):
     with pytest.raises(BadInput) as found:
         export._read_back("mine", SimpleNamespace(read_back=refuse), [], Path("nowhere"))
     assert told in str(found.value) and found.value.__cause__ is error
+
+
+def test_what_nothing_defines_is_refused(tmp_path):
+    """A prim that is only written over; whoever opens the stage would not see it."""
+    usd = pytest.importorskip("pxr.Usd")
+    stage = usd.Stage.CreateInMemory()
+    stage.SetDefaultPrim(stage.DefinePrim("/Home", "Xform"))
+    stage.GetRootLayer().Export(str(tmp_path / "whole.usda"))
+    load(export.PACKAGE, "usd").read_back([tmp_path / "whole.usda"])
+    stage.OverridePrim("/Home/chair")
+    stage.GetRootLayer().Export(str(tmp_path / "over.usda"))
+    with pytest.raises(_readback.Refused, match="not defined"):
+        load(export.PACKAGE, "usd").read_back([tmp_path / "over.usda"])
