@@ -110,15 +110,14 @@ class Sampler:
         needed = found is None and self.room.needs(name, p.furniture.names)
         if found is None and spare and needed:
             return None
-        bare = contents if p.begun < BEGUN else self._bare(name, contents)
-        if needed and (p.begun < BEGUN or (p.begun == BEGUN and len(bare) < len(contents))):
-            again = self.begin(bare)
-            again.begun = p.begun + 1
-            again.notes += [f"no place for the {o}; left out" for o in (Counter(contents) - Counter(bare)).elements()
-                            if o != exchange.BASE]
-            return again
-        if found is None and needed:
+        if needed and p.begun < BEGUN:
+            return self._anew(p, contents)
+        if needed:
             found = self._instead(p, name, boxes)
+        bare = self._bare(name, contents)
+        if found is None and needed and p.begun == BEGUN and len(bare) < len(contents):
+            return self._anew(p, bare, [f"no place for the {o}; left out"
+                                        for o in (Counter(contents) - Counter(bare)).elements() if o != exchange.BASE])
         p.left.remove(name)
         if found is None:
             name, found = self._last_resort(p, name, needed)
@@ -134,6 +133,11 @@ class Sampler:
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
         return p
+
+    def _anew(self, p: Particle, contents: list[str], notes: Sequence[str] = ()) -> Particle:
+        again = self.begin(contents)
+        again.begun, again.notes = p.begun + 1, list(notes)
+        return again
 
     def _bare(self, name: str, contents: list[str]) -> list[str]:
         """The contents without units that a run can do without, for one that it cannot; what was asked for stays."""
