@@ -12,6 +12,7 @@ from apartgen.schemas.errors import BadInput
 from apartgen.stages import export
 from apartgen.stages.export import _drawing, _symbols
 from apartgen.stages.export._pen import Pen
+from apartgen.stages.retrieve import furniture
 from apartgen.stages.space import polygons
 from apartgen.stages.things.categories import TABLE
 
@@ -59,6 +60,21 @@ def test_cushions_lie_between_back_and_arms(name):
     cushions = [part for colour, part in rest if colour != frame[0]]
     assert len(wood) == (3 if name == "sofa" else 2) and len(cushions) >= 2
     assert shapely.union_all(wood).intersection(shapely.union_all(cushions)).area < 0.02
+
+
+@pytest.mark.parametrize("style", furniture.styles("corner_sofa"))
+@pytest.mark.parametrize("seed", range(3))
+def test_the_chaise_is_drawn_where_it_is_built(style, seed):
+    """A quarter of a corner sofa's box, in front and at one side, has nothing in it: the same of symbol and furniture."""
+    d, w, height = TABLE["corner_sofa"].size
+    asset = furniture.build("corner_sofa", style, (d, w, height), seed)
+    built = np.concatenate([visual.vertices for link in asset.links for visual in link.visuals])[:, :2]
+    axes = blank()
+    _symbols.draw(Pen(axes), "corner_sofa", d, w)
+    drawn = np.concatenate([points(axes, patch) for patch in axes.patches])
+    for found in (built, drawn):
+        ahead = found[found[:, 0] > 0.25 * d]
+        assert (ahead[:, 1] > 0.3 * w).any() and not (ahead[:, 1] < 0).any()
 
 
 def test_what_hangs_lies_over_what_stands_and_rugs_below_all():

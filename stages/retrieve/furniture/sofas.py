@@ -177,7 +177,7 @@ def _wings(kit: Kit, cover: str, arm: float) -> None:
 
 @design("corner_sofa", "modern", "midcentury", "cloud", "scandi")
 def corner_sofa(kit: Kit) -> None:
-    """A sofa along the back with a chaise running forward at one end."""
+    """A sofa along the back with a chaise running forward at its left end, as its symbol has it."""
     s = _SEATS["modern" if kit.style == "scandi" else kit.style]
     cover = kit.pick(*(_SEATS["scandi"].covers if kit.style == "scandi" else s.covers))
     b, wood = kit.base, kit.pick(*s.wood) if kit.style != "scandi" else "oak"
@@ -185,35 +185,30 @@ def corner_sofa(kit: Kit) -> None:
     kind = "splay" if kit.style == "scandi" else s.leg
     b.fill = _FOAM
     seat, arm = min(0.44, 0.6 * kit.h), s.arm_wide
-    side = 1 if kit.rng.random() < 0.5 else -1
     deep = min(0.98, 0.62 * kit.d)
     chaise = min(1.0, 0.38 * kit.w)
-    split = side * (kit.w / 2 - chaise)
-    main_y = tuple(sorted((-side * kit.w / 2, split)))
-    chaise_y = tuple(sorted((split, side * kit.w / 2)))
+    split = kit.w / 2 - chaise
+    main_y, chaise_y = (-kit.w / 2, split), (split, kit.w / 2)
     front = kit.x[0] + deep
     back = 0.15
     for y, x in ((main_y, front), (chaise_y, kit.x[1])):
         b.rounded(cover, (kit.x[0] + 0.01, x - 0.015), (y[0] + 0.003, y[1] - 0.003), (high, seat - 0.155), 0.02)
     b.rounded(cover, (kit.x[0], kit.x[0] + back), kit.y, (high, kit.h - 0.06), 0.035)
     own = replace(s, leg_high=high, arm="puff" if s.arm == "puff" else "track")
-    end = tuple(sorted((-side * kit.w / 2, -side * (kit.w / 2 - arm))))
-    _arm(kit, own, cover, wood, (kit.x[0] + 0.005, front), end, min(0.62, 0.76 * kit.h), side < 0)  # type: ignore[arg-type]
-    far = tuple(sorted((side * kit.w / 2, side * (kit.w / 2 - arm))))
-    _arm(kit, own, cover, wood, (kit.x[0] + 0.005, front), far, min(0.62, 0.76 * kit.h), side > 0)  # type: ignore[arg-type]
-    inner = sorted((split, -side * (kit.w / 2 - arm)))
+    for ends, left in (((-kit.w / 2, arm - kit.w / 2), False), ((kit.w / 2 - arm, kit.w / 2), True)):
+        _arm(kit, own, cover, wood, (kit.x[0] + 0.005, front), ends, min(0.62, 0.76 * kit.h), left)
+    inner, long = (arm - kit.w / 2, split), (split, kit.w / 2 - arm)
     n = max(1, round((inner[1] - inner[0]) / 0.75))
     wide = (inner[1] - inner[0]) / n
     for i in range(n):
         y = (inner[0] + i * wide + 0.002, inner[0] + (i + 1) * wide - 0.002)
         b.pillow(cover, (kit.x[0] + back, front), y, (seat - 0.17, seat + 0.01), s.soft)
-    long = sorted((split, side * (kit.w / 2 - arm)))
     b.pillow(cover, (kit.x[0] + back, kit.x[1]), (long[0] + 0.002, long[1] - 0.002), (seat - 0.17, seat + 0.01), s.soft)
     _backs(kit, s, cover, kit.x[0] + back - 0.04, (inner[0], inner[1]), seat, n, 0.22)
     _backs(kit, s, cover, kit.x[0] + back - 0.04, (long[0], long[1]), seat, 1, 0.22)
     b.fill = 1.0
     legs(kit, kind, wood, high, (kit.x[0] + 0.01, front - 0.02), kit.y)
-    legs(kit, kind, wood, high, (kit.x[1] - 0.3, kit.x[1] - 0.02), chaise_y)  # type: ignore[arg-type]
+    legs(kit, kind, wood, high, (kit.x[1] - 0.3, kit.x[1] - 0.02), chaise_y)
 
 
 @design("pouffe", "round", "cube", "knit", "tray")
