@@ -65,7 +65,7 @@ def test_cushions_lie_between_back_and_arms(name):
 @pytest.mark.parametrize("style", furniture.styles("corner_sofa"))
 @pytest.mark.parametrize("seed", range(3))
 def test_the_chaise_is_drawn_where_it_is_built(style, seed):
-    """A quarter of a corner sofa's box, in front and at one side, has nothing in it: the same of symbol and furniture."""
+    """A quarter of a corner sofa's box, in front and at one side, has nothing in it: the same in both."""
     d, w, height = TABLE["corner_sofa"].size
     asset = furniture.build("corner_sofa", style, (d, w, height), seed)
     built = np.concatenate([visual.vertices for link in asset.links for visual in link.visuals])[:, :2]

@@ -58,6 +58,13 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     return found
 
 
+def spared(name: str, names: Sequence[str], space: Space) -> bool:
+    """Whether it is rather left out than put where it takes such floor: where one comes in and nobody sleeps, where
+    hooks do instead, a wardrobe, too."""
+    kind, bare = kinds.basic(name), kinds.BEDS.isdisjoint(map(kinds.basic, names))
+    return kind in SPARED or (kind in kinds.WARDROBES and bare and len(space.entrances) > 0)
+
+
 def _at_window(boxes: Array, space: Space) -> Flags:
     """Which beds (n, 7) have their heads at a window."""
     ends = space.spans[space.window]

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import box, room, some_rooms
+from rooms_for_tests import box, one_room, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import elbowroom
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import upright
+from apartgen.stages.layout.rooms import KINDS
 
 TABLE, CHAIR, CASE, SOFA = (0.9, 1.4, 0.75), (0.5, 0.5, 0.9), (0.35, 0.8, 1.8), (0.9, 1.8, 0.8)
 
@@ -125,3 +126,18 @@ def test_what_one_can_do_without_is_rather_left_out_than_put_before_a_wardrobe()
     assert there.prices("chest", chest[None])[0] < BROKEN
     there.add("sliding_wardrobe", box((0.6, 1.8, 2.1), -1.695, -1.0))
     assert there.prices("chest", chest[None])[0] >= BROKEN
+
+
+@pytest.mark.parametrize(("kind", "wide", "there", "out"), [
+    ("entrance", 1.25, (), True), ("entrance", 1.6, (), False), ("door", 1.25, (), False),
+    ("entrance", 1.25, ("single_bed",), False),
+])  # fmt: skip
+def test_no_cupboard_narrows_the_hall_one_enters(kind: str, wide: float, there: tuple[str, ...], out: bool) -> None:
+    """A wardrobe of .6 m in a corridor 6 m long: .65 or 1 m are left. Where one sleeps it is needed all the same."""
+    rooms = one_room(6.0, wide)
+    rooms.openings[0, 0, 4] = KINDS[kind]
+    hall = Furniture(space_of(rooms, 0))
+    for name in there:
+        hall.add(name, box((2.0, 0.9, 0.5), -1.98, 0, 0))
+    cupboard = box((0.6, 1.2, 2.1), 1.5, wide / 2 - 0.305, -np.pi / 2)
+    assert (hall.prices("wardrobe", cupboard[None])[0] >= BROKEN) == out
