@@ -163,7 +163,8 @@ def _taken_back(out: list[Item], room: RoomPhrase) -> bool:
     """`forget the study`: the study said before is none; False where none was."""
     before = [i.room for i in out if i.room is not None and i.room is not room and i.room.type == room.type]
     lone = all(phrase.count in (None, 1) and not phrase.plural for phrase in before)
-    if room.rank or room.labels or not room.type or not lone:
+    lone = lone and (not room.labels or all(phrase.labels == room.labels for phrase in before))
+    if room.rank or not room.type or not lone:
         return False  # "two bedrooms, … without the larger bedroom"
     for phrase in before:
         phrase.negated = True

@@ -5,6 +5,8 @@ import re
 from apartgen.stages.plan.reader.declined import declined
 from apartgen.stages.plan.reader.mutually import mutually
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.referred import referred
+from apartgen.stages.plan.reader.renounced import renounced
 from apartgen.stages.plan.reader.respectively import respectively
 from apartgen.stages.plan.reader.tasks import as_listed, without_tasks
 from apartgen.stages.plan.reader.thereabouts import thereabouts
@@ -80,7 +82,7 @@ def _two_sleep(text: str) -> str:
 
 def parted(text: str) -> str:
     """A folded text with such clauses behind one another."""
-    text = mutually(declined(respectively(thereabouts(as_listed(without_tasks(text))))))
+    text = mutually(declined(respectively(thereabouts(as_listed(without_tasks(referred(renounced(text))))))))
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
     return _two_sleep(text)
