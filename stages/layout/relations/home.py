@@ -133,7 +133,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
     asked = wanted_of(arrays, i, plan, room)
-    own = {name: count for name, count in habits.items() if not any(asked[other] for other in habits)}
+    chosen = any(asked[name] for name in habits) or any(o.category in habits for o in given)
+    own = {} if chosen else habits
     wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}), **own,
                       **asked})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)

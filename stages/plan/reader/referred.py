@@ -1,6 +1,7 @@
 """Rooms spoken of by what was said before: `away from hers`, `off it too`, one for each child among all."""
 
 import re
+from functools import partial
 
 from apartgen.stages.plan.reader.patterns import late
 
@@ -104,7 +105,7 @@ _DOORS = [(late(pattern), words) for pattern, words in (
 def referred(text: str) -> str:
     """A folded text with such rooms by their names."""
     for pattern, words in _EACH:
-        text = pattern.sub(lambda found, said=words: _among(found, said), text)
+        text = pattern.sub(partial(_among, words=words), text)
     text = _HERS.sub(_theirs, _OWN.sub(r"\1 ours", text))
     for pattern, words in _DOORS:
         text = pattern.sub(words, text)

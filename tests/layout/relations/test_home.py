@@ -16,7 +16,7 @@ from apartgen.stages.layout import batch, choice
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.relations import home as relations_home
 from apartgen.stages.layout.relations import weights
-from apartgen.stages.plan import build, from_polygons
+from apartgen.stages.plan import build
 from apartgen.stages.plan.config import PlanConfig
 from apartgen.stages.plan.study import archetypes
 from apartgen.stages.use import kinds
@@ -248,64 +248,3 @@ def test_no_machine_comes_where_none_is_wanted() -> None:
 def test_where_there_is_floor_for_it_one_washes(kind: str, area: float, needed: bool) -> None:
     room = Room(id="a", type=kind, polygon=[(0, 0), (area / 2, 0), (area / 2, 2), (0, 2)])
     assert (frozenset({"shower", "bath"}) in relations_home._least(room, area)) == needed
-
-
-@pytest.mark.parametrize(("wide", "deep", "seed"), [(2.0, 2.2, 1), (2.0, 2.2, 2), (1.97, 2.34, 3)])
-def test_a_small_kitchen_can_do_without_a_washing_machine_and_not_without_a_fridge(
-    wide: float, deep: float, seed: int
-) -> None:
-    drawn = [
-        ("living_room", [(wide, 0), (wide + 5, 0), (wide + 5, 5), (wide, 5)]),
-        ("kitchen", [(0, 0), (wide, 0), (wide, deep), (0, deep)]),
-        ("bathroom", [(0, deep), (wide, deep), (wide, 5), (0, 5)]),
-    ]
-    plan = from_polygons([Room(id=f"{name}_1", type=name, polygon=ring) for name, ring in drawn], PlanConfig())
-    for config in (ONE, ONE.model_copy(update={"candidates": 4})):
-        found = {o.category for o in made(plan, seed, config).objects if o.room == "kitchen_1"}
-        assert {"fridge", "kitchen_sink"} <= found and {"oven", "hob"} & found, found
-
-
-def test_plants_stand_where_daylight_comes() -> None:
-    """Halls without a window or a room that they are open to have none, unless it is asked for."""
-    halls = [(plan, room.id) for plan in map(home, range(3, 9)) for room in plan.rooms if room.type == "hallway"]
-    dark = [(plan, id) for plan, id in halls if not any(o.kind in ("window", "opening") and id in o.rooms
-                                                        for o in plan.openings)]
-    assert dark
-    for plan, id in dark:
-        asked = plan.program.model_copy(update={"objects": [AskedObjects(room=id, category="plant", count=1)]})
-        for these, count in ((plan, 0), (plan.model_copy(update={"program": asked}), 1)):
-            found = made(these, config=ONE.model_copy(update={"room": [id]})).objects
-            assert sum(o.category == "plant" for o in found if o.room == id) == count
-
-
-def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_asked() -> None:
-    plan, room = next((plan, room) for plan in map(home, range(9)) for room in plan.rooms
-                      if room.base == "living_room" and use.site(plan, room.id).area > 20)
-    one = ONE.model_copy(update={"room": [room.id], "candidates": 1})
-    drawn = {k: seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)}
-    habits = {k: relations_home._habits(plan, room, rng) for k, rng in drawn.items()}
-    bare, round_ = ([k for k, found in habits.items() if name in found] for name in ("tv", "corner_sofa"))
-    assert 0.06 < len(bare) / len(drawn) < 0.14 and 0.24 < len(round_) / len(drawn) < 0.36
-    for some, asked in ((bare, "tv"), (round_, "sofa")):
-        objects = [AskedObjects(room=room.id, category=asked, count=1)]
-        wished = plan.program.model_copy(update={"objects": objects})
-        for these, count in ((plan, 0), (plan.model_copy(update={"program": wished}), 1)):
-            found = layout.run(these, one, drawn[some[0]]).objects
-            assert sum(o.category == asked for o in found if o.room == room.id) == count
-
-
-def test_a_hall_one_enters_has_hooks_beside_a_cupboard_unless_it_is_counted_or_none_are_wanted() -> None:
-    for seed in range(3, 9):
-        plan = home(seed)
-        door = next(o for o in plan.openings if o.kind == "entrance")
-        room = next(room for room in plan.rooms if room.id in door.rooms)
-        if room.base != "hallway":
-            continue
-        one = ONE.model_copy(update={"room": [room.id]})
-        none = {"objects": [AskedObjects(room=room.id, category="coat_rack", count=0)]}
-        for change, counts in (({}, {1}), (none, {0}), ({"counts": {room.id: 2}}, {0, 1})):
-            program = plan.program.model_copy(update=change)
-            found = made(plan.model_copy(update={"program": program}), config=one).objects
-            there = [o.category for o in found if o.room == room.id]
-            assert there.count("coat_rack") in counts
-            assert "counts" not in change or len(there) == 2

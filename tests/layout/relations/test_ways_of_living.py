@@ -1,0 +1,98 @@
+"""What homes have and do without, whatever the model draws: fridges, daylight for plants, screens, sofas, hooks."""
+
+import numpy as np
+import pytest
+
+from apartgen.schemas.layout import Box, Layout
+from apartgen.schemas.plan import AskedObjects, Plan, Room
+from apartgen.stages import layout, seeds, use
+from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.relations import home as relations_home
+from apartgen.stages.layout.rooms import of_plan
+from apartgen.stages.plan import build, from_polygons
+from apartgen.stages.plan.config import PlanConfig
+from apartgen.stages.plan.study import archetypes
+
+ONE = LayoutConfig(model="relations", candidates=2, threads=1)
+CORNER = {"corner_sofa": 1, "sofa": 0}
+
+
+def home(seed: int) -> Plan:
+    plan: Plan = build(archetypes()["one_bedroom"], PlanConfig(), np.random.default_rng(seed))
+    return plan
+
+
+def made(plan: Plan, seed: int = 1, config: LayoutConfig = ONE) -> Layout:
+    return layout.run(plan, config, seeds.drawn(seed, "layout", seeds.plan_digest(plan)))
+
+
+@pytest.mark.parametrize(("wide", "deep", "seed"), [(2.0, 2.2, 1), (2.0, 2.2, 2), (1.97, 2.34, 3)])
+def test_a_small_kitchen_can_do_without_a_washing_machine_and_not_without_a_fridge(
+    wide: float, deep: float, seed: int
+) -> None:
+    drawn = [
+        ("living_room", [(wide, 0), (wide + 5, 0), (wide + 5, 5), (wide, 5)]),
+        ("kitchen", [(0, 0), (wide, 0), (wide, deep), (0, deep)]),
+        ("bathroom", [(0, deep), (wide, deep), (wide, 5), (0, 5)]),
+    ]
+    plan = from_polygons([Room(id=f"{name}_1", type=name, polygon=ring) for name, ring in drawn], PlanConfig())
+    for config in (ONE, ONE.model_copy(update={"candidates": 4})):
+        found = {o.category for o in made(plan, seed, config).objects if o.room == "kitchen_1"}
+        assert {"fridge", "kitchen_sink"} <= found and {"oven", "hob"} & found, found
+
+
+def test_plants_stand_where_daylight_comes() -> None:
+    """Halls without a window or a room that they are open to have none, unless it is asked for."""
+    halls = [(plan, room.id) for plan in map(home, range(3, 9)) for room in plan.rooms if room.type == "hallway"]
+    dark = [(plan, id) for plan, id in halls if not any(o.kind in ("window", "opening") and id in o.rooms
+                                                        for o in plan.openings)]
+    assert dark
+    for plan, id in dark:
+        asked = plan.program.model_copy(update={"objects": [AskedObjects(room=id, category="plant", count=1)]})
+        for these, count in ((plan, 0), (plan.model_copy(update={"program": asked}), 1)):
+            found = made(these, config=ONE.model_copy(update={"room": [id]})).objects
+            assert sum(o.category == "plant" for o in found if o.room == id) == count
+
+
+def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_asked() -> None:
+    plan, room = next((plan, room) for plan in map(home, range(9)) for room in plan.rooms
+                      if room.base == "living_room" and use.site(plan, room.id).area > 20)
+    one = ONE.model_copy(update={"room": [room.id], "candidates": 1})
+    drawn = {k: seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)}
+    habits = {k: relations_home._habits(plan, room, rng) for k, rng in drawn.items()}
+    bare, round_ = ([k for k, found in habits.items() if name in found] for name in ("tv", "corner_sofa"))
+    assert 0.06 < len(bare) / len(drawn) < 0.14 and 0.24 < len(round_) / len(drawn) < 0.36
+    for some, asked in ((bare, "tv"), (round_, "sofa")):
+        objects = [AskedObjects(room=room.id, category=asked, count=1)]
+        wished = plan.program.model_copy(update={"objects": objects})
+        for these, count in ((plan, 0), (plan.model_copy(update={"program": wished}), 1)):
+            found = layout.run(these, one, drawn[some[0]]).objects
+            assert sum(o.category == asked for o in found if o.room == room.id) == count
+
+
+def test_a_hall_one_enters_has_hooks_beside_a_cupboard_unless_it_is_counted_or_none_are_wanted() -> None:
+    for seed in range(3, 9):
+        plan = home(seed)
+        door = next(o for o in plan.openings if o.kind == "entrance")
+        room = next(room for room in plan.rooms if room.id in door.rooms)
+        if room.base != "hallway":
+            continue
+        one = ONE.model_copy(update={"room": [room.id]})
+        none = {"objects": [AskedObjects(room=room.id, category="coat_rack", count=0)]}
+        for change, counts in (({}, {1}), (none, {0}), ({"counts": {room.id: 2}}, {0, 1})):
+            program = plan.program.model_copy(update=change)
+            found = made(plan.model_copy(update={"program": program}), config=one).objects
+            there = [o.category for o in found if o.room == room.id]
+            assert there.count("coat_rack") in counts
+            assert "counts" not in change or len(there) == 2
+
+
+def test_a_room_with_a_sofa_of_its_own_gets_none_round_a_corner() -> None:
+    plan, i = next((plan, i) for plan in map(home, range(9)) for i, room in enumerate(plan.rooms)
+                   if room.base == "living_room" and use.site(plan, room.id).area > 20)
+    x, y = np.mean(plan.rooms[i].polygon, axis=0)
+    sofa = Box(id="own", room=plan.rooms[i].id, category="sofa", center=(x, y, 0.4), size=(0.9, 2.0, 0.8), yaw=0.0)
+    rng = seeds.drawn(1, "layout", seeds.plan_digest(plan))
+    for given, there in (([], True), ([sofa], False)):
+        _, names = relations_home._sampler(plan, i, of_plan(plan, 0.5), ONE, 4, rng, given, CORNER)
+        assert [("corner_sofa" in some) for some in names] == [there] * 4
