@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.vocabulary import EACH_OTHER
 
 _ROOM = (r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|main|master|bed|bath|shower) ?(?:bed)?room|"
          r"kitchen|"
@@ -19,7 +20,6 @@ _PAIR = (r"((?:both|the (?:two|other two)|these two|those two)(?: of the)? [a-z'
          r":studies|offices|of them)|"
          r"the two (?:smaller|larger|small|large|other) ones)")  # fmt: skip
 _BEHIND = r"(?= ?(?:[.,;:)]|$)| (?:and|besides|in addition|as well|too|please|plus|while)\b)"
-_JOINED = "connected to each other"
 _ZU_ZWEIT = (r"(?:zwischen (?:ihnen|den beiden|beiden|den zweien)|dazwischen|untereinander)")
 _TUR = r"(?:eine[rn]? )?(?:(?:direkten? |eigenen? |inneren? )?tur|verbindungstur|durchgangstur|zwischentur)"
 _PORTE = r"(?:une )?porte(?: de communication| interieure| communicante)?"
@@ -36,7 +36,7 @@ _PLURAL = re.compile(r"\b(?:[a-z]*rooms|studies|offices|ones|both|they)\b[^.;]*$
 
 def _joined(found: re.Match[str]) -> str:
     """`… with a door between them` of rooms of one kind; of two kinds others tell."""
-    return f" {_JOINED}" if _PLURAL.search(found.string[: found.start()]) else found.group()
+    return f" {EACH_OTHER}" if _PLURAL.search(found.string[: found.start()]) else found.group()
 
 
 _SIZE = r" of \d+(?:[.,]\d+)? ?(?:m2|sqm|sq m|sq ?ft|ft2)"
@@ -51,48 +51,48 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\b({_ROOM})(?:(?: of|,) (\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m|sq ?ft|ft2)))?, open to (?=(?:the|it|our|a)\b)",
      lambda found: f"{found[1]}{f' of {found[2]}' if found[2] else ''} open to "),
     # "the two bedrooms have a door between them", "two bedrooms with a connecting door"
-    (rf"\b(?:they|both) (?:also |both )?(?:has|have|share|shares) {_DOOR}", f"they are {_JOINED}"),
-    (rf"\b(?:also |both )?(?:has|have|share|shares|are to have|should have|must have) {_DOOR}", f"are {_JOINED}"),
-    (r"\b(?:share|shares|sharing) (?:a|one) (?:common |connecting )?door\b", f"are {_JOINED}"),
+    (rf"\b(?:they|both) (?:also |both )?(?:has|have|share|shares) {_DOOR}", f"they are {EACH_OTHER}"),
+    (rf"\b(?:also |both )?(?:has|have|share|shares|are to have|should have|must have) {_DOOR}", f"are {EACH_OTHER}"),
+    (r"\b(?:share|shares|sharing) (?:a|one) (?:common |connecting )?door\b", f"are {EACH_OTHER}"),
     (rf",? (?:and )?(?:with|having|sharing) {_DOOR}", _joined),
     (rf"\b(?:there (?:is|'s|should be|must be|has to be|will be)|we want|i want) (?:also )?{_DOOR}",
-     f"they are {_JOINED}"),
-    (rf"(\b(?:two|both) [a-z' ]{{0,20}}(?:rooms|studies|offices)),? (?:and |plus )?{_DOOR}", rf"\1 {_JOINED}"),
+     f"they are {EACH_OTHER}"),
+    (rf"(\b(?:two|both) [a-z' ]{{0,20}}(?:rooms|studies|offices)),? (?:and |plus )?{_DOOR}", rf"\1 {EACH_OTHER}"),
     (r",? (?:which |that )?(?:are )?(?:interconnected|interconnecting|communicating|connected|linked|joined)"
-     rf"(?: with each other| to each other| together)? (?:by|through|via) {_KIND}door(?:way)?\b", f" {_JOINED}"),
+     rf"(?: with each other| to each other| together)? (?:by|through|via) {_KIND}door(?:way)?\b", f" {EACH_OTHER}"),
     (r"\b(two|the two|both) (?:interconnected|interconnecting|communicating|connecting) ((?:bed|bath) ?rooms)",
-     rf"\1 \2 {_JOINED},"),
+     rf"\1 \2 {EACH_OTHER},"),
     # "there is a door between the two bedrooms"
     (rf"(^|[.;:,] ?|\band |\bwith )(?:there (?:is|should be|must be|has to be) )?(?:also )?{_KIND}door(?:way)? "
      rf"between {_PAIR}"
-     rf"{_BEHIND}", rf"\1\2 are {_JOINED}"),
+     rf"{_BEHIND}", rf"\1\2 are {EACH_OTHER}"),
     # "zwei Schlafzimmer mit einer Tür dazwischen", "zwischen den beiden Schlafzimmern ist eine Tür"
     (rf",? (?:die )?(?:mit|durch) (?:{_TUR} {_ZU_ZWEIT}|(?:einer )?(?:verbindungstur|durchgangstur|zwischentur)|{_TUR} "
-     r"(?:miteinander )?verbunden(?: sind)?)", f" {_JOINED}"),
+     r"(?:miteinander )?verbunden(?: sind)?)", f" {EACH_OTHER}"),
     (rf"\b(?:haben|besitzen|teilen sich|bekommen) (?:{_TUR} {_ZU_ZWEIT}|eine (?:verbindungstur|durchgangstur|"
      rf"zwischentur))",
-     f"sind {_JOINED}"),
+     f"sind {EACH_OTHER}"),
     (rf"\bzwischen den (?:beiden|zwei) (schlafzimmern|kinderzimmern|badern|zimmern) "
-     rf"(?:ist|gibt es|liegt|befindet sich|soll|sollte) {_TUR}(?: sein| geben)?", rf"die zwei \1 sind {_JOINED}"),
+     rf"(?:ist|gibt es|liegt|befindet sich|soll|sollte) {_TUR}(?: sein| geben)?", rf"die zwei \1 sind {EACH_OTHER}"),
     # "deux chambres communicantes", "il y a une porte entre les deux chambres"
     (rf",? (?:avec {_PORTE} entre (?:elles|les deux)|avec (?:une )?porte (?:de communication|communicante)|"
      rf"(?:qui sont )?(?:reliees|communicantes)(?: entre elles)?(?: par {_PORTE})?|qui communiquent(?: entre elles)?)"
-     r"(?= ?(?:[.,;]|$)| et | avec )", f" {_JOINED}"),
-    (rf"\b(?:il y a|avec) {_PORTE} entre les (?:deux )?(chambres|salles de bains?)", rf"les deux \1 sont {_JOINED}"),
+     r"(?= ?(?:[.,;]|$)| et | avec )", f" {EACH_OTHER}"),
+    (rf"\b(?:il y a|avec) {_PORTE} entre les (?:deux )?(chambres|salles de bains?)", rf"les deux \1 sont {EACH_OTHER}"),
     (rf"\bles deux (chambres|salles de bains?) (?:ont|communiquent)(?: {_PORTE} entre elles| par {_PORTE}| entre "
      rf"elles)?"
-     r"(?= ?(?:[.,;]|$))", rf"les deux \1 sont {_JOINED}"),
+     r"(?= ?(?:[.,;]|$))", rf"les deux \1 sont {EACH_OTHER}"),
     (rf",? (?:con {_PUERTA} entre (?:ellos|ellas|ambos|ambas|los dos|las dos)|con (?:una )?puerta de (?:comunicacion|"
      rf"paso)|"
      rf"(?:que estan )?(?:comunicad[oa]s|conectad[oa]s|unid[oa]s)(?: entre si)?(?: por {_PUERTA})?|que se comunican"
-     r"(?: entre si)?)(?= ?(?:[.,;]|$)| y | con )", f" {_JOINED}"),
+     r"(?: entre si)?)(?= ?(?:[.,;]|$)| y | con )", f" {EACH_OTHER}"),
     (rf"\b(?:hay|con) {_PUERTA} entre (?:los|las|ambos|ambas|los dos|las dos) (dormitorios|habitaciones|banos)",
-     rf"los dos \1 son {_JOINED}"),
+     rf"los dos \1 son {EACH_OTHER}"),
     # "两个卧室之间有门", "两间卧室，中间有门相通", "两个卧室互相连通"
     (r"([两二2][个间]?(?:卧室|次卧|卫生间|房间))(?:之间|中间)(?:要|应该|需要)?有一?[扇道个]?门(?:相通|连通|相连)?",
-     rf"\1 {_JOINED}"),
+     rf"\1 {EACH_OTHER}"),
     (r"([两二2][个间]?(?:卧室|次卧|卫生间|房间))(?:,?(?:之间|中间)有一?[扇道个]?门(?:相通|连通|相连)?|(?:要|应该)?(?:互相|相互|彼此)?(?:相通|连通|互通|相连))",
-     rf"\1 {_JOINED}"),
+     rf"\1 {EACH_OTHER}"),
 )]  # fmt: skip
 
 
