@@ -20,7 +20,7 @@ CORNER = 0.5
 SPARE = 1.35
 """Façade that a flat has, over what its rooms need."""
 TRIES = 12
-STUBBORN = 20
+STUBBORN = 26
 """Draws that came to nothing after which a façade more is taken."""
 
 
