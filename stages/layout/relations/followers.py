@@ -24,6 +24,8 @@ OFF, ASIDE = 0.01, 0.05
 """From the wall to a nightstand's back, and from it to its bed, m."""
 BEFORE = 0.36
 """From a sofa's front to its low table, m."""
+BEFORE_CHAISE, TO_SEATS = 0.21, (0.28, 0.0, -0.28)
+"""The same from a chaise, and how far from the middle of it all towards the other seats, within .3, m."""
 MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
@@ -31,7 +33,7 @@ FEW, DRAWN = 6, (0.78, 0.55)
 """More chairs than so many stand at the ends of a table, too; each, drawn back or squeezed in, takes so much beyond its
 edge, m."""
 
-LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"sofa"}, LOW))
+LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), (kinds.SOFAS, LOW))
 TINY, BOTH = 1e-6, 2
 """Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
 LATER = (
@@ -208,7 +210,10 @@ def _seat(kind: str, desk: Array, size: Size) -> list[Place]:
 
 
 def _low_table(kind: str, sofa: Array, size: Size) -> list[Place]:
-    return [((float(sofa[3]) + size[0]) / 2 + BEFORE, 0.0, 0.0)]
+    far = (float(sofa[3]) + size[0]) / 2
+    if kind == "corner_sofa":
+        return [(far + BEFORE_CHAISE, -aside, 0.0) for aside in TO_SEATS]
+    return [(far + BEFORE, 0.0, 0.0)]
 
 
 PLACES = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}

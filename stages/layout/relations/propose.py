@@ -170,6 +170,7 @@ class _Rooms:
         height = np.array([room.shell.boxes[0, 6] for room in self.rooms], float)[rows]
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
+        most[:, :2] = np.minimum(most[:, :2], [sizes.most(k.lineage[-1]) for k in kinds])
         least = np.array([k.min for k in kinds], np.float32)
         large = [sizes.at_look(self.rooms[i].large, names[i], self.particles[i].tries) for i in rows.tolist()]
         least[:, :2] = np.minimum(np.maximum(least[:, :2], large), most[:, :2])
