@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.relations import facing
 from apartgen.stages.layout.relations.fixtures import RAIL
 from apartgen.stages.layout.relations.runs import distinct
 from apartgen.stages.layout.relations.standing import ARRIVAL, BROKEN, NEAR, Furniture
@@ -52,9 +53,12 @@ STEP, TRIED = 0.3, 3
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
     """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one, a chair
-    that can't be drawn back there being half of one; a quarter of that where what comes later on finds none, worse:
+    that can't be drawn back there, or one of two round a corner, being half of one; for a chair, how good it is for
+    the other one of two; a quarter of that where what comes later on finds none, worse:
     a wardrobe, the television, the table; half of it where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
+    if kind == CHAIR:
+        return facing.company(there, name, box, left)
     follower = next((name for leaders, name in LEADERS if kind in leaders), "")
     narrow, due, worse = False, max(left.count(follower), BOTH if follower == STAND else 0), 0
     if due:
@@ -67,6 +71,9 @@ def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
             some = some[there.besides(name, box).prices(follower, some) < BROKEN]
             worse = min(len(some), due - len(open_))
             open_ = np.concatenate([open_, some])
+        elif follower == CHAIR and due == facing.TWO:
+            open_, good_for = facing.best_two(box, open_)
+            worse += good_for < facing.BESIDE
         group += [(follower, place) for place in open_[:due]]
     later = _later(there, kind, group, left)
     while len(group) > 1 and there.shut_by(group) >= MOST:
