@@ -19,6 +19,7 @@ from apartgen.stages.layout.relations.standing import Furniture
 from apartgen.stages.layout.relations.tokens import Array, Ints, Shell
 from apartgen.stages.layout.relations.weights import Model, Vocabulary
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use import kinds
 
 Floats = NDArray[np.float32]
 
@@ -115,6 +116,8 @@ class _Rooms:
         names, refer = self._next()
         rows, reference, weight = self._frames(refer)
         found = self._candidates(names, rows, reference)
+        slim = np.array([kinds.basic(name) in kinds.SLENDER for name in names])[rows]
+        found[slim, :, 3:5] = found[slim, :, 3:5].min(-1, keepdims=True)  # as deep as wide
         each = found.shape[1]
         said = [(names[i], found[rows == i].reshape(-1, 7), np.repeat(weight[rows == i] / each, each))
                 for i in range(len(names))]

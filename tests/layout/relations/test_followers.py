@@ -5,7 +5,7 @@ import pytest
 from rooms_for_tests import box, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import followers, sizes
+from apartgen.stages.layout.relations import followers, handy, sizes
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.rooms import KINDS, Rooms
 
@@ -114,7 +114,7 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     near, far = box((0.3, 0.6, 1.7), 1.0, -1.34, np.pi / 2), box((0.3, 0.6, 1.7), 3.6, -1.34, np.pi / 2)
     good = (there.prices(name, np.stack([near, far]), strict=True) < BROKEN).tolist()
     assert good == [True, name == "plant"]
-    places = followers.arriving(name, one[None], there.space)
+    places = handy.places(name, one[None], there.names, there.boxes, there.space)
     if name == "plant":
         assert not len(places)
         return
@@ -122,7 +122,7 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     back = places[:, :2] - 0.15 * np.stack([np.cos(places[:, 2]), np.sin(places[:, 2])], -1)
     assert (np.minimum(4 - np.abs(back[:, 0]), 1.5 - np.abs(back[:, 1])) < 0.02).all()
     hall = Furniture(space_of(entered(KINDS["door"]), 0))
-    assert not len(followers.arriving(name, one[None], hall.space))
+    assert not len(handy.places(name, one[None], hall.names, hall.boxes, hall.space))
 
 
 def entered(kind: int = KINDS["entrance"]) -> Rooms:
@@ -204,8 +204,8 @@ def test_towels_are_looked_for_at_walls_near_where_one_washes() -> None:
     said = np.tile(np.array([0, 0, 0, 0.1, 0.5, 0.7, 1.5], np.float32), (3, 1))
     shower = box((0.9, 0.9, 2.0), 1.55, 1.55, np.pi)[None]
     for name, near in (("towel_rail", []), ("bath", ["shower"])):
-        assert not len(followers.drying(name, said, near, shower[: len(near)], there.space))
-    places = followers.drying("towel_rail", said, ["shower"], shower, there.space)
+        assert not len(handy.places(name, said, near, shower[: len(near)], there.space))
+    places = handy.places("towel_rail", said, ["shower"], shower, there.space)
     assert len(places) > 3
     assert np.allclose(places[:, 5:], [0.7, 1.5]) and np.allclose(places[:, 3:5], [0.1, 0.5])
     x, y = places[:, 0], places[:, 1]
