@@ -72,7 +72,7 @@ class Boxes:
         moving = [Link(joint.name, [], [slab(*joint.extent)], 1.0, joint) for joint in joints(category, size)]
         return Asset("boxes", name, category, "plain", size, [Link("body", [mesh], [slab(-half, half)], 1.0), *moving])
 
-    def alternatives(self, category, size, latent):
+    def alternatives(self, category, size, latent, like=""):
         return []
 
     def load_asset(self, library, id):

@@ -10,6 +10,7 @@ import numpy as np
 
 from apartgen.stages.export import _fixtures
 from apartgen.stages.export._pen import CLOTH, DARK, FAINT, GREEN, LEAF, PAPER, STEEL, WOOD, Pen
+from apartgen.stages.things import chaises
 from apartgen.stages.things.categories import TABLE
 
 Symbol = Callable[[Pen, float, float], None]
@@ -104,9 +105,8 @@ def _sofa(pen: Pen, d: float, w: float) -> None:
 
 def _corner_sofa(pen: Pen, d: float, w: float) -> None:
     """Seats along the back, and a chaise on the left that comes to the front."""
-    seat, back, arm = min(0.95, 0.55 * d), 0.2, 0.16
-    x1 = -d / 2 + seat
-    chaise = min(0.95, 0.4 * w)
+    back, arm, chaise = 0.2, 0.16, chaises.chaise_width(w)
+    x1 = -d / 2 + chaises.seat_depth(d)
     y1 = w / 2 - chaise
     pen.shape([(-d / 2, -w / 2), (x1, -w / 2), (x1, y1), (d / 2, y1), (d / 2, w / 2), (-d / 2, w / 2)], CLOTH)
     pen.rect(-d / 2, -d / 2 + back, -w / 2, w / 2, CLOTH, 0.05)

@@ -58,6 +58,7 @@ class Category:
     uses: tuple[str, ...] = ()
     opens: Opens = ""
     leaf_max: float = 0.6
+    handed: bool = False
     flap: float = 0.0
     belongs: tuple[str, ...] = ()
     z: float = 0.0

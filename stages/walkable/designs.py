@@ -19,7 +19,7 @@ DESIGNS = 12
 def redesigned(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """The object in other designs of its size: those that open first, of these the ones of its style and material."""
     latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
-    found = islice(site.library.alternatives(o.category, o.size, latent), DESIGNS)
+    found = islice(site.library.alternatives(o.category, o.size, latent, o.asset.id), DESIGNS)
     style, material = look(site.library, o)
     ordered = sorted(found, key=lambda asset: (
         not asset.joints, (asset.style != style) + (main_material(asset) != material)))

@@ -27,11 +27,11 @@ class Kept:
             self._nearest[key] = self._remembered(self._library.nearest(category, size, latent, limit, like))
         return self._nearest[key]
 
-    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterator[Asset]:
+    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike, like: str = "") -> Iterator[Asset]:
         """See `Candidates`."""
-        key = category, _key(size), _key(latent)
+        key = category, _key(size), _key(latent), like
         if key not in self._designs:
-            self._designs[key] = list(self._library.alternatives(category, size, latent))
+            self._designs[key] = list(self._library.alternatives(category, size, latent, like))
             for asset in self._designs[key]:
                 self._remembered(asset)
         return iter(self._designs[key])

@@ -51,8 +51,8 @@ class Candidates(Protocol):
         It looks like the one of id `like`, where it can.
         """
 
-    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterable[Asset]:
-        """Other designs of that size, the one closest in latent first."""
+    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike, like: str = "") -> Iterable[Asset]:
+        """Other designs of that size, the one closest in latent first; they open to the side to which `like` does."""
 
     def load_asset(self, library: str, id: str) -> Asset:
         """The asset of that library and id; BadInput when there is none."""

@@ -62,19 +62,27 @@ def test_cushions_lie_between_back_and_arms(name):
     assert shapely.union_all(wood).intersection(shapely.union_all(cushions)).area < 0.02
 
 
+def _outlines(style, seed, size):
+    """Points of a corner sofa as it is built, and as it is drawn."""
+    asset = furniture.build("corner_sofa", style, size, seed)
+    built = np.concatenate([visual.vertices for link in asset.links for visual in link.visuals])[:, :2]
+    axes = blank()
+    _symbols.draw(Pen(axes), "corner_sofa", *size[:2])
+    return built, np.concatenate([points(axes, patch) for patch in axes.patches])
+
+
 @pytest.mark.parametrize("style", furniture.styles("corner_sofa"))
 @pytest.mark.parametrize("seed", range(3))
 def test_the_chaise_is_drawn_where_it_is_built(style, seed):
     """A quarter of a corner sofa's box, in front and at one side, has nothing in it: the same in both."""
     d, w, height = TABLE["corner_sofa"].size
-    asset = furniture.build("corner_sofa", style, (d, w, height), seed)
-    built = np.concatenate([visual.vertices for link in asset.links for visual in link.visuals])[:, :2]
-    axes = blank()
-    _symbols.draw(Pen(axes), "corner_sofa", d, w)
-    drawn = np.concatenate([points(axes, patch) for patch in axes.patches])
-    for found in (built, drawn):
+    for found in _outlines(style, seed, (d, w, height)):
         ahead = found[found[:, 0] > 0.25 * d]
         assert (ahead[:, 1] > 0.3 * w).any() and not (ahead[:, 1] < 0).any()
+    for depth in (1.45, d):
+        built, drawn = _outlines(style, seed, (depth, w, height))
+        fronts = [found[found[:, 1] < 0, 0].max() for found in (built, drawn)]
+        assert abs(fronts[0] - fronts[1]) < 0.02 and abs(fronts[0] - (min(0.98, 0.67 * depth) - depth / 2)) < 0.02
 
 
 def test_what_hangs_lies_over_what_stands_and_rugs_below_all():

@@ -25,6 +25,8 @@ HEAD, BESIDE = 0.7, (-0.08, 0.3)
 """A nightstand's middle is so far from the head of its bed at most, and its side so far from the bed's, m."""
 BEFORE, INSIDE, OVER = 1.0, 0.15, 0.35
 """A low table begins so far before a seat at most, or so deep in it, and covers such a share of its width."""
+BEFORE_CHAISE = 0.25
+"""The same before a chaise, from behind which one reaches it, m."""
 AGAINST = 0.36
 """Between a dining table and a sofa or a low table one passes, m."""
 AHEAD = (0.05, 0.5)
@@ -73,13 +75,13 @@ class Seen:
         inside = (x == 0) & (y == 0)
         return np.asarray(np.where(inside, self.off, np.abs(np.arctan2(y, x))) <= LOOKS)
 
-    def before(self, inside: Array) -> Flags:
-        """Whether what stands there lies across the candidate's front, its near edge within reach."""
+    def before(self, inside: Array, reach: Array) -> Flags:
+        """Whether what stands there lies across the candidate's front, its near edge within reach, m."""
         near = self.x - self.extent[..., 0] - self.half[..., 0]
         wide = np.minimum(self.extent[..., 1], self.half[..., 1])
         shared = np.minimum(self.y + self.extent[..., 1], self.half[..., 1]) - np.maximum(
             self.y - self.extent[..., 1], -self.half[..., 1])
-        return np.asarray((near > -inside) & (near < BEFORE) & (shared > OVER * 2 * wide))
+        return np.asarray((near > -inside) & (near < reach) & (shared > OVER * 2 * wide))
 
     def walls_in(self) -> Flags:
         """Whether what stands there takes a tenth of the floor right before the candidate."""
@@ -176,8 +178,8 @@ def _bedside(seen: Seen, hosts: Sequence[str]) -> Flags:
 
 
 def _before_seat(seen: Seen, hosts: Sequence[str]) -> Flags:
-    inside = np.array([0.9 if o == "corner_sofa" else INSIDE for o in hosts])
-    return _any(seen.back().before(inside))
+    chaise = np.array([o == "corner_sofa" for o in hosts])
+    return _any(seen.back().before(np.where(chaise, 0.9, INSIDE), np.where(chaise, BEFORE_CHAISE, BEFORE)))
 
 
 def _watched(seen: Seen, hosts: Sequence[str]) -> Flags:

@@ -14,6 +14,9 @@ from apartgen.stages.use import kinds
 
 BACK, BEFORE = 0.46, 0.45
 """Behind a chair, .81 from its table (NKBA planning guideline 8), and before what is used from its front, m."""
+COOKING = 1.13
+"""Behind a chair before a kitchen's units, m: one cooks in .9 behind who sits .55 from the table."""
+COOKED_AT = kinds.RUN - kinds.CLOSED
 CORRIDOR, PASSAGE = 1.9, 0.75
 """What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m."""
 SHARE = 0.8
@@ -48,6 +51,9 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
         doors = space.zones.take(~space.window)
         if kind in SEATS and doors.n:
             found |= (penetration(zones, doors) > SHALLOW).any(1)
+        units = [k for k, o in enumerate(others) if o in COOKED_AT]
+        if kind in SEATS and units:
+            found |= (penetration(_zones(kind, boxes, space, COOKING), upright(there[units])) > SHALLOW).any(1)
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
             found |= (penetration(zones, upright(there[solid])) > SHALLOW).any(1)
@@ -87,9 +93,9 @@ def _bars(kind: str, used: str) -> bool:
     return kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
-def _zones(kind: str, boxes: Array, space: Space) -> Boxes:
-    """The floor that the use of each takes, or who passes it."""
-    far = np.full(len(boxes), -BACK if kind in SEATS else BEFORE if kind in CASES else 0.0)
+def _zones(kind: str, boxes: Array, space: Space, back: float = BACK) -> Boxes:
+    """The floor that the use of each takes, or who passes it; of a seat so much at its `back`, m."""
+    far = np.full(len(boxes), -back if kind in SEATS else BEFORE if kind in CASES else 0.0)
     if kind not in SEATS:
         narrow = boxes[:, 3] + ahead(upright(boxes), space) < CORRIDOR
         far = np.where(narrow, PASSAGE, far)

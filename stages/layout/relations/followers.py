@@ -7,11 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
-from apartgen.stages.layout.relations.fixtures import RAIL
-from apartgen.stages.layout.relations.runs import distinct
-from apartgen.stages.layout.relations.standing import ARRIVAL, BROKEN, NEAR, Furniture
-from apartgen.stages.layout.relations.tokens import Array, upright
-from apartgen.stages.space.boxes import gap
+from apartgen.stages.layout.relations import facing
+from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, likeliest
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
@@ -20,10 +19,12 @@ ELBOW = 0.6
 """Of a table's edge each diner has, m."""
 IN, LESS_IN, WIDE = 0.12, 0.05, 0.58
 """How far a chair is drawn under its table, under a round one at which six sit, and the least radius of that, m."""
-OFF, ASIDE = 0.01, 0.05
-"""From the wall to a nightstand's back, and from it to its bed, m."""
+ASIDE = 0.05
+"""From a nightstand to its bed, m."""
 BEFORE = 0.36
 """From a sofa's front to its low table, m."""
+BEFORE_CHAISE, TO_SEATS = 0.21, (0.28, 0.0, -0.28)
+"""The same from a chaise, and how far from the middle of it all towards the other seats, within .3, m."""
 MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
@@ -31,7 +32,7 @@ FEW, DRAWN = 6, (0.78, 0.55)
 """More chairs than so many stand at the ends of a table, too; each, drawn back or squeezed in, takes so much beyond its
 edge, m."""
 
-LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), ({"sofa"}, LOW))
+LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), (kinds.SOFAS, LOW))
 TINY, BOTH = 1e-6, 2
 """Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
 LATER = (
@@ -40,23 +41,22 @@ LATER = (
     (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""
-Size = tuple[float, float, float]
-Place = tuple[float, float, float]
-WASHING, AT_HAND = ("shower", "bath", "vanity"), 0.7
-"""Where one washes, and how far from it a towel is, m."""
-STEP, TRIED = 0.3, 3
-"""From one place along a wall to the next, m; so many of the good ones are tried for the ways they leave."""
+TRIED = 3
+"""So many of the good places of what comes later on are tried for the ways they leave."""
 
 
 def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
     """Of as many followers as are `left` to come and have places about a leader (7,), which share finds one, a chair
-    that can't be drawn back there being half of one; a quarter of that where what comes later on finds none, worse:
+    that can't be drawn back there, or one of two round a corner, being half of one; for a chair, how good it is for
+    the other one of two; a quarter of that where what comes later on finds none, worse:
     a wardrobe, the television, the table; half of it where one of two in a bed gets out over the other."""
     kind, group = kinds.basic(name), [(name, box)]
+    if kind == CHAIR:
+        return facing.company(there, name, box, left)
     follower = next((name for leaders, name in LEADERS if kind in leaders), "")
     narrow, due, worse = False, max(left.count(follower), BOTH if follower == STAND else 0), 0
     if due:
-        places = _about(box, PLACES[follower](kind, box, TABLE[follower].size), TABLE[follower].size)
+        places = about(box, PLACES[follower](kind, box, TABLE[follower].size), TABLE[follower].size)
         good = there.besides(name, box).prices(follower, places, strict=follower == CHAIR) < BROKEN
         open_, due = places[good], min(due, len(places))
         narrow = follower == STAND and len(open_) < BOTH
@@ -65,6 +65,9 @@ def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
             some = some[there.besides(name, box).prices(follower, some) < BROKEN]
             worse = min(len(some), due - len(open_))
             open_ = np.concatenate([open_, some])
+        elif follower == CHAIR and due == facing.TWO:
+            open_, good_for = facing.best_two(box, open_)
+            worse += good_for < facing.BESIDE
         group += [(follower, place) for place in open_[:due]]
     later = _later(there, kind, group, left)
     while len(group) > 1 and there.shut_by(group) >= MOST:
@@ -85,7 +88,7 @@ def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
         return None
     for o, box in group:
         there = there.besides(o, box)
-    places = _along(there.space, size)
+    places = along(there.space, size)
     good = places[there.prices(name, places, strict=True) < BROKEN] if len(places) else places
     return [(name, place) for place in good[:: max(1, len(good) // TRIED)]]
 
@@ -103,7 +106,7 @@ def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence
     ends = 2 * (chairs > FEW)
     wide = max(ELBOW * -(-(chairs - ends) // 2), TABLE[name].min[1])
     for share, drawn in zip((1.0, 0.5), DRAWN, strict=True):
-        places = _anywhere(there.space, (depth + 2 * drawn, wide + ends * drawn, height))
+        places = all_over(there.space, (depth + 2 * drawn, wide + ends * drawn, height))
         if (there.prices(name, places, strict=True) < BROKEN).any():
             return share
     return 0.25
@@ -114,53 +117,12 @@ def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes."""
     kind = kinds.basic(name)
     if kind in kinds.TABLES:
-        return _anywhere(space, _likeliest(boxes))
+        return all_over(space, likeliest(boxes))
     if kind not in kinds.BEDS | kinds.WARDROBES | kinds.SOFAS:
         return boxes[:0]
-    depth, width, height = _likeliest(boxes)
+    depth, width, height = likeliest(boxes)
     sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]
-    return np.concatenate([_along(space, (depth, wide, height)) for wide in sizes])
-
-
-def arriving(name: str, boxes: Array, space: Space) -> Array:
-    """Places (m, 7) along walls near the entrance for what one uses coming home."""
-    if name not in ARRIVAL or not len(space.entrances):
-        return boxes[:0]
-    places = _along(space, _likeliest(boxes))
-    return np.asarray(places[space.from_entrance(places[:, :2].astype(float)) < NEAR])
-
-
-def drying(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
-    """Places (m, 7) at walls for towels, near where one washes, in the likeliest size of the candidates (n, 7)."""
-    near = [box for o, box in zip(names, there, strict=True) if o in WASHING]
-    if name != RAIL or not near:
-        return boxes[:0]
-    places = _along(space, _likeliest(boxes))
-    places[:, 5:] += np.median(boxes[:, 5])
-    return np.asarray(places[(gap(upright(places), upright(np.array(near))) < AT_HAND).any(1)])
-
-
-def _anywhere(space: Space, size: Size) -> Array:
-    """Boxes (n, 7) of a size on a grid over the room, along its first wall and across."""
-    low, high = space.start.min(0) + size[0] / 2, space.start.max(0) - size[0] / 2
-    x, y = (np.arange(a, b + STEP / 2, STEP) for a, b in zip(low, high, strict=True))
-    at = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
-    turn = float(np.arctan2(*space.normal[0, ::-1]))
-    return np.concatenate([
-        np.column_stack([at, np.broadcast_to([yaw, *size[:2], 0.0, size[2]], (len(at), 5))])
-        for yaw in (turn, turn + np.pi / 2)]).astype(np.float32)
-
-
-def _along(space: Space, size: Size) -> Array:
-    """Boxes (n, 7) of a size along all walls."""
-    out = [np.zeros((0, 7))]
-    for start, along, normal, length in zip(space.start, space.along, space.normal, space.length, strict=True):
-        if (room := length - size[1] - 2 * OFF) >= 0:
-            t = OFF + size[1] / 2 + np.linspace(0.0, room, int(np.ceil(room / STEP)) + 1)
-            middle = start + t[:, None] * along + (OFF + size[0] / 2) * normal
-            rest = np.broadcast_to([np.arctan2(normal[1], normal[0]), *size[:2], 0.0, size[2]], (len(t), 5))
-            out.append(np.column_stack([middle, rest]))
-    return np.concatenate(out).astype(np.float32)
+    return np.concatenate([along(space, (depth, wide, height)) for wide in sizes])
 
 
 def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
@@ -170,16 +132,9 @@ def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
             if any(follower == kinds.basic(name) and kinds.basic(o) in leaders for leaders, follower in LEADERS)]
     if not rows:
         return boxes[:0]
-    size = _likeliest(there[[names.index(name)]] if name in names else boxes)
+    size = likeliest(there[[names.index(name)]] if name in names else boxes)
     places = PLACES[kinds.basic(name)]
-    return np.concatenate([_about(box, places(kinds.basic(o), box, size), size) for o, box in rows])
-
-
-def _likeliest(boxes: Array) -> Size:
-    """The size of most candidates (n, 7)."""
-    sizes, counts = distinct(np.round(boxes[:, 3:].astype(float), 3))
-    depth, width, low, high = sizes[counts.argmax()].tolist()
-    return depth, width, high - low
+    return np.concatenate([about(box, places(kinds.basic(o), box, size), size) for o, box in rows])
 
 
 def _chairs(kind: str, table: Array, size: Size) -> list[Place]:
@@ -208,17 +163,10 @@ def _seat(kind: str, desk: Array, size: Size) -> list[Place]:
 
 
 def _low_table(kind: str, sofa: Array, size: Size) -> list[Place]:
-    return [((float(sofa[3]) + size[0]) / 2 + BEFORE, 0.0, 0.0)]
+    far = (float(sofa[3]) + size[0]) / 2
+    if kind == "corner_sofa":
+        return [(far + BEFORE_CHAISE, -aside, 0.0) for aside in TO_SEATS]
+    return [(far + BEFORE, 0.0, 0.0)]
 
 
 PLACES = {CHAIR: _chairs, STAND: _stands, SEAT: _seat, LOW: _low_table}
-
-
-def _about(leader: Array, places: Sequence[Place], size: Size) -> Array:
-    """Boxes (n, 7) at places (x, y, yaw) in a leader's frame."""
-    x, y, turn = np.array(places).T
-    c, s = np.cos(leader[2]), np.sin(leader[2])
-    low, n = float(leader[5]), len(x)
-    rest = np.broadcast_to([*size[:2], low, low + size[2]], (n, 4))
-    return np.column_stack([leader[0] + c * x - s * y, leader[1] + s * x + c * y, leader[2] + turn, rest]).astype(
-        np.float32)

@@ -19,6 +19,7 @@ from apartgen.stages.layout.relations.standing import Furniture
 from apartgen.stages.layout.relations.tokens import Array, Ints, Shell
 from apartgen.stages.layout.relations.weights import Model, Vocabulary
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.use import kinds
 
 Floats = NDArray[np.float32]
 
@@ -115,6 +116,8 @@ class _Rooms:
         names, refer = self._next()
         rows, reference, weight = self._frames(refer)
         found = self._candidates(names, rows, reference)
+        slim = np.array([kinds.basic(name) in kinds.SLENDER for name in names])[rows]
+        found[slim, :, 3:5] = found[slim, :, 3:5].min(-1, keepdims=True)  # as deep as wide
         each = found.shape[1]
         said = [(names[i], found[rows == i].reshape(-1, 7), np.repeat(weight[rows == i] / each, each))
                 for i in range(len(names))]
@@ -170,6 +173,7 @@ class _Rooms:
         height = np.array([room.shell.boxes[0, 6] for room in self.rooms], float)[rows]
         most = np.array([k.max for k in kinds], np.float32)
         most[:, 2] = np.minimum(most[:, 2], height)
+        most[:, :2] = np.minimum(most[:, :2], [sizes.most(k.lineage[-1]) for k in kinds])
         least = np.array([k.min for k in kinds], np.float32)
         large = [sizes.at_look(self.rooms[i].large, names[i], self.particles[i].tries) for i in rows.tolist()]
         least[:, :2] = np.minimum(np.maximum(least[:, :2], large), most[:, :2])

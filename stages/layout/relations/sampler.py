@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, corners, exchange, followers, hung, lengthened, order, runs
+from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
 from apartgen.stages.layout.relations.sizes import narrowest
@@ -197,8 +197,7 @@ class Sampler:
             runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell),
             hung.over(name, boxes, there.names, there.boxes),
             followers.known(name, boxes, there.names, there.boxes),
-            followers.drying(name, boxes, there.names, there.boxes, there.space),
-            followers.arriving(name, boxes, there.space)])
+            handy.places(name, boxes, there.names, there.boxes, there.space)])
         if self.places != "model" or not len(more):
             return boxes, weight
         return np.concatenate([boxes, more]), np.append(weight, np.full(len(more), KNOWN * weight.sum() / len(more)))

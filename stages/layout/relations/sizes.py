@@ -3,6 +3,7 @@
 import tomllib
 from collections.abc import Mapping
 from functools import cache
+from math import inf
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,6 +17,13 @@ class Least(NamedTuple):
     width: float = 0.0
 
 
+class Most(NamedTuple):
+    """Greatest depth and width, m."""
+
+    depth: float = inf
+    width: float = inf
+
+
 Sizes = Mapping[str, tuple[Least, ...]]
 """By category, at one look for a place after another."""
 NONE = Least()
@@ -23,9 +31,20 @@ WHEN = ("in", "from", "night", "table", "people")
 
 
 @cache
+def _file() -> dict[str, Any]:
+    return tomllib.loads((Path(__file__).parent / "sizes.toml").read_text(encoding="utf-8"))
+
+
+@cache
+def most(name: str) -> Most:
+    """How large a category is made at most."""
+    return Most(**_file()["most"].get(name, {}))
+
+
+@cache
 def rows() -> tuple[tuple[dict[str, Any], dict[str, tuple[Least, ...]]], ...]:
     """When a row of the file holds, and sizes by category."""
-    some = tomllib.loads((Path(__file__).parent / "sizes.toml").read_text(encoding="utf-8"))["least"]
+    some = _file()["least"]
     return tuple(({key: row[key] for key in WHEN if key in row},
                   {name: tuple(Least(**look) for look in looks) for name, looks in row.items() if name not in WHEN})
                  for row in some)

@@ -12,7 +12,7 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import HUNG, SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import company, distances, elbowroom, fixtures, hung, order, runs
+from apartgen.stages.layout.relations import company, distances, elbowroom, fixtures, handy, hung, order, runs
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.robot.reach import LEVER
@@ -38,12 +38,8 @@ AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand", "piano"}, 
 """What has its back at a wall, no farther from it, m, with a radiator between, up to so near its ends."""
 NEVER_OFF = {**dict.fromkeys(WARDROBES | {"piano"}, END), "tv_stand": 0.3}
 """What is rather left out than put elsewhere, and how near its ends its back has to be at a wall."""
-ASIDE, STRAY = kinds.SLENDER, 0.5
-"""What has a wall within so much of it, m: one walks where there is none."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
-ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
-"""What one uses coming home, and how far from the entrance's middle at most, m."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
@@ -55,9 +51,8 @@ APART = 6.0
 ALONE = 8.0
 """Price of a leader that is not where it is used with what stands there, once nothing better was found; what follows
 is rather left out."""
-CRAMPED, AWAY = 6.0, 4.0
-"""Prices of what has no floor for its use, or takes that of others, and of coats far from the entrance, once nothing
-better was found."""
+CRAMPED = 6.0
+"""Price of what has no floor for its use, or takes that of others, once nothing better was found."""
 ABOVE = 0.25
 """A hood is above what is no farther from its middle, m."""
 WIDE = 0.58
@@ -121,7 +116,7 @@ class Furniture:
             total += np.where(self._carried(name, boxes), 0.0, 2 * BROKEN)
         if kind.place == "wall":
             total += np.where(self.space.behind(found) > OFF_WALL, 2 * BROKEN, 0.0)
-        total += self._away(name, found, strict)
+        total += self._away(name, boxes, found, strict, loose)
         total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
         if kind.soft:
             return total + self._soft(name, found)
@@ -142,21 +137,15 @@ class Furniture:
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict, loose)
         return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
-    def _away(self, name: str, found: Boxes, strict: bool) -> Floats:
-        """What has a back has all of it at a wall, a sofa rather than not; coats and shoes are near the entrance."""
+    def _away(self, name: str, boxes: Array, found: Boxes, strict: bool, loose: bool) -> Floats:
+        """What has a back has all of it at a wall, a sofa rather than not; what one reaches for is at hand."""
         total, kind = np.zeros(found.n), basic(name)
         if kind in AT_WALLS:
             total += np.where(self._off_wall(found, END), 2 * BROKEN if strict else ALONE, 0.0)
             total += np.where(self._off_wall(found, NEVER_OFF[kind]), BROKEN, 0.0) if kind in NEVER_OFF else 0.0
         if kind in kinds.SOFAS:
             total += np.where(self.space.behind(found) > BEHIND, FREE, 0.0)
-        if kind in ASIDE:
-            around = found._replace(size=found.size + [2 * STRAY, 2 * STRAY, 0.0])
-            total += np.where(outside(around, self.space) > 0, 0.0, CRAMPED)
-        if name in ARRIVAL and len(self.space.entrances):
-            far = self.space.from_entrance(found.center[:, :2]) > NEAR
-            total += np.where(far, 2 * BROKEN if strict else AWAY, 0.0)
-        return total
+        return total + handy.price(name, boxes, found, self.names, self.boxes, self.space, strict, loose)
 
     def _off_wall(self, found: Boxes, end: float) -> NDArray[np.bool_]:
         """Which candidates have no wall behind them up to so near their ends, m."""

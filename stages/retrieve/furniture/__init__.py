@@ -1,7 +1,8 @@
 """Parametric furniture: every category of the vocabulary in several styles, at any size within its range.
 
 `build(category, style, size, seed)` is pure: the same four give the same asset, and the asset's id holds them,
-`wardrobe/shaker/600x1500x2100/17` (millimetres), so `load_asset(id)` makes it again.
+`wardrobe/shaker/600x1500x2100/17` (millimetres), so `load_asset(id)` makes it again. What comes with its one leaf on
+either side, as fridges do, has it on the left, or on the right where the id ends in `/right`.
 """
 
 import logging
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 log = logging.getLogger("apartgen")
 BUILDING = ("door", "window")
 """Parts of the building itself; any size goes."""
+RIGHT = "right"
 KEPT = 1000
 """Assets that are at hand, those of some homes: a stage asks for what the one before has made."""
 
@@ -49,27 +51,30 @@ def styles(category: str) -> tuple[str, ...]:
     return tuple(_designs()[_model(category)])
 
 
-def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
-    """The asset of that category and style whose box is `size`, [depth, width, height] in m, to the millimetre."""
+def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0, right: bool = False) -> Asset:
+    """The asset of that category and style whose box is `size`, [depth, width, height] in m, to the millimetre; what is
+    handed has its leaf hung on the left or `right`."""
     d, w, h = (round(float(s) * 1000) for s in size)
-    return _built(category, style, (d, w, h), int(seed))
+    return _built(category, style, (d, w, h), int(seed), right)
 
 
 @lru_cache(KEPT)
-def _built(category: str, style: str, mm: tuple[int, int, int], seed: int) -> Asset:
+def _built(category: str, style: str, mm: tuple[int, int, int], seed: int, right: bool) -> Asset:
     """The asset of a size in mm; every stage of a run is given the same."""
     from apartgen.stages.retrieve.furniture.kit import Kit
 
     if style not in styles(category):
         raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")
     _check(category, style, mm)
+    if right and not (category in categories.TABLE and categories.TABLE[category].handed):
+        raise BadInput(f"{category} is not made with its leaf on the right; leave /{RIGHT} out")
     d, w, h = mm
     model = _model(category)
-    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed, model)
+    kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed, model, right)
     builder = _designs()[model][style]
     try:
         builder(kit)
-        return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}")
+        return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}" + right * f"/{RIGHT}")
     except ApartgenError:
         raise
     except Exception as error:
@@ -91,9 +96,11 @@ def _check(category: str, style: str, mm: tuple[int, ...]) -> None:
 def load_asset(id: str) -> Asset:
     """The asset an id names."""
     try:
-        category, style, size, seed = id.split("/")
+        category, style, size, seed, *side = id.split("/")
         d, w, h = (int(s) for s in size.split("x"))
         number = int(seed)
+        if side not in ([], [RIGHT]):
+            raise ValueError(side)
     except ValueError as error:
         raise BadInput(f"parametric asset {id!r}: not category/style/DxWxH/seed with the size in mm") from error
-    return _built(category, style, (d, w, h), number)
+    return _built(category, style, (d, w, h), number, bool(side))

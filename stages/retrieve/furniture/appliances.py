@@ -200,7 +200,7 @@ def fridge(kit: Kit) -> None:
         inner_y, inner_z, back = _housing(kit, material, "plastic_white", (kit.x[0], edge), kit.y, (low, high), wall)
         for i in range(n):
             y = (kit.y[0] + i * kit.w / n, kit.y[0] + (i + 1) * kit.w / n)
-            left = i == n - 1 if n > 1 else True
+            left = i == n - 1 if n > 1 else not kit.right
             body = fronts.door(kit, own, front, y, (low, high), left, thick, 0.045 if n == 1 else 0.0)
             body.mass *= 1.2 * sheet(material)
             if n == 1:

@@ -21,10 +21,12 @@ class Kit:
     """What a builder gets: size `d`, `w`, `h` in metres, `style`, `rng`, and `base`, the fixed body."""
 
     def __init__(
-        self, category: str, style: str, size: tuple[float, float, float], seed: int, model: str = ""
-    ) -> None:
-        """`model` is the category whose builder makes it, where that is another one."""
+        self, category: str, style: str, size: tuple[float, float, float], seed: int, model: str = "",
+        right: bool = False,
+    ) -> None:  # fmt: skip
+        """`model` is the category whose builder makes it, where that is another one; a single leaf hangs `right`."""
         self.category, self.style, self.seed, self.model = category, style, seed, model or category
+        self.right = right
         self._seeds = [zlib.crc32(f"{category}/{style}".encode()), seed]
         self.size = size
         self.d, self.w, self.h = size

@@ -8,6 +8,7 @@ from apartgen.stages.retrieve.furniture import mesh
 from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.fronts import Span
 from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.things import chaises
 
 _FOAM = 1.6
 """Upholstery's mass over bare foam: its wooden frame, springs and cover."""
@@ -185,8 +186,7 @@ def corner_sofa(kit: Kit) -> None:
     kind = "splay" if kit.style == "scandi" else s.leg
     b.fill = _FOAM
     seat, arm = min(0.44, 0.6 * kit.h), s.arm_wide
-    deep = min(0.98, 0.62 * kit.d)
-    chaise = min(1.0, 0.38 * kit.w)
+    deep, chaise = chaises.seat_depth(kit.d), chaises.chaise_width(kit.w)
     split = kit.w / 2 - chaise
     main_y, chaise_y = (-kit.w / 2, split), (split, kit.w / 2)
     front = kit.x[0] + deep

@@ -10,20 +10,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from apartgen.schemas.errors import BadInput
+from apartgen.stages.retrieve.matching import hands
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.table import Table
 from apartgen.stages.things.asset import Array, Asset
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.latents import Index, index
 
-NAME = "parametric"
+NAME = hands.MADE
 
 
 class Maker(Protocol):
     """What builds the pieces."""
 
-    def build(self, category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
-        """A piece of exactly that size."""
+    def build(
+        self, category: str, style: str, size: tuple[float, float, float], seed: int = 0, right: bool = False
+    ) -> Asset:
+        """A piece of exactly that size; what is handed has its leaf hung on the left or `right`."""
 
     def load_asset(self, id: str) -> Asset:
         """The piece of that id."""
@@ -86,7 +89,7 @@ class Embedded:
         """Style and seed of a piece by its id; None where the index has no such design of the category."""
         self._complete(category)
         match id.split("/"):
-            case [name, style, _, seed] if seed.isdecimal() and (name, style, int(seed)) in self._latents:
+            case [name, style, _, seed, *_] if seed.isdecimal() and (name, style, int(seed)) in self._latents:
                 return (style, int(seed)) if name == category else None
         return None
 
@@ -105,9 +108,10 @@ class Embedded:
 
     def nearest(
         self, category: str, size: ArrayLike, latent: ArrayLike, limit: ArrayLike | None = None,
-        design: tuple[str, int] | None = None,
+        design: tuple[str, int] | None = None, right: bool = False,
     ) -> Asset | None:  # fmt: skip
-        """A piece at `size`, brought into the category's range and under `limit`, of a given or the nearest design."""
+        """A piece at `size`, brought into the category's range and under `limit`, of a given or the nearest design; its
+        leaf is on the left or `right` if it is handed."""
         if category not in TABLE:
             raise BadInput(f"{category!r} is an unknown category; one of: {', '.join(TABLE)}")
         kind = TABLE[category]
@@ -121,7 +125,10 @@ class Embedded:
             design = min(costs, key=lambda one: (costs[one], one))
         self._complete(category)
         style, seed = design
-        made = self._maker.build(category, style, millimetres(wanted.tolist()), seed=seed)
+        size = millimetres(wanted.tolist())
+        # Only a maker of what is handed need know of hands.
+        made = (self._maker.build(category, style, size, seed=seed, right=True) if right and kind.handed
+                else self._maker.build(category, style, size, seed=seed))
         return replace(made, latent=self._latents[category, style, seed])
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from numpy.typing import ArrayLike
 
 from apartgen.schemas.errors import BadInput
-from apartgen.stages.retrieve.matching import embedded
+from apartgen.stages.retrieve.matching import embedded, hands
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.embedded import Embedded
 from apartgen.stages.retrieve.matching.indexed import TABLE_FILE, IndexedLibrary
@@ -56,13 +56,14 @@ class LibrarySet:
         What is made to measure has the design of `like`, where that is the id of such a piece.
         """
         own = self.owned(category, size, latent, limit)
-        return own or self.embedded.nearest(category, size, latent, limit, self.embedded.design(category, like))
+        design = self.embedded.design(category, like)
+        return own or self.embedded.nearest(category, size, latent, limit, design, hands.on_the_right(like))
 
-    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike) -> Iterator[Asset]:
-        """Every design made to measure at that size, the one closest in latent first."""
+    def alternatives(self, category: str, size: ArrayLike, latent: ArrayLike, like: str = "") -> Iterator[Asset]:
+        """Every design made to measure at that size, the one closest in latent first, opening to the side of `like`."""
         costs = self.embedded.costs(category, size, latent)
         for design in sorted(costs, key=lambda one: (costs[one], one)):
-            made = self.embedded.nearest(category, size, latent, size, design)
+            made = self.embedded.nearest(category, size, latent, size, design, hands.on_the_right(like))
             if made is not None:
                 yield made
 

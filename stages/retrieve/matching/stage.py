@@ -12,7 +12,7 @@ from apartgen.schemas.carrying import BUILDING, FLOOR, WALL
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
-from apartgen.stages.retrieve.matching import cloth, outdoors, placing, seats, sets, supports
+from apartgen.stages.retrieve.matching import cloth, hands, outdoors, placing, seats, sets, supports
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.embedded import NAME
 from apartgen.stages.retrieve.matching.libraries import LibrarySet, shared_libraries
@@ -49,6 +49,7 @@ def run(
     within = [partial(_nearest, want, libraries, 1.0, previous.height) for want in wanted]
     _stand(previous, own, on, placed, sites, within)
     _put_on_top(previous, own, on, placed, sites)
+    own = hands.hung(previous.objects, own, libraries.embedded.load_asset)
     rows = zip(previous.objects, own, on, placed, strict=True)
     objects = [_furnishing(box, asset, below, at) for box, asset, below, at in rows if at is not None]
     objects = seats.cleared(objects, previous)

@@ -5,7 +5,7 @@ import pytest
 from rooms_for_tests import box, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import followers
+from apartgen.stages.layout.relations import followers, handy, sizes
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.rooms import KINDS, Rooms
 
@@ -114,7 +114,7 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     near, far = box((0.3, 0.6, 1.7), 1.0, -1.34, np.pi / 2), box((0.3, 0.6, 1.7), 3.6, -1.34, np.pi / 2)
     good = (there.prices(name, np.stack([near, far]), strict=True) < BROKEN).tolist()
     assert good == [True, name == "plant"]
-    places = followers.arriving(name, one[None], there.space)
+    places = handy.places(name, one[None], there.names, there.boxes, there.space)
     if name == "plant":
         assert not len(places)
         return
@@ -122,7 +122,7 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     back = places[:, :2] - 0.15 * np.stack([np.cos(places[:, 2]), np.sin(places[:, 2])], -1)
     assert (np.minimum(4 - np.abs(back[:, 0]), 1.5 - np.abs(back[:, 1])) < 0.02).all()
     hall = Furniture(space_of(entered(KINDS["door"]), 0))
-    assert not len(followers.arriving(name, one[None], hall.space))
+    assert not len(handy.places(name, one[None], hall.names, hall.boxes, hall.space))
 
 
 def entered(kind: int = KINDS["entrance"]) -> Rooms:
@@ -204,8 +204,8 @@ def test_towels_are_looked_for_at_walls_near_where_one_washes() -> None:
     said = np.tile(np.array([0, 0, 0, 0.1, 0.5, 0.7, 1.5], np.float32), (3, 1))
     shower = box((0.9, 0.9, 2.0), 1.55, 1.55, np.pi)[None]
     for name, near in (("towel_rail", []), ("bath", ["shower"])):
-        assert not len(followers.drying(name, said, near, shower[: len(near)], there.space))
-    places = followers.drying("towel_rail", said, ["shower"], shower, there.space)
+        assert not len(handy.places(name, said, near, shower[: len(near)], there.space))
+    places = handy.places("towel_rail", said, ["shower"], shower, there.space)
     assert len(places) > 3
     assert np.allclose(places[:, 5:], [0.7, 1.5]) and np.allclose(places[:, 3:5], [0.1, 0.5])
     x, y = places[:, 0], places[:, 1]
@@ -214,3 +214,18 @@ def test_towels_are_looked_for_at_walls_near_where_one_washes() -> None:
         mine = along < at
         assert mine.any() and np.allclose(at[mine], 2 - 0.05, atol=0.02)
         assert (1.1 - (along[mine] + 0.25) <= 0.7).all()
+
+
+@pytest.mark.parametrize("width", [2.2, 2.4, 3.0])
+def test_from_a_sofa_round_a_corner_one_reaches_its_low_table(width: float) -> None:
+    """It stands before the chaise, as boxes do not stand in one another, and towards the other seats, yet before the
+    middle of it all; the seats are .97 m deep."""
+    there, sofa = room(6.0, 6.0), box((sizes.most("corner_sofa").depth, width, 0.8), 0, -2.0, np.pi / 2)
+    there.add("corner_sofa", sofa)
+    found = followers.known("coffee_table", box((0.6, 1.1, 0.42), 0, 0)[None], there.names, there.boxes)
+    assert len(found) == 3 and (there.prices("coffee_table", found, strict=True) == 0).all()
+    front = found[:, 1] - 0.3
+    assert (front - (sofa[1] - sofa[3] / 2 + 0.97) < 0.7).all() and (front - (sofa[1] + sofa[3] / 2) > 0.2).all()
+    assert found[0, 0] > 0.2 and (np.abs(found[:, 0]) < 0.3).all(), "the chaise is at the left end"
+    afar = box((0.6, 1.1, 0.42), 0, -2.0 + sofa[3] / 2 + 0.4 + 0.3, np.pi / 2)
+    assert there.prices("coffee_table", afar[None], strict=True)[0] >= BROKEN

@@ -1,5 +1,7 @@
 """What homes have and do without, whatever the model draws: fridges, daylight for plants, screens, sofas, hooks."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from apartgen.schemas.plan import AskedObjects, Plan, Room
 from apartgen.stages import layout, seeds, use
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.relations import home as relations_home
+from apartgen.stages.layout.relations import propose
 from apartgen.stages.layout.rooms import of_plan
 from apartgen.stages.plan import build, from_polygons
 from apartgen.stages.plan.config import PlanConfig
@@ -96,3 +99,21 @@ def test_a_room_with_a_sofa_of_its_own_gets_none_round_a_corner() -> None:
     for given, there in (([], True), ([sofa], False)):
         _, names = relations_home._sampler(plan, i, of_plan(plan, 0.5), ONE, 4, rng, given, CORNER)
         assert [("corner_sofa" in some) for some in names] == [there] * 4
+
+
+def test_coat_racks_are_as_deep_as_wide(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the model says: here, that all things are half as wide again as deep."""
+    said = propose._Rooms._candidates
+
+    def wide(rooms: propose._Rooms, *asked: Any) -> Any:
+        found = said(rooms, *asked)
+        found[..., 4] = 1.5 * found[..., 3]
+        return found
+
+    monkeypatch.setattr(propose._Rooms, "_candidates", wide)
+    plan = home(3)
+    hall = next(room.id for room in plan.rooms if room.type == "hallway")
+    wish = plan.program.model_copy(update={"objects": [AskedObjects(room=hall, category="coat_rack", count=1)]})
+    found = made(plan.model_copy(update={"program": wish}), config=ONE.model_copy(update={"room": [hall]})).objects
+    (rack,) = [o for o in found if o.room == hall and o.category == "coat_rack"]
+    assert rack.size[0] == rack.size[1]

@@ -71,16 +71,19 @@ def deepest(asset, places):
 MOVING = [name for name in (*categories.CATEGORIES, *furniture.BUILDING)
           if name in furniture.BUILDING or categories.TABLE[name].articulated]  # fmt: skip
 
+HANDED = categories.those(lambda kind: kind.handed)
+
 
 @pytest.mark.parametrize("category", MOVING)
 def test_no_part_meets_another(category):
     rng = np.random.default_rng(len(category))
     for style in furniture.styles(category):
         for seed, size in enumerate(sizes(category, rng)):
-            asset = furniture.build(category, style, size, seed)
-            if asset.joints:
-                depth, where = deepest(asset, positions(asset, 8, rng))
-                assert depth > -TOUCH, f"{where}: {-depth * 1000:.1f} mm"
+            for right in (False, True) if category in HANDED else (False,):
+                asset = furniture.build(category, style, size, seed, right)
+                if asset.joints:
+                    depth, where = deepest(asset, positions(asset, 8, rng))
+                    assert depth > -TOUCH, f"{where}: {-depth * 1000:.1f} mm"
 
 
 def sizes(category, rng):

@@ -1,0 +1,70 @@
+"""Two at a table sit across from one another, else side by side, and round its corner only where nothing else goes."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from apartgen.stages.layout.relations.company import AT, Seen
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.use import kinds
+
+CHAIR, TWO = "chair", 2
+ACROSS, ABREAST = 0.2, 0.75
+"""So far from its mirror image one sits who sits across, and from the other who sits beside, m."""
+FACING, BESIDE, CORNER = 1.0, 0.75, 0.5
+"""How good it is for two."""
+
+
+def best_two(table: Array, chairs: Array) -> tuple[Array, float]:
+    """Places of chairs (n, 7) about a table, two that go together best first, and how good these are."""
+    at = _seen(table, chairs)
+    pairs = [(_good(table, at[i], at[k]), -i, -k) for i in range(len(at)) for k in range(i + 1, len(at))]
+    if not pairs:
+        return chairs, FACING
+    good, i, k = max(pairs)
+    rest = [n for n in range(len(chairs)) if n not in (-i, -k)]
+    return chairs[[-i, -k, *rest]], good
+
+
+def company(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
+    """How good a chair's place (7,) is for two at a table: where the other one is, or will find its place; 1 for any
+    other number."""
+    tables = there.boxes[[kinds.basic(o) in kinds.TABLES for o in there.names]] if there.names else there.boxes
+    gap = Seen(box[None], tables).gap[0] if len(tables) else np.full(1, np.inf)
+    if gap.min() > AT:
+        return FACING
+    table = tables[gap.argmin()]
+    chairs = there.boxes[[kinds.basic(o) == CHAIR for o in there.names]]
+    chairs = chairs[Seen(chairs, table[None]).gap[:, 0] <= AT] if len(chairs) else chairs
+    if len(chairs) + 1 + list(left).count(name) != TWO:
+        return FACING
+    if len(chairs):
+        return _good(table, *_seen(table, np.stack([box, chairs[0]])))
+    images = _images(table, box)
+    return FACING if (there.prices(name, images, strict=True) < BROKEN).any() else BESIDE
+
+
+def _seen(table: Array, chairs: Array) -> Array:
+    """Middles of chairs in the table's frame, (n, 2)."""
+    return np.asarray(Seen(chairs, table[None]).to[:, 0])
+
+
+def _good(table: Array, one: Array, two: Array) -> float:
+    mirrored = [np.abs(one * flip - two).max() < ACROSS for flip in ((-1, 1), (1, -1), (-1, -1))]
+    if any(mirrored) and np.hypot(*(one - two)) > ABREAST:
+        return FACING
+    side = [np.argmax(np.abs(at) - table[3:5] / 2) for at in (one, two)]
+    same = side[0] == side[1] and one[side[0]] * two[side[0]] > 0
+    return BESIDE if same and np.hypot(*(one - two)) <= ABREAST + ACROSS else CORNER
+
+
+def _images(table: Array, box: Array) -> Array:
+    """Where one would sit across from a chair, (1, 7)."""
+    out = box.copy()
+    along = int(np.argmax(np.abs(_seen(table, box[None])[0]) - table[3:5] / 2))
+    way = table[2] + along * np.pi / 2
+    axis = np.array([np.cos(way), np.sin(way)])
+    out[:2] = box[:2] - 2 * ((box[:2] - table[:2]) @ axis) * axis
+    out[2] = 2 * way + np.pi - box[2]
+    return np.asarray(out[None])

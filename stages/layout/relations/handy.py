@@ -1,0 +1,97 @@
+"""What stands where it is at hand: coats and shoes near the entrance, towels where one washes, bins where one prepares,
+lamps at walls beside seats. Places that are known without the model, and prices of others."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.company import Seen
+from apartgen.stages.layout.relations.fixtures import RAIL
+from apartgen.stages.layout.relations.places import Size, about, along, likeliest
+from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.use import kinds
+
+ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
+"""What one uses coming home, and how far from the entrance's middle at most, m."""
+WASHING, AT_HAND = frozenset({"shower", "bath", "vanity"}), 0.7
+"""Where one washes, and how far from it a towel is, m."""
+BIN, PREPARING, BESIDE = "bin", 0.75, 0.1
+"""How far at most from the sink waste is thrown away, m, or else beside a unit of the run."""
+LAMP, READING, AT_WALL = "floor_lamp", 0.65, 0.2
+"""How far at most from a seat, a bed or a desk a lamp stands, and from a wall (as three in four of people's), m."""
+LIT = kinds.EASY | kinds.BEDS | kinds.DESKS
+STRAY = 0.5
+"""What is slender has a wall within so much of it, m: one walks where there is none."""
+BARRED, CRAMPED, AWAY = 20.0, 6.0, 4.0
+"""Prices: of what is not at hand, as long as there may be a place for it that is, and once nothing better was found, of
+what stands on the way, and far from its use."""
+OFF = 0.02
+"""Between a bin and the unit beside it, m."""
+Flags = NDArray[np.bool_]
+
+
+def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
+    """Places (m, 7) at hand, in the likeliest size of the candidates (n, 7)."""
+    kind = kinds.basic(name)
+    if name in ARRIVAL and len(space.entrances):
+        some = along(space, likeliest(boxes))
+        return np.asarray(some[space.from_entrance(some[:, :2].astype(float)) < NEAR])
+    if name == RAIL and (some := _of(WASHING, names, there)).size:
+        at_walls = along(space, likeliest(boxes))
+        at_walls[:, 5:] += np.median(boxes[:, 5])
+        return np.asarray(at_walls[(Seen(at_walls, some).gap < AT_HAND).any(1)])
+    if kind == BIN and _of(kinds.WET, names, there).size:
+        size = likeliest(boxes)
+        found = np.concatenate([*(_beside(unit, size) for unit in _of(kinds.RUN, names, there)), along(space, size)])
+        return np.asarray(found[_for_waste(found, names, there)])
+    if kind == LAMP and (some := _of(LIT, names, there)).size:
+        at_walls = along(space, likeliest(boxes))
+        return np.asarray(at_walls[(Seen(at_walls, some).gap < READING).any(1)])
+    return boxes[:0]
+
+
+def _beside(unit: Array, size: Size) -> Array:
+    """At both sides of a unit, (2, 7), backs in line."""
+    back, aside = (size[0] - float(unit[3])) / 2, (size[1] + float(unit[4])) / 2 + OFF
+    return about(unit, [(back, aside, 0.0), (back, -aside, 0.0)], size)
+
+
+def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space,
+          strict: bool, loose: bool) -> Array:
+    """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): of what is not at hand, (n,). A bin is
+    rather left out, as it goes below the sink, too, unless it is needed: then one is `loose`."""
+    total, kind = np.zeros(len(boxes)), kinds.basic(name)
+    if kind in kinds.SLENDER:
+        total += np.where(_wall_within(found, STRAY, space), 0.0, CRAMPED)
+    far = np.zeros(len(boxes), bool)
+    if name in ARRIVAL and len(space.entrances):
+        far = space.from_entrance(found.center[:, :2]) > NEAR
+    if kind == BIN and _of(kinds.WET, names, there).size:
+        far = ~_for_waste(boxes, names, there)
+    if kind == LAMP:
+        lit = _of(LIT, names, there)
+        far = ~_wall_within(found, AT_WALL, space)
+        far |= (Seen(boxes, lit).gap > READING).all(1) if lit.size else False
+    spared = kind == BIN and not loose
+    away = np.where(far, BARRED if strict or spared else AWAY, 0.0)
+    return np.maximum(total, away) if kind == LAMP else total + away
+
+
+def _of(some: frozenset[str], names: Sequence[str], there: Array) -> Array:
+    """Boxes (k, 7) of some kinds."""
+    return there[[kinds.basic(o) in some for o in names]] if len(names) else there[:0]
+
+
+def _wall_within(found: Boxes, far: float, space: Space) -> Flags:
+    around = found._replace(size=found.size + [2 * far, 2 * far, 0.0])
+    return np.asarray(outside(around, space) > 0)
+
+
+def _for_waste(boxes: Array, names: Sequence[str], there: Array) -> Flags:
+    """Which bins (n, 7) are near a sink, or beside a unit of its run, not before it."""
+    units = Seen(boxes, _of(kinds.RUN, names, there))
+    beside = (units.gap < BESIDE) & (units.to[..., 0] <= units.host[..., 0])
+    return np.asarray((Seen(boxes, _of(kinds.WET, names, there)).gap <= PREPARING).any(1) | beside.any(1))

@@ -1,0 +1,60 @@
+"""Bins stand where one prepares, lamps at walls beside seats, and there are places for them."""
+
+import numpy as np
+import pytest
+from rooms_for_tests import box, one_room, room
+
+from apartgen.stages.layout.projection.space import space_of
+from apartgen.stages.layout.relations import handy
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+
+UNIT, BIN, LAMP, SOFA = (0.6, 0.6, 0.9), (0.28, 0.28, 0.45), (0.4, 0.4, 1.6), (0.9, 2.0, 0.8)
+
+
+def kitchen(*names: str) -> Furniture:
+    """Units along the west wall of a room of 4 by 4 m, from 1.4 m north of its south wall on."""
+    there = room()
+    for k, name in enumerate(names):
+        there.add(name, box(UNIT, -2 + 0.31, -0.3 + 0.6 * k))
+    return there
+
+
+ROW = ("kitchen_base", "oven", "kitchen_base", "kitchen_sink")
+
+
+@pytest.mark.parametrize("x, y, near", [
+    (-1.85, -0.76, True),      # at the end of the run
+    (-0.6, 1.85, True),        # at the next wall, .64 m from the sink, whose doors open
+    (1.85, -1.0, False), (1.0, 1.85, False), (-1.85, -1.6, False),
+])
+def test_a_bin_is_at_the_end_of_the_run_or_near_the_sink(x: float, y: float, near: bool) -> None:
+    there, one = kitchen(*ROW), box(BIN, x, y)
+    assert (there.prices("bin", one[None], strict=True)[0] < BROKEN) == near
+    assert (there.prices("bin", one[None])[0] < BROKEN) == near
+    assert there.prices("bin", one[None], loose=True)[0] < BROKEN, "for who asked for one"
+
+
+def test_bins_find_places_there() -> None:
+    there = kitchen(*ROW)
+    found = handy.places("bin", box(BIN, 0, 0)[None], there.names, there.boxes, there.space)
+    good = found[there.prices("bin", found, strict=True) < BROKEN]
+    end = np.hypot(*(good[:, :2] - [-1.86, -0.76]).T) < 0.05
+    assert end.any() and np.allclose(good[:, 3:5], 0.28)
+    assert not len(handy.places("bin", box(BIN, 0, 0)[None], ["vanity"], there.boxes[:1], there.space))
+
+
+@pytest.mark.parametrize("x, y, good", [(-1.78, 1.45, True), (-1.78, -1.45, True), (-1.2, 1.45, False),
+                                        (1.78, 0.0, False), (1.78, 1.78, False)])
+def test_a_lamp_is_at_a_wall_beside_a_seat(x: float, y: float, good: bool) -> None:
+    """The sofa stands in the middle of the west wall."""
+    there = room()
+    there.add("sofa", box(SOFA, -2 + 0.46, 0.0))
+    assert (there.prices("floor_lamp", box(LAMP, x, y)[None], strict=True)[0] < BROKEN) == good
+
+
+def test_lamps_find_places_there() -> None:
+    there = Furniture(space_of(one_room(5.0, 5.0), 0))
+    assert not len(handy.places("floor_lamp", box(LAMP, 0, 0)[None], there.names, there.boxes, there.space))
+    there.add("sofa", box(SOFA, -2.5 + 0.46, 0.0))
+    found = handy.places("floor_lamp", box(LAMP, 0, 0)[None], there.names, there.boxes, there.space)
+    assert (there.prices("floor_lamp", found, strict=True) < BROKEN).sum() >= 2
