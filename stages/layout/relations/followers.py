@@ -9,6 +9,7 @@ import numpy as np
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations.fixtures import RAIL
 from apartgen.stages.layout.relations.runs import distinct
+from apartgen.stages.layout.relations.sizes import Sizes, narrowest
 from apartgen.stages.layout.relations.standing import ARRIVAL, BROKEN, NEAR, Furniture
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import gap
@@ -44,6 +45,9 @@ Size = tuple[float, float, float]
 Place = tuple[float, float, float]
 WASHING, AT_HAND = ("shower", "bath", "vanity"), 0.7
 """Where one washes, and how far from it a towel is, m."""
+BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
+          *(("side_table", (wide, wide, 0.55)) for wide in (0.45, 0.38, 0.32)))
+"""What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
 STEP, TRIED = 0.3, 3
 """From one place along a wall to the next, m; so many of the good ones are tried for the ways they leave."""
 
@@ -120,6 +124,26 @@ def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     depth, width, height = _likeliest(boxes)
     sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]
     return np.concatenate([_along(space, (depth, wide, height)) for wide in sizes])
+
+
+def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
+    """What does for something that found no place, the best first, and places (m, 7) for it: wardrobes of another kind
+    at all walls, narrower nightstands and small tables beside the heads of beds."""
+    kind = kinds.basic(name)
+    if kind in kinds.WARDROBES:
+        return [(other, leading(other, boxes, there.space, narrowest(large, other))) for other in TABLE[name].instead]
+    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
+    if kind != STAND or not beds:
+        return []
+    return [(other, np.concatenate([_about(bed, _stands(kind, bed, size), size) for bed in beds]))
+            for other, size in BESIDE]
+
+
+def for_each_sleeper(names: Sequence[str]) -> list[str]:
+    """Contents with a nightstand for each of two who share a bed, as far as one is lacking."""
+    have = sum(kinds.basic(o) in kinds.BEDSIDE for o in names)
+    double = sum(kinds.basic(o) in kinds.DOUBLE for o in names)
+    return [*names, *[STAND] * max(0, BOTH * double - have)]
 
 
 def arriving(name: str, boxes: Array, space: Space) -> Array:

@@ -6,7 +6,7 @@ from rooms_for_tests import box, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import followers
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.rooms import KINDS, Rooms
 
 TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
@@ -191,6 +191,30 @@ def test_a_sofa_leaves_a_wall_before_it_to_the_television(width: float, fits: bo
     sofa = box((0.9, 2.0, 0.8), 0.46 - width / 2, 0.5)
     assert (followers.fit(room(width, 4.0), "sofa", sofa, ["tv_stand"]) == 1) == fits
     assert followers.fit(room(width, 4.0), "sofa", sofa, []) == 1
+
+
+def test_where_nobody_opens_a_nightstand_a_small_table_stands_beside_the_bed() -> None:
+    """Its head at the north wall with .5 m on its east side, where a usual nightstand leaves nobody before its drawer
+    and a small table does; what stands there is within reach of who lies there."""
+    there, bed = room(), box(BED, 2 - 0.8 - 0.5, 0.98, -np.pi / 2)
+    there.add("double_bed", bed)
+    said = box((0.42, 0.48, 0.52), 0, 0)[None]
+    usual = followers.known("nightstand", said, there.names, there.boxes)
+    east = usual[usual[:, 0] > bed[0]]
+    assert there.prices("nightstand", east).min() >= BROKEN or there.shuts("nightstand", east[0]) >= CUT
+    good = [place for name, places in followers.others("nightstand", said, there, {}) for place in places
+            if place[0] > bed[0] and there.prices(name, place[None], strict=True)[0] < BROKEN
+            and there.shuts(name, place) < CUT]
+    assert good
+    for place in good:
+        assert place[0] - place[4] / 2 > bed[0] + 0.8 - 0.01 and place[0] + place[4] / 2 < 2.0 + 0.008
+        assert place[1] + place[3] / 2 > 2 - 0.05
+
+
+def test_two_who_share_a_bed_have_a_nightstand_each() -> None:
+    assert followers.for_each_sleeper(["double_bed", "nightstand"]).count("nightstand") == 2
+    for enough in (["double_bed", "side_table", "nightstand"], ["single_bed", "nightstand"], ["sofa"]):
+        assert followers.for_each_sleeper(enough) == enough
 
 
 def test_others_lead_nothing() -> None:
