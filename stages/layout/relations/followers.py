@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
+from apartgen.stages.layout.relations import elbowroom
 from apartgen.stages.layout.relations.fixtures import RAIL
 from apartgen.stages.layout.relations.runs import distinct
 from apartgen.stages.layout.relations.sizes import Sizes, narrowest
@@ -48,6 +49,8 @@ WASHING, AT_HAND = ("shower", "bath", "vanity"), 0.7
 BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
           *(("side_table", (wide, wide, 0.55)) for wide in (0.45, 0.38, 0.32)))
 """What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
+COMPACT = (2.03, 1.62)
+"""A bed for a mattress of 1.6 by 2 m, m."""
 STEP, TRIED = 0.3, 3
 """From one place along a wall to the next, m; so many of the good ones are tried for the ways they leave."""
 
@@ -115,15 +118,30 @@ def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence
 
 def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     """Places (m, 7) all over the room for what others follow: beds, sofas, wardrobes along all walls, tables anywhere
-    square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes."""
+    square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes, and as
+    short and narrow as beds of two are."""
     kind = kinds.basic(name)
     if kind in kinds.TABLES:
         return _anywhere(space, _likeliest(boxes))
     if kind not in kinds.BEDS | kinds.WARDROBES | kinds.SOFAS:
         return boxes[:0]
     depth, width, height = _likeliest(boxes)
-    sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]
-    return np.concatenate([_along(space, (depth, wide, height)) for wide in sizes])
+    sizes = [(depth, width), *([(depth, least)] if kind in kinds.WARDROBES and 0 < least < width else [])]
+    if kind in kinds.DOUBLE and (depth > COMPACT[0] or width > COMPACT[1]):
+        sizes.append((min(depth, COMPACT[0]), min(width, COMPACT[1])))
+    return np.concatenate([_along(space, (deep, wide, height)) for deep, wide in sizes])
+
+
+def snug(name: str, box: Array, there: Furniture) -> Array:
+    """A bed of two no longer and wider than its mattress, its head where it was, where it leaves too little floor
+    about it; all else as it is."""
+    if kinds.basic(name) not in kinds.DOUBLE or not elbowroom.taken(
+            name, box[None], there.names, there.boxes, there.space)[0]:
+        return box
+    found = box.copy()
+    found[3:5] = np.minimum(box[3:5], COMPACT)
+    found[:2] -= (box[3] - found[3]) / 2 * np.array([np.cos(box[2]), np.sin(box[2])])
+    return found
 
 
 def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:

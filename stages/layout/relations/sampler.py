@@ -120,8 +120,10 @@ class Sampler:
         if found is None:
             name, found = self._last_resort(p, name, needed)
         p.tries = 0
+        if found is not None and self.constrained:
+            found = self.room.empty.space.cut(followers.snug(name, found, p.furniture))
         if found is not None:
-            p.furniture.add(name, self.room.empty.space.cut(found) if self.constrained else found)
+            p.furniture.add(name, found)
         given = len(self.room.given)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)

@@ -217,6 +217,21 @@ def test_two_who_share_a_bed_have_a_nightstand_each() -> None:
         assert followers.for_each_sleeper(enough) == enough
 
 
+@pytest.mark.parametrize("foot, shorter", [(0.5, True), (1.0, False)])
+def test_a_bed_is_no_longer_than_its_mattress_where_one_hardly_gets_round_it(foot: float, shorter: bool) -> None:
+    """Its head stays where it was, and so does its middle."""
+    bed = box((2.2, 1.7, 0.5), 0.1, 2 - 0.02 - 1.1, -np.pi / 2)
+    found = followers.snug("double_bed", bed, room(4.0, 4.0) if not shorter else room(4.0, 2.22 + foot))
+    if not shorter:
+        assert np.array_equal(found, bed)
+        return
+    bed = box((2.2, 1.7, 0.5), 0.1, (2.22 + foot) / 2 - 0.02 - 1.1, -np.pi / 2)
+    found = followers.snug("double_bed", bed, room(4.0, 2.22 + foot))
+    assert 2.0 <= found[3] < 2.1 and 1.6 <= found[4] < 1.7 and found[0] == bed[0]
+    assert found[1] + found[3] / 2 == pytest.approx(bed[1] + 1.1, abs=1e-5)
+    assert np.array_equal(followers.snug("single_bed", bed, room(4.0, 2.22 + foot)), bed)
+
+
 def test_others_lead_nothing() -> None:
     assert followers.fit(room(), "wardrobe", box((0.6, 1.8, 2.1), 0, 0), ["chair", "nightstand"]) == 1
 
