@@ -8,12 +8,12 @@ import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import elbowroom
-from apartgen.stages.layout.relations.fixtures import RAIL
+from apartgen.stages.layout.relations.fixtures import BIN, RAIL, THROWN, within
+from apartgen.stages.layout.relations.hung import MIRROR
 from apartgen.stages.layout.relations.runs import distinct
 from apartgen.stages.layout.relations.sizes import Sizes, narrowest
 from apartgen.stages.layout.relations.standing import ARRIVAL, BROKEN, NEAR, Furniture
 from apartgen.stages.layout.relations.tokens import Array, upright
-from apartgen.stages.space.boxes import gap
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
@@ -44,8 +44,8 @@ LATER = (
 """What comes to some wall later on: a place for one of such a size, m, is left."""
 Size = tuple[float, float, float]
 Place = tuple[float, float, float]
-WASHING, AT_HAND = ("shower", "bath", "vanity"), 0.7
-"""Where one washes, and how far from it a towel is, m."""
+NEARBY: dict[str, dict[str, float]] = {RAIL: dict.fromkeys(("shower", "bath", "vanity"), 0.7), BIN: THROWN}
+"""Near what towels and bins are looked for along walls, and how far from it, m."""
 BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
           *(("side_table", (wide, wide, 0.55)) for wide in (0.45, 0.38, 0.32)))
 """What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
@@ -145,9 +145,13 @@ def snug(name: str, box: Array, there: Furniture) -> Array:
 
 
 def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
-    """What does for something that found no place, the best first, and places (m, 7) for it: wardrobes of another kind
-    at all walls, narrower nightstands and small tables beside the heads of beds."""
+    """What does for something that found no place, the best first, and places (m, 7) for it: towels and wardrobes of
+    another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
     kind = kinds.basic(name)
+    if name == RAIL:
+        narrow = boxes.copy()
+        narrow[:, 4] = TABLE[name].min[1]
+        return [(name, _at_walls(some, there.space)) for some in (boxes, narrow)]
     if kind in kinds.WARDROBES:
         return [(other, leading(other, boxes, there.space, narrowest(large, other))) for other in TABLE[name].instead]
     beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
@@ -172,14 +176,23 @@ def arriving(name: str, boxes: Array, space: Space) -> Array:
     return np.asarray(places[space.from_entrance(places[:, :2].astype(float)) < NEAR])
 
 
-def drying(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
-    """Places (m, 7) at walls for towels, near where one washes, in the likeliest size of the candidates (n, 7)."""
-    near = [box for o, box in zip(names, there, strict=True) if o in WASHING]
-    if name != RAIL or not near:
+def usual(name: str, boxes: Array, names: Sequence[str], there: Array, space: Space) -> Array:
+    """Places (m, 7) at walls, in the likeliest size of the candidates (n, 7): for towels near where one washes, for
+    bins where one throws something away, for mirrors anywhere, unless there is what they hang over."""
+    if name == MIRROR:
+        return boxes[:0] if set(TABLE[name].belongs) & set(names) else _at_walls(boxes, space)
+    near = NEARBY.get(name, {})
+    if near.keys().isdisjoint(names):
         return boxes[:0]
+    places = _at_walls(boxes, space)
+    return np.asarray(places[within(near, upright(places), names, upright(there))])
+
+
+def _at_walls(boxes: Array, space: Space) -> Array:
+    """Places (m, 7) along all walls, in the likeliest size and height of candidates (n, 7)."""
     places = _along(space, _likeliest(boxes))
     places[:, 5:] += np.median(boxes[:, 5])
-    return np.asarray(places[(gap(upright(places), upright(np.array(near))) < AT_HAND).any(1)])
+    return places
 
 
 def _anywhere(space: Space, size: Size) -> Array:

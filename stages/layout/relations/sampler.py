@@ -199,7 +199,7 @@ class Sampler:
             runs.further(name, boxes, there.names, there.boxes, self.room.speaker.shell),
             hung.over(name, boxes, there.names, there.boxes),
             followers.known(name, boxes, there.names, there.boxes),
-            followers.drying(name, boxes, there.names, there.boxes, there.space),
+            followers.usual(name, boxes, there.names, there.boxes, there.space),
             followers.arriving(name, boxes, there.space)])
         if self.places != "model" or not len(more):
             return boxes, weight

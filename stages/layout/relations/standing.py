@@ -42,8 +42,8 @@ ASIDE, STRAY = kinds.SLENDER, 0.5
 """What has a wall within so much of it, m: one walks where there is none."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
-ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
-"""What one uses coming home, and how far from the entrance's middle at most, m."""
+ARRIVAL, NEAR, AT_ONCE = frozenset({"coat_rack", "shoe_cabinet"}), 3.0, 1.8
+"""What one uses coming home, how far from the entrance's middle at most, and at the first looks, m."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
@@ -56,8 +56,8 @@ ALONE = 8.0
 """Price of a leader that is not where it is used with what stands there, once nothing better was found; what follows
 is rather left out."""
 CRAMPED, AWAY = 6.0, 4.0
-"""Prices of what has no floor for its use, or takes that of others, and of coats far from the entrance, once nothing
-better was found."""
+"""Prices of what has no floor for its use, or takes that of others, and of each metre that coats are farther from the
+entrance, once nothing better was found."""
 ABOVE = 0.25
 """A hood is above what is no farther from its middle, m."""
 WIDE = 0.58
@@ -154,8 +154,8 @@ class Furniture:
             around = found._replace(size=found.size + [2 * STRAY, 2 * STRAY, 0.0])
             total += np.where(outside(around, self.space) > 0, 0.0, CRAMPED)
         if name in ARRIVAL and len(self.space.entrances):
-            far = self.space.from_entrance(found.center[:, :2]) > NEAR
-            total += np.where(far, 2 * BROKEN if strict else AWAY, 0.0)
+            far = self.space.from_entrance(found.center[:, :2])
+            total += np.where(far > AT_ONCE, 2 * BROKEN, 0.0) if strict else AWAY * np.maximum(far - AT_ONCE, 0.0)
         return total
 
     def _off_wall(self, found: Boxes, end: float) -> NDArray[np.bool_]:

@@ -232,6 +232,17 @@ def test_a_bed_is_no_longer_than_its_mattress_where_one_hardly_gets_round_it(foo
     assert np.array_equal(followers.snug("single_bed", bed, room(4.0, 2.22 + foot)), bed)
 
 
+def test_mirrors_are_looked_for_along_all_walls_unless_there_is_what_they_hang_over() -> None:
+    there = room()
+    said = np.tile(np.array([0, 0, 0, 0.04, 0.6, 1.05, 1.85], np.float32), (3, 1))
+    places = followers.usual("mirror", said, ["double_bed"], said[:1], there.space)
+    assert {(round(float(np.cos(yaw))), round(float(np.sin(yaw)))) for yaw in places[:, 2]} == {
+        (1, 0), (-1, 0), (0, 1), (0, -1)}
+    assert np.allclose(places[:, 3:], said[0, 3:]) and np.allclose(np.abs(places[:, :2]).max(1), 2 - 0.02, atol=0.02)
+    for over in ("vanity", "dressing_table"):
+        assert not len(followers.usual("mirror", said, [over], said[:1], there.space))
+
+
 def test_others_lead_nothing() -> None:
     assert followers.fit(room(), "wardrobe", box((0.6, 1.8, 2.1), 0, 0), ["chair", "nightstand"]) == 1
 
@@ -243,8 +254,8 @@ def test_towels_are_looked_for_at_walls_near_where_one_washes() -> None:
     said = np.tile(np.array([0, 0, 0, 0.1, 0.5, 0.7, 1.5], np.float32), (3, 1))
     shower = box((0.9, 0.9, 2.0), 1.55, 1.55, np.pi)[None]
     for name, near in (("towel_rail", []), ("bath", ["shower"])):
-        assert not len(followers.drying(name, said, near, shower[: len(near)], there.space))
-    places = followers.drying("towel_rail", said, ["shower"], shower, there.space)
+        assert not len(followers.usual(name, said, near, shower[: len(near)], there.space))
+    places = followers.usual("towel_rail", said, ["shower"], shower, there.space)
     assert len(places) > 3
     assert np.allclose(places[:, 5:], [0.7, 1.5]) and np.allclose(places[:, 3:5], [0.1, 0.5])
     x, y = places[:, 0], places[:, 1]
