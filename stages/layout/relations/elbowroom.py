@@ -14,8 +14,9 @@ from apartgen.stages.use import kinds
 
 BACK, BEFORE = 0.46, 0.45
 """Behind a chair, .81 from its table (NKBA planning guideline 8), and before what is used from its front, m."""
-CORRIDOR, PASSAGE = 1.9, 0.75
-"""What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m."""
+CORRIDOR, PASSAGE = 1.9, 0.86
+"""What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m: .8 is
+left."""
 SHARE = 0.8
 """Of the width that has to be free."""
 LOW, HIGH = 0.05, 0.9
@@ -46,7 +47,7 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     others = [kinds.basic(o) for o in names]
     if kind in USED:
         zones = _zones(kind, boxes, space)
-        found |= _any_of(outside(zones, space) > SHALLOW, len(boxes))
+        found |= _any_of(np.asarray(outside(zones, space) > SHALLOW), len(boxes))
         doors = space.zones.take(~space.window)
         if kind in SEATS and doors.n:
             found |= (penetration(zones, doors) > SHALLOW).any(1)

@@ -49,6 +49,10 @@ NEARBY: dict[str, dict[str, float]] = {RAIL: dict.fromkeys(("shower", "bath", "v
 BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
           *(("side_table", (wide, wide, 0.55)) for wide in (0.45, 0.38, 0.32)))
 """What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
+SMALL_DESK = (0.55, 0.9, 0.74)
+"""A desk for a small room, m."""
+SLIM = 0.34
+"""A coat rack for a narrow hall, m."""
 COMPACT = (2.03, 1.62)
 """A bed for a mattress of 1.6 by 2 m, m."""
 STEP, TRIED = 0.3, 3
@@ -152,6 +156,8 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
         narrow = boxes.copy()
         narrow[:, 4] = TABLE[name].min[1]
         return [(name, _at_walls(some, there.space)) for some in (boxes, narrow)]
+    if kind in kinds.DESKS:
+        return [(name, _along(there.space, size)) for size in (_likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:
         return [(other, leading(other, boxes, there.space, narrowest(large, other))) for other in TABLE[name].instead]
     beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
@@ -161,18 +167,13 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
             for other, size in BESIDE]
 
 
-def for_each_sleeper(names: Sequence[str]) -> list[str]:
-    """Contents with a nightstand for each of two who share a bed, as far as one is lacking."""
-    have = sum(kinds.basic(o) in kinds.BEDSIDE for o in names)
-    double = sum(kinds.basic(o) in kinds.DOUBLE for o in names)
-    return [*names, *[STAND] * max(0, BOTH * double - have)]
-
-
 def arriving(name: str, boxes: Array, space: Space) -> Array:
     """Places (m, 7) along walls near the entrance for what one uses coming home."""
     if name not in ARRIVAL or not len(space.entrances):
         return boxes[:0]
-    places = _along(space, _likeliest(boxes))
+    depth, width, height = _likeliest(boxes)
+    places = np.concatenate([_along(space, size) for size in (
+        (depth, width, height), *([(SLIM, SLIM, height)] if kinds.basic(name) in kinds.SLENDER else []))])
     return np.asarray(places[space.from_entrance(places[:, :2].astype(float)) < NEAR])
 
 

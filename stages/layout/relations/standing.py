@@ -42,8 +42,9 @@ ASIDE, STRAY = kinds.SLENDER, 0.5
 """What has a wall within so much of it, m: one walks where there is none."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
-ARRIVAL, NEAR, AT_ONCE = frozenset({"coat_rack", "shoe_cabinet"}), 3.0, 1.8
-"""What one uses coming home, how far from the entrance's middle at most, and at the first looks, m."""
+ARRIVAL, NEAR = {"coat_rack": 1.8, "shoe_cabinet": 3.0}, 3.0
+"""What one uses coming home, and how far from the entrance's middle at most at the first looks; where more is looked
+for, m."""
 IN_THE_WAY, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
@@ -154,8 +155,8 @@ class Furniture:
             around = found._replace(size=found.size + [2 * STRAY, 2 * STRAY, 0.0])
             total += np.where(outside(around, self.space) > 0, 0.0, CRAMPED)
         if name in ARRIVAL and len(self.space.entrances):
-            far = self.space.from_entrance(found.center[:, :2])
-            total += np.where(far > AT_ONCE, 2 * BROKEN, 0.0) if strict else AWAY * np.maximum(far - AT_ONCE, 0.0)
+            far = self.space.from_entrance(found.center[:, :2]) - ARRIVAL[name]
+            total += np.where(far > 0, 2 * BROKEN, 0.0) if strict else np.clip(AWAY * far, 0.0, ALONE)
         return total
 
     def _off_wall(self, found: Boxes, end: float) -> NDArray[np.bool_]:
