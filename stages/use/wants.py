@@ -90,7 +90,7 @@ def lacks_of(site: Site, names: Sequence[str]) -> Iterator[Lack]:
     count = Counter(map(basic, names))
     yield from _by_number(site, count, sum(count[name] for name in ON_THE_FLOOR))
     beside = _number(count, BEDSIDE)
-    if site.kind == "bedroom" and count["double_bed"] and beside < 2:
+    if (site.kind == "bedroom" or site.sleeps) and count["double_bed"] and beside < 2:
         yield Lack("few nightstands", 2 - beside, (2 - beside) * NIGHTSTAND)
     yield from _of_home(site, count)
     missing = _guests(site) - _number(count, CHAIRS)
@@ -166,7 +166,7 @@ def _of_groups(room: Furnished) -> Iterator[Lack]:
     """What belongs to a piece of furniture that is there."""
     for bed in room.which(DOUBLE):
         there = sum(within_reach(room, bed, i) for i in room.which(BEDSIDE))
-        if room.site.kind == "bedroom" and there < 2:
+        if (room.site.kind == "bedroom" or room.site.sleeps) and there < 2:
             yield Lack("double bed without nightstand" if not there else "double bed with one nightstand", 2 - there,
                        (2 - there) * NIGHTSTAND)
     yield from _of_home(room.site, room.count)

@@ -13,9 +13,12 @@ from apartgen.stages.things.asset import Asset
 from apartgen.stages.things.carrying import carried
 from apartgen.stages.walkable import importance, placing
 from apartgen.stages.walkable.designs import look
+from apartgen.stages.walkable.leaves import building
+from apartgen.stages.walkable.parts import at_building
 from apartgen.stages.walkable.places import kin
 from apartgen.stages.walkable.site import Changes, Scene, Site
 from apartgen.stages.walkable.smaller import BUILT_IN, LATENT
+from apartgen.stages.walkable.solids import Solids
 
 DESIGNS = 24
 """Designs of another kind looked at for one of the same style."""
@@ -26,7 +29,8 @@ BELOW_SILL = 0.01
 def stand_ins(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
     """The object where it stands as a lower or smaller one, then as other kinds; its company moves up to it.
 
-    What the prompt asked for keeps its kind. Whether they fit is not looked at.
+    What the prompt asked for keeps its kind. Whether they fit is not looked at, but for doors that stand open, which
+    nothing of another kind opens into.
     """
     if o.category in BUILT_IN or o.category not in categories.TABLE:
         return
@@ -40,20 +44,29 @@ def stand_ins(site: Site, scene: Scene, o: Furnishing) -> Iterator[Changes]:
         for d, w in dict.fromkeys(tuple(side[:2]) for side in (most, np.minimum(most, kind.size), np.array(kind.min))):
             for height in tall:
                 size = np.array([d, w, height])
-                asset = None if np.allclose(size, o.size, atol=2e-3) else _asset(site, o, category, size)
-                if asset is not None and (to := _stood_in(site, scene, o, asset)) is not None:
+                assets = [] if np.allclose(size, o.size, atol=2e-3) else _assets(site, o, category, size)
+                found = (_stood_in(site, scene, o, asset) for asset in assets)
+                to = next((to for to in found if to and (category == o.category or _opens(site, to[o.id]))), None)
+                if to is not None:
                     yield to
 
 
-def _asset(site: Site, o: Furnishing, category: str, size: Array) -> Asset | None:
-    """The asset of that kind and size that is most like the object."""
+def _assets(site: Site, o: Furnishing, category: str, size: Array) -> list[Asset]:
+    """Assets of that kind and size, those most like the object first."""
     latent = np.asarray(o.latent, float) if len(o.latent) == LATENT else np.zeros(LATENT)
     if category == o.category:
-        return site.library.nearest(category, size, latent, size, o.asset.id)
+        nearest = site.library.nearest(category, size, latent, size, o.asset.id)
+        return [] if nearest is None else [nearest]
     designs = list(islice(site.library.alternatives(category, size, np.zeros(0)), DESIGNS))
     style, _ = look(site.library, o)
-    same = next((asset for asset in designs if asset.style == style), None)
-    return same or next(iter(designs), None) or site.library.nearest(category, size, np.zeros(0), size)
+    if not designs and (nearest := site.library.nearest(category, size, np.zeros(0), size)) is not None:
+        return [nearest]
+    return sorted(designs, key=lambda asset: asset.style != style)
+
+
+def _opens(site: Site, new: Furnishing | None) -> bool:
+    """Whether all its parts open where walls and the doors of the room, shut or open, let them."""
+    return new is not None and not at_building(building(site.world.plan), Solids(site.library), [new])
 
 
 def _stood_in(site: Site, scene: Scene, o: Furnishing, asset: Asset) -> Changes | None:

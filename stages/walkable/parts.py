@@ -49,7 +49,7 @@ class Check:
         some = [o for o, own in zip(things, asked) if own]
         found = _among(self.solids, things, asked)
         found |= _of_doors(self.building, self.solids, some)
-        found |= _at_building(self.building, self.solids, some)
+        found |= at_building(self.building, self.solids, some)
         found |= _in_place(self.solids, things, asked)
         return found
 
@@ -63,7 +63,7 @@ class Check:
             elif o is not None and other is not None:
                 hit = _meets(self.solids, o, fault.part, other)
             elif o is not None:
-                hit = fault in _at_building(self.building, self.solids, [o])
+                hit = fault in at_building(self.building, self.solids, [o])
             else:
                 hit = other is not None and fault in _of_doors(self.building, self.solids, [other])
             if hit:
@@ -146,7 +146,7 @@ def _of_doors(building: Building, solids: Solids, some: list[Furnishing]) -> set
     return found
 
 
-def _at_building(building: Building, solids: Solids, some: list[Furnishing]) -> set[Fault]:
+def at_building(building: Building, solids: Solids, some: list[Furnishing]) -> set[Fault]:
     """Parts that meet walls, ceilings, or doors that are shut or open."""
     parts, swept, _ = _moving(some)
     if not parts:

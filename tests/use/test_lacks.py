@@ -54,6 +54,13 @@ def test_a_double_bed_wants_two_nightstands() -> None:
     assert lacking(room("bedroom", 4, 4, stands[0], stands[3]))["double bed without nightstand"] == 2
 
 
+@pytest.mark.parametrize("sleeps", [True, False])
+def test_a_double_bed_where_one_lives_and_sleeps_wants_them_too(sleeps: bool) -> None:
+    here = room("living_room", 4, 4, *bedroom()[:2])
+    found = lacking(use.Furnished(replace(here.site, sleeps=sleeps), here.objects))
+    assert ("double bed with one nightstand" in found) == sleeps
+
+
 @pytest.mark.parametrize(("people", "missing"), [(None, 2), (1, 0), (2, 0), (3, 2), (4, 2), (6, 4), (9, 6)])
 def test_everyone_who_sleeps_there_has_a_chair(people: int | None, missing: int) -> None:
     site = room("dining_room", 4, 3).site

@@ -150,10 +150,11 @@ def _of_kind(kind: str) -> tuple[list[frozenset[str]], list[tuple[frozenset[str]
 
 def next_of(left: Sequence[str], there: Sequence[str], anew: bool = False) -> list[str]:
     """What of what is left may come next: what only serves something waits for it as long as that is to come, what one
-    can do without for the wardrobe of who sleeps there, and in a room that is begun `anew` for the bed."""
+    can do without for the wardrobe of who sleeps there, and in a room that is begun `anew` for the bed; cupboards for
+    the hooks at the entrance."""
     kinds_left, kinds_there = {kinds.basic(o) for o in left}, {kinds.basic(o) for o in there}
     sleeps = not kinds.BEDS.isdisjoint(kinds_left | kinds_there)
-    rows = (*LED, *(DRESSED if sleeps else ()), *(AFTER if anew else ()))
+    rows = (*LED, *HUNG_UP, *(DRESSED if sleeps else ()), *(AFTER if anew else ()))
     waiting = [mine for mine, partners in rows if not partners.isdisjoint(kinds_left)
                and partners.isdisjoint(kinds_there)]
     return [name for name in left if not any(kinds.basic(name) in mine for mine in waiting)] if waiting else list(left)
@@ -228,9 +229,11 @@ LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
 """What is of no use at all where none of these stands."""
 AFTER = ((frozenset({"tv_stand", "armchair", "bookshelf", "sideboard", "display_cabinet"}), kinds.BEDS),)
 """What one can do without where a bed, which one cannot, is still to come and found no place before."""
-DRESSED = ((frozenset({"armchair", "bench", "bookshelf", "chest", "display_cabinet", "dressing_table", "plant",
+DRESSED = ((frozenset({"armchair", "bench", "bookshelf", "chest", "desk", "display_cabinet", "dressing_table", "plant",
                        "sideboard"}), kinds.WARDROBES),)
 """What one can do without where one sleeps as long as the wardrobe is still to come."""
+HUNG_UP = ((kinds.WARDROBES | {"bench", "chest", "console_table", "shoe_cabinet"}, frozenset({"coat_rack"})),)
+"""What else may stand farther from the entrance than the hooks for coats that are still to come."""
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),

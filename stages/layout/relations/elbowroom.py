@@ -1,5 +1,5 @@
-"""Floor that the use of something takes: a chair is drawn back, one stands before shelves and drawers; nobody gets to a
-window over the head of a bed."""
+"""Floor that the use of something takes: a chair is drawn back, one stands before shelves and drawers, two walk round
+the bed that they share; nobody gets to a window over the head of a bed."""
 
 from collections.abc import Sequence
 
@@ -17,14 +17,17 @@ BACK, BEFORE = 0.46, 0.45
 COOKING = 1.13
 """Behind a chair before a kitchen's units, m: one cooks in .9 behind who sits .55 from the table."""
 COOKED_AT = kinds.RUN - kinds.CLOSED
-CORRIDOR, PASSAGE = 1.9, 0.75
-"""What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m."""
+CORRIDOR, PASSAGE = 1.9, 0.86
+"""What is no wider, from wall to wall, one walks through, and needs so much for it beside what stands there, m: .8 is
+left."""
 SHARE = 0.8
 """Of the width that has to be free."""
 LOW, HIGH = 0.05, 0.9
 """Between these heights, m: what lies flat or hangs above takes nothing."""
 SHALLOW = 0.06
 """So deep in it something is no hindrance yet, m."""
+ROUND, ALONG, PILLOWS = 0.66, 0.6, 0.6
+"""Beyond the foot of a bed of two, and along its sides but for so much of them at its head, m: .6 and .54 are left."""
 HEAD, SILL = 0.35, 0.3
 """A window is behind the head of a bed that is no farther from it and has so much of it behind, m."""
 MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS
@@ -33,7 +36,7 @@ CASES = kinds.CASES | {"dressing_table"}
 SPARED = CASES - kinds.WARDROBES | {"bench"}
 """What is rather left out than put where it takes such floor."""
 SEATS = kinds.CHAIRS - {"balcony_chair"}
-USED = SEATS | CASES | {"bench"}
+USED = SEATS | CASES | {"bench"} | kinds.DOUBLE
 Flags = NDArray[np.bool_]
 
 
@@ -47,7 +50,7 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     others = [kinds.basic(o) for o in names]
     if kind in USED:
         zones = _zones(kind, boxes, space)
-        found |= outside(zones, space) > SHALLOW
+        found |= _any_of(np.asarray(outside(zones, space) > SHALLOW), len(boxes))
         doors = space.zones.take(~space.window)
         if kind in SEATS and doors.n:
             found |= (penetration(zones, doors) > SHALLOW).any(1)
@@ -56,12 +59,17 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
             found |= (penetration(_zones(kind, boxes, space, COOKING), upright(there[units])) > SHALLOW).any(1)
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
-            found |= (penetration(zones, upright(there[solid])) > SHALLOW).any(1)
+            found |= _any_of((penetration(zones, upright(there[solid])) > SHALLOW).any(1), len(boxes))
     used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
     if used:
         theirs = _joined([_zones(others[k], there[k:k + 1], space) for k in used])
         found |= (penetration(upright(boxes), theirs) > SHALLOW).any(1)
     return found
+
+
+def _any_of(zones: Flags, n: int) -> Flags:
+    """Of zones (k n,) of n things, the first of each, then the second, which things have one."""
+    return np.asarray(zones.reshape(-1, n).any(0)) if n else np.zeros(0, bool)
 
 
 def spared(name: str, names: Sequence[str], space: Space) -> bool:
@@ -90,11 +98,14 @@ def _bars(kind: str, used: str) -> bool:
     """Whether one thing before or behind another is in the way of its use."""
     own = used in SEATS and kind in kinds.TABLES | kinds.DESKS
     moved = kind in MOVED and (kind not in kinds.SLENDER or used in SEATS)
+    own |= used in kinds.DOUBLE and kind in kinds.BESIDE_A_BED
     return kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
 def _zones(kind: str, boxes: Array, space: Space, back: float = BACK) -> Boxes:
     """The floor that the use of each takes, or who passes it; of a seat so much at its `back`, m."""
+    if kind in kinds.DOUBLE:
+        return _about_bed(boxes)
     far = np.full(len(boxes), -back if kind in SEATS else BEFORE if kind in CASES else 0.0)
     if kind not in SEATS:
         narrow = boxes[:, 3] + ahead(upright(boxes), space) < CORRIDOR
@@ -104,6 +115,21 @@ def _zones(kind: str, boxes: Array, space: Space, back: float = BACK) -> Boxes:
     center = np.column_stack([boxes[:, 0] + c * away, boxes[:, 1] + s * away, np.full(len(boxes), (LOW + HIGH) / 2)])
     size = np.column_stack([np.abs(far), SHARE * boxes[:, 4], np.full(len(boxes), HIGH - LOW)])
     return Boxes(np.asarray(center, float), np.asarray(size, float), np.asarray(boxes[:, 2], float))
+
+
+def _about_bed(boxes: Array) -> Boxes:
+    """Beyond the foot of each, and along both its sides, (3 n,)."""
+    center, size, yaw = [], [], np.asarray(boxes[:, 2], float)
+    c, s = np.cos(yaw), np.sin(yaw)
+    long, half, n = boxes[:, 3] - PILLOWS, boxes[:, 4] / 2, len(boxes)
+    for x, y, deep, wide in (
+            ((boxes[:, 3] + ROUND) / 2, np.zeros(n), np.full(n, ROUND), SHARE * boxes[:, 4]),
+            (np.full(n, PILLOWS / 2), half + ALONG / 2, SHARE * long, np.full(n, ALONG)),
+            (np.full(n, PILLOWS / 2), -half - ALONG / 2, SHARE * long, np.full(n, ALONG))):
+        center.append(np.column_stack([boxes[:, 0] + c * x - s * y, boxes[:, 1] + s * x + c * y,
+                                       np.full(n, (LOW + HIGH) / 2)]))
+        size.append(np.column_stack([deep, wide, np.full(n, HIGH - LOW)]))
+    return Boxes(np.concatenate(center).astype(float), np.concatenate(size).astype(float), np.tile(yaw, 3))
 
 
 def _joined(some: Sequence[Boxes]) -> Boxes:

@@ -3,11 +3,13 @@
 A requirement at first; where no place keeps it, a weight for fixtures, which stand all the same.
 """
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
-from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.space.boxes import Boxes, gap, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
 
@@ -21,9 +23,14 @@ AXIS = 0.385
 """From the axis of a toilet or a basin to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
 SQUEEZED = 4.0
 """Price of no elbow room at a basin, until nothing better was found."""
-RAIL, OVER, HIGH = "towel_rail", {"bath": 6.0, "toilet": BROKEN}, 4.0
-"""What one reaches for, its price over a tub where no other place was found, and where a lid opens into it; more than
-rooms are high, m."""
+RAIL, BIN, TUBS, OVER, HIGH = "towel_rail", "bin", {"bath"}, {"bath", "toilet", "bin"}, 4.0
+"""What one reaches for, and not over these; what is not under that; more than rooms are high, m."""
+BEFORE = 0.4
+"""How far before it no tub is and no door's leaf stands, m."""
+THROWN = {"toilet": 0.4, "vanity": 0.4}
+"""How far from these a bin stands at most, m, where there is one."""
+FAR = 4.0
+"""Price of one that stands farther, once nothing better was found."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -34,9 +41,13 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     """Of candidates (n,) for an object, among those that stand there."""
     total = np.zeros(found.n)
     if name == RAIL:
-        return _over_fixtures(found, names, there, strict)
+        return _out_of_reach(found, names, there, space)
     if TABLE[name].place != "floor":
         return total
+    if name == BIN:
+        total += np.where(_columns(there.take(np.array([k for k, o in enumerate(names) if o == RAIL], int)), found),
+                          BROKEN, 0.0)
+        total += np.where(within(THROWN, found, names, there), 0.0, BROKEN if strict else FAR)
     stands = np.array([TABLE[o].place == "floor" for o in names], bool)
     taken, tight = np.zeros(found.n, bool), np.zeros(found.n, bool)
     if name in FIXTURES:
@@ -66,13 +77,27 @@ def kept(name: str, some: Boxes) -> list[Boxes]:
     return [front, _strip(some, OFF - some.size[:, 0] / 2, some.size[:, 0] / 2, np.full(some.n, AXIS))]
 
 
-def _over_fixtures(found: Boxes, names: list[str], there: Boxes, strict: bool) -> Floats:
-    """Of what hangs, reached over a tub or in the way of who sits below."""
-    below = np.array([k for k, o in enumerate(names) if o in OVER], int)
-    columns = there.take(below)
+def _out_of_reach(found: Boxes, names: list[str], there: Boxes, space: Space) -> Floats:
+    """Of what hangs, reached over a tub or a bin, in the way of who sits below, or behind a door that stands open."""
+    below, before = (there.take(np.array([k for k, o in enumerate(names) if o in some], int)) for some in (OVER, TUBS))
+    front = _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
+    met = [_columns(below, found), _columns(before, front), (penetration(front, space.leaves) > SLACK).any(1)]
+    return np.where(np.any(met, axis=0), BROKEN, 0.0)
+
+
+def within(far: Mapping[str, float], found: Boxes, names: Sequence[str], there: Boxes) -> NDArray[np.bool_]:
+    """Which boxes (n,) are no farther than so from any of those that stand there; all where none of these does."""
+    near = [k for k, o in enumerate(names) if o in far]
+    if not near:
+        return np.ones(found.n, bool)
+    return np.asarray((gap(found, there.take(np.array(near))) <= [far[names[k]] for k in near]).any(1))
+
+
+def _columns(some: Boxes, found: Boxes) -> NDArray[np.bool_]:
+    """Which boxes (n,) are above or below any of some."""
+    columns = Boxes(some.center.copy(), some.size.copy(), some.yaw)
     columns.center[:, 2], columns.size[:, 2] = HIGH / 2, HIGH
-    price = np.array([BROKEN if strict else OVER[names[k]] for k in below])
-    return np.asarray(((penetration(found, columns) > SLACK) * price).max(1, initial=0.0))
+    return np.asarray((penetration(found, columns) > SLACK).any(1))
 
 
 def elbows(name: str, some: Boxes) -> list[Boxes]:

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
-from apartgen.stages.layout.relations import facing
-from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, likeliest
+from apartgen.stages.layout.relations import elbowroom, facing
+from apartgen.stages.layout.relations.fixtures import RAIL
+from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, at_walls, likeliest
+from apartgen.stages.layout.relations.sizes import Sizes, narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
@@ -41,6 +43,13 @@ LATER = (
     (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""
+BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
+          *(("side_table", (wide, wide, 0.55)) for wide in (0.45, 0.38, 0.32)))
+"""What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
+SMALL_DESK = (0.55, 0.9, 0.74)
+"""A desk for a small room, m."""
+COMPACT = (2.03, 1.62)
+"""A bed for a mattress of 1.6 by 2 m, m."""
 TRIED = 3
 """So many of the good places of what comes later on are tried for the ways they leave."""
 
@@ -114,15 +123,49 @@ def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence
 
 def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     """Places (m, 7) all over the room for what others follow: beds, sofas, wardrobes along all walls, tables anywhere
-    square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes."""
+    square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes, and as
+    short and narrow as beds of two are."""
     kind = kinds.basic(name)
     if kind in kinds.TABLES:
         return all_over(space, likeliest(boxes))
     if kind not in kinds.BEDS | kinds.WARDROBES | kinds.SOFAS:
         return boxes[:0]
     depth, width, height = likeliest(boxes)
-    sizes = [width, *([least] if kind in kinds.WARDROBES and 0 < least < width else [])]
-    return np.concatenate([along(space, (depth, wide, height)) for wide in sizes])
+    sizes = [(depth, width), *([(depth, least)] if kind in kinds.WARDROBES and 0 < least < width else [])]
+    if kind in kinds.DOUBLE and (depth > COMPACT[0] or width > COMPACT[1]):
+        sizes.append((min(depth, COMPACT[0]), min(width, COMPACT[1])))
+    return np.concatenate([along(space, (deep, wide, height)) for deep, wide in sizes])
+
+
+def snug(name: str, box: Array, there: Furniture) -> Array:
+    """A bed of two no longer and wider than its mattress, its head where it was, where it leaves too little floor
+    about it; all else as it is."""
+    if kinds.basic(name) not in kinds.DOUBLE or not elbowroom.taken(
+            name, box[None], there.names, there.boxes, there.space)[0]:
+        return box
+    found = box.copy()
+    found[3:5] = np.minimum(box[3:5], COMPACT)
+    found[:2] -= (box[3] - found[3]) / 2 * np.array([np.cos(box[2]), np.sin(box[2])])
+    return found
+
+
+def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
+    """What does for something that found no place, the best first, and places (m, 7) for it: towels and wardrobes of
+    another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
+    kind = kinds.basic(name)
+    if name == RAIL:
+        narrow = boxes.copy()
+        narrow[:, 4] = TABLE[name].min[1]
+        return [(name, at_walls(some, there.space)) for some in (boxes, narrow)]
+    if kind in kinds.DESKS:
+        return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
+    if kind in kinds.WARDROBES:
+        return [(other, leading(other, boxes, there.space, narrowest(large, other))) for other in TABLE[name].instead]
+    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
+    if kind != STAND or not beds:
+        return []
+    return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))
+            for other, size in BESIDE]
 
 
 def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:

@@ -1,5 +1,5 @@
-"""What stands where it is at hand: coats and shoes near the entrance, towels where one washes, bins where one prepares,
-lamps at walls beside seats. Places that are known without the model, and prices of others."""
+"""What stands where it is at hand: coats and shoes near the entrance, towels where one washes, bins where one prepares
+or washes, lamps at walls beside seats, mirrors at walls. Places that are known without the model, prices of others."""
 
 from collections.abc import Sequence
 
@@ -8,26 +8,31 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.relations.company import Seen
-from apartgen.stages.layout.relations.fixtures import RAIL
-from apartgen.stages.layout.relations.places import Size, about, along, likeliest
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.fixtures import BIN, RAIL, THROWN, within
+from apartgen.stages.layout.relations.hung import MIRROR
+from apartgen.stages.layout.relations.places import Size, about, along, at_walls, likeliest
+from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes
+from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
-ARRIVAL, NEAR = frozenset({"coat_rack", "shoe_cabinet"}), 3.0
-"""What one uses coming home, and how far from the entrance's middle at most, m."""
+ARRIVAL, NEAR = {"coat_rack": 1.8, "shoe_cabinet": 3.0}, 3.0
+"""What one uses coming home, and how far from the entrance's middle at most at the first looks; where more is looked
+for, m."""
+SLIM = 0.34
+"""A coat rack for a narrow hall, m."""
 WASHING, AT_HAND = frozenset({"shower", "bath", "vanity"}), 0.7
 """Where one washes, and how far from it a towel is, m."""
-BIN, PREPARING, BESIDE = "bin", 0.75, 0.1
+PREPARING, BESIDE = 0.75, 0.1
 """How far at most from the sink waste is thrown away, m, or else beside a unit of the run."""
 LAMP, READING, AT_WALL = "floor_lamp", 0.65, 0.2
 """How far at most from a seat, a bed or a desk a lamp stands, and from a wall (as three in four of people's), m."""
 LIT = kinds.EASY | kinds.BEDS | kinds.DESKS
 STRAY = 0.5
 """What is slender has a wall within so much of it, m: one walks where there is none."""
-BARRED, CRAMPED, AWAY = 20.0, 6.0, 4.0
+BARRED, CRAMPED, AWAY, ALONE = 20.0, 6.0, 4.0, 8.0
 """Prices: of what is not at hand, as long as there may be a place for it that is, and once nothing better was found, of
-what stands on the way, and far from its use."""
+what stands on the way, and far from its use; of coats for each metre, up to so much."""
 OFF = 0.02
 """Between a bin and the unit beside it, m."""
 Flags = NDArray[np.bool_]
@@ -37,19 +42,25 @@ def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: S
     """Places (m, 7) at hand, in the likeliest size of the candidates (n, 7)."""
     kind = kinds.basic(name)
     if name in ARRIVAL and len(space.entrances):
-        some = along(space, likeliest(boxes))
-        return np.asarray(some[space.from_entrance(some[:, :2].astype(float)) < NEAR])
+        depth, width, height = likeliest(boxes)
+        slim = [(SLIM, SLIM, height)] if kind in kinds.SLENDER else []
+        found = np.concatenate([along(space, size) for size in ((depth, width, height), *slim)])
+        return np.asarray(found[space.from_entrance(found[:, :2].astype(float)) < NEAR])
+    if name == MIRROR and set(TABLE[name].belongs).isdisjoint(names):
+        return at_walls(boxes, space)
     if name == RAIL and (some := _of(WASHING, names, there)).size:
-        at_walls = along(space, likeliest(boxes))
-        at_walls[:, 5:] += np.median(boxes[:, 5])
-        return np.asarray(at_walls[(Seen(at_walls, some).gap < AT_HAND).any(1)])
+        found = at_walls(boxes, space)
+        return np.asarray(found[(Seen(found, some).gap < AT_HAND).any(1)])
     if kind == BIN and _of(kinds.WET, names, there).size:
         size = likeliest(boxes)
         found = np.concatenate([*(_beside(unit, size) for unit in _of(kinds.RUN, names, there)), along(space, size)])
         return np.asarray(found[_for_waste(found, names, there)])
+    if kind == BIN and not THROWN.keys().isdisjoint(names):
+        found = along(space, likeliest(boxes))
+        return np.asarray(found[within(THROWN, upright(found), names, upright(there))])
     if kind == LAMP and (some := _of(LIT, names, there)).size:
-        at_walls = along(space, likeliest(boxes))
-        return np.asarray(at_walls[(Seen(at_walls, some).gap < READING).any(1)])
+        found = along(space, likeliest(boxes))
+        return np.asarray(found[(Seen(found, some).gap < READING).any(1)])
     return boxes[:0]
 
 
@@ -66,9 +77,10 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
     total, kind = np.zeros(len(boxes)), kinds.basic(name)
     if kind in kinds.SLENDER:
         total += np.where(_wall_within(found, STRAY, space), 0.0, CRAMPED)
-    far = np.zeros(len(boxes), bool)
     if name in ARRIVAL and len(space.entrances):
-        far = space.from_entrance(found.center[:, :2]) > NEAR
+        away = space.from_entrance(found.center[:, :2]) - ARRIVAL[name]
+        return np.asarray(total + (np.where(away > 0, BARRED, 0.0) if strict else np.clip(AWAY * away, 0.0, ALONE)))
+    far = np.zeros(len(boxes), bool)
     if kind == BIN and _of(kinds.WET, names, there).size:
         far = ~_for_waste(boxes, names, there)
     if kind == LAMP:

@@ -17,7 +17,7 @@ from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import contents, features, sampler, sizes, weights
+from apartgen.stages.layout.relations import contents, features, furnishings, sampler, sizes, weights
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
@@ -142,6 +142,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
         drawn = [_hung(place, given, some) for some in drawn]
+    if room.id not in plan.program.counts and not given:
+        drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area) for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
     return Sampler(task, lanes[0], config.constraints, config.places), names
 

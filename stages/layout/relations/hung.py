@@ -11,7 +11,7 @@ from apartgen.stages.layout.relations import order
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes, penetration
 from apartgen.stages.things.categories import TABLE
-from apartgen.stages.use.kinds import CLOSED
+from apartgen.stages.use.kinds import CASES, CHAIRS, CLOSED, SMALL_SEATS, basic
 from apartgen.stages.use.rules.cook import CORNER
 
 LOW = 1.2
@@ -22,6 +22,10 @@ HEAD, CONTACT = 2.0, 0.008
 """Up to here a hood or a mirror hangs, and contact that is none, m."""
 HOOD = (1.5, 2.1)
 """Between these heights a hood hangs, m."""
+MIRROR, STANDS, MIDDLE = "mirror", 0.6, 0.5
+"""Before what one looks into one stands, so far at most, before so much of its middle, m."""
+ALONG = np.cos(np.pi / 8)
+"""What looks the same way does so within this cosine."""
 SIZES = 2
 """Sizes that are tried, the likeliest of what the model says."""
 
@@ -63,6 +67,8 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
     taken, kind = np.zeros(found.n, bool), TABLE[name]
     if kind.is_for("cook"):
         return _below_units(found, names, there)
+    if name == MIRROR:
+        taken |= _nobody_before(found, names, there)
     if kind.place != "wall" or kind.soft or kind.run == "hung" and not kind.articulated:
         return taken
     for k, o in enumerate(names):
@@ -72,6 +78,22 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
             over.center[:, 2], over.size[:, 2] = (top + HEAD) / 2, HEAD - top
             taken |= penetration(found, over)[:, 0] > CONTACT
     return taken
+
+
+def _nobody_before(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
+    """Before which mirrors something stands: what they belong to, and low cabinets, do not where one stands before
+    these."""
+    heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
+    center, size = found.center.copy(), found.size.copy()
+    center[:, :2] += heading * (found.size[:, :1] + STANDS) / 2
+    size[:, 0], size[:, 1] = STANDS, np.minimum(size[:, 1], MIDDLE)
+    center[:, 2], size[:, 2] = HEAD / 2, HEAD
+    solid = np.array([TABLE[o].place == "floor" and basic(o) not in CHAIRS | SMALL_SEATS for o in names], bool)
+    low = there.center[:, 2] + there.size[:, 2] / 2 < TABLE[MIRROR].z
+    with_it = np.array([o in TABLE[MIRROR].belongs or basic(o) in CASES | {"bench"} for o in names], bool) & low
+    turned = np.cos(found.yaw[:, None] - there.yaw[None]) < ALONG
+    bars = solid[None] & (turned | ~with_it[None])
+    return np.asarray(((penetration(Boxes(center, size, found.yaw), there) > CONTACT) & bars).any(1))
 
 
 def _below_units(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:

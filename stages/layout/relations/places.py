@@ -39,6 +39,13 @@ def along(space: Space, size: Size) -> Array:
     return np.concatenate(out).astype(np.float32)
 
 
+def at_walls(boxes: Array, space: Space) -> Array:
+    """Boxes (m, 7) along all walls in the likeliest size and height of candidates (n, 7)."""
+    found = along(space, likeliest(boxes))
+    found[:, 5:] += np.median(boxes[:, 5])
+    return found
+
+
 def likeliest(boxes: Array) -> Size:
     """The size of most candidates (n, 7)."""
     sizes, counts = distinct(np.round(boxes[:, 3:].astype(float), 3))

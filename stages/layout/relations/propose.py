@@ -6,7 +6,7 @@ All rooms are seen together, one token after another, each drawing from a genera
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,8 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 Floats = NDArray[np.float32]
+APART = np.array([1.0, np.e, np.pi, np.sqrt(7), np.sqrt(11), np.sqrt(13), np.sqrt(17)])
+"""Numbers of which no candidates have the same sum."""
 
 
 @dataclass
@@ -179,3 +181,9 @@ class _Rooms:
         least[:, :2] = np.minimum(np.maximum(least[:, :2], large), most[:, :2])
         return (least, most, np.array([k.place in ("wall", "top") for k in kinds]),
                 np.array([np.nan if k.place == "ceiling" else 0.0 for k in kinds]), height)
+
+
+def merged(boxes: Array, weight: NDArray[np.floating[Any]]) -> tuple[Array, NDArray[np.floating[Any]]]:
+    """Candidates that are the same taken together."""
+    _, first, which = np.unique(boxes @ APART, return_index=True, return_inverse=True)
+    return boxes[first], np.asarray(np.bincount(which, weight), float)

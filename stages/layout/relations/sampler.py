@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
-from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, propose
+from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
@@ -38,8 +38,6 @@ LAMBDA = 0.5
 """λ of Eq. 2, for prices in metres of way: what breaks a requirement costs ten and more, and is not taken at all."""
 KNOWN = 0.02
 """Weight of all places together that are known without the model, whose candidates weigh 1."""
-APART = np.array([1.0, np.e, np.pi, np.sqrt(7), np.sqrt(11), np.sqrt(13), np.sqrt(17)])
-"""Numbers of which no candidates have the same sum."""
 Floats = NDArray[np.floating[Any]]
 
 
@@ -122,8 +120,10 @@ class Sampler:
         if found is None:
             name, found = self._last_resort(p, name, needed)
         p.tries = 0
+        if found is not None and self.constrained:
+            found = self.room.empty.space.cut(followers.snug(name, found, p.furniture))
         if found is not None:
-            p.furniture.add(name, self.room.empty.space.cut(found) if self.constrained else found)
+            p.furniture.add(name, found)
         given = len(self.room.given)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
@@ -154,7 +154,7 @@ class Sampler:
         if not self.constrained:
             return np.asarray(boxes[self._draw(weight)])
         rest = Ahead(there, ahead.needed(left, there.names), self.room.speaker.shell)
-        boxes, weight = _merged(boxes, weight)
+        boxes, weight = merged(boxes, weight)
         boxes, weight = self._continued(there, name, boxes, weight)
         price = there.prices(name, boxes, loose, strict)
         weight = np.where(price < BROKEN, weight * np.exp(-LAMBDA * price), 0.0)
@@ -176,6 +176,9 @@ class Sampler:
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
         """A place for what leads a group, anywhere in the room, where what follows it finds its own."""
         places = followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
+        return self._one_of(there, name, places, left)
+
+    def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str]) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):
             return None
         weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in PARTLY else 1.0
@@ -183,10 +186,9 @@ class Sampler:
 
     def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
         """What serves as well where nothing but its own kind of it found no place, as a wardrobe with sliding doors."""
-        some = TABLE[name].instead if kinds.basic(name) in kinds.WARDROBES and not self.room.asked[name] else ()
-        for other in some:
-            found = self._fitting(p.furniture, other, boxes, left)
-            if found is not None:
+        some = [] if self.room.asked[name] else followers.others(name, boxes, p.furniture, self.room.speaker.large)
+        for other, places in some:
+            if (found := self._one_of(p.furniture, other, places, left)) is not None:
                 return other, found
         return None
 
@@ -290,9 +292,3 @@ def furnished(rooms: Sequence[tuple[Sampler, list[list[str]]]]) -> list[list[Par
                 asks[k] = Ask(rooms[k][0].room.speaker, going, rooms[k][0].rng)
         said = dict(zip(asks, propose(list(asks.values())), strict=True))
     return done
-
-
-def _merged(boxes: Array, weight: Floats) -> tuple[Array, Floats]:
-    """Candidates that are the same taken together."""
-    _, first, which = np.unique(boxes @ APART, return_index=True, return_inverse=True)
-    return boxes[first], np.asarray(np.bincount(which, weight), float)

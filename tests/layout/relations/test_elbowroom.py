@@ -71,12 +71,12 @@ def test_a_table_draws_no_chairs_to_a_wall_at_first() -> None:
 
 @pytest.mark.parametrize("x, away, barred", [(0.0, 0.0, True), (1.0, 0.0, True), (1.2, 0.0, False), (0.0, 0.5, False)])
 def test_no_bed_has_its_head_at_a_window(x: float, away: float, barred: bool) -> None:
-    """A window from -.6 to .6 in the north wall; a bed 1.6 m wide, at `x`, so far off the wall."""
+    """A window from -.6 to .6 in the north wall; a bed 1.6 m wide of one, at `x`, so far off the wall."""
     rooms = some_rooms(1, 4)
     north = float(rooms.polygon[0, :4, 1].max())
     bed = box((2.0, 1.6, 0.9), x, north - 1.02 - away, -np.pi / 2)
     space = space_of(rooms, 0)
-    assert bool(elbowroom.taken("double_bed", bed[None], [], np.zeros((0, 7)), space)[0]) == barred
+    assert bool(elbowroom.taken("single_bed", bed[None], [], np.zeros((0, 7)), space)[0]) == barred
     beside = box((0.6, 1.6, 0.75), x, north - 0.32, -np.pi / 2)
     assert not elbowroom.taken("desk", beside[None], [], np.zeros((0, 7)), space)[0], "a desk has light there"
 
@@ -111,7 +111,7 @@ def test_nobody_sits_where_a_door_opens(gap: float, barred: bool) -> None:
 
 
 @pytest.mark.parametrize("wide, gap, barred", [
-    (1.2, 0.6, True), (1.2, 0.8, False), (1.8, 0.6, True), (3.0, 0.6, False),
+    (1.2, 0.6, True), (1.2, 0.82, False), (1.8, 0.6, True), (3.0, 0.6, False),
 ])
 def test_one_passes_what_stands_in_a_corridor(wide: float, gap: float, barred: bool) -> None:
     """A bench at the south wall of a corridor, and a coat rack `gap` before its front; in a room one goes around."""
@@ -141,3 +141,33 @@ def test_no_cupboard_narrows_the_hall_one_enters(kind: str, wide: float, there: 
         hall.add(name, box((2.0, 0.9, 0.5), -1.98, 0, 0))
     cupboard = box((0.6, 1.2, 2.1), 1.5, wide / 2 - 0.305, -np.pi / 2)
     assert (hall.prices("wardrobe", cupboard[None])[0] >= BROKEN) == out
+
+
+BED = (2.0, 1.6, 0.5)
+
+
+@pytest.mark.parametrize("foot, barred", [(0.3, True), (0.58, True), (0.62, False), (1.0, False)])
+def test_one_walks_round_the_foot_of_a_bed_of_two(foot: float, barred: bool) -> None:
+    """.6 m before a wall or a wardrobe."""
+    at_wall = box(BED, 2 - foot - 1.0, 0)
+    assert taken("double_bed", at_wall) == barred
+    wardrobe = box((0.6, 1.5, 2.1), 2 - 0.3, 0, np.pi)
+    bed = box(BED, 2 - 0.6 - foot - 1.0, 0)
+    assert taken("double_bed", bed, ("wardrobe", wardrobe)) == barred
+    assert taken("wardrobe", wardrobe, ("double_bed", bed)) == barred
+    assert not taken("single_bed", box((2.0, 0.9, 0.5), 2 - foot - 1.0, 0))
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("gap, barred", [(0.3, True), (0.5, True), (0.56, False)])
+def test_two_get_into_their_bed_at_either_side(gap: float, barred: bool, side: int) -> None:
+    assert taken("double_bed", box(BED, -0.98, side * (2 - gap - 0.8))) == barred
+    chest = box((0.45, 0.8, 0.8), -0.4, side * (0.8 + gap + 0.225), -side * np.pi / 2)
+    assert taken("double_bed", box(BED, -0.98, 0), ("chest", chest)) == barred
+
+
+@pytest.mark.parametrize("name", ["nightstand", "side_table", "floor_lamp", "pouffe", "rug"])
+def test_what_belongs_beside_a_bed_takes_nothing(name: str) -> None:
+    bed = box(BED, -0.98, 0)
+    assert not taken("double_bed", bed, (name, box((0.4, 0.4, 0.5), -1.2, 1.05)))
+    assert not taken(name, box((0.4, 0.4, 0.5), -1.2, 1.05), ("double_bed", bed))

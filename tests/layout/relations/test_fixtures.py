@@ -37,7 +37,7 @@ def test_what_keeps_clear_costs_nothing_and_what_stands_before_a_fixture_is_not_
     floor = [o for o in objects if TABLE[o.category].place == "floor"]
     for o in floor:
         others = [p for p in floor if p is not o]
-        elbows = fixtures.SQUEEZED if o.category == "vanity" else 0.0  # in the narrowest of these rooms
+        elbows = {"vanity": fixtures.SQUEEZED, "bin": fixtures.FAR}.get(o.category, 0.0)  # in the narrowest rooms
         assert price(o, others, space, origin, strict=False) in (0.0, elbows), o.id
         if o.category not in FIXTURES:
             continue
@@ -84,14 +84,39 @@ def test_a_basin_keeps_elbow_room_if_there_is_any(gap: float, kept: bool) -> Non
     assert price(basin, [basket], space, origin, strict=False) == alone
 
 
-@pytest.mark.parametrize("name, costs", [("bath", 6.0), ("toilet", fixtures.BROKEN), ("vanity", 0.0)])
-def test_towels_hang_rather_not_over_the_tub(name: str, costs: float) -> None:
+@pytest.mark.parametrize("name, barred", [("bath", True), ("toilet", True), ("bin", True), ("vanity", False)])
+def test_towels_hang_where_one_gets_at_them(name: str, barred: bool) -> None:
+    """Not over a tub, a toilet or a bin, nor behind a tub; and no bin is put under them."""
     objects, space, origin = bath(2)
     toilet = next(o for o in objects if o.category == "toilet")
     below = toilet.model_copy(update={"category": name, "id": "below"})
     rail = toilet.model_copy(update={"category": "towel_rail", "size": (0.1, 0.5, 0.8), "id": "rail"})
+    ahead = np.array([np.cos(toilet.yaw), np.sin(toilet.yaw), 0.0])
     aside = np.array([-np.sin(toilet.yaw), np.cos(toilet.yaw), 0.0])
-    for off, cost in ((0.0, costs), (0.2, costs), (0.6, 0.0)):
+    for off, met in ((0.0, barred), (0.2, barred), (0.6, False)):
         rail.center = tuple((np.array(toilet.center) + off * aside + (0, 0, 1.0)).tolist())
-        assert price(rail, [below], space, origin) == (fixtures.BROKEN if cost else 0.0)
-        assert price(rail, [below], space, origin, strict=False) == cost
+        for strict in (True, False):
+            assert price(rail, [below], space, origin, strict=strict) == (fixtures.BROKEN if met else 0.0)
+    rail.center = tuple((np.array(toilet.center) - (toilet.size[0] / 2 + 0.1) * ahead + (0, 0, 1.0)).tolist())
+    assert price(rail, [below], space, origin) == (fixtures.BROKEN if name == "bath" else 0.0)
+    bin_ = toilet.model_copy(update={"category": "bin", "size": (0.25, 0.25, 0.4), "id": "bin"})
+    for off, met in ((0.0, True), (0.45, False)):
+        bin_.center = tuple((np.array(rail.center) + off * aside - (0, 0, 1.0)).tolist())
+        assert (price(bin_, [rail], space, origin, strict=False) >= fixtures.BROKEN) == met
+
+
+@pytest.mark.parametrize("name, far, near", [("toilet", 0.3, True), ("toilet", 0.6, False), ("kitchen_sink", 0.8, True),
+                                             ("sofa", 0.6, True)])
+def test_a_bin_stands_by_where_one_throws_something_away(name: str, far: float, near: bool) -> None:
+    """If there is such a place; else anywhere."""
+    objects, space, origin = bath(2)
+    toilet = next(o for o in objects if o.category == "toilet")
+    aside = np.array([-np.sin(toilet.yaw), np.cos(toilet.yaw), 0.0])
+    other = toilet.model_copy(update={"category": name, "id": "other"})
+    bin_ = toilet.model_copy(update={"category": "bin", "size": (0.2, 0.2, 0.4), "id": "bin"})
+    bin_.center = tuple((np.array(toilet.center) + (toilet.size[1] / 2 + far + 0.1) * aside).tolist())
+    alone = [price(bin_, [], space, origin, strict=strict) for strict in (True, False)]
+    with_it = [price(bin_, [other], space, origin, strict=strict) for strict in (True, False)]
+    if far > 0.4:
+        added = np.array(with_it) - alone
+        assert (added == ([0.0, 0.0] if near else [fixtures.BROKEN, fixtures.FAR])).all()

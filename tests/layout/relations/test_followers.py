@@ -6,7 +6,7 @@ from rooms_for_tests import box, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import followers, handy, sizes
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.rooms import KINDS, Rooms
 
 TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
@@ -119,7 +119,7 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
         assert not len(places)
         return
     assert len(places) > 8 and (np.hypot(places[:, 0], places[:, 1] + 1.5) < 3.0).all()
-    back = places[:, :2] - 0.15 * np.stack([np.cos(places[:, 2]), np.sin(places[:, 2])], -1)
+    back = places[:, :2] - places[:, 3:4] / 2 * np.stack([np.cos(places[:, 2]), np.sin(places[:, 2])], -1)
     assert (np.minimum(4 - np.abs(back[:, 0]), 1.5 - np.abs(back[:, 1])) < 0.02).all()
     hall = Furniture(space_of(entered(KINDS["door"]), 0))
     assert not len(handy.places(name, one[None], hall.names, hall.boxes, hall.space))
@@ -191,6 +191,50 @@ def test_a_sofa_leaves_a_wall_before_it_to_the_television(width: float, fits: bo
     sofa = box((0.9, 2.0, 0.8), 0.46 - width / 2, 0.5)
     assert (followers.fit(room(width, 4.0), "sofa", sofa, ["tv_stand"]) == 1) == fits
     assert followers.fit(room(width, 4.0), "sofa", sofa, []) == 1
+
+
+def test_where_nobody_opens_a_nightstand_a_small_table_stands_beside_the_bed() -> None:
+    """Its head at the north wall with .5 m on its east side, where a usual nightstand leaves nobody before its drawer
+    and a small table does; what stands there is within reach of who lies there."""
+    there, bed = room(), box(BED, 2 - 0.8 - 0.5, 0.98, -np.pi / 2)
+    there.add("double_bed", bed)
+    said = box((0.42, 0.48, 0.52), 0, 0)[None]
+    usual = followers.known("nightstand", said, there.names, there.boxes)
+    east = usual[usual[:, 0] > bed[0]]
+    assert there.prices("nightstand", east).min() >= BROKEN or there.shuts("nightstand", east[0]) >= CUT
+    good = [place for name, places in followers.others("nightstand", said, there, {}) for place in places
+            if place[0] > bed[0] and there.prices(name, place[None], strict=True)[0] < BROKEN
+            and there.shuts(name, place) < CUT]
+    assert good
+    for place in good:
+        assert place[0] - place[4] / 2 > bed[0] + 0.8 - 0.01 and place[0] + place[4] / 2 < 2.0 + 0.008
+        assert place[1] + place[3] / 2 > 2 - 0.05
+
+
+@pytest.mark.parametrize("foot, shorter", [(0.5, True), (1.0, False)])
+def test_a_bed_is_no_longer_than_its_mattress_where_one_hardly_gets_round_it(foot: float, shorter: bool) -> None:
+    """Its head stays where it was, and so does its middle."""
+    bed = box((2.2, 1.7, 0.5), 0.1, 2 - 0.02 - 1.1, -np.pi / 2)
+    found = followers.snug("double_bed", bed, room(4.0, 4.0) if not shorter else room(4.0, 2.22 + foot))
+    if not shorter:
+        assert np.array_equal(found, bed)
+        return
+    bed = box((2.2, 1.7, 0.5), 0.1, (2.22 + foot) / 2 - 0.02 - 1.1, -np.pi / 2)
+    found = followers.snug("double_bed", bed, room(4.0, 2.22 + foot))
+    assert 2.0 <= found[3] < 2.1 and 1.6 <= found[4] < 1.7 and found[0] == bed[0]
+    assert found[1] + found[3] / 2 == pytest.approx(bed[1] + 1.1, abs=1e-5)
+    assert np.array_equal(followers.snug("single_bed", bed, room(4.0, 2.22 + foot)), bed)
+
+
+def test_mirrors_are_looked_for_along_all_walls_unless_there_is_what_they_hang_over() -> None:
+    there = room()
+    said = np.tile(np.array([0, 0, 0, 0.04, 0.6, 1.05, 1.85], np.float32), (3, 1))
+    places = handy.places("mirror", said, ["double_bed"], said[:1], there.space)
+    assert {(round(float(np.cos(yaw))), round(float(np.sin(yaw)))) for yaw in places[:, 2]} == {
+        (1, 0), (-1, 0), (0, 1), (0, -1)}
+    assert np.allclose(places[:, 3:], said[0, 3:]) and np.allclose(np.abs(places[:, :2]).max(1), 2 - 0.02, atol=0.02)
+    for over in ("vanity", "dressing_table"):
+        assert not len(handy.places("mirror", said, [over], said[:1], there.space))
 
 
 def test_others_lead_nothing() -> None:

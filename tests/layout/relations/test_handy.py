@@ -40,7 +40,7 @@ def test_bins_find_places_there() -> None:
     good = found[there.prices("bin", found, strict=True) < BROKEN]
     end = np.hypot(*(good[:, :2] - [-1.86, -0.76]).T) < 0.05
     assert end.any() and np.allclose(good[:, 3:5], 0.28)
-    assert not len(handy.places("bin", box(BIN, 0, 0)[None], ["vanity"], there.boxes[:1], there.space))
+    assert not len(handy.places("bin", box(BIN, 0, 0)[None], ["shower"], there.boxes[:1], there.space))
 
 
 @pytest.mark.parametrize("x, y, good", [(-1.78, 1.45, True), (-1.78, -1.45, True), (-1.2, 1.45, False),

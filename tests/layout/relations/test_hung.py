@@ -72,3 +72,22 @@ def test_one_gets_at_a_mirror_over_its_basin() -> None:
             box[5:] = 0.0, 0.4
             assert there.shuts("bin", box) > 0
     assert seen > 4
+
+
+@pytest.mark.parametrize("yaw", [0.0, np.pi / 2, 2.0])
+@pytest.mark.parametrize("name, size, ahead, turn, barred", [
+    ("nightstand", (0.42, 0.48, 0.52), 0.22, 0.0, True), ("single_bed", (2.0, 0.9, 0.5), 0.5, np.pi / 2, True),
+    ("floor_lamp", (0.3, 0.3, 1.6), 0.2, 0.0, True), ("wardrobe", (0.6, 1.5, 2.1), 0.9, 0.0, True),
+    ("chest", (0.45, 0.8, 0.8), 0.25, 0.0, False), ("chest", (0.45, 0.8, 0.8), 0.5, np.pi / 2, True),
+    ("dressing_table", (0.45, 0.9, 0.75), 0.25, 0.0, False), ("stool", (0.4, 0.4, 0.45), 0.3, 0.0, False),
+    ("rug", (1.4, 1.4, 0.01), 0.5, 0.0, False), ("nightstand", (0.42, 0.48, 0.52), 1.2, 0.0, False),
+])
+def test_one_stands_before_a_mirror(name: str, size: tuple[float, ...], ahead: float, turn: float, barred: bool,
+                                    yaw: float) -> None:
+    """Or before the low cabinet below it that looks the same way."""
+    front = np.array([np.cos(yaw), np.sin(yaw)])
+    depth, width, height = size
+    there = row(*(np.array([1.0, 2.0]) + ahead * front), yaw + turn, depth, width, 0.0, height)
+    mirror = row(*(np.array([1.0, 2.0]) + 0.02 * front), yaw, 0.04, 0.6, 1.05, 1.85)
+    assert hung.spoils("mirror", upright(mirror[None]), [name], upright(there[None])).tolist() == [barred]
+    assert not hung.spoils("wall_lamp", upright(mirror[None]), [name], upright(there[None])).any()

@@ -1,0 +1,28 @@
+"""What comes to the contents that a model draws: nightstands, and desks for who sleeps alone."""
+
+from collections import Counter
+
+import pytest
+
+from apartgen.stages.layout.relations.furnishings import completed
+
+
+@pytest.mark.parametrize("names, stands", [
+    (["double_bed"], 2), (["double_bed", "nightstand"], 2), (["double_bed", "side_table", "nightstand"], 1),
+    (["single_bed", "desk"], 1), (["single_bed", "nightstand", "desk"], 1), (["sofa"], 0), (["bunk_bed"], 0),
+])
+def test_everyone_has_a_nightstand(names: list[str], stands: int) -> None:
+    found = completed(names, {}, bedroom=True, area=12.0)
+    assert found[: len(names)] == names and found.count("nightstand") == stands
+    assert completed(names, {"nightstand": 0}, bedroom=True, area=12.0) == names
+
+
+@pytest.mark.parametrize("names, bedroom, area, desks, chairs", [
+    (["single_bed"], True, 9.0, 1, 1), (["single_bed", "chair"], True, 9.0, 1, 0), (["single_bed"], True, 6.0, 0, 0),
+    (["single_bed"], False, 20.0, 0, 0), (["double_bed"], True, 14.0, 0, 0), (["single_bed"] * 2, True, 14.0, 0, 0),
+    (["single_bed", "desk", "office_chair"], True, 9.0, 1, 1),
+])
+def test_who_sleeps_alone_has_a_desk(names: list[str], bedroom: bool, area: float, desks: int, chairs: int) -> None:
+    found = Counter(completed(names, {}, bedroom, area))
+    assert (found["desk"], found["office_chair"]) == (desks, chairs)
+    assert Counter(completed(names, {"desk": 0}, bedroom, area))["desk"] == names.count("desk")
