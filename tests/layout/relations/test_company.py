@@ -161,3 +161,9 @@ def test_a_side_table_stands_beside_a_seat(ahead: float, good: bool) -> None:
     before = token(thing("side_table", 3.0, 2.5 + ahead + 0.2, NORTH))[None]
     judges = [wanted for mine, _, wanted in company.RULES if "side_table" in mine]
     assert all(bool(wanted(company.Seen(before, token(seat)[None]), ["armchair"])[0]) for wanted in judges[1:]) == good
+
+
+def test_cupboards_wait_for_the_hooks_at_the_entrance() -> None:
+    left = ["wardrobe", "shoe_cabinet", "bench", "coat_rack", "mirror"]
+    assert company.next_of(left, []) == ["coat_rack", "mirror"]
+    assert company.next_of(left, ["coat_rack"]) == left and company.next_of(left[:3], []) == left[:3]
