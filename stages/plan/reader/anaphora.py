@@ -166,10 +166,10 @@ def counted(items: list[Item]) -> list[Item]:
 def _furnished(items: list[Item]) -> list[Item]:
     """`in the study put a desk`: the study has it."""
     inside, room = (items[:2] + [Item("")] * 2)[:2]
-    thing = next((i.kind for i in items[2:] if i.kind not in ("reach", "copula", "mark")), "")
-    if inside.value != "in" or room.room is None or thing != "object":
+    thing = next((k for k in range(2, len(items)) if items[k].kind not in ("reach", "copula", "mark")), 0)
+    if inside.value != "in" or room.room is None or items[thing].kind != "object":
         return items
-    return [room, Item("with", "has", inside.text), *items[2:]]
+    return [room, Item("with", "has", inside.text), *items[thing:]]
 
 
 def _one_in(items: list[Item], k: int) -> bool:

@@ -48,7 +48,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
         elif owner is not None and not (
             owner.headline and (item.kind == "mark" or item.value == "with") and not _only_things(items, k + 1)
         ):
-            before = len(owner.owned)
+            before, had = len(owner.owned), len(owner.objects)
             start = k + 1
             k = _take(owner, items, start, item.value if item.kind == "mark" else "")
             while owner.owned and items[k - 1].room is owner.owned[-1] and _has_things(items, k):
@@ -56,7 +56,7 @@ def attach_owned(items: list[Item], said: Said) -> list[Item]:
             given = owner.owned[before:]
             several = bool(given) and all(r.plural and r.count is None for r in given)
             if (item.value == "has" and item.text in PLURAL) or (item.value == "with" and several and _one(owner)):
-                _give_each(owner, given, out)
+                _give_each(owner, given, owner.objects[had:], out)
             if k == start and is_mark(item, ":"):
                 out.append(item)
             if (item.value == "has" or not owner.type) and (owner.plural or (owner.count or 1) > 1):
@@ -114,9 +114,11 @@ def _headed(before: list[Item]) -> RoomPhrase | None:
 
 
 def _off_another(before: list[Item], items: list[Item], k: int) -> RoomPhrase | None:
-    """The utility room of `a utility room off the kitchen, with a washing machine`."""
+    """The utility room of `a utility room off the kitchen, with a washing machine`, the room that is told of alone."""
     head, way, hub, joint = ([Item("")] * 4 + before)[-4:]
     fits = items[k].kind == "with" and items[k].value == "with" and is_mark(joint, ",") and _only_things(items, k + 1)
+    if fits and len(before) == 2 and hub.room is not None and hub.room.quantifier == Det.THE:
+        return hub.room  # "the boys' bedroom, with a bunk bed, …"
     fits = fits and way.kind == "link" and way.form == "" and hub.room is not None and hub.room.quantifier == Det.THE
     return head.room if fits else None
 
@@ -167,16 +169,20 @@ def _one(owner: RoomPhrase) -> bool:
     return bool(owner.type) and not owner.plural and (owner.count or 1) == 1
 
 
-def _give_each(owner: RoomPhrase, given: list[RoomPhrase], before: list[Item]) -> None:
+def _give_each(
+    owner: RoomPhrase, given: list[RoomPhrase], things: list[tuple[str, int]], before: list[Item]
+) -> None:
     """`the lounge and the main bedroom have balconies`, `bedroom 1, bedroom 2 and 3 with en suites`: one for each."""
     at = next((k for k, i in enumerate(before) if i.room is owner), 0)
     others: list[RoomPhrase] = []
     joint = at - 1
     while joint > 0 and (before[joint].kind == "conjunction" or (others and is_mark(before[joint], ","))):
         other = before[joint - 1].room
-        if other is None or not other.type or owner.quantifier != other.quantifier:
+        led_to = joint > 1 and before[joint - 2].kind in ("link", "front")  # "next to the study and the bedrooms have"
+        if other is None or not other.type or owner.quantifier != other.quantifier or led_to:
             break
         others.append(other)
+        other.objects += things
         joint -= 2
     for room in given if others else []:
         room.plural, room.quantifier = False, Det.EACH
@@ -266,7 +272,9 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
         ):
             holder = after[inside + 1].room
     known = [i.room for i in before if i.room is not None]
-    in_it = [i.value for i in after[:1]] == ["in"] and (len(after) == 1 or after[1].kind in ("mark", "conjunction"))
+    end = next((j for j, x in enumerate(after) if x.kind not in ("object", "conjunction", "objects")), len(after))
+    in_it = [i.value for i in after[end : end + 1]] == ["in"]
+    in_it = in_it and (len(after) == end + 1 or after[end + 1].kind in ("mark", "conjunction"))
     if holder is None and in_it and known:
         holder = known[0]  # "the baby's room is small, and we need a cot in it"
     if holder is None and not (after and after[0].kind == "with"):

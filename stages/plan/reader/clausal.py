@@ -9,6 +9,8 @@ COMPARED = ("compare", "extreme", "share", "fraction")
 DENYING = ("no", "without")
 LEADING = ("with", "boundary", "conjunction", "relative", "copula")
 """What may stand between the rooms and `no door between them`."""
+FINITE = ("copula", "reach")
+"""Verbs that may stand between a room and what is in it."""
 SIZING = ("area", "copula", "with", "area_word")
 """What may stand between rooms and their areas."""
 
@@ -105,12 +107,16 @@ def again_named(room: RoomPhrase) -> Item:
 
 
 def in_every(out: list[Item], items: list[Item], k: int) -> bool:
-    """`…, in every bedroom a desk`, `… and in each bedroom one desk`: a clause of its own."""
-    inside, room, thing = ahead(items, k)
+    """`…, in every bedroom a desk`, `… and in each bedroom one desk`, `…, and in the lounge a sofa`: a new clause."""
+    k += items[k].kind == "conjunction" and is_mark(ahead(items, k)[0], ",")  # "… and, in the lounge, a sofa"
+    inside, room, _ = ahead(items, k)
+    thing = next((i for i in items[k + 3 : k + 6] if i.kind not in FINITE and not is_mark(i, ",")), Item(""))
     joins = items[k].kind == "conjunction" or is_mark(items[k], ",")
     if not joins or inside.value != "in" or room.room is None or thing.kind != "object":
         return False
-    if items[k].kind == "conjunction" and (room.room.quantifier != Det.EACH or last(out).kind == "object"):
+    new = is_mark(last(out), ",") or (last(out).room is not None and room.room.quantifier == Det.THE)
+    each = room.room.quantifier == Det.EACH and last(out).kind != "object"
+    if items[k].kind == "conjunction" and not (new or each):
         return False
     out.append(Item("mark", ".", "."))
     return True

@@ -1,13 +1,17 @@
 """What no room of a type is to be: `no bedroom next to the kitchen` denies a neighbour, not the bedrooms."""
 
 from apartgen.stages.plan.reader.banned import ALWAYS
+from apartgen.stages.plan.reader.extents import LESS, MORE
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, rooms_of
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
 NONE = ("none", "no", "kein", "keine", "keines", "keiner", "keins", "aucun", "aucune",
-        "ninguno", "ninguna", "ningun", "没有")  # fmt: skip
+        "ninguno", "ninguna", "ningun", "没有", "neither")  # fmt: skip
 """Words that say of how many rooms something holds: of none."""
+NOWHERE = ("nowhere", "nirgends", "nirgendwo")
+POINT = ("point", "place", "spot", "stelle", "endroit")
+"""What is at none of these is nowhere."""
 OTHER = {"at_least": "at_most", "at_most": "at_least"}
 BETWEEN = ("copula", "relative", "reach")
 SKIPPED = ("stop", "pronoun", "adjective", "negation", "determiner")
@@ -57,6 +61,25 @@ def _none_before(words: list[Lexeme], k: int) -> int | None:
         room = room or _one(words[j])
         j -= 1
     return None
+
+
+def nowhere_less(words: list[Lexeme]) -> list[Lexeme]:
+    """`nowhere may the hall be narrower than 1.2 m` with a `not` before the limit."""
+    out = list(words)
+    for at in [k for k, word in enumerate(words) if word.text in NOWHERE or _no_point(words[k : k + 2])]:
+        limit = next((k for k in range(at + 1, len(out)) if _limits(out[k]) or out[k].kind == "mark"), len(out))
+        if limit < len(out) and _limits(out[limit]):
+            places = [out.pop(at) for _ in range(1 + (out[at].text not in NOWHERE))]
+            out.insert(limit - len(places), Lexeme("negation", "not", " ".join(w.text for w in places)))
+    return out
+
+
+def _no_point(words: list[Lexeme]) -> bool:
+    return len(words) > 1 and words[0].text in NONE and words[1].text in POINT
+
+
+def _limits(word: Lexeme) -> bool:
+    return word.kind == "compare" or _bound(word) is not None or word.text.partition(" ")[0] in (*MORE, *LESS)
 
 
 def all_denied(items: list[Item]) -> list[Item]:

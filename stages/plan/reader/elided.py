@@ -69,6 +69,7 @@ from apartgen.stages.plan.reader.passages import (
 )
 from apartgen.stages.plan.reader.persons import floating, sleeps_in, whose
 from apartgen.stages.plan.reader.resumed import has_inside, it_has, off_it, same_area, set_off, there_is_in, which_has
+from apartgen.stages.plan.reader.spoken import SPOKEN
 from apartgen.stages.plan.reader.subjects import ARROWS
 from apartgen.stages.plan.reader.unwanted import again_without, not_ensuite, not_needed, we_do_not_need
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -228,7 +229,7 @@ def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (another_alike, beside_a_thing, _arrow, heading, no_such_home, _comma, which_has, it_has, there_is_in,
+RULES = (*SPOKEN, another_alike, beside_a_thing, _arrow, heading, no_such_home, _comma, which_has, it_has, there_is_in,
          off_it, set_off, same_area, another_door, goes_into, has_too, holds, whose_value, taken_back, one_of_counted,
          another_of_counted, one_in_bedroom, is_one, for_each, for_the_others, none_ensuite,
          entered_only, only_behind, from_there, inside, has_inside, through_passage,

@@ -12,22 +12,27 @@ PLURAL = ("face", "look", "are", "lie", "have", "overlook")
 PARTICIPLES = ("facing", "looking")
 OUTSIDE = ("balcony",)
 """Rooms that lie open to a side, which one says of them rather than of the room they are entered from."""
-_DE = {"norden": "north", "suden": "south", "osten": "east", "westen": "west"}
-_FR = {"nord": "north", "sud": "south", "est": "east", "ouest": "west"}
-_ES = {"norte": "north", "sur": "south", "este": "east", "oeste": "west"}
+_DE = {"norden": "north", "suden": "south", "osten": "east", "westen": "west", "nordosten": "north east",
+       "nordwesten": "north west", "sudosten": "south east", "sudwesten": "south west"}  # fmt: skip
+_FR = {"nord": "north", "sud": "south", "est": "east", "ouest": "west", "nord-est": "north east",
+       "nord-ouest": "north west", "sud-est": "south east", "sud-ouest": "south west"}  # fmt: skip
+_ES = {"norte": "north", "sur": "south", "este": "east", "oeste": "west", "noreste": "north east",
+       "nordeste": "north east", "noroeste": "north west", "sureste": "south east", "sudeste": "south east",
+       "suroeste": "south west", "sudoeste": "south west"}  # fmt: skip
 _SIDE_OF = _DE | _FR | _ES
+_NACH, _AU, _AL = ("|".join(sorted(sides, key=len, reverse=True)) for sides in (_DE, _FR, _ES))
 _VERBS = [late(pattern) for pattern in (
     # "zeigt nach Westen", "liegen nach Süden hin"
     r"\b(?:(?:zeig|blick|weis|schau|geh|lieg|geoffne|offne)(?:t|en)(?: sich)?|soll(?:en)? (?=[^.,;]* (?:zeigen|blicken|"
-    r"gehen|liegen|weisen)\b)|ist ausgerichtet|sind ausgerichtet) nach (norden|suden|osten|westen)"
+    rf"gehen|liegen|weisen)\b)|ist ausgerichtet|sind ausgerichtet) nach ({_NACH})"
     r"(?: hin)?(?: (?:zeigen|blicken|gehen|liegen|weisen))?\b",
-    r"\b(?:ist|sind) nach (norden|suden|osten|westen) (?:hin )?(?:ausgerichtet|gerichtet|orientiert)\b",
+    rf"\b(?:ist|sind) nach ({_NACH}) (?:hin )?(?:ausgerichtet|gerichtet|orientiert)\b",
     # "donne au sud", "sont exposées plein est"
     r"\b(?:donne|donnent|regarde|regardent|est (?:oriente|expose)e?|sont (?:oriente|expose)e?s) "
-    r"(?:au|a l'|plein|vers le|vers l'|sur le) ?(nord|sud|est|ouest)\b",
+    rf"(?:au|a l'|plein|vers le|vers l'|sur le) ?({_AU})\b",
     # "mira al sur", "están orientados al norte"
     r"\b(?:mira|miran|da|dan|se orienta|se orientan|(?:esta|estan) (?:orientad|expuest)[oa]s?) "
-    r"(?:al|hacia el) (norte|sur|este|oeste)\b",
+    rf"(?:al|hacia el) ({_AL})\b",
 )]  # fmt: skip
 
 

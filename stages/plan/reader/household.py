@@ -59,6 +59,9 @@ class Household:
             return []
         if phrase.plural and phrase.count is None and len(phrase.areas) > 1:
             phrase.count = float(len(phrase.areas))  # "the bedrooms are 12, 13 and 15 m²"
+            counted = [e for e in self.of(phrase.type) if e.area is None and not e.picked]
+            again = phrase.quantifier == Det.BARE and not phrase.labels and len(counted) >= phrase.count
+            phrase.quantifier = Det.THE if again else phrase.quantifier  # "2 bedrooms. Bedrooms 12 m² and 10 m²"
         for left_out in phrase.excluded:
             self.resolve(left_out)
         before = len(self.rooms)

@@ -23,8 +23,12 @@ POSSESSIVE = ("my", "our", "his", "her")
 
 def _of_others(text: str, name: str) -> bool:
     """Whether `the girls' room` is not `the boys' room`."""
-    a, b = (next((k for k, words in enumerate(WHOSE) if said.startswith(words)), None) for said in (text, name))
+    a, b = _whose(text), _whose(name)
     return None not in (a, b) and a != b
+
+
+def _whose(text: str) -> int | None:
+    return next((k for k, words in enumerate(WHOSE) if text.startswith(words)), None)
 
 
 def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
@@ -68,6 +72,7 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     another = lone and bool(labels & OTHERS) and not total  # "their bedroom …; the guest room …"
     further = rest_of(phrase, home.of(phrase.type)) if phrase.quantifier == Det.ANOTHER else []
     placed = placed or bool(further)  # "a main bedroom, two further doubles"
+    placed = placed or _one_of_counted(home, phrase, free)
     take = free if placed or (not another and _among_known(phrase, labels, free, total)) else []
     lesser = bool(labels & OTHERS) or (phrase.type == "bedroom" and Trait.SMALL in labels)
     found = take[-count:] if lesser else take[:count]  # the first bedroom is whose the home is
@@ -80,6 +85,7 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
     for entity in found:
         entity.labels |= labels
         entity.picked = True
+        entity.name = phrase.text if _whose(phrase.text) is not None else entity.name
     return found
 
 
@@ -94,6 +100,12 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
     )
     attribute = Trait.MASTER in labels and bare and len([e for e in free if e.counted]) > 1
     return total or phrase.quantifier == Det.THE or attribute or _counted(free)
+
+
+def _one_of_counted(home: "Household", phrase: RoomPhrase, free: list[Entity]) -> bool:
+    """`three bedrooms. Grandma's bedroom is next to the bath`: of whose room more is said, it is one of those."""
+    whose = phrase.quantifier == Det.BARE and phrase.count is None and "'s " in phrase.text
+    return whose and bool({id(phrase)} & (home.mentions | home.asked)) and len([e for e in free if e.counted]) > 1
 
 
 def _counted(free: list[Entity]) -> bool:

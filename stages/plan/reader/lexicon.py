@@ -32,7 +32,7 @@ _RANK = {kind: k for k, kind in enumerate(PRIORITY)}
 _PLAIN = re.compile(r"[a-z -]+")
 _ELIDED = re.compile(r"[a-z][a-z']*(?:[ -]+[a-z][a-z']*)*")
 """Words with apostrophes."""
-_SIGNS = re.compile(f"[{CJK}]+")
+_SIGNS = re.compile(f"[{CJK} ]+")
 _WORD = re.compile(r"[^\W\d_]+(?:'[^\W\d_]+)*")
 _PATTERN = re.compile(r"[a-z -]*(?:(?:(?<= )|(?<!.)){[a-z, -]*}(?= |$)[a-z -]*)*")
 """Patterns whose braces stand between whole words."""
@@ -62,7 +62,8 @@ class Entries:
         """A pattern to be expanded later, with the plurals of nouns; returns the most words of a phrase."""
         words = pattern.replace("-", " ").split() if _PLAIN.fullmatch(pattern) else None
         firsts = first_words(pattern) if words is None else set(words[:1])
-        for first in firsts | {plural((word,))[0] for word in firsts} if kind in NOUNS else firsts:
+        other = words is None or words[1:2] in ([], ["for"], ["where"])  # it is the first that has a plural
+        for first in firsts | {plural((word,))[0] for word in firsts} if other and kind in NOUNS else firsts:
             self._waiting.setdefault(first, []).append((kind, value, pattern))
         return most_words(pattern) if words is None else len(words)
 
@@ -163,8 +164,8 @@ def phrase(text: str) -> Phrase:
     if _ELIDED.fullmatch(text) and "''" not in text and "d'au" not in text:
         return tuple(word.rstrip("'") for word in text.replace("-", " ").split())
     if _SIGNS.fullmatch(text) and not {"十", "百"} & set(text):  # a token each; tens become digits
-        return tuple(text)
-    return tuple(t.text for t in tokenize(fold(text)) if t.text != "-")
+        return tuple(text.replace(" ", ""))
+    return tuple(t.text for t in tokenize(text if text.isascii() else fold(text)) if t.text != "-")
 
 
 def plural(words: Phrase) -> Phrase:

@@ -7,6 +7,8 @@ from apartgen.stages.plan.reader.lexeme import Lexeme
 NONE = ("none", "no", "0", "zero", "nil")
 """`Balcony: none`."""
 
+ABOUT = ("about", "roughly", "around", "approximately", "approx", "circa", "ca", "some")
+
 JOINTS = {
     "-": "-",
     "to": "-",
@@ -54,6 +56,19 @@ def bare(words: list[Lexeme]) -> list[Lexeme]:
     return out
 
 
+def sized_anew(words: list[Lexeme]) -> list[Lexeme]:
+    """`we said ten square metres, no, let's make it twelve`: an area, where one of about that size was said last."""
+    out = list(words)
+    for k in range(1, len(words)):
+        ends = k + 1 >= len(words) or words[k + 1].kind in ("mark", "conjunction", "boundary")
+        said = next((w for w in reversed(out[: k - 1]) if w.kind in ("area", "room")), None)
+        alike = words[k].kind == "number" and said is not None and said.kind == "area"
+        if alike and said is not None and words[k - 1].kind == "anew" and ends:
+            fits = 0.5 <= words[k].number / said.values[0] <= 2
+            out[k] = replace(words[k], kind="area", value="", values=(words[k].number,)) if fits else words[k]
+    return out
+
+
 def _said_to_be(words: list[Lexeme], i: int) -> bool:
     """Whether the number of `the big one is 16 m² and the small one 11` is an area: it counts nothing."""
     plain = words[i].kind == "number" and words[i].text[0].isdigit() and 3 <= words[i].number <= 60
@@ -69,12 +84,13 @@ def _of_each(words: list[Lexeme]) -> list[Lexeme]:
     out: list[Lexeme] = []
     i = 0
     while i < len(words):
-        values, joints, end = numbers_joined(words, i + 1) if words[i].text == "of" else ([], [], i)
+        about = i + 1 + (words[i + 1 : i + 2] != [] and words[i + 1].text in ABOUT)
+        values, joints, end = numbers_joined(words, about) if words[i].text == "of" else ([], [], i)
         plain = bool(out) and out[-1].kind == "room" and set(joints) <= {"and"} and min(values, default=0) >= 3
         if plain and not out[-1].plural:
-            values, end = values[:1], i + 2
+            values, end = values[:1], about + 1
         if plain and (end >= len(words) or words[end].kind in ("mark", "conjunction", "negation", "link")):
-            out.append(Lexeme("area", "", " ".join(w.text for w in words[i + 1 : end]), values=tuple(values)))
+            out.append(Lexeme("area", "", " ".join(w.text for w in words[about:end]), values=tuple(values)))
             i = end
         else:
             out.append(words[i])

@@ -171,6 +171,8 @@ def _total_near(items: list[Item], k: int) -> bool:
     return any(i.kind == "area_word" and i.value == "total" for i in before[-1:] + items[k + 1 : k + 2])
 
 
+ENDS = ("haben", "sein", "messen", "werden", "gross")
+"""Words that end a German clause: `das Bad soll neben der Küche liegen und mindestens 6 m² haben`."""
 SKIPPED = ("copula", "relative", "with", "area_word", "reach", "label", "size", "compare", "sum", "open", "only",
            "style")  # fmt: skip
 """What may stand between a room and its area."""
@@ -189,8 +191,9 @@ def _owners(before: list[Item], items: list[Item], k: int) -> list[RoomPhrase]:
         return rooms_of(is_of[:1])
     j = len(before) - 1
     while j >= 0 and (is_mark(before[j], "():,-") or before[j].kind in SKIPPED or before[j].value in ("it", "them")):
-        j -= 1
-    if 0 < j < len(before) - 1 and before[j].kind == "conjunction" and _verb(before[-1]):
+        j -= 1 + (before[j].kind == "size" and before[j - 1].value == "not")  # "not too small, say 22 m²"
+    joined = 0 < j and before[j].kind == "conjunction"
+    if joined and (j < len(before) - 1 and _verb(before[-1]) or any(i.text in ENDS for i in items[k + 1 : k + 3])):
         j = _subject_at(before, j)  # "the balcony faces south and is 6 m²"
     while j > 0 and is_mark(before[j - 1], ",") is False and before[j].kind in ("side", "place"):
         j -= 1  # "living room on the south side, 27 m²"

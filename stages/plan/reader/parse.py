@@ -16,13 +16,14 @@ from apartgen.stages.plan.reader.distributed import each_beside_one
 from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
+from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.learners import as_learnt
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
-from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
 from apartgen.stages.plan.reader.parted import parted
@@ -99,10 +100,14 @@ def _whole(items: list[Item], said: Said) -> None:
     """What concerns the flat as a whole, wherever it stands."""
     for k, item in enumerate(items):
         match item.kind:
-            case "only" if item.text == "nothing else" and _furnished(items[:k]):
+            case "only" if item.text == "nothing else" and furnished(items[:k]):
+                pass
+            case "only" if item.text == "nothing but" and [i.kind for i in items[k + 1 : k + 2]] == ["object"]:
+                pass
+            case "only" if item.text.endswith("all") and sleeps_only(items[:k]):
                 pass
             case "only":
-                said.only = said.only or item.value == "only" or _names_all(items, k)
+                said.only = said.only or item.value == "only" or names_all(items, k)
             case "graph":
                 said.graph = True
             case "style":
@@ -131,12 +136,6 @@ def _whole(items: list[Item], said: Said) -> None:
                 said.sides.append((role, item.value))
 
 
-def _furnished(before: list[Item]) -> bool:
-    """Whether what stands before says what furniture there is: `a bed in the main room, nothing else`."""
-    start = max((j + 1 for j, i in enumerate(before) if is_mark(i, ".")), default=0)
-    return any(i.kind == "object" for i in before[start:])
-
-
 def _beside_living(items: list[Item], k: int) -> bool:
     """`a living room and three other rooms`: it is none of the three."""
     around = (*items[max(k - 2, 0) : k], *items[k + 1 : k + 3])
@@ -154,24 +153,6 @@ def _of_room(after: list[Item]) -> bool:
     """`an L-shaped living room` says nothing of the flat's outline."""
     room = after[0].room if after else None
     return room is not None and not room.headline and all(i.kind != "dwelling" for i in after)
-
-
-def _names_all(items: list[Item], k: int) -> bool:
-    """Whether no room but those behind the `only` at `k` is named: `just a kitchen`, of no home."""
-    rooms = rooms_of(items)
-    lone = len(rooms) == 1 and rooms[0].quantifier == Det.A and rooms[0].type in (*OPEN_TYPES, "bathroom")
-    return not rooms_of(items[:k]) and (_lists_home(items[k:]) or (lone and all(i.kind != "dwelling" for i in items)))
-
-
-def _lists_home(after: list[Item]) -> bool:
-    """Whether `only`, `just`, `exactly` is said of a whole list of rooms rather than of one."""
-    run = 0
-    for item in after[1:]:
-        listed = item.kind in ("room", "conjunction", "mark", "with", "size", "label", "area")
-        if not listed or is_mark(item, ".") or (run and item.value == "has"):
-            break
-        run += item.room is not None
-    return run >= 2
 
 
 def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: list[RoomPhrase]) -> list[RoomPhrase]:

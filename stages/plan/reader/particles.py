@@ -47,12 +47,30 @@ def bathing(word: Lexeme, following: Lexeme | None, own: bool) -> Lexeme:
     return replace(word, kind="room", value="bathroom:ensuite+shower" if own else "bathroom:shower")
 
 
+BUREAU = ("bureau", "bureaux")
+"""French for a study and for a desk."""
+LEADING = ("stop", "determiner", "number", "reach", "negation", "size", "conjunction")
+"""What may stand between a room and what is in it: `dans le salon il y a un canapé`."""
+
+
 def holds(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
     """Whether this is the `in` of `ein Esstisch im Wohnzimmer`."""
     room = [w.kind for w in after if w.kind != "determiner"][:1] == ["room"]
     things = [i for i in items if i.kind in ("object", "room") or i.value == "."]
     goes_on = bool(things) and things[-1].kind == "object" and things[-1].number == 0  # "keine Teppiche: weder im …"
-    return word.text in IN and room and bool(items) and (items[-1].kind == "object" or goes_on)
+    desk = bool(items) and items[-1].text in BUREAU and any(i.kind == "object" for i in items[-3:-1])
+    return word.text in IN and room and bool(items) and (items[-1].kind == "object" or goes_on or desk)
+
+
+def fronts(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
+    """Whether this is the `dans` of `dans le salon, un canapé`, which begins a clause."""
+    begins = not items or items[-1].kind in ("conjunction", "boundary") or items[-1].value in (".", ",", ":")
+    room = next((k for k, w in enumerate(after[:3]) if w.kind == "room"), None) if word.text in IN else None
+    which = after[:room] if room is not None else []
+    if room is None or not begins or any(w.kind != "determiner" or w.value == "each" for w in which):
+        return False
+    thing = next((w for w in after[room + 1 :] if w.kind not in LEADING and w.text != ","), word)
+    return thing.kind == "furniture" or thing.text in BUREAU
 
 
 def has_to(words: list[Lexeme], i: int) -> bool:

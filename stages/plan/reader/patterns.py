@@ -8,6 +8,8 @@ from functools import cache, cached_property
 Needs = tuple[frozenset[str], ...]
 """Of each of these sets, one string stands in whatever a pattern finds."""
 _PARTS = re.compile(r"\\.|\[[^\]]*\]|\(\?P<\w+>|\(\?<?[:=!]|[()|?*+]|\{[^}]*\}|[^\\\[\](){}|?*+.^$]+|.")
+_SIGN = re.compile(r"\\[^\w\s]")
+"""A sign that stands for itself: `\\(`."""
 _AROUND = ("(?=", "(?!", "(?<=", "(?<!")
 
 
@@ -54,12 +56,13 @@ def needed(pattern: str, named: Mapping[str, str] | None = None) -> Needs:
             groups[-1].present += () if optional or inner.around else inner.needs()
         elif part == "|":
             groups[-1].close()
-        elif part[0] in "\\[?*+{.^$":
+        elif part[0] in "\\[?*+{.^$" and not _SIGN.fullmatch(part):
             groups[-1].cut()
             known = named is not None and not optional and part[1:-1] in named
             groups[-1].present += _of(named[part[1:-1]]) if known and named is not None else ()
         else:
-            groups[-1].run += part[:-1] if optional else part
+            text = part.removeprefix("\\")
+            groups[-1].run += text[:-1] if optional else text
             if optional or after[:1] in ("+", "{"):
                 groups[-1].cut()
     return groups[0].needs()

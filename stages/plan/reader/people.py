@@ -8,7 +8,16 @@ from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
 from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
-from apartgen.stages.plan.reader.possessions import SEVERAL, aged, among_counted, equipped, ours, possessed, sized
+from apartgen.stages.plan.reader.possessions import (
+    SEVERAL,
+    aged,
+    among_counted,
+    counted_for,
+    equipped,
+    ours,
+    possessed,
+    sized,
+)
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
@@ -94,13 +103,13 @@ def _claims(text: str) -> tuple[str, bool]:
         the_one = re.search(r"\bthe (?:\w+ )?(?:bed ?)?room$|一间", match.group())
         one = not apart and (kind_of(match) == "twins" or the_one)
         rooms = rooms_for(match, count if (apart or several(match)) and not one else 1)
-        rooms = sized(rooms, match["sized"])
+        rooms = sized(rooms if rooms[0].isdigit() else counted_for(match) or rooms, match["sized"])
         rooms = f"the {rooms}" if rooms[0].isdigit() and among_counted(match.string) else rooms
         return rooms + " each with its own bathroom" if match["bath"] else rooms
 
     def shared(match: re.Match[str]) -> str:
         found.append(match.group())
-        return rooms_for(match, 1)
+        return counted_for(match) or rooms_for(match, 1)
 
     def own_each(match: re.Match[str]) -> str:
         found.append(match.group())
@@ -120,6 +129,7 @@ def _claims(text: str) -> tuple[str, bool]:
     text = pattern(shares + "{article}*{room}").sub(shared, text)
     if SEVERAL.search(text):
         text = pattern(shares + "one(?= with )").sub("one of the bedrooms", text)
+        text = pattern(shares + "one(?= ?(?:[,.;]|$)| and )").sub(shared, text)
     text = pattern(
         "(?P<of>\\b(?:each|every one|all|both) of |\\bjede[rs]? (?=unserer|meiner|der )|\\bchacune? de |\\bcada "
         "un[oa] de )?{who}{relative}?,? ?(?:(?:and|they) (?={every}))?"

@@ -14,6 +14,7 @@ from apartgen.stages.plan.reader.particles import (
     ELSE,
     GERMAN,
     bathing,
+    fronts,
     furnishes,
     has_to,
     holds,
@@ -88,7 +89,8 @@ class Phraser(Modifiers):
         if word.kind == "style" and _of_hall(word.text):
             self.items.append(Item("style", word.value, word.text))  # "one long hallway": a hallway, too
             word = words[i] = replace(word, kind="room", value="hallway", text=word.text.split()[-1])
-        if word.kind == "stop" and holds(word, words[i + 1 : i + 3], self.items):
+        after = words[i + 1 : i + 9]
+        if word.kind == "stop" and (holds(word, after[:2], self.items) or fronts(word, after, self.items)):
             self._flush(word)
             self.items.append(Item("with", "in", word.text))
             if word.text in CONTRACTED:
@@ -171,7 +173,9 @@ class Phraser(Modifiers):
             p.negated = bool(self.items.pop())  # "with a shower and not a bathtub"
         several = word.plural or p.quantifier == Det.SEVERAL
         count = p.number if p.number is not None else 2 if several else 1
-        form = "some" if several and p.number is None else ""
+        the = p.quantifier == Det.THE and not several and p.number is None
+        told = the and any(i.kind == "object" and i.value == category for i in self.items)
+        form = "some" if several and p.number is None else "again" if told else ""
         self.items.append(Item("object", category, word.text, number=0 if p.negated else count, form=form))
 
     def _others_with(self, word: Lexeme) -> None:

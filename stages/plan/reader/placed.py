@@ -8,6 +8,8 @@ LEADING = ("on", "at", "in", "to", "along", "im", "an", "auf", "links", "rechts"
            "en", "al")  # fmt: skip
 """First words of a place that is said of the rooms behind it."""
 
+AGAIN = ("be", "lie", "sit")
+"""Verbs behind a modal that was said before: `it should be next to the bath and be at the back`."""
 SINGULAR = ("oriente ", "orientee ", "expose ", "exposee ", "orientado ", "orientada ")
 """What a side begins with that is said of one room."""
 
@@ -52,14 +54,15 @@ def rooms_placed(items: list[Item], k: int) -> list[RoomPhrase]:
 
 def _first_of(items: list[Item], j: int, k: int) -> int:
     """Where the study of `the study is far from the kitchen, near the entrance` stands; `j` where there is no such."""
-    apart = [i for i in items[j + 1 : k] if i.kind != "link"]
+    apart = [i for i in items[j + 1 : k] if i.kind != "link" and i.text not in AGAIN]
     way = j - 1
     subject = way - 1
-    while subject > 0 and items[subject].kind in ("copula", "link"):
+    while subject > 0 and items[subject].kind in ("copula", "link", "with"):
         subject -= 1
     if subject < 0:
         return j
-    near = items[way].kind == "link" and items[way].value in ("near", "apart")
+    again = any(i.text in AGAIN for i in items[j + 1 : k])
+    near = items[way].kind == "link" and (again or items[way].value in ("near", "apart"))
     said = items[j].room is not None and near
     joint = len(apart) == 1 and (is_mark(apart[0], ",") or apart[0].kind == "conjunction")
     fits = said and joint and (k + 1 == len(items) or not items[k + 1].room)

@@ -80,12 +80,16 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(one|1) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
     # "a dining table for six", "Esstisch für sechs Personen"
     (r"(?P<table>\b(?:[a-z]*table|[a-z]*tisch|table(?: a manger)?|mesa(?: de comedor)?)),? "
-     r"(?:(?:(?:(?:that|which) (?:seats|fits)|seating|for|(?:big|large) enough for|with (?:seats?|space|room) for) "
+     r"(?:(?:(?:(?:(?:that|which|it) )?(?:seats|fits)|seating|for|(?:big|large) enough for|"
+     r"with (?:seats?|space|room) for) "
      rf"(?P<n>{_SEATS}|\d\d?)|fur (?P<zahl>zwei|drei|vier|funf|sechs|acht|zehn|\d\d?)|"
      r"pour (?P<nombre>deux|trois|quatre|cinq|six|huit|dix|\d\d?)|"
      r"para (?P<cuantos>dos|tres|cuatro|cinco|seis|ocho|diez|\d\d?))"
      r"(?: people| persons| guests| of us| diners| personen| personnes| personas)?)"
      r"(?= ?(?:[.,;)]|$)| (?:in|and|with|at|im|und|mit|dans|et|en|y)\b)", _seated),
+    # "the entrance opens straight into the living room", "que el baño no dé al salón"
+    (r"\b(opens?|leads?|opening|leading) (?:straight|directly|right|immediately) (?=(?:in|on)?to\b)", r"\1 "),
+    (r"\bno de (?=al? )", "no da "),
     # "the bedroom areas are 9, 11 and 14 m²", "the sizes of the bedrooms should be …", "their areas are …"
     (rf"\b(?:the )?({_ROOM}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of)? (?=\d)", _plural),
     (rf"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of (?:the )?({_ROOM}s)(?: are| should be| must be|:) (?=\d)",
@@ -159,10 +163,6 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"([^,.;:放]{1,4}?)放在([^,.;:放]{1,6}?)(?:里|中)?(?=[,.;]|$)", r"\2放\1"),
     (r"(主卧)带(卫生间|浴室)", r"\1带独立\2"),
     # "un lit et un bureau dans la pièce principale": a desk; "en la habitación principal" of a studio
-    (rf"\b(une? {_LES_MEUBLES}(?:,| et) )un bureau\b", r"\1une table de travail"),
-    (rf"\bun bureau(?=(?:,| et) (?:une?|deux) {_LES_MEUBLES})", "une table de travail"),
-    (rf"\b({_LES_MEUBLES}(?:,| et) )bureau\b", r"\1table de travail"),
-    (r"\bun bureau (?=dans (?:la piece|le salon|le sejour))", "une table de travail "),
     (r"\bune bibliotheque (?=dans (?:la|le|chaque) )", "une bibliotheque murale "),
     (r"(\bestudio\b[^.]*?)\bla habitacion principal\b", r"\1el salon"),
     (r"\ben cada (dormitorio|habitacion|bano) (?=una? |dos )", r"cada \1 con "),

@@ -57,6 +57,7 @@ BARE = re.compile(
 """What tells a room without a word for it."""
 AND_THING = re.compile(r"\b(\d (?:kids room|relative's room|bedroom)s) and (?:an? |their own |own )?(desk|bed|"
     r"wardrobe|balcony|bathroom)\b")
+ORDINAL = re.compile(r"\bthe (second|third|fourth)(?= (?:bed ?)?room| one)")
 OURS = (
     r"\b(?:we|my [a-z]+ and i|i and my [a-z]+) (?:both |two |parents )?(?:{verb}) (?:the|an?|our|one) (?:own )?"
     r"(?:(?:biggest|largest|big|large|second|third|fourth|last|other|main|remaining|same|smallest|small) )?"
@@ -107,7 +108,8 @@ def possessed(text: str) -> tuple[str, list[str]]:
             return match.group()
         found.append(match.group())
         if counted and not match["many"]:
-            known = f"the {match['size']} bedroom" if match["size"] else "one of the bedrooms"
+            which = match["size"] or next(iter(ORDINAL.findall(match.group())), "")
+            known = f"the {which} bedroom" if which else "one of the bedrooms"
             return "the parents' bedroom" if kind_of(match) in ("couple", "spouse") else known
         many = value_of(match["many"]) if match["many"] else 1
         one = not match["noun"].endswith("s") or many == 1
@@ -133,6 +135,17 @@ def possessed(text: str) -> tuple[str, list[str]]:
 def among_counted(text: str) -> bool:
     """Whether a text counts bedrooms among which those are of whom it tells."""
     return SEVERAL.search(text) is not None and BESIDES.search(text) is None
+
+
+def counted_for(match: re.Match[str]) -> str:
+    """The room of boys, girls, a son or a daughter among bedrooms that are counted; "" where none are."""
+    noun = match.groupdict().get(kind_of(match)) or ""
+    if kind_of(match) not in ("child", "twins") or not noun.isascii() or not among_counted(match.string):
+        return ""
+    told = re.fullmatch(r"(?:boy|girl|son|daughter|twin)s?", noun) is not None
+    room = (f"the {noun}' bedroom" if noun.endswith("s") else f"the {noun}'s bedroom") if told else "the kids room"
+    before = re.split(r"[.;!?]", match.string[: match.start()])[-1].rstrip()
+    return f". {room}" if before.endswith(",") and "bedroom" not in before else room  # no more of another list
 
 
 def _takes(match: re.Match[str]) -> bool:

@@ -83,6 +83,7 @@ def _opens_to(items: list[Item], k: int) -> tuple[Relation, str] | None:
     last = items[k - 1].room if k else None
     alone = k < 2 or not (items[k - 2].kind == "conjunction" and k > 2 and items[k - 3].room is not None)
     alone = alone or (k > 3 and items[k - 4].kind == "link" and _new(items[k - 1]))  # "… off A and a kitchen open to B"
+    alone = alone or (_new(items[k - 1]) and items[k - 3].value in ("bedroom", "bathroom"))  # "two beds, a kitchen …"
     alone = alone or k + 1 < len(items) and items[k + 1].value in ("it", items[k - 3].value)  # "A and B open to A"
     single = last is not None and last.type in OPEN_TYPES and not last.plural and not last.definite or _the_one(last)
     if items[k].text not in ("open to", "open onto"):

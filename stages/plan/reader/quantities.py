@@ -5,11 +5,11 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.bounds import bounded
 from apartgen.stages.plan.reader.contrasted import that_hold
-from apartgen.stages.plan.reader.denied import limits_denied
+from apartgen.stages.plan.reader.denied import limits_denied, nowhere_less
 from apartgen.stages.plan.reader.dimensions import dimensions
 from apartgen.stages.plan.reader.extents import extents
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.listings import bare, counted_behind, listing, made, numbers_joined
+from apartgen.stages.plan.reader.listings import bare, counted_behind, listing, made, numbers_joined, sized_anew
 
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
@@ -24,7 +24,9 @@ def quantities(words: list[Lexeme]) -> list[Lexeme]:
 
 
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:
-    return listing(bare(bounded(limits_denied(_one_of(_areas(_by_percent(_shares(extents(dimensions(words))))))))))
+    words = extents(nowhere_less(dimensions(words)))
+    words = limits_denied(_one_of(_areas(_by_percent(_shares(words)))))
+    return listing(sized_anew(bare(bounded(words))))
 
 
 def _of_things(words: list[Lexeme]) -> list[Lexeme]:

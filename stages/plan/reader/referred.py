@@ -15,7 +15,9 @@ _YOUNG = (r"(?:(?:little|small|young|teenage|grown-up|older|younger) )?(?:childr
 _EACH = [(late(pattern), words) for pattern, words in (
     (r"(?:there (?:is|should be) )?\b(?:one|an? (?:bed ?)?room|another)(?: one)? (?:for each of|each for) (?:our |my |"
      rf"the |their )?(?P<n>{_N}) {_YOUNG}\b", "{} for the kids"),
-    (rf"\bone for each of (?:our|my|the) {_YOUNG}\b", "the others for the kids"),
+    (rf"\b(?:one|an? (?:bed ?)?room) (?:for each of|each for) (?:(?:our|my|the|their) )?{_YOUNG}\b|"
+     r"\b(?:one|an? (?:bed ?)?room) for (?:each|every) (?:child|kid|son|daughter)\b|"
+     r"\bone for each of them\b", ""),
     (rf"\bje ein(?:e?s|en|e)?(?: zimmer)? fur (?:unsere|meine|die) (?P<n>{_N}) (?:kinder|tochter|sohne|madchen|jungen|"
      rf"jungs)\b", "{} for the kids"),
     (rf"\bune (?:autre )?pour chacune? de (?:nos|mes|leurs) (?P<n>{_N}) (?:enfants|filles|fils|garcons)\b",
@@ -24,6 +26,10 @@ _EACH = [(late(pattern), words) for pattern, words in (
      "{} for the kids"),
 )]  # fmt: skip
 _OWN = late(r"(\bbed ?rooms ?[:,-]) ?our own(?= ?,| and\b)")
+_AGED = re.compile(r"\b[a-z]{2,} ?\((?:aged? )?(?:[2-9]|1\d)(?: years?(?: old)?)?\)")
+"""Children by their names: `Lea (4) and Tom (9)`."""
+_CHILDREN = re.compile(rf"\b(?:{_YOUNG}|twins)\b")
+_ROOMS = re.compile(r"\b(bed|bath|living |dining |sitting |)(?:room|kitchen|study|toilet|balcony|desk)s?\b")
 _ENGLISH = ("", "", "two", "three", "four", "five", "six")
 _ADDED = re.compile(r"\b(?:plus|besides|in addition|additionally)\b|^[^,:;(-]*\b(?:and|plus|und|et|y) $")
 """Behind bedrooms that are counted: what follows comes on top of them."""
@@ -35,6 +41,8 @@ _THEY = (r"(?:parents|grandparents|kids|children|twins|boys|girls|in-laws|couple
 _NEAR = (r"(?:away from|far from|next to|beside|besides|opposite|across from|near|close to|adjacent to|adjoining|from|"
          r"facing|by|as)")  # fmt: skip
 _HERS = late(rf"\b({_NEAR}) (hers|his|theirs)(?= ?(?:[.,;:!?)]|$)| (?:and|but|as|so|if|with)\b)")
+_OWNED = late(rf"\b({_NEAR}|than) ((?:(?:our|my|the|his|her|their) )?(?:{_SHE}|{_HE}|{_THEY})'s?)"
+              r"(?= ?(?:[.,;:!?)]|$)| (?:and|but|so|if)\b)")  # fmt: skip
 _OWNER = {
     "hers": re.compile(rf"\b{_SHE}'s (?:own )?(?:bed ?)?room\b"),
     "his": re.compile(rf"\b{_HE}'s (?:own )?(?:bed ?)?room\b"),
@@ -106,7 +114,7 @@ def referred(text: str) -> str:
     """A folded text with such rooms by their names."""
     for pattern, words in _EACH:
         text = pattern.sub(partial(_among, words=words), text)
-    text = _HERS.sub(_theirs, _OWN.sub(r"\1 ours", text))
+    text = _HERS.sub(_theirs, _OWNED.sub(r"\1 \2 bedroom", _OWN.sub(r"\1 ours", text)))
     for pattern, words in _DOORS:
         text = pattern.sub(words, text)
     return _off_it(text)
@@ -115,7 +123,13 @@ def referred(text: str) -> str:
 def _among(found: re.Match[str], words: str) -> str:
     """`three bedrooms, one for us and one for each of our two daughters` as two for the kids; else as it is."""
     counted = list(_COUNTED.finditer(found.string, 0, found.start()))
-    n = _VALUES[found["n"]] if "n" in found.re.groupindex else 2
+    n = _VALUES[found["n"]] if "n" in found.re.groupindex else max(2, len(_AGED.findall(found.string)))
+    before = found.string[: found.start()]
+    if found.group().endswith("them") and not (_CHILDREN.search(before) and _ROOMS.findall(before)[-1:] == ["bed"]):
+        return found.group()
+    if not words and not counted:
+        return f"{_ENGLISH[min(n, 6)]} for the kids"
+    n, words = (n, words) if words else (2, "the others for the kids")
     if not counted or _VALUES[counted[-1][1]] < n or _ADDED.search(found.string[counted[-1].end() : found.start()]):
         return found.group()
     return words.format(_ENGLISH[n])

@@ -287,7 +287,7 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
         living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
         kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
     if kind == Relation.OPEN and p.form == "part" and any(x.type in OPEN_TYPES for x in left):
-        left = [x for x in left if x.type not in ANNEXES]  # "a small bathroom and kitchen open to the living room"
+        left = [x for x in left if x.type not in (*ANNEXES, "bedroom")]  # "a small bathroom and kitchen open to …"
     if kind == Relation.DOOR and {x.type for x in left} <= set(OPEN_TYPES) and (gaps := _open_ones(right)):
         rest = _statement(p, left, [x for x in right if x not in gaps], words)
         return [Statement(Relation.OPEN, left, gaps, relation=words), *rest]

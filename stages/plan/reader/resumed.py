@@ -119,7 +119,9 @@ def set_off(out: list[Item], items: list[Item], k: int) -> bool:
     """`the other one, 6 m², has a bath`: an area between commas."""
     area, comma, verb = ahead(items, k)
     between = is_mark(items[k], ",") and area.kind == "area" and is_mark(comma, ",")
-    if not between or last(out).room is None or not (verb.kind == "copula" or verb.value == "has"):
+    told = verb.kind == "copula" or verb.value == "has"
+    told = told or (verb.value == "with" and [i.kind for i in items[k + 4 : k + 5]] == ["object"])
+    if not between or last(out).room is None or not told:
         return False
     items[k + 2] = Item("stop", "", ",")
     return True

@@ -10,14 +10,25 @@ _DOING = (r"(?:making|folding|cleaning|washing|setting|clearing|opening|closing|
           r"rearrangement|"
           r"assembly|search|navigation|delivery|loading|polishing)")  # fmt: skip
 _NOUN = (r"(?:bed|laundry|dish|dishes|table|window|door|drawer|sofa|chair|kitchen|bathroom|toilet|shelf|shelves|fridge|"
-         r"cabinet|wardrobe|clothes|floor|room|furniture|lamp|book|books|cup|plant|dishwasher|carpet|rug)")  # fmt: skip
+         r"cabinet|wardrobe|clothes|bed ?room|living room|utility room|pantry|floor|room|furniture|lamp|book|books|cup|"
+         r"plant|dishwasher|carpet|rug)")  # fmt: skip
 _WHAT = (r"(?:robots?|tasks?|agents?|benchmarks?|demos?|scenes?|experiments?|stud(?:y|ies)|tests?|missions?|skills?|"
          r"episodes?|"
          r"policy|policies|arm|humanoid|challenge|trials?|work|practice|training|data ?sets?)")  # fmt: skip
+_SCENE = r"(?:environment|scene|scenario|simulation|world|level|map|setting|layout|task)"
+_A_ROOM = r"an? (?:[a-z]+ )?(?:kitchen|bath ?room|bed ?room|living room|study|dining room|lounge)\b"
 _SAID = [(late(pattern), words) for pattern, words in (
     # "for a bed-making robot", "for a laundry folding task"
     (rf"(?<!-)\b{_NOUN}[- ]{_DOING}(?:[- ](?:and|or|&)[- ]{_DOING})? (?={_WHAT}\b)", ""),
     (rf"\b(?:for|to test|to train|to learn|a test of|about) {_NOUN}[- ]{_DOING}(?= ?[:,.;]| with )", "for research"),
+    # "Long-horizon laundry task. One-bedroom flat with a utility room"
+    (rf"^(\W*(?:[a-z]+[ -]){{0,3}}?)(?<!-){_NOUN}(?:[- ]{_DOING})? "
+     r"((?:task|benchmark|scenario|episode|experiment|mission|challenge|demo|test|trial)s?)"
+     r"(?=(?: only)? ?[.:;-])", r"\1\2"),
+    # "Single-room environment: a kitchen of 14 m2", "one room only: a kitchen"
+    (rf"(?:\b(?:an? )?(?:single|one)[- ]room {_SCENE}|\b(?:an? )?{_SCENE} (?:of|with) (?:just |only )?(?:an?|one) "
+     rf"(?:single )?room(?= ?[:,]))(?: ?[:,-]| with| of)? (?={_A_ROOM})", "only "),
+    (rf"(?:^|(?<=[.;!] ))(?:just |only )?(?:an?|one) (?:single )?room(?: only)? ?: ?(?={_A_ROOM})", "only "),
     # "our grandfather is living with us"
     (r"\b(is|are|am|was|were|be|who|that|[a-z]+) living (?=(?:with (?:us|me|my|our|him|her|them)|together|alone|in "
      r"an? |here|"

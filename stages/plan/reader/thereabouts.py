@@ -23,6 +23,9 @@ _THERE = late(rf"(?:\b|(?<=[.;:] )|^)((?:{_THING}|(?:(?<=[.;:] )|^)[a-z]+(?: [a-
               rf"and [a-z]+(?: [a-z]+)?)?)(?:(?:,|,? and) {_THING})*) (?:{_GOES}|will be|should be|must be) (?:in )?("
               rf"?:there|in it|"
               rf"in that room)\b")
+_PUT_THERE = late(rf"\b(in (?:the|our|my) (?:[a-z']+ )?{_ROOM})\b([^.;:]{{0,30}}?)[.:;,] ?(?:(?:and|so) )*(?:please )?"
+                  r"(?:place|put|add|set up|set|plan|provide|foresee|(?:we|i) (?:need|want|would like)) ([^.;:]+?)"
+                  r" there(?= ?(?:[.,;]|$))")  # fmt: skip
 _DE = {"ersten": "first", "zweiten": "second", "dritten": "third", "vierten": "fourth", "anderen": "other"}
 _FR = {"premiere": "first", "deuxieme": "second", "seconde": "second", "troisieme": "third", "autre": "other"}
 _ES = {"primero": "first", "primera": "first", "segundo": "second", "segunda": "second", "tercero": "third",
@@ -91,7 +94,7 @@ def thereabouts(text: str) -> str:
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
     text = _all_in(whose_rooms(text))
-    return _THERE.sub(_there, text)
+    return _THERE.sub(_there, _PUT_THERE.sub(r"\1\2. \1 \3", text))
 
 
 def _all_in(text: str) -> str:

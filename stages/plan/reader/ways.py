@@ -41,6 +41,11 @@ _IN_IT = re.compile(
     r"(?P<other>(?:the |an? )?[\w-]+(?: room)?),? (?P<things>with (?!its|their)[^.,;]+?) in it\b"
 )
 
+_ROOM = r"(?:the |an? |our )?[a-z]+(?: room)?"
+_WALLESS = (r"(?:(?:there (?:is|are|should be|must be) )?(?:(?:i|we) want )?(?:no|without (?:an?|any))|"
+            r"(?:(?:(?:i|we) )?(?:do not|don't) (?:want|need|like|put|build|plan) (?:an?|any|the)|"
+            r"(?:leave|take|knock|cut) (?:out|away|down) (?:the|that|any)|"
+            r"(?:remove|skip|omit|drop|take|knock|delete|get rid of|do without) (?:the|that|any)))")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
     # "You can only get to the study through the bedroom, and to the closet only through the study."
     (rf"\b{_ANYONE} can only (?:get (?:in)?to|go (?:in)?to|reach|enter|access) ((?:the |an? )?[a-z -]{{3,30}}?) "
@@ -86,9 +91,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "Wheelchair study: a flat with …"
     (r"^\s*(?:an? |the )?(?!(?:small|large|big|my|our|his|her|home|private|quiet|second)\b)"
      r"(?:([a-z-]+) study|study of ([a-z-]+)) ?: ?(?=[^.;:]*\b(?:flat|apartment|house|home)\b)", r"\1\2: "),
-    # "There is no wall between the kitchen and the living room."
-    (r"\b(?:there (?:is|are|should be|must be) )?(?:i want |we want )?(?:no|without (?:an?|any)) walls? between "
-     r"((?:the |an? )?[a-z]+(?: room)?) and ((?:the |an? )?[a-z]+(?: room)?)\b", r"\1 and \2 in one open space"),
+    # "There is no wall between the kitchen and the living room.", "please leave out the wall between them"
+    (rf"\b(?:please )?{_WALLESS} walls?(?:,? please,?)? between ({_ROOM}) and ({_ROOM})(?: (?:out|away|down))?\b",
+     r"\1 and \2 in one open space"),
 )]  # fmt: skip
 
 

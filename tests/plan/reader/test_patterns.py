@@ -31,6 +31,8 @@ LEXICON = sorted((Path(lexicon.__file__ or "").parent / "lexicon").glob("*.toml"
         ("(?<!x)lift(?! shaft)", [{"lift"}]),
         ("[ab]c{0,2}d", [{"d"}]),
         (r"(?P<n>\d+) rooms", [{" rooms"}]),
+        (r"\w+ \(\d", [{" ("}]),
+        (r"a\(?b\.", [{"a"}, {"b."}]),
         ("{who} sleeps", [{"twins", "boy"}, {" sleeps"}]),
         ("{who}* sleeps", [{" sleeps"}]),
     ],
