@@ -5,6 +5,7 @@ Shapes: `n` and `m` boxes, any leading batch dimensions `...`. Pairwise function
 """
 
 from collections.abc import Iterator, Sequence
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -85,31 +86,30 @@ def spread(boxes: Boxes, lo: ArrayLike, hi: ArrayLike) -> Boxes:
     return Boxes(center, hi - lo, boxes.yaw)
 
 
-def _halves(size: Array) -> tuple[Array, Array]:
-    return size[..., 0] / 2, size[..., 1] / 2
-
-
 def penetration(a: Boxes, b: Boxes | None = None) -> Array:
     """How deep boxes stand in one another, m: the least shift that parts them; negative where they are apart.
 
     Separating axes in plan (the two of each box) and z. The diagonal of `penetration(a)` is -inf.
     """
+    from apartgen.stages.space.depths import depths  # numba takes a third of a second, and not everyone asks
+
     other = a if b is None else b
-    offset = other.center[..., None, :, :] - a.center[..., :, None, :]
-    depth = (a.size[..., :, None, 2] + other.size[..., None, :, 2]) / 2 - np.abs(offset[..., 2])
-    turned = other.yaw[..., None, :] - a.yaw[..., :, None]
-    cosine, sine = np.abs(np.cos(turned)), np.abs(np.sin(turned))
-    ax, ay, bx, by = *_halves(a.size[..., :, None, :]), *_halves(other.size[..., None, :, :])
-    for yaw, across, along in (
-        (a.yaw[..., :, None], ax + bx * cosine + by * sine, ay + bx * sine + by * cosine),
-        (other.yaw[..., None, :], bx + ax * cosine + ay * sine, by + ax * sine + ay * cosine),
-    ):
-        c, s = np.cos(yaw), np.sin(yaw)
-        depth = np.minimum(depth, across - np.abs(offset[..., 0] * c + offset[..., 1] * s))
-        depth = np.minimum(depth, along - np.abs(offset[..., 1] * c - offset[..., 0] * s))
+    batch = np.broadcast_shapes(a.yaw.shape[:-1], other.yaw.shape[:-1])
+    depth = np.empty((*batch, a.n, other.n))
+    depths(*_batched(a, batch), *_batched(other, batch), depth.reshape(prod(batch), a.n, other.n))
     if b is None:
         depth[..., np.arange(a.n), np.arange(a.n)] = -np.inf
-    return np.asarray(depth)
+    return depth
+
+
+def _batched(boxes: Boxes, batch: tuple[int, ...]) -> tuple[Array, Array, Array]:
+    """Centres, sizes (B, n, 3) and yaws (B, n) with one leading dimension for all of `batch`."""
+    center, size, yaw = boxes
+    if yaw.shape[:-1] != batch:
+        center, size = (np.broadcast_to(some, (*batch, boxes.n, 3)) for some in (center, size))
+        yaw = np.broadcast_to(yaw, (*batch, boxes.n))
+    flat = (prod(batch), boxes.n)
+    return center.reshape(*flat, 3), size.reshape(*flat, 3), yaw.reshape(flat)
 
 
 def meeting(a: Boxes) -> Iterator[tuple[Indices, Indices, Array]]:

@@ -8,6 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.layout.relations.mutual import mutual
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.use import kinds
 
@@ -44,14 +45,10 @@ class Seen:
     """Candidates (n, 7) and what stands there (m, 7) in one another's frames, (n, m): partners in the candidate's."""
 
     def __init__(self, boxes: Array, there: Array) -> None:
-        one, two = np.asarray(boxes, float)[:, None], np.asarray(there, float)[None]
-        offset, turn = two[..., :2] - one[..., :2], two[..., 2] - one[..., 2]
-        self.x, self.y = _turned(offset, one[..., 2])
-        self.half = one[..., 3:5] / 2
-        self.extent = _extent(two, turn)
-        self.to = np.stack(_turned(-offset, two[..., 2]), -1)
-        self.host = two[..., 3:5] / 2
-        self.own = _extent(one, turn)
+        one, two = np.asarray(boxes, float), np.asarray(there, float)
+        at, self.to, self.extent, self.own = mutual(one, two)
+        self.x, self.y = at[..., 0], at[..., 1]
+        self.half, self.host = one[:, None, 3:5] / 2, two[None, :, 3:5] / 2
         past = np.maximum(np.abs(self.to) - self.host - self.own, 0)
         self.gap = np.hypot(past[..., 0], past[..., 1])
 
@@ -101,12 +98,6 @@ class Seen:
 def _turned(offset: Array, yaw: Array) -> tuple[Array, Array]:
     c, s = np.cos(yaw), np.sin(yaw)
     return offset[..., 0] * c + offset[..., 1] * s, offset[..., 1] * c - offset[..., 0] * s
-
-
-def _extent(boxes: Array, turn: Array) -> Array:
-    """Half extents of boxes along and across a heading that they are turned from."""
-    c, s, half = np.abs(np.cos(turn)), np.abs(np.sin(turn)), boxes[..., 3:5] / 2
-    return np.stack([c * half[..., 0] + s * half[..., 1], s * half[..., 0] + c * half[..., 1]], -1)
 
 
 def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:

@@ -124,6 +124,15 @@ class Furniture:
         others = kernels.Others(self.upright, self.grown, soft, tucked > 0, tucked)
         broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
                                 self.space.kept_clear, self.space.walls, SLACK, BROKEN)
+        total += broken
+        good = total < BROKEN
+        if good.any():  # what is broken already is not asked for more
+            total[good] += self._in_use(name, boxes[good], found.take(good), tucked, loose, strict)
+        return total
+
+    def _in_use(self, name: str, boxes: Array, found: Boxes, tucked: Floats, loose: bool, strict: bool) -> Floats:
+        """What candidates break that can stand there: doors, use with what stands there and of that, runs, fixtures."""
+        total = np.zeros(found.n)
         total += np.where(hung.spoils(name, found, self.names, self.upright), 2 * BROKEN, 0.0)
         total += np.where(self._meets_leaves(name, found), 2 * BROKEN if strict else ALONE, 0.0)
         useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
@@ -135,7 +144,7 @@ class Furniture:
         total += np.where(cramped, 2 * BROKEN if strict or spared else CRAMPED, 0.0)
         total += 0.0 if loose else distances.price(name, boxes, found, self.names, self.boxes, self.space)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict, loose)
-        return total + broken + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
+        return total + self._sideways(found, tucked) + self.in_run(name, boxes, loose, strict)
 
     def _away(self, name: str, boxes: Array, found: Boxes, strict: bool, loose: bool) -> Floats:
         """What has a back has all of it at a wall, a sofa rather than not; what one reaches for is at hand."""
