@@ -59,7 +59,7 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
             found |= (penetration(_zones(kind, boxes, space, COOKING), upright(there[units])) > SHALLOW).any(1)
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
-            found |= _any_of((penetration(zones, upright(there[solid])) > SHALLOW).any(1), len(boxes))
+            found |= _any_of(np.asarray((penetration(zones, upright(there[solid])) > SHALLOW).any(1)), len(boxes))
     used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
     if used:
         theirs = _joined([_zones(others[k], there[k:k + 1], space) for k in used])
