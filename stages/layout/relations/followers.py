@@ -9,7 +9,7 @@ import numpy as np
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import elbowroom, facing
 from apartgen.stages.layout.relations.fixtures import RAIL
-from apartgen.stages.layout.relations.hung import MIRROR
+from apartgen.stages.layout.relations.hung import MIRROR, over
 from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, at_walls, likeliest
 from apartgen.stages.layout.relations.sizes import Sizes, narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
@@ -159,7 +159,9 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
         narrow[:, 4] = TABLE[name].min[1]
         return [(name, at_walls(some, there.space)) for some in (boxes, narrow)]
     if name == MIRROR:
-        return [(name, at_walls(boxes, there.space))]
+        above = over(name, boxes, there.names, there.boxes)
+        open_ = len(above) > 0 and bool((there.prices(name, above) < BROKEN).any())
+        return [] if open_ else [(name, at_walls(boxes, there.space))]
     if kind in kinds.DESKS:
         return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:

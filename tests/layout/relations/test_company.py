@@ -167,9 +167,3 @@ def test_cupboards_wait_for_the_hooks_at_the_entrance() -> None:
     left = ["wardrobe", "shoe_cabinet", "bench", "coat_rack", "mirror"]
     assert company.next_of(left, []) == ["coat_rack", "mirror"]
     assert company.next_of(left, ["coat_rack"]) == left and company.next_of(left[:3], []) == left[:3]
-
-
-def test_machines_wait_for_the_basin_of_their_bathroom() -> None:
-    left = ["washing_machine", "vanity", "bin"]
-    assert company.next_of(left, ["toilet"]) == ["vanity", "bin"]
-    assert company.next_of(left, ["vanity"]) == left and company.next_of(left[::2], ["toilet"]) == left[::2]
