@@ -11,8 +11,9 @@ STUDIO = 30.0
 
 PLACES = (("dining_room", 0.0), ("kitchen", 10.5), ("living_room", 14.0), ("kitchen", 7.5), ("living_room", 10.0))
 """Where up to two people eat, the likeliest first, with the floor that takes, m²."""
-TWO, ONE_MORE = 2, 1.3
-"""A kitchen of the least floor has a table for two; each one more who sleeps there takes so much more, m²."""
+TWO, ONE_MORE = 2, 1.7
+"""A kitchen of the least floor has a table for two; each one more who sleeps there takes so much more, m²: a chair from
+behind which one cooks."""
 
 
 def sleepers(plan: Plan) -> int | None:

@@ -219,12 +219,12 @@ def test_plans_say_who_lives_there() -> None:
 
     assert sleepers(home(*rooms)) == 3 and sleepers(home(rooms[1], rooms[2])) == 1
     assert sleepers(home(rooms[2])) is None and sleepers(home(rooms[2], ("bathroom_1", 4.0))) == 1
-    living, kitchen, little = ("living_room_1", 20.0), ("kitchen_1", 13.2), ("kitchen_2", 8.0)
+    living, kitchen, little = ("living_room_1", 20.0), ("kitchen_1", 14.0), ("kitchen_2", 8.0)
     beds = [(f"bedroom_{k}", 12.0) for k in (1, 2, 3)]
     for chosen, where in (((living, kitchen), "kitchen_1"), ((living, little), "living_room_1"), ((living,), None),
                           ((living, kitchen, ("dining_room_1", 9.0)), "dining_room_1"),
                           ((living, kitchen, *beds), "living_room_1"), ((living, kitchen, *beds[:2]), "kitchen_1"),
-                          ((living, ("kitchen_1", 13.0), *beds[:2]), "living_room_1"),
+                          ((living, ("kitchen_1", 13.8), *beds[:2]), "living_room_1"),
                           ((living, ("kitchen_1", 10.6), beds[0]), "kitchen_1"),
                           ((("living_room_1", 10.0), little), "kitchen_2")):
         assert eats_in(home(*chosen)) == where

@@ -11,7 +11,7 @@ STEEP = 0.4
 """What each metre costs."""
 
 
-CARRIED, FARTHER = 3.0, 0.1
+CARRIED, FARTHER = 3.0, 0.25
 """Dishes are carried so far from the door to the table, m, and what each metre more costs."""
 
 

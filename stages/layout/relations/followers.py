@@ -9,6 +9,7 @@ import numpy as np
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import elbowroom, facing
 from apartgen.stages.layout.relations.fixtures import RAIL
+from apartgen.stages.layout.relations.hung import MIRROR, over
 from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, at_walls, likeliest
 from apartgen.stages.layout.relations.sizes import Sizes, narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, Furniture
@@ -150,13 +151,17 @@ def snug(name: str, box: Array, there: Furniture) -> Array:
 
 
 def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
-    """What does for something that found no place, the best first, and places (m, 7) for it: towels and wardrobes of
-    another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
+    """What does for something that found no place, the best first, and places (m, 7) for it: towels, mirrors and
+    wardrobes of another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
     kind = kinds.basic(name)
     if name == RAIL:
         narrow = boxes.copy()
         narrow[:, 4] = TABLE[name].min[1]
         return [(name, at_walls(some, there.space)) for some in (boxes, narrow)]
+    if name == MIRROR:
+        above = over(name, boxes, there.names, there.boxes)
+        open_ = len(above) > 0 and bool((there.prices(name, above) < BROKEN).any())
+        return [] if open_ else [(name, at_walls(boxes, there.space))]
     if kind in kinds.DESKS:
         return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:

@@ -16,7 +16,7 @@ from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
-ARRIVAL, NEAR = {"coat_rack": 1.8, "shoe_cabinet": 3.0}, 3.0
+ARRIVAL, NEAR = {"coat_rack": 1.8, "shoe_cabinet": 3.0, "bench": 3.0}, 3.0
 """What one uses coming home, and how far from the entrance's middle at most at the first looks; where more is looked
 for, m."""
 SLIM = 0.34

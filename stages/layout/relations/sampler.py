@@ -140,8 +140,9 @@ class Sampler:
         return again
 
     def _bare(self, name: str, contents: list[str]) -> list[str]:
-        """The contents without units that a run can do without, for one that it cannot; what was asked for stays."""
-        if self.room.counted or name not in order.runs():
+        """The contents without units that a run, or a bathroom, can do without, for what it cannot; what was asked for
+        stays."""
+        if self.room.counted or name not in order.runs() | kinds.FIXTURES.keys():
             return contents
         return [other for other in contents if self.room.asked[other] or not runs.spare(other)]
 

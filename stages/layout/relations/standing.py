@@ -32,6 +32,8 @@ TUCK_MOST = 0.30
 """How far a seat may go under its table, m."""
 LEVEL = 0.02
 SEATS = BEDS | EASY | CHAIRS | SMALL_SEATS
+NO_TOP, MONITOR = SEATS | kinds.SLENDER, "monitor"
+"""On which nothing is put, and what stands where one works."""
 OFF_WALL = 0.025
 """What hangs, and a unit of a run, has its back no farther from a wall, m: more is called hung on nothing."""
 AT_WALLS, BEHIND, END = kinds.CASES | WARDROBES | BEDS | {"tv_stand", "piano"}, 0.2, 0.1
@@ -244,11 +246,13 @@ class Furniture:
         return np.asarray(total)
 
     def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
-        """Whether candidates stand on the top of something, wholly, that nobody sits, lies or walks on, screens and
-        lamps not above where one looks."""
+        """Whether candidates stand on the top of something, wholly, that nobody sits, lies or walks on, that has no lid
+        and is no plant or lamp itself, what belongs on tops not above where one looks, a monitor on nothing but desks."""
         found = np.zeros(len(boxes), bool)
         for o, under in zip(self.names, self.boxes, strict=True):
-            if basic(o) in SEATS or TABLE[o].soft or under[6] > EYES and TABLE[name].is_for("watch", "light"):
+            if basic(o) in NO_TOP or TABLE[o].soft or TABLE[o].opens == "lid":
+                continue
+            if under[6] > EYES and TABLE[name].place == "top" or name == MONITOR and basic(o) not in kinds.DESKS:
                 continue
             offset = boxes[:, :2] - under[:2]
             c, s = np.cos(under[2]), np.sin(under[2])

@@ -64,3 +64,29 @@ def test_no_lamp_or_screen_stands_on_what_is_higher_than_eyes(name: str, size: t
         one[5:] += top
         found.append(bool(there._carried(name, one[None])[0]))
     assert found == [on_wardrobe is None, True]
+
+
+@pytest.mark.parametrize("other, size, holds", [
+    ("laundry_basket", (0.4, 0.4, 0.6), False), ("plant", (0.4, 0.4, 0.8), False), ("piano", (0.6, 1.4, 1.0), False),
+    ("nightstand", (0.4, 0.4, 0.5), True), ("desk", (0.6, 1.0, 0.75), True),
+])
+def test_lamps_stand_on_nothing_that_has_a_lid_or_grows(other: str, size: tuple[float, float, float],
+                                                       holds: bool) -> None:
+    there = Furniture(space_of(some_rooms(1), 0))
+    middle = there.space.corners.mean(0)
+    there.add(other, box(size, *middle))
+    lamp = box((0.2, 0.2, 0.4), *middle)
+    lamp[5:] += size[2]
+    assert there._carried("table_lamp", lamp[None])[0] == holds
+
+
+@pytest.mark.parametrize("other, size, holds", [
+    ("desk", (0.6, 1.0, 0.75), True), ("nightstand", (0.4, 0.4, 0.5), False), ("wardrobe", (0.6, 1.0, 2.0), False),
+])
+def test_one_works_at_desks(other: str, size: tuple[float, float, float], holds: bool) -> None:
+    there = Furniture(space_of(some_rooms(1), 0))
+    middle = there.space.corners.mean(0)
+    there.add(other, box(size, *middle))
+    monitor = box((0.2, 0.35, 0.4), *middle)
+    monitor[5:] += size[2]
+    assert there._carried("monitor", monitor[None])[0] == holds

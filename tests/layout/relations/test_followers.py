@@ -235,6 +235,8 @@ def test_mirrors_are_looked_for_along_all_walls_unless_there_is_what_they_hang_o
     assert np.allclose(places[:, 3:], said[0, 3:]) and np.allclose(np.abs(places[:, :2]).max(1), 2 - 0.02, atol=0.02)
     for over in ("vanity", "dressing_table"):
         assert not len(handy.places("mirror", said, [over], said[:1], there.space))
+    (name, found), = followers.others("mirror", said, there, {})  # as where a window is above the basin
+    assert name == "mirror" and np.array_equal(found, places)
 
 
 def test_others_lead_nothing() -> None:

@@ -14,7 +14,17 @@ from apartgen.stages.layout.relations.furnishings import completed
 def test_everyone_has_a_nightstand(names: list[str], stands: int) -> None:
     found = completed(names, {}, bedroom=True, area=12.0)
     assert found[: len(names)] == names and found.count("nightstand") == stands
-    assert completed(names, {"nightstand": 0}, bedroom=True, area=12.0) == names
+    assert completed(names, {"nightstand": 0, "table_lamp": 0}, bedroom=True, area=12.0) == names
+
+
+@pytest.mark.parametrize("names, bedroom, lamps", [
+    (["bunk_bed", "desk"], True, 1), (["bunk_bed", "floor_lamp"], True, 0), (["double_bed", "table_lamp"], True, 0),
+    (["double_bed", "ceiling_lamp"], True, 1), (["sofa"], False, 0),
+])
+def test_one_reads_in_bed(names: list[str], bedroom: bool, lamps: int) -> None:
+    found = completed(names, {}, bedroom, 7.0)
+    assert found.count("table_lamp") - names.count("table_lamp") == lamps
+    assert "table_lamp" not in completed(["bunk_bed"], {"wall_lamp": 0}, bedroom, 7.0)
 
 
 @pytest.mark.parametrize("names, bedroom, area, desks, chairs", [
