@@ -40,7 +40,7 @@ def described(words: list[Lexeme], said: Said) -> bool:
 
 def _faced(words: list[Lexeme]) -> int:
     """How many lines of a list, `kitchen: 9 m², faces north`, tell a side that a room faces and not where it lies."""
-    lists = any(word.text == ":" for word in words)
+    lists = any(word.kind == "mark" and word.text in (":", "-") for word in words)
     return sum(word.kind == "side" and any(part in word.text for part in FACING) for word in words) if lists else 0
 
 

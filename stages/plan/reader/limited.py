@@ -6,8 +6,8 @@ from apartgen.stages.plan.reader.positions import known
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
-EACH = ("share a wall", "share a common wall", "share walls", "each other", "one another", "side by side",
-        "back to back", "nebeneinander", "einander gegenuber",
+EACH = ("share a wall", "common wall", "wet wall", "plumbing wall", "share walls", "each other",
+        "one another", "side by side", "back to back", "nebeneinander", "einander gegenuber",
         "cote a cote", "face a face")
 ACROSS = ("opposite", "across", "fac", "einander geg")
 VERBAL, PLACED = ("with", "copula", "relative", "conjunction"), ("side", "place", "area", "reach")

@@ -124,6 +124,8 @@ TO_THE_OFFICE = [
     ("Two bedrooms. We don't need a study because my wife works at the office.", "B2 H K L W", ""),
     ("One bedroom. No gym, I go to the gym.", "B H K L W", ""),
     ("Two bedrooms. I work in an office downtown, so no study.", "B2 H K L W", ""),
+    ("Two bedrooms and an office. You go to the office from the living room.", "B2 H K L S W", "L1S1"),
+    ("Two bedrooms, an office where I work.", "B2 H K L S W", ""),
 ]  # fmt: skip
 LARGEST_AND = [
     ("We evaluate manipulation in kitchens. Sample a one-bedroom flat with one bathroom, a kitchen and a living room. "

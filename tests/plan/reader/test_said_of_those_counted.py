@@ -166,6 +166,12 @@ TABLES = [
      "| Bad | 6 |", "B H K L W", "H1=6, L1=23, K1=9, B1=14, W1=6"),
     ("| Room | Count |\n|---|---|\n| Bedroom | 3 |\n| Bathroom | 2 |\n| Kitchen | 1 |\n| Living room | 1 |",
      "B3 H K L W2", ""),
+    ("| Room | m² | Faces |\n|:--|--:|--|\n| Living room | 24 | south |\n| Kitchen | 9 | east |\n| Bedroom | 13 | - |\n"
+     "| Bathroom | 5 | - |", "B H K L W", "L1=24, K1=9, B1=13, W1=5, orientation L1 south, orientation K1 east"),
+    ("Build me this:\n| Name | Area |\n| --- | --- |\n| Living room | 20 |\n| Kitchen | 8 |\n| Bedroom | 12 |\n"
+     "| Bathroom | 4 |\nThe kitchen is open to the living room.", "B H K L W", "L1=20, K1=8, B1=12, W1=4, K1~L1"),
+    ("| # | Room | Area (sqm) |\n|---|---|---|\n| 1 | Living room | 22 |\n| 2 | Kitchen | 10 |\n| 3 | Bedroom | 13 |\n"
+     "| 4 | Bathroom | 5 |", "B H K L W", "L1=22, K1=10, B1=13, W1=5"),
 ]  # fmt: skip
 LINES = [
     ("living_room: 25 m², faces south\nkitchen: 9 m², faces north\nbedroom: 13 m², faces east\nbathroom: 5 m²\n"
@@ -179,6 +185,8 @@ LINES = [
      "B H K L W", "orientation K1 east, orientation L1 south, orientation B1 north, W1=5"),
     ("Wohnzimmer: 24 m², nach Süden\nKüche: 10 m², nach Norden\nSchlafzimmer: 14 m²\nBad: 6 m²\nFlur: 6 m²",
      "B H K L W", "L1=24, orientation L1 south, orientation K1 north, H1=6"),
+    ("Living room - 22 m², facing south\nKitchen - 9 m², facing east\nBedroom - 12 m², facing north\nBathroom - 5 m²",
+     "B H K L W", "L1=22, W1=5, orientation L1 south, orientation K1 east, orientation B1 north"),
 ]  # fmt: skip
 EACH_OF_TWO = [
     ("A home for my mother and me. We each need a bedroom with a bathroom of our own.", "B2 H K L W2", "B1W1, B2W2"),
@@ -206,6 +214,9 @@ WET_WALL = [
     ("Two bedrooms; the bathroom shares its wet wall with the kitchen.", "B2 H K L W", "adjacent W1 K1"),
     ("One bedroom. The bathroom and the kitchen should have a common wall.", "B H K L W", "adjacent W1 K1"),
     ("Two bedrooms. Kitchen and bathroom must share a plumbing wall.", "B2 H K L W", "adjacent K1 W1"),
+    ("Two bedrooms. Bathroom and kitchen back onto the same wet wall.", "B2 H K L W", "adjacent W1 K1"),
+    ("Two bedrooms and two bathrooms which share a wet wall.", "B2 H K L W2", "adjacent W1 W2"),
+    ("Zwei Schlafzimmer. Küche und Bad teilen sich eine Installationswand.", "B2 H K L W", "adjacent K1 W1"),
 ]  # fmt: skip
 
 test_one_for_each_of_the_kids = as_meant(EACH_CHILD)

@@ -180,6 +180,7 @@ THEY_MUST_NOT = [
     ("Two bedrooms, but they should not adjoin each other. One bathroom.", "B2 H K L W", "apart B1 B2"),
     ("We need two bedrooms and they should be far from each other. One bathroom.", "B2 H K L W", "apart B1 B2"),
     ("Two bedrooms; they may not share a wall with each other. One bathroom.", "B2 H K L W", "apart B1 B2"),
+    ("Two bathrooms, but they should not be side by side. Two bedrooms.", "B2 H K L W2", "apart W1 W2"),
 ]  # fmt: skip
 ON_THE_BALCONY = [
     ("In my ideal home there is one bedroom, one bathroom, one kitchen, one living room and one balcony. You can go to "
@@ -193,6 +194,10 @@ ON_THE_BALCONY = [
      "Y1 has 6 balcony_chair, Y1 has 1 balcony_table"),
     ("Zwei Schlafzimmer und ein Balkon. Auf dem Balkon stehen ein Tisch und zwei Stühle.", "B2 H K L W Y",
      "Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
+    ("Deux chambres et un balcon. Sur le balcon, une table et deux chaises.", "B2 H K L W Y",
+     "Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
+    ("Dos dormitorios y una terraza. En la terraza hay una mesa y cuatro sillas.", "B2 H K L W Y",
+     "Y1 has 4 balcony_chair, Y1 has 1 balcony_table"),
 ]  # fmt: skip
 OFF_WITH = [
     ("We foster children. Four bedrooms; two bathrooms, both off the hallway, neither of them ensuite; a living room; "
