@@ -20,12 +20,16 @@ OWNED_BY = {
 
 
 def of_the_first(before: list[Item], thing: Item) -> RoomPhrase | None:
-    """The bedroom of `a bedroom off the hall with a double bed`: no hall has a bed."""
+    """The bedroom of `a bedroom off the hall with a double bed`: no hall has a bed. So, too, of rooms that are new:
+    `a utility room off the kitchen with a washing machine`."""
     head, way, hub = ([Item("")] * 3 + before)[-3:]
     if way.kind != "link" or head.room is None or hub.room is None or thing.kind != "object":
         return None
     fits, first = TABLE[thing.value].rooms, head.room.type or "bedroom"
-    return head.room if hub.room.quantifier == Det.THE and first in fits and hub.room.type not in fits else None
+    new = head.room.quantifier == Det.A and not head.room.plural and (way.value, way.form) == ("door", "")
+    one = hub.room.quantifier == Det.THE and not hub.room.plural
+    told = first in fits and (hub.room.type not in fits or (new and one))
+    return head.room if hub.room.quantifier == Det.THE and told else None
 
 
 def is_the_suite(owner: RoomPhrase, room: RoomPhrase, bare: str, first: bool) -> bool:

@@ -6,6 +6,7 @@ In such a text a name always means the same room, and what is said belongs to th
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.names import Name, names
+from apartgen.stages.plan.reader.positions import FACING
 from apartgen.stages.plan.reader.sense import sense
 from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.topics import Reading, Topic
@@ -24,7 +25,7 @@ def described(words: list[Lexeme], said: Said) -> bool:
     topics = list(reading.topics.values())
     named = {part.name for part in parts if part.name is not None}
     told = sum(t.area is not None or t.placed() for t in topics)
-    if told < TOPICS or sum(t.placed() for t in topics) < PLACED or len(topics) < 0.6 * len(named):
+    if told < TOPICS or sum(t.placed() for t in topics) - _faced(words) < PLACED or len(topics) < 0.6 * len(named):
         return False
     rooms = {name: _phrase(name) for name in [*reading.topics, *_beside_topics(named, reading)]}
     said.rooms += rooms.values()
@@ -35,6 +36,12 @@ def described(words: list[Lexeme], said: Said) -> bool:
     said.only = True
     said.unread += reading.unread
     return True
+
+
+def _faced(words: list[Lexeme]) -> int:
+    """How many lines of a list, `kitchen: 9 m², faces north`, tell a side that a room faces and not where it lies."""
+    lists = any(word.kind == "mark" and word.text in (":", "-") for word in words)
+    return sum(word.kind == "side" and any(part in word.text for part in FACING) for word in words) if lists else 0
 
 
 def _beside_topics(named: set[Name], reading: Reading) -> list[Name]:

@@ -6,8 +6,8 @@ from apartgen.stages.plan.reader.positions import known
 from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
-EACH = ("share a wall", "share a common wall", "share walls", "each other", "one another", "side by side",
-        "back to back", "nebeneinander", "einander gegenuber",
+EACH = ("share a wall", "common wall", "wet wall", "plumbing wall", "share walls", "each other",
+        "one another", "side by side", "back to back", "nebeneinander", "einander gegenuber",
         "cote a cote", "face a face")
 ACROSS = ("opposite", "across", "fac", "einander geg")
 VERBAL, PLACED = ("with", "copula", "relative", "conjunction"), ("side", "place", "area", "reach")
@@ -109,13 +109,14 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         alone = item.value == "apart" and (k + 1 == len(items) or items[k + 1].kind in ("mark", "boundary"))
         each = item.text.endswith(EACH) or alone or any(i.value == "mutual" for i in items[k + 1 : k + 2])
         between = ("copula", "relative", "negation", "area", "pronoun")
-        said_of = (i for i in reversed(out) if not (i.kind in between or is_mark(i, ",") or _each(i)))
+        said_of = (i for i in reversed(_told_of_them(out)) if not (i.kind in between or is_mark(i, ",") or _each(i)))
         rooms = next((i.room for i in said_of), None)
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
         if item.kind == "link" and item.value in ("near", "apart") and each and rooms is not None and several:
             denied = _none_of(rooms, out) or any(i.kind == "negation" for i in out[-2:])
             apart = denied or item.value == "apart"
             kind = "opposite" if item.text.startswith(ACROSS) else "apart" if apart else "adjacent"
+            out = _told_of_them(out)
             while out[-1].kind in VERBAL or out[-1].kind == "negation" or is_mark(out[-1], ","):
                 out.pop()
             said.asked.append(Asked(kind, [rooms], [rooms], "", f"{rooms.text} {item.text} each other"))
@@ -123,6 +124,19 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         else:
             out.append(item)
     return out
+
+
+def _told_of_them(out: list[Item]) -> list[Item]:
+    """`two bedrooms, and they must not be` without what begins the clause about them."""
+    at = len(out)
+    while at and out[at - 1].kind in ("negation", "copula"):
+        at -= 1
+    if not (at > 1 and out[at - 1].text == "they" and out[at - 2].kind in ("conjunction", "boundary", "mark")):
+        return out
+    end = at - 1
+    while end and (out[end - 1].kind in ("conjunction", "boundary") or is_mark(out[end - 1], ",;.")):
+        end -= 1
+    return [*out[:end], *out[at:]]
 
 
 def _none_of(rooms: RoomPhrase, out: list[Item]) -> bool:

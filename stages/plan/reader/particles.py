@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.kin import data as people
 from apartgen.stages.plan.reader.lexeme import Lexeme
-from apartgen.stages.plan.reader.mention import Item
+from apartgen.stages.plan.reader.mention import Item, is_mark
 
 COPULAS = dict.fromkeys(("is", "ist", "est", "es", "lies"), "s") | dict.fromkeys(
     ("are", "sind", "sont", "son", "lie"), "p"
@@ -28,6 +28,9 @@ CONTRACTED = ("zum", "zur", "im", "am", "beim", "ins", "del", "al", "au")
 
 IN = ("im", "in", "en", "dans", "ins", "在")
 """Words for `in` of other languages, of furniture; elsewhere they say nothing."""
+
+ON = ("on", "auf", "sur")
+"""Words for `in` where the room is a balcony."""
 
 ELSE = ("else", "ander", "autre", "demas")
 """What tells the other rooms from all."""
@@ -59,18 +62,24 @@ def holds(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
     things = [i for i in items if i.kind in ("object", "room") or i.value == "."]
     goes_on = bool(things) and things[-1].kind == "object" and things[-1].number == 0  # "keine Teppiche: weder im …"
     desk = bool(items) and items[-1].text in BUREAU and any(i.kind == "object" for i in items[-3:-1])
-    return word.text in IN and room and bool(items) and (items[-1].kind == "object" or goes_on or desk)
+    return _inside(word, after) and room and bool(items) and (items[-1].kind == "object" or goes_on or desk)
 
 
 def fronts(word: Lexeme, after: list[Lexeme], items: list[Item]) -> bool:
     """Whether this is the `dans` of `dans le salon, un canapé`, which begins a clause."""
     begins = not items or items[-1].kind in ("conjunction", "boundary") or items[-1].value in (".", ",", ":")
-    room = next((k for k, w in enumerate(after[:3]) if w.kind == "room"), None) if word.text in IN else None
+    room = next((k for k, w in enumerate(after[:3]) if w.kind == "room"), None) if _inside(word, after[:3]) else None
     which = after[:room] if room is not None else []
     if room is None or not begins or any(w.kind != "determiner" or w.value == "each" for w in which):
         return False
     thing = next((w for w in after[room + 1 :] if w.kind not in LEADING and w.text != ","), word)
     return thing.kind == "furniture" or thing.text in BUREAU
+
+
+def _inside(word: Lexeme, after: list[Lexeme]) -> bool:
+    """Whether a word says that something is in the room behind it; on a balcony, too."""
+    room = next((w for w in after if w.kind == "room"), None)
+    return word.text in IN or (word.text in ON and room is not None and room.value.startswith("balcony"))
 
 
 def has_to(words: list[Lexeme], i: int) -> bool:
@@ -97,4 +106,18 @@ def furnishes(word: Lexeme, last: list[Item], items: list[Item]) -> bool:
     """Whether a word that may be a room or furniture goes on with the furniture of the room spoken of."""
     owner = next((i.room.type for i in reversed(items) if i.room and i.room.type), "")
     of = {"bed": "bedroom", "beds": "bedroom", "bibliotheque": "study"}.get(word.text, "bathroom")
-    return of == owner and last[-1].kind in ("object", "with")
+    whose = last[-1].text == "for" and word.text in ("toilet", "wc")  # "a bathroom for everybody and a toilet"
+    return of == owner and last[-1].kind in ("object", "with") and not whose
+
+
+def passed_over(items: list[Item]) -> tuple[str, ...]:
+    """Kinds that stand between furniture and what goes on with it: `a shower and no bath`, `a shower, but no bath`."""
+    between = ("conjunction", "mark", "area")
+    before = [i for i in items if i.kind not in ("negation", "boundary")][-2:]
+    denied = items[-1:] and items[-1].kind == "negation" and items[-1].value in ("no", "without")
+    goes_on = [i.kind for i in before] in (["object", "conjunction"], ["object", "mark"]) or _ends_in_thing(before)
+    return (*between, "negation", "boundary") if denied and goes_on and not is_mark(before[-1], ".") else between
+
+
+def _ends_in_thing(before: list[Item]) -> bool:
+    return bool(before) and before[-1].kind == "object"

@@ -18,6 +18,8 @@ SAID = ("link", "side", "place", "front", "beside")
 GUESTS = ("guests", "visitors", "guest", "visitor")
 BEING = ("is", "are", "should be", "must be", "will be", "shall be")
 PRONOUNS = ("me", "us", "her", "him", "them", "myself", "ourselves")
+OF_US = (["of", "us"], ["of", "them"], ["of", "you"])
+ALL_OF_US = ("all of", "both of")
 ENDS = ("mark", "conjunction", "with", "boundary", "link", "side", "place", "area")
 SLEEPERS = {"kids", "relative"}
 
@@ -76,13 +78,31 @@ def _person(text: str) -> str:
 
 def for_people(words: list[Lexeme]) -> list[Lexeme]:
     """People behind `one for` tell whose room it is, where bedrooms were counted before."""
-    words = rooms_of_people(words)
+    words = rooms_of_people(_for_all_of_us(words))
     out: list[Lexeme] = []
     beds = False
     for k, word in enumerate(words):
         beds = beds or (word.kind == "room" and word.value.startswith("bedroom"))
         who = _who(words, k) if beds and _counts(words, k) else ""
         out.append(Lexeme("label", who, word.text) if who else word)
+    return out
+
+
+def _for_all_of_us(words: list[Lexeme]) -> list[Lexeme]:
+    """`one bathroom for all of us`, `for the five of us`, `for all`: people, and none of the rooms told before."""
+    out = list(words)
+    for k in range(1, len(words)):
+        if words[k].text != "for":
+            continue
+        end = next((j for j in range(k + 1, len(words)) if words[j].kind not in ("determiner", "number")), len(words))
+        us = end + 1 < len(words) and [w.text for w in words[end : end + 2]] in OF_US
+        us = us or words[end - 1].text in ALL_OF_US
+        alone = words[end - 1].text == "all" and (end == len(words) or words[end].kind in ("mark", "conjunction"))
+        if end > k + 1 and (us or alone):
+            stop = end + (0 if alone else 1 if words[end - 1].text in ALL_OF_US else 2)
+            out[k:stop] = [Lexeme("stop", "stop", w.text) for w in words[k:stop]]
+            if stop < len(words) and words[stop].kind == "conjunction":
+                out[stop - 1] = Lexeme("mark", ",", ",")  # what follows is said of the next room alone
     return out
 
 

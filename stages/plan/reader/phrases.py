@@ -21,14 +21,13 @@ from apartgen.stages.plan.reader.particles import (
     is_german,
     of_dwelling,
     owns_home,
+    passed_over,
 )  # fmt: skip
 from apartgen.stages.plan.reader.pending import Pending, area_item, trailing_number
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 HALLS = ("hallway", "corridor", "hall", "passage")
 """Last words of styles that are said of one hallway: `long corridor`, `short hallway`."""
-
-
 SLEEPERS = {Trait.KIDS, Trait.GUEST, Trait.RELATIVE, Trait.MASTER}
 """Labels of whose rooms are bedrooms."""
 ADVERBIAL = ("ly", "ed", "ing", "s", "erweise")
@@ -136,7 +135,7 @@ class Phraser(Modifiers):
             return False  # "a shower and no bathtub, the toilet close to the bedroom"
         if word.text == "bed" and self.pending.quantifier == Det.A and self.pending.number is None:
             return True
-        last = [i for i in self.items if i.kind not in ("conjunction", "mark", "area")][-2:]
+        last = [i for i in self.items if i.kind not in passed_over(self.items)][-2:]
         furnishing = any(i.kind in ("object", "with") for i in last[-1:])
         return (
             furnishing

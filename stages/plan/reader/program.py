@@ -40,6 +40,9 @@ ENDLESS = re.compile(r"[a-zà-öø-ÿœß]{100,}|[0-9]{100,}", re.IGNORECASE)
 LIVED_IN = ("living_room", "kitchen", "dining_room", "bedroom", "bathroom", "study")
 """Rooms that `a lamp in every room` speaks of."""
 
+IN_ROOM = {("kitchen_sink", "bathroom"): "vanity", ("chair", "balcony"): "balcony_chair",
+           ("dining_table", "balcony"): "balcony_table"}  # fmt: skip
+"""What things are in rooms where their name is that of others: the sink of a bathroom, the table on a balcony."""
 
 def read(prompt: str, rng: Generator | None = None) -> Program:
     """The programme a prompt asks for, gaps filled by architectural common sense. Pure; no network.
@@ -199,7 +202,7 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
     wanted: dict[tuple[str, str], int] = {}
     for e in _ordered(home):
         for category, count in e.objects:
-            category = "vanity" if (category, e.type) == ("kitchen_sink", "bathroom") else category
+            category = IN_ROOM.get((category, e.type), category)
             wanted[ids[id(e)], category] = wanted.get((ids[id(e)], category), 0) + count
     for e in _ordered(home):
         for category, count in kinds()[e.type].objects.items():

@@ -161,6 +161,18 @@ def whose_sleep(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
+def only_from(out: list[Item], items: list[Item], k: int) -> bool:
+    """`zwei Bäder, beide nur vom Flur aus`: reached only from the hall, where no verb follows."""
+    front, room, end = (*items[k + 1 : k + 4], *[Item("")] * 3)[:3]
+    fits = items[k].kind == "only" and items[k].value == "weak" and last(out).room is not None
+    fits = fits and front.kind == "front" and front.value == "from" and room.room is not None
+    if not fits or end.kind not in ("", "mark", "conjunction"):
+        return False
+    out.append(Item("link", "only", f"{items[k].text} {front.text}"))
+    items[k + 1] = replace(front, kind="stop")
+    return True
+
+
 SPOKEN = (between_it, rest_off_it, home_is_with, also_off, does_not_but_has, desk_among_things, thing_again,
-          described_otherwise, whose_sleep)  # fmt: skip
+          described_otherwise, whose_sleep, only_from)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""

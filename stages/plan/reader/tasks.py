@@ -17,6 +17,16 @@ _WHAT = (r"(?:robots?|tasks?|agents?|benchmarks?|demos?|scenes?|experiments?|stu
          r"policy|policies|arm|humanoid|challenge|trials?|work|practice|training|data ?sets?)")  # fmt: skip
 _SCENE = r"(?:environment|scene|scenario|simulation|world|level|map|setting|layout|task)"
 _A_ROOM = r"an? (?:[a-z]+ )?(?:kitchen|bath ?room|bed ?room|living room|study|dining room|lounge)\b"
+_SKILL = (r"(?:manipulation|grasping|exploration|perception|interaction|locomotion|mapping|planning|robots?|agents?|"
+          rf"{_DOING})")  # fmt: skip
+_MANY_ROOMS = (r"(?:kitchens|bath ?rooms|bed ?rooms|living rooms|dining rooms|hallways|corridors|halls|studies|offices|"
+               r"laundry rooms|storage rooms)")  # fmt: skip
+_THEY = (r"(?:i|we|he|she|they|(?:both|all) of us|(?:my|our) [a-z]+)"
+         r"(?: (?:both|all|each|only|often|usually|always|mostly|still|just|now|can|will))*")  # fmt: skip
+_AWAY = r"(?:the |an? |my |our |his |her |their )?(?:office|gym|library|cinema|workshop)"
+_DOWNTOWN = r"(?: (?:downtown|in town|in the city|elsewhere|across town|outside|abroad))"
+_THERE_ENDS = (r"(?= ?(?:[.,;:!?]|$)| (?:every|each|daily|on|during|for work|to work|and|so|anyway|instead|most|"
+               r"twice|once|all|in the (?:morning|evening))\b)")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
     # "for a bed-making robot", "for a laundry folding task"
     (rf"(?<!-)\b{_NOUN}[- ]{_DOING}(?:[- ](?:and|or|&)[- ]{_DOING})? (?={_WHAT}\b)", ""),
@@ -29,6 +39,13 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"(?:\b(?:an? )?(?:single|one)[- ]room {_SCENE}|\b(?:an? )?{_SCENE} (?:of|with) (?:just |only )?(?:an?|one) "
      rf"(?:single )?room(?= ?[:,]))(?: ?[:,-]| with| of)? (?={_A_ROOM})", "only "),
     (rf"(?:^|(?<=[.;!] ))(?:just |only )?(?:an?|one) (?:single )?room(?: only)? ?: ?(?={_A_ROOM})", "only "),
+    # "we evaluate manipulation in kitchens"
+    (rf"\b{_SKILL}(?: (?:tasks?|skills?|policies))? in (?:(?:real|simulated|small|large|realistic|domestic|different|"
+     rf"various|many) )*{_MANY_ROOMS}(?: and {_MANY_ROOMS})?(?= ?(?:[.,;:!?]|$))", ""),
+    # "no study, we both go to the office", "my wife works at the office", "in an office downtown"
+    (rf"\b{_THEY} (?:go(?:es)?|commutes?|drives?|travels?|cycles?) (?:back |out )?(?:in)?to {_AWAY}{_DOWNTOWN}?"
+     rf"{_THERE_ENDS}", ""),
+    (rf"\b{_THEY} works? (?:at {_AWAY}{_DOWNTOWN}?|(?:in|from) {_AWAY}{_DOWNTOWN}){_THERE_ENDS}", ""),
     # "our grandfather is living with us"
     (r"\b(is|are|am|was|were|be|who|that|[a-z]+) living (?=(?:with (?:us|me|my|our|him|her|them)|together|alone|in "
      r"an? |here|"

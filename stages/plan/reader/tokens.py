@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, cast
 
 from apartgen.stages.plan.reader.notation import sided, worded
+from apartgen.stages.plan.reader.sheets import without_tables
 
 Kind = Literal["number", "word", "mark"]
 
@@ -20,7 +21,7 @@ _FRACTIONS = {"½": ".5", "¼": ".25", "¾": ".75"}
 _BOUNDS = {"(?:>=|≥)": "at least", "(?:<=|≤)": "at most"}
 _NUMBERED = re.compile(r"(?:(?<=\s)|^)(\d{1,2})[.)]\s+(?=[^\W\d])")
 _NESTED = re.compile(r'"([\w ]+)"\s*:\s*\{\s*"area(?: m2)?"\s*:\s*([\d.]+)\s*\}')
-_PAIRED = re.compile(r"(:\s?\d+(?:\.\d+)?\s?(?:sqm|m2|sqft)?)\s+(?=[a-z ]+:\s?\d)")
+_PAIRED = re.compile(r"(:\s?\d+(?:\.\d+)?\s?(?:sqm|m2|sqft)?)[^\S\n]+(?=[a-z ]+:\s?\d)")
 _SQUARED = re.compile(r"(?<=\d)\s?(?:m|met(?:er|re)s?) squared?\b|(?<=\d\d)\s?met(?:er|re)s? square\b")
 _QUOTES = str.maketrans(
     {
@@ -71,7 +72,7 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents, typographic marks made plain; same length is not kept."""
-    text = _NESTED.sub(r'"\1": \2 m2', sided(text.replace("_", " ")))
+    text = _NESTED.sub(r'"\1": \2 m2', sided(without_tables(text).replace("_", " ")))
     text = re.sub(r'(?<=["\w])"?\s*,\s*(?="[\w ]+"\s*:)', '" . ', text)  # `"kitchen": "open", "bath": …`
     for sign, words in _BOUNDS.items():
         text = re.sub(rf"\s*{sign}\s*(?=\d)", f" {words} ", text)

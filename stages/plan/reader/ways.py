@@ -78,6 +78,11 @@ _SAID = [(late(pattern), words) for pattern, words in (
      rf"(?:(?:each|everybody|everyone|all)(?: of us)? (?:{_WANT})|(?:{_WANT}) each) "
      r"(?:an?|our|his|her|their)(?: own)? (?:bed ?)?room(?: of (?:our|his|her|their) own)?\b",
      r"\1 friends, each wants a room"),
+    # "a home for my sister and me. We each want our own bedroom with our own bathroom"
+    (rf"\bfor my [a-z]+ and me(?:[,;.:?!]| and| so)+ ?(?:and )?(?:we each|each of us|we both) (?:{_WANT}) "
+     r"(?:an?|our own|our|his|her) bed ?room with (?:our|an?|its|his|her)(?: own)? "
+     r"(en ?suite|(?:bath|shower) ?room)(?: of (?:our|its) own)?(?: (?:opening|that opens|leading) off (?:it|theirs))?",
+     r". two bedrooms, each with its own \1"),
     # "a balcony where you go out from the kitchen"
     (rf"\b(?:where|(?:on|in|to|onto|into) which) {_ANYONE} (?:can )?(?:go|get|come|step|walk|enter)(?: out| in)?"
      rf"(?: (?:on|in|to|into|onto))? ({_THROUGH}) ", r"that is reached \1 "),

@@ -105,6 +105,39 @@ HAS_GOT = [
     ("Two bedrooms. We haven't got a utility room, but we have got a storage room.", "B2 H K L T W", ""),
     ("It hasn't a study, but it has a balcony. One bedroom.", "B H K L W Y", ""),
 ]  # fmt: skip
+NO_BATH = [
+    ("A flat for my dad, who uses a wheelchair: one bedroom of at least 16 m², one bathroom of at least 7 m² with a "
+     "shower and no bath, a living room and a kitchen. The building must have a lift.", "B H K L W",
+     "at_least B1 16, at_least W1 7, W1 has 1 shower, W1 has 0 bath"),
+    ("One bedroom, a kitchen, a living room and a bathroom with a shower but no bath.", "B H K L W",
+     "W1 has 1 shower, W1 has 0 bath"),
+    ("Two bedrooms. The bathroom has a shower and a toilet but no bath.", "B2 H K L W",
+     "W1 has 1 shower, W1 has 1 toilet, W1 has 0 bath"),
+    ("A flat with one bedroom and one bathroom with a walk-in shower, no bath.", "B H K L W", "W1 has 0 bath"),
+    ("Two bedrooms, one bathroom with a bath and no shower.", "B2 H K L W", "W1 has 1 bath, W1 has 0 shower"),
+]  # fmt: skip
+TO_THE_OFFICE = [
+    ("Could you plan a home for my sister and me? We each want our own bedroom with our own bathroom opening off it. "
+     "Plus a guest toilet off the hall, a kitchen and a living room. No study, we both go to the office.",
+     "B2 H K L W3", "B1W1, B2W2, H1W3"),
+    ("Two bedrooms, no study: we go to the office every day.", "B2 H K L W", ""),
+    ("Two bedrooms. We don't need a study because my wife works at the office.", "B2 H K L W", ""),
+    ("One bedroom. No gym, I go to the gym.", "B H K L W", ""),
+    ("Two bedrooms. I work in an office downtown, so no study.", "B2 H K L W", ""),
+    ("Two bedrooms and an office. You go to the office from the living room.", "B2 H K L S W", "L1S1"),
+    ("Two bedrooms, an office where I work.", "B2 H K L S W", ""),
+]  # fmt: skip
+LARGEST_AND = [
+    ("We evaluate manipulation in kitchens. Sample a one-bedroom flat with one bathroom, a kitchen and a living room. "
+     "The kitchen is the largest room of the flat and has an island, a dishwasher, an oven and a hob.", "B H K L W",
+     "order K1 largest, K1 has 1 island, K1 has 1 dishwasher, K1 has 1 oven, K1 has 1 hob"),
+    ("We study navigation in hallways. A two-bedroom flat.", "B2 H K L W", ""),
+    ("The bedroom is the smallest room of the flat and has a single bed. One bedroom.", "B H K L W",
+     "order B1 smallest, B1 has 1 single_bed"),
+    ("We test rearrangement in bathrooms. Give me a flat with two bedrooms and one bathroom.", "B2 H K L W", ""),
+    ("Two bedrooms. The living room is the biggest room in the home and has two sofas and a piano.", "B2 H K L W",
+     "order L1 largest, L1 has 2 sofa, L1 has 1 piano"),
+]  # fmt: skip
 
 test_a_room_in_the_name_of_a_task_is_none = as_meant(HEADED)
 
@@ -125,3 +158,9 @@ test_no_queremos = as_meant(NO_QUEREMOS)
 test_neither_bedroom_is_next_to_it = as_meant(NEITHER)
 
 test_has_not_got = as_meant(HAS_GOT)
+
+test_a_bathroom_with_a_shower_and_no_bath = as_meant(NO_BATH)
+
+test_an_office_that_one_goes_to_is_no_study = as_meant(TO_THE_OFFICE)
+
+test_rooms_that_a_study_is_about_are_none = as_meant(LARGEST_AND)

@@ -128,6 +128,96 @@ NOT_SMALL = [
     ("The flat has two bedroom. In first bedroom is one double bed, in second bedroom are two single beds.",
      "B2 H K L W", "B1 has 1 double_bed, B2 has 2 single_bed"),
 ]  # fmt: skip
+NEAR_ENTRANCE = [
+    ("Two bedrooms - no, wait, three, the twins want a room each now. One bathroom for all of us and a guest WC "
+     "near the entrance, both off the hall. Kitchen and living room as well.", "B3 H K L W2",
+     "near W2 entrance, !near W1 entrance, !near B2 entrance, !near B3 entrance, H1W1, H1W2"),
+    ("Three bedrooms, since the boys want a room each. One bathroom for everybody and a toilet near the front door.",
+     "B3 H K L W2", "near W2 entrance, !near B2 entrance, !near B3 entrance"),
+    ("Two bedrooms, one bathroom for the family and a study close to the entrance.", "B2 H K L S W",
+     "near S1 entrance, !near B1 entrance"),
+    ("Three bedrooms, and the girls get a room each. A bathroom for the five of us and a guest toilet at the entrance.",
+     "B3 H K L W2", "near W2 entrance, !near B2 entrance, !near B3 entrance"),
+    ("Two bedrooms for our two sons. One bathroom for all and a store near the front door.", "B2 H K L T W",
+     "near T1 entrance, !near W1 entrance, !near B1 entrance, !near B2 entrance"),
+]  # fmt: skip
+ZU_JE = [
+    ("Senioren-WG: vier Schlafzimmer zu je 14 m², zwei Bäder, beide nur vom Flur aus, eine Küche, ein Wohnzimmer mit "
+     "Balkon. Der Balkon geht nach Süden.", "B4 H K L W2 Y",
+     "H1W1, H1W2, B1=14, B2=14, B3=14, B4=14, L1Y1, orientation Y1 south"),
+    ("Drei Schlafzimmer mit je 12 m², zwei Bäder, beide nur vom Flur aus zugänglich.", "B3 H K L W2",
+     "H1W1, H1W2, B1=12, B2=12, B3=12"),
+    ("Three bedrooms of 12 m² each, two bathrooms, both from the hall only, a kitchen and a living room.",
+     "B3 H K L W2", "H1W1, H1W2, B1=12, B2=12, B3=12"),
+    ("Drei Schlafzimmer zu je 13 m² und zwei Bäder, beide vom Flur aus.", "B3 H K L W2", "H1W1, H1W2, B1=13, B3=13"),
+    ("Trois chambres de 12 m² chacune, deux salles de bains, toutes deux accessibles seulement depuis le couloir.",
+     "B3 H K L W2", "H1W1, H1W2, B1=12, B2=12, B3=12"),
+]  # fmt: skip
+TABLES = [
+    ("| Room | Area (m²) |\n|---|---|\n| Hallway | 7 |\n| Living room | 22 |\n| Kitchen | 9.5 |\n| Bedroom 1 | 13 |\n"
+     "| Bedroom 2 | 11 |\n| Bathroom | 5.5 |", "B2 H K L W", "H1=7, L1=22, K1=9.5, B1=13, B2=11, W1=5.5"),
+    ("Plan this flat:\n\n| Space | Size [sqm] |\n| :--- | ---: |\n| Living room | 24 |\n| Kitchen | 10 |\n"
+     "| Bedroom | 14 |\n| Bathroom | 6 |\n| Hall | 5 |", "B H K L W", "L1=24, K1=10, B1=14, W1=6, H1=5"),
+    ("| room | m2 |\n|------|----|\n| kitchen | 8 |\n| living room | 20 |\n| bedroom 1 | 12 |\n| bedroom 2 | 10 |\n"
+     "| bathroom | 5 |", "B2 H K L W", "K1=8, L1=20, B1=12, B2=10, W1=5"),
+    ("Room | Area\n--- | ---\nLiving room | 21 m²\nKitchen | 9 m²\nBedroom | 13 m²\nBathroom | 5 m²\n", "B H K L W",
+     "L1=21, K1=9, B1=13, W1=5"),
+    ("| Raum | Fläche (m²) |\n|---|---|\n| Flur | 6 |\n| Wohnzimmer | 23 |\n| Küche | 9 |\n| Schlafzimmer | 14 |\n"
+     "| Bad | 6 |", "B H K L W", "H1=6, L1=23, K1=9, B1=14, W1=6"),
+    ("| Room | Count |\n|---|---|\n| Bedroom | 3 |\n| Bathroom | 2 |\n| Kitchen | 1 |\n| Living room | 1 |",
+     "B3 H K L W2", ""),
+    ("| Room | m² | Faces |\n|:--|--:|--|\n| Living room | 24 | south |\n| Kitchen | 9 | east |\n| Bedroom | 13 | - |\n"
+     "| Bathroom | 5 | - |", "B H K L W", "L1=24, K1=9, B1=13, W1=5, orientation L1 south, orientation K1 east"),
+    ("Build me this:\n| Name | Area |\n| --- | --- |\n| Living room | 20 |\n| Kitchen | 8 |\n| Bedroom | 12 |\n"
+     "| Bathroom | 4 |\nThe kitchen is open to the living room.", "B H K L W", "L1=20, K1=8, B1=12, W1=4, K1~L1"),
+    ("| # | Room | Area (sqm) |\n|---|---|---|\n| 1 | Living room | 22 |\n| 2 | Kitchen | 10 |\n| 3 | Bedroom | 13 |\n"
+     "| 4 | Bathroom | 5 |", "B H K L W", "L1=22, K1=10, B1=13, W1=5"),
+]  # fmt: skip
+LINES = [
+    ("living_room: 25 m², faces south\nkitchen: 9 m², faces north\nbedroom: 13 m², faces east\nbathroom: 5 m²\n"
+     "hallway: 6 m²", "B H K L W",
+     "L1=25, K1=9, B1=13, W1=5, H1=6, orientation L1 south, orientation K1 north, orientation B1 east, H1W1, B1H1"),
+    ("living room: 20 m2, facing west\nkitchen: 8 m2, facing east\nbedroom: 12 m2\nbathroom: 4 m2\nhall: 5 m2",
+     "B H K L W", "L1=20, H1=5, orientation L1 west, orientation K1 east"),
+    ("- living room: 22 m², looks south\n- kitchen: 9 m², next to the living room\n- bedroom: 12 m²\n"
+     "- bathroom: 5 m²\n- hallway: 7 m²", "B H K L W", "L1=22, orientation L1 south, K1L1, H1=7"),
+    ("Kitchen: 10 sqm, faces east. Living room: 24 sqm, faces south. Bedroom: 13 sqm, faces north. Bathroom: 5 sqm.",
+     "B H K L W", "orientation K1 east, orientation L1 south, orientation B1 north, W1=5"),
+    ("Wohnzimmer: 24 m², nach Süden\nKüche: 10 m², nach Norden\nSchlafzimmer: 14 m²\nBad: 6 m²\nFlur: 6 m²",
+     "B H K L W", "L1=24, orientation L1 south, orientation K1 north, H1=6"),
+    ("Living room - 22 m², facing south\nKitchen - 9 m², facing east\nBedroom - 12 m², facing north\nBathroom - 5 m²",
+     "B H K L W", "L1=22, W1=5, orientation L1 south, orientation K1 east, orientation B1 north"),
+]  # fmt: skip
+EACH_OF_TWO = [
+    ("A home for my mother and me. We each need a bedroom with a bathroom of our own.", "B2 H K L W2", "B1W1, B2W2"),
+    ("A flat for my brother and me: each of us wants a bedroom with an ensuite.", "B2 H K L W2", "B1W1, B2W2"),
+    ("Plan something for my friend and me. We each get our own bedroom with our own shower room. A guest toilet off "
+     "the hall.", "B2 H K L W3", "B1W1"),
+    ("It is for my cousin and me, and we each want our own bedroom with its own bathroom.", "B2 H K L W2",
+     "B1W1, B2W2"),
+]  # fmt: skip
+ENSUITE_THINGS = [
+    ("Principal bedroom with a dressing room reached only from it and an ensuite with a bath, a shower and two "
+     "washbasin vanities. A second bedroom, a family bathroom off the hall, a kitchen, a living room.",
+     "B2 C H K L W2", "B1C1, B1W1, W1 has 2 vanity, W1 has 1 bath, W1 has 1 shower, H1W2"),
+    ("Two bedrooms, the first with an ensuite with a bath and two vanities. One family bathroom.", "B2 H K L W2",
+     "B1W1, W1 has 2 vanity, W1 has 1 bath"),
+    ("A flat with one bedroom and a bathroom with two washbasins.", "B H K L W", "W1 has 2 vanity"),
+    ("One bedroom; the bathroom has two basin vanities and a bath.", "B H K L W", "W1 has 2 vanity, W1 has 1 bath"),
+    ("One bedroom; the bathroom gets a vanity unit and a washbasin vanity.", "B H K L W", "W1 has 2 vanity"),
+]  # fmt: skip
+WET_WALL = [
+    ("Both bedrooms at the back of the flat, the living room at the front. One bathroom and one kitchen, which share a "
+     "wet wall. The flat must not be larger than 75 m².", "B2 H K L W",
+     "adjacent W1 K1, position B1 back, position B2 back, position L1 front, at_most home 75"),
+    ("Two bedrooms. The kitchen and the bathroom share one wet wall.", "B2 H K L W", "adjacent K1 W1"),
+    ("Two bedrooms; the bathroom shares its wet wall with the kitchen.", "B2 H K L W", "adjacent W1 K1"),
+    ("One bedroom. The bathroom and the kitchen should have a common wall.", "B H K L W", "adjacent W1 K1"),
+    ("Two bedrooms. Kitchen and bathroom must share a plumbing wall.", "B2 H K L W", "adjacent K1 W1"),
+    ("Two bedrooms. Bathroom and kitchen back onto the same wet wall.", "B2 H K L W", "adjacent W1 K1"),
+    ("Two bedrooms and two bathrooms which share a wet wall.", "B2 H K L W2", "adjacent W1 W2"),
+    ("Zwei Schlafzimmer. Küche und Bad teilen sich eine Installationswand.", "B2 H K L W", "adjacent K1 W1"),
+]  # fmt: skip
 
 test_one_for_each_of_the_kids = as_meant(EACH_CHILD)
 
@@ -154,3 +244,17 @@ test_straight_into = as_meant(STRAIGHT)
 test_of_roughly = as_meant(ROUGHLY)
 
 test_areas_behind_remarks_and_verbs_before_furniture = as_meant(NOT_SMALL)
+
+test_a_bathroom_for_all_of_us_and_another_near_the_entrance = as_meant(NEAR_ENTRANCE)
+
+test_both_from_the_hall_alone = as_meant(ZU_JE)
+
+test_rows_of_tables = as_meant(TABLES)
+
+test_lines_with_a_side_behind_the_area = as_meant(LINES)
+
+test_my_sister_and_me_we_each_want_one = as_meant(EACH_OF_TWO)
+
+test_two_washbasin_vanities_are_two = as_meant(ENSUITE_THINGS)
+
+test_a_wet_wall_that_two_rooms_share = as_meant(WET_WALL)

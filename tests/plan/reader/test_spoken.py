@@ -173,6 +173,46 @@ AGAIN = [
      "K1 has 1 dining_table, K1 has 6 chair"),
     ("One bedroom. A sofa. The sofa is in the living room.", "B H K L W", "L1 has 1 sofa"),
 ]  # fmt: skip
+THEY_MUST_NOT = [
+    ("My husband snores. Two bedrooms please, and they must not be next to each other! One bathroom, one kitchen, one "
+     "living room, all from the hall.", "B2 H K L W", "apart B1 B2"),
+    ("Two bedrooms, one bathroom. The bedrooms must not be next to each other.", "B2 H K L W", "apart B1 B2"),
+    ("Two bedrooms, but they should not adjoin each other. One bathroom.", "B2 H K L W", "apart B1 B2"),
+    ("We need two bedrooms and they should be far from each other. One bathroom.", "B2 H K L W", "apart B1 B2"),
+    ("Two bedrooms; they may not share a wall with each other. One bathroom.", "B2 H K L W", "apart B1 B2"),
+    ("Two bathrooms, but they should not be side by side. Two bedrooms.", "B2 H K L W2", "apart W1 W2"),
+]  # fmt: skip
+ON_THE_BALCONY = [
+    ("In my ideal home there is one bedroom, one bathroom, one kitchen, one living room and one balcony. You can go to "
+     "the balcony only from the bedroom. On the balcony there are two chairs and a table.", "B H K L W Y",
+     "B1Y1, Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
+    ("A flat with one bedroom and a balcony. There are two chairs and a small table on the balcony.", "B H K L W Y",
+     "Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
+    ("A flat with one bedroom and a balcony with a table and four chairs.", "B H K L W Y",
+     "Y1 has 4 balcony_chair, Y1 has 1 balcony_table"),
+    ("Two bedrooms. On the terrace we want a table with six chairs.", "B2 H K L W Y",
+     "Y1 has 6 balcony_chair, Y1 has 1 balcony_table"),
+    ("Zwei Schlafzimmer und ein Balkon. Auf dem Balkon stehen ein Tisch und zwei Stühle.", "B2 H K L W Y",
+     "Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
+    ("Deux chambres et un balcon. Sur le balcon, une table et deux chaises.", "B2 H K L W Y",
+     "Y1 has 2 balcony_chair, Y1 has 1 balcony_table"),
+    ("Dos dormitorios y una terraza. En la terraza hay una mesa y cuatro sillas.", "B2 H K L W Y",
+     "Y1 has 4 balcony_chair, Y1 has 1 balcony_table"),
+]  # fmt: skip
+OFF_WITH = [
+    ("We foster children. Four bedrooms; two bathrooms, both off the hallway, neither of them ensuite; a living room; "
+     "a dining room with doors to the kitchen and to the living room; and a utility room off the kitchen with a "
+     "washing machine and a dryer. The kitchen has its own door to the hall too.", "B4 D H K L U W2",
+     "K1U1, U1 has 1 washing_machine, U1 has 1 dryer, D1K1, D1L1, H1K1"),
+    ("Two bedrooms, one bathroom and a utility room off the kitchen with a washing machine.", "B2 H K L U W",
+     "K1U1, U1 has 1 washing_machine, !K1 has 1 washing_machine"),
+    ("Two bedrooms and a study off the living room with two desks and a bookshelf.", "B2 H K L S W",
+     "L1S1, S1 has 2 desk, S1 has 1 bookshelf"),
+    ("One bedroom, a balcony off the living room with two balcony chairs.", "B H K L W Y",
+     "L1Y1, Y1 has 2 balcony_chair"),
+    ("There is a guest toilet off the hallway with a washing machine. Two bedrooms, one bathroom.", "B2 H K L W2",
+     "H1W1, W1 has 1 washing_machine"),
+]  # fmt: skip
 
 test_the_other_rooms_open_off_it = as_meant(OFF_IT)
 
@@ -199,3 +239,9 @@ test_german_verbs_stand_last = as_meant(VERB_LAST)
 test_rooms_face_between_two_sides = as_meant(DIAGONAL)
 
 test_a_thing_that_is_told_of_again_is_one = as_meant(AGAIN)
+
+test_they_must_not_be_next_to_each_other = as_meant(THEY_MUST_NOT)
+
+test_what_stands_on_the_balcony = as_meant(ON_THE_BALCONY)
+
+test_a_new_room_off_another_has_what_it_is_told_with = as_meant(OFF_WITH)
