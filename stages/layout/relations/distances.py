@@ -19,13 +19,17 @@ FARTHER = 4.0
 TOO_FAR = 1.0
 MEALS, FOOT, NEARER = 1.9, 0.8, 6.0
 """From a dining table to a sofa and a bed, m, and what each metre less costs."""
+BY_SCREEN, CLOSE = 0.5, 12.0
+"""The same from an armchair to what the television stands on: nearer stands one of fifteen of people's."""
+APART = ((kinds.SOFAS, MEALS, NEARER), (kinds.BEDS, FOOT, NEARER))
+SEATED = ((frozenset({"tv_stand"}), BY_SCREEN, CLOSE),)
 GLARE = 4.0
 """Price of a screen before a window."""
 
 
 def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space) -> Array:
     """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): sofas far from what they look at,
-    screens at windows, tables where one eats near to sofas or beds, (n,)."""
+    screens at windows, tables where one eats near to sofas or beds, armchairs at the television, (n,)."""
     kind = kinds.basic(name)
     if kind in kinds.SOFAS:
         view = np.max([ahead(found, space, aside) for aside in (0.0, SCREEN, -SCREEN)], 0) - STAND - VIEW
@@ -33,9 +37,9 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
     if kind == "tv_stand":
         return np.where(lit(boxes, space), GLARE, 0.0)
     total = np.zeros(len(boxes))
-    for some, least in ((kinds.SOFAS, MEALS), (kinds.BEDS, FOOT)) if kind in kinds.TABLES else ():
+    for some, least, each in APART if kind in kinds.TABLES else SEATED if kind == "armchair" else ():
         if others := [k for k, o in enumerate(names) if kinds.basic(o) in some]:
-            total += NEARER * np.clip(least - Seen(boxes, there[others]).gap.min(1), 0, TOO_FAR)
+            total += each * np.clip(least - Seen(boxes, there[others]).gap.min(1), 0, TOO_FAR)
     return total
 
 

@@ -79,3 +79,12 @@ def test_a_screen_is_rather_not_before_a_window() -> None:
     away = box(stand, float(low[0]) + 0.205, 0.0)
     assert priced("tv_stand", at_window, there) == distances.GLARE
     assert priced("tv_stand", away, there) == priced("chest", at_window, there) == 0
+
+
+@pytest.mark.parametrize("gap, near", [(0.6, 0.0), (0.5, 0.0), (0.3, 0.2), (0.0, 0.5)])
+def test_an_armchair_costs_what_it_is_too_near_to_the_television(gap: float, near: float) -> None:
+    there = room()
+    there.add("tv_stand", box((0.4, 1.4, 0.5), 0, 0))
+    chair = box((0.8, 0.8, 0.8), 0.6 + gap, 0)
+    assert priced("armchair", chair, there) == pytest.approx(distances.CLOSE * near, abs=1e-5)
+    assert priced("plant", chair, there) == 0
