@@ -247,7 +247,7 @@ class Furniture:
 
     def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:
         """Whether candidates stand on the top of something, wholly, that nobody sits, lies or walks on, that has no lid
-        and is no plant or lamp itself, what belongs on tops not above where one looks, a monitor on nothing but desks."""
+        and is no plant or lamp itself, what belongs on tops not above where one looks, a monitor on desks alone."""
         found = np.zeros(len(boxes), bool)
         for o, under in zip(self.names, self.boxes, strict=True):
             if basic(o) in NO_TOP or TABLE[o].soft or TABLE[o].opens == "lid":
