@@ -19,17 +19,18 @@ FARTHER = 4.0
 TOO_FAR = 1.0
 MEALS, FOOT, NEARER = 1.9, 0.8, 6.0
 """From a dining table to a sofa and a bed, m, and what each metre less costs."""
-BY_SCREEN, CLOSE = 0.5, 12.0
-"""The same from an armchair to what the television stands on: nearer stands one of fifteen of people's."""
-APART = ((kinds.SOFAS, MEALS, NEARER), (kinds.BEDS, FOOT, NEARER))
-SEATED = ((frozenset({"tv_stand"}), BY_SCREEN, CLOSE),)
+BY_SCREEN, CLOSE = (frozenset({"tv_stand"}), 0.5), 12.0
+"""The same from an armchair, or a dining table, to what the television stands on: nearer stands one armchair of fifteen
+of people's."""
+SEATED = ((*BY_SCREEN, CLOSE),)
+APART = ((kinds.SOFAS, MEALS, NEARER), (kinds.BEDS, FOOT, NEARER), *SEATED)
 GLARE = 4.0
 """Price of a screen before a window."""
 
 
 def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space) -> Array:
     """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): sofas far from what they look at,
-    screens at windows, tables where one eats near to sofas or beds, armchairs at the television, (n,)."""
+    screens at windows, tables where one eats near to sofas or beds, they and armchairs at the television, (n,)."""
     kind = kinds.basic(name)
     if kind in kinds.SOFAS:
         view = np.max([ahead(found, space, aside) for aside in (0.0, SCREEN, -SCREEN)], 0) - STAND - VIEW

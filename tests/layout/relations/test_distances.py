@@ -87,4 +87,6 @@ def test_an_armchair_costs_what_it_is_too_near_to_the_television(gap: float, nea
     there.add("tv_stand", box((0.4, 1.4, 0.5), 0, 0))
     chair = box((0.8, 0.8, 0.8), 0.6 + gap, 0)
     assert priced("armchair", chair, there) == pytest.approx(distances.CLOSE * near, abs=1e-5)
+    table = box((0.8, 1.2, 0.75), 0.6 + gap, 0)
+    assert priced("dining_table", table, there) == pytest.approx(distances.CLOSE * near, abs=1e-5)
     assert priced("plant", chair, there) == 0

@@ -26,7 +26,7 @@ def test_a_chair_is_drawn_back_before_a_wall(gap: float, barred: bool) -> None:
 
 @pytest.mark.parametrize("name, size, barred", [
     ("sideboard", CASE, True), ("sofa", SOFA, True), ("plant", (0.3, 0.3, 1.0), False), ("chair", CHAIR, False),
-    ("rug", (1.4, 1.4, 0.01), False), ("dining_table", TABLE, False),
+    ("rug", (1.4, 1.4, 0.01), False), ("dining_table", TABLE, False), ("coat_rack", (0.4, 0.4, 1.7), True),
 ])
 def test_what_stands_behind_a_chair_bars_it_unless_it_is_pushed_aside_or_a_table(name: str, size, barred: bool) -> None:
     behind = box(size, -0.25 - 0.1 - size[0] / 2, 0)
