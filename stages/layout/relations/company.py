@@ -145,7 +145,7 @@ def next_of(left: Sequence[str], there: Sequence[str], anew: bool = False) -> li
     the hooks at the entrance."""
     kinds_left, kinds_there = {kinds.basic(o) for o in left}, {kinds.basic(o) for o in there}
     sleeps = not kinds.BEDS.isdisjoint(kinds_left | kinds_there)
-    rows = (*LED, *HUNG_UP, *(DRESSED if sleeps else ()), *(AFTER if anew else ()))
+    rows = (*LED, *FIRST, *(DRESSED if sleeps else ()), *(AFTER if anew else ()))
     waiting = [mine for mine, partners in rows if not partners.isdisjoint(kinds_left)
                and partners.isdisjoint(kinds_there)]
     return [name for name in left if not any(kinds.basic(name) in mine for mine in waiting)] if waiting else list(left)
@@ -223,8 +223,9 @@ AFTER = ((frozenset({"tv_stand", "armchair", "bookshelf", "sideboard", "display_
 DRESSED = ((frozenset({"armchair", "bench", "bookshelf", "chest", "desk", "display_cabinet", "dressing_table", "plant",
                        "sideboard"}), kinds.WARDROBES),)
 """What one can do without where one sleeps as long as the wardrobe is still to come."""
-HUNG_UP = ((kinds.WARDROBES | {"bench", "chest", "console_table", "shoe_cabinet"}, frozenset({"coat_rack"})),)
-"""What else may stand farther from the entrance than the hooks for coats that are still to come."""
+FIRST = ((kinds.WARDROBES | {"bench", "chest", "console_table", "shoe_cabinet"}, frozenset({"coat_rack"})),
+         (frozenset({"table_lamp"}), kinds.BEDSIDE | kinds.DESKS))
+"""What may stand farther from the entrance than hooks for coats, and lamps what they stand on, wait for these."""
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),

@@ -1,5 +1,8 @@
 """What stands where it is at hand: coats and shoes near the entrance, towels where one washes, bins where one prepares
-or washes, lamps at walls beside seats, mirrors at walls. Places that are known without the model, prices of others."""
+or washes, lamps at walls beside seats or on tables, mirrors at walls.
+
+Places that are known without the model, and prices of others.
+"""
 
 from collections.abc import Sequence
 
@@ -46,6 +49,8 @@ def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: S
         slim = [(SLIM, SLIM, height)] if kind in kinds.SLENDER else []
         found = np.concatenate([along(space, size) for size in ((depth, width, height), *slim)])
         return np.asarray(found[space.from_entrance(found[:, :2].astype(float)) < NEAR])
+    if TABLE[name].place == "top":
+        return _on(_of(frozenset(TABLE[name].belongs), names, there), likeliest(boxes))
     if name == MIRROR and set(TABLE[name].belongs).isdisjoint(names):
         return at_walls(boxes, space)
     if name == RAIL and (some := _of(WASHING, names, there)).size:
@@ -62,6 +67,12 @@ def places(name: str, boxes: Array, names: Sequence[str], there: Array, space: S
         found = along(space, likeliest(boxes))
         return np.asarray(found[(Seen(found, some).gap < READING).any(1)])
     return boxes[:0]
+
+
+def _on(hosts: Array, size: Size) -> Array:
+    """In the middle of each top, (k, 7)."""
+    rest = np.broadcast_to(size[:2], (len(hosts), 2))
+    return np.column_stack([hosts[:, :3], rest, hosts[:, 6], hosts[:, 6] + size[2]]).astype(np.float32)
 
 
 def _beside(unit: Array, size: Size) -> Array:

@@ -167,3 +167,10 @@ def test_cupboards_wait_for_the_hooks_at_the_entrance() -> None:
     left = ["wardrobe", "shoe_cabinet", "bench", "coat_rack", "mirror"]
     assert company.next_of(left, []) == ["coat_rack", "mirror"]
     assert company.next_of(left, ["coat_rack"]) == left and company.next_of(left[:3], []) == left[:3]
+
+
+def test_lamps_wait_for_what_they_stand_on() -> None:
+    left = ["table_lamp", "nightstand", "rug"]
+    assert company.next_of(left, ["single_bed"]) == ["nightstand", "rug"]
+    assert company.next_of(left, ["single_bed", "nightstand"]) == left
+    assert company.next_of(["table_lamp", "rug"], ["single_bed"]) == ["table_lamp", "rug"]

@@ -58,3 +58,12 @@ def test_lamps_find_places_there() -> None:
     there.add("sofa", box(SOFA, -2.5 + 0.46, 0.0))
     found = handy.places("floor_lamp", box(LAMP, 0, 0)[None], there.names, there.boxes, there.space)
     assert (there.prices("floor_lamp", found, strict=True) < BROKEN).sum() >= 2
+
+
+def test_lamps_find_the_tops_that_they_belong_on() -> None:
+    there = room()
+    stand, basket = box((0.4, 0.5, 0.55), 1.0, 0.5, 0.3), box((0.4, 0.4, 0.6), -1.0, 0.5)
+    lamp = box((0.2, 0.2, 0.4), 0, 0)[None]
+    found = handy.places("table_lamp", lamp, ["nightstand", "laundry_basket"], np.stack([stand, basket]), there.space)
+    assert np.allclose(found, [[1.0, 0.5, 0.3, 0.2, 0.2, 0.55, 0.95]], atol=1e-6)
+    assert not len(handy.places("table_lamp", lamp, ["laundry_basket"], basket[None], there.space))
