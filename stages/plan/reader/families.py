@@ -42,7 +42,7 @@ SUMMED = re.compile(
 """Bedrooms that are counted once those who have rooms are named: all of them."""
 
 
-def beside_ours(text: str) -> str:
+def we_keep(text: str) -> str:
     """`mum moves in. She needs a bedroom, we keep ours`: hers and the parents' bedroom."""
     said = KEPT.sub("the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
     return text if said == text else said if COUNTED.search(text) else HERS.sub("a relative's room", said)
