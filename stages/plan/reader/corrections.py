@@ -47,6 +47,8 @@ def corrected(items: list[Item]) -> list[Item]:
             _not_wanted(out, room)
         if anew and item.kind == "area" and not of_another(out, start) and measured_anew(out, item, start):
             anew = False
+            while [i.value for i in told[k + 1 : k + 2]] == ["with"] and is_mark(out[-1], ","):
+                out.pop()  # "a kitchen of 9, sorry, 11 m² with a balcony off it"
             continue
         if anew and room is not None:
             _none_beyond(out, room)

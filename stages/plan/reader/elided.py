@@ -51,6 +51,7 @@ from apartgen.stages.plan.reader.gapped import (
     taken_back,
     whose_value,
 )
+from apartgen.stages.plan.reader.headed import last_two, related_first
 from apartgen.stages.plan.reader.journeys import journeys
 from apartgen.stages.plan.reader.mention import OPEN_TYPES, Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.nowhere import in_several
@@ -229,16 +230,15 @@ def _not_another(out: list[Item], items: list[Item], k: int) -> bool:
     return True
 
 
-RULES = (*SPOKEN, another_alike, beside_a_thing, _arrow, heading, no_such_home, _comma, which_has, it_has, there_is_in,
-         off_it, set_off, same_area, another_door, goes_into, has_too, holds, whose_value, taken_back, one_of_counted,
-         another_of_counted, one_in_bedroom, is_one, for_each, for_the_others, none_ensuite,
-         entered_only, only_behind, from_there, inside, has_inside, through_passage,
-         between_the_two, you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without,
-         none_off, nor_this, denied_beside, doors_counted, of_no_room, of_which, bath_each, has_itself,
-         in_every, in_each, _do_not, _also, _that_again, _together, _between_them, _own_door, _one_from, _bed,
-         _not_just, _from_again, _both_from, _they_from, _neither, not_ensuite, _not_another, not_open, compared,
-         next_one, then_listed, no_wall, none_between, beside_it, several_areas, is_for, one_of_them, opening,
-         open_to_each_other, together_with,
+RULES = (*SPOKEN, related_first, last_two, another_alike, beside_a_thing, _arrow, heading, no_such_home, _comma,
+         which_has, it_has, there_is_in, off_it, set_off, same_area, another_door, goes_into, has_too, holds,
+         whose_value, taken_back, one_of_counted, another_of_counted, one_in_bedroom, is_one, for_each, for_the_others,
+         none_ensuite, entered_only, only_behind, from_there, inside, has_inside, through_passage, between_the_two,
+         you_go_in, no_door_at_all, to_each_other, which_is_the, we_do_not_need, again_without, none_off, nor_this,
+         denied_beside, doors_counted, of_no_room, of_which, bath_each, has_itself, in_every, in_each, _do_not, _also,
+         _that_again, _together, _between_them, _own_door, _one_from, _bed, _not_just, _from_again, _both_from,
+         _they_from, _neither, not_ensuite, _not_another, not_open, compared, next_one, then_listed, no_wall,
+         none_between, beside_it, several_areas, is_for, one_of_them, opening, open_to_each_other, together_with,
          not_needed, is_not_in, one_per, whose, floating, sleeps_in)  # fmt: skip
 """In the order in which they are tried; each tells whether it has put the item at `k` into `out`, or left it out."""
 

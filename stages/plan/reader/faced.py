@@ -49,6 +49,8 @@ def _faces(found: re.Match[str]) -> str:
 
 def subject_of(items: list[Item], j: int, k: int) -> int:
     """Where the subject stands of the side at `k` behind the room at `j`; `j` where that is said of it itself."""
+    if (off := _off_a_hall(items, j, k)) is not None:
+        return off
     start = _before(items, j)
     first, last = (items[start].room if start >= 0 else None), items[j].room
     if first is None or last is None or _led(items, start):
@@ -61,6 +63,18 @@ def subject_of(items: list[Item], j: int, k: int) -> int:
     fits = fits and (verb in VERBS or (verb in PARTICIPLES and last.type == "hallway"))
     fits = fits or (len(between) == 1 and _goes_on(between[0], verb, first))
     return start if fits and _agrees(first, verb) and not items[j].joined else j
+
+
+def _off_a_hall(items: list[Item], j: int, k: int) -> int | None:
+    """The toilet of `a toilet is off the hall near the entrance`; None where halls are told apart, or none is there."""
+    hall, halls = items[j].room, [i for i in items[:k] if i.value == "hallway"]
+    near = items[k].value == "entrance" and [i.value for i in items[j + 1 : k]] == ["near"]
+    if not near or hall is None or hall.type != "hallway" or len(halls) > 1 or items[j - 1].text.split()[-1] != "off":
+        return None
+    at = j - 2
+    while at > 0 and (items[at].kind in ("copula", "relative") or is_mark(items[at], ",")):
+        at -= 1
+    return at if at >= 0 and items[at].room is not None else None
 
 
 def _before(items: list[Item], j: int) -> int:

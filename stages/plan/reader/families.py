@@ -28,6 +28,9 @@ TOGETHER = re.compile(
     r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
     r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
 )
+KEPT = re.compile(r"\b(?:ours|mine|(?<=keep )(?:our|my) own(?= ?(?:[.,;!]|$)))(?![a-z'])")
+HERS = re.compile(r"\b(?:she|he) (?:needs|gets|wants|has|should have|will (?:have|get)) (?:an?|her own|his own) "
+                  r"bed ?room\b")  # fmt: skip
 COUPLE = re.compile(
     r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
     r"|\b(?:me|myself|i) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
@@ -37,6 +40,12 @@ SUMMED = re.compile(
     r"\b(?! in total)"
 )
 """Bedrooms that are counted once those who have rooms are named: all of them."""
+
+
+def we_keep(text: str) -> str:
+    """`mum moves in. She needs a bedroom, we keep ours`: hers and the parents' bedroom."""
+    said = KEPT.sub("the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
+    return text if said == text else said if COUNTED.search(text) else HERS.sub("a relative's room", said)
 
 
 def heading(text: str) -> str:

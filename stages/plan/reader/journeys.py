@@ -4,6 +4,8 @@ from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 THROUGH = ("through", "via", "crosses", "crossing", "cross")
+GOING = ("go", "goes", "walk", "walks", "step", "steps", "drive", "drives", "move", "moves")
+INTO = ("to", "into", "onto", "in", "out to", "out onto")
 WALKERS = ("you", "we", "one", "get", "enter", "reach")
 """First words of what is told of somebody who comes into a room."""
 
@@ -15,6 +17,9 @@ def journeys(items: list[Item]) -> list[Item]:
     while k < len(items):
         if (way := _onward(items, k)) is not None:
             k = _told(out, way)
+        elif (end := _straight(items, k)) is not None:
+            out += [Item("mark", ".", "."), items[k + 1], Item("link", "door", "leads to", form="s"), items[end]]
+            k = end + 1
         elif (there := _out_of_it(out, items[k])) is not None:
             out += [Item("mark", ".", "."), again_named(there), Item("link", "door", "leads to", form="s")]
             k += 1 + (k + 1 < len(items) and items[k + 1].kind == "reach")
@@ -88,6 +93,19 @@ def _from(items: list[Item], k: int) -> list[Item]:
     walked = k == 0 or items[k - 1].kind in ("mark", "conjunction", "boundary")
     fits = source.kind in ("link", "front") and words[-1:] == ["from"] and walked and any(i.room for i in room)
     return room if fits else []
+
+
+def _straight(items: list[Item], k: int) -> int | None:
+    """Where the room stands that one goes into from another: `walk from A straight into B`, `from A … walk to B`."""
+    way, start, to, verb, room = (items[k : k + 5] + [Item("")] * 5)[:5]
+    words = way.text.split()
+    if way.kind not in ("link", "front") or words[-1:] != ["from"] or start.room is None:
+        return None
+    into = to.kind in ("link", "with") and to.text in INTO
+    if words[0] in GOING and into and verb.room is not None:
+        return k + 3
+    walked = to.value == "to" and verb.kind == "reach" and verb.text.split()[0] in GOING
+    return k + 4 if len(words) == 1 and walked and room.room is not None else None
 
 
 def _through(items: list[Item], k: int) -> bool:

@@ -19,7 +19,7 @@ def open_groups(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             x.room and (x.joined or not x.room.quantifier) and items[k].room or is_mark(x, "/")
             for k, x in enumerate(items[i + 1 : end], i)
         )
-        within = end < len(items) and (items[end].kind == "copula" or items[end].value == "in")
+        within = end < len(items) and (items[end].kind == "copula" or items[end].value == "in" or _all_one(items, end))
         told = len(group) == 1 and _told(items, i, end)
         closing = end + ((within and len(group) > 1) or told)
         after = closing < len(items) and (items[closing].kind == "open" or (closing > end and _in_one(items, closing)))
@@ -48,6 +48,12 @@ def _in_one(items: list[Item], k: int) -> bool:
     """`kitchen and living room in one`."""
     one, ends = items[k].room, k + 1 == len(items) or items[k + 1].kind in ("mark", "conjunction", "boundary")
     return one is not None and one.type == "" and one.text == "one" and ends
+
+
+def _all_one(items: list[Item], k: int) -> bool:
+    """`a living room, a dining room and a kitchen, all in one`."""
+    comma, one = (items[k : k + 2] + [Item("")] * 2)[:2]
+    return is_mark(comma, ",") and one.kind == "open" and one.text.startswith("all ")
 
 
 def _one_space(items: list[Item], i: int) -> None:
@@ -127,6 +133,7 @@ def _open_after(items: list[Item], j: int) -> bool:
     if kinds == ["with", "room"] and items[j + 1].value == "in" and _in_one(items, j + 2):
         return True
     within = kinds == ["with", "open"] and items[j + 1].value == "in"  # "living and kitchen in one open space"
+    within = within or _all_one(items, j + 1)
     return kinds[:1] == ["open"] or kinds == ["copula", "open"] or within
 
 

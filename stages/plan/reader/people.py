@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, with_ours
+from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, we_keep, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 from apartgen.stages.plan.reader.possessions import (
     SEVERAL,
@@ -33,7 +33,7 @@ def housed(text: str) -> tuple[People | None, str]:
     text = LIVING.sub("", aged(apiece(text)))
     if not any(stem in text for stem in data()["stems"]):
         return None, text
-    text = re.sub(r"\b(?:ours|mine)\b", "the parents' bedroom", re.sub(r" - (?=(?:ours|mine)\b)", ", ", text))
+    text = we_keep(text)
     mine = "my room" if re.search(r"\bparents' bedroom|\bmy parents\b", text) else "the parents' bedroom"
     text = re.sub(r"\bour (?:own )?bedroom\b", "the parents' bedroom", re.sub(r"\bmy (?:own )?bedroom\b", mine, text))
     said, text = text, pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)

@@ -104,10 +104,11 @@ def _list(items: list[Item], k: int, headed: bool = False) -> list[RoomPhrase]:
 
 
 def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
-    """The rooms that lie to a side of another: `left of the bath is the kitchen`, `north of A and west of B`."""
+    """The rooms that lie to a side of another: `left of A is B`, `north of A and west of B`, `B, north of A`."""
     if k == 0 or items[k - 1].kind in ("mark", "boundary"):
         after = next((i for i in items[k + 2 :] if i.kind not in ("reach", "copula")), Item(""))
-        return [after.room] if after.room is not None else []
+        if after.room is not None or not k or not is_mark(items[k - 1], ","):
+            return [after.room] if after.room is not None else []
     for j in range(k - 1, -1, -1):
         if items[j].kind == "thing" or is_mark(items[j], "."):
             return []  # "a mezzanine above the living room"

@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.patterns import late
 
 _ROOM = r"(?:living room|sitting room|bed ?room|bath ?room|kitchen|study|balcony|dining room|lounge|toilet|office)"
@@ -12,7 +13,7 @@ _NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
 _SEATS = r"(?:two|three|four|five|six|seven|eight|nine|ten|twelve)"
 _HALL = r"(?:entrance |night |inner |bedroom |second |long )*(?:hall|hallway|corridor|lobby|vestibule|passage)"
 _GETS = r"(?:gets?|has|have|takes?|wants?|needs?|sleeps? in)"
-_WHO = r"(?:i|he|she|we|they|(?:my|our|the) [a-z]+|(?:grand)?(?:mother|father|ma|pa)|mum|mom|dad|granny)"
+_WHO = r"(?:i|he|she|we|they|(?:my|our|the|his|her) [a-z]+|(?:grand)?(?:mother|father|ma|pa)|mum|mom|dad|granny)"
 _THEIRS = r"(?:his|hers|mine|theirs|ours)"
 _LES_MEUBLES = (r"(?:lits?|armoires?|chaises?|fauteuils?|canapes?|tables?|etageres?|tapis|lampes?|commodes?|"
                 r"bibliotheques?(?: murale)?|television|tele)\b")  # fmt: skip
@@ -186,11 +187,34 @@ _ACROSS = [(late(pattern), words) for pattern, words in (
 )]  # fmt: skip
 
 
+_TWO_BEDROOMS = late(r"\b(?:two|2)[- ]bed ?rooms?\b")
+_OWNER = r"(?:the|my|our|his|her|their) ([a-z]+)'s"
+_RIVALS = late(rf"\b{_OWNER} (?:bed ?)?room (?:is|should be|must be|has to be|needs to be) (larger|bigger|smaller) "
+               rf"than {_OWNER}(?: one| (?:bed ?)?room)?(?= ?(?:[.,;!]|$))")  # fmt: skip
+
+
+def _of_rivals(text: str) -> str:
+    """`two bedrooms, the lodger's bedroom is smaller than the detective's`: the first and the second, wherever named.
+
+    Of owners whose bedrooms the lexicon knows, both, others tell.
+    """
+    found = _RIVALS.search(text)
+    owners = [found[1], found[3]] if found is not None else []
+    known = read_lexicon().entries
+    if found is None or not _TWO_BEDROOMS.search(text) or all((f"{who}'s", "bedroom") in known for who in owners):
+        return text
+    first, second = owners if found[2] != "smaller" else owners[::-1]
+    for which, who in (("first", first), ("second", second)):
+        whose = rf"\b(?:the|my|our|his|her|their) {who}'s(?: one| (?:bed ?)?room)?\b"
+        text = re.sub(whose, f"the {which} bedroom", text)
+    return text
+
+
 def plainly(text: str) -> str:
     """A folded text with such clauses in the words of rooms, areas and furniture."""
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
-    return _across(text)
+    return _across(_of_rivals(text))
 
 
 def _across(text: str) -> str:
