@@ -108,8 +108,9 @@ def _batched(boxes: Boxes, batch: tuple[int, ...]) -> tuple[Array, Array, Array]
     if yaw.shape[:-1] != batch:
         center, size = (np.broadcast_to(some, (*batch, boxes.n, 3)) for some in (center, size))
         yaw = np.broadcast_to(yaw, (*batch, boxes.n))
-    flat = (prod(batch), boxes.n)
-    return center.reshape(*flat, 3), size.reshape(*flat, 3), yaw.reshape(flat)
+    flat = (prod(batch), boxes.n)  # compiled code takes neither whole numbers nor what is not to be written
+    return np.array(center, float).reshape(*flat, 3), np.array(size, float).reshape(*flat, 3), np.array(
+        yaw, float).reshape(flat)
 
 
 def meeting(a: Boxes) -> Iterator[tuple[Indices, Indices, Array]]:

@@ -63,19 +63,22 @@ def styles(category: str) -> tuple[str, ...]:
     return STYLES
 
 
-def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0) -> Asset:
+def build(
+    category: str, style: str, size: tuple[float, float, float], seed: int = 0, right: bool = False
+) -> Asset:
     material = Material(style, COLORS[style])
     made = [box(lo, hi, material) for lo, hi in _parts(style, np.asarray(size) / 2)]
     base = Link("base", [mesh for mesh, _ in made], [collider for _, collider in made], 10.0)
     return Asset(
-        "parametric", f"{category}/{style}/{size[0]}x{size[1]}x{size[2]}/{seed}", category, style, size, [base]
+        "parametric", f"{category}/{style}/{size[0]}x{size[1]}x{size[2]}/{seed}" + right * "/right", category,
+        style, size, [base],
     )
 
 
 def load_asset(id: str) -> Asset:
-    category, style, size, seed = id.split("/")
+    category, style, size, seed, *right = id.split("/")
     d, w, h = (float(side) for side in size.split("x"))
-    return build(category, style, (d, w, h), int(seed))
+    return build(category, style, (d, w, h), int(seed), bool(right))
 
 
 @pytest.fixture(scope="session")

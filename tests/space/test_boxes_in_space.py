@@ -73,3 +73,11 @@ def test_a_balcony_has_a_railing_and_no_wall() -> None:
     shell = polygons.shell(plan.model_copy(update={"rooms": [*plan.rooms, balcony]}))
     assert shell.bounds == pytest.approx((-0.3, -0.3, 8.95, 3.3))
     assert shell.area == pytest.approx(7.7 * 3.6 + 1.55 * 3.1)
+
+
+def test_boxes_meet_whatever_their_numbers_are() -> None:
+    """Two cubes of 2 m whose middles are 1 m apart along x stand 1 m in one another: of whole numbers, in a batch."""
+    whole = Boxes(np.array([[0, 0, 0], [1, 0, 0]]), np.full((2, 3), 2), np.zeros(2, int))
+    some = Boxes(*(np.broadcast_to(part, (3, *part.shape)) for part in whole))
+    assert boxes.penetration(whole)[0, 1] == 1
+    assert boxes.penetration(some, whole).shape == (3, 2, 2) and (boxes.penetration(some, whole)[:, 0, 1] == 1).all()
