@@ -98,7 +98,8 @@ def test_what_is_said_of_furniture_is_told_and_no_limit_of_a_room(words: str) ->
 
 @pytest.mark.parametrize("said, kind", [
     ("can't have more than", "at_most"), ("cannot have more than", "at_most"), ("shouldn't be more than", "at_most"),
-    ("can't have less than", "at_least"), ("mustn't be smaller than", "at_least"), ("must not be less than", "at_least"),
+    ("can't have less than", "at_least"), ("mustn't be smaller than", "at_least"),
+    ("must not be less than", "at_least"),
 ])
 def test_what_cannot_be_more_is_at_most(said: str, kind: str) -> None:
     program = read(f"The flat {said} 55 m², our budget is tight! Living room, kitchen, one bedroom, bathroom.")
