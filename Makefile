@@ -11,7 +11,7 @@ CONSUMERS := build/consumers
 TYPED := build/typed
 AUDIT := build/audit
 
-.PHONY: demo test acceptance consumers mutants pictures site digests weights lint types check docs sbom audit lock clean
+.PHONY: demo test acceptance consumers mutants pictures site digests unchanged weights lint types check docs sbom audit lock clean
 
 demo: $(READY)
 	$(BIN)/apartgen make "$(PROMPT)" -o demo/
@@ -36,7 +36,11 @@ mutants: $(READY)
 # What stages give for inputs that stay the same, written anew: for a change that is meant (docs/tests.md).
 digests: $(READY)
 	rm -f tests/digests/*.json
-	APARTGEN_WRITE_GOLDEN=1 $(BIN)/python -m pytest -q tests/digests
+	APARTGEN_WRITE_GOLDEN=1 $(BIN)/python -m pytest -q -m "not slow" tests/digests
+
+# All of them compared, also those that `make test` leaves out for time.
+unchanged: $(READY)
+	$(BIN)/python -m pytest -q -m "not slow" -n $(WORKERS) --dist loadfile tests/digests
 
 # Hours: the corpus and the weights of the layout model, as those that are shipped came of the ones before them.
 weights: $(READY)

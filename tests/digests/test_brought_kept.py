@@ -24,6 +24,8 @@ from apartgen.stages.plan.llm.model import Answer
 from apartgen.stages.retrieve import future3d, gapartnet, simobjects, sweethome3d
 from apartgen.stages.retrieve.reading.source import Broken
 
+pytestmark = pytest.mark.wide
+
 
 def plain(source, folder):
     """An asset without the folder that its pictures lie in, or what is wrong with it."""

@@ -9,6 +9,8 @@ from apartgen.schemas import artifact, carrying, consistency
 from apartgen.schemas.retrieve import Retrieve
 from apartgen.stages import check, use
 
+pytestmark = pytest.mark.wide
+
 STEPS = (-1.0, -0.3, -0.06, -0.04, -0.012, -0.005, 0.005, 0.012, 0.02, 0.04, 0.06, 0.2, 0.5)
 """By which lengths are longer, m."""
 SHARES = (0.2, 0.32, 0.5, 0.9, 1.1, 2.0, 3.1, 6.0)

@@ -18,6 +18,8 @@ from apartgen.stages.scene.scene import Scene
 from apartgen.stages.things.asset import Collider
 from apartgen.stages.things.categories import TABLE
 
+pytestmark = pytest.mark.wide
+
 
 def test_hulls_made_simple():
     """Boxes, prisms, balls and plates by chance, turned and cut off."""

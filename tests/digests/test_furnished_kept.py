@@ -21,6 +21,8 @@ from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.projection.standing import Item
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
+pytestmark = pytest.mark.wide
+
 TYPES = {"living_room": 8, "kitchen": 6, "bedroom": 6, "bathroom": 6, "dining_room": 6, "hallway": 8, "study": 6,
          "utility": 6, "storage": 6, "closet": 6, "balcony": 6}
 SETTINGS = {

@@ -15,6 +15,8 @@ from apartgen.stages.populate.config import PopulateConfig
 from apartgen.stages.qa.config import QaConfig
 from apartgen.stages.render.config import RenderConfig
 
+pytestmark = pytest.mark.wide
+
 
 @pytest.fixture(scope="module")
 def studio() -> Populate:

@@ -18,6 +18,8 @@ from apartgen.stages import check, metrics, populate, use
 from apartgen.stages.layout import choice  # noqa: F401
 from apartgen.stages.populate.config import PopulateConfig
 
+pytestmark = pytest.mark.wide
+
 GOLDEN = sorted((Path(__file__).parent.parent / "golden").glob("v*/*.json"))
 SETTINGS = [{"target": 0.75, "scope": "rooms"}, {"target": 0.7, "gentle": 0.0, "top_k": 1}, {"robot_radius": 0.35},
             {"target": 0.8, "share": 0.7, "drop": False}]

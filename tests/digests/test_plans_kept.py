@@ -11,6 +11,8 @@ from apartgen.schemas.plan import Plan
 from apartgen.stages import check, plan
 from apartgen.stages.plan import PlanConfig, imports, judge, met, study
 
+pytestmark = pytest.mark.wide
+
 DRAWN = {
     "long": ("two-bedroom flat of 70 m2", {"facades": 1}),
     "doors": ("one-bedroom flat with a study, no door between the bedroom and the living room, the study opens to the "

@@ -39,19 +39,23 @@ def test_known_prompts():
     kept.same("reader", "known", told(composed.prompts()))
 
 
+@pytest.mark.wide
 @pytest.mark.parametrize("part", range(4))
 def test_asked_elsewhere(part):
     """Sentences of the reader's own tests, which look at some of what is read."""
     kept.same("reader", f"asked {part}", told(composed.asked()[part::4]))
 
 
+@pytest.mark.wide
 def test_spliced_of_those():
     kept.same("reader", "spliced of asked", told(composed.spliced(400, composed.asked())))
 
 
+@pytest.mark.wide
 def test_spliced():
     kept.same("reader", "spliced", told(composed.spliced(500, composed.prompts())))
 
 
+@pytest.mark.wide
 def test_spoiled():
     kept.same("reader", "spoiled", told(composed.spoiled(600)))

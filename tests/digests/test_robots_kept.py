@@ -12,6 +12,8 @@ from apartgen.stages.embodied.interact import aim, chains, parts, robot, timing,
 from apartgen.stages.embodied.pursuit import Pursuit
 from apartgen.stages.scene.scene import Scene
 
+pytestmark = pytest.mark.wide
+
 NAMES = ("studio", "kitchen", "bedroom")
 STEPS = 400
 

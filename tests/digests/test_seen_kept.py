@@ -14,6 +14,8 @@ from apartgen.stages.render.config import RenderConfig
 from apartgen.stages.scene.scene import Scene
 from apartgen.stages.scene.world import world
 
+pytestmark = pytest.mark.wide
+
 CAMERAS = {
     "flat": RenderConfig(width=160, height=90, views=6, frames=3, points=150, field=65.0, eye=1.7, robot=0.6),
     "house": RenderConfig(width=96, height=128, views=5, frames=4, points=0, field=100.0, kind=["eye", "route"]),

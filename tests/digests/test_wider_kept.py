@@ -12,6 +12,8 @@ from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.space import boxes, convex
 from apartgen.stages.things.asset import Collider
 
+pytestmark = pytest.mark.wide
+
 QUICK = ("elevations", "svg", "nav2", "procthor", "ifc", "glb", "usd")
 CHOICES = {"sizes": {"latent_weight": 0.0, "tolerance": 0.1}, "looks": {"size_weight": 0.05, "static_cost": 0.0},
            "moving": {"static_cost": 40.0, "overshoot": 0.0, "tolerance": 0.9}}

@@ -66,7 +66,8 @@ def measure(work: Path, to: Path, cache: Path, only: Sequence[str], below: Seque
             continue
         unfinished, said = cost.with_suffix(".unfinished"), cost.with_suffix(".txt")
         os.environ["MUTANTS_COST"] = str(unfinished)
-        status = running.run(work, cache, ["-q", f"tests/{name}"], said, LONGEST, cost.with_suffix(".cover"), only)
+        words, cover = [*running.ASKED, f"tests/{name}"], cost.with_suffix(".cover")
+        status = running.run(work, cache, words, said, LONGEST, cover, only)
         if status < 0:
             unfinished.write_text("{}")
         elif not unfinished.exists():

@@ -15,6 +15,8 @@ import coverage
 SLOW = ("numpy", "scipy.ndimage", "scipy.optimize", "scipy.spatial", "shapely", "numba", "matplotlib.pyplot", "mujoco",
         "networkx", "trimesh", "pydantic", "typer", "rich", "PIL.Image", "safetensors", "torch", "pxr.Usd",
         "hypothesis", "pytest")
+ASKED = ("-q", "-m", "not slow")
+"""Of which tests: also of those that are left out for time alone."""
 HERE = Path(__file__).parent
 PROJECT = ("apartgen", "apartgen_cli")
 """What the child imports from the clone, whatever this process has."""

@@ -84,7 +84,7 @@ def tried(bench: Bench, change: Change, tests: Sequence[str]) -> tuple[Fate, str
     try:
         path.write_bytes(change.applied(source))
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns + 10**9))  # what is compiled already is not taken
-        words = ["-x", "-q", "-rfE", "-p", "no:cacheprovider", f"@{arguments}"]
+        words = ["-x", *running.ASKED, "-rfE", "-p", "no:cacheprovider", f"@{arguments}"]
         status = running.run(bench.work, cache, words, said, limit)
     finally:
         path.write_bytes(source)
@@ -119,7 +119,7 @@ def quickly(bench: Bench, some: Sequence[Change]) -> dict[str, tuple[Fate, str]]
     tasks.write_text("\n".join(lines), encoding="utf-8")
     files = sorted({test.partition("::")[0] for change in left for test in tests[key(change)]})
     os.environ |= {"MUTANTS_TASKS": str(tasks), "MUTANTS_FATES": str(fates)}
-    words = ["-q", "-p", "no:cacheprovider", "-p", "swift", *files]
+    words = [*running.ASKED, "-p", "no:cacheprovider", "-p", "swift", *files]
     status = running.run(bench.work, bench.kernels, words, bench.results.with_suffix(".txt"), 3600)
     if status > 1:
         raise RuntimeError(bench.results.with_suffix(".txt").read_text(encoding="utf-8", errors="replace")[-2000:])
