@@ -40,6 +40,8 @@ DRAWN = 6
 GOOD, POOR, SHARED = 0.3, 1.0, 0.7
 """Energies of the best of half of a room's K samples, and of K: above, the other half, and K more, are drawn; of a room
 that all share already above this share of it."""
+SELDOM = frozenset({"living_room", "kitchen"})
+"""Of few of these one sample leaves nothing to wish for, as it does in three of five bedrooms and bathrooms."""
 HOOKS = "coat_rack"
 """What takes coats where a cupboard finds no place."""
 BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
@@ -61,12 +63,12 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
     habits = {i: _habits(plan, plan.rooms[i], rng) for i in due}
     best: dict[int, Furnished] = {}
-    for name, samples, limit in _rounds(config.candidates):
-        share = [SHARED if limit == POOR and room.base == "living_room" else 1.0 for room in plan.rooms]
-        some = [i for i in due if i not in best or best[i].cost > share[i] * limit + SCREEN * ("tv" in habits[i])]
-        lanes = [seeds.lane(rng, plan.rooms[i].id + name) for i in some]
-        rooms = [_sampler(plan, i, arrays, config, samples, lane, there[i], habits[i])
-                 for i, lane in zip(some, lanes, strict=True)]
+    left = {i: _rounds(config.candidates, plan.rooms[i].base) for i in due}
+    while some := [i for i in due if left[i] and (i not in best or best[i].cost > left[i][0].above
+                                                  + SCREEN * ("tv" in habits[i]))]:
+        rounds = [left[i].pop(0) for i in some]
+        rooms = [_sampler(plan, i, arrays, config, round.samples, seeds.lane(rng, plan.rooms[i].id + round.name),
+                          there[i], habits[i]) for i, round in zip(some, rounds, strict=True)]
         for i, made in zip(some, sampler.furnished(rooms), strict=True):
             one = _best(plan, plan.rooms[i], made, arrays.origin[i], style, there[i])
             best[i] = min(best.get(i, one), one, key=lambda one: one.cost)
@@ -83,12 +85,21 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     return Layout(**plan.model_dump(include=set(Plan.model_fields)), objects=objects), notes
 
 
-def _rounds(candidates: int) -> list[tuple[str, int, float]]:
-    """(name, samples, energy) of the rounds: each is for the rooms whose best sample has more than that energy."""
+class Round(NamedTuple):
+    """Samples of a room, drawn from a lane of that name, where its best so far has more energy than that."""
+
+    name: str
+    samples: int
+    above: float = 0.0
+
+
+def _rounds(candidates: int, base: str | None) -> list[Round]:
+    """What is drawn of a room of a type, one round after another; nothing is better than what has no energy."""
     if candidates == 1:
-        return [("", 1, 0.0)]
-    half = -(-candidates // 2)
-    return [("", half, 0.0), (" once more", candidates - half, GOOD), (" again", candidates, POOR)]
+        return [Round("", 1)]
+    half, poor = -(-candidates // 2), POOR * (SHARED if base == "living_room" else 1.0)
+    first = [Round("", half)] if base in SELDOM or half == 1 else [Round("", 1), Round(" besides", half - 1)]
+    return [*first, Round(" once more", candidates - half, GOOD), Round(" again", candidates, poor)]
 
 
 NO_LIGHT = {"plant": 0}
