@@ -105,6 +105,8 @@ def penetration(a: Boxes, b: Boxes | None = None) -> Array:
 def _batched(boxes: Boxes, batch: tuple[int, ...]) -> tuple[Array, Array, Array]:
     """Centres, sizes (B, n, 3) and yaws (B, n) with one leading dimension for all of `batch`."""
     center, size, yaw = boxes
+    if not batch:
+        return np.array(center[None], float), np.array(size[None], float), np.array(yaw[None], float)
     if yaw.shape[:-1] != batch:
         center, size = (np.broadcast_to(some, (*batch, boxes.n, 3)) for some in (center, size))
         yaw = np.broadcast_to(yaw, (*batch, boxes.n))

@@ -155,7 +155,15 @@ def _far(x: float, y: float, lines: Lines) -> float:
             inside &= (x - start[k, 0]) * normal[k, 0] + (y - start[k, 1]) * normal[k, 1] > 0
         if inside:
             return 0.0
-    within, nearest = False, float(np.inf)
+    within, nearest = _nearest(x, y, lines)
+    return 0.0 if within and not convex else nearest
+
+
+@inner
+def _nearest(x: float, y: float, lines: Lines) -> tuple[bool, float]:
+    """Whether a point lies on the floor, and its distance to the nearest wall."""
+    start, along, _, length, _ = lines
+    n, within, nearest = len(length), False, float(np.inf)
     for k in range(n):
         u, v, after = x - start[k, 0], y - start[k, 1], start[(k + 1) % n, 1]
         share = min(max(u * along[k, 0] + v * along[k, 1], 0.0), length[k])
@@ -164,7 +172,7 @@ def _far(x: float, y: float, lines: Lines) -> float:
             turn = along[k, 0] * v - along[k, 1] * u
             if (turn > 0) if after > start[k, 1] else (turn < 0):
                 within = not within
-    return 0.0 if within and not convex else float(nearest)
+    return within, nearest
 
 
 @inner
@@ -189,6 +197,22 @@ def beyond(found: Boxes, walls: Walls) -> Floats:
     for i in range(len(yaw)):
         far[i] = _beyond(center[i], size[i], np.cos(yaw[i]), np.sin(yaw[i]), lines, corners)
     return far
+
+
+@compiled(A(BOXES, A, WALLS))
+def behind(found: Boxes, aside: Floats, walls: Walls) -> Floats:
+    """Distance of each back (n,), `aside` of its middle, from the nearest wall, m."""
+    center, size, yaw = found
+    start, _, normal, length, convex = walls.lines
+    away = np.empty(len(yaw))
+    for i in range(len(yaw)):
+        c, s, back = np.cos(yaw[i]), np.sin(yaw[i]), size[i, 0] / 2
+        x, y = center[i, 0] - c * back - s * aside[i], center[i, 1] - s * back + c * aside[i]
+        signed = float(np.inf) if convex else 0.0
+        for k in range(len(length) if convex else 0):  # tells all about what lies inside a convex room
+            signed = min(signed, (x - start[k, 0]) * normal[k, 0] + (y - start[k, 1]) * normal[k, 1])
+        away[i] = signed if signed > 0 else _nearest(x, y, walls.lines)[1]
+    return away
 
 
 @inner

@@ -99,9 +99,7 @@ class Space:
 
     def behind(self, found: Boxes, aside: Array | float = 0.0) -> Array:
         """Distance of each back, `aside` of its middle, from the nearest wall, m, (n,)."""
-        c, s = np.cos(found.yaw), np.sin(found.yaw)
-        back = found.center[:, :2] - np.stack([c, s], -1) * found.size[:, :1] / 2
-        return _within(back + np.stack([-s, c], -1) * np.reshape(aside, (-1, 1)), self)[1]
+        return kernels.behind(writable(found), np.full(found.n, aside, float), self.walls)
 
     def from_entrance(self, points: Array) -> Array:
         """Distance to the middle of the nearest entrance of a room that has one, m, (n,)."""
@@ -111,6 +109,10 @@ class Space:
         """A box (7,) without the little that lies beyond walls: less deep or wide where it stands square to one, else
         moved away from it."""
         out = np.array(box, float)
+        turned = np.abs(self.normal @ [[np.cos(out[2]), -np.sin(out[2])], [np.sin(out[2]), np.cos(out[2])]])
+        over = turned @ out[3:5] / 2 - (self.normal * (out[:2] - self.start)).sum(1)
+        if not ((over > NOTHING) & (over < CUT)).any():
+            return box
         for start, along, normal, length in zip(self.start, self.along, self.normal, self.length, strict=True):
             ways = np.array([[np.cos(out[2]), np.sin(out[2])], [-np.sin(out[2]), np.cos(out[2])]])
             half = np.abs(ways @ normal) @ out[3:5] / 2

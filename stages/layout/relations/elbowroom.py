@@ -62,7 +62,8 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
             found |= _any_of(np.asarray((penetration(zones, upright(there[solid])) > SHALLOW).any(1)), len(boxes))
     used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
     if used:
-        theirs = _joined([_zones(others[k], there[k:k + 1], space) for k in used])
+        alike = [[k for k in used if others[k] == o] for o in dict.fromkeys(others[k] for k in used)]
+        theirs = _joined([_zones(others[some[0]], there[some], space) for some in alike])
         found |= (penetration(upright(boxes), theirs) > SHALLOW).any(1)
     return found
 

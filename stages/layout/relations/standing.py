@@ -165,9 +165,9 @@ class Furniture:
 
     def _meets_leaves(self, name: str, found: Boxes) -> NDArray[np.bool_]:
         """Which candidates have parts that would open into a door that stands open."""
-        far = np.broadcast_to(np.asarray(reach(name, found.size), float), found.n)
-        if not self.space.leaves.n or TABLE[name].place == "wall" or not far.any():
+        if not self.space.leaves.n or TABLE[name].place == "wall" or not TABLE[name].opens:
             return np.zeros(found.n, bool)
+        far = np.broadcast_to(reach(name, found.size), found.n)
         heading = np.stack([np.cos(found.yaw), np.sin(found.yaw), np.zeros(found.n)], -1)
         ahead = Boxes(found.center + heading * (found.size[:, :1] + far[:, None]) / 2,
                       np.column_stack([far, found.size[:, 1:]]), found.yaw)
@@ -284,8 +284,10 @@ def _opens(name: str, box: Array) -> float:
     """How far what is opened from the floor before it does so, m; what hangs at a wall may hang above something."""
     if TABLE[name].place == "wall" and box[5] > ABOVE_TOPS:
         return HUNG
+    if not TABLE[name].opens:
+        return SHUT
     far = float(reach(name, np.append(box[3:5], box[6] - box[5])))
-    return far if far > 0 and TABLE[name].opens else SHUT
+    return far if far > 0 else SHUT
 
 
 def _joined(one: Boxes, two: Boxes) -> Boxes:
