@@ -37,6 +37,23 @@ def test_backs_are_as_far_from_the_walls_within_a_room_and_beyond() -> None:
     assert space_of(rooms, 0).behind(found) == pytest.approx([1.0, 0.0, 0.05, 0.05])
 
 
+@pytest.mark.parametrize("corners", [[[0, 0], [4, 0], [4, 3], [0, 3]],
+                                     [[0, 0], [5, 0], [5, 3], [3, 3], [3, 5], [0, 5]]], ids=["square", "L"])
+def test_points_of_backs_are_as_far_from_the_outline_as_shapely_says(corners: list[list[float]]) -> None:
+    """Beside the middle of backs that look anywhere, in the room and up to half a metre beyond it."""
+    rooms, rng = some_rooms(1), np.random.default_rng(1)
+    rooms.polygon[0] = np.nan
+    rooms.polygon[0, :len(corners)] = corners
+    n, outline = 300, shapely.Polygon(corners).exterior
+    found = Boxes(rng.uniform(-0.5, 5.5, (n, 3)), rng.uniform(0.1, 2, (n, 3)), rng.uniform(-4, 4, n))
+    for aside in (0.0, rng.uniform(-1, 1, n)):
+        ahead = np.column_stack([np.cos(found.yaw), np.sin(found.yaw)])
+        left = np.column_stack([-ahead[:, 1], ahead[:, 0]])
+        points = found.center[:, :2] - ahead * found.size[:, :1] / 2 + left * np.reshape(aside, (-1, 1))
+        far = shapely.distance(shapely.points(points), outline)
+        assert space_of(rooms, 0).behind(found, aside) == pytest.approx(far, abs=1e-9)
+
+
 def floor(box: np.ndarray) -> shapely.Polygon:
     (x, y, _, depth, width), (c, s) = box[:5], (np.cos(box[2]), np.sin(box[2]))
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [depth / 2, width / 2]

@@ -31,6 +31,7 @@ BEFORE_CHAISE, TO_SEATS = 0.21, (0.28, 0.0, -0.28)
 MOST = 0.3
 """What a group may cut off of the floor, in metres of way."""
 
+ROUND = "round_table"
 FEW, DRAWN = 6, (0.78, 0.55)
 """More chairs than so many stand at the ends of a table, too; each, drawn back or squeezed in, takes so much beyond its
 edge, m."""
@@ -51,6 +52,8 @@ SMALL_DESK = (0.55, 0.9, 0.74)
 """A desk for a small room, m."""
 COMPACT = (2.03, 1.62)
 """A bed for a mattress of 1.6 by 2 m, m."""
+SELDOM, SEAT_WIDE = 0.02, 0.42
+"""Weight of a place for a table where its chairs could not all be drawn back, of that width, m."""
 TRIED = 3
 """So many of the good places of what comes later on are tried for the ways they leave."""
 
@@ -122,6 +125,23 @@ def _table_left(there: Furniture, group: list[tuple[str, Array]], left: Sequence
     return 0.25
 
 
+def likely(there: Furniture, name: str, places: Array, left: Sequence[str]) -> Array:
+    """Weights (n,) of places for what leads a group: those of a table first about which all its chairs can be drawn
+    back, so that few others are looked at in vain."""
+    weight, chairs, kind = np.ones(len(places)), left.count(CHAIR), kinds.basic(name)
+    if kind not in kinds.TABLES or not chairs or not len(places):
+        return weight
+    round_, width = kind == ROUND, float(places[0, 4])
+    across, along_ = places.copy(), places.copy()
+    across[:, 3] += 2 * DRAWN[0]
+    across[:, 4] = SEAT_WIDE if round_ else width
+    along_[:, 3], along_[:, 4] = SEAT_WIDE, width + 2 * DRAWN[0]
+    ends = chairs > (2 if round_ else 2 * int((width + TINY) / ELBOW))
+    for whole in (across, along_) if ends else (across,):
+        weight[there.prices(name, whole, strict=True) >= BROKEN] = SELDOM
+    return weight
+
+
 def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     """Places (m, 7) all over the room for what others follow: beds, sofas, wardrobes along all walls, tables anywhere
     square to these, in the likeliest size of the candidates (n, 7), and as narrow as is enough for wardrobes, and as
@@ -188,7 +208,7 @@ def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
 def _chairs(kind: str, table: Array, size: Size) -> list[Place]:
     """Places of chairs, those across from one another in turn: at the long sides first, or all round."""
     far, (d, w) = size[0] / 2 - IN, table[3:5].astype(float) / 2
-    if kind == "round_table":
+    if kind == ROUND:
         return _round(min(d, w) + far, 2) if min(d, w) < WIDE else _round(min(d, w) + size[0] / 2 - LESS_IN, 3)
     many = max(1, int((2 * w + TINY) / ELBOW))
     along = (np.arange(many) - (many - 1) / 2) * 2 * w / many

@@ -182,8 +182,9 @@ class Sampler:
     def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str]) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):
             return None
-        weight, enough = np.full(len(places), 1 / len(places)), PART if kinds.basic(name) in PARTLY else 1.0
-        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough, looks=LAST)
+        weight, enough = followers.likely(there, name, places, left), PART if kinds.basic(name) in PARTLY else 1.0
+        looks = LAST if weight.max() == 1 else LOOKS
+        return self._chosen(there, name, places, weight, strict=True, left=left, enough=enough, looks=looks)
 
     def _another(self, p: Particle, name: str, boxes: Array, left: Sequence[str]) -> tuple[str, Array] | None:
         """What serves as well where nothing but its own kind of it found no place, as a wardrobe with sliding doors."""

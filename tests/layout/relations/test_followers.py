@@ -9,7 +9,7 @@ from apartgen.stages.layout.relations import followers, handy, sizes
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.rooms import KINDS, Rooms
 
-TABLE, BED, DESK = (0.9, 1.4, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
+TABLE, SMALL, BED, DESK = (0.9, 1.4, 0.75), (0.9, 0.9, 0.75), (2.0, 1.6, 0.5), (0.6, 1.2, 0.75)
 
 
 @pytest.mark.parametrize("y, chairs, fits", [
@@ -275,3 +275,17 @@ def test_from_a_sofa_round_a_corner_one_reaches_its_low_table(width: float) -> N
     assert found[0, 0] > 0.2 and (np.abs(found[:, 0]) < 0.3).all(), "the chaise is at the left end"
     afar = box((0.6, 1.1, 0.42), 0, -2.0 + sofa[3] / 2 + 0.4 + 0.3, np.pi / 2)
     assert there.prices("coffee_table", afar[None], strict=True)[0] >= BROKEN
+
+
+@pytest.mark.parametrize("name, size, chairs, good", [
+    ("dining_table", TABLE, 4, [True, True, False]), ("dining_table", TABLE, 6, [True, False, False]),
+    ("round_table", SMALL, 2, [True, True, False]), ("round_table", SMALL, 4, [True, False, False]),
+    ("dining_table", TABLE, 0, [True, True, True]), ("bookshelf", (0.3, 0.9, 1.8), 4, [True, True, True]),
+])
+def test_places_where_all_chairs_are_drawn_back_come_first(name: str, size: tuple[float, float, float], chairs: int,
+                                                           good: list[bool]) -> None:
+    """In the middle of a room of 6 by 6 m, near the wall at its end, and near that at its side: .3 m each."""
+    at_end, at_side = (3 - 0.3 - length / 2 for length in (size[1], size[0]))
+    places = np.stack([box(size, 0, 0), box(size, 0, at_end), box(size, at_side, 0)])
+    weight = followers.likely(room(6.0, 6.0), name, places, ["chair"] * chairs)
+    assert (weight == 1).tolist() == good and (weight > 0).all()

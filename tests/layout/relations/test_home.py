@@ -79,6 +79,28 @@ def test_poor_rooms_are_drawn_again_and_the_better_ones_kept(monkeypatch: pytest
         assert all(after[id] == before[id] for id in before.keys() - redrawn) and before.keys() - redrawn
 
 
+def test_nothing_is_drawn_beside_what_leaves_nothing_to_wish_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a bedroom, bathroom or hall one sample first; of a living room and a kitchen half of all at once."""
+    drawn: list[tuple[str, int]] = []
+    sampled = relations_home._sampler
+
+    def watched(plan: Plan, i: int, arrays: Any, config: LayoutConfig, k: int, *rest: Any) -> Any:
+        drawn.append((plan.rooms[i].id, k))
+        return sampled(plan, i, arrays, config, k, *rest)
+
+    monkeypatch.setattr(relations_home, "_sampler", watched)
+    config, bare = ONE.model_copy(update={"candidates": 4}), 0
+    for seed in (3, 5):
+        drawn.clear()
+        done = made(home(seed), config=config)
+        for room in done.rooms:
+            rounds, cost = [k for id, k in drawn if id == room.id], choice.cost(done, room.id, done.objects)
+            assert rounds == ([2, 2, 4] if room.base in ("living_room", "kitchen") else [1, 1, 2, 4])[:len(rounds)]
+            assert cost > 0 or len(rounds) < 4, "it is not drawn again once nothing is left to wish for"
+            bare += rounds == [1] and cost == 0
+    assert bare >= 2
+
+
 def three_doors() -> Plan:
     """A bedroom of 12 m² with doors to a hall, a bathroom and a closet: for a double bed there is hardly a place."""
     rooms = [("bedroom_1", "bedroom", handmade.rectangle(0, 0, 2.98, 4.03)),
