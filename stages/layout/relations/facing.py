@@ -1,11 +1,12 @@
-"""Two at a table sit across from one another, else side by side, and round its corner only where nothing else goes."""
+"""Two at a table sit across from one another, else side by side, and round its corner only where nothing else goes; an
+armchair may be turned to those who sit on the sofa."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
 from apartgen.stages.layout.relations.company import AT, Seen
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.use import kinds
 
@@ -14,6 +15,15 @@ ACROSS, ABREAST = 0.2, 0.75
 """So far from its mirror image one sits who sits across, and from the other who sits beside, m."""
 FACING, BESIDE, CORNER = 1.0, 0.75, 0.5
 """How good it is for two."""
+TURNED, TURNS, LEAST = 0.65, (1.0, 0.6), np.radians(8)
+"""Share of armchairs that stand askew where there is floor (9 of 13 in homes furnished after real ones), by shares of
+the whole turn; less than so much is no turn."""
+ASIDE, FARTHEST = np.radians(75), np.radians(35)
+"""What lies farther aside counts as lying there; an armchair is turned no farther."""
+GRAIN = 0.05
+"""By so much what is cut off of the floor differs with how a thing lies over its cells, m of way."""
+GROUP = (frozenset({"coffee_table"}), frozenset({"tv_stand"}), kinds.SOFAS)
+"""Between the first two of these that are there it looks."""
 
 
 def best_two(table: Array, chairs: Array) -> tuple[Array, float]:
@@ -68,3 +78,24 @@ def _images(table: Array, box: Array) -> Array:
     out[:2] = box[:2] - 2 * ((box[:2] - table[:2]) @ axis) * axis
     out[2] = 2 * way + np.pi - box[2]
     return np.asarray(out[None])
+
+
+def askew(there: Furniture, name: str, box: Array, rng: np.random.Generator) -> Array:
+    """Most armchairs (7,) turned to their group, what is then behind as near to the wall as the back was; all else, and
+    what would be in the way, as it is."""
+    if kinds.basic(name) != "armchair" or rng.random() >= TURNED:
+        return box
+    aims = [there.boxes[[kinds.basic(o) in some for o in there.names]][:1] for some in GROUP] if there.names else []
+    seen = [Seen(box[None], aim) for aim in aims if len(aim)][:2]
+    off = [np.clip(np.arctan2(one.y[0, 0], one.x[0, 0]), -ASIDE, ASIDE) for one in seen]
+    whole = float(np.clip(np.mean(off), -FARTHEST, FARTHEST)) if off else 0.0
+    most = max(CUT, there.shuts(name, box) + GRAIN)
+    for turn in (share * whole for share in TURNS):
+        found = box.copy()
+        behind = (box[3] * np.cos(turn) + box[4] * np.sin(abs(turn)) - box[3]) / 2
+        found[:2] += behind * np.array([np.cos(box[2]), np.sin(box[2])])
+        found[2] += turn
+        fits = abs(turn) > LEAST and there.prices(name, found[None], strict=True)[0] < BROKEN
+        if fits and there.shuts(name, found) <= most:
+            return np.asarray(found)
+    return box

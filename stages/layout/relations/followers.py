@@ -158,6 +158,11 @@ def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
     return np.concatenate([along(space, (deep, wide, height)) for deep, wide in sizes])
 
 
+def at_ease(there: Furniture, name: str, box: Array, rng: np.random.Generator) -> Array:
+    """A place (7,) as people leave it: no bed longer than there is floor for, most armchairs askew."""
+    return facing.askew(there, name, snug(name, box, there), rng)
+
+
 def snug(name: str, box: Array, there: Furniture) -> Array:
     """A bed of two no longer and wider than its mattress, its head where it was, where it leaves too little floor
     about it; all else as it is."""

@@ -121,7 +121,7 @@ class Sampler:
             name, found = self._last_resort(p, name, needed)
         p.tries = 0
         if found is not None and self.constrained:
-            found = self.room.empty.space.cut(followers.snug(name, found, p.furniture))
+            found = self.room.empty.space.cut(followers.at_ease(p.furniture, name, found, self.rng))
         if found is not None:
             p.furniture.add(name, found)
         given = len(self.room.given)
