@@ -145,18 +145,21 @@ def _depth(at: Floats, size: Floats, c: float, s: float, other: Floats, extent: 
 
 
 @inner
+def _least(x: float, y: float, lines: Lines) -> float:
+    """The least distance inwards from the walls' lines; 0 in a room that is not convex, of which it tells nothing."""
+    least = float(np.inf) if lines.convex else 0.0
+    for k in range(len(lines.length) if lines.convex else 0):
+        least = min(least, (x - lines.start[k, 0]) * lines.normal[k, 0] + (y - lines.start[k, 1]) * lines.normal[k, 1])
+    return least
+
+
+@inner
 def _far(x: float, y: float, lines: Lines) -> float:
     """0 on the floor, else the distance to the nearest wall."""
-    start, along, normal, length, convex = lines
-    n = len(length)
-    if convex:
-        inside = True
-        for k in range(n):
-            inside &= (x - start[k, 0]) * normal[k, 0] + (y - start[k, 1]) * normal[k, 1] > 0
-        if inside:
-            return 0.0
+    if _least(x, y, lines) > 0:
+        return 0.0
     within, nearest = _nearest(x, y, lines)
-    return 0.0 if within and not convex else nearest
+    return 0.0 if within and not lines.convex else nearest
 
 
 @inner
@@ -203,15 +206,12 @@ def beyond(found: Boxes, walls: Walls) -> Floats:
 def behind(found: Boxes, aside: Floats, walls: Walls) -> Floats:
     """Distance of each back (n,), `aside` of its middle, from the nearest wall, m."""
     center, size, yaw = found
-    start, _, normal, length, convex = walls.lines
     away = np.empty(len(yaw))
     for i in range(len(yaw)):
         c, s, back = np.cos(yaw[i]), np.sin(yaw[i]), size[i, 0] / 2
         x, y = center[i, 0] - c * back - s * aside[i], center[i, 1] - s * back + c * aside[i]
-        signed = float(np.inf) if convex else 0.0
-        for k in range(len(length) if convex else 0):  # tells all about what lies inside a convex room
-            signed = min(signed, (x - start[k, 0]) * normal[k, 0] + (y - start[k, 1]) * normal[k, 1])
-        away[i] = signed if signed > 0 else _nearest(x, y, walls.lines)[1]
+        least = _least(x, y, walls.lines)
+        away[i] = least if least > 0 else _nearest(x, y, walls.lines)[1]
     return away
 
 
@@ -272,18 +272,15 @@ def _sweeps(at: Floats, size: Floats, c: float, s: float, far: float, stood: Sto
 @compiled(A(BOXES, A, A, OTHERS, ZONES, WALLS, types.float64, types.float64))
 def prices(found: Boxes, reach: Floats, way: Floats, others: Others, zones: Zones, walls: Walls, slack: float,
            broken: float) -> Floats:
-    """Price of each place (n,): `way` there, and what of `costs.cost` it breaks.
-
-    A place that is broken by the walls is not asked for bodies, nor one broken by these for sweeps, unless all are.
-    """
+    """Price of each place (n,): `way` there, and what of `costs.cost` it breaks; what is broken by the walls is not
+    asked for bodies, nor what is broken by these for sweeps, unless all are."""
     (o_center, o_size, o_yaw), (g_center, g_size, _), soft, seated, tuck = others
     stood = Stood(o_center, o_size, g_center, g_size, np.cos(o_yaw), np.sin(o_yaw), soft, seated, tuck)
     (z_center, z_size, z_yaw), window = zones
     kept, lines = Kept(z_center, z_size, np.cos(z_yaw), np.sin(z_yaw), window), walls.lines
     corners = _turned(walls.corners)
     room = Room(kept, lines, corners, slack)
-    center, size, yaw = found
-    n = len(yaw)
+    (center, size, yaw), n = found, len(found.yaw)
     base, total, whole = np.empty(n), np.empty(n), n > 0
     for i in range(n):
         c, s = np.cos(yaw[i]), np.sin(yaw[i])

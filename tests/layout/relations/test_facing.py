@@ -88,7 +88,7 @@ def test_most_armchairs_are_turned_towards_the_screen_from_the_low_table() -> No
 def test_without_a_screen_one_looks_at_those_on_the_sofa() -> None:
     farther = ARMCHAIR + np.array([0.3, 0, 0, 0, 0, 0, 0], np.float32)
     found = [facing.askew(group("tv_stand"), "armchair", farther, np.random.default_rng(seed))[2] for seed in range(9)]
-    assert min(found) == pytest.approx(np.pi - np.arctan2(1.1, 1.7) / 2, abs=1e-6) and max(found) == np.float32(np.pi)
+    assert -np.arctan2(1.1, 1.7) / 2 - 1e-6 < min(found) - np.pi < -np.radians(8) and max(found) == np.float32(np.pi)
 
 
 def test_what_is_behind_a_turned_armchair_is_no_nearer() -> None:
