@@ -81,9 +81,13 @@ def _images(table: Array, box: Array) -> Array:
 
 
 def askew(there: Furniture, name: str, box: Array, rng: np.random.Generator) -> Array:
-    """Most armchairs (7,) turned to their group, what is then behind as near to the wall as the back was; all else, and
-    what would be in the way, as it is."""
-    if kinds.basic(name) != "armchair" or rng.random() >= TURNED:
+    """Most armchairs (7,) turned to their group, what is then behind as near to the wall as the back was, a second as
+    the first is; all else, and what would be in the way, as it is."""
+    if kinds.basic(name) != "armchair":
+        return box
+    pair = there.boxes[[kinds.basic(o) == "armchair" for o in there.names]][:1] if there.names else there.boxes
+    among = abs(np.sin(2 * (pair[0, 2] - box[2]))) > np.sin(2 * LEAST) if len(pair) else rng.random() < TURNED
+    if not among:
         return box
     aims = [there.boxes[[kinds.basic(o) in some for o in there.names]][:1] for some in GROUP] if there.names else []
     seen = [Seen(box[None], aim) for aim in aims if len(aim)][:2]

@@ -1,7 +1,7 @@
 """Furnishes an apartment with the relations model, each room by itself: the best of K samples."""
 
 from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.space import space_of
-from apartgen.stages.layout.relations import contents, features, furnishings, sampler, sizes, weights
+from apartgen.stages.layout.relations import contents, features, furnishings, living, sampler, sizes, weights
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
@@ -61,14 +61,15 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     style = int(home.integers(1 << 16))
     due = [i for i, room in enumerate(plan.rooms) if not config.room or room.id in config.room]
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
-    habits = {i: _habits(plan, plan.rooms[i], rng) for i in due}
+    ways = {i: living.draw(plan, plan.rooms[i], seeds.lane(rng, plan.rooms[i].id + " habits").random(len(living.WAYS)))
+            for i in due}
     best: dict[int, Furnished] = {}
     left = {i: _rounds(config.candidates, plan.rooms[i].base) for i in due}
     while some := [i for i in due if left[i] and (i not in best or best[i].cost > left[i][0].above
-                                                  + SCREEN * ("tv" in habits[i]))]:
+                                                  + SCREEN * any("tv" in some for some in ways[i]))]:
         rounds = [left[i].pop(0) for i in some]
         rooms = [_sampler(plan, i, arrays, config, round.samples, seeds.lane(rng, plan.rooms[i].id + round.name),
-                          there[i], habits[i]) for i, round in zip(some, rounds, strict=True)]
+                          there[i], ways[i]) for i, round in zip(some, rounds, strict=True)]
         for i, made in zip(some, sampler.furnished(rooms), strict=True):
             one = _best(plan, plan.rooms[i], made, arrays.origin[i], style, there[i])
             best[i] = min(best.get(i, one), one, key=lambda one: one.cost)
@@ -104,10 +105,8 @@ def _rounds(candidates: int, base: str | None) -> list[Round]:
 
 NO_LIGHT = {"plant": 0}
 """What is not kept where no daylight comes, unless it is asked for."""
-UNWATCHED, SCREEN = 0.1, 1.0
-"""Share of living rooms without a television (of people's one in five and more), and its want's weight."""
-CORNERED, WIDE = 0.3, 20.0
-"""Share of living rooms of so much floor, m², and more with a sofa round a corner; of people's, one in four."""
+SCREEN = 1.0
+"""The want of a television, which weighs so much where there is to be none."""
 
 
 class Furnished(NamedTuple):
@@ -116,16 +115,6 @@ class Furnished(NamedTuple):
     objects: list[Box]
     notes: list[str]
     cost: float
-
-
-def _habits(plan: Plan, room: Room, rng: Generator) -> dict[str, int]:
-    """What a living room has or has not, whatever else is in it, as people differ; nothing where one sleeps there."""
-    place = site(plan, room.id)
-    if room.base != "living_room" or place.sleeps:
-        return {}
-    draws = seeds.lane(rng, room.id + " habits").random(2)
-    found = {"tv_stand": 0, "tv": 0} if draws[0] < UNWATCHED else {}
-    return found | ({"corner_sofa": 1, "sofa": 0} if draws[1] < CORNERED and place.area >= WIDE else {})
 
 
 def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style: int, given: list[Box]) -> Furnished:
@@ -137,15 +126,14 @@ def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style
 
 
 def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rng: Generator,
-             given: list[Box], habits: dict[str, int]) -> tuple[Sampler, list[list[str]]]:
+             given: list[Box], ways: Sequence[Mapping[str, int]]) -> tuple[Sampler, list[list[str]]]:
     """What furnishes a room, and the contents of each of its k samples."""
     model, known, _ = weights.load(Path(config.weights) if config.weights else None)
     room = plan.rooms[i]
     task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
     asked = wanted_of(arrays, i, plan, room)
-    chosen = any(asked[name] for name in habits) or any(o.category in habits for o in given)
-    own = {} if chosen else habits
+    own = living.unless_told(ways, {o.category for o in given} | {name for name in asked if asked[name]})
     wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}), **own,
                       **asked})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)

@@ -85,6 +85,16 @@ def test_most_armchairs_are_turned_towards_the_screen_from_the_low_table() -> No
     assert (facing.askew(there, "chair", ARMCHAIR, np.random.default_rng(0)) == ARMCHAIR).all()
 
 
+def test_a_second_armchair_is_turned_as_the_first_is() -> None:
+    across = ARMCHAIR * np.array([-1, 1, 0, 1, 1, 1, 1], np.float32)
+    for seed in range(8):
+        there, rng = group(), np.random.default_rng(seed)
+        first = facing.askew(there, "armchair", ARMCHAIR, rng)
+        there.add("armchair", first)
+        second = facing.askew(there, "armchair", across, rng)
+        assert (first[2] == ARMCHAIR[2]) == (second[2] == across[2])
+
+
 def test_without_a_screen_one_looks_at_those_on_the_sofa() -> None:
     farther = ARMCHAIR + np.array([0.3, 0, 0, 0, 0, 0, 0], np.float32)
     found = [facing.askew(group("tv_stand"), "armchair", farther, np.random.default_rng(seed))[2] for seed in range(9)]

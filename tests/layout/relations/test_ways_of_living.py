@@ -10,7 +10,7 @@ from apartgen.schemas.plan import AskedObjects, Plan, Room
 from apartgen.stages import layout, seeds, use
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.relations import home as relations_home
-from apartgen.stages.layout.relations import propose
+from apartgen.stages.layout.relations import living, propose
 from apartgen.stages.layout.rooms import of_plan
 from apartgen.stages.plan import build, from_polygons
 from apartgen.stages.plan.config import PlanConfig
@@ -62,8 +62,10 @@ def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_
                       if room.base == "living_room" and use.site(plan, room.id).area > 20)
     one = ONE.model_copy(update={"room": [room.id], "candidates": 1})
     drawn = {k: seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)}
-    habits = {k: relations_home._habits(plan, room, rng) for k, rng in drawn.items()}
-    bare, round_ = ([k for k, found in habits.items() if name in found] for name in ("tv", "corner_sofa"))
+    chances = {k: seeds.lane(rng, room.id + " habits").random(len(living.WAYS)) for k, rng in drawn.items()}
+    ways = {k: living.draw(plan, room, some) for k, some in chances.items()}
+    bare, round_ = ([k for k, found in ways.items() if any(name in some for some in found)]
+                    for name in ("tv", "corner_sofa"))
     assert 0.06 < len(bare) / len(drawn) < 0.14 and 0.24 < len(round_) / len(drawn) < 0.36
     for some, asked in ((bare, "tv"), (round_, "sofa")):
         objects = [AskedObjects(room=room.id, category=asked, count=1)]
@@ -71,6 +73,27 @@ def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_
         for these, count in ((plan, 0), (plan.model_copy(update={"program": wished}), 1)):
             found = layout.run(these, one, drawn[some[0]]).objects
             assert sum(o.category == asked for o in found if o.room == room.id) == count
+
+
+def test_ways_of_living_are_as_many_as_they_say_and_of_rooms_one_lives_in() -> None:
+    plan = home(3)
+    room = next(room for room in plan.rooms if room.base == "living_room")
+    floor, rng = use.site(plan, room.id).area, np.random.default_rng(0)
+    drawn = [living.draw(plan, room, rng.random(len(living.WAYS))) for _ in range(1500)]
+    for way in living.WAYS:
+        share = np.mean([way.counts in found for found in drawn])
+        assert abs(share - way.share * (floor >= way.floor)) < 0.05, way
+    never = [0.0] * len(living.WAYS)
+    assert not any(living.draw(plan, other, never) for other in plan.rooms if other.base != "living_room")
+    studio: Plan = build(archetypes()["studio"], PlanConfig(), np.random.default_rng(3))
+    assert not any(living.draw(studio, other, never) for other in studio.rooms), "one sleeps there"
+
+
+def test_what_is_told_goes_before_ways_of_living() -> None:
+    ways = [{"tv_stand": 0, "tv": 0}, {"armchair": 2}, {"side_table": 0}, {"side_table": 2}]
+    assert living.unless_told(ways, set()) == {"tv_stand": 0, "tv": 0, "armchair": 2, "side_table": 2}
+    assert living.unless_told(ways, {"tv"}) == {"armchair": 2, "side_table": 2}
+    assert living.unless_told(ways, {"side_table", "armchair", "bed"}) == {"tv_stand": 0, "tv": 0}
 
 
 def test_a_hall_one_enters_has_hooks_beside_a_cupboard_unless_it_is_counted_or_none_are_wanted() -> None:
@@ -97,7 +120,7 @@ def test_a_room_with_a_sofa_of_its_own_gets_none_round_a_corner() -> None:
     sofa = Box(id="own", room=plan.rooms[i].id, category="sofa", center=(x, y, 0.4), size=(0.9, 2.0, 0.8), yaw=0.0)
     rng = seeds.drawn(1, "layout", seeds.plan_digest(plan))
     for given, there in (([], True), ([sofa], False)):
-        _, names = relations_home._sampler(plan, i, of_plan(plan, 0.5), ONE, 4, rng, given, CORNER)
+        _, names = relations_home._sampler(plan, i, of_plan(plan, 0.5), ONE, 4, rng, given, [CORNER])
         assert [("corner_sofa" in some) for some in names] == [there] * 4
 
 

@@ -1,0 +1,48 @@
+"""Ways of living: what a living room has or has not, whatever else is drawn for it, as people differ.
+
+Of several contents those are furnished that lack least, so that without this nearly all would have what most have.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from apartgen.schemas.plan import Plan, Room
+from apartgen.stages.use import site
+
+
+class Way(NamedTuple):
+    """In a share of the living rooms of so much floor, m², there are so many of these."""
+
+    share: float
+    floor: float
+    counts: Mapping[str, int]
+
+
+WAYS = (
+    Way(0.1, 0.0, {"tv_stand": 0, "tv": 0}),
+    Way(0.3, 20.0, {"corner_sofa": 1, "sofa": 0}),
+    Way(0.25, 20.0, {"armchair": 2}),
+    Way(0.35, 0.0, {"floor_lamp": 0}),
+    Way(0.25, 0.0, {"side_table": 0}),
+    Way(0.25, 16.0, {"side_table": 2}),
+    Way(0.15, 0.0, {"pouffe": 1}),
+    Way(0.4, 0.0, {"plant": 0}),
+)
+"""No television in one of ten (of people's in one of five and more), a corner sofa in as many as people have; two
+armchairs and no floor lamp in as many as in 46 and 72 rooms of iTHOR, Robot@VirtualHome and TDW, no side table in as
+many as of iTHOR's, two in fewer than its 11 of 25, an ottoman in somewhat more. How many do without a plant they do not
+tell. The later of two that are at odds holds."""
+
+
+def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, int]]:
+    """Those of a room, by a chance from 0 to 1 of each; none where nobody lives or one sleeps there."""
+    place = site(plan, room.id)
+    if room.base != "living_room" or place.sleeps:
+        return []
+    return [way.counts for way, chance in zip(WAYS, chances, strict=True)
+            if chance < way.share and place.area >= way.floor]
+
+
+def unless_told(ways: Sequence[Mapping[str, int]], told: set[str]) -> dict[str, int]:
+    """Counts of those ways of whose things nothing is asked for or given."""
+    return {name: count for counts in ways if told.isdisjoint(counts) for name, count in counts.items()}
