@@ -44,6 +44,7 @@ LATER = (
     (kinds.DOUBLE, kinds.WARDROBES, (0.6, 1.2, 2.1)),
     (kinds.BEDS - kinds.DOUBLE, kinds.WARDROBES, (0.6, 0.8, 2.1)),
     (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
+    (kinds.TABLES, kinds.WARDROBES, (0.6, 1.2, 2.1)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""
 BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
@@ -51,6 +52,8 @@ BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
 """What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
 SMALL_DESK = (0.55, 0.9, 0.74)
 """A desk for a small room, m."""
+NARROW = (1.0, 0.8, 0.7)
+"""Wardrobes where one sleeps and none of two finds a place, m."""
 COMPACT = (2.03, 1.62)
 """A bed for a mattress of 1.6 by 2 m, m."""
 TRIED = 3
@@ -156,6 +159,7 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
     """What does for something that found no place, the best first, and places (m, 7) for it: towels, mirrors and
     wardrobes of another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
     kind = kinds.basic(name)
+    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
     if name == RAIL:
         narrow = boxes.copy()
         narrow[:, 4] = TABLE[name].min[1]
@@ -169,8 +173,10 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
     if kind in kinds.DESKS:
         return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:
-        return [(other, leading(other, boxes, there.space, narrowest(large, other))) for other in TABLE[name].instead]
-    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
+        depth, _, height = likeliest(boxes)
+        narrow = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
+        return [(other, leading(other, boxes, there.space, narrowest(large, other)))
+                for other in TABLE[name].instead] + narrow
     if kind != STAND or not beds:
         return []
     return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))
