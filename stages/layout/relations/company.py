@@ -32,6 +32,8 @@ AGAINST = 0.36
 """Between a dining table and a sofa or a low table one passes, m."""
 AHEAD = (0.05, 0.5)
 """So far before a sofa nothing stands that is no low table, m."""
+LEGS, ARM = 0.6, 0.08
+"""So far before a seat are legs, and at either side is no seat but its arm, m."""
 VIEW = (kinds.SOFAS, frozenset({"tv_stand"}), kinds.TABLES)
 """Who watches, what is watched, and what must not stand between."""
 TINY = 1e-9
@@ -199,6 +201,13 @@ def _apart(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray((seen.gap >= AGAINST).all(1))
 
 
+def _beside_legs(seen: Seen, hosts: Sequence[str]) -> Flags:
+    """What stands not where those who sit in what is there have their legs."""
+    near, far = (seen.to[..., 0] + sign * seen.own[..., 0] - seen.host[..., 0] for sign in (-1, 1))
+    aside = np.abs(seen.to[..., 1]) - seen.own[..., 1] - seen.host[..., 1]
+    return np.asarray(~((near < LEGS) & (far > 0) & (aside < -ARM)).any(1))
+
+
 def _within(far: float) -> Judge:
     return lambda seen, hosts: _any(seen.gap <= far)
 
@@ -211,7 +220,8 @@ def _open_before(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(~seen.walls_in().any(1))
 
 
-FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table", "tv", "armchair"}
+FOLLOWERS = kinds.CHAIRS | kinds.SMALL_SEATS | {"nightstand", "coffee_table", "side_table", "tv", "armchair",
+                                               "floor_lamp"}
 LED: tuple[tuple[frozenset[str], frozenset[str]], ...] = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS),
     (frozenset({"nightstand"}), kinds.BEDS),
@@ -242,5 +252,7 @@ RULES = (
     (LARGE, kinds.SOFAS, _leaves_open),
     (kinds.BEFORE_A_SEAT & (kinds.SLENDER | {"side_table"}), kinds.EASY, _leaves_open),
     (kinds.SOFAS, LARGE, _open_before),
+    (frozenset({"floor_lamp"}), kinds.EASY, _beside_legs),
+    (frozenset({"floor_lamp"}), kinds.TABLES, _apart),
 )
 """Whose place is judged, by whom, and what must hold for it where any of these is there."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
-from apartgen.stages.layout.relations import elbowroom, facing
+from apartgen.stages.layout.relations import elbowroom, facing, gathered
 from apartgen.stages.layout.relations.fixtures import RAIL
 from apartgen.stages.layout.relations.hung import MIRROR, over
 from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, at_walls, likeliest
@@ -37,12 +37,15 @@ FEW, DRAWN = 6, (0.78, 0.55)
 edge, m."""
 
 LEADERS = ((kinds.TABLES, CHAIR), (kinds.DOUBLE, STAND), ({"desk"}, SEAT), (kinds.SOFAS, LOW))
+SEATED = kinds.SOFAS | {gathered.SEAT}
+"""What leaves a table that is still to come its place."""
 TINY, BOTH = 1e-6, 2
 """Two who share a bed get out at either side, which leaves places of nightstands even where none is to come."""
 LATER = (
     (kinds.DOUBLE, kinds.WARDROBES, (0.6, 1.2, 2.1)),
     (kinds.BEDS - kinds.DOUBLE, kinds.WARDROBES, (0.6, 0.8, 2.1)),
     (kinds.SOFAS, {"tv_stand"}, (0.4, 1.2, 0.5)),
+    (kinds.TABLES, kinds.WARDROBES, (0.6, 1.2, 2.1)),
 )
 """What comes to some wall later on: a place for one of such a size, m, is left."""
 BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
@@ -50,6 +53,8 @@ BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
 """What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
 SMALL_DESK = (0.55, 0.9, 0.74)
 """A desk for a small room, m."""
+NARROW = (1.0, 0.8, 0.7)
+"""Wardrobes where one sleeps and none of two finds a place, m."""
 COMPACT = (2.03, 1.62)
 """A bed for a mattress of 1.6 by 2 m, m."""
 SELDOM, SEAT_WIDE = 0.02, 0.42
@@ -88,7 +93,7 @@ def fit(there: Furniture, name: str, box: Array, left: Sequence[str]) -> float:
         group = next((some for some in fewer if there.shut_by(some) < MOST), group[:-1])
     share = max(len(group) - 1 - worse / 2, 0) / due * (0.5 if narrow else 1.0) if due else 1.0
     fine = later is None or any(there.shut_by([*group, one]) < MOST for one in later)
-    return share * (_table_left(there, group, left) if kind in kinds.SOFAS else 1.0) if fine else share / 4
+    return share * (_table_left(there, group, left) if kind in SEATED else 1.0) if fine else share / 4
 
 
 def _later(there: Furniture, kind: str, group: list[tuple[str, Array]],
@@ -179,6 +184,7 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
     """What does for something that found no place, the best first, and places (m, 7) for it: towels, mirrors and
     wardrobes of another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
     kind = kinds.basic(name)
+    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
     if name == RAIL:
         narrow = boxes.copy()
         narrow[:, 4] = TABLE[name].min[1]
@@ -187,11 +193,15 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
         above = over(name, boxes, there.names, there.boxes)
         open_ = len(above) > 0 and bool((there.prices(name, above) < BROKEN).any())
         return [] if open_ else [(name, at_walls(boxes, there.space))]
+    if kind == gathered.SEAT:
+        return [(name, gathered.places(there.names, there.boxes, likeliest(boxes)))]
     if kind in kinds.DESKS:
         return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:
-        return [(other, leading(other, boxes, there.space, narrowest(large, other))) for other in TABLE[name].instead]
-    beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
+        depth, _, height = likeliest(boxes)
+        narrow = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
+        return [(other, leading(other, boxes, there.space, narrowest(large, other)))
+                for other in TABLE[name].instead] + narrow
     if kind != STAND or not beds:
         return []
     return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))
@@ -201,6 +211,8 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
 def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:
     """Places (m, 7) of what follows something that stands there, as large as another one of its name or as candidates
     (n, 7) are: exact, so that a seat at a table is not missed for want of a candidate."""
+    if kinds.basic(name) == gathered.SEAT:
+        return gathered.places(names, there, likeliest(there[[names.index(name)]] if name in names else boxes))
     rows = [(o, box) for o, box in zip(names, there, strict=True)
             if any(follower == kinds.basic(name) and kinds.basic(o) in leaders for leaders, follower in LEADERS)]
     if not rows:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from lived_in import NORTH, room, thing
+from rooms_for_tests import box
 
 from apartgen.schemas.layout import Box
 from apartgen.stages import use
@@ -174,3 +175,26 @@ def test_lamps_wait_for_what_they_stand_on() -> None:
     assert company.next_of(left, ["single_bed"]) == ["nightstand", "rug"]
     assert company.next_of(left, ["single_bed", "nightstand"]) == left
     assert company.next_of(["table_lamp", "rug"], ["single_bed"]) == ["table_lamp", "rug"]
+
+
+@pytest.mark.parametrize("x, y, good", [
+    (0.3, 1.25, True),      # at its end
+    (0.62, 0.75, False),    # before its last seat, beside the low table
+    (0.62, 1.25, True),     # past its arm
+    (1.4, 0.75, True),      # at the far side of the low table
+])
+@pytest.mark.parametrize("turn", [0.0, 2.0])
+def test_a_lamp_stands_where_nobody_has_his_legs(x: float, y: float, good: bool, turn: float) -> None:
+    """Of a sofa 2 m wide about the origin, .9 m deep; mirrored, too."""
+    sofa = box((0.9, 2.0, 0.8), 0, 0, turn)[None]
+    for side in (1, -1):
+        at = x * np.cos(turn) - side * y * np.sin(turn), x * np.sin(turn) + side * y * np.cos(turn)
+        lamp = box((0.4, 0.4, 1.6), *at, turn)[None]
+        assert company.alone("floor_lamp", lamp, ["sofa"], sofa)[0] == (not good)
+    assert company.follows("floor_lamp"), "it is left out rather than put there"
+
+
+@pytest.mark.parametrize("gap, good", [(0.2, False), (0.5, True)])
+def test_a_lamp_keeps_from_the_table_where_one_eats(gap: float, good: bool) -> None:
+    table, lamp = box((0.9, 1.6, 0.75), 0, 0)[None], box((0.4, 0.4, 1.6), 0.45 + gap + 0.2, 0)[None]
+    assert company.alone("floor_lamp", lamp, ["dining_table"], table)[0] == (not good)

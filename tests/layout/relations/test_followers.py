@@ -289,3 +289,25 @@ def test_places_where_all_chairs_are_drawn_back_come_first(name: str, size: tupl
     places = np.stack([box(size, 0, 0), box(size, 0, at_end), box(size, at_side, 0)])
     weight = followers.likely(room(6.0, 6.0), name, places, ["chair"] * chairs)
     assert (weight == 1).tolist() == good and (weight > 0).all()
+
+
+def test_where_one_sleeps_a_narrow_wardrobe_is_better_than_none() -> None:
+    """A wall of 1.1 m beside the bed's takes one of 1 m; elsewhere none is narrower than others of its kind."""
+    said = np.tile(box((0.6, 1.5, 2.1), 0, 0), (3, 1))
+    for names, narrow in (["double_bed"], True), ([], False):
+        there = room()
+        for name in names:
+            there.add(name, box(BED, 0, 0.98, -np.pi / 2))
+        found = [places[:, 4] for _, places in followers.others("wardrobe", said, there, {}) if len(places)]
+        assert any((width <= 1.0).all() for width in found) == narrow
+        assert all((width >= 0.7).all() for width in found)
+
+
+@pytest.mark.parametrize("depth, fits", [(3.1, False), (4.2, True)])
+def test_a_table_leaves_the_wardrobe_its_wall(depth: float, fits: bool) -> None:
+    """In the middle of a room 2.6 m wide, of which a bed takes the south wall: north of the table are .45 m and 1 m."""
+    there = room(2.6, depth)
+    there.add("single_bed", box((2.0, 0.9, 0.5), 0, -depth / 2 + 0.46))
+    table = box((0.8, 1.2, 0.75), 0, 0.3, np.pi / 2)
+    assert (followers.fit(there, "dining_table", table, ["wardrobe"]) == 1) == fits
+    assert followers.fit(there, "dining_table", table, []) == 1
