@@ -28,7 +28,7 @@ from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
 from apartgen.stages.use import arrivals, belongings, lacks_of, site
-from apartgen.stages.use.household import duties, sleepers
+from apartgen.stages.use.household import duties, linen_in, sleepers
 from apartgen.stages.use.kinds import COATS
 from apartgen.stages.use.site import Site
 
@@ -97,6 +97,8 @@ UNWATCHED, SCREEN = 0.1, 1.0
 """Share of living rooms without a television (of people's one in five and more), and its want's weight."""
 CORNERED, WIDE = 0.3, 20.0
 """Share of living rooms of so much floor, m², and more with a sofa round a corner; of people's, one in four."""
+BASKET, KEPT = "laundry_basket", 0.25
+"""What is in one home of four where linen is kept, and then in no bedroom."""
 
 
 class Furnished(NamedTuple):
@@ -108,8 +110,11 @@ class Furnished(NamedTuple):
 
 
 def _habits(plan: Plan, room: Room, rng: Generator) -> dict[str, int]:
-    """What a living room has or has not, whatever else is in it, as people differ; nothing where one sleeps there."""
-    place = site(plan, room.id)
+    """What a room has or has not, whatever else is in it, as people differ: a living room, where nobody sleeps there,
+    the room in which linen is kept, and bedrooms beside it."""
+    place, linen = site(plan, room.id), linen_in(plan)
+    if linen and (linen == room.id or room.base == "bedroom"):
+        return {BASKET: int(linen == room.id and seeds.lane(rng, room.id + " habits").random() < KEPT)}
     if room.base != "living_room" or place.sleeps:
         return {}
     draws = seeds.lane(rng, room.id + " habits").random(2)

@@ -117,3 +117,18 @@ def test_coat_racks_are_as_deep_as_wide(monkeypatch: pytest.MonkeyPatch) -> None
     found = made(plan.model_copy(update={"program": wish}), config=ONE.model_copy(update={"room": [hall]})).objects
     (rack,) = [o for o in found if o.room == hall and o.category == "coat_rack"]
     assert rack.size[0] == rack.size[1]
+
+
+def test_laundry_baskets_are_where_linen_is_kept_and_in_no_bedroom_unless_asked_for() -> None:
+    plan = home(3)
+    bath, bed = (next(room for room in plan.rooms if room.base == kind) for kind in ("bathroom", "bedroom"))
+    assert use.site(plan, bath.id).area >= 4.0
+    drawn = [seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(200)]
+    kept = [rng for rng in drawn if relations_home._habits(plan, bath, rng)["laundry_basket"]]
+    assert 0.15 < len(kept) / len(drawn) < 0.35
+    for room, asked, count in ((bath, (), 1), (bed, (), 0), (bed, (1,), 1)):
+        wished = [AskedObjects(room=room.id, category="laundry_basket", count=n) for n in asked]
+        these = plan.model_copy(update={"program": plan.program.model_copy(update={"objects": wished})})
+        found = layout.run(these, ONE.model_copy(update={"room": [room.id]}), kept[0]).objects
+        assert sum(o.category == "laundry_basket" for o in found if o.room == room.id) == count
+    assert not relations_home._habits(plan.model_copy(update={"rooms": [bed]}), bed, drawn[0])
