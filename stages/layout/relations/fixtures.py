@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.hung import MIRROR
 from apartgen.stages.space.boxes import Boxes, gap, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
@@ -42,6 +43,8 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     total = np.zeros(found.n)
     if name == RAIL:
         return _out_of_reach(found, names, there, space)
+    if name == MIRROR:
+        return np.where(_behind_leaf(found, space), BROKEN if strict else TAKEN, 0.0)
     if TABLE[name].place != "floor":
         return total
     if name == BIN:
@@ -80,9 +83,18 @@ def kept(name: str, some: Boxes) -> list[Boxes]:
 def _out_of_reach(found: Boxes, names: list[str], there: Boxes, space: Space) -> Floats:
     """Of what hangs, reached over a tub or a bin, in the way of who sits below, or behind a door that stands open."""
     below, before = (there.take(np.array([k for k, o in enumerate(names) if o in some], int)) for some in (OVER, TUBS))
-    front = _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
-    met = [_columns(below, found), _columns(before, front), (penetration(front, space.leaves) > SLACK).any(1)]
+    met = [_columns(below, found), _columns(before, _front(found)), _behind_leaf(found, space)]
     return np.where(np.any(met, axis=0), BROKEN, 0.0)
+
+
+def _front(found: Boxes) -> Boxes:
+    """What is right before each of what hangs."""
+    return _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
+
+
+def _behind_leaf(found: Boxes, space: Space) -> NDArray[np.bool_]:
+    """Before which a door stands that is open."""
+    return np.asarray((penetration(_front(found), space.leaves) > SLACK).any(1))
 
 
 def within(far: Mapping[str, float], found: Boxes, names: Sequence[str], there: Boxes) -> NDArray[np.bool_]:

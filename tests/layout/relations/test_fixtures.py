@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from rooms_for_tests import one_room
 
 from apartgen.schemas.layout import Box, Layout
 from apartgen.stages.layout.datasets import single_rooms
@@ -120,3 +121,17 @@ def test_a_bin_stands_by_where_one_throws_something_away(name: str, far: float, 
     if far > 0.4:
         added = np.array(with_it) - alone
         assert (added == ([0.0, 0.0] if near else [fixtures.BROKEN, fixtures.FAR])).all()
+
+
+def test_a_mirror_hangs_rather_not_where_a_door_stands_open() -> None:
+    rooms = one_room()
+    rooms.openings[0, 0, 5] = 1
+    space = space_of(rooms, 0)
+    (x, y, _), half = space.leaves.center[0], space.leaves.size[0, :2].max() / 2
+    across = np.array([[-2 + 0.02, y, 1.45], [-2 + 0.02, y + half + 0.6, 1.45]])
+    found = Boxes(across, np.tile([0.04, 0.5, 0.8], (2, 1)), np.zeros(2))
+    none = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+    near = found._replace(center=across + [x - 0.2 + 2, 0, 0])
+    for strict, price in ((True, fixtures.BROKEN), (False, fixtures.TAKEN)):
+        assert fixtures.prices("mirror", near, [], none, space, strict).tolist() == [price, 0.0]
+    assert not fixtures.prices("mirror", found, [], none, space, True)[1]
