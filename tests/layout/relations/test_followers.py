@@ -127,8 +127,9 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     assert not len(handy.places(name, one[None], hall.names, hall.boxes, hall.space))
 
 
-@pytest.mark.parametrize("name, size, wide", [("shoe_cabinet", (0.3, 0.9, 1.0), 1.1), ("bench", (0.4, 1.2, 0.45), 1.18)])
-def test_what_is_for_shoes_is_narrow_where_the_hall_is(name: str, size: tuple[float, float, float], wide: float) -> None:
+@pytest.mark.parametrize("name, size, wide", [
+    ("shoe_cabinet", (0.3, 0.9, 1.0), 1.1), ("bench", (0.4, 1.2, 0.45), 1.18)])
+def test_shoes_are_kept_in_narrow_halls(name: str, size: tuple[float, float, float], wide: float) -> None:
     rooms = entered()
     rooms.polygon[0, :4, 1] = np.array([0, 0, wide, wide]) - 1.5
     there = Furniture(space_of(rooms, 0))
