@@ -140,8 +140,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     asked = wanted_of(arrays, i, plan, room)
     chosen = any(asked[name] for name in habits) or any(o.category in habits for o in given)
     own = {} if chosen else habits
-    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}), **own,
-                      **asked})
+    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}),
+                      **{name: count for name, count in own.items() if name != BASKET}, **asked})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
@@ -149,6 +149,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
         drawn = [_hung(place, given, some) for some in drawn]
     if room.id not in plan.program.counts and not given:
         drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area) for some in drawn]
+    if room.id not in plan.program.counts and BASKET in own:
+        drawn = [[name for name in some if name != BASKET] + [BASKET] * own[BASKET] for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
     return Sampler(task, lanes[0], config.constraints, config.places), names
 
