@@ -44,7 +44,7 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     if name == RAIL:
         return _out_of_reach(found, names, there, space)
     if name == MIRROR:
-        return np.where(_behind_leaf(found, space), BROKEN if strict else TAKEN, 0.0)
+        return np.where(_behind_leaf(found, space), BROKEN if strict else FAR, 0.0)
     if TABLE[name].place != "floor":
         return total
     if name == BIN:

@@ -132,6 +132,6 @@ def test_a_mirror_hangs_rather_not_where_a_door_stands_open() -> None:
     found = Boxes(across, np.tile([0.04, 0.5, 0.8], (2, 1)), np.zeros(2))
     none = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
     near = found._replace(center=across + [x - 0.2 + 2, 0, 0])
-    for strict, price in ((True, fixtures.BROKEN), (False, fixtures.TAKEN)):
+    for strict, price in ((True, fixtures.BROKEN), (False, fixtures.FAR)):
         assert fixtures.prices("mirror", near, [], none, space, strict).tolist() == [price, 0.0]
     assert not fixtures.prices("mirror", found, [], none, space, True)[1]
