@@ -102,7 +102,7 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
         if strict or name in NARROW and not loose and (kinds.TABLES | kinds.BEDS).isdisjoint(map(kinds.basic, names)):
             return np.asarray(total + np.where(away > 0, BARRED, 0.0))
         return np.asarray(total + np.clip(AWAY * away, 0.0, ALONE))
-    far = np.zeros(len(boxes), bool)
+    far: Flags = np.zeros(len(boxes), bool)
     if kind == BIN and _of(kinds.WET, names, there).size:
         far = ~_for_waste(boxes, names, there)
     if kind == LAMP:
@@ -112,7 +112,7 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
     if kind == READ and (unlit := _unlit(names, there)).size:
         far = ~_above(boxes, unlit)
     if kind in LANDING and (hot := _of(kinds.HOT, names, there)).size:
-        far = (Seen(boxes, hot).gap < LANDING[kind]).any(1)
+        far = np.asarray((Seen(boxes, hot).gap < LANDING[kind]).any(1))
     spared = (kind == BIN or kind in LANDING) and not loose
     away = np.where(far, BARRED if strict or spared else AWAY, 0.0)
     return np.maximum(total, away) if kind == LAMP else total + away
