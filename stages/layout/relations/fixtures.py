@@ -30,8 +30,8 @@ BEFORE = 0.4
 """How far before it no tub is and no door's leaf stands, m."""
 THROWN = {"toilet": 0.4, "vanity": 0.4}
 """How far from these a bin stands at most, m, where there is one."""
-FAR = 4.0
-"""Price of one that stands farther, once nothing better was found."""
+FAR, HIDDEN = 4.0, 8.0
+"""Prices of one that stands farther, once nothing better was found, and of a mirror behind a door that stands open."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -44,7 +44,7 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     if name == RAIL:
         return _out_of_reach(found, names, there, space)
     if name == MIRROR:
-        return np.where(_behind_leaf(found, space), BROKEN if strict else FAR, 0.0)
+        return np.where(_behind_leaf(found, space), HIDDEN, 0.0)
     if TABLE[name].place != "floor":
         return total
     if name == BIN:
