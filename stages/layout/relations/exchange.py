@@ -20,10 +20,10 @@ from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 from apartgen.stages.use.rules.cook import JOINED, PUT_DOWN, TALL, TOP
 
-BETWEEN, PARTED, BESIDE, ILL, LITTLE, AT_END, APART = 1.0, 0.5, 0.5, 0.5, 0.8, 0.3, 0.2
+BETWEEN, PARTED, BESIDE, ILL, SINK, LITTLE, AT_END, APART = 1.0, 0.5, 0.5, 0.5, 0.2, 0.8, 0.3, 0.2
 """Costs: no worktop between sink and hob, something tall between them, a tall unit beside the hob, a hob in a corner or
-before a window, no worktop of full length beside either, a hob at the end of its run, each metre of too many from the
-dishwasher to the sink."""
+before a window, a sink in a corner, no worktop of full length beside either, a hob at the end of its run, each metre of
+too many from the dishwasher to the sink."""
 DISHES = 0.91
 """The dishwasher is no farther from the sink, m (NKBA kitchen guideline 13)."""
 ROUNDS = 3
@@ -84,6 +84,7 @@ def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
     for wash in (k for k, name in enumerate(names) if name == "dishwasher"):
         total += APART * max(0.0, float(gap[wet, wash].min()) - DISHES)
     total += PARTED * sum(float(company.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
+    total += SINK * float(cornered(boxes[wet], space).sum())
     return float(total) + ILL * float((cornered(boxes[hot], space) | lit(boxes[hot], space)).sum())
 
 
