@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations import hung
 from apartgen.stages.layout.relations.company import Seen
 from apartgen.stages.layout.relations.fixtures import BIN, RAIL, THROWN, within
 from apartgen.stages.layout.relations.hung import MIRROR
@@ -35,8 +36,8 @@ LIT = kinds.EASY | kinds.BEDS | kinds.DESKS
 STRAY = 0.5
 """What is slender has a wall within so much of it, m: one walks where there is none."""
 READ, LANDING, ENDS = "table_lamp", {"microwave": 0.3}, 0.05
-"""What one reads by in bed; what leaves so much worktop beside what cooks (NKBA kitchen guideline 17), or is left out,
-m; and how near the ends of a top it may stand."""
+"""What one reads by in bed; what leaves so much worktop beside what cooks (NKBA kitchen guideline 17) and no window
+behind it, or is left out, m; and how near the ends of a top it may stand."""
 BARRED, CRAMPED, AWAY, ALONE = 20.0, 6.0, 4.0, 8.0
 """Prices: of what is not at hand, as long as there may be a place for it that is, and once nothing better was found, of
 what stands on the way, and far from its use; of coats for each metre, up to so much."""
@@ -112,7 +113,7 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
     if kind == READ and (unlit := _unlit(names, there)).size:
         far = ~_above(boxes, unlit)
     if kind in LANDING and (hot := _of(kinds.HOT, names, there)).size:
-        far = np.asarray((Seen(boxes, hot).gap < LANDING[kind]).any(1))
+        far = np.asarray((Seen(boxes, hot).gap < LANDING[kind]).any(1)) | hung.lit(boxes, space)
     spared = (kind == BIN or kind in LANDING) and not loose
     away = np.where(far, BARRED if strict or spared else AWAY, 0.0)
     return np.maximum(total, away) if kind == LAMP else total + away

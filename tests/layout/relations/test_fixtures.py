@@ -132,6 +132,8 @@ def test_a_mirror_hangs_rather_not_where_a_door_stands_open() -> None:
     across = np.array([[-2 + 0.02, y, 1.45], [-2 + 0.02, y + half + 0.6, 1.45]])
     near = Boxes(across + [x - 0.2 + 2, 0, 0], np.tile([0.04, 0.5, 0.8], (2, 1)), np.zeros(2))
     none = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
-    for strict in (True, False):
-        hidden, seen = fixtures.prices("mirror", near, [], none, space, strict)
-        assert seen == 0 < hidden < BROKEN
+    basin = Boxes(np.array([[1.0, 1.0, 0.4]]), np.array([[0.4, 0.6, 0.8]]), np.zeros(1))
+    for names, there, strict, barred in (([], none, True, True), ([], none, False, False),
+                                         (["vanity"], basin, True, False), (["vanity"], basin, False, False)):
+        hidden, seen = fixtures.prices("mirror", near, names, there, space, strict)
+        assert seen == 0 < hidden and (hidden >= BROKEN) == barred

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import box, one_room, room
+from rooms_for_tests import box, one_room, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import handy
@@ -96,3 +96,15 @@ def test_a_microwave_leaves_worktop_beside_what_cooks(wide: float, some: bool) -
         good = found[there.prices("microwave", found, strict=strict) < BROKEN]
         assert len(good) == some and (good[:, 1] - 0.25 >= 0.6 - 1e-4).all()
     assert (there.prices("microwave", found, loose=True) < BROKEN).any(), "for who asked for one"
+
+
+@pytest.mark.parametrize("x, before", [(0.0, True), (0.5, True), (1.3, False)])
+def test_no_microwave_stands_before_a_window(x: float, before: bool) -> None:
+    """A window from -.6 to .6 in the north wall; the hob stands elsewhere."""
+    rooms = some_rooms(1, 4)
+    north = float(rooms.polygon[0, :4, 1].max())
+    there = Furniture(space_of(rooms, 0))
+    there.add("oven", box(UNIT, float(rooms.polygon[0, :4, 0].min()) + 0.31, 0.0))
+    there.add("kitchen_base", box((0.6, 0.6, 0.9), x, north - 0.31, -np.pi / 2))
+    (one,) = handy.places("microwave", box((0.36, 0.5, 0.3), 0, 0)[None], there.names, there.boxes, there.space)[:1]
+    assert (there.prices("microwave", one[None], strict=True)[0] >= BROKEN) == before
