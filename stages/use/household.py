@@ -51,11 +51,18 @@ class Duties(NamedTuple):
 OPEN = Duties(-1, -1, -1, -1)
 WASHING = (("utility", 0.0), ("bathroom", 4.6), ("kitchen", 0.0), ("bathroom", 0.0))
 """Where clothes are washed, the likeliest first, with the floor that takes, m²."""
+LINEN = (("utility", 0.0), ("bathroom", 4.0))
+"""Where what is to be washed is kept, the likeliest first, with the floor that takes, m²."""
 
 
 def washes_in(plan: Plan) -> str | None:
     """The room with the washing machine, None where there is no place for one."""
     return _first(plan, WASHING)
+
+
+def linen_in(plan: Plan) -> str | None:
+    """The room with the laundry basket, None where there is no place for one, and for a room by itself."""
+    return None if len(plan.rooms) == 1 else _first(plan, LINEN)
 
 
 def duties(plan: Plan, room: Room) -> Duties:

@@ -107,7 +107,8 @@ def _by_number(site: Site, count: Counter[str], upright: int) -> Iterator[Lack]:
             yield Lack(f"no {want.name}" if number == 1 or want.each else f"few {want.name}", missing,
                        missing * want.weight)
     for want in _wants("most", site.kind):
-        if (over := _number(count, want.of) - want.number) > 0:
+        apart = want.name in _table()["for_children"] and not count["double_bed"] and _sleep(count) > 1
+        if (over := _number(count, want.of) - want.number - apart) > 0:
             yield Lack(f"too many {want.name}", over, over * want.weight)
     fixed, by_area = _table()["few"].get(site.kind, (0.0, 0.0))
     missing = fixed + by_area * site.area - upright

@@ -1,4 +1,5 @@
-"""How far people like things from one another that are not used together in reach: what is watched, where one eats."""
+"""How far people like things from one another that are not used together in reach: what is watched, where one eats;
+and beds from the walls along them."""
 
 from collections.abc import Sequence
 
@@ -24,31 +25,45 @@ BY_SCREEN, CLOSE = (frozenset({"tv_stand"}), 0.5), 12.0
 of people's."""
 SEATED = ((*BY_SCREEN, CLOSE),)
 APART = ((kinds.SOFAS, MEALS, NEARER), (kinds.BEDS, FOOT, NEARER), *SEATED)
+STRIP, BED, TIGHT = (0.05, 0.5), 0.6, 12.0
+"""Between a bed of one and the wall along it nothing is lost or all that one gets in by, along a bed of two so much on
+either side, m, and what each metre costs that could be had by moving it."""
 GLARE = 4.0
 """Price of a screen before a window."""
 
 
 def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space) -> Array:
     """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): sofas far from what they look at,
-    screens at windows, tables where one eats near to sofas or beds, they and armchairs at the television, (n,)."""
+    screens at windows, tables where one eats near to sofas or beds, they and armchairs at the television, beds with
+    little beside them, (n,)."""
     kind = kinds.basic(name)
     if kind in kinds.SOFAS:
         view = np.max([ahead(found, space, aside) for aside in (0.0, SCREEN, -SCREEN)], 0) - STAND - VIEW
         return np.asarray(FARTHER * np.clip(view, 0, TOO_FAR))
     if kind == "tv_stand":
         return np.where(lit(boxes, space), GLARE, 0.0)
-    total = np.zeros(len(boxes))
+    total = TIGHT * _beside(kind in kinds.DOUBLE, found, space) if kind in kinds.BEDS else np.zeros(len(boxes))
     for some, least, each in APART if kind in kinds.TABLES else SEATED if kind == "armchair" else ():
         if others := [k for k, o in enumerate(names) if kinds.basic(o) in some]:
             total += each * np.clip(least - Seen(boxes, there[others]).gap.min(1), 0, TOO_FAR)
     return total
 
 
-def ahead(found: Boxes, space: Space, aside: float = 0.0) -> Array:
+def _beside(double: bool, found: Boxes, space: Space) -> Array:
+    """How far beds would be moved to stand at a wall with one side, or for two to get out at both, m, (n,)."""
+    half = found.size[:, 0] / 4
+    turned = [Boxes(found.center, found.size[:, [1, 0, 2]], found.yaw + turn) for turn in (np.pi / 2, -np.pi / 2)]
+    free = [np.min([ahead(side, space, aside) for aside in (half, 0.0, -half)], 0) for side in turned]
+    near, far = np.minimum(*free), np.maximum(*free)
+    short = np.minimum(BED - near, far - BED) if double else np.minimum(near - STRIP[0], STRIP[1] - near)
+    return np.asarray(np.where(far > BED, np.maximum(short, 0.0), 0.0))
+
+
+def ahead(found: Boxes, space: Space, aside: Array | float = 0.0) -> Array:
     """Free length from each front, `aside` of its middle, to the wall across, m, (n,)."""
     heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
     front = found.center[:, :2] + heading * found.size[:, :1] / 2
-    front = front + aside * np.stack([-heading[:, 1], heading[:, 0]], -1)
+    front = front + np.reshape(aside, (-1, 1)) * np.stack([-heading[:, 1], heading[:, 0]], -1)
     approach = -(heading @ space.normal.T)
     off = ((front[:, None] - space.start) * space.normal).sum(-1)
     far = np.where((approach > 1e-6) & (off > 0), off / np.maximum(approach, 1e-6), np.inf)

@@ -47,6 +47,8 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
         return found
     if kind in kinds.BEDS:
         found |= _at_window(boxes, space)
+    if kind in kinds.COATS - kinds.HANGING:
+        found |= _narrows(boxes, space)
     others = [kinds.basic(o) for o in names]
     if kind in USED:
         zones = _zones(kind, boxes, space)
@@ -93,6 +95,17 @@ def _at_window(boxes: Array, space: Space) -> Flags:
     shared = np.minimum(y.max(-1), half) - np.maximum(y.min(-1), -half)
     found = ((behind > -HEAD) & (behind < HEAD)).all(-1) & (shared > SILL)
     return np.asarray(found.any(1))
+
+
+def _narrows(boxes: Array, space: Space) -> Flags:
+    """Which things (n, 7), to be used from any side, leave too little of a corridor at either side of them."""
+    one, two = upright(boxes), upright(boxes)
+    two = two._replace(size=two.size[:, [1, 0, 2]], yaw=two.yaw + np.pi / 2)
+    bad = np.zeros(len(boxes), bool)
+    for some in (one, two):
+        free = ahead(some, space), ahead(some._replace(yaw=some.yaw + np.pi), space)
+        bad |= (sum(free) + some.size[:, 0] < CORRIDOR) & (np.maximum(*free) < PASSAGE - SHALLOW)
+    return bad
 
 
 def _bars(kind: str, used: str) -> bool:

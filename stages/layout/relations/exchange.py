@@ -14,16 +14,16 @@ from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import company, order
 from apartgen.stages.layout.relations.hung import cornered, lit
 from apartgen.stages.layout.relations.runs import local
-from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
+from apartgen.stages.layout.relations.standing import BROKEN, CUT, WIDE, Furniture
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 from apartgen.stages.use.rules.cook import JOINED, PUT_DOWN, TALL, TOP
 
-BETWEEN, PARTED, BESIDE, ILL, LITTLE, AT_END, APART = 1.0, 0.5, 0.5, 0.5, 0.8, 0.3, 0.2
-"""Costs: no worktop between sink and hob, something tall between them, a tall unit beside the hob, a hob in a corner or
-before a window, no worktop of full length beside either, a hob at the end of its run, each metre of too many from the
-dishwasher to the sink."""
+BETWEEN, NARROW, PARTED, BESIDE, ILL, SINK, LITTLE, AT_END, APART = 1.0, 0.25, 0.5, 0.5, 0.5, 0.2, 0.8, 0.3, 0.2
+"""Costs: no worktop between sink and hob, a narrow piece of it, something tall between them, a tall unit beside the
+hob, a hob in a corner or before a window, a sink in a corner, no worktop of full length beside either, a hob at the
+end of its run, each metre of too many from the dishwasher to the sink."""
 DISHES = 0.91
 """The dishwasher is no farther from the sink, m (NKBA kitchen guideline 13)."""
 ROUNDS = 3
@@ -77,13 +77,15 @@ def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
         return 0.0
     gap = company.Seen(boxes, boxes).gap
     total = LITTLE * max(0.0, TOP - _worktop(basic, gap, boxes, [*wet, *hot])) / TOP
-    total += BETWEEN * float((gap[np.ix_(wet, hot)] < PUT_DOWN).sum())
+    apart = gap[np.ix_(wet, hot)]
+    total += (BETWEEN - NARROW) * float((apart < PUT_DOWN).sum()) + NARROW * float((apart < WIDE).sum())
     total += BESIDE * float((gap[np.ix_(cold, hot)] <= JOINED).sum())
     units = [k for k, name in enumerate(names) if name in order.runs()]
     total += AT_END * sum(sum(k != i and gap[i, k] <= JOINED for k in units) < 2 for i in hot)
     for wash in (k for k, name in enumerate(names) if name == "dishwasher"):
         total += APART * max(0.0, float(gap[wet, wash].min()) - DISHES)
     total += PARTED * sum(float(company.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
+    total += SINK * float(cornered(boxes[wet], space).sum())
     return float(total) + ILL * float((cornered(boxes[hot], space) | lit(boxes[hot], space)).sum())
 
 

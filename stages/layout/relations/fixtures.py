@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.hung import MIRROR
 from apartgen.stages.space.boxes import Boxes, gap, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
@@ -23,14 +24,16 @@ AXIS = 0.385
 """From the axis of a toilet or a basin to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
 SQUEEZED = 4.0
 """Price of no elbow room at a basin, until nothing better was found."""
-RAIL, BIN, TUBS, OVER, HIGH = "towel_rail", "bin", {"bath"}, {"bath", "toilet", "bin"}, 4.0
-"""What one reaches for, and not over these; what is not under that; more than rooms are high, m."""
+BASIN, RAIL, BIN, TUBS, OVER, HIGH = "vanity", "towel_rail", "bin", {"bath"}, {"bath", "toilet", "bin"}, 4.0
+"""Where one looks into a mirror; what one reaches for, and not over these; what is not under that; more than rooms are
+high, m."""
 BEFORE = 0.4
 """How far before it no tub is and no door's leaf stands, m."""
 THROWN = {"toilet": 0.4, "vanity": 0.4}
 """How far from these a bin stands at most, m, where there is one."""
-FAR = 4.0
-"""Price of one that stands farther, once nothing better was found."""
+FAR, HIDDEN = 4.0, 8.0
+"""Prices of one that stands farther, once nothing better was found, and of a mirror behind a door that stands open, if
+another place is looked for first or one washes there."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -42,6 +45,8 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     total = np.zeros(found.n)
     if name == RAIL:
         return _out_of_reach(found, names, there, space)
+    if name == MIRROR:
+        return np.where(_behind_leaf(found, space), BROKEN if strict and BASIN not in names else HIDDEN, 0.0)
     if TABLE[name].place != "floor":
         return total
     if name == BIN:
@@ -80,9 +85,18 @@ def kept(name: str, some: Boxes) -> list[Boxes]:
 def _out_of_reach(found: Boxes, names: list[str], there: Boxes, space: Space) -> Floats:
     """Of what hangs, reached over a tub or a bin, in the way of who sits below, or behind a door that stands open."""
     below, before = (there.take(np.array([k for k, o in enumerate(names) if o in some], int)) for some in (OVER, TUBS))
-    front = _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
-    met = [_columns(below, found), _columns(before, front), (penetration(front, space.leaves) > SLACK).any(1)]
+    met = [_columns(below, found), _columns(before, _front(found)), _behind_leaf(found, space)]
     return np.where(np.any(met, axis=0), BROKEN, 0.0)
+
+
+def _front(found: Boxes) -> Boxes:
+    """What is right before each of what hangs."""
+    return _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
+
+
+def _behind_leaf(found: Boxes, space: Space) -> NDArray[np.bool_]:
+    """Before which a door stands that is open."""
+    return np.asarray((penetration(_front(found), space.leaves) > SLACK).any(1))
 
 
 def within(far: Mapping[str, float], found: Boxes, names: Sequence[str], there: Boxes) -> NDArray[np.bool_]:

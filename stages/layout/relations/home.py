@@ -18,6 +18,7 @@ from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import contents, features, furnishings, living, sampler, sizes, weights
+from apartgen.stages.layout.relations.living import BASKET
 from apartgen.stages.layout.relations.propose import Particle, Speaker
 from apartgen.stages.layout.relations.sampler import Room as Task
 from apartgen.stages.layout.relations.sampler import Sampler
@@ -134,8 +135,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     place = site(plan, room.id)
     asked = wanted_of(arrays, i, plan, room)
     own = living.unless_told(ways, {o.category for o in given} | {name for name in asked if asked[name]})
-    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}), **own,
-                      **asked})
+    wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}),
+                      **{name: count for name, count in own.items() if name != BASKET}, **asked})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
@@ -143,6 +144,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
         drawn = [_hung(place, given, some) for some in drawn]
     if room.id not in plan.program.counts and not given:
         drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area) for some in drawn]
+    if room.id not in plan.program.counts and BASKET in own:
+        drawn = [[name for name in some if name != BASKET] + [BASKET] * own[BASKET] for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
     return Sampler(task, lanes[0], config.constraints, config.places), names
 

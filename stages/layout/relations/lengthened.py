@@ -1,5 +1,5 @@
-"""Wardrobes of a finished room grow along their wall into floor that nothing else took, runs that are complete by base
-units where they lack worktop: what is drawn before all else stands cannot know how much will be left."""
+"""Wardrobes and small basins of a finished room grow along their wall into floor that nothing else took, runs that are
+complete by base units where they lack worktop: what is drawn before all else stands cannot know how much is left."""
 
 from collections.abc import Callable, Collection
 
@@ -12,32 +12,47 @@ from apartgen.stages.layout.relations.tokens import Array, Shell
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
-WIDTHS = (2.0, 1.8, 1.6, 1.4)
-"""What is tried, m: one metre for each of two is usual."""
+WIDTHS, SIDES = (2.0, 1.8, 1.6, 1.4), (0.0, 1.0, -1.0)
+"""What is tried, m: one metre for each of two is usual; to both sides, or to one."""
+BASIN, BASINS = "vanity", ((0.46, 0.6), (0.42, 0.6), (0.36, 0.6), (0.36, 0.55))
+"""What one washes at, and depths and widths that are tried where it is narrower, m."""
 LITTLE = 0.05
 """What is no gain, m."""
-MORE, BASES = 2, (0.9, 0.6, 0.45)
+MORE, BASES = 2, (0.9, 0.6, 0.45, 0.3)
 """So many base units come to a run that lacks worktop, at most, as wide as they are sold, m."""
 
 
 def grown(there: Furniture, names: Collection[str], fixed: int, empty: Callable[[], Furniture]) -> Furniture:
-    """The furniture with wardrobes of these names as wide as breaks nothing, up to 2 m together; the first `fixed` are
-    given and stay."""
+    """The furniture with wardrobes of these names as wide as breaks nothing, up to 2 m together, and basins of .6 m if
+    so; the first `fixed` are given and stay."""
     for k in range(fixed, len(there.names)):
         if there.names[k] in names and kinds.basic(there.names[k]) in kinds.WARDROBES:
-            there = _wider(there, k, empty)
+            there = _as_large(there, k, _wider(there, k), empty)
+        elif there.names[k] in names and there.names[k] == BASIN:
+            there = _as_large(there, k, _basins(there.boxes[k]), empty)
     return there
 
 
-def _wider(there: Furniture, k: int, empty: Callable[[], Furniture]) -> Furniture:
+def _wider(there: Furniture, k: int) -> Array:
+    """A wardrobe in all widths that are more, to both sides and to either, (n, 7)."""
     name, box = there.names[k], there.boxes[k]
     have = sum(float(b[4]) for o, b in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.WARDROBES)
     most = min(float(TABLE[name].max[1]), WIDTHS[0] - have + float(box[4]))
-    tries = np.array([_grown(box, wide, side) for wide in WIDTHS if box[4] + LITTLE < wide <= most + LITTLE
-                      for side in (0.0, 1.0, -1.0)], np.float32).reshape(-1, 7)
+    return np.array([_grown(box, box[3], wide, side) for wide in WIDTHS if box[4] + LITTLE < wide <= most + LITTLE
+                     for side in SIDES], np.float32).reshape(-1, 7)
+
+
+def _basins(box: Array) -> Array:
+    """A basin in all sizes in which it is wider and no less deep, (n, 7)."""
+    return np.array([_grown(box, max(deep, float(box[3])), wide, side) for deep, wide in BASINS
+                     if box[4] + LITTLE / 2 < wide for side in SIDES], np.float32).reshape(-1, 7)
+
+
+def _as_large(there: Furniture, k: int, tries: Array, empty: Callable[[], Furniture]) -> Furniture:
+    """The furniture with something as the first of the tries (n, 7) that breaks nothing."""
     if not len(tries):
         return there
-    others = np.arange(len(there.names)) != k
+    name, others = there.names[k], np.arange(len(there.names)) != k
     rest = filled(empty(), [there.names[i] for i in np.flatnonzero(others)], there.boxes[others])
     good = rest.prices(name, tries, strict=True) < BROKEN
     found = next((new for new in tries[good] if rest.shuts(name, new) < CUT), None)
@@ -48,11 +63,11 @@ def _wider(there: Furniture, k: int, empty: Callable[[], Furniture]) -> Furnitur
     return filled(empty(), there.names, boxes)
 
 
-def _grown(box: Array, wide: float, side: float) -> Array:
-    """A box that grows to both sides, or to one."""
-    out, more = box.copy(), side * (wide - float(box[4])) / 2
-    out[:2] += more * np.array([-np.sin(box[2]), np.cos(box[2])])
-    out[4] = wide
+def _grown(box: Array, deep: float, wide: float, side: float) -> Array:
+    """A box that grows forwards and to both sides, or to one."""
+    out, c, s = box.copy(), np.cos(box[2]), np.sin(box[2])
+    out[:2] += side * (wide - float(box[4])) / 2 * np.array([-s, c]) + (deep - float(box[3])) / 2 * np.array([c, s])
+    out[3:5] = deep, wide
     return out
 
 

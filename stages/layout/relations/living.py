@@ -1,4 +1,4 @@
-"""Ways of living: what a living room has or has not, whatever else is drawn for it, as people differ.
+"""Ways of living: what a room has or has not, whatever else is drawn for it, as people differ.
 
 Of several contents those are furnished that lack least, so that without this nearly all would have what most have.
 """
@@ -8,6 +8,10 @@ from typing import NamedTuple
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.use import site
+from apartgen.stages.use.household import linen_in
+
+BASKET, KEPT = "laundry_basket", 0.25
+"""What is in one home of four where linen is kept, and then in no bedroom."""
 
 
 class Way(NamedTuple):
@@ -35,8 +39,11 @@ tell. The later of two that are at odds holds."""
 
 
 def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, int]]:
-    """Those of a room, by a chance from 0 to 1 of each; none where nobody lives or one sleeps there."""
-    place = site(plan, room.id)
+    """Those of a room, by a chance from 0 to 1 of each: of a living room, where nobody sleeps there, of the room in
+    which linen is kept, and of bedrooms beside it."""
+    place, linen = site(plan, room.id), linen_in(plan)
+    if linen and (linen == room.id or room.base == "bedroom"):
+        return [{BASKET: int(linen == room.id and chances[0] < KEPT)}]
     if room.base != "living_room" or place.sleeps:
         return []
     return [way.counts for way, chance in zip(WAYS, chances, strict=True)

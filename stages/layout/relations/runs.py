@@ -4,7 +4,7 @@ What continues a run is known exactly, so that it is among the candidates of eve
 where the model itself says it.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ OFF, BETWEEN = 0.005, 0.003
 WIDTHS, USUAL, TURN = 3, 0.6, 1.1
 """Sizes that are tried, the likeliest of what the model says; widths in which every unit is sold, and in which one that
 fills a corner keeps units round it from opening into one another, m."""
+CUPBOARDS, DISHES, WIDEST = frozenset({"kitchen_base", "kitchen_drawers"}), "dishwasher", 0.66
+"""Of several of these one gives way to that if it is no wider, m."""
 MORE = 0.017
 """A unit in a corner is so much deeper than its neighbours, m."""
 
@@ -119,6 +121,13 @@ def in_corner(found: Boxes, behind: Callable[[Boxes], NDArray[np.float64]]) -> N
 def spare(name: str) -> bool:
     """Whether it is a unit that a run can do without."""
     return name in order.runs() and not TABLE[name].is_for("rinse", "cook", "cool")
+
+
+def gives_way(names: Sequence[str], there: Array, k: int, name: str) -> bool:
+    """Whether a unit is left out for another one: where that is a dishwasher, a cupboard about as wide beside others,
+    else what a run can do without."""
+    cupboards = [i for i, o in enumerate(names) if o in CUPBOARDS]
+    return spare(names[k]) if name != DISHES else k in cupboards and len(cupboards) > 1 and bool(there[k, 4] < WIDEST)
 
 
 def in_place(name: str, boxes: Array, box: Array) -> Array:

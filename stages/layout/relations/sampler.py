@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
+from apartgen.stages.layout.relations.pairs import STAND, matched
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -110,7 +111,7 @@ class Sampler:
             return None
         if needed and p.begun < BEGUN:
             return self._anew(p, contents)
-        if needed:
+        if needed or found is None and name == runs.DISHES:
             found = self._instead(p, name, boxes)
         bare = self._bare(name, contents)
         if found is None and needed and p.begun == BEGUN and len(bare) < len(contents):
@@ -122,9 +123,11 @@ class Sampler:
         p.tries = 0
         if found is not None and self.constrained:
             found = self.room.empty.space.cut(followers.at_ease(p.furniture, name, found, self.rng))
+        given = len(self.room.given)
         if found is not None:
             p.furniture.add(name, found)
-        given = len(self.room.given)
+        if found is not None and self.constrained and not self.room.asked[STAND]:
+            p.furniture = matched(p.furniture, given, self.room.empty.fork)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
             if not self.room.counted and exchange.BASE not in self.room.asked:
@@ -211,11 +214,11 @@ class Sampler:
         return int(min(np.searchsorted(total, self.rng.random() * total[-1], side="right"), len(weight) - 1))
 
     def _instead(self, p: Particle, name: str, boxes: Array) -> Array | None:
-        """The place of a unit that a run can do without, which is left out with what stands on it."""
+        """The place of a unit that gives way, which is left out with what stands on it."""
         names, there = p.furniture.names, p.furniture.boxes
         for k in reversed(range(len(self.room.given), len(names) if name in order.runs() else 0)):
             some = runs.in_place(name, boxes, there[k])
-            if self.room.asked[names[k]] or not runs.spare(names[k]) or not len(some):
+            if self.room.asked[names[k]] or not runs.gives_way(names, there, k, name) or not len(some):
                 continue
             rest = self.room.empty.fork()
             for i in np.flatnonzero(~runs.carried(there, k)):

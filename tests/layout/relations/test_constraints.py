@@ -226,3 +226,16 @@ def test_a_lamp_stands_on_no_seat_and_no_bed(under: str, stands: bool) -> None:
 def test_no_television_stands_on_a_rug(under: str, stands: bool) -> None:
     there = furniture((under, (0.0, 0.0, 0.0, 0.5, 1.6, 0.0, 0.012)))
     assert (price(there, "tv", 0.0, 0.0, 0.0, 0.06, 1.1, 0.012, 0.7) < BROKEN) == stands
+
+
+@pytest.mark.parametrize("names, widths, gone", [
+    (["kitchen_base", "kitchen_drawers", "kitchen_sink"], [0.6, 0.6, 0.6], [True, True, False]),
+    (["kitchen_base", "kitchen_drawers", "oven"], [0.9, 0.6, 0.6], [False, True, False]),
+    (["kitchen_base", "kitchen_sink", "kitchen_corner"], [0.6, 0.6, 0.9], [False, False, False]),
+])
+def test_a_dishwasher_takes_the_place_of_one_of_several_cupboards(names: list[str], widths: list[float],
+                                                                  gone: list[bool]) -> None:
+    there = np.zeros((len(names), 7), np.float32)
+    there[:, 4] = widths
+    assert [runs.gives_way(names, there, k, "dishwasher") for k in range(len(names))] == gone
+    assert [runs.gives_way(names, there, k, "fridge") for k in range(len(names))] == [runs.spare(o) for o in names]

@@ -90,3 +90,22 @@ def test_an_armchair_costs_what_it_is_too_near_to_the_television(gap: float, nea
     table = box((0.8, 1.2, 0.75), 0.6 + gap, 0)
     assert priced("dining_table", table, there) == pytest.approx(distances.CLOSE * near, abs=1e-5)
     assert priced("plant", chair, there) == 0
+
+
+@pytest.mark.parametrize("name, gap, lost", [
+    ("double_bed", 0.3, 0.3), ("double_bed", 0.5, 0.1), ("double_bed", 0.6, 0.0), ("double_bed", 1.2, 0.0),
+    ("single_bed", 0.02, 0.0), ("single_bed", 0.2, 0.15), ("single_bed", 0.4, 0.1), ("single_bed", 0.5, 0.0),
+    ("single_bed", 0.9, 0.0), ("wardrobe", 0.3, 0.0),
+])
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_bed_stands_at_a_wall_or_free_of_it(name: str, gap: float, lost: float, side: int) -> None:
+    """Its head at the west wall of a room of 4 by 4 m, a side so far from the south or the north wall."""
+    wide = 1.6 if name == "double_bed" else 0.9
+    bed = box((2.0, wide, 0.5), -1.0, side * (2 - wide / 2 - gap))
+    assert priced(name, bed, room()) == pytest.approx(distances.TIGHT * lost, abs=1e-4)
+
+
+def test_two_in_a_narrow_room_cannot_do_better() -> None:
+    assert priced("double_bed", box((2.0, 1.6, 0.5), -1.0, 0.1), room(4.0, 2.6)) == 0
+    assert priced("double_bed", box((2.0, 1.6, 0.5), -1.0, 0.3), room(4.0, 2.9)) == pytest.approx(
+        distances.TIGHT * 0.25, abs=1e-4)

@@ -121,6 +121,16 @@ def test_one_passes_what_stands_in_a_corridor(wide: float, gap: float, barred: b
         assert bool(elbowroom.taken(name, one[None], [other], there[None], corridor.space)[0]) == barred
 
 
+@pytest.mark.parametrize("wide, size, barred", [(1.2, 0.45, True), (1.2, 0.34, False), (1.1, 0.34, True),
+                                                (1.6, 0.45, False), (2.0, 0.45, False)])
+@pytest.mark.parametrize("yaw", [0.0, np.pi / 2, np.pi])
+def test_a_coat_rack_leaves_so_much_of_a_corridor(wide: float, size: float, barred: bool, yaw: float) -> None:
+    rack, corridor = box((size, size, 1.7), 1.5, size / 2 - wide / 2 + 0.01, yaw), room(6.0, wide)
+    assert bool(elbowroom.taken("coat_rack", rack[None], [], np.zeros((0, 7)), corridor.space)[0]) == barred
+    assert (corridor.prices("coat_rack", rack[None], strict=True)[0] >= BROKEN) == barred
+    assert corridor.prices("coat_rack", rack[None])[0] < BROKEN
+
+
 def test_what_one_can_do_without_is_rather_left_out_than_put_before_a_wardrobe() -> None:
     there, chest = room(), box((0.45, 0.8, 0.8), -2 + 0.65 + 0.5, -1.775, np.pi / 2)
     assert there.prices("chest", chest[None])[0] < BROKEN

@@ -127,6 +127,19 @@ def test_the_hob_does_not_stay_at_the_end_of_its_run() -> None:
     assert between(found, WET, HOT) and abs(found.index("oven") - found.index("fridge")) > 1
 
 
+def test_the_sink_does_not_stay_in_the_corner() -> None:
+    names = ["kitchen_sink", "kitchen_drawers", "kitchen_base", "oven", "kitchen_base", "fridge"]
+    found = order(settled(along(names, start=0.01)))
+    assert found.index("kitchen_sink") > 0 and 0 < found.index("oven") < 5 and between(found, WET, HOT)
+    assert order(settled(along(names, start=0.5))) == names, "the end of the run is no corner"
+
+
+def test_the_wider_unit_comes_between_sink_and_hob() -> None:
+    names = ["kitchen_base", "kitchen_drawers", "kitchen_sink", "kitchen_base", "oven", "kitchen_drawers"]
+    found = order(settled(along(names)))
+    assert "kitchen_drawers" in between(found, WET, HOT) and 0 < found.index("oven") < 5
+
+
 def test_the_dishwasher_comes_near_the_sink() -> None:
     """Behind the hob it is 2.2 m from it, and .4 m of base unit take its place."""
     before = along(["kitchen_sink", "kitchen_base", "kitchen_drawers", "oven", "dishwasher", "kitchen_base"])

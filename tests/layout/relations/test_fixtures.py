@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+from rooms_for_tests import one_room
 
 from apartgen.schemas.layout import Box, Layout
 from apartgen.stages.layout.datasets import single_rooms
 from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.layout.projection.space import Space, space_of
 from apartgen.stages.layout.relations import fixtures
+from apartgen.stages.layout.relations.standing import BROKEN
 from apartgen.stages.layout.rooms import of_plan
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Boxes
@@ -120,3 +122,18 @@ def test_a_bin_stands_by_where_one_throws_something_away(name: str, far: float, 
     if far > 0.4:
         added = np.array(with_it) - alone
         assert (added == ([0.0, 0.0] if near else [fixtures.BROKEN, fixtures.FAR])).all()
+
+
+def test_a_mirror_hangs_rather_not_where_a_door_stands_open() -> None:
+    rooms = one_room()
+    rooms.openings[0, 0, 5] = 1
+    space = space_of(rooms, 0)
+    (x, y, _), half = space.leaves.center[0], space.leaves.size[0, :2].max() / 2
+    across = np.array([[-2 + 0.02, y, 1.45], [-2 + 0.02, y + half + 0.6, 1.45]])
+    near = Boxes(across + [x - 0.2 + 2, 0, 0], np.tile([0.04, 0.5, 0.8], (2, 1)), np.zeros(2))
+    none = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+    basin = Boxes(np.array([[1.0, 1.0, 0.4]]), np.array([[0.4, 0.6, 0.8]]), np.zeros(1))
+    for names, there, strict, barred in (([], none, True, True), ([], none, False, False),
+                                         (["vanity"], basin, True, False), (["vanity"], basin, False, False)):
+        hidden, seen = fixtures.prices("mirror", near, names, there, space, strict)
+        assert seen == 0 < hidden and (hidden >= BROKEN) == barred

@@ -106,7 +106,7 @@ def test_a_sofa_stands_rather_at_a_wall() -> None:
         assert at_wall < free < BROKEN
 
 
-@pytest.mark.parametrize("name", ["coat_rack", "shoe_cabinet", "plant"])
+@pytest.mark.parametrize("name", ["coat_rack", "shoe_cabinet", "bench", "plant"])
 def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     """It is in the middle of the south wall of a room 8 m long."""
     there = Furniture(space_of(entered(), 0))
@@ -114,6 +114,8 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     near, far = box((0.3, 0.6, 1.7), 1.0, -1.34, np.pi / 2), box((0.3, 0.6, 1.7), 3.6, -1.34, np.pi / 2)
     good = (there.prices(name, np.stack([near, far]), strict=True) < BROKEN).tolist()
     assert good == [True, name == "plant"]
+    assert (there.prices(name, far[None])[0] < BROKEN) == (name in ("coat_rack", "plant"))
+    assert there.prices(name, far[None], loose=True)[0] < BROKEN
     places = handy.places(name, one[None], there.names, there.boxes, there.space)
     if name == "plant":
         assert not len(places)
@@ -123,6 +125,17 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     assert (np.minimum(4 - np.abs(back[:, 0]), 1.5 - np.abs(back[:, 1])) < 0.02).all()
     hall = Furniture(space_of(entered(KINDS["door"]), 0))
     assert not len(handy.places(name, one[None], hall.names, hall.boxes, hall.space))
+
+
+@pytest.mark.parametrize("name, size, wide", [
+    ("shoe_cabinet", (0.3, 0.9, 1.0), 1.1), ("bench", (0.4, 1.2, 0.45), 1.18)])
+def test_shoes_are_kept_in_narrow_halls(name: str, size: tuple[float, float, float], wide: float) -> None:
+    rooms = entered()
+    rooms.polygon[0, :4, 1] = np.array([0, 0, wide, wide]) - 1.5
+    there = Furniture(space_of(rooms, 0))
+    places = handy.places(name, box(size, 0, 0)[None], there.names, there.boxes, there.space)
+    good = places[there.prices(name, places, strict=True) < BROKEN]
+    assert len(good) and (good[:, 3] < size[0]).all()
 
 
 def entered(kind: int = KINDS["entrance"]) -> Rooms:

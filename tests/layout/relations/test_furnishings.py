@@ -14,7 +14,7 @@ from apartgen.stages.layout.relations.furnishings import completed
 def test_everyone_has_a_nightstand(names: list[str], stands: int) -> None:
     found = completed(names, {}, bedroom=True, area=12.0)
     assert found[: len(names)] == names and found.count("nightstand") == stands
-    assert completed(names, {"nightstand": 0, "table_lamp": 0}, bedroom=True, area=12.0) == names
+    assert completed(names, {"nightstand": 0, "table_lamp": 0, "desk": 0}, bedroom=True, area=12.0) == names
 
 
 @pytest.mark.parametrize("names, bedroom, lamps", [
@@ -29,10 +29,12 @@ def test_one_reads_in_bed(names: list[str], bedroom: bool, lamps: int) -> None:
 
 @pytest.mark.parametrize("names, bedroom, area, desks, chairs", [
     (["single_bed"], True, 9.0, 1, 1), (["single_bed", "chair"], True, 9.0, 1, 0), (["single_bed"], True, 6.0, 0, 0),
-    (["single_bed"], False, 20.0, 0, 0), (["double_bed"], True, 14.0, 0, 0), (["single_bed"] * 2, True, 14.0, 0, 0),
-    (["single_bed", "desk", "office_chair"], True, 9.0, 1, 1),
+    (["single_bed"], False, 20.0, 0, 0), (["double_bed"], True, 14.0, 0, 0), (["single_bed"] * 2, True, 14.0, 2, 2),
+    (["single_bed", "desk", "office_chair"], True, 9.0, 1, 1), (["single_bed"] * 2, True, 10.0, 1, 1),
+    (["bunk_bed"], True, 11.0, 2, 2), (["bunk_bed"], True, 9.0, 1, 1), (["bunk_bed"], True, 7.0, 0, 0),
+    (["bunk_bed", "desk", "office_chair"], True, 11.0, 2, 2), (["bunk_bed", "double_bed"], True, 16.0, 0, 0),
 ])
-def test_who_sleeps_alone_has_a_desk(names: list[str], bedroom: bool, area: float, desks: int, chairs: int) -> None:
+def test_who_shares_no_bed_has_a_desk(names: list[str], bedroom: bool, area: float, desks: int, chairs: int) -> None:
     found = Counter(completed(names, {}, bedroom, area))
     assert (found["desk"], found["office_chair"]) == (desks, chairs)
     assert Counter(completed(names, {"desk": 0}, bedroom, area))["desk"] == names.count("desk")

@@ -1,4 +1,4 @@
-"""Wardrobes grow into floor that nothing else took, and nothing else moves."""
+"""Wardrobes and basins grow into floor that nothing else took, and nothing else moves."""
 
 import numpy as np
 import pytest
@@ -92,3 +92,29 @@ def test_no_unit_is_put_where_something_stands_nor_where_there_is_enough() -> No
     assert all(abs(float(one[0]) - 1.1) > 0.5 for one in at_hob)
     enough = kitchen(("kitchen_drawers", box((0.6, 1.3, 0.9), 1.406, 1.695, -np.pi / 2)))
     assert run_on(enough).names == enough.names
+
+
+@pytest.mark.parametrize("beside, widths", [(0.0, (-0.3, 0.3)), (0.55, (-0.3, 0.3)), (0.35, (-0.35, 0.25))])
+def test_a_small_basin_grows_into_free_floor(beside: float, widths: tuple[float, float]) -> None:
+    """A cupboard beside it is as near as it may be, or the one side is all there is to grow to."""
+    there, empty = room(2.4, 4.0), room(2.4, 4.0).fork
+    there.add("vanity", box((0.36, 0.5, 0.85), -1.2 + 0.185, 0.0))
+    if beside:
+        there.add("chest", box((0.3, 0.3, 0.8), -1.2 + 0.16, beside + 0.15))
+    found = lengthened.grown(there, ("vanity",), 0, empty).boxes[0].astype(float)
+    assert (found[1] - found[4] / 2, found[1] + found[4] / 2) == pytest.approx(widths, abs=1e-4)
+    assert found[3] == pytest.approx(0.46) and found[0] - found[3] / 2 == pytest.approx(-1.195, abs=1e-4)
+    for names, fixed in ((("vanity",), 1), ((), 0)):
+        assert np.array_equal(lengthened.grown(there, names, fixed, empty).boxes, there.boxes)
+
+
+def test_a_narrow_unit_fills_the_gap_between_a_hob_and_the_wall() -> None:
+    """The run ends .42 m from the east wall, which is less than most units are wide."""
+    there = room(3.13, 4.0)
+    for name, x, wide in (("kitchen_sink", -0.753, 0.6), ("kitchen_base", 0.0, 0.9), ("oven", 0.753, 0.6)):
+        there.add(name, box((0.6, wide, 0.9), x + 0.09, 1.695, -np.pi / 2))
+    there.add("kitchen_base", box((0.6, 0.4, 0.9), -1.17, 1.695, -np.pi / 2))
+    found = lengthened.run_on(there, shell(one_room(3.13, 4.0), 0), 0, room(3.13, 4.0).fork)
+    (more,) = [one for name, one in zip(found.names, found.boxes, strict=True)
+               if name == "kitchen_base" and one[0] > 1.0]
+    assert more[4] == pytest.approx(0.3) and 0 <= more[0] - 0.15 - 1.143 < 0.02

@@ -29,6 +29,10 @@ def made(plan: Plan, seed: int = 1, config: LayoutConfig = ONE) -> Layout:
     return layout.run(plan, config, seeds.drawn(seed, "layout", seeds.plan_digest(plan)))
 
 
+def chances(room: Room, rng: np.random.Generator) -> Any:
+    return seeds.lane(rng, room.id + " habits").random(len(living.WAYS))
+
+
 @pytest.mark.parametrize(("wide", "deep", "seed"), [(2.0, 2.2, 1), (2.0, 2.2, 2), (1.97, 2.34, 3)])
 def test_a_small_kitchen_can_do_without_a_washing_machine_and_not_without_a_fridge(
     wide: float, deep: float, seed: int
@@ -62,8 +66,7 @@ def test_some_living_rooms_have_no_television_or_a_corner_sofa_unless_otherwise_
                       if room.base == "living_room" and use.site(plan, room.id).area > 20)
     one = ONE.model_copy(update={"room": [room.id], "candidates": 1})
     drawn = {k: seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(400)}
-    chances = {k: seeds.lane(rng, room.id + " habits").random(len(living.WAYS)) for k, rng in drawn.items()}
-    ways = {k: living.draw(plan, room, some) for k, some in chances.items()}
+    ways = {k: living.draw(plan, room, chances(room, rng)) for k, rng in drawn.items()}
     bare, round_ = ([k for k, found in ways.items() if any(name in some for some in found)]
                     for name in ("tv", "corner_sofa"))
     assert 0.06 < len(bare) / len(drawn) < 0.14 and 0.24 < len(round_) / len(drawn) < 0.36
@@ -84,9 +87,10 @@ def test_ways_of_living_are_as_many_as_they_say_and_of_rooms_one_lives_in() -> N
         share = np.mean([way.counts in found for found in drawn])
         assert abs(share - way.share * (floor >= way.floor)) < 0.05, way
     never = [0.0] * len(living.WAYS)
-    assert not any(living.draw(plan, other, never) for other in plan.rooms if other.base != "living_room")
+    others = [other for other in plan.rooms if other.base not in ("living_room", "bathroom", "bedroom", "utility")]
+    assert others and not any(living.draw(plan, other, never) for other in others)
     studio: Plan = build(archetypes()["studio"], PlanConfig(), np.random.default_rng(3))
-    assert not any(living.draw(studio, other, never) for other in studio.rooms), "one sleeps there"
+    assert not any(living.draw(studio, other, never) for other in studio.rooms if other.base == "living_room")
 
 
 def test_what_is_told_goes_before_ways_of_living() -> None:
@@ -140,3 +144,18 @@ def test_coat_racks_are_as_deep_as_wide(monkeypatch: pytest.MonkeyPatch) -> None
     found = made(plan.model_copy(update={"program": wish}), config=ONE.model_copy(update={"room": [hall]})).objects
     (rack,) = [o for o in found if o.room == hall and o.category == "coat_rack"]
     assert rack.size[0] == rack.size[1]
+
+
+def test_laundry_baskets_are_where_linen_is_kept_and_in_no_bedroom_unless_asked_for() -> None:
+    plan = home(3)
+    bath, bed = (next(room for room in plan.rooms if room.base == kind) for kind in ("bathroom", "bedroom"))
+    assert use.site(plan, bath.id).area >= 4.0
+    drawn = [seeds.drawn(k, "layout", seeds.plan_digest(plan)) for k in range(200)]
+    kept = [rng for rng in drawn if living.draw(plan, bath, chances(bath, rng))[0]["laundry_basket"]]
+    assert 0.15 < len(kept) / len(drawn) < 0.35
+    for room, asked, count in ((bath, (), 1), (bed, (), 0), (bed, (1,), 1)):
+        wished = [AskedObjects(room=room.id, category="laundry_basket", count=n) for n in asked]
+        these = plan.model_copy(update={"program": plan.program.model_copy(update={"objects": wished})})
+        found = layout.run(these, ONE.model_copy(update={"room": [room.id]}), kept[0]).objects
+        assert sum(o.category == "laundry_basket" for o in found if o.room == room.id) == count
+    assert not living.draw(plan.model_copy(update={"rooms": [bed]}), bed, chances(bed, drawn[0]))
