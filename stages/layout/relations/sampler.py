@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
-from apartgen.stages.layout.relations.pairs import STAND, matched
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -126,8 +125,6 @@ class Sampler:
         given = len(self.room.given)
         if found is not None:
             p.furniture.add(name, found)
-        if found is not None and self.constrained and not self.room.asked[STAND]:
-            p.furniture = matched(p.furniture, given, self.room.empty.fork)
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
             if not self.room.counted and exchange.BASE not in self.room.asked:
