@@ -64,10 +64,10 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
     ways = {i: living.draw(plan, plan.rooms[i], seeds.lane(rng, plan.rooms[i].id + " habits").random(len(living.WAYS)))
             for i in due}
+    spared = {i: living.forgone(site(plan, plan.rooms[i].id), ways[i]) for i in due}
     best: dict[int, Furnished] = {}
     left = {i: _rounds(config.candidates, plan.rooms[i].base) for i in due}
-    while some := [i for i in due if left[i] and (i not in best or best[i].cost > left[i][0].above
-                                                  + SCREEN * any("tv" in some for some in ways[i]))]:
+    while some := [i for i in due if left[i] and (i not in best or best[i].cost > left[i][0].above + spared[i])]:
         rounds = [left[i].pop(0) for i in some]
         rooms = [_sampler(plan, i, arrays, config, round.samples, seeds.lane(rng, plan.rooms[i].id + round.name),
                           there[i], ways[i]) for i, round in zip(some, rounds, strict=True)]
@@ -106,8 +106,6 @@ def _rounds(candidates: int, base: str | None) -> list[Round]:
 
 NO_LIGHT = {"plant": 0}
 """What is not kept where no daylight comes, unless it is asked for."""
-SCREEN = 1.0
-"""The want of a television, which weighs so much where there is to be none."""
 
 
 class Furnished(NamedTuple):

@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from apartgen.schemas.plan import Plan, Room
-from apartgen.stages.use import site
+from apartgen.stages.use import lacks_of, site
 from apartgen.stages.use.household import linen_in
+from apartgen.stages.use.site import Site
 
 BASKET, KEPT = "laundry_basket", 0.25
 """What is in one home of four where linen is kept, and then in no bedroom."""
@@ -48,6 +49,15 @@ def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, 
         return []
     return [way.counts for way, chance in zip(WAYS, chances, strict=True)
             if chance < way.share and place.area >= way.floor]
+
+
+def forgone(place: Site, ways: Sequence[Mapping[str, int]]) -> float:
+    """The energy of what some ways do without."""
+    def lacking(*names: str) -> float:
+        return sum(lack.cost for lack in lacks_of(place, names))
+
+    bare = [counts for counts in ways if not any(counts.values())]
+    return sum(lacking() - min(lacking(name) for name in counts) for counts in bare)
 
 
 def unless_told(ways: Sequence[Mapping[str, int]], told: set[str]) -> dict[str, int]:

@@ -93,6 +93,15 @@ def test_ways_of_living_are_as_many_as_they_say_and_of_rooms_one_lives_in() -> N
     assert not any(living.draw(studio, other, never) for other in studio.rooms if other.base == "living_room")
 
 
+def test_what_one_does_without_costs_what_it_would_if_missed() -> None:
+    plan = home(3)
+    place = use.site(plan, next(room.id for room in plan.rooms if room.base == "living_room"))
+    screen, corner, none = {"tv_stand": 0, "tv": 0}, {"corner_sofa": 1, "sofa": 0}, {"plant": 0}
+    assert living.forgone(place, []) == living.forgone(place, [corner, {"armchair": 2}]) == 0
+    assert living.forgone(place, [screen]) == pytest.approx(1.0), "wants.toml"
+    assert living.forgone(place, [none, screen, corner]) == pytest.approx(1.1)
+
+
 def test_what_is_told_goes_before_ways_of_living() -> None:
     ways = [{"tv_stand": 0, "tv": 0}, {"armchair": 2}, {"side_table": 0}, {"side_table": 2}]
     assert living.unless_told(ways, set()) == {"tv_stand": 0, "tv": 0, "armchair": 2, "side_table": 2}
