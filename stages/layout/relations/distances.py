@@ -27,7 +27,7 @@ SEATED = ((*BY_SCREEN, CLOSE),)
 APART = ((kinds.SOFAS, MEALS, NEARER), (kinds.BEDS, FOOT, NEARER), *SEATED)
 STRIP, BED, TIGHT = (0.05, 0.5), 0.6, 12.0
 """Between a bed of one and the wall along it nothing is lost or all that one gets in by, along a bed of two so much on
-either side, m, and what each metre costs that could be had by moving it."""
+either side, m, and what each metre costs that could be had by moving it; beside a sofa other things matter more."""
 GLARE = 4.0
 """Price of a screen before a window."""
 
@@ -42,7 +42,9 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
         return np.asarray(FARTHER * np.clip(view, 0, TOO_FAR))
     if kind == "tv_stand":
         return np.where(lit(boxes, space), GLARE, 0.0)
-    total = TIGHT * _beside(kind in kinds.DOUBLE, found, space) if kind in kinds.BEDS else np.zeros(len(boxes))
+    total = np.zeros(len(boxes))
+    if kind in kinds.BEDS and kinds.SOFAS.isdisjoint(map(kinds.basic, names)):
+        total += TIGHT * _beside(kind in kinds.DOUBLE, found, space)
     for some, least, each in APART if kind in kinds.TABLES else SEATED if kind == "armchair" else ():
         if others := [k for k, o in enumerate(names) if kinds.basic(o) in some]:
             total += each * np.clip(least - Seen(boxes, there[others]).gap.min(1), 0, TOO_FAR)

@@ -101,8 +101,10 @@ def test_an_armchair_costs_what_it_is_too_near_to_the_television(gap: float, nea
 def test_a_bed_stands_at_a_wall_or_free_of_it(name: str, gap: float, lost: float, side: int) -> None:
     """Its head at the west wall of a room of 4 by 4 m, a side so far from the south or the north wall."""
     wide = 1.6 if name == "double_bed" else 0.9
-    bed = box((2.0, wide, 0.5), -1.0, side * (2 - wide / 2 - gap))
-    assert priced(name, bed, room()) == pytest.approx(distances.TIGHT * lost, abs=1e-4)
+    bed, there = box((2.0, wide, 0.5), -1.0, side * (2 - wide / 2 - gap)), room()
+    assert priced(name, bed, there) == pytest.approx(distances.TIGHT * lost, abs=1e-4)
+    there.add("sofa", box(SOFA, 1.5, 0.0, np.pi))
+    assert priced(name, bed, there) == 0, "where one lives, too"
 
 
 def test_two_in_a_narrow_room_cannot_do_better() -> None:
