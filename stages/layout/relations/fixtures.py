@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.hung import MIRROR
 from apartgen.stages.space.boxes import Boxes, gap, penetration
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
@@ -25,12 +26,14 @@ SQUEEZED = 4.0
 """Price of no elbow room at a basin, until nothing better was found."""
 RAIL, BIN, TUBS, OVER, HIGH = "towel_rail", "bin", {"bath"}, {"bath", "toilet", "bin"}, 4.0
 """What one reaches for, and not over these; what is not under that; more than rooms are high, m."""
+BASINS = frozenset({"vanity"})
+"""Over these a mirror hangs wherever they are."""
 BEFORE = 0.4
 """How far before it no tub is and no door's leaf stands, m."""
 THROWN = {"toilet": 0.4, "vanity": 0.4}
 """How far from these a bin stands at most, m, where there is one."""
-FAR = 4.0
-"""Price of one that stands farther, once nothing better was found."""
+FAR = HIDDEN = 4.0
+"""Price of one that stands farther, and of a mirror behind a door, once nothing better was found."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -42,6 +45,8 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     total = np.zeros(found.n)
     if name == RAIL:
         return _out_of_reach(found, names, there, space)
+    if name == MIRROR:
+        return np.where(_out_of_sight(found, names, there, space), BROKEN if strict else HIDDEN, 0.0)
     if TABLE[name].place != "floor":
         return total
     if name == BIN:
@@ -83,6 +88,13 @@ def _out_of_reach(found: Boxes, names: list[str], there: Boxes, space: Space) ->
     front = _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
     met = [_columns(below, found), _columns(before, front), (penetration(front, space.leaves) > SLACK).any(1)]
     return np.where(np.any(met, axis=0), BROKEN, 0.0)
+
+
+def _out_of_sight(found: Boxes, names: list[str], there: Boxes, space: Space) -> NDArray[np.bool_]:
+    """Which mirrors are behind a door that stands open, but for those over a basin, where they belong anyway."""
+    basins = there.take(np.array([k for k, o in enumerate(names) if o in BASINS], int))
+    front = _strip(found, found.size[:, 0] / 2, found.size[:, 0] / 2 + BEFORE, found.size[:, 1] / 2)
+    return np.asarray((penetration(front, space.leaves) > SLACK).any(1) & ~_columns(basins, found))
 
 
 def within(far: Mapping[str, float], found: Boxes, names: Sequence[str], there: Boxes) -> NDArray[np.bool_]:
