@@ -161,7 +161,8 @@ def snug(name: str, box: Array, there: Furniture) -> Array:
 
 def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
     """What does for something that found no place, the best first, and places (m, 7) for it: towels, mirrors and
-    wardrobes of another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
+    wardrobes of another kind and narrow ones at all walls, armchairs about sofas, rugs below low tables, narrower
+    nightstands and small tables beside the heads of beds."""
     kind = kinds.basic(name)
     beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
     if name == RAIL:
@@ -182,9 +183,9 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
         return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:
         depth, _, height = likeliest(boxes)
-        narrow = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
+        slim = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
         return [(other, leading(other, boxes, there.space, narrowest(large, other)))
-                for other in TABLE[name].instead] + narrow
+                for other in TABLE[name].instead] + slim
     if kind != STAND or not beds:
         return []
     return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))
