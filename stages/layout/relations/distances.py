@@ -28,6 +28,9 @@ APART = ((kinds.SOFAS, MEALS, NEARER), (kinds.BEDS, FOOT, NEARER), *SEATED)
 STRIP, BED, TIGHT = (0.05, 0.5), 0.6, 12.0
 """Between a bed of one and the wall along it nothing is lost or all that one gets in by, along a bed of two so much on
 either side, m, and what each metre costs that could be had by moving it; beside a sofa other things matter more."""
+ARRIVAL, FOOT_TO_SOFA = 1.5, (kinds.SOFAS, 0.5, CLOSE)
+"""From a bed to the middle of the door by which one enters its room, and to the sofa before it, m, and what each metre
+less costs (`NEARER` of the former)."""
 GLARE = 4.0
 """Price of a screen before a window."""
 
@@ -35,17 +38,17 @@ GLARE = 4.0
 def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Array, space: Space) -> Array:
     """Of candidates (n, 7), `found` the same, beside what stands there (m, 7): sofas far from what they look at,
     screens at windows, tables where one eats near to sofas or beds, they and armchairs at the television, beds with
-    little beside them, (n,)."""
+    little beside them, at the entrance or at the sofa, (n,)."""
     kind = kinds.basic(name)
     if kind in kinds.SOFAS:
         view = np.max([ahead(found, space, aside) for aside in (0.0, SCREEN, -SCREEN)], 0) - STAND - VIEW
         return np.asarray(FARTHER * np.clip(view, 0, TOO_FAR))
     if kind == "tv_stand":
         return np.where(lit(boxes, space), GLARE, 0.0)
-    total = np.zeros(len(boxes))
+    total = _at_entrance(boxes, space) if kind in kinds.BEDS else np.zeros(len(boxes))
     if kind in kinds.BEDS and kinds.SOFAS.isdisjoint(map(kinds.basic, names)):
         total += TIGHT * _beside(kind in kinds.DOUBLE, found, space)
-    for some, least, each in APART if kind in kinds.TABLES else SEATED if kind == "armchair" else ():
+    for some, least, each in _apart(kind):
         if others := [k for k, o in enumerate(names) if kinds.basic(o) in some]:
             total += each * np.clip(least - Seen(boxes, there[others]).gap.min(1), 0, TOO_FAR)
     return total
@@ -59,6 +62,21 @@ def _beside(double: bool, found: Boxes, space: Space) -> Array:
     near, far = np.minimum(*free), np.maximum(*free)
     short = np.minimum(BED - near, far - BED) if double else np.minimum(near - STRIP[0], STRIP[1] - near)
     return np.asarray(np.where(far > BED, np.maximum(short, 0.0), 0.0))
+
+
+def _apart(kind: str) -> tuple[tuple[frozenset[str], float, float], ...]:
+    """From what a kind stands rather so far, m, and what each metre less costs."""
+    if kind in kinds.BEDS:
+        return (FOOT_TO_SOFA,)
+    return APART if kind in kinds.TABLES else SEATED if kind == "armchair" else ()
+
+
+def _at_entrance(boxes: Array, space: Space) -> Array:
+    """Of beds (n, 7) near the door by which one enters, (n,)."""
+    if not len(space.entrances):
+        return np.zeros(len(boxes))
+    door = np.array([[x, y, 0, 0, 0, 0, 0] for x, y in space.entrances], np.float32)
+    return np.asarray(NEARER * np.clip(ARRIVAL - Seen(boxes, door).gap.min(1), 0, TOO_FAR))
 
 
 def ahead(found: Boxes, space: Space, aside: Array | float = 0.0) -> Array:

@@ -24,16 +24,16 @@ AXIS = 0.385
 """From the axis of a toilet or a basin to what stands beside it, m (NKBA bathroom guidelines 5, 6)."""
 SQUEEZED = 4.0
 """Price of no elbow room at a basin, until nothing better was found."""
-BASIN, RAIL, BIN, TUBS, OVER, HIGH = "vanity", "towel_rail", "bin", {"bath"}, {"bath", "toilet", "bin"}, 4.0
-"""Where one looks into a mirror; what one reaches for, and not over these; what is not under that; more than rooms are
-high, m."""
+BASINS, RAIL, BIN, TUBS = frozenset({"vanity"}), "towel_rail", "bin", {"bath"}
+OVER, HIGH = {"bath", "toilet", "bin"}, 4.0
+"""Over these a mirror hangs wherever they are; what one reaches for, and not over these; what is not under that; more
+than rooms are high, m."""
 BEFORE = 0.4
 """How far before it no tub is and no door's leaf stands, m."""
 THROWN = {"toilet": 0.4, "vanity": 0.4}
 """How far from these a bin stands at most, m, where there is one."""
-FAR, HIDDEN = 4.0, 8.0
-"""Prices of one that stands farther, once nothing better was found, and of a mirror behind a door that stands open, if
-another place is looked for first or one washes there."""
+FAR = HIDDEN = 4.0
+"""Price of one that stands farther, and of a mirror behind a door, once nothing better was found."""
 OFF, MORE, SLACK = 0.02, 0.01, 0.008
 """Where floor before a fixture begins, how much more than the least it is, and contact that is none, m."""
 Floats = NDArray[np.float64]
@@ -46,7 +46,7 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
     if name == RAIL:
         return _out_of_reach(found, names, there, space)
     if name == MIRROR:
-        return np.where(_behind_leaf(found, space), BROKEN if strict and BASIN not in names else HIDDEN, 0.0)
+        return np.where(_out_of_sight(found, names, there, space), BROKEN if strict else HIDDEN, 0.0)
     if TABLE[name].place != "floor":
         return total
     if name == BIN:
@@ -97,6 +97,12 @@ def _front(found: Boxes) -> Boxes:
 def _behind_leaf(found: Boxes, space: Space) -> NDArray[np.bool_]:
     """Before which a door stands that is open."""
     return np.asarray((penetration(_front(found), space.leaves) > SLACK).any(1))
+
+
+def _out_of_sight(found: Boxes, names: list[str], there: Boxes, space: Space) -> NDArray[np.bool_]:
+    """Which mirrors are behind a door that stands open, but for those over a basin, where they belong anyway."""
+    basins = there.take(np.array([k for k, o in enumerate(names) if o in BASINS], int))
+    return np.asarray(_behind_leaf(found, space) & ~_columns(basins, found))
 
 
 def within(far: Mapping[str, float], found: Boxes, names: Sequence[str], there: Boxes) -> NDArray[np.bool_]:

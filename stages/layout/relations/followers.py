@@ -53,6 +53,10 @@ BESIDE = ((STAND, (0.42, 0.40, 0.52)), (STAND, (0.40, 0.34, 0.52)),
 """What stands at the head of a bed, m, the best first: before a small table nobody has to stand to open it."""
 SMALL_DESK = (0.55, 0.9, 0.74)
 """A desk for a small room, m."""
+RUG, RUGS = "rug", ((1.6, 2.3), (1.4, 2.0), (1.2, 1.7))
+"""Rugs as they are sold, m."""
+BELOW = tuple((0.0, aside, 0.0) for aside in (0.0, 0.2, -0.2, 0.4, -0.4))
+"""Where one lies below a low table, m from its middle: aside of a door that opens over it."""
 NARROW = (1.0, 0.8, 0.7)
 """Wardrobes where one sleeps and none of two finds a place, m."""
 COMPACT = (2.03, 1.62)
@@ -182,7 +186,8 @@ def snug(name: str, box: Array, there: Furniture) -> Array:
 
 def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:
     """What does for something that found no place, the best first, and places (m, 7) for it: towels, mirrors and
-    wardrobes of another kind at all walls, narrower nightstands and small tables beside the heads of beds."""
+    wardrobes of another kind and narrow ones at all walls, armchairs about sofas, rugs below low tables, narrower
+    nightstands and small tables beside the heads of beds."""
     kind = kinds.basic(name)
     beds = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.BEDS]
     if name == RAIL:
@@ -195,13 +200,17 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
         return [] if open_ else [(name, at_walls(boxes, there.space))]
     if kind == gathered.SEAT:
         return [(name, gathered.places(there.names, there.boxes, likeliest(boxes)))]
+    if kind == RUG:
+        low = [box for o, box in zip(there.names, there.boxes, strict=True) if kinds.basic(o) == LOW]
+        return [(name, np.concatenate([about(box, BELOW, (*size, likeliest(boxes)[2])) for box in low]))
+                for size in RUGS if low]
     if kind in kinds.DESKS:
         return [(name, along(there.space, size)) for size in (likeliest(boxes), SMALL_DESK)]
     if kind in kinds.WARDROBES:
         depth, _, height = likeliest(boxes)
-        narrow = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
+        slim = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
         return [(other, leading(other, boxes, there.space, narrowest(large, other)))
-                for other in TABLE[name].instead] + narrow
+                for other in TABLE[name].instead] + slim
     if kind != STAND or not beds:
         return []
     return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))

@@ -52,12 +52,10 @@ def draw(plan: Plan, room: Room, chances: Sequence[float]) -> list[Mapping[str, 
 
 
 def forgone(place: Site, ways: Sequence[Mapping[str, int]]) -> float:
-    """The energy of what some ways do without, of things that serve alike the least."""
-    def lacking(*names: str) -> float:
-        return sum(lack.cost for lack in lacks_of(place, names))
-
-    bare = [counts for counts in ways if not any(counts.values())]
-    return sum(lacking() - max(lacking(name) for name in counts) for counts in bare)
+    """The energy of what some ways do without."""
+    without = [name for counts in ways if not any(counts.values()) for name in counts]
+    missed = {lack.name for lack in lacks_of(place, without)}
+    return sum(lack.cost for lack in lacks_of(place, []) if lack.name not in missed)
 
 
 def unless_told(ways: Sequence[Mapping[str, int]], told: set[str]) -> dict[str, int]:

@@ -240,9 +240,10 @@ class Furniture:
     def _soft(self, name: str, found: Boxes) -> Floats:
         beyond = outside(found, self.space)
         total = np.where(beyond > SLACK, 40 + 100 * beyond, 0.0)
-        doors = self.space.zones.take(~self.space.window)
-        if TABLE[name].place == "wall" and doors.n:
-            total += np.where(penetration(found, doors).max(1) > SLACK, 3 * BROKEN, 0.0)
+        clear = {"wall": self.space.zones.take(~self.space.window), "flat": self.space.leaves}.get(TABLE[name].place)
+        if clear is not None and clear.n:
+            met = penetration(found._replace(size=np.maximum(found.size, [0, 0, LEVEL])), clear).max(1) > SLACK
+            total += np.where(met, 3 * BROKEN, 0.0)
         return np.asarray(total)
 
     def _carried(self, name: str, boxes: Array) -> NDArray[np.bool_]:

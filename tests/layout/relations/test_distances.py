@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from rooms_for_tests import box, room, some_rooms
+from rooms_for_tests import box, one_room, room, some_rooms
 
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import distances
 from apartgen.stages.layout.relations.standing import Furniture
 from apartgen.stages.layout.relations.tokens import upright
+from apartgen.stages.layout.rooms import KINDS
 
 SOFA, TABLE = (0.9, 2.0, 0.8), (0.9, 1.6, 0.75)
 
@@ -111,3 +112,22 @@ def test_two_in_a_narrow_room_cannot_do_better() -> None:
     assert priced("double_bed", box((2.0, 1.6, 0.5), -1.0, 0.1), room(4.0, 2.6)) == 0
     assert priced("double_bed", box((2.0, 1.6, 0.5), -1.0, 0.3), room(4.0, 2.9)) == pytest.approx(
         distances.TIGHT * 0.25, abs=1e-4)
+
+
+@pytest.mark.parametrize("y, price", [(-2.25, 6.0), (-1.3, 1.8), (0.0, 0.0)])
+def test_a_bed_stands_rather_not_where_one_comes_in(y: float, price: float) -> None:
+    """In a room 6 m deep which is entered in the middle of its south wall: .25, 1.2 and 2.5 m off it."""
+    rooms = one_room(5.0, 6.0)
+    rooms.openings[0, 0, 4] = KINDS["entrance"]
+    bed = box((2.0, 1.0, 0.5), 0.5, y)
+    for there, expected in ((Furniture(space_of(rooms, 0)), price), (room(5.0, 6.0), 0.0)):  # by any other door it may
+        there.add("sofa", box(SOFA, -1.0, 2.5, -np.pi / 2))
+        assert priced("single_bed", bed, there) == pytest.approx(expected, abs=1e-4)
+
+
+@pytest.mark.parametrize("gap, price", [(0.6, 0.0), (0.25, 3.0), (0.0, 6.0)])
+def test_a_bed_is_rather_not_at_a_sofa(gap: float, price: float) -> None:
+    there = room(8.0, 8.0)
+    there.add("sofa", box(SOFA, 0, 0))
+    bed = box((2.0, 1.6, 0.5), -0.45 - gap - 1.0, 0)
+    assert priced("double_bed", bed, there) == pytest.approx(price, abs=1e-4)

@@ -9,8 +9,9 @@ from apartgen.stages.layout.datasets import single_rooms
 from apartgen.stages.layout.datasets.furnisher import furnish
 from apartgen.stages.layout.projection.space import Space, space_of
 from apartgen.stages.layout.relations import fixtures
-from apartgen.stages.layout.relations.standing import BROKEN
-from apartgen.stages.layout.rooms import of_plan
+from apartgen.stages.layout.relations.standing import BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import upright
+from apartgen.stages.layout.rooms import KINDS, of_plan
 from apartgen.stages.space import boxes
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things.categories import TABLE
@@ -124,16 +125,31 @@ def test_a_bin_stands_by_where_one_throws_something_away(name: str, far: float, 
         assert (added == ([0.0, 0.0] if near else [fixtures.BROKEN, fixtures.FAR])).all()
 
 
-def test_a_mirror_hangs_rather_not_where_a_door_stands_open() -> None:
+def doored() -> Space:
+    """A room of 4 by 4 m about the origin with a door of .9 m in its south wall beside the west wall, which opens
+    inwards, its leaf along that wall."""
     rooms = one_room()
-    rooms.openings[0, 0, 5] = 1
-    space = space_of(rooms, 0)
-    (x, y, _), half = space.leaves.center[0], space.leaves.size[0, :2].max() / 2
-    across = np.array([[-2 + 0.02, y, 1.45], [-2 + 0.02, y + half + 0.6, 1.45]])
-    near = Boxes(across + [x - 0.2 + 2, 0, 0], np.tile([0.04, 0.5, 0.8], (2, 1)), np.zeros(2))
-    none = Boxes(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
-    basin = Boxes(np.array([[1.0, 1.0, 0.4]]), np.array([[0.4, 0.6, 0.8]]), np.zeros(1))
-    for names, there, strict, barred in (([], none, True, True), ([], none, False, False),
-                                         (["vanity"], basin, True, False), (["vanity"], basin, False, False)):
-        hidden, seen = fixtures.prices("mirror", near, names, there, space, strict)
-        assert seen == 0 < hidden and (hidden >= BROKEN) == barred
+    rooms.openings[0, 0] = [-1.9, -2.0, -1.0, -2.0, KINDS["door"], 1, 0]
+    return space_of(rooms, 0)
+
+
+@pytest.mark.parametrize("x, y, yaw, basin, seen", [
+    (-1.98, -1.5, 0.0, False, False),       # on the west wall, behind the leaf
+    (-1.98, -1.5, 0.0, True, True),         # there, over a basin
+    (-1.98, 0.5, 0.0, False, True),         # past its end
+    (1.98, -1.5, np.pi, False, True),       # across the room
+])
+def test_no_mirror_hangs_behind_a_door_that_stands_open(x: float, y: float, yaw: float, basin: bool,
+                                                        seen: bool) -> None:
+    mirror = upright(np.array([[x, y, yaw, 0.04, 0.5, 1.1, 1.9]], np.float32))
+    vanity = upright(np.array([[-1.75, y, 0.0, 0.5, 0.6, 0.0, 0.85]][: int(basin)], np.float32).reshape(-1, 7))
+    found = fixtures.prices("mirror", mirror, ["vanity"] * basin, vanity, doored(), strict=True)
+    assert (found[0] == 0) == seen
+    if not seen:
+        assert fixtures.prices("mirror", mirror, [], vanity, doored(), strict=False)[0] < BROKEN, "better than none"
+
+
+@pytest.mark.parametrize("x, lies", [(-1.5, False), (0.9, True)])
+def test_no_rug_lies_under_a_door_that_stands_open(x: float, lies: bool) -> None:
+    rug = np.array([[x, -0.9, 0.0, 1.6, 0.9, 0.0, 0.006]], np.float32)
+    assert (Furniture(doored()).prices("rug", rug)[0] < BROKEN) == lies

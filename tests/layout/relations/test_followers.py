@@ -324,3 +324,17 @@ def test_a_table_leaves_the_wardrobe_its_wall(depth: float, fits: bool) -> None:
     table = box((0.8, 1.2, 0.75), 0, 0.3, np.pi / 2)
     assert (followers.fit(there, "dining_table", table, ["wardrobe"]) == 1) == fits
     assert followers.fit(there, "dining_table", table, []) == 1
+
+
+def test_below_a_low_table_there_is_a_rug_for_every_room() -> None:
+    """All lie below all of it, as thick as the candidates; without a table there is none."""
+    said, there = np.array([[0, 0, 0, 2.0, 3.0, 0, 0.006]] * 3, np.float32), room()
+    assert not followers.others("rug", said, there, {})
+    low = box((0.6, 1.1, 0.42), 0.5, 0.2, np.pi / 2)
+    there.add("coffee_table", low)
+    found = followers.others("rug", said, there, {})
+    assert [places[0, 3] for _, places in found] == pytest.approx([1.6, 1.4, 1.2])
+    for _, places in found:
+        assert np.allclose(places[:, 2], low[2]) and np.allclose(places[:, 5:], [0, 0.006])
+        half = places[:, 4:2:-1] / 2 - (0.55, 0.3)  # turned by a right angle, beyond the table
+        assert (np.abs(places[:, :2] - low[:2]) <= half + 0.15).all()
