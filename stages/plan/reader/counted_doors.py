@@ -1,0 +1,69 @@
+"""How many doors a room is to have: `has only one door`, `no second door`, `needs two doors`, in words of limits."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import late
+
+_ROOM = (r"(?:(?:(?:[a-z]+ )?(?:living|sitting|dining|laundry|utility|storage|guest|main|master|shower|bed|bath) ?)room|"
+         r"kitchen|study|balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)s?")  # fmt: skip
+_THE = rf"(?:(?:the|my|our|each|every|both) )?(?P<room>{_ROOM})"
+_ALONE = (r"(?:(?:only|just|exactly|precisely) (?:one|1|a)(?: single)? door|"
+          r"(?:one|1) single door|a single door|(?:one|1) (?:only )?door (?:only|alone)|(?:one|1) only door|"
+          r"only (?:one|1) door)(?: only)?")  # fmt: skip
+_END = r"(?= ?(?:[.,;:!?)]|$)| and (?!one\b|it\b|that\b)| but | so | while )"
+_HAS = r"(?:has|have|gets?|needs?|with|having)"
+_MUST = r"(?:must|should|can|may|shall|is to|are to|has to|have to|needs to|need to)"
+_MANY = r"(?P<n>two|three|four|2|3|4)"
+_TOLD_OFF = r"(?! ?[,:;(-]* ?(?:one|to|into|from|the first|a door|each|that|which|off|on|between)\b)"
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "the kitchen has only one door, to the living room", "…, which leads to the living room"
+    (rf"\b(?:{_MUST} )?{_HAS} (?:{_ALONE},?|(?:one|1) door,|(?:one|1) door(?= which| that)) (?:and )?"
+     r"(?:(?:which|that|it) (?:leads?|opens?|goes|is|should lead|must lead|should open|must open) )?"
+     rf"(?:to|into|onto|from|towards|on) (?=(?:the )?{_ROOM}\b(?!,? and (?:one|another|a|to|from)\b))",
+     "is reached only from "),
+    # "only one door to the kitchen", "no second door into the bathroom"
+    (rf"(?P<begins>^|[.;:,] ?|\band )(?:there (?:is|must be|should be|may be|can be|shall be) )?(?:to be )?"
+     rf"(?:{_ALONE}|one door) (?:to|into|in|for|of) {_THE}(?: is enough| is plenty| will do| suffices|,? please)"
+     rf"{_END}", r"\g<begins>the \g<room> has at most one door"),
+    (rf"(?P<begins>^|[.;:,] ?|\band )(?:there (?:is|must be|should be|may be|can be|shall be) )?{_ALONE} "
+     rf"(?:to|into|in|for|of) {_THE}{_END}", r"\g<begins>the \g<room> has at most one door"),
+    (rf"(?P<begins>^|[.;:,] ?|\band )(?:(?:please|there (?:is|must be|should be)) )?(?:no|not a|without a) "
+     rf"(?:second|other|further|extra|additional) door (?:to|into|in|for|of) {_THE}{_END}",
+     r"\g<begins>the \g<room> has at most one door"),
+    # "no bedroom has more than one door", "no bedroom with a second door"
+    (rf"\bno (?P<room>{_ROOM}) (?:{_MUST} )?(?:{_HAS}) (?:more than one door|two doors|a second door|several doors)"
+     rf"{_END}", r"each \g<room> has at most one door"),
+    # "should not have a second door", "has no second door", "does not need a second door"
+    (rf"\b(?:{_MUST} not|cannot|can't|mustn't|shouldn't|does not|doesn't|do not|don't) (?:have|get|need|want) "
+     rf"(?:a second|another|two|any other|any second) doors?{_END}", "has at most one door"),
+    (rf"\b(?:has|have|gets?|needs?|with) no (?:second|other|further|extra) doors?{_END}", "has at most one door"),
+    (rf"\bwithout (?:a|any) (?:second|further|other|extra) door{_END}", "with at most one door"),
+    # "has only one door", "one door only", "a single door"
+    (rf"\b{_ALONE}{_END}", "at most one door"),
+    # "needs two doors", "has exactly three doors"
+    (rf"\b(?P<has>(?:{_MUST}) have|needs?|gets?|wants?) (?:exactly |precisely )?{_MANY} doors{_TOLD_OFF}{_END}",
+     r"has at least \g<n> doors"),
+    (rf"\b(?P<room>{_ROOM}) (?P<has>has|have|with) (?:exactly |precisely )?{_MANY} doors{_TOLD_OFF}{_END}",
+     r"\g<room> \g<has> at least \g<n> doors"),
+    # "nur eine Tür", "n'a qu'une seule porte", "una sola puerta", "只有一扇门"
+    (r"\b(?:nur|bloss|hochstens|maximal|lediglich|genau) eine(?: einzige)? tur\b(?! (?:zu|in|nach|vo))",
+     "hochstens 1 turen"),
+    (r"\bhochstens (zwei|drei|vier) turen\b", lambda found: f"hochstens {_DIGITS[found[1]]} turen"),
+    (r"\bn'(?:a|aura|ait) qu'une(?: seule)? porte\b(?! (?:vers|sur|dans|donnant))", "a au plus 1 portes"),
+    (r"\b(?:au plus une|une seule) porte\b(?! (?:vers|sur|dans|donnant))", "au plus 1 portes"),
+    (r"\bau plus (deux|trois|quatre) portes\b", lambda found: f"au plus {_DIGITS[found[1]]} portes"),
+    (r"\b(?:(?:solo|solamente|unicamente) (?:tiene|tenga) una|(?:tiene|tenga) (?:solo|solamente|como maximo) una|"
+     r"(?:tiene|tenga) una (?:sola|unica)) puerta\b(?! (?:al?|hacia|que))", "tiene como maximo 1 puertas"),
+    (r"\bcomo maximo (dos|tres|cuatro) puertas\b", lambda found: f"como maximo {_DIGITS[found[1]]} puertas"),
+    (r"(?:只能有|只有|只要|只开|最多有?|仅有?)(?:一|1)(?:扇|个|道)门(?!通|到|开)", " at most one door"),
+    (r"最多有?(两|三|四|2|3|4)(?:扇|个|道)门", lambda found: f" at most {_DIGITS.get(found[1], found[1])} doors"),
+)]  # fmt: skip
+_DIGITS = {"zwei": "2", "drei": "3", "vier": "4", "deux": "2", "trois": "3", "quatre": "4", "dos": "2", "tres": "3",
+           "cuatro": "4", "两": "2", "三": "3", "四": "4"}  # fmt: skip
+
+
+def doors_counted(text: str) -> str:
+    """A folded text that says how many doors a room has in words of limits."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
