@@ -1,11 +1,9 @@
 """How many doors a room is to have: `has only one door`, `no second door`, `needs two doors`, in words of limits."""
 
-import re
-
 from apartgen.stages.plan.reader.patterns import late
 
-_ROOM = (r"(?:(?:(?:[a-z]+ )?(?:living|sitting|dining|laundry|utility|storage|guest|main|master|shower|bed|bath) ?)room|"
-         r"kitchen|study|balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)s?")  # fmt: skip
+_ROOM = (r"(?:(?:(?:[a-z]+ )?(?:living|sitting|dining|laundry|utility|storage|guest|main|master|shower|bed|bath) ?)"
+         r"room|kitchen|study|balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)s?")  # fmt: skip
 _THE = rf"(?:(?:the|my|our|each|every|both) )?(?P<room>{_ROOM})"
 _ALONE = (r"(?:(?:only|just|exactly|precisely) (?:one|1|a)(?: single)? door|"
           r"(?:one|1) single door|a single door|(?:one|1) (?:only )?door (?:only|alone)|(?:one|1) only door|"

@@ -50,6 +50,7 @@ class Entity:
     picked: bool = False
     vague: bool = False
     spoken: bool = False
+    placed: bool = False
     rank: str = ""
     name: str = ""
 

@@ -188,11 +188,15 @@ def _as_before(items: list[Item], k: int) -> Item:
     if item.kind != "side" or gap is None or any(word in item.text for word in FACING):
         return item
     joined = k > 1 and (items[k - 2].kind in ("conjunction", "boundary") or is_mark(items[k - 2], ","))
-    if not (gap.quantifier == Det.OTHER or gap.ordinals) and not (joined and gap.definite and _bare_side(item)):
+    if not (gap.quantifier == Det.OTHER or gap.ordinals) and not (joined and _named(gap) and _bare_side(item)):
         return item
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
     told = [i for i in items[start:k] if i.kind == "side" and any(word in i.text for word in FACING)]
     return replace(item, text=f"facing {item.text}") if told else item
+
+
+def _named(room: RoomPhrase) -> bool:
+    return room.definite or (room.quantifier == Det.BARE and room.count is None)
 
 
 def _bare_side(item: Item) -> bool:
