@@ -18,17 +18,31 @@ def subjects_listed(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     verb = told[0].text.split()[0] if told else ""
     start = _start(items, j)
     first, *others = rooms = [i.room for i in items[start : j + 1] if i.room is not None]
+    if not verb and items[k].bounds and all(r.quantifier == Det.THE for r in rooms):
+        return rooms  # "…, the kitchen and the study at most 9 m²"
     if not others or not verb or verb in SINGULAR:
         return []
-    known = first.quantifier in KNOWN and all(r.quantifier in KNOWN or _plain(r) for r in others)
     opens = start == 0 or items[start - 1].kind in ("mark", "boundary", "relative")
     opens = opens and (not is_mark(items[start - 1], ",") or not verb.isascii())
-    bare = opens and _plain(first) and all(r.quantifier in KNOWN or _plain(r) for r in others)
+    known, bare = first.quantifier in KNOWN and _alike(others), opens and _plain(first) and _alike(others)
     counted = len(others) == 1 and (first.quantifier == Det.THE or bare or not verb.isascii()) and _some(others[0])
     if verb in PLURAL:
         return rooms if known or bare or counted else []
     with_ = start > 0 and items[start - 1].kind == "with"
     return rooms if known and (verb in MODAL or with_ or opens) else []
+
+
+def known_list(items: list[Item], j: int) -> list[RoomPhrase]:
+    """The rooms of the list that ends at `j`, where all of them are known ones or a sentence begins with them."""
+    start = _start(items, j)
+    rooms = [i.room for i in items[start : j + 1] if i.room is not None]
+    opens = start == 0 or is_mark(items[start - 1], ".;:")
+    fits = rooms[0].quantifier in KNOWN or (opens and _plain(rooms[0]))
+    return rooms if fits and _alike(rooms[1:]) else []
+
+
+def _alike(others: list[RoomPhrase]) -> bool:
+    return all(r.quantifier in KNOWN or _plain(r) for r in others)
 
 
 def _start(items: list[Item], j: int) -> int:

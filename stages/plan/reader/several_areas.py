@@ -1,0 +1,33 @@
+"""Areas that several rooms have together, and limits that none of them passes, in words the rules know."""
+
+from apartgen.stages.plan.reader.patterns import late
+
+_ROOM = (r"(?:(?:the |both |my |our |all )?(?:two |three |four |2 |3 |4 )?(?:[a-z]+ )?(?:(?:living|sitting|dining|bed|bath)"
+         r" ?rooms?|kitchen|study|office|lounge|hall(?:way)?|toilet|balcony|pantry))")  # fmt: skip
+_LIST = rf"{_ROOM}(?:, {_ROOM})*,? and {_ROOM}"
+_SOME = rf"(?:{_LIST}|(?:the |both |my |our |all )?(?:two |three |four |2 |3 |4 )?(?:of the )?(?:bed|bath) ?rooms)"
+_AREA = r"(?:about |around |at least |at most )?\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m|square met(?:er|re)s?|sq ?ft|square feet)"
+_HAVE = (r"(?:have|has|measure|take(?: up)?|occupy|are|get|need|cover|come to|make up|should (?:have|be|measure)|must "
+         r"(?:have|be|measure)|may have|to have)")  # fmt: skip
+_SAID = [(late(pattern), words) for pattern, words in (
+    # "kitchen and living room share 30 m²", "have 30 m² in total", "have a combined area of 30 m²"
+    (rf"\b({_SOME}),? (?:(?:that|which) )?(?:should |must |may |will |can )?(?:share|add up to|sum up to|total|come to|make(?: up)?) "
+     rf"(?:a total of |an area of )?({_AREA})", r"\1 together \2"),
+    (rf"\b({_SOME}),? (?:{_HAVE} )?({_AREA}) (?:in total|in all|altogether|all together|all told|combined|total|"
+     r"as a whole|in sum|taken together)\b(?! with)", r"\1 together \2"),
+    (rf"\b({_SOME}),? {_HAVE} (?:a (?:total|combined|joint) (?:floor )?(?:area|size|surface) of|combined|a total of|"
+     rf"in total|altogether) ({_AREA})", r"\1 together \2"),
+    # "neither the study nor the kitchen should be larger than 9 m²"
+    (rf"\bneither ({_ROOM}) n?or ({_ROOM}) (?:should |must |may |can |is to |are to |is allowed to |needs to |has to )?"
+     r"(?:be |is |are |have |has )?(?:larger|bigger|greater|more|exceed)(?: than)? (?=\d)",
+     r"\1 and \2 should each be at most "),
+    (rf"\bneither ({_ROOM}) n?or ({_ROOM}) (?:should |must |may |can |is to |are to |is allowed to )?"
+     r"(?:be |is |are |have |has )?(?:smaller|less|fewer)(?: than)? (?=\d)", r"\1 and \2 should each be at least "),
+)]  # fmt: skip
+
+
+def of_several(text: str) -> str:
+    """A folded text that says of how many square metres several rooms are, or none of them is."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
