@@ -118,7 +118,8 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
                     owner.areas = owner.areas or (value,)
                 continue
         for owner in owners:
-            owner.together = (together and len(owners) == 1) or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
+            most_of_it = item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9
+            owner.together = (together and len(owners) == 1) or most_of_it
             if item.kind == "area":
                 owner.sides = owner.sides if owner.areas else item.sides
                 owner.bounds = owner.bounds if owner.areas else item.bounds

@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
+from apartgen.stages.plan.reader.bedded import bedded
 from apartgen.stages.plan.reader.comparisons import comparisons
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.counted_doors import doors_counted
@@ -55,7 +56,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = parted(as_learnt(of_several(doors_counted(fold(prompt)))))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(fold(prompt))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
     whole, text = about(text)

@@ -19,7 +19,7 @@ OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(
           r"(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|"
           r"our) (?:flat|house)))\b(?!')")  # fmt: skip
 AGED = re.compile(
-    r"\b(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
+    r"\b(?<!\bin )(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
     r"(?=,? (?:in |can |will |both |each |share|sleep|has |have |get|need|want|take))"
     r"|\b(the|his|her|their) (eldest|oldest|youngest|elder|younger)(?=,? (?:in |can |will |share|sleep|has |gets?|"
     r"needs?|wants?|takes?))"

@@ -9,7 +9,7 @@ from apartgen.stages.plan.reader.openplan import chain
 from apartgen.stages.plan.reader.predicates import Predicate, predicates
 from apartgen.stages.plan.reader.scope import INSTEAD
 from apartgen.stages.plan.reader.statements import Statement
-from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, onward
+from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, has_its_door, onward
 from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
 
 DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of",
@@ -73,6 +73,8 @@ def relations(
         if p.kind == Relation.SAME:  # "the bedrooms are off the hall, as is the bathroom"
             alike = out[-1:] or [s for s in told if s.left == told[-1].left]
             out += [Statement(s.kind, right, s.right) for s in alike if right]
+            continue
+        if p.kind == Relation.USES and has_its_door(items, p):
             continue
         p.kind = Relation.OPEN if _is_to_open(items, p, left, right) else p.kind
         out += _told(items, p, left, right)

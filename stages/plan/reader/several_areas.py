@@ -2,17 +2,20 @@
 
 from apartgen.stages.plan.reader.patterns import late
 
-_ROOM = (r"(?:(?:the |both |my |our |all )?(?:two |three |four |2 |3 |4 )?(?:[a-z]+ )?(?:(?:living|sitting|dining|bed|bath)"
-         r" ?rooms?|kitchen|study|office|lounge|hall(?:way)?|toilet|balcony|pantry))")  # fmt: skip
+_ROOM = (r"(?:(?:the |both |my |our |all )?(?:two |three |four |2 |3 |4 )?(?:[a-z]+ )?"
+         r"(?:(?:living|sitting|dining|bed|bath) ?rooms?|kitchen|study|office|lounge|hall(?:way)?|toilet|balcony|"
+         r"pantry))")  # fmt: skip
 _LIST = rf"{_ROOM}(?:, {_ROOM})*,? and {_ROOM}"
 _SOME = rf"(?:{_LIST}|(?:the |both |my |our |all )?(?:two |three |four |2 |3 |4 )?(?:of the )?(?:bed|bath) ?rooms)"
-_AREA = r"(?:about |around |at least |at most )?\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m|square met(?:er|re)s?|sq ?ft|square feet)"
+_AREA = (r"(?:about |around |at least |at most )?\d+(?:[.,]\d+)? ?"
+         r"(?:m2|sqm|sq m|square met(?:er|re)s?|sq ?ft|square feet)")  # fmt: skip
 _HAVE = (r"(?:have|has|measure|take(?: up)?|occupy|are|get|need|cover|come to|make up|should (?:have|be|measure)|must "
          r"(?:have|be|measure)|may have|to have)")  # fmt: skip
 _SAID = [(late(pattern), words) for pattern, words in (
     # "kitchen and living room share 30 m²", "have 30 m² in total", "have a combined area of 30 m²"
-    (rf"\b({_SOME}),? (?:(?:that|which) )?(?:should |must |may |will |can )?(?:share|add up to|sum up to|total|come to|make(?: up)?) "
-     rf"(?:a total of |an area of )?({_AREA})", r"\1 together \2"),
+    (rf"\b({_SOME}),? (?:(?:that|which) )?(?:should |must |may |will |can )?"
+     rf"(?:share|add up to|sum up to|total|come to|make(?: up)?) (?:a total of |an area of )?({_AREA})",
+     r"\1 together \2"),
     (rf"\b({_SOME}),? (?:{_HAVE} )?({_AREA}) (?:in total|in all|altogether|all together|all told|combined|total|"
      r"as a whole|in sum|taken together)\b(?! with)", r"\1 together \2"),
     (rf"\b({_SOME}),? {_HAVE} (?:a (?:total|combined|joint) (?:floor )?(?:area|size|surface) of|combined|a total of|"
