@@ -10,6 +10,8 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 LARGE = 40.0
 """Area, m², that no room has of which several are alike."""
+SMALLEST = 18.0
+"""Area, m², that no home falls below; `a storage room of 15 m²` is a room."""
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""
 
@@ -79,7 +81,7 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if (
             phrase is not None
             and phrase.areas
-            and (phrase.headline or 5 * sense()["area"].get(phrase.type, 12.0) < phrase.areas[0] <= MOST)
+            and (phrase.headline or max(5 * sense()["area"].get(phrase.type, 12.0), SMALLEST) < phrase.areas[0] <= MOST)
         ):
             said.total_area, phrase.areas = phrase.areas[0], ()
             said.asked += [Asked(kind, [], "", f"{limit:g}", item.text) for kind, limit in phrase.bounds]
@@ -266,7 +268,7 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
     usual = sense()["area"].get(phrase.type, 12.0)
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
     whole = bool(phrase.headline) and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
-    return whole or bool(area.values[0] > (2.2 if apart else 5.0) * usual)
+    return whole or bool(area.values[0] > (2.2 * usual if apart else max(5.0 * usual, SMALLEST)))
 
 
 def _of_all(before: list[Item], area: Item) -> bool:

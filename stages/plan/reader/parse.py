@@ -9,7 +9,7 @@ from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
-from apartgen.stages.plan.reader.comparisons import comparisons
+from apartgen.stages.plan.reader.comparisons import compared_again, comparisons
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.denied import all_denied
@@ -23,6 +23,7 @@ from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.learners import as_learnt
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
+from apartgen.stages.plan.reader.likewise import likewise
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
@@ -56,7 +57,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = parted(as_learnt(bedded(of_several(doors_counted(fold(prompt))))))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(fold(prompt)))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
     whole, text = about(text)
@@ -168,6 +169,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     _it_is(items)
+    items = compared_again(items, before)
     items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
     items = _closed(attach_areas(of_the_last(items, before), said))
     items = [

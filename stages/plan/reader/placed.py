@@ -106,6 +106,8 @@ def _list(items: list[Item], k: int, headed: bool = False) -> list[RoomPhrase]:
 
 def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms that lie to a side of another: `left of A is B`, `north of A and west of B`, `B, north of A`."""
+    if k > 1 and is_mark(items[k - 1], ":") and (headed := items[k - 2].room) is not None:
+        return [headed]  # "kitchen: north of the living room"
     if k == 0 or items[k - 1].kind in ("mark", "boundary"):
         after = next((i for i in items[k + 2 :] if i.kind not in ("reach", "copula")), Item(""))
         if after.room is not None or not k or not is_mark(items[k - 1], ","):

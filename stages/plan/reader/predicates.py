@@ -101,7 +101,9 @@ def _the_one(last: RoomPhrase | None) -> bool:
 
 def _near_room(items: list[Item], k: int) -> bool:
     room = items[k - 1].room or (items[k - 2].room if k > 1 and is_mark(items[k - 1], ",") else None)
-    return room is not None and not room.plural and room.quantifier != Det.EACH  # "two bedrooms, then a bathroom"
+    ahead = items[k + 1].room
+    alike = room is not None and ahead is not None and ahead.type == room.type  # "grandma's bedroom, then ours"
+    return room is not None and not (room.plural or alike) and room.quantifier != Det.EACH  # "two beds, then a bath"
 
 
 def _way_in(items: list[Item], k: int) -> bool:

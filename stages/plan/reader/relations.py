@@ -287,7 +287,7 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
         return [Statement(Relation.DOOR, right[:1], right[1:])] if len(right) > 1 else []
     if kind in (Relation.TO, Relation.IN, Relation.GAP):
         living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
-        kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
+        kind = Relation.OPEN if kind == Relation.IN and living and words != "into" else Relation.DOOR
     if kind == Relation.OPEN and p.form == "part" and any(x.type in OPEN_TYPES for x in left):
         left = [x for x in left if x.type not in (*ANNEXES, "bedroom")]  # "a small bathroom and kitchen open to …"
     if kind == Relation.DOOR and {x.type for x in left} <= set(OPEN_TYPES) and (gaps := _open_ones(right)):
