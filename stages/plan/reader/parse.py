@@ -37,6 +37,7 @@ from apartgen.stages.plan.reader.plainly import plainly
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
+from apartgen.stages.plan.reader.rather import rather
 from apartgen.stages.plan.reader.relations import at_table, place, relations
 from apartgen.stages.plan.reader.remarks import of_that_home
 from apartgen.stages.plan.reader.rephrased import rephrased
@@ -57,7 +58,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(fold(prompt)))))))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(fold(prompt))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
     whole, text = about(text)

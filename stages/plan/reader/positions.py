@@ -11,6 +11,7 @@ from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
 OPPOSED = ("left", "right", "north", "south", "east", "west")
+OPPOSITES = [frozenset(pair) for pair in (("left", "right"), ("north", "south"), ("east", "west"))]
 NAMED = ("storage", "utility", "study", "closet")
 """Rooms that go by many names, of which each is another one: no pantry is a store."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
@@ -137,8 +138,9 @@ def _beside(items: list[Item], k: int) -> bool:
 def _seen_from(items: list[Item], k: int, said: Said) -> None:
     """Adds the place of a room as seen from another one, or from the entrance."""
     rooms, other = rooms_placed(items, k), items[k + 1].room
-    if other is None and items[k + 1].value == "it" and (again := _it_before(items, k, said)) is not None:
-        other = again
+    if other is None and items[k + 1].value == "it" and (again := _it_before(items, k, said)):
+        other = again if isinstance(again, RoomPhrase) else None
+        items = [*items[: k + 1], Item("entrance", "entrance", again)] if isinstance(again, str) else items
     elif other is None and items[k + 1].value == "it":
         other = next((r for i in reversed(items[:k]) if (r := i.room) is not None and r not in rooms), None)
     to: list[RoomPhrase] | str = "entrance" if items[k + 1].value == "entrance" else [other] if other else ""
@@ -163,12 +165,17 @@ def _it_again(items: list[Item], k: int) -> list[Item]:
     return [*items[:at], again_named(room), *items[at + 1 :]]
 
 
-def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | None:
-    """What `it` stood for just before: `a hall, a lounge to the west of it, a kitchen to the east of it`."""
+def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | str | None:
+    """What `it` stood for just before: `a hall, a lounge to the west of it, a kitchen to the east of it`.
+
+    Or, where the side is the opposite one, what stood there: `the bed left of the entrance, the kitchen right of it`.
+    """
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
-    told = any(side_of(items[j]) and items[j + 1].value == "it" for j in range(start, k - 1))
-    to = said.asked[-1].to if told and said.asked else ""
-    return to[0] if isinstance(to, list) and to else None
+    sides = [j for j in range(start, k - 1) if side_of(items[j])]
+    told = any(items[j + 1].value == "it" for j in sides)
+    other = bool(sides) and frozenset((side_of(items[sides[-1]]), side_of(items[k]))) in OPPOSITES
+    to = said.asked[-1].to if (told or other) and said.asked and said.asked[-1].kind == "position" else ""
+    return to if isinstance(to, str) else to[0] if to else None
 
 
 def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:

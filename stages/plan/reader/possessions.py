@@ -76,7 +76,8 @@ OURS_ELSEWHERE = re.compile(
     r"ultim[oa]|otr[oa])(?: habitacion| dormitorio)?\b"
 )
 MINE = (
-    r"\bi (?:also )?(?:{verb}) (?:the|an?|my|one) (?:own )?(?:(?:second|third|fourth|last|other|remaining|small|big) )?"
+    r"\bi (?:also )?(?:{verb}) (?:the|an?|my|one) (?:own )?"
+    r"(?:(?:second|third|fourth|last|other|remaining|small|big|middle) )?"
     r"(?:bed ?room|room|one|other)\b(?! bath)"
 )
 SELF = "(?:takes?|gets?|has|have|needs?|wants?|uses?|sleeps? in|live in|stay in)"
