@@ -2,7 +2,7 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.patterns import Late, late
 
 _BED = (r"(?:(?:an?|one|two|three|four|their|[1-4]) )?"
         r"(?:(?:single|double|twin|bunk|king|queen|king-size|queen-size) )?beds?\b")  # fmt: skip
@@ -11,9 +11,10 @@ _OLD = r"(?:grandparents|(?:grand)?(?:mother|father|ma|pa)|granny|grandma|grandp
 _OWNED = rf"(?:(?:(?:the|our|my|both|two|three) )+(?:{_YOUNG}|{_OLD}|guests?|lodger|parents)|{_OLD})"
 _WHICH = r"(?:the (?:other|second|third|small(?:er|est)?|big(?:ger|gest)?|larger?|largest)|another|one|a|their|our|my)"
 _IN = rf"in {_WHICH}(?: one| (?:bed ?)?room)?"
-_SAID = [(late(pattern), words) for pattern, words in (
+_WORDS = {"in": _IN, "bed": _BED}
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "in one bedroom, in a bunk bed", "in the other in a double bed"
-    (rf"\b({_IN}),? in (?={_BED})", r"\1 with "),
+    (r"\b({in}),? in (?={bed})", r"\1 with "),
     # "we share the kitchen and the living room"
     (r"(^|[.;,] ?|\band )(?:we|they|both of us|all of us)(?: all| both)? (?:will |can |would )?share "
      r"(?=the (?:kitchen|living|lounge|dining|sitting|bath ?room|hall|balcony))", r"\1"),

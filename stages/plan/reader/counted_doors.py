@@ -1,6 +1,6 @@
 """How many doors a room is to have: `has only one door`, `no second door`, `needs two doors`, in words of limits."""
 
-from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.patterns import Late
 
 _ROOM = (r"(?:(?:(?:[a-z]+ )?(?:living|sitting|dining|laundry|utility|storage|guest|main|master|shower|bed|bath) ?)"
          r"room|kitchen|study|balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)s?")  # fmt: skip
@@ -13,35 +13,36 @@ _HAS = r"(?:has|have|gets?|needs?|with|having)"
 _MUST = r"(?:must|should|can|may|shall|is to|are to|has to|have to|needs to|need to)"
 _MANY = r"(?P<n>two|three|four|2|3|4)"
 _TOLD_OFF = r"(?! ?[,:;(-]* ?(?:one|to|into|from|the first|a door|each|that|which|off|on|between)\b)"
-_SAID = [(late(pattern), words) for pattern, words in (
+_WORDS = {"must": _MUST, "has": _HAS, "alone": _ALONE, "room": _ROOM, "the": _THE, "end": _END, "many": _MANY}
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "the kitchen has only one door, to the living room", "…, which leads to the living room"
-    (rf"\b(?:{_MUST} )?{_HAS} (?:{_ALONE},?|(?:one|1) door,|(?:one|1) door(?= which| that)) (?:and )?"
+    (r"\b(?:{must} )?{has} (?:{alone},?|(?:one|1) door,|(?:one|1) door(?= which| that)) (?:and )?"
      r"(?:(?:which|that|it) (?:leads?|opens?|goes|is|should lead|must lead|should open|must open) )?"
-     rf"(?:to|into|onto|from|towards|on) (?=(?:the )?{_ROOM}\b(?!,? and (?:one|another|a|to|from)\b))",
+     r"(?:to|into|onto|from|towards|on) (?=(?:the )?{room}\b(?!,? and (?:one|another|a|to|from)\b))",
      "is reached only from "),
     # "only one door to the kitchen", "no second door into the bathroom"
-    (rf"(?P<begins>^|[.;:,] ?|\band )(?:there (?:is|must be|should be|may be|can be|shall be) )?(?:to be )?"
-     rf"(?:{_ALONE}|one door) (?:to|into|in|for|of) {_THE}(?: is enough| is plenty| will do| suffices|,? please)"
-     rf"{_END}", r"\g<begins>the \g<room> has at most one door"),
-    (rf"(?P<begins>^|[.;:,] ?|\band )(?:there (?:is|must be|should be|may be|can be|shall be) )?{_ALONE} "
-     rf"(?:to|into|in|for|of) {_THE}{_END}", r"\g<begins>the \g<room> has at most one door"),
-    (rf"(?P<begins>^|[.;:,] ?|\band )(?:(?:please|there (?:is|must be|should be)) )?(?:no|not a|without a) "
-     rf"(?:second|other|further|extra|additional) door (?:to|into|in|for|of) {_THE}{_END}",
+    (r"(?P<begins>^|[.;:,] ?|\band )(?:there (?:is|must be|should be|may be|can be|shall be) )?(?:to be )?"
+     r"(?:{alone}|one door) (?:to|into|in|for|of) {the}(?: is enough| is plenty| will do| suffices|,? please)"
+     r"{end}", r"\g<begins>the \g<room> has at most one door"),
+    (r"(?P<begins>^|[.;:,] ?|\band )(?:there (?:is|must be|should be|may be|can be|shall be) )?{alone} "
+     r"(?:to|into|in|for|of) {the}{end}", r"\g<begins>the \g<room> has at most one door"),
+    (r"(?P<begins>^|[.;:,] ?|\band )(?:(?:please|there (?:is|must be|should be)) )?(?:no|not a|without a) "
+     r"(?:second|other|further|extra|additional) door (?:to|into|in|for|of) {the}{end}",
      r"\g<begins>the \g<room> has at most one door"),
     # "no bedroom has more than one door", "no bedroom with a second door"
-    (rf"\bno (?P<room>{_ROOM}) (?:{_MUST} )?(?:{_HAS}) (?:more than one door|two doors|a second door|several doors)"
-     rf"{_END}", r"each \g<room> has at most one door"),
+    (r"\bno (?P<room>{room}) (?:{must} )?(?:{has}) (?:more than one door|two doors|a second door|several doors)"
+     r"{end}", r"each \g<room> has at most one door"),
     # "should not have a second door", "has no second door", "does not need a second door"
-    (rf"\b(?:{_MUST} not|cannot|can't|mustn't|shouldn't|does not|doesn't|do not|don't) (?:have|get|need|want) "
-     rf"(?:a second|another|two|any other|any second) doors?{_END}", "has at most one door"),
-    (rf"\b(?:has|have|gets?|needs?|with) no (?:second|other|further|extra) doors?{_END}", "has at most one door"),
-    (rf"\bwithout (?:a|any) (?:second|further|other|extra) door{_END}", "with at most one door"),
+    (r"\b(?:{must} not|cannot|can't|mustn't|shouldn't|does not|doesn't|do not|don't) (?:have|get|need|want) "
+     r"(?:a second|another|two|any other|any second) doors?{end}", "has at most one door"),
+    (r"\b(?:has|have|gets?|needs?|with) no (?:second|other|further|extra) doors?{end}", "has at most one door"),
+    (r"\bwithout (?:a|any) (?:second|further|other|extra) door{end}", "with at most one door"),
     # "has only one door", "one door only", "a single door"
-    (rf"\b{_ALONE}{_END}", "at most one door"),
+    (r"\b{alone}{end}", "at most one door"),
     # "needs two doors", "has exactly three doors"
-    (rf"\b(?P<has>(?:{_MUST}) have|needs?|gets?|wants?) (?:exactly |precisely )?{_MANY} doors{_TOLD_OFF}{_END}",
+    (r"\b(?P<has>(?:{must}) have|needs?|gets?|wants?) (?:exactly |precisely )?{many} doors{_TOLD_OFF}{end}",
      r"has at least \g<n> doors"),
-    (rf"\b(?P<room>{_ROOM}) (?P<has>has|have|with) (?:exactly |precisely )?{_MANY} doors{_TOLD_OFF}{_END}",
+    (r"\b(?P<room>{room}) (?P<has>has|have|with) (?:exactly |precisely )?{many} doors{_TOLD_OFF}{end}",
      r"\g<room> \g<has> at least \g<n> doors"),
     # "nur eine Tür", "n'a qu'une seule porte", "una sola puerta", "只有一扇门"
     (r"\b(?:nur|bloss|hochstens|maximal|lediglich|genau) eine(?: einzige)? tur\b(?! (?:zu|in|nach|vo))",

@@ -2,7 +2,7 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.patterns import Late
 
 _KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other|largest|smallest) )*"
          r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?room|kitchen|study|balcony|"
@@ -35,31 +35,32 @@ def _one_fewer(found: re.Match[str]) -> str:
     return f"{fewer} {thing} and {found['other']}{found['where'] or ''}"
 
 
-_SAID = [(late(pattern), words) for pattern, words in (
+_WORDS = {"kind": _KIND, "end": _END, "not": _NOT, "the": _THE}
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "actually the study can be left out", "hmm, better without"
-    (rf"\b(?:the|that) ({_KIND}) (?:can|may|could|should|must) (?:also )?(?:be (?:left out|omitted|dropped|skipped|"
-     rf"removed)|stay out){_END}", r"forget the \1"),
-    (rf"(?P<begins>[.;,] ?|^)(?:(?:hmm+|no|actually|well|or|on second thoughts?|rather),? )*"
-     rf"(?:better|rather|preferably) without(?: it| one| that)?{_END}", r"\g<begins>skip that"),
+    (r"\b(?:the|that) ({kind}) (?:can|may|could|should|must) (?:also )?(?:be (?:left out|omitted|dropped|skipped|"
+     r"removed)|stay out){end}", r"forget the \1"),
+    (r"(?P<begins>[.;,] ?|^)(?:(?:hmm+|no|actually|well|or|on second thoughts?|rather),? )*"
+     r"(?:better|rather|preferably) without(?: it| one| that)?{end}", r"\g<begins>skip that"),
     # "change the second bath to a toilet", "make one of the bedrooms a study instead"
     (r"\b(?:change|turn|convert|make) the ((?:second|third|other) bath(?: ?room)?)(?: (?:in)?to)? "
      r"(an? (?:separate )?(?:toilet|wc|guest toilet))(?: instead)?", r"the \1 is \2"),
-    (rf"\b(?:change|turn|convert|make) one of the bed ?rooms(?: (?:in)?to)? (an? {_KIND})(?: instead)?{_END}",
+    (r"\b(?:change|turn|convert|make) one of the bed ?rooms(?: (?:in)?to)? (an? {kind})(?: instead)?{end}",
      _the_last),
     # "not an open kitchen but a separate one"
     (r"\bnot an open(?:[- ]plan)? kitchen,? but (?:rather )?an? (?:separate|closed)(?: one| kitchen)?",
      "a separate kitchen"),
     # "the washing machine should not be in the bathroom but in the kitchen"
-    (rf"\bthe ([a-z ]{{3,18}}?) {_NOT} (?:be |go |stand |be put )?(in {_THE}),? but (?:rather )?(in {_THE})",
+    (r"\bthe ([a-z ]{3,18}?) {not} (?:be |go |stand |be put )?(in {the}),? but (?:rather )?(in {the})",
      r"a \1 \3, not \2"),
     # "in the north-east one", "the first door on the right is the bathroom, the second the kitchen"
     (r"\bin the ((?:north|south)-?(?: )?(?:east|west)|top left|top right|bottom left|bottom right) one\b",
      r"in the \1 corner"),
-    (rf"\bthe (?:first|next) door on (?:the|your) (left|right) (?:is|leads to|goes to|is that of) ({_THE}),? "
-     rf"(?:and )?the (?:second|next|other)(?: one| door)?(?: is| leads to| to)? ({_THE}){_END}",
+    (r"\bthe (?:first|next) door on (?:the|your) (left|right) (?:is|leads to|goes to|is that of) ({the}),? "
+     r"(?:and )?the (?:second|next|other)(?: one| door)?(?: is| leads to| to)? ({the}){end}",
      r"\2 is on the \1, \3 is on the \1"),
-    (rf"\bthe (?:first|second|third|next|last|only) door on (?:the|your) (left|right) "
-     rf"(?:is|leads to|goes to|is that of) ({_THE})", r"\2 is on the \1"),
+    (r"\bthe (?:first|second|third|next|last|only) door on (?:the|your) (left|right) "
+     r"(?:is|leads to|goes to|is that of) ({the})", r"\2 is on the \1"),
     # "at the opposite end of the flat from the bedrooms", "a third of the size of the bedroom"
     (r"\b(?:at|on) the (?:opposite|other|far) (?:end|side) of the (?:flat|apartment|home|house|plan) (?:from|to) ",
      "far from "),
@@ -69,18 +70,18 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"(?:and|but) (?:at most|no more than|not more than|below|under|less than|max(?:imum)?)) (\d+)"
      r"(?! ?(?:m2|sq|square|m\b|%|\d|[a-z]))", r"\1 \3 \2"),
     # "a door to each bedroom but none to the hall"
-    (rf"(\bdoors? (?:in)?to (?:each|both|every|either)(?: of the)? {_KIND}s?),? (?:but|and) (?:none|no door|not one) "
+    (r"(\bdoors? (?:in)?to (?:each|both|every|either)(?: of the)? {kind}s?),? (?:but|and) (?:none|no door|not one) "
      r"(?:in)?to ", r"\1 but not to "),
     # "three beds: a double in the main bedroom and two singles in the other"
     (r"\b(?:two|three|four|five|[2-5]) beds ?: (?=(?:an?|one|two) (?:double|single))", ""),
     (r"\b(an?|one) (double|single)(?= in (?:the|my|our|one|each) )", r"\1 \2 bed"),
     (r"\b(two|three|2|3) (single|double|twin)s(?= in (?:the|my|our|one|each) )", r"\1 \2 beds"),
     # "each bedroom gets a wardrobe, the main one two", "two sofas, one of them a corner sofa"
-    (rf"\b(?P<each>(?:each|every) (?:bed ?)?room (?:has|gets|should have|needs) (?:an?|one) (?P<thing>[a-z]+)),? "
-     rf"(?:and |but )?(?P<one>the (?:main|master|largest|biggest|guest|first|second) (?:one|bed ?room)?) ?"
-     rf"(?P<n>two|three|four|[2-4]){_END}", _several),
-    (rf"\b(?P<n>two|three|four|[2-4]) (?P<thing>[a-z]+s)(?P<where> in {_THE})?,? "
-     rf"(?:one of them|of which one is|one being) (?P<other>an? [a-z ]{{3,20}}?){_END}", _one_fewer),
+    (r"\b(?P<each>(?:each|every) (?:bed ?)?room (?:has|gets|should have|needs) (?:an?|one) (?P<thing>[a-z]+)),? "
+     r"(?:and |but )?(?P<one>the (?:main|master|largest|biggest|guest|first|second) (?:one|bed ?room)?) ?"
+     r"(?P<n>two|three|four|[2-4]){end}", _several),
+    (r"\b(?P<n>two|three|four|[2-4]) (?P<thing>[a-z]+s)(?P<where> in {the})?,? "
+     r"(?:one of them|of which one is|one being) (?P<other>an? [a-z ]{3,20}?){end}", _one_fewer),
 )]  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """Areas that several rooms have together, and limits that none of them passes, in words the rules know."""
 
-from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.patterns import Late
 
 _ROOM = (r"(?:(?:the |both |my |our |all )?(?:two |three |four |2 |3 |4 )?(?:[a-z]+ )?"
          r"(?:(?:living|sitting|dining|bed|bath) ?rooms?|kitchen|study|office|lounge|hall(?:way)?|toilet|balcony|"
@@ -11,20 +11,21 @@ _AREA = (r"(?:about |around |at least |at most )?\d+(?:[.,]\d+)? ?"
          r"(?:m2|sqm|sq m|square met(?:er|re)s?|sq ?ft|square feet)")  # fmt: skip
 _HAVE = (r"(?:have|has|measure|take(?: up)?|occupy|are|get|need|cover|come to|make up|should (?:have|be|measure)|must "
          r"(?:have|be|measure)|may have|to have)")  # fmt: skip
-_SAID = [(late(pattern), words) for pattern, words in (
+_WORDS = {"some": _SOME, "area": _AREA, "have": _HAVE, "room": _ROOM}
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "kitchen and living room share 30 m²", "have 30 m² in total", "have a combined area of 30 m²"
-    (rf"\b({_SOME}),? (?:(?:that|which) )?(?:should |must |may |will |can )?"
-     rf"(?:share|add up to|sum up to|total|come to|make(?: up)?) (?:a total of |an area of )?({_AREA})",
+    (r"\b({some}),? (?:(?:that|which) )?(?:should |must |may |will |can )?"
+     r"(?:share|add up to|sum up to|total|come to|make(?: up)?) (?:a total of |an area of )?({area})",
      r"\1 together \2"),
-    (rf"\b({_SOME}),? (?:{_HAVE} )?({_AREA}) (?:in total|in all|altogether|all together|all told|combined|total|"
+    (r"\b({some}),? (?:{have} )?({area}) (?:in total|in all|altogether|all together|all told|combined|total|"
      r"as a whole|in sum|taken together)\b(?! with)", r"\1 together \2"),
-    (rf"\b({_SOME}),? {_HAVE} (?:a (?:total|combined|joint) (?:floor )?(?:area|size|surface) of|combined|a total of|"
-     rf"in total|altogether) ({_AREA})", r"\1 together \2"),
+    (r"\b({some}),? {have} (?:a (?:total|combined|joint) (?:floor )?(?:area|size|surface) of|combined|a total of|"
+     r"in total|altogether) ({area})", r"\1 together \2"),
     # "neither the study nor the kitchen should be larger than 9 m²"
-    (rf"\bneither ({_ROOM}) n?or ({_ROOM}) (?:should |must |may |can |is to |are to |is allowed to |needs to |has to )?"
+    (r"\bneither ({room}) n?or ({room}) (?:should |must |may |can |is to |are to |is allowed to |needs to |has to )?"
      r"(?:be |is |are |have |has )?(?:larger|bigger|greater|more|exceed)(?: than)? (?=\d)",
      r"\1 and \2 should each be at most "),
-    (rf"\bneither ({_ROOM}) n?or ({_ROOM}) (?:should |must |may |can |is to |are to |is allowed to )?"
+    (r"\bneither ({room}) n?or ({room}) (?:should |must |may |can |is to |are to |is allowed to )?"
      r"(?:be |is |are |have |has )?(?:smaller|less|fewer)(?: than)? (?=\d)", r"\1 and \2 should each be at least "),
 )]  # fmt: skip
 
