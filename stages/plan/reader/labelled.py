@@ -35,6 +35,8 @@ def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
     """The room of `the 9 m² bedroom`, of `my room` beside `her room`; [] is a new one, None where nobody says so."""
     if phrase.quantifier == Det.THE and len(phrase.areas) == 1:
         return [e for e in known if e.area == phrase.areas[0]][:1] or None
+    if phrase.bounds and phrase.quantifier == Det.BARE and len(known) == 1 and known[0].area is None:
+        return known  # "bathrooms: 1. … bathroom <= 6 m²"
     if phrase.text.split()[0] not in POSSESSIVE:
         return None
     free = [e for e in known if e.name == phrase.text] or [

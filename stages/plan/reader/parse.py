@@ -44,6 +44,7 @@ from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
 from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
+from apartgen.stages.plan.reader.straightened import straightened
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.turned import turned
 from apartgen.stages.plan.reader.unread import can_be_met, limits
@@ -58,7 +59,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(fold(prompt))))))))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(fold(prompt)))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
     whole, text = about(text)

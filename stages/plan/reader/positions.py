@@ -78,8 +78,10 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             k += 1 + more
             continue
         elif and_entrance(items, k) and (rooms := rooms_placed(items, link_before(items, k))):
-            link = items[link_before(items, k)]
-            said.asked += _from_entrance(rooms, items, link.value, f"{link.text} {text}")
+            at = link_before(items, k)
+            link, denied = items[at], any(i.kind == "negation" for i in items[max(at - 3, 0) : at])
+            value = link.value if not denied else "near" if link.value == "apart" else "apart"
+            said.asked += _from_entrance(rooms, items, value, f"{link.text} {text}")
             out.pop()
             k += 1
             continue
@@ -208,7 +210,8 @@ def _named(room: RoomPhrase) -> bool:
 
 def _bare_side(item: Item) -> bool:
     """`east`, `to east`, `towards the east`."""
-    return item.text.split()[-1] == item.value and set(item.text.split()[:-1]) <= {"to", "towards", "toward", "the"}
+    *words, side = item.text.split()
+    return side == item.value and set(words) <= {"to", "towards", "toward", "the"}
 
 
 def _whose(items: list[Item], k: int) -> RoomPhrase | None:
