@@ -13,7 +13,11 @@ _HAS = r"(?:has|have|gets?|needs?|with|having)"
 _MUST = r"(?:must|should|can|may|shall|is to|are to|has to|have to|needs to|need to)"
 _MANY = r"(?P<n>two|three|four|2|3|4)"
 _TOLD_OFF = r"(?! ?[,:;(-]* ?(?:one|to|into|from|the first|a door|each|that|which|off|on|between)\b)"
-_WORDS = {"must": _MUST, "has": _HAS, "alone": _ALONE, "room": _ROOM, "the": _THE, "end": _END, "many": _MANY}
+_DIGITS: dict[str, str] = {
+           "zwei": "2", "drei": "3", "vier": "4", "deux": "2", "trois": "3", "quatre": "4", "dos": "2", "tres": "3",
+           "cuatro": "4", "两": "2", "三": "3", "四": "4"}  # fmt: skip
+_WORDS = {"must": _MUST, "has": _HAS, "alone": _ALONE, "room": _ROOM, "the": _THE, "end": _END, "many": _MANY,
+          "told_off": _TOLD_OFF}  # fmt: skip
 _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "the kitchen has only one door, to the living room", "…, which leads to the living room"
     (r"\b(?:{must} )?{has} (?:{alone},?|(?:one|1) door,|(?:one|1) door(?= which| that)) (?:and )?"
@@ -40,9 +44,9 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "has only one door", "one door only", "a single door"
     (r"\b{alone}{end}", "at most one door"),
     # "needs two doors", "has exactly three doors"
-    (r"\b(?P<has>(?:{must}) have|needs?|gets?|wants?) (?:exactly |precisely )?{many} doors{_TOLD_OFF}{end}",
+    (r"\b(?P<has>(?:{must}) have|needs?|gets?|wants?) (?:exactly |precisely )?{many} doors{told_off}{end}",
      r"has at least \g<n> doors"),
-    (r"\b(?P<room>{room}) (?P<has>has|have|with) (?:exactly |precisely )?{many} doors{_TOLD_OFF}{end}",
+    (r"\b(?P<room>{room}) (?P<has>has|have|with) (?:exactly |precisely )?{many} doors{told_off}{end}",
      r"\g<room> \g<has> at least \g<n> doors"),
     # "nur eine Tür", "n'a qu'une seule porte", "una sola puerta", "只有一扇门"
     (r"\b(?:nur|bloss|hochstens|maximal|lediglich|genau) eine(?: einzige)? tur\b(?! (?:zu|in|nach|vo))",
@@ -57,8 +61,6 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     (r"(?:只能有|只有|只要|只开|最多有?|仅有?)(?:一|1)(?:扇|个|道)门(?!通|到|开)", " at most one door"),
     (r"最多有?(两|三|四|2|3|4)(?:扇|个|道)门", lambda found: f" at most {_DIGITS.get(found[1], found[1])} doors"),
 )]  # fmt: skip
-_DIGITS = {"zwei": "2", "drei": "3", "vier": "4", "deux": "2", "trois": "3", "quatre": "4", "dos": "2", "tres": "3",
-           "cuatro": "4", "两": "2", "三": "3", "四": "4"}  # fmt: skip
 
 
 def doors_counted(text: str) -> str:

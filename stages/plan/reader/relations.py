@@ -113,7 +113,7 @@ def _is_to_open(items: list[Item], p: Predicate, left: list[RoomPhrase], right: 
 
 def _topic(items: list[Item], p: Predicate, before: list[Predicate]) -> list[RoomPhrase]:
     """What `it` is: what the sentence is about, in a bare list the room before."""
-    named = _rooms(items, 0, p.subject[0])
+    named = [r for r in _rooms(items, 0, p.subject[0]) if not r.headline]
     told = before or any(i.kind == "copula" for i in items[: p.subject[0]])
     single = [r for r in named if not r.plural and (r.count or 1) == 1]
     return named[:1] if told else (single or named)[-1:]

@@ -51,7 +51,9 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
      r"\1 is next to \2"),
     (r",? (?:but|and) (?:keep )?the ((?:bed|bath) ?rooms) (?:apart|separate)(?: from (?:each other|one another))?{end}",
      r". the \1 are not next to each other"),
-    # "a bath and a shower in the bathroom"
+    # "a desk for two in the study", "a bath and a shower in the bathroom"
+    (r"\b(desk|sofa|couch|bench|shower|bathtub) for (?:two|three|four|[2-4])(?: people| persons)?"
+     r"(?= in |,| and |[.;]|$)", r"\1"),
     (r"\ban? bath(,| and| as well as) (?=(?:an? )?(?:separate |walk-in )?shower\b)", r"a bathtub\1 "),
     (r"(\bshower(?:,| and| as well as) an?) bath(?= in the|,| ?[.;]|$)", r"\1 bathtub"),
     # "Küche und Wohnzimmer zusammen 35 m²", "la cocina está junto al comedor"

@@ -54,6 +54,18 @@ def test_the_only_way() -> None:
     assert doors(program, "kitchen_1") == {"dining_room_1"}
 
 
+def test_a_desk_for_two_counts_no_rooms() -> None:
+    program = read(f"{FLAT} A desk for two in the study.")
+    assert {(o.room, o.category, o.count) for o in program.objects} == {("study_1", "desk", 1)}
+    assert doors(program, "study_1") == {"hallway_1"}
+
+
+def test_it_is_the_hall() -> None:
+    program = read("Need a 2-bed flat: hall in the middle, every room opens off it, kitchen opposite the living room.")
+    assert doors(program, "hallway_1") == {r.id for r in program.rooms} - {"hallway_1"}
+    assert len(program.links) == len(program.rooms) - 1
+
+
 def test_a_bath_that_stands_in_the_bathroom() -> None:
     program = read(f"{FLAT} A bath and a shower in the bathroom.")
     assert {(o.room, o.category) for o in program.objects} == {("bathroom_1", "bath"), ("bathroom_1", "shower")}
