@@ -90,3 +90,11 @@ def test_an_area_of_two_beside_that_of_each(text: str) -> None:
 def test_a_spanish_clause_goes_on() -> None:
     program = read("Piso de dos dormitorios: el baño solo tiene puerta al pasillo y la cocina está junto al comedor.")
     assert doors(program, "bathroom_1") == {"hallway_1"}
+
+
+def test_nobody_walks_through_the_kitchen_to_the_living_room() -> None:
+    program = read(f"{FLAT} Dining room open to the living room. Kitchen has a door to the hallway and a door to the "
+                   "dining room.")  # fmt: skip
+    assert doors(program, "hallway_1") >= {"living_room_1", "kitchen_1"}
+    row = read("The kitchen has a door to the utility room, which has no other door. Two bedrooms, one bath.")
+    assert not row.requirements and doors(row, "utility_1") == {"kitchen_1"}
