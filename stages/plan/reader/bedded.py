@@ -24,7 +24,7 @@ _TWO = late(rf"\b(?P<who>{_OWNED}|we|us|i|me) in one(?: (?:bed ?)?room| of them)
 _SEVERAL = late(r"\b(?:two|three|four|five|[2-5])[ -]?(?:bed ?rooms|bed\b|br\b)")
 _HAVE = r"(?:have|has|get|gets|need|needs|want|wants|sleep in|sleeps in|should have|must have)"
 _THEIRS = [late(rf"\b(?:(?:the|our|my) )?({_YOUNG}|{_OLD}|guests?) {_HAVE} (?={_BED})"),
-           late(rf"\bwe {_HAVE} (?={_BED})")]  # fmt: skip
+           late(rf"\bwe (?:have|get|sleep in) (?={_BED})(?![^.;]*\bthere\b)")]  # fmt: skip
 
 
 def bedded(text: str) -> str:

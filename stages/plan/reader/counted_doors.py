@@ -39,7 +39,8 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "should not have a second door", "has no second door", "does not need a second door"
     (r"\b(?:{must} not|cannot|can't|mustn't|shouldn't|does not|doesn't|do not|don't) (?:have|get|need|want) "
      r"(?:a second|another|two|any other|any second) doors?{end}", "has at most one door"),
-    (r"(?<!which )(?<!that )\b(?:has|have|gets?|needs?|with) no (?:second|other|further|extra) doors?{end}", "has at most one door"),
+    (r"(?<!which )(?<!that )\b(?:has|have|gets?|needs?|with) no (?:second|other|further|extra) doors?{end}",
+     "has at most one door"),
     (r"\bwithout (?:a|any) (?:second|further|other|extra) door{end}", "with at most one door"),
     # "has only one door", "one door only", "a single door"
     (r"\b{alone}{end}", "at most one door"),

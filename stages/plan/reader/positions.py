@@ -78,10 +78,8 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             k += 1 + more
             continue
         elif and_entrance(items, k) and (rooms := rooms_placed(items, link_before(items, k))):
-            at = link_before(items, k)
-            link, denied = items[at], any(i.kind == "negation" for i in items[max(at - 3, 0) : at])
-            value = link.value if not denied else "near" if link.value == "apart" else "apart"
-            said.asked += _from_entrance(rooms, items, value, f"{link.text} {text}")
+            link = items[link_before(items, k)]
+            said.asked += _from_entrance(rooms, items, _as_denied(items, k), f"{link.text} {text}")
             out.pop()
             k += 1
             continue
@@ -107,6 +105,14 @@ def _unless_denied(out: list[Item], value: str) -> str:
         return value
     del out[at]
     return "near" if value == "apart" else "apart"
+
+
+def _as_denied(items: list[Item], k: int) -> str:
+    """`no bedroom may be next to the kitchen or the entrance`: apart from both."""
+    at = link_before(items, k)
+    value = items[at].value
+    denied = any(i.kind == "negation" for i in items[max(at - 3, 0) : at])
+    return value if not denied else "near" if value == "apart" else "apart"
 
 
 def _from_entrance(rooms: list[RoomPhrase], items: list[Item], value: str, text: str) -> list[Asked]:

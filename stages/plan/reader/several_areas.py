@@ -11,7 +11,8 @@ _AREA = (r"(?:about |around |at least |at most )?\d+(?:[.,]\d+)? ?"
          r"(?:m2|sqm|sq m|square met(?:er|re)s?|sq ?ft|square feet)")  # fmt: skip
 _HAVE = (r"(?:have|has|measure|take(?: up)?|occupy|are|get|need|cover|come to|make up|should (?:have|be|measure)|must "
          r"(?:have|be|measure)|may have|to have)")  # fmt: skip
-_WORDS = {"some": _SOME, "area": _AREA, "have": _HAVE, "room": _ROOM}
+_WORDS = {"some": _SOME, "area": _AREA, "have": _HAVE, "room": _ROOM,
+          "unit": r"(?:m2|sqm|sq m|square met(?:er|re)s?|sq ?ft|square feet)"}  # fmt: skip
 _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "kitchen and living room share 30 m²", "have 30 m² in total", "have a combined area of 30 m²"
     (r"\b({some}),? (?:(?:that|which) )?(?:should |must |may |will |can )?"
@@ -21,6 +22,13 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
      r"as a whole|in sum|taken together)\b(?! with)", r"\1 together \2"),
     (r"\b({some}),? {have} (?:a (?:total|combined|joint) (?:floor )?(?:area|size|surface) of|combined|a total of|"
      r"in total|altogether) ({area})", r"\1 together \2"),
+    # "must not be larger than 25 m² nor smaller than 18 m²"
+    (r"\b(?:not|n't|neither) (?:be )?(?:larger|bigger|more|greater) than (?P<most>\d+(?:[.,]\d+)?)(?: ?{unit})?,? "
+     r"(?:n?or|and not)(?: be)? (?:smaller|less) than (?P<least>\d+(?:[.,]\d+)?) ?(?P<unit>{unit})",
+     r"be between \g<least> and \g<most> \g<unit>"),
+    (r"\b(?:not|n't|neither) (?:be )?(?:smaller|less) than (?P<least>\d+(?:[.,]\d+)?)(?: ?{unit})?,? "
+     r"(?:n?or|and not)(?: be)? (?:larger|bigger|more|greater) than (?P<most>\d+(?:[.,]\d+)?) ?(?P<unit>{unit})",
+     r"be between \g<least> and \g<most> \g<unit>"),
     # "neither the study nor the kitchen should be larger than 9 m²"
     (r"\bneither ({room}) n?or ({room}) (?:should |must |may |can |is to |are to |is allowed to |needs to |has to )?"
      r"(?:be |is |are |have |has )?(?:larger|bigger|greater|more|exceed)(?: than)? (?=\d)",

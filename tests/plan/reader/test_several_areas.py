@@ -45,6 +45,14 @@ def test_a_limit_said_of_a_list_is_that_of_each(text: str, kind: str, rooms: set
     assert {r.of for r in found} == rooms and {(r.kind, float(r.value or 0)) for r in found} == {(kind, 12.0)}
 
 
+@pytest.mark.parametrize("words", ["larger than 25 m² nor smaller than 18 m²", "smaller than 18 nor larger than 25 m²"])
+def test_both_limits_of_one_area(words: str) -> None:
+    program = read(f"{FLAT} The living room must not be {words}.")
+    assert {(r.kind, r.of, r.value) for r in program.requirements} == {
+        ("at_least", "living_room_1", "18"), ("at_most", "living_room_1", "25")}  # fmt: skip
+    assert program.total_area is None
+
+
 @pytest.mark.parametrize(("text", "rooms"), TOGETHER)
 def test_an_area_of_several_is_shared(text: str, rooms: tuple[str, ...]) -> None:
     found = areas(f"{FLAT} {text}")
