@@ -54,8 +54,9 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "a desk for two in the study", "a bath and a shower in the bathroom"
     (r"\b(desk|sofa|couch|bench|shower|bathtub) for (?:two|three|four|[2-4])(?: people| persons)?"
      r"(?= in |,| and |[.;]|$)", r"\1"),
-    (r"\ban? bath(,| and| as well as) (?=(?:an? )?(?:separate |walk-in )?shower\b)", r"a bathtub\1 "),
-    (r"(\bshower(?:,| and| as well as) an?) bath(?= in the|,| ?[.;]|$)", r"\1 bathtub"),
+    (r"\ban? bath(,| and| as well as) (?=(?:an? )?(?:separate |walk-in )?shower in the )",
+     r"a bathtub\1 "),
+    (r"(\bshower(?:,| and| as well as) an?) bath(?= in the )", r"\1 bathtub"),
     # "Küche und Wohnzimmer zusammen 35 m²", "la cocina está junto al comedor"
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
