@@ -18,7 +18,8 @@ def subjects_listed(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
     verb = told[0].text.split()[0] if told else ""
     start = _start(items, j)
     first, *others = rooms = [i.room for i in items[start : j + 1] if i.room is not None]
-    if not verb and items[k].bounds and start and is_mark(items[start - 1], ",") and all(r.quantifier == Det.THE for r in rooms):
+    listed = start > 0 and is_mark(items[start - 1], ",") and all(r.quantifier == Det.THE for r in rooms)
+    if not verb and items[k].bounds and listed:
         return rooms  # "…, the kitchen and the study at most 9 m²"
     if not others or not verb or verb in SINGULAR:
         return []
