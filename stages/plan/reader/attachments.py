@@ -281,6 +281,7 @@ def _loose(item: Item, before: list[Item], after: list[Item], said: Said) -> Non
         holder = known[-1] if known and (item.kind == "objects" or known[-1].objects) else None
     if holder is None:
         said.loose_objects.append((item.value if item.kind == "object" else "", int(item.number)))
+        said.uncounted |= {item.value} if item.form == "some" else set()
     elif item.kind == "objects":
         holder.object_count = int(item.number)
     else:

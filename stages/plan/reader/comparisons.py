@@ -1,8 +1,17 @@
 """Which rooms are compared: `A is twice as large as B`, `bedrooms of equal size`."""
 
+from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
+
+
+def compared_again(items: list[Item], before: list[RoomPhrase]) -> list[Item]:
+    """`The study is next to the kitchen. It should be larger than the bathroom.`: the study of the sentence before."""
+    told = [i.kind for i in items if i.kind != "copula"][:2] == ["pronoun", "compare"] and items[0].value == "it"
+    one = before[-1] if before else None
+    fits = told and one is not None and bool(one.type) and not one.headline and not one.negated
+    return [again_named(one), *items[1:]] if fits and one is not None else items
 
 
 def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:

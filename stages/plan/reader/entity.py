@@ -45,11 +45,13 @@ class Entity:
     factor: float = 1.0
     owner: "Entity | None" = None
     objects: list[tuple[str, int]] = field(default_factory=list)
+    alike: set[str] = field(default_factory=set)
     object_count: int | None = None
     counted: bool = False
     picked: bool = False
     vague: bool = False
     spoken: bool = False
+    placed: bool = False
     rank: str = ""
     name: str = ""
 

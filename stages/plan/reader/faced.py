@@ -21,6 +21,8 @@ _ES = {"norte": "north", "sur": "south", "este": "east", "oeste": "west", "nores
        "suroeste": "south west", "sudoeste": "south west"}  # fmt: skip
 _SIDE_OF = _DE | _FR | _ES
 _NACH, _AU, _AL = ("|".join(sorted(sides, key=len, reverse=True)) for sides in (_DE, _FR, _ES))
+_SEVERAL = re.compile(r"(?:sollen|sind|(?!sich)[a-z]+en|donnent|regardent|sont|miran|dan|se orientan|estan)\b")
+"""Verbs of several rooms."""
 _VERBS = [late(pattern) for pattern in (
     # "zeigt nach Westen", "liegen nach Süden hin"
     r"\b(?:(?:zeig|blick|weis|schau|geh|lieg|geoffne|offne)(?:t|en)(?: sich)?|soll(?:en)? (?=[^.,;]* (?:zeigen|blicken|"
@@ -44,7 +46,7 @@ def facing(text: str) -> str:
 
 
 def _faces(found: re.Match[str]) -> str:
-    return f"faces {_SIDE_OF[found[1]]}"
+    return f"{'face' if _SEVERAL.match(found.group()) else 'faces'} {_SIDE_OF[found[1]]}"
 
 
 def subject_of(items: list[Item], j: int, k: int) -> int:

@@ -73,6 +73,8 @@ class Household:
             entity.spoken = phrase.quantifier == Det.BARE and id(phrase) in self.asked and not phrase.plural
             entity.vague = bool(phrase.ordinals) or phrase.count is None and (phrase.definite or named)
         lay(phrase, found)
+        for entity in found if id(phrase) in self.asked else []:
+            entity.placed = True
         self.refs[id(phrase)] = found
         if len(found) > 1:
             self.group = found
@@ -243,7 +245,8 @@ class Household:
         if phrase.count is None:
             return self._uncounted(phrase, known, mentioned)
         count = math.ceil(phrase.count)
-        if phrase.type in self.totals or (mentioned and len(known) >= count):
+        of_those = id(phrase) in self.asked and len(known) > count > 1 and not any(e.placed for e in known)
+        if phrase.type in self.totals or (mentioned and len(known) >= count) or of_those:
             free = [e for e in known if not e.picked] or known
             if count >= len(known):
                 return self.ensure(phrase.type, count)

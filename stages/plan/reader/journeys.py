@@ -4,7 +4,8 @@ from apartgen.stages.plan.reader.clausal import again_named
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 
 THROUGH = ("through", "via", "crosses", "crossing", "cross")
-GOING = ("go", "goes", "walk", "walks", "step", "steps", "drive", "drives", "move", "moves")
+GOING = ("go", "goes", "walk", "walks", "step", "steps", "drive", "drives", "move", "moves", "leads",
+         "opens")  # fmt: skip
 INTO = ("to", "into", "onto", "in", "out to", "out onto")
 WALKERS = ("you", "we", "one", "get", "enter", "reach")
 """First words of what is told of somebody who comes into a room."""
@@ -104,8 +105,17 @@ def _straight(items: list[Item], k: int) -> int | None:
     into = to.kind in ("link", "with") and to.text in INTO
     if words[0] in GOING and into and verb.room is not None:
         return k + 3
+    if words == ["from"] and into and verb.room is not None and _on_foot(items, k):
+        return k + 3
     walked = to.value == "to" and verb.kind == "reach" and verb.text.split()[0] in GOING
     return k + 4 if len(words) == 1 and walked and room.room is not None else None
+
+
+def _on_foot(items: list[Item], k: int) -> bool:
+    """Whether `from A into B` at `k` is where somebody walks, or walks on."""
+    start = max((j for j in range(k) if is_mark(items[j], ".;")), default=0)
+    walks = any(i.kind == "reach" or i.text.split()[0] in GOING for i in items[start:k] if i.text)
+    return walks and items[k - 1].kind in ("reach", "mark", "conjunction")
 
 
 def _through(items: list[Item], k: int) -> bool:

@@ -13,11 +13,15 @@ ROOM = {"child": "kids room", "twins": "kids room", "adult": "relative's room", 
         "spouse": "parents' bedroom"}  # fmt: skip
 """What the room of such people is called in the lexicon."""
 
+ELDERS = re.compile(r"grand|gross|in-laws|abuelos")
+"""Of couples, those whose home it is not."""
 PLURALS = ("s", "children", "kinder", "kindern", "sohne", "teenager", "madchen")
 
 
 def rooms_for(match: re.Match[str], count: int) -> str:
     kind = kind_of(match)
+    if kind == "couple" and ELDERS.match(match["couple"]):
+        return f"a {ROOM['adult']}"
     if kind in ("couple", "spouse"):
         return f"a {ROOM[kind]}"
     return f"a {ROOM[kind]}" if count == 1 else f"{count} {ROOM[kind]}s"

@@ -35,6 +35,8 @@ def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
     """The room of `the 9 m² bedroom`, of `my room` beside `her room`; [] is a new one, None where nobody says so."""
     if phrase.quantifier == Det.THE and len(phrase.areas) == 1:
         return [e for e in known if e.area == phrase.areas[0]][:1] or None
+    if phrase.bounds and phrase.quantifier == Det.BARE and len(known) == 1 and known[0].area is None:
+        return known  # "bathrooms: 1. … bathroom <= 6 m²"
     if phrase.text.split()[0] not in POSSESSIVE:
         return None
     free = [e for e in known if e.name == phrase.text] or [
@@ -81,6 +83,7 @@ def labelled(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[
         count = max(len(found), 1) if found else count
     if not found and full and labels == {Trait.MASTER}:
         found = [e for e in home.of(phrase.type) if not e.labels & set(DISTINCT)][:1]  # "both bedrooms …; the main one"
+    found = found or _told_off_before(home, phrase, labels)
     found += home.add(phrase.type, count - len(found))
     for entity in found:
         entity.labels |= labels
@@ -104,8 +107,21 @@ def _among_known(phrase: RoomPhrase, labels: set[Trait], free: list[Entity], tot
 
 def _one_of_counted(home: "Household", phrase: RoomPhrase, free: list[Entity]) -> bool:
     """`three bedrooms. Grandma's bedroom is next to the bath`: of whose room more is said, it is one of those."""
-    whose = phrase.quantifier == Det.BARE and phrase.count is None and "'s " in phrase.text
+    whose = phrase.quantifier == Det.BARE and phrase.count is None and _owned(phrase.text)
     return whose and bool({id(phrase)} & (home.mentions | home.asked)) and len([e for e in free if e.counted]) > 1
+
+
+def _told_off_before(home: "Household", phrase: RoomPhrase, labels: set[Trait]) -> list[Entity]:
+    """`three bedrooms: one for us, one for her, one for our son. Grandmother's bedroom …`: the last without a name."""
+    rooms = home.of(phrase.type)
+    whose = bool(labels & OTHERS) and phrase.quantifier == Det.THE and phrase.count is None and _owned(phrase.text)
+    fits = whose and phrase.type == "bedroom" and len(rooms) > 1 and all(e.counted and e.picked for e in rooms)
+    return [e for e in rooms if not e.labels & set(DISTINCT)][-1:] if fits else []
+
+
+def _owned(text: str) -> bool:
+    """Whether a room is somebody's: `grandma's bedroom`, `爷爷奶奶的卧室`."""
+    return "'s " in text or "的" in text
 
 
 def _counted(free: list[Entity]) -> bool:

@@ -114,10 +114,15 @@ def _off_living(hallway: AskedRoom, rooms: list[AskedRoom], links: list[Link]) -
 
 
 def _without_short_cuts(room: AskedRoom, rooms: list[AskedRoom], links: list[Link], start: str) -> list[Link]:
-    """A kitchen or a study with doors to both hallway and living room is no way in to the living room."""
+    """A kitchen or a study with doors to both hallway and living room is no way in to the living room.
+
+    Nor is a dining room behind such a kitchen.
+    """
     if room.type != "living_room":
         return links
     kitchens = [r.id for r in rooms if r.type in ("kitchen", "study") and edge(r.id, start) in links]
+    dining = [r.id for r in rooms if r.type == "dining_room" and set(_beside(r.id, links)) & set(kitchens)]
+    kitchens += [r for r in dining if set(_beside(r, links)) <= {*kitchens, room.id}]
     return [pair for pair in links if not (room.id in pair and set(pair) & set(kitchens))]
 
 

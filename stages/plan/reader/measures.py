@@ -1,6 +1,7 @@
 """Areas, shares and comparisons, given to the rooms they speak of."""
 
 from apartgen.stages.plan.reader.differences import by_difference, differs
+from apartgen.stages.plan.reader.enumerated import known_list, subjects_listed
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
 from apartgen.stages.plan.reader.remarks import behind_remark
 from apartgen.stages.plan.reader.sense import sense
@@ -9,6 +10,8 @@ from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 LARGE = 40.0
 """Area, m², that no room has of which several are alike."""
+SMALLEST = 18.0
+"""Area, m², that no home falls below; `a storage room of 15 m²` is a room."""
 MOST = 1000.0
 """Greatest area, m², that may be the flat's where it stands with a room."""
 
@@ -78,7 +81,7 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         if (
             phrase is not None
             and phrase.areas
-            and (phrase.headline or 5 * sense()["area"].get(phrase.type, 12.0) < phrase.areas[0] <= MOST)
+            and (phrase.headline or max(5 * sense()["area"].get(phrase.type, 12.0), SMALLEST) < phrase.areas[0] <= MOST)
         ):
             said.total_area, phrase.areas = phrase.areas[0], ()
             said.asked += [Asked(kind, [], "", f"{limit:g}", item.text) for kind, limit in phrase.bounds]
@@ -105,8 +108,8 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
         elif not owners:
             said.unread.append(item.text)
         together = any(i.kind == "sum" for i in items[max(k - 3, 0) : k + 2])
-        if together and len(owners) == 1 and not owners[0].plural:
-            owners = _coordinated(out, owners[0])
+        if together and owners and (len(owners) > 1 or not owners[0].plural or len(_coordinated(out, owners[0])) > 1):
+            owners = owners if len(owners) > 1 else _coordinated(out, owners[0])
             split_area(owners, item.values[0]) if item.kind == "area" else _split_share(owners, item.values[0])
             if item.kind == "share":
                 continue
@@ -117,7 +120,8 @@ def attach_areas(items: list[Item], said: Said) -> list[Item]:
                     owner.areas = owner.areas or (value,)
                 continue
         for owner in owners:
-            owner.together = together or (item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9)
+            most_of_it = item.kind == "share" and item.values[0] * (owner.count or 1) > 0.9
+            owner.together = (together and len(owners) == 1) or most_of_it
             if item.kind == "area":
                 owner.sides = owner.sides if owner.areas else item.sides
                 owner.bounds = owner.bounds if owner.areas else item.bounds
@@ -160,6 +164,8 @@ def _coordinated(before: list[Item], last: RoomPhrase) -> list[RoomPhrase]:
     """`the kitchen and the living room` that end in `last`."""
     at = next(j for j, i in enumerate(before) if i.room is last)
     out = [last]
+    if len(whole := known_list(before, at)) > 1:
+        return whole
     while at > 1 and before[at - 1].kind == "conjunction" and (phrase := before[at - 2].room) is not None:
         out.insert(0, phrase)
         at -= 2
@@ -236,8 +242,13 @@ def _each_of(before: list[Item], items: list[Item], j: int, k: int) -> list[Room
     room, earlier = before[j].room, before[j - 1].room if j else None
     assert room is not None
     each = any(r.quantifier in (Det.EACH, Det.BOTH) for r in rooms_of(items[k + 1 : k + 2]))
+    if room.type == "" and room.quantifier == Det.EACH and j > 1 and before[j - 1].kind == "copula":
+        earlier, before = before[j - 2].room, [*before[: j - 1], *before[j:], before[j - 1]]  # "A and B are each 12 m²"
+        j -= 1
     if room.type == "" and room.quantifier in (Det.EACH, Det.BOTH) and earlier is not None:
         each, room, j = True, earlier, j - 1
+    if len(whole := subjects_listed([*before, items[k]], j, len(before))) > 1:
+        return whole  # "the study and both bedrooms are 12 m²"
     group = [room]
     each = each and room.type != ""
     while each and not room.plural and j > 1 and (before[j - 1].kind == "conjunction" or is_mark(before[j - 1], ",")):
@@ -257,7 +268,7 @@ def _speaks_of_flat(before: list[Item], j: int, area: Item) -> bool:
     usual = sense()["area"].get(phrase.type, 12.0)
     apart = any(is_mark(i, ",") for i in before[j + 1 :])
     whole = bool(phrase.headline) and area.values[0] > 1.6 * usual  # "1 bath 6 m²" is no flat
-    return whole or bool(area.values[0] > (2.2 if apart else 5.0) * usual)
+    return whole or bool(area.values[0] > (2.2 * usual if apart else max(5.0 * usual, SMALLEST)))
 
 
 def _of_all(before: list[Item], area: Item) -> bool:
@@ -271,13 +282,18 @@ def _of_all(before: list[Item], area: Item) -> bool:
 
 def _split_share(group: list[RoomPhrase], whole: float) -> None:
     """One share of the floor for several rooms, in the ratio of their usual areas."""
-    usual = [sense()["area"].get(r.type, 12.0) for r in group]
-    for room, part in zip(group, usual, strict=True):
-        room.share = whole * part / sum(usual)
+    for room, part in zip(group, _parts(group), strict=True):
+        room.share = whole * part
 
 
 def split_area(group: list[RoomPhrase], whole: float) -> None:
     """One area for several rooms, in the ratio of their usual areas."""
+    for room, part in zip(group, _parts(group), strict=True):
+        room.areas = (whole * part,)
+
+
+def _parts(group: list[RoomPhrase]) -> list[float]:
+    """What each room of a group has of their area; of a phrase for several, each of these."""
     usual = [sense()["area"].get(r.type, 12.0) for r in group]
-    for room, part in zip(group, usual, strict=True):
-        room.areas = (whole * part / sum(usual),)
+    many = [(r.count or 2) if r.plural else 1 for r in group]
+    return [part / sum(u * n for u, n in zip(usual, many, strict=True)) for part in usual]

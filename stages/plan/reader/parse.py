@@ -8,8 +8,10 @@ from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
-from apartgen.stages.plan.reader.comparisons import comparisons
+from apartgen.stages.plan.reader.bedded import bedded
+from apartgen.stages.plan.reader.comparisons import compared_again, comparisons
 from apartgen.stages.plan.reader.corrections import corrected
+from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.distributed import each_beside_one
@@ -21,6 +23,7 @@ from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.learners import as_learnt
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
+from apartgen.stages.plan.reader.likewise import likewise
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
@@ -34,11 +37,14 @@ from apartgen.stages.plan.reader.plainly import plainly
 from apartgen.stages.plan.reader.positions import positions, role_of
 from apartgen.stages.plan.reader.purposes import purposes
 from apartgen.stages.plan.reader.quantities import quantities
+from apartgen.stages.plan.reader.rather import rather
 from apartgen.stages.plan.reader.relations import at_table, place, relations
 from apartgen.stages.plan.reader.remarks import of_that_home
 from apartgen.stages.plan.reader.rephrased import rephrased
 from apartgen.stages.plan.reader.scope import drop_alternatives, negate_links, spread_negation
+from apartgen.stages.plan.reader.several_areas import of_several
 from apartgen.stages.plan.reader.statements import Said, Statement, between_pairs, door_pairs, lists_doors, sentences
+from apartgen.stages.plan.reader.straightened import straightened
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.turned import turned
 from apartgen.stages.plan.reader.unread import can_be_met, limits
@@ -53,7 +59,8 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(parted(as_learnt(fold(prompt))))))))))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(fold(prompt)))))))))
+    folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
     whole, text = about(text)
     whole = whole if people is None else replace(whole, people=people)
@@ -164,6 +171,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     _it_is(items)
+    items = compared_again(items, before)
     items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
     items = _closed(attach_areas(of_the_last(items, before), said))
     items = [

@@ -1,5 +1,6 @@
 """Of which rooms a place is said: `on the left the kitchen and the bath`, `north of A is B`, `it is at the back`."""
 
+from apartgen.stages.plan.reader.enumerated import KNOWN, subjects_listed
 from apartgen.stages.plan.reader.faced import subject_of
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark
 from apartgen.stages.plan.reader.vocabulary import Det
@@ -105,6 +106,8 @@ def _list(items: list[Item], k: int, headed: bool = False) -> list[RoomPhrase]:
 
 def _beside_what(items: list[Item], k: int) -> list[RoomPhrase]:
     """The rooms that lie to a side of another: `left of A is B`, `north of A and west of B`, `B, north of A`."""
+    if k > 1 and is_mark(items[k - 1], ":") and (headed := items[k - 2].room) is not None:
+        return [headed]  # "kitchen: north of the living room"
     if k == 0 or items[k - 1].kind in ("mark", "boundary"):
         after = next((i for i in items[k + 2 :] if i.kind not in ("reach", "copula")), Item(""))
         if after.room is not None or not k or not is_mark(items[k - 1], ","):
@@ -122,20 +125,27 @@ def _one(room: RoomPhrase) -> bool:
 
 
 def _pair(items: list[Item], j: int, k: int) -> list[RoomPhrase]:
-    """The room at `j`, with the one before it where `and` joins just these two: `bath and bedroom at the back`."""
+    """The room at `j`, with those before it that a list joins: `bath and bedroom at the back`, `A, B and C face south`.
+
+    Behind a verb of several all of a list count, else just two.
+    """
     last = items[j].room
+    if last is not None and not last.type and j and items[j - 1].room is not None and last.quantifier == Det.ALL:
+        return subjects_listed(items, j - 1, k) or [last]  # "A, B and C should all face south"
     first = items[j - 2].room if j > 1 and items[j - 1].kind == "conjunction" else None
     if items[j].joined and j and items[j - 1].room is not None:
         return [room for i in items[j - 1 : j + 1] if (room := i.room)]  # "living-kitchen"
     if last is None or first is None:
         return [last] if last else []
+    if len(whole := subjects_listed(items, j, k)) > 1:
+        return whole
     told = j > 2 and items[j - 3].kind in ("link", "front")  # "next to the kitchen and the lounge in the corner"
     listed = told or j > 2 and is_mark(items[j - 3], ",") and j > 3 and items[j - 4].kind in ("room", "object")
     listed = listed and not _led_to(items, j - 5)
     single = items[k].text.startswith(("is ", *SINGULAR)) or (j > 2 and bool(side_of(items[j - 3])))
     if items[k].text.startswith("facing") and first.quantifier == last.quantifier == Det.A:
         return [last]  # "an office and a balcony facing south"
-    alike = (first.quantifier == Det.THE) == (last.quantifier == Det.THE)
+    alike = (first.quantifier in KNOWN) == (last.quantifier in KNOWN)
     alike = alike or (first.quantifier == Det.THE and _shares_article(last))  # "the kitchen and bathroom face north"
     alike = alike and not (first.quantifier == Det.BARE and first.count != 1 and _one(last))
     return [first, last] if alike and not listed and not single else [last]

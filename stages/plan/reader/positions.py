@@ -11,6 +11,7 @@ from apartgen.stages.plan.reader.statements import Asked, Said
 from apartgen.stages.plan.reader.vocabulary import Det
 
 OPPOSED = ("left", "right", "north", "south", "east", "west")
+OPPOSITES = [frozenset(pair) for pair in (("left", "right"), ("north", "south"), ("east", "west"))]
 NAMED = ("storage", "utility", "study", "closet")
 """Rooms that go by many names, of which each is another one: no pantry is a store."""
 FACING = ("facing", "look", "face", "window", "orient", "ausgericht", "nach",
@@ -78,7 +79,7 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             continue
         elif and_entrance(items, k) and (rooms := rooms_placed(items, link_before(items, k))):
             link = items[link_before(items, k)]
-            said.asked += _from_entrance(rooms, items, link.value, f"{link.text} {text}")
+            said.asked += _from_entrance(rooms, items, _as_denied(items, k), f"{link.text} {text}")
             out.pop()
             k += 1
             continue
@@ -104,6 +105,14 @@ def _unless_denied(out: list[Item], value: str) -> str:
         return value
     del out[at]
     return "near" if value == "apart" else "apart"
+
+
+def _as_denied(items: list[Item], k: int) -> str:
+    """`no bedroom may be next to the kitchen or the entrance`: apart from both."""
+    at = link_before(items, k)
+    value = items[at].value
+    denied = any(i.kind == "negation" for i in items[max(at - 3, 0) : at])
+    return value if not denied else "near" if value == "apart" else "apart"
 
 
 def _from_entrance(rooms: list[RoomPhrase], items: list[Item], value: str, text: str) -> list[Asked]:
@@ -137,8 +146,9 @@ def _beside(items: list[Item], k: int) -> bool:
 def _seen_from(items: list[Item], k: int, said: Said) -> None:
     """Adds the place of a room as seen from another one, or from the entrance."""
     rooms, other = rooms_placed(items, k), items[k + 1].room
-    if other is None and items[k + 1].value == "it" and (again := _it_before(items, k, said)) is not None:
-        other = again
+    if other is None and items[k + 1].value == "it" and (again := _it_before(items, k, said)):
+        other = again if isinstance(again, RoomPhrase) else None
+        items = [*items[: k + 1], Item("entrance", "entrance", again)] if isinstance(again, str) else items
     elif other is None and items[k + 1].value == "it":
         other = next((r for i in reversed(items[:k]) if (r := i.room) is not None and r not in rooms), None)
     to: list[RoomPhrase] | str = "entrance" if items[k + 1].value == "entrance" else [other] if other else ""
@@ -163,12 +173,17 @@ def _it_again(items: list[Item], k: int) -> list[Item]:
     return [*items[:at], again_named(room), *items[at + 1 :]]
 
 
-def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | None:
-    """What `it` stood for just before: `a hall, a lounge to the west of it, a kitchen to the east of it`."""
+def _it_before(items: list[Item], k: int, said: Said) -> RoomPhrase | str | None:
+    """What `it` stood for just before: `a hall, a lounge to the west of it, a kitchen to the east of it`.
+
+    Or, where the side is the opposite one, what stood there: `the bed left of the entrance, the kitchen right of it`.
+    """
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
-    told = any(side_of(items[j]) and items[j + 1].value == "it" for j in range(start, k - 1))
-    to = said.asked[-1].to if told and said.asked else ""
-    return to[0] if isinstance(to, list) and to else None
+    sides = [j for j in range(start, k - 1) if side_of(items[j])]
+    told = any(items[j + 1].value == "it" for j in sides)
+    other = bool(sides) and frozenset((side_of(items[sides[-1]]), side_of(items[k]))) in OPPOSITES
+    to = said.asked[-1].to if (told or other) and said.asked and said.asked[-1].kind == "position" else ""
+    return to if isinstance(to, str) else to[0] if to else None
 
 
 def known(room: RoomPhrase, items: list[Item]) -> RoomPhrase:
@@ -188,16 +203,21 @@ def _as_before(items: list[Item], k: int) -> Item:
     if item.kind != "side" or gap is None or any(word in item.text for word in FACING):
         return item
     joined = k > 1 and (items[k - 2].kind in ("conjunction", "boundary") or is_mark(items[k - 2], ","))
-    if not (gap.quantifier == Det.OTHER or gap.ordinals) and not (joined and gap.definite and _bare_side(item)):
+    if not (gap.quantifier == Det.OTHER or gap.ordinals) and not (joined and _named(gap) and _bare_side(item)):
         return item
     start = max((j + 1 for j in range(k) if is_mark(items[j], ".")), default=0)
     told = [i for i in items[start:k] if i.kind == "side" and any(word in i.text for word in FACING)]
     return replace(item, text=f"facing {item.text}") if told else item
 
 
+def _named(room: RoomPhrase) -> bool:
+    return room.definite or (room.quantifier == Det.BARE and room.count is None)
+
+
 def _bare_side(item: Item) -> bool:
     """`east`, `to east`, `towards the east`."""
-    return item.text.split()[-1] == item.value and set(item.text.split()[:-1]) <= {"to", "towards", "toward", "the"}
+    *words, side = item.text.split()
+    return side == item.value and set(words) <= {"to", "towards", "toward", "the"}
 
 
 def _whose(items: list[Item], k: int) -> RoomPhrase | None:

@@ -19,7 +19,7 @@ OBJECT = (rf"(?:(?:the|an?|his|her|their|one|my|our|this|das|ein|la|une?|una) )(
           r"(?:schlaf)?zimmer\b|chambre\b|habitacion\b)(?! (?:bath|wide|of (?:the|"
           r"our) (?:flat|house)))\b(?!')")  # fmt: skip
 AGED = re.compile(
-    r"\b(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
+    r"\b(?<!\bin )(the (?:(?:two|three|[23]) )?(?:little|small|young|older|younger|big|bigger|elder|other)) ones?"
     r"(?=,? (?:in |can |will |both |each |share|sleep|has |have |get|need|want|take))"
     r"|\b(the|his|her|their) (eldest|oldest|youngest|elder|younger)(?=,? (?:in |can |will |share|sleep|has |gets?|"
     r"needs?|wants?|takes?))"
@@ -76,7 +76,8 @@ OURS_ELSEWHERE = re.compile(
     r"ultim[oa]|otr[oa])(?: habitacion| dormitorio)?\b"
 )
 MINE = (
-    r"\bi (?:also )?(?:{verb}) (?:the|an?|my|one) (?:own )?(?:(?:second|third|fourth|last|other|remaining|small|big) )?"
+    r"\bi (?:also )?(?:{verb}) (?:the|an?|my|one) (?:own )?"
+    r"(?:(?:second|third|fourth|last|other|remaining|small|big|middle) )?"
     r"(?:bed ?room|room|one|other)\b(?! bath)"
 )
 SELF = "(?:takes?|gets?|has|have|needs?|wants?|uses?|sleeps? in|live in|stay in)"

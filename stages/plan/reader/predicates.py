@@ -88,6 +88,9 @@ def _opens_to(items: list[Item], k: int) -> tuple[Relation, str] | None:
     single = last is not None and last.type in OPEN_TYPES and not last.plural and not last.definite or _the_one(last)
     if items[k].text not in ("open to", "open onto"):
         return None
+    latter = last is not None and not last.type and last.quantifier == Det.THE and bool(last.among)
+    if latter and last is not None and all(r.type in OPEN_TYPES for r in last.among):
+        return Relation.OPEN, "part"  # "a kitchen and a dining room, the latter open to the living room"
     if single and alone:
         return Relation.OPEN, "part"
     if k > 1 and items[k - 1].kind == "copula" and items[k - 2].value in OPEN_TYPES:
@@ -101,7 +104,9 @@ def _the_one(last: RoomPhrase | None) -> bool:
 
 def _near_room(items: list[Item], k: int) -> bool:
     room = items[k - 1].room or (items[k - 2].room if k > 1 and is_mark(items[k - 1], ",") else None)
-    return room is not None and not room.plural and room.quantifier != Det.EACH  # "two bedrooms, then a bathroom"
+    ahead = items[k + 1].room
+    alike = room is not None and ahead is not None and ahead.type == room.type  # "grandma's bedroom, then ours"
+    return room is not None and not (room.plural or alike) and room.quantifier != Det.EACH  # "two beds, then a bath"
 
 
 def _way_in(items: list[Item], k: int) -> bool:

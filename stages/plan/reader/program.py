@@ -212,7 +212,10 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
         for e in _ordered(home) if phrase.type == "any" else []:
             for category, count in phrase.objects if e.type in LIVED_IN and id(e) not in excluded else []:
                 wanted.setdefault((ids[id(e)], category), count)
+    counted = {category for _, category in wanted}  # "I collect plants. … ten plants in the living room"
     for category, count in said.loose_objects:
+        if category in said.uncounted & counted:
+            continue
         homes = [e for kind in (TABLE[category].rooms if category else ()) for e in home.of(kind)]
         if category and not home.of("bedroom") and {"bedroom", "dining_room"} & set(TABLE[category].rooms):
             homes = home.of("living_room")

@@ -9,7 +9,7 @@ from apartgen.stages.plan.reader.openplan import chain
 from apartgen.stages.plan.reader.predicates import Predicate, predicates
 from apartgen.stages.plan.reader.scope import INSTEAD
 from apartgen.stages.plan.reader.statements import Statement
-from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, onward
+from apartgen.stages.plan.reader.subjects import and_group, crossed, find_subject, has_its_door, onward
 from apartgen.stages.plan.reader.vocabulary import OPPOSITE, Det, Relation, Trait
 
 DOORLESS = ("separate from", "separated from", "closed off from", "not connected to", "independent of",
@@ -74,6 +74,8 @@ def relations(
             alike = out[-1:] or [s for s in told if s.left == told[-1].left]
             out += [Statement(s.kind, right, s.right) for s in alike if right]
             continue
+        if p.kind == Relation.USES and has_its_door(items, p):
+            continue
         p.kind = Relation.OPEN if _is_to_open(items, p, left, right) else p.kind
         out += _told(items, p, left, right)
     return out
@@ -111,7 +113,7 @@ def _is_to_open(items: list[Item], p: Predicate, left: list[RoomPhrase], right: 
 
 def _topic(items: list[Item], p: Predicate, before: list[Predicate]) -> list[RoomPhrase]:
     """What `it` is: what the sentence is about, in a bare list the room before."""
-    named = _rooms(items, 0, p.subject[0])
+    named = [r for r in _rooms(items, 0, p.subject[0]) if not r.headline]
     told = before or any(i.kind == "copula" for i in items[: p.subject[0]])
     single = [r for r in named if not r.plural and (r.count or 1) == 1]
     return named[:1] if told else (single or named)[-1:]
@@ -285,7 +287,7 @@ def _statement(p: Predicate, left: list[RoomPhrase], right: list[RoomPhrase], wo
         return [Statement(Relation.DOOR, right[:1], right[1:])] if len(right) > 1 else []
     if kind in (Relation.TO, Relation.IN, Relation.GAP):
         living = {x.type for x in (*left, *right)} <= set(OPEN_TYPES)
-        kind = Relation.OPEN if kind == Relation.IN and living else Relation.DOOR
+        kind = Relation.OPEN if kind == Relation.IN and living and words != "into" else Relation.DOOR
     if kind == Relation.OPEN and p.form == "part" and any(x.type in OPEN_TYPES for x in left):
         left = [x for x in left if x.type not in (*ANNEXES, "bedroom")]  # "a small bathroom and kitchen open to …"
     if kind == Relation.DOOR and {x.type for x in left} <= set(OPEN_TYPES) and (gaps := _open_ones(right)):

@@ -74,6 +74,8 @@ def _meant(wish: Asked, home: Household, said: Said) -> list[Entity]:
     kinds = HABITABLE if wish.kind in ("at_least", "at_most") else (*HABITABLE, "kitchen", "bathroom")
     excluded = entities(every.excluded, home)
     excluded += _elsewhere(wish, said, home) if every.quantifier == Det.OTHER else []
+    if every.excluded and wish.kind in ("at_least", "at_most"):
+        kinds = (*HABITABLE, "kitchen", "bathroom")  # "every room but the bathroom has at least 10 m²"
     return [e for kind in kinds for e in home.of(kind) if e not in excluded]
 
 

@@ -93,7 +93,7 @@ def which_has(out: list[Item], items: list[Item], k: int) -> bool:
     if not owned or not (thing.kind == "object" or thing.room is not None):
         return False
     told = _who_has(out, room.type, thing)
-    if told is None:
+    if told is None or room.labels - told.labels:
         return False
     room.type, room.count, room.another, room.among = "", 1.0, False, [told]
     items[k + 1 : k + 3] = [Item("stop", "", i.text) for i in (has, thing)]

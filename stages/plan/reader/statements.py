@@ -36,12 +36,14 @@ class Asked:
 class Said:
     """Everything read from a prompt. `rooms` in the order of the text, owned ones after their owners.
 
-    `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size.
+    `equal` says that the rooms one lives and sleeps in, which are counted together, are of one size; `uncounted` are
+    things without a room of which nobody says how many.
     """
 
     rooms: list[RoomPhrase] = field(default_factory=list)
     statements: list[Statement] = field(default_factory=list)
     loose_objects: list[tuple[str, int]] = field(default_factory=list)
+    uncounted: set[str] = field(default_factory=set)
     total_area: float | None = None
     flat_size: float = 1.0
     dwelling: str = ""

@@ -69,6 +69,12 @@ def find_subject(items: list[Item], p: Predicate, last: Predicate | None, floor:
     p.subject = (_clause_start(items, rooms, p, last), rooms[-1] + 1)
 
 
+def has_its_door(items: list[Item], p: Predicate) -> bool:
+    """`the other bedroom uses the bathroom off the hallway`: there is the bathroom's door."""
+    used, way, hall = (items[p.at + 1 : p.at + 4] + [Item("")] * 3)[:3]
+    return used.room is not None and way.kind == "link" and hall.value == "hallway"
+
+
 def _of_doors(items: list[Item], p: Predicate, last: Predicate | None, rooms: list[int]) -> tuple[int, int]:
     """Whose doors `one to the hall and one to the lounge` are: those of the room named last before them."""
     counted_on = last is not None and items[last.at].text.split()[0] in ("one", "another", "a", "the")

@@ -18,4 +18,9 @@ def lay(phrase: RoomPhrase, rooms: list[Entity]) -> None:
         entity.exact = entity.exact or phrase.exact
         entity.labels |= phrase.labels - {Trait.SIZED, Trait.MAYBE_ENSUITE, Trait.OWN, Trait.HALLS}
         entity.object_count = phrase.object_count if phrase.object_count is not None else entity.object_count
+        if len(rooms) == 1:  # "each bedroom has a wardrobe. The main bedroom has two wardrobes."
+            anew_here = entity.alike & {category for category, _ in phrase.objects}
+            entity.objects = [thing for thing in entity.objects if thing[0] not in anew_here]
+        else:
+            entity.alike |= {category for category, _ in phrase.objects}
         entity.objects += phrase.objects

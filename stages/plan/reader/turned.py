@@ -88,7 +88,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(^|[.,;:] ?|\bund )im (?:(ersten)|(zweiten)|(anderen))(?: schlafzimmer| zimmer)?,? (?=eine? |zwei |drei )",
      lambda found: f"{found[1]}the {'first' if found[2] else 'second' if found[3] else 'other'} one has "),
     (r"(^|[.,;:] ?|\bund )(im|in der) (\w+) (keine?n? \w+)(?= ?(?:[.,;]|$|und ))", r"\1\4 \2 \3"),
-    (r"\b(?:des |les |de )?toilettes,? (?:a part|separees|independantes|a cote)\b", "un wc"),
+    (r"\b(?:des |les |de )?toilettes,? (?:a part|separees|independantes|a cote)\b", "un wc separe"),
     (r"(?:每个|每间|各个)?(卧室|房间)(?:都|各)?(?:带|有)(?:独立|自己的|单独的)?(?:卫生间|浴室)",
      r"every bedroom has its own bathroom"),
     (r"(客厅|餐厅|厨房)(?:和|与|跟)(客厅|餐厅|厨房)(?:都)?(?:是|为|在|做成)(?:同)?一个?大?(?:空间|房间|整体)",

@@ -39,11 +39,12 @@ def test_plus_commas_and_other_words_part_rooms() -> None:
 
 
 def test_a_list_of_rooms_ends_in_the_last_and_begins_after_what_is_no_and() -> None:
+    """A sentence that begins with a list may have commas in it."""
     a, b, c, d = rooms(4)
     names = [[phrase.text for phrase in _coordinated(items, last.room)] for items, last in (  # type: ignore[arg-type]
         ([a, AND, b], b), ([a, AND, b], a), ([a, COMMA, b, AND, c], c), ([a, AND, b, AND, c, AND, d], c),
         ([AND, b], b), ([NO, AND, b], b))]
-    assert names == [["0", "1"], ["0"], ["1", "2"], ["0", "1", "2"], ["1"], ["1"]]
+    assert names == [["0", "1"], ["0"], ["0", "1", "2"], ["0", "1", "2"], ["1"], ["1"]]
 
 
 @pytest.mark.parametrize("between", range(4))

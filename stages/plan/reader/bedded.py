@@ -1,0 +1,56 @@
+"""Where people sleep, and in what: `we sleep in the other, in a double bed`, `the twins have two single beds`."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import Late, late
+
+_BED = (r"(?:(?:an?|one|two|three|four|their|[1-4]) )?"
+        r"(?:(?:single|double|twin|bunk|king|queen|king-size|queen-size) )?beds?\b")  # fmt: skip
+_YOUNG = r"(?:twins|kids|children|sons|daughters|boys|girls|son|daughter|boy|girl|child|baby|toddler)"
+_OLD = r"(?:grandparents|(?:grand)?(?:mother|father|ma|pa)|granny|grandma|grandpa|mum|mom|dad|aunt|uncle)"
+_OWNED = rf"(?:(?:(?:the|our|my|both|two|three) )+(?:{_YOUNG}|{_OLD}|guests?|lodger|parents)|{_OLD})"
+_WHICH = r"(?:the (?:other|second|third|small(?:er|est)?|big(?:ger|gest)?|larger?|largest)|another|one|a|their|our|my)"
+_IN = rf"in {_WHICH}(?: one| (?:bed ?)?room)?"
+_WORDS = {"in": _IN, "bed": _BED}
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+    # "in one bedroom, in a bunk bed", "in the other in a double bed"
+    (r"\b({in}),? in (?={bed})", r"\1 with "),
+    # "we share the kitchen and the living room"
+    (r"(^|[.;,] ?|\band )(?:we|they|both of us|all of us)(?: all| both)? (?:will |can |would )?share "
+     r"(?=the (?:kitchen|living|lounge|dining|sitting|bath ?room|hall|balcony))", r"\1"),
+)]  # fmt: skip
+_TWO = late(rf"\b(?P<who>{_OWNED}|we|us|i|me) in one(?: (?:bed ?)?room| of them)?(?P<with>,? with [^.;,]*)?"
+            rf"(?:,|;| and|, and) (?P<others>{_OWNED}|we|us|i|me) in the other(?: one| (?:bed ?)?room)?\b")  # fmt: skip
+_SEVERAL = late(r"\b(?:two|three|four|five|[2-5])[ -]?(?:bed ?rooms|bed\b|br\b)")
+_HAVE = r"(?:have|has|get|gets|need|needs|want|wants|sleep in|sleeps in|should have|must have)"
+_THEIRS = [late(rf"\b(?:(?:the|our|my) )?({_YOUNG}|{_OLD}|guests?) {_HAVE} (?={_BED})"),
+           late(rf"\bwe (?:have|get|sleep in) (?={_BED})(?![^.;]*\bthere\b)")]  # fmt: skip
+
+
+def bedded(text: str) -> str:
+    """A folded text with the beds that people sleep in, in the rooms that they have."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    text = _TWO.sub(_two, text)
+    if _SEVERAL.search(text) is None:
+        return text
+    theirs, ours = _THEIRS
+    said = theirs.sub(lambda found: f"{_whose(found[1])} has ", text)
+    return ours.sub("the parents' bedroom has ", said)
+
+
+def _two(found: re.Match[str]) -> str:
+    """`the twins in one with bunk beds, us in the other` as the rooms of both."""
+    return f"{_whose(found['who'])}{found['with'] or ''}, {_whose(found['others'])}"
+
+
+def _whose(people: str) -> str:
+    """The bedroom of people."""
+    who = people.split()[-1]
+    if who in ("we", "us", "i", "me", "parents"):
+        return "the parents' bedroom"
+    if who in ("guest", "guests"):
+        return "the guest room"
+    if re.fullmatch(_YOUNG, who) is None:
+        return "the relative's bedroom"
+    return f"the {who}' bedroom" if who.endswith("s") else f"the {who}'s bedroom"

@@ -1,0 +1,48 @@
+"""What is said of one room and then, in fewer words, of another: `neither must the study`, `as the bathroom does`."""
+
+from apartgen.stages.plan.reader.patterns import Late
+
+_KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other|only|family|children's|kids'|parents') )*"
+         r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?rooms?|kitchen|study|balcony|"
+         r"lounge|toilet|office|hall(?:way)?|corridor|pantry))")  # fmt: skip
+_THE = rf"(?:the|my|our|both) {_KIND}"
+_MUST = r"(?:must|should|may|can|shall|does|do|is|are|will)"
+_BY = (r"(?:share (?:a |any )?walls? with|touch|adjoin|border|(?:be )?(?:next|adjacent|close|opposite)(?: to)?|"
+       r"(?:be )?near|(?:open|lead|give) (?:on|off|into|onto|to)|have a door to|face)")  # fmt: skip
+_END = r"(?= ?(?:[.,;!]|$))"
+_WORDS = {"must": _MUST, "by": _BY, "the": _THE, "end": _END, "kind": _KIND}
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+    # "must not share a wall with the living room, and neither must the study with the kitchen"
+    (r"\b(?P<must>{must}) not (?P<by>{by}) (?P<to>{the}),? ?(?:and |but )?(?:neither|nor) {must} (?P<of>{the}),? "
+     r"(?:with|to|next to|near|on|into|be next to|touch) (?P<other>{the}){end}",
+     r"\g<must> not \g<by> \g<to>. \g<of> \g<must> not \g<by> \g<other>"),
+    (r"\b(?P<must>{must}) not (?P<by>{by}) (?P<to>{the}),? ?(?:and |but )?(?:neither|nor) {must} "
+     r"(?P<of>{the}){end}", r"\g<must> not \g<by> \g<to>. \g<of> \g<must> not \g<by> \g<to>"),
+    # "the bedrooms face south, and so does the living room"
+    (r"\b(?P<verb>faces?|looks?|lies?|is|are) (?P<side>(?:(?:to|on|at|in|near|far from|close to) )?(?:the )?"
+     r"(?:north|south|east|west|back|front|entrance)\b(?: side)?),? ?"
+     r"(?:and so|as) (?:does|do|is|are) (?P<of>{the}){end}", r"\g<verb> \g<side>. \g<of> \g<verb> \g<side>"),
+    (r"\b(?P<verb>faces?|looks?|lies?|is|are) (?P<side>(?:(?:to|on|at|in|near|far from|close to) )?(?:the )?"
+     r"(?:north|south|east|west|back|front|entrance)\b(?: side)?),? ?(?:just )?(?:as|like) (?P<of>{the})"
+     r"(?: (?:does|do|is|are))?{end}", r"\g<verb> \g<side>. \g<of> \g<verb> \g<side>"),
+    # "the bedrooms open off the hallway, as the bathroom does", "and so does the bathroom"
+    (r",? (?:as|like|just as|just like) ({the}) (?:also )?(?:does|do|is|are)(?: too)?{end}", r", as is \1"),
+    (r",? (?:and )?so (?:does|do|is|are|should|must) ({the}){end}", r", as is \1"),
+    # "another door leads from the hall into the bedroom"
+    (r"\b(?:another|a second|a further|one more|a third) door (?=(?:leads|opens|goes|connects|is|links|takes) )",
+     "a door "),
+    # "2BR/2BA, one bath en suite, the other off the hall"
+    (r"\bone bath(?: ?room)?,? (?:(?:is|being|as) )?(?:an? )?en[- ]?suite\b(?! to| of| with)", "one en suite bathroom"),
+    # "swap the study for a second bathroom"
+    (r"(?:,? (?:and|but))?\b(?:please )?(?:swap|exchange|trade) (?:out )?(?:the|my|our) ({kind}) "
+     r"(?:for|with|against) (?=(?:an?|one|two|another) )", r". forget the \1. "),
+    # "其中一个卫生间在主卧里", "爷爷奶奶的卧室朝南"
+    (r"其中一(?:个|间)(?:卫生间|卧室|浴室|厕所)(?=在|朝|带|是|要)", "其中一个"),
+)]  # fmt: skip
+
+
+def likewise(text: str) -> str:
+    """A folded text that says such things of each room in full."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text

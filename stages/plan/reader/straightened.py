@@ -1,0 +1,71 @@
+"""Clauses that say where doors, neighbours and sizes are in an order that misleads, in one that the rules follow."""
+
+import re
+
+from apartgen.stages.plan.reader.patterns import Late
+
+_KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other) )*"
+         r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?room|kitchen|study|balcony|"
+         r"lounge|toilet|office|hall(?:way)?|corridor|pantry))")  # fmt: skip
+_WORDS = {"kind": _KIND, "the": rf"(?:(?:the|my|our) )?{_KIND}", "must": r"(?:should|must|may|can|shall|is to|has to)",
+          "end": r"(?= ?(?:[.,;!]|$)| and | but )"}  # fmt: skip
+
+
+def _ranked(found: re.Match[str]) -> str:
+    """`the lounge should be the largest, then the kitchen, then the bedroom`: each larger than the next."""
+    rooms = [found["first"], *re.findall(r"then (?:the |my |our )?([a-z ]+?)(?= ?(?:[.,;]|$))", found["rest"])]
+    rooms = [f"the {room.removeprefix('the ')}" for room in rooms]
+    pairs = zip(rooms, rooms[1:], strict=False)
+    return f"{rooms[0]} is the largest room. " + ". ".join(f"{a} is larger than {b}" for a, b in pairs)
+
+
+_TWO = re.compile(r"\b(?:two|2)[ -]bed(?:[ -]?rooms?)?\b")
+
+
+def _of_the_two(found: re.Match[str]) -> str:
+    """`two bedrooms; the bathroom must be between them`: between the two bedrooms."""
+    return f"{found[1]} between the two bedrooms" if _TWO.search(found.string[: found.start()]) else found.group()
+
+
+_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+    # "the only way to the kitchen is through the dining room", "the bathroom it must be between them"
+    (r"\bthe only (?:way|access|entrance|door|route) (?:in|on)?to ({the}) (?:is|leads|goes|runs) "
+     r"(?:through|via|from|across|by) ", r"\1 is reached only from "),
+    (r"\b((?:the|my|our) {kind}) it (?=(?:must|should|is|has|will|needs) )", r"\1 "),
+    (r"(\b(?:the|my|our|one|an?) {kind} (?:{must} be|is|lies|has to lie|needs to be)) between them{end}", _of_the_two),
+    # "the living room should be the biggest, then the kitchen, then the bedroom"
+    (r"\b(?P<first>{the}) (?:{must} be|is) the (?:biggest|largest)(?: room| one)?"
+     r"(?P<rest>(?:,? (?:and )?then {the}(?= ?[.,;]|$))+)", _ranked),
+    # "neither bedroom should have a door to the lounge", "nothing but the bathroom between the bedrooms"
+    (r"\b((?:neither|no|none of the) (?:bed|bath) ?rooms?) {must} have (?:an?|any) doors? (?:in)?to ",
+     r"\1 has a door to "),
+    (r"\bnothing (?:but|except|other than) (the {kind}) (?=between)", r"\1 "),
+    # "with no corridor longer than 3 m"
+    (r"\b(?:no|without (?:any|an?)) (corridors?|hallways?|halls?|passages?) "
+     r"(?=(?:longer|wider|narrower|shorter|broader) than)", r"a \1 not "),
+    (r"\bno room (?:narrower|less wide) than (\d+(?:\.\d+)? ?(?:m|cm|ft)\b)", r"every room is at least \1 wide"),
+    # "kitchen and living room on opposite sides of the hall", "keep the kitchen and the bathroom together"
+    (r"\b({the}) and ({the}) (?:are |lie )?on (?:the )?opposite sides of the (?:hall(?:way)?|corridor)\b",
+     r"\1 opposite \2"),
+    (r"\b(?:keep|put|place) ({the}) and ({the}) (?:together|close together|side by side|next to each other)\b",
+     r"\1 is next to \2"),
+    (r",? (?:but|and) (?:keep )?the ((?:bed|bath) ?rooms) (?:apart|separate)(?: from (?:each other|one another))?{end}",
+     r". the \1 are not next to each other"),
+    # "a desk for two in the study", "a bath and a shower in the bathroom"
+    (r"\b(desk|sofa|couch|bench|shower|bathtub) for (?:two|three|four|[2-4])(?: people| persons)?"
+     r"(?= in |,| and |[.;]|$)", r"\1"),
+    (r"\ban? bath(,| and| as well as) (?=(?:an? )?(?:separate |walk-in )?shower in the )",
+     r"a bathtub\1 "),
+    (r"(\bshower(?:,| and| as well as) an?) bath(?= in the )", r"\1 bathtub"),
+    # "Küche und Wohnzimmer zusammen 35 m²", "la cocina está junto al comedor"
+    (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
+    (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
+    (r"(\b(?:puerta|abre|abierta?|da) [^.;,]*?) y (el|la) (\w+) (?=(?:esta|debe|tiene|da|mide) )", r"\1. \2 \3 "),
+)]  # fmt: skip
+
+
+def straightened(text: str) -> str:
+    """A folded text with such clauses in plain order."""
+    for pattern, words in _SAID:
+        text = pattern.sub(words, text)
+    return text
