@@ -53,7 +53,7 @@ def test_a_table_costs_what_it_is_too_near_to_a_sofa(gap: float, near: float) ->
     there, table = room(9.0, 5.0), box(TABLE, -4.5 + 0.9 + gap + 0.45, 0.0)
     assert priced("dining_table", table, there) == 0, "without a sofa"
     there.add("sofa", box(SOFA, -4.05, 0.0))
-    assert priced("dining_table", table, there) == pytest.approx(distances.NEARER * near, abs=1e-4)
+    assert priced("dining_table", table, there) == pytest.approx(distances.TOGETHER * near, abs=1e-4)
     assert priced("desk", table, there) == 0
 
 
