@@ -36,7 +36,8 @@ HEADINGS = [
      "B H K L S W", "S1 has 1 desk, W1 has 1 bath, B1 has 1 double_bed"),
     ("2 bedrooms; 1 bathroom; 1 study; study: desk, bookshelf; bathroom: shower", "B2 H K L S W",
      "S1 has 1 desk, W1 has 1 shower"),
-    ("bedrooms: 1\nbathrooms: 1\nbedroom: 14 m2, faces south\nhallway: yes", "B H K L W", "B1=14, orientation B1 south"),
+    ("bedrooms: 1\nbathrooms: 1\nbedroom: 14 m2, faces south\nhallway: yes", "B H K L W",
+     "B1=14, orientation B1 south"),
 ]
 IMPERATIVES = [
     ("Add 3 bedrooms. Add 2 bathrooms. Connect bathroom 1 to bedroom 1. Connect bathroom 2 to the hallway.",
