@@ -22,6 +22,15 @@ COUNTED_BEHIND = [
     ("His room should be next to the study. All in all we need three bedrooms, two bathrooms and a study.",
      "B3 H K L S W2", ""),
 ]
+HERS = [
+    ("Three bedrooms. Her bedroom has a desk.", "B3 H K L W2", "B1 has 1 desk"),
+    ("Three bedrooms. Her bedroom must have its own bathroom.", "B3 H K L W2", "B1W1"),
+    ("Three bedrooms. His bedroom has 14 m2, her bedroom has 12 m2.", "B3 H K L W2", "B1=14, B2=12"),
+    ("Four bedrooms. His bedroom must have at least 14 m².", "B4 H K L W2", "at_least B1 14"),
+    ("Two bedrooms. We have a son, his bedroom needs a desk.", "B2 H K L W", "B1 has 1 desk"),
+    ("A bedroom for us and a bedroom for our daughter. Her bedroom should face south.", "B2 H K L W",
+     "orientation B2 south"),
+]
 EACH_THEIR_OWN = [
     ("A couple who sleep in a double bed in the master bedroom, and two children, each in a single bed in a bedroom of "
      "their own. One bathroom, one kitchen, one living room.", "B3 H K L W",
@@ -75,6 +84,7 @@ OFF_THE_HALL_THAT = [
 
 test_all_off_it = as_meant(ALL_OFF_IT)
 test_counted_behind = as_meant(COUNTED_BEHIND)
+test_hers = as_meant(HERS)
 test_each_their_own = as_meant(EACH_THEIR_OWN)
 test_out_on_it = as_meant(OUT_ON_IT)
 test_shared_rooms = as_meant(SHARED_ROOMS)
