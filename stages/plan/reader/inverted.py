@@ -38,7 +38,14 @@ def _out_on_it(found: re.Match[str]) -> str:
     named = _OUTSIDE.findall(found.string[: found.start()])
     last = re.findall(rf"\b(?:{_WORDS['outside']}|{_ROOM})\b", found.string[: found.start()])[-1:]
     fits = named and ("out" in found.group() or last == named[-1:])
-    return f"the {named[-1]} is reached {'only ' if found['only'] else ''}from " if fits else found.group()
+    hub = found.groupdict().get("from") or ""
+    return f"the {named[-1]} is reached {'only ' if found['only'] else ''}from {hub}" if fits else found.group()
+
+
+def _finite(found: re.Match[str]) -> str:
+    """`a utility room off the hallway, sharing a wall with the bathroom` as what it shares."""
+    verb = found["verb"]
+    return f"{found['the']}{verb}{'es' if verb in ('shar', 'touch', 'fac') else 's'} "
 
 
 def _each_their_own(found: re.Match[str]) -> str:
@@ -65,6 +72,9 @@ _SAID: list[tuple[Late, str | Callable[[re.Match[str]], str]]] = [
     (Late(r"{with}(?P<n>two|three|four|[2-4]) {young}[,.;] ?each (?:child|kid|one|of them) (?:has|with|gets|sleeps in) "
           r"(?P<bed>an? [a-z ]{3,12}bed) in (?:its|their|his|her) own (?:bed ?)?room{end}", _WORDS),
      _each_their_own),
+    (Late(r"\beach of {with}the (?P<n>two|three|four|[2-4]) {young} (?:sleeps in|has|gets|needs) (?P<bed>an? "
+          r"[a-z ]{3,12}bed) in (?:an? |its |their |his |her )(?:own )?(?:bed ?)?room(?: of (?:their|its|his|her) own)?"
+          r"{end}", _WORDS), _each_their_own),
     # "two roommates, each of whom has a bedroom with its own bathroom"
     (Late(r"\b(?P<n>{number}) {grown},? (?:each of whom|each of them|every one of whom|all of whom|who each|who all) "
           r"(?:has|have|needs?|gets?|wants?|with) (?:an?|their own|his own|its own) bed ?room(?: of (?:their|its|his) "
@@ -79,6 +89,8 @@ _SAID: list[tuple[Late, str | Callable[[re.Match[str]], str]]] = [
           _WORDS), r"the children have the \g<which> bedroom"),
     (Late(r"\b(?:the |our )?(?:(?:older|younger|elder|little) {number}|{number} (?:older|younger)(?: ones)?) "
           r"(?:will |can |should )?share (?=(?:one|an?) (?:bed ?)?room\b)", _WORDS), r"the kids share "),
+    (Late(r"\b(?P<who>{young}) (?:will |can |should )?share one of (?:them|these|those|the (?:{number} )?bed ?rooms)\b",
+          _WORDS), r"\g<who> share one bedroom"),
     (Late(r"(?P<room>\b{room}),? (?:and )?(?:there|in there|in it) (?:i|we|they|he|she) (?:want|need|would like|"
           r"'d like|have|put|needs|wants)(?: to (?:have|put))? (?=an? |one |two |three |four |\d )", _WORDS),
      r"\g<room> with "),
@@ -86,17 +98,26 @@ _SAID: list[tuple[Late, str | Callable[[re.Match[str]], str]]] = [
     (Late(r"\b{go} (?:on ?to|on|in ?to|to|there)(?: it| there)? (?P<only>only )?from (?=the )", _WORDS), _out_on_it),
     (Late(r"\b{go} (?:on ?to|on|in ?to|to) (?P<it>the {outside}) (?P<only>only )?from (?=the )", _WORDS),
      r"\g<it> is \g<only>reached from "),
-    (Late(r"\b(?P<it>{outside}),? (?:that|which) {go} (?:on ?to|on|to) (?P<only>only )?from (?=the )", _WORDS),
+    (Late(r"\b(?P<it>{outside}),? (?:(?:that|which) )?{go} (?:on ?to|on|to) (?P<only>only )?from (?=the )", _WORDS),
      r"\g<it> reached from "),
+    (Late(r"\b(?P<it>{room}|{outside}),? (?:that|which) (?:you|one|we|i) (?:can )?(?P<only>only )?(?:enter|reach|"
+          r"access|get to|get into) (?:only )?(?:from|through|via) (?=the )", _WORDS), r"\g<it> reached from "),
+    (Late(r"\bfrom (?P<from>the (?:{room}|{hall})),? {go} (?P<only>)(?:on ?to|on|to) (?:it|there){end}", _WORDS),
+     _out_on_it),
     # "540 sq ft for this one-bedroom apartment"
     (Late(r"\b(?P<n>\d+(?:\.\d+)? ?{unit}) for (?:this|that|the|our|an?) (?P<what>{number}[ -]bed(?:[ -]?room)? "
           r"(?:flat|apartment|home|house|dwelling|unit|condo))\b", _WORDS), r"a \g<what> of \g<n>"),
     # "a storage room off the hallway that shares a wall with the kitchen"
-    (Late(r"\b(?P<a>an? |one )(?P<room>{room}) (?P<off>(?:off|on|opening off|accessed from|reached from) the {hall}),? "
-          r"(?:that|which) (?=(?:also )?(?:shares|touches|borders|adjoins|faces|is|lies|has|looks)\b)", _WORDS),
+    (Late(r"\b(?P<a>an? |one )(?P<room>{room}),? (?P<off>(?:off|on|opening off|accessed from|reached from) the "
+          r"{hall}),? (?:(?:that|which) (?=(?:also )?(?:shares|touches|borders|adjoins|faces|is|lies|has|looks)\b)|"
+          r"(?=(?:sharing|touching|bordering|adjoining|facing) ))", _WORDS),
      r"\g<a>\g<room> \g<off>. the \g<room> "),
+    (Late(r"(?P<the>\. the {room} )(?P<verb>shar|touch|border|adjoin|fac)ing ", _WORDS), _finite),
     # "at least 60 and at most 75 square metres"
-    (Late(r"\b{least} (?P<low>\d+(?:\.\d+)?),? ?(?:and |but |or )?{most} (?P<high>\d+(?:\.\d+)? ?{unit})", _WORDS),
+    (Late(r"\b(?:an? )?{least}(?: of)? (?P<low>\d+(?:\.\d+)?),? ?(?:and |but |or )?(?:an? )?{most}(?: of)? "
+          r"(?P<high>\d+(?:\.\d+)? ?{unit})", _WORDS), r"between \g<low> and \g<high>"),
+    (Late(r"\b(?P<low>\d+(?:\.\d+)?)(?: ?{unit})? (?:at least|minimum|or more),? (?:and |but )?"
+          r"(?P<high>\d+(?:\.\d+)? ?{unit}) (?:at most|maximum|or less)\b", _WORDS),
      r"between \g<low> and \g<high>"),
 ]  # fmt: skip
 

@@ -10,7 +10,8 @@ _WORDS = {
     "room": _ROOM,
     "begin": r"(?P<begin>^|[.;,\n(] ?|[-*] )",
     "end": r"(?= ?(?:[.;,\n)]|$))",
-    "label": r"(?:constraint|requirement|rule|condition|step|criterion|clause|demand|instruction|goal|task|wish|spec)",
+    "label": r"(?:constraint|requirement|rule|condition|step|criterion|clause|demand|instruction|goal|task|wish|spec|"
+             r"objective|need|request)",
     "code": r"(?:c|r|rq|req|con|cond)",
     "least": r"(?:min(?:imum|imal)?|least|smallest|minimal)\.?",
     "most": r"(?:max(?:imum|imal)?|greatest|largest|maximal)\.?",
@@ -34,21 +35,30 @@ def _wide(least: str) -> tuple[tuple[Late, str], ...]:
 _SAID: list[tuple[Late, str]] = [
     # "Constraint 1: one bathroom", "Step 2) add", "C1: two bedrooms"
     (Late(r"{begin}{label} ?#?\(?\d{1,2}\)? ?[:.)-] ?", _WORDS), r"\g<begin>"),
+    (Late(r"{begin}{label} [a-h] ?: ?", _WORDS), r"\g<begin>"),
     (Late(r"{begin}{code}-?\d{1,2} ?: ?(?=[a-z\d])", _WORDS), r"\g<begin>"),
     # "study no | balcony none", "Study: not needed"
     (Late(r"{begin}(?P<room>{room}) (?:no|none){end}", _WORDS), r"\g<begin>no \g<room>"),
-    (Late(r"{begin}(?P<room>{room}) ?: ?(?:not? (?:needed|required|wanted|necessary)|unneeded|not){end}", _WORDS),
+    (Late(r"{begin}(?P<room>{room}) ?: ?(?:not? (?:needed|required|wanted|necessary|applicable)|"
+          r"unneeded|not|n/?a|absent|excluded|omit(?:ted)?){end}", _WORDS),
      r"\g<begin>no \g<room>"),
     *_wide("least"), *_wide("most"),
-    # "Connect bathroom 1 to bedroom 1."
-    (Late(r"(?P<begin>^|[.;,\n] ?(?:and )?|[-*] )(?:please |then )?(?:connect|link|join) (?P<a>[a-z][a-z\d '-]*?) "
-          r"(?:to|with) (?!each other|one another)(?=(?:the |a |an |each |all )?[a-z])", _WORDS),
-     r"\g<begin>\g<a> is connected to "),
+    # "Do not connect the kitchen to the living room.", "Connect bathroom 1 to bedroom 1.", "Connect A and B."
+    (Late(r"\b(?:do not|don't|never) (?:connect|link|join) (?P<a>(?:the )?{room}(?: \d)?) "
+          r"(?:to|with|and) (?P<b>(?:the )?{room}(?: \d)?)\b", _WORDS), r"no door between \g<a> and \g<b>"),
+    (Late(r"(?P<begin>^|[.;,\n] ?(?:and )?|[-*] )(?:please |then )?(?:connect|link|join) "
+          r"(?P<a>(?:the )?{room}(?: \d)?) and (?P<b>(?:the )?{room}(?: \d)?){end}", _WORDS),
+     r"\g<begin>\g<a> is connected to \g<b>"),
+    (Late(r"(?P<begin>^|[.;,\n] ?(?:and )?|[-*] )(?:please |then )?(?:connect|link|join|attach) "
+          r"(?P<a>[a-z][a-z\d '-]*?) (?:to|with) (?!each other|one another)(?=(?:the |a |an |each |all )?[a-z])",
+          _WORDS), r"\g<begin>\g<a> is connected to "),
 ]  # fmt: skip
 
 
 def itemized(text: str) -> str:
     """A folded text with such labels and lists in words; a heading of the only room of its kind is that room."""
+    if re.search(r"(?:^|[:.,;\n] ?)\(1\) ", text) and "(2) " in text:
+        text = re.sub(r"[.,;]? ?\(\d\) ", ". ", text)  # "(1) two bedrooms (2) one bathroom"
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
     return _HEAD.sub(_the_one, text)

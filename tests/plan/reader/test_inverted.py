@@ -46,6 +46,9 @@ EACH_THEIR_OWN = [
     ("Two friends, each with a bedroom and an en suite bathroom of their own.", "B2 H K L W2", "B1W1, B2W2"),
 ]
 OUT_ON_IT = [
+    ("There are two bedrooms and a balcony, which you enter from the kitchen.", "B2 H K L W Y", "K1Y1, B1H1, !L1Y1"),
+    ("Two bedrooms and a balcony. From the kitchen one should be able to go out onto it.", "B2 H K L W Y",
+     "K1Y1, !B1Y1, !B1K1"),
     ("A flat with 2 bedrooms, 1 bathroom and a balcony. I want to go out on it from the kitchen.", "B2 H K L W Y",
      "K1Y1, !L1Y1"),
     ("2 bedrooms and a balcony. You should step out onto it from the bedroom.", "B2 H K L W Y", "B1Y1, !L1Y1"),
@@ -55,6 +58,10 @@ OUT_ON_IT = [
     ("Two bedrooms, a balcony and a study. You get to it from the hall.", "B2 H K L S W Y", "L1Y1, H1S1, !H1Y1"),
 ]
 SHARED_ROOMS = [
+    ("Each of the two children sleeps in a single bed in a room of their own; the parents sleep in the master bedroom.",
+     "B3 H K L W2", "B2 has 1 single_bed, B3 has 1 single_bed"),
+    ("Two bedrooms. The girls share one of them, and in it we need a bunk bed.", "B2 H K L W",
+     "B2 has 1 bunk_bed, !B1B2"),
     ("Two bedrooms. The baby sleeps with us, so put a double bed and a cot in the master bedroom. The older two share "
      "the second bedroom, there we want a bunk bed. One bathroom.", "B2 H K L W",
      "B1 has 1 double_bed, B1 has 1 cot, B2 has 1 bunk_bed, !B1 has 1 bunk_bed, !B1B2"),
@@ -64,6 +71,8 @@ SHARED_ROOMS = [
      "B3 has 1 bunk_bed, !B1B3, !B2B3"),
 ]
 OF_THE_HOME = [
+    ("A minimum of 60 and a maximum of 75 m2, two bedrooms.", "B2 H K L W", "at_least home 60, at_most home 75"),
+    ("60 m2 at least and 75 m2 at most, two bedrooms.", "B2 H K L W", "at_least home 60, at_most home 75"),
     ("Annotators reported 540 sq ft for this one-bedroom apartment; the kitchen is off the hallway.", "B H K L W",
      "all=50.17, H1K1"),
     ("45 square metres for our one-bedroom home. The bedroom has 12 m².", "B H K L W", "all=45, B1=12"),
@@ -76,6 +85,9 @@ OF_THE_HOME = [
      "at_least K1 9, at_most K1 12, !at_most home 12"),
 ]
 OFF_THE_HALL_THAT = [
+    ("A utility room off the hallway, sharing a wall with the bathroom; two bedrooms.", "B2 H K L U W",
+     "adjacent U1 W1, H1U1"),
+    ("A study, off the hall, that faces south; one bedroom.", "B H K L S W", "orientation S1 south, H1S1"),
     ("Three bedrooms, one bathroom, and a storage room off the hallway that shares a wall with the kitchen.",
      "B3 H K L T W", "adjacent T1 K1, H1T1, !adjacent H1 K1"),
     ("A study on the corridor that faces south, and two bedrooms.", "B2 H K L S W", "orientation S1 south, H1S1"),

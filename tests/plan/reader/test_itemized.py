@@ -14,8 +14,11 @@ LABELS = [
     ("C1: two bedrooms. C2: one bathroom. C3: kitchen next to the living room.", "B2 H K L W", "adjacent K1 L1"),
     ("Step 1) add two bedrooms. Step 2) add one bathroom. Step 3) connect the bathroom to the hallway.", "B2 H K L W",
      "H1W1, !B1W1"),
+    ("Constraint A: two bedrooms. Constraint B: one bathroom off the hallway.", "B2 H K L W", "H1W1, !unread b"),
+    ("(1) two bedrooms (2) one bathroom (3) open kitchen", "B2 H K L W", "K1~L1, !B1W1"),
 ]  # fmt: skip
 DENIED_KEYS = [
+    ("rooms: 2 bedrooms, 1 bathroom; balcony: n/a; study: absent", "B2 H K L W", "!unread absent"),
     ("bedrooms 2 | bathrooms 2 (1 ensuite, 1 off hallway) | laundry yes | study no | total 960 sqft", "B2 H K L U W2",
      "B1W1, H1W2, all=89.19"),
     ("bedrooms 2, bathrooms 1, study no, balcony yes", "B2 H K L W Y", ""),
@@ -40,6 +43,10 @@ HEADINGS = [
      "B1=14, orientation B1 south"),
 ]
 IMPERATIVES = [
+    ("Place two bedrooms. Do not connect the kitchen to the living room.", "B2 H K L W",
+     "no_door K1 L1, !K1L1, !no_door B1 K1"),
+    ("Two bedrooms. Connect the kitchen and the dining room.", "B2 D H K L W", "D1K1, B1H1"),
+    ("Two bedrooms. Attach bathroom 2 to bedroom 1. Two bathrooms.", "B2 H K L W2", "B1W2, H1W1"),
     ("Add 3 bedrooms. Add 2 bathrooms. Connect bathroom 1 to bedroom 1. Connect bathroom 2 to the hallway.",
      "B3 H K L W2", "B1W1, H1W2, !H1W1, !W1W2"),
     ("Add 2 bedrooms. Add 2 bathrooms. Connect bathroom 1 to the hallway. Connect bathroom 2 to bedroom 1.",
