@@ -11,7 +11,8 @@ _ROOM = (r"(?:(?:(?:main|master|guest|second|first|third|other|children's|kids|l
 _HALL = r"(?:(?:central|long|wide|narrow|entrance|single|main) )*(?:hall(?:way)?|corridor|passage|landing)"
 _NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
 _YOUNG = r"(?:kids|children|sons|daughters|boys|girls|teenagers|brothers|sisters)"
-_GROWN = r"(?:roommates|flatmates|housemates|friends|students|colleagues|tenants|adults|lodgers|people|persons)"
+_GROWN = (r"(?:roommates|flatmates|housemates|friends|students|colleagues|tenants|adults|lodgers|"
+          r"siblings|people|persons)")  # fmt: skip
 _WANT = (r"(?:(?:i|we|you|one|he|she|they|everybody) )?(?:(?:want|wants|would like|'d like|need|needs|like|wish|should|"
          r"can|could|must|may|have|has|be able|ought)(?: to)? (?:be able to )?)?")  # fmt: skip
 _GO = rf"{_WANT}(?:go|goes|step|steps|get|gets|walk|walks|come|comes)(?: out(?:side)?)?(?: straight| directly)?"
@@ -61,8 +62,9 @@ _SAID: list[tuple[Late, str | Callable[[re.Match[str]], str]]] = [
     # "a hallway, with two bedrooms, one bathroom and the kitchen all opening off it"
     (Late(r"\b(?P<hall>(?:(?:an?|the|one) )?{hub}\b{rest}*?),? (?:with|and) (?P<what>{rest}+? and {rest}+?),? "
           r"all (?:of them |of which )?(?:opening|leading|coming|branching|going|accessible|accessed|reached|entered|"
-          r"reachable|open|lead|being)? ?(?:directly )?(?:off|from|onto|on to|to) (?:it|there){end}", _WORDS),
-     r"\g<hall>. \g<what> open off the \g<hub>"),
+          r"reachable|open|lead|being)? ?(?:directly )?(?:off|from|onto|on to|to) (?:it|there){end}(?P<more>,? )?",
+          _WORDS),
+     lambda found: f"{found['hall']}. {found['what']} open off the {found['hub']}{'. ' if found['more'] else ''}"),
     # "two children, each in a single bed in a bedroom of their own"
     (Late(r"{with}(?P<n>two|three|four|[2-4]) {young}, ?each (?:with |in |sleeping in |has |having )?(?P<bed>an? "
           r"[a-z ]{3,12}bed) in (?:an? |its |their |his |her )?(?:own )?(?:bed ?)?room"
@@ -82,6 +84,8 @@ _SAID: list[tuple[Late, str | Callable[[re.Match[str]], str]]] = [
      lambda found: f"{found['n']} bedrooms{' each with ' if found['with'] else ''}"),
     (Late(r"\b(?P<n>{number}) {grown},? each with an? bed ?room and an? (?:en[ -]?suite )?(?P<bath>bath ?room|shower "
           r"room)(?: of (?:their|his|its) own)?{end}", _WORDS), r"\g<n> bedrooms each with its own \g<bath>"),
+    (Late(r"\b(?P<n>{number}) {grown},? each with (?:an?|their own|his own|her own) bed ?room(?: of (?:their|his|her) "
+          r"own)?{end}", _WORDS), r"\g<n> bedrooms"),
     # "The older two share the second bedroom, there we want a bunk bed"
     (Late(r"\b(?:the |our )?(?:(?:older|younger|other|elder|little|big)(?: {number})?|{number} (?:older|younger|other) "
           r"ones|{young}) (?:will |can |should )?share the "

@@ -6,18 +6,20 @@ from apartgen.stages.plan.reader.patterns import Late
 
 _ROOM = (r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|bed|bath) ?room|kitchen|study|balcony|terrace|"
          r"office|pantry|laundry|storage|(?:walk-in )?closet|garage|hall(?:way)?|corridor|basement|nursery)")
+LABEL = (r"(?:constraint|requirement|rule|condition|step|criterion|clause|demand|instruction|goal|task|wish|spec|"
+         r"objective|need|request)")
+"""What is numbered in lists of wishes."""
 _WORDS = {
     "room": _ROOM,
     "begin": r"(?P<begin>^|[.;,\n(] ?|[-*] )",
     "end": r"(?= ?(?:[.;,\n)]|$))",
-    "label": r"(?:constraint|requirement|rule|condition|step|criterion|clause|demand|instruction|goal|task|wish|spec|"
-             r"objective|need|request)",
+    "label": LABEL,
     "code": r"(?:c|r|rq|req|con|cond)",
     "least": r"(?:min(?:imum|imal)?|least|smallest|minimal)\.?",
     "most": r"(?:max(?:imum|imal)?|greatest|largest|maximal)\.?",
     "metres": r"(?P<n>\d+(?:\.\d+)?) ?(?P<unit>m|cm|ft|met(?:er|re)s?|feet)\b(?! ?[2²x])",
 }
-_COUNTED = r"(?:{0}s?: ?1|(?<![\d.])(?:1|one|single)[ -]{0})\b"
+_COUNTED = r"(?:(?:^|[:,\n] ?){0}(?= ?(?:[,\n]|$))|{0}s?: ?1|(?<![\d.])(?:1|one|single)[ -]{0})\b"
 _HEAD = re.compile(rf"(?P<begin>\n|[.;] ?)(?P<room>{_ROOM}) ?: ?(?!(?:yes|none|no|\d+(?! ?[a-z]))\b)")
 """A heading with what is said of its room behind it: no truth value and no count."""
 

@@ -3,6 +3,8 @@
 from sentences.facts import as_meant
 
 ALL_OFF_IT = [
+    ("I'd like a landing with two bedrooms and one bathroom all opening off it, and a living room.", "B2 H K L W",
+     "B1H1, H1W1, !B1L1, !L1W1"),
     ("A hallway at least 7 m long, with three bedrooms, one bathroom, the kitchen and the living room all opening off "
      "it.", "B3 H K L W", "at_least H1 length 7, H1W1, H1K1, B1H1, B3H1, H1L1, !K1L1"),
     ("A corridor 1.4 m wide, with two bedrooms, the bathroom and the kitchen all leading off it.", "B2 H K L W",
@@ -32,6 +34,7 @@ HERS = [
      "orientation B2 south"),
 ]
 EACH_THEIR_OWN = [
+    ("Three siblings, each with a bedroom of her own; two bathrooms.", "B3 H K L W2", ""),
     ("A couple who sleep in a double bed in the master bedroom, and two children, each in a single bed in a bedroom of "
      "their own. One bathroom, one kitchen, one living room.", "B3 H K L W",
      "B1 has 1 double_bed, B2 has 1 single_bed, B3 has 1 single_bed"),
@@ -85,6 +88,7 @@ OF_THE_HOME = [
      "at_least K1 9, at_most K1 12, !at_most home 12"),
 ]
 OFF_THE_HALL_THAT = [
+    ("Two bedrooms. The pantry borders the kitchen.", "B2 H K L T W", "adjacent T1 K1"),
     ("A utility room off the hallway, sharing a wall with the bathroom; two bedrooms.", "B2 H K L U W",
      "adjacent U1 W1, H1U1"),
     ("A study, off the hall, that faces south; one bedroom.", "B H K L S W", "orientation S1 south, H1S1"),

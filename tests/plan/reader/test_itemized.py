@@ -18,6 +18,7 @@ LABELS = [
     ("(1) two bedrooms (2) one bathroom (3) open kitchen", "B2 H K L W", "K1~L1, !B1W1"),
 ]  # fmt: skip
 DENIED_KEYS = [
+    ("Requirement #1 - two bathrooms. Requirement #2 - three bedrooms, study: no.", "B3 H K L W2", "B1W1, !W1W2"),
     ("rooms: 2 bedrooms, 1 bathroom; balcony: n/a; study: absent", "B2 H K L W", "!unread absent"),
     ("bedrooms 2 | bathrooms 2 (1 ensuite, 1 off hallway) | laundry yes | study no | total 960 sqft", "B2 H K L U W2",
      "B1W1, H1W2, all=89.19"),
@@ -33,6 +34,8 @@ WIDTHS = [
     ("2 bedrooms, 1 bathroom. Hallway minimum width: 1.2 m.", "B2 H K L W", "at_least H1 width 1.2"),
 ]
 HEADINGS = [
+    ("rooms: bedroom, bathroom, kitchen, living room\nbedroom: double bed\nkitchen: table, 4 chairs", "B H K L W",
+     "B1 has 1 double_bed, K1 has 4 chair"),
     ("layout: 1 bedroom, 1 bathroom\nliving room: 1 sofa\nbedroom: 1 double bed, 2 nightstands", "B H K L W",
      "B1 has 1 double_bed, B1 has 2 nightstand, L1 has 1 sofa"),
     ("rooms: 1 bedroom, 1 bathroom, 1 study\nstudy: 1 desk\nbathroom: 1 bathtub\nbedroom: 1 double bed",
