@@ -18,7 +18,7 @@ WHOSE = (("boy", "son"), ("girl", "daughter"), ("twin",), ("bab", "nursery", "to
 
 
 POSSESSIVE = ("my", "our", "his", "her")
-"""Of `my room`: two people's are two."""
+"""Of `my room`, `her bedroom`: two people's are two."""
 
 
 def _of_others(text: str, name: str) -> bool:
@@ -42,6 +42,8 @@ def told_apart(phrase: RoomPhrase, known: list[Entity]) -> list[Entity] | None:
     free = [e for e in known if e.name == phrase.text] or [
         e for e in known if not e.name.startswith((*POSSESSIVE, "parent")) and not e.labels & OTHERS
     ]
+    if phrase.text.startswith(("his ", "her ")) and not any(e.counted for e in free):
+        free.reverse()  # "a bedroom for us and one for our daughter. Her bedroom …": the last that was named
     for room in free[:1]:
         room.name = phrase.text
     return free[:1]

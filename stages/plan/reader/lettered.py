@@ -2,6 +2,8 @@
 
 import re
 
+from apartgen.stages.plan.reader.itemized import LABEL
+
 _ROOM = r"(?:bed ?room|bath ?room|room|study|balcony|toilet|office|store ?room)"
 _SAID = (
     r"(?= ?(?:[-,.;:()/=+&]|$)| (?:and|or|is|has|gets?|on|in|at|to|off|with|by|next|opposite|near|beside|behind|faces?|"
@@ -18,6 +20,7 @@ _ALONE = re.compile(
 _COUNTED = re.compile(r"\b([2-6]|two|three|four|five|six) ((?:bed|bath) ?room)s\b")
 _COUNTS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
 _SIGNED = re.compile(rf"(?:\b(?:no|nos|nr|number|numbers)\b\.? ?|#)([1-6])(?: ?(?:and|&) ?([1-6]))?{_SAID}")
+_LABELLED = re.compile(rf"\b{LABEL} $")
 _ONE_DOES = r"(?= (?:has|gets|is|shares|uses|faces|needs|opens|should|must)\b)"
 _TWO_DO = r"(?= (?:both |all )?(?:have|get|are|share|use|face|need|open|should|must)\b)"
 _BARE = re.compile(
@@ -46,8 +49,8 @@ def _with_rooms(text: str) -> str:
 
     def named(found: re.Match[str]) -> str:
         several = found[2] is not None
-        if max(int(n) for n in found.groups() if n) > count:
-            return found.group()
+        if max(int(n) for n in found.groups() if n) > count or _LABELLED.search(found.string[: found.start()]):
+            return found.group()  # "requirement #1"
         return f"{counted[2]}s {found[1]} and {found[2]}" if several else f"{counted[2]} {found[1]}"
 
     text = _SIGNED.sub(named, text)

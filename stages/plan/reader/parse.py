@@ -20,6 +20,8 @@ from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
+from apartgen.stages.plan.reader.inverted import inverted
+from apartgen.stages.plan.reader.itemized import itemized
 from apartgen.stages.plan.reader.learners import as_learnt
 from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
@@ -59,7 +61,8 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(fold(prompt)))))))))
+    told = inverted(itemized(fold(prompt)))
+    folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
     whole, text = about(text)
