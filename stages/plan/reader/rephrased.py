@@ -125,6 +125,9 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "a bigger living room than kitchen"
     (r"\b(?:an? |the )?(larger|bigger|smaller) ((?:living|dining|bed|bath) ?room|kitchen|study|balcony|hall) than\b",
      r"the \2 \1 than the"),
+    # "the first bedroom is the largest" of the bedrooms, "the lounge is the largest" of all rooms
+    (r"(?<!\bthe )\b(bed|bath)( ?room(?: \d| [a-d])?) is the (largest|biggest|smallest)"
+     r"(?: \1 ?room| one)?(?= ?[.,;]|$| and\b)", r"\1\2 is the \3 of the \1rooms"),
     (r"\bis the (largest|biggest|smallest)(?= ?[.,;]|$)", r"is the \1 room"),
     (r"\bthan the (?:the|an?)\b", "than the"),
     (r"\b(to|near|from|beside|touch|touching) any (?:of the )?(bed|bath)rooms?\b", r"\1 the \2rooms"),

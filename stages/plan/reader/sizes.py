@@ -9,9 +9,9 @@ from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import shares_fit
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.household import Household
-from apartgen.stages.plan.reader.statements import Said, Statement
+from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.style import style_of
-from apartgen.stages.plan.reader.vocabulary import Relation, Trait
+from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
 
 SETTLED = 1e-4
 """Part by which areas may change once comparisons hold together."""
@@ -92,6 +92,19 @@ def _extremes(
                 base[room] = max(base[room], CLEARLY * max(others, default=0.0))
             elif wish.value == "smallest":
                 base[room] = min(base[room], min(others, default=base[room]) / CLEARLY)
+        if wish.kind == "order" and not isinstance(wish.to, str) and any(p.quantifier == Det.OTHER for p in wish.to):
+            _of_its_kind(wish, home, ids, base, stated)
+
+
+def _of_its_kind(
+    wish: Asked, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]
+) -> None:
+    """`the second bedroom is the largest`: of the bedrooms, with which it changes its usual size."""
+    for room in entities(wish.of, home)[:1]:
+        own, alike = ids[id(room)], [ids[id(e)] for e in home.of(room.type)]
+        most = (max if wish.value == "larger" else min)(alike, key=base.__getitem__)
+        if not stated.keys() & {own, most}:
+            base[own], base[most] = base[most], base[own]
 
 
 def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> None:
