@@ -18,3 +18,31 @@ LARGEST = [
 ]  # fmt: skip
 
 test_the_largest_of_a_kind = as_meant(LARGEST)
+
+AT_LEAST = [
+    ("A two-bedroom flat with a kitchen at least as large as the bathroom.", "B2 H K L W",
+     "order K1 W1 larger, K1=9, W1=5, !unread at least"),
+    ("A two-bedroom flat. The living room is at least the size of the main bedroom.", "B2 H K L W",
+     "order L1 B1 larger, L1=25.5, !unread at least"),
+    ("A two-bedroom flat. The bathroom should be at most as large as the kitchen.", "B2 H K L W",
+     "order W1 K1 smaller, !unread at most"),
+    ("A two-bedroom flat. The kitchen is as large as or larger than the bathroom.", "B2 H K L W",
+     "order K1 W1 larger, !unread or larger"),
+    ("A two-bedroom flat. The dining room is as big as the kitchen or bigger.", "B2 D H K L W",
+     "order D1 K1 larger, !unread or bigger"),
+    ("A two-bedroom flat. The living room should be at least twice as large as the kitchen.", "B2 H K L W",
+     "!unread at least"),
+    ("A two-bedroom flat. The bathroom must not be bigger than the kitchen.", "B2 H K L W",
+     "order W1 K1 smaller, !order W1 K1 larger, K1=9, W1=5"),
+    ("A two-bedroom flat. The second bedroom is not as large as the kitchen.", "B2 H K L W", "order B2 K1 smaller"),
+    ("Two bedrooms, neither smaller than the kitchen.", "B2 H K L W", "order B1 K1 larger, order B2 K1 larger, K1=9"),
+    ("A two-bedroom flat. The second bedroom is no smaller than the kitchen.", "B2 H K L W",
+     "order B2 K1 larger, B2=11.8, K1=9"),
+    ("Ein Wohnzimmer, zwei Schlafzimmer. Das Bad ist nicht größer als die Küche.", "B2 H K L W",
+     "order W1 K1 smaller"),
+    ("Dos dormitorios, un baño y una cocina. La cocina no es más pequeña que el baño.", "B2 H K L W",
+     "order K1 W1 larger, B1=14"),
+    ("A two-bedroom flat. The bathroom should not be smaller than 6 m².", "B2 H K L W", "at_least W1 6"),
+]  # fmt: skip
+
+test_at_least_as_large = as_meant(AT_LEAST)
