@@ -21,3 +21,22 @@ SENTENCES = [
 ]  # fmt: skip
 
 test_each_bedroom_has_its_own = as_meant(SENTENCES)
+
+SIZED = [
+    ("A three-bedroom flat. Each of the two smaller bedrooms has a bunk bed and the big one a double bed.",
+     "B3 H K L W2", "B1 has 1 double_bed, B2 has 1 bunk_bed, B3 has 1 bunk_bed, !B1 has 1 bunk_bed"),
+    ("A three-bedroom flat. Both smaller bedrooms have a desk, the largest has a double bed.", "B3 H K L W2",
+     "B1 has 1 double_bed, B2 has 1 desk, B3 has 1 desk, !B1 has 1 desk"),
+    ("A four-bedroom flat. Each of the smaller bedrooms has a single bed.", "B4 H K L W2",
+     "B2 has 1 single_bed, B3 has 1 single_bed, B4 has 1 single_bed, !B1 has 1 single_bed"),
+    ("Two small bedrooms and a large one. Both small bedrooms have a desk.", "B3 H K L W2",
+     "B1=10.5, B2=8.85, B1 has 1 desk, B2 has 1 desk, !B3 has 1 desk"),
+    ("Three bedrooms of 10, 14 and 12 m². The two smaller bedrooms have a desk.", "B3 H K L W2",
+     "B1 has 1 desk, B3 has 1 desk, !B2 has 1 desk"),
+    ("A three-bedroom flat. Each small bedroom has a desk.", "B3 H K L W2",
+     "B1 has 1 desk, B2 has 1 desk, B3 has 1 desk"),
+    ("A three-bedroom flat. The large bedrooms have a desk.", "B3 H K L W2",
+     "B1 has 1 desk, B2 has 1 desk, B3 has 1 desk"),
+]  # fmt: skip
+
+test_the_smaller_ones_have_theirs = as_meant(SIZED)
