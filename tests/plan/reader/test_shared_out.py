@@ -40,3 +40,29 @@ SIZED = [
 ]  # fmt: skip
 
 test_the_smaller_ones_have_theirs = as_meant(SIZED)
+
+SHORT = [
+    ("A three-bedroom flat. Each of the two smaller bedrooms has a bunk bed and the big one a double.", "B3 H K L W2",
+     "B1 has 1 double_bed, B2 has 1 bunk_bed, B3 has 1 bunk_bed"),
+    ("A two-bedroom flat. The big one has a double and the small one two singles.", "B2 H K L W",
+     "B1 has 1 double_bed, B2 has 2 single_bed"),
+    ("A two-bedroom flat. The main bedroom has a king, the second a double.", "B2 H K L W",
+     "B1 has 1 double_bed, B2 has 1 double_bed"),
+    ("A two-bedroom flat. One bedroom has a double and the other two singles.", "B2 H K L W",
+     "B1 has 1 double_bed, B2 has 2 single_bed"),
+    ("Two double bedrooms and a single.", "B3 H K L W2", ""),
+]  # fmt: skip
+
+test_a_double_is_a_bed = as_meant(SHORT)
+
+LIKEWISE = [
+    ("My room has a desk, and so does my sister's. One bathroom.", "B2 H K L W", "B1 has 1 desk, B2 has 1 desk"),
+    ("A two-bedroom flat. My room has two desks; so does my brother's room.", "B2 H K L W",
+     "B1 has 2 desk, B2 has 2 desk"),
+    ("A two-bedroom flat. My room has a desk, my sister's too.", "B2 H K L W",
+     "B1 has 1 desk, B2 has 1 desk, !unread sister's"),
+    ("A two-bedroom flat. My room has a desk and my sister's has a wardrobe.", "B2 H K L W",
+     "B1 has 1 desk, B2 has 1 wardrobe, !B2 has 1 desk"),
+]  # fmt: skip
+
+test_so_does_hers = as_meant(LIKEWISE)
