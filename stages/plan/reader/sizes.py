@@ -131,15 +131,17 @@ def _compare(
         base.update(dict.fromkeys(left, sum(base[j] for j in left) / max(len(left), 1)))
     if s.kind != Relation.COMPARE or not left or not right or s.number <= 0:
         return
-    reference = sum(stated.get(j, base[j]) for j in right) / len(right)
+    together = any(p.together for p in s.right)
+    reference = sum(stated.get(j, base[j]) for j in right) / (1 if together else len(right))
     for i in left:
         if i in stated:
             for j in right:
-                stated.setdefault(j, stated[i] / s.number)
-        elif right[0] in stated:
+                part = base[j] / sum(base[k] for k in right) if together else 1
+                stated.setdefault(j, part * stated[i] / s.number)
+        elif stated.keys() >= set(right if together else right[:1]):
             stated[i] = reference * s.number
-        elif not _holds(base[i] / base[right[0]], s.number):
-            _meet(base, left, right, s.number)
+        elif not _holds(base[i] / (reference if together else base[right[0]]), s.number):
+            _meet(base, left, right, s.number, together)
 
 
 def _holds(ratio: float, number: float) -> bool:
@@ -149,13 +151,14 @@ def _holds(ratio: float, number: float) -> bool:
     return number in (0.6, 0.75, 0.9) and ratio <= 0.9
 
 
-def _meet(base: dict[str, float], left: list[str], right: list[str], number: float) -> None:
-    """Both sides give way so that their sum stays."""
+def _meet(base: dict[str, float], left: list[str], right: list[str], number: float, together: bool) -> None:
+    """Both sides give way so that their product stays; rooms that are meant together keep their shares."""
     a = sum(base[i] for i in left) / len(left)
-    b = sum(base[j] for j in right) / len(right)
+    b = sum(base[j] for j in right) / (1 if together else len(right))
     small = math.sqrt(a * b / number)
     for j in right:
-        base[j] = small if j not in left else base[j]
+        size = base[j] * small / b if together else small
+        base[j] = size if j not in left else base[j]
     for i in left:
         base[i] = small * number
 
@@ -169,6 +172,11 @@ def _compared(
     right = [ids[id(e)] for e in entities(s.right, home)]
     if not left or not right or s.number <= 0 or set(left + right) & set(stated):
         return filled
+    if any(p.together for p in s.right):
+        a, b = sum(filled[i] for i in left), sum(filled[j] for j in right)
+        small = (a + b) / (len(left) * s.number + 1)
+        fixed = dict(stated) | {j: filled[j] * small / b for j in right} | {i: small * s.number for i in left}
+        return fill(rooms, filled, fixed, shares, total)
     both = sum(filled[i] for i in dict.fromkeys([*left, *right]))
     unit = both / (len(left) * s.number + len([j for j in right if j not in left]))
     fixed = dict(stated) | {j: unit for j in right} | {i: unit * s.number for i in left}

@@ -1,6 +1,9 @@
 """The largest of its kind, what is at least as large as another room, and as large as several together."""
 
+import pytest
 from sentences.facts import as_meant
+
+from apartgen.stages.plan.reader import read
 
 LARGEST = [
     ("A three-bedroom flat. The first bedroom is the largest.", "B3 H K L W2",
@@ -46,3 +49,25 @@ AT_LEAST = [
 ]  # fmt: skip
 
 test_at_least_as_large = as_meant(AT_LEAST)
+
+TOGETHER = [
+    "A two-bedroom flat whose living room is as large as both bedrooms together.",
+    "A two-bedroom flat. The living room is as large as the two bedrooms combined.",
+    "A two-bedroom flat of 80 m². The living room is as large as both bedrooms together.",
+    "Two bedrooms of 12 and 10 m². The living room is as large as both bedrooms together.",
+    "A three-bedroom flat with a living room the size of all bedrooms put together.",
+]
+
+
+@pytest.mark.parametrize("prompt", TOGETHER)
+def test_as_large_as_several_together(prompt: str) -> None:
+    rooms = read(prompt).rooms
+    living, *beds = [sum(r.area or 0 for r in rooms if r.type == kind) for kind in ("living_room", "bedroom")]
+    assert living == pytest.approx(sum(beds), rel=0.01)
+
+
+def test_as_large_as_two_rooms_together() -> None:
+    program = read("A two-bedroom flat. The living room is as big as the kitchen and the bathroom together.")
+    areas = {room.id: room.area or 0 for room in program.rooms}
+    assert areas["living_room_1"] == pytest.approx(areas["kitchen_1"] + areas["bathroom_1"], rel=0.01)
+    assert areas["kitchen_1"] > areas["bathroom_1"]
