@@ -11,10 +11,16 @@ _OLD = r"(?:grandparents|(?:grand)?(?:mother|father|ma|pa)|granny|grandma|grandp
 _OWNED = rf"(?:(?:(?:the|our|my|both|two|three) )+(?:{_YOUNG}|{_OLD}|guests?|lodger|parents)|{_OLD})"
 _WHICH = r"(?:the (?:other|second|third|small(?:er|est)?|big(?:ger|gest)?|larger?|largest)|another|one|a|their|our|my)"
 _IN = rf"in {_WHICH}(?: one| (?:bed ?)?room)?"
-_WORDS = {"in": _IN, "bed": _BED}
+_NAMED = r"(?:bed ?rooms?|ones?|others?|first|second|third|big(?:ger|gest)?|larger?|largest|small(?:er|est)?)"
+_SHORT = r"(double|single|king|queen|bunk)s?(?= ?(?:[.,;]|$)| and\b| each\b)"
+_WORDS = {"in": _IN, "bed": _BED, "named": _NAMED, "short": _SHORT}
 _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "in one bedroom, in a bunk bed", "in the other in a double bed"
     (r"\b({in}),? in (?={bed})", r"\1 with "),
+    # "the main bedroom has a king, the second a double"
+    (r"\b({named} (?:each )?(?:has|have|gets?|needs?) (?:an?|one|two|three|four) ){short}", lambda found: _bed(found)),
+    (r"(\bbeds?\b[^.;]*\bthe (?:main )?{named}(?: one| bed ?room)? (?:an?|one|two|three|four) ){short}",
+     lambda found: _bed(found)),
     # "we share the kitchen and the living room"
     (r"(^|[.;,] ?|\band )(?:we|they|both of us|all of us)(?: all| both)? (?:will |can |would )?share "
      r"(?=the (?:kitchen|living|lounge|dining|sitting|bath ?room|hall|balcony))", r"\1"),
@@ -37,6 +43,11 @@ def bedded(text: str) -> str:
     theirs, ours = _THEIRS
     said = theirs.sub(lambda found: f"{_whose(found[1])} has ", text)
     return ours.sub("the parents' bedroom has ", said)
+
+
+def _bed(found: re.Match[str]) -> str:
+    """The bed or beds of `has a double`, `two singles`."""
+    return f"{found[1]}{found[2]} {'bed' if found[1].split()[-1] in ('a', 'an', 'one') else 'beds'}"
 
 
 def _two(found: re.Match[str]) -> str:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.at_least import RATIOS, at_ratio
 from apartgen.stages.plan.reader.lexeme import Lexeme
 
 AND = ("and", "but", ",", "und", "et", "y", "mais", "aber")
@@ -10,6 +11,9 @@ BETWEEN = ("area_word", "stop")
 
 BEHIND = ("or ", "and ", "min", "max", "upwards", "at most", "at least", "at the most", "at the least")
 """How limits begin that stand behind their area: `12 m² or more`, `60 m² at most`."""
+
+THAN = ("than", " als", " que", " 于")
+"""How limits end that another room may follow: `no larger than`, `nicht größer als`."""
 
 
 def bounded(words: list[Lexeme]) -> list[Lexeme]:
@@ -28,8 +32,8 @@ def bounded(words: list[Lexeme]) -> list[Lexeme]:
             i = j
         elif out and out[-1].kind == "area" and word.text.startswith(BEHIND) and not _number_after(words, i):
             out[-1] = _limited(out[-1], word.value)
-        elif _room_after(words, i + 1) and word.text.endswith("than"):
-            out.append(replace(word, kind="compare", value="1.0", values=(1.0,)))
+        elif _room_after(words, i + 1) and word.text.endswith(THAN):
+            out.append(at_ratio(word, RATIOS[word.value]))
         else:
             out.append(replace(word, kind="stop", value="word"))
         i += 1

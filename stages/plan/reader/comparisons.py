@@ -14,6 +14,18 @@ def compared_again(items: list[Item], before: list[RoomPhrase]) -> list[Item]:
     return [again_named(one), *items[1:]] if fits and one is not None else items
 
 
+def summed(items: list[Item]) -> None:
+    """Marks the rooms of `as large as both bedrooms together`, `larger than the kitchen and the bath together`."""
+    for k in (k for k, item in enumerate(items) if item.kind == "sum"):
+        at = k - 1
+        while at > 0 and (items[at].room is not None or items[at].kind == "conjunction" or is_mark(items[at], ",")):
+            at -= 1
+        several = rooms_of(items[at + 1 : k])
+        if at >= 0 and items[at].kind == "compare" and not any(i.kind == "area" for i in items[k + 1 : k + 2]):
+            for room in several:
+                room.together = True
+
+
 def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
     """`A is twice as large as B`, `bedrooms of equal size`."""
     out: list[Item] = []
@@ -43,7 +55,8 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
                 i.kind == "relative" for i in out[-2:]
             )  # "than the kitchen, which is larger than"
             left = found[-1].left if again else before[-1:]  # "smaller than the lounge but larger than the bath"
-            found.append(Statement(Relation.COMPARE, left, after[:1], item.number))
+            all_of_them = [r for r in after if r.together] if after[0].together else after[:1]
+            found.append(Statement(Relation.COMPARE, left, all_of_them, item.number))
             other = Item("room", after[0].type, after[0].text, after[0])
             aside = any(i.kind == "relative" for i in out[-2:])  # "the lounge, which is larger than the bedroom"
             asides += [Item("boundary", "while"), other] if aside else []

@@ -27,7 +27,7 @@ def limits_denied(words: list[Lexeme]) -> list[Lexeme]:
         following = out[k + 1] if k + 1 < len(out) else None
         if following is None or following.kind not in ("number", "area"):
             continue
-        at = _none_before(out, k)
+        at = none_before(out, k)
         no = k - 1
         while no > 0 and out[no].kind == "stop" and out[no].value != "word":
             no -= 1  # "may not be smaller than"
@@ -50,7 +50,7 @@ def _one(word: Lexeme) -> bool:
     return word.kind in ("room", "main_rooms")
 
 
-def _none_before(words: list[Lexeme], k: int) -> int | None:
+def none_before(words: list[Lexeme], k: int) -> int | None:
     """Where the `none` stands that the limit at `k` is said with."""
     j, room = k - 1, False
     while j >= 0:

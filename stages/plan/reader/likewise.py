@@ -1,5 +1,7 @@
 """What is said of one room and then, in fewer words, of another: `neither must the study`, `as the bathroom does`."""
 
+import re
+
 from apartgen.stages.plan.reader.patterns import Late
 
 _KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other|only|family|children's|kids'|parents') )*"
@@ -10,7 +12,8 @@ _MUST = r"(?:must|should|may|can|shall|does|do|is|are|will)"
 _BY = (r"(?:share (?:a |any )?walls? with|touch|adjoin|border|(?:be )?(?:next|adjacent|close|opposite)(?: to)?|"
        r"(?:be )?near|(?:open|lead|give) (?:on|off|into|onto|to)|have a door to|face)")  # fmt: skip
 _END = r"(?= ?(?:[.,;!]|$))"
-_WORDS = {"must": _MUST, "by": _BY, "the": _THE, "end": _END, "kind": _KIND}
+_WHOSE = r"(?:my|our|the) [a-z]+(?:'s|s')(?: (?:bed ?)?room)?"
+_WORDS = {"whose": _WHOSE, "must": _MUST, "by": _BY, "the": _THE, "end": _END, "kind": _KIND}
 _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "must not share a wall with the living room, and neither must the study with the kitchen"
     (r"\b(?P<must>{must}) not (?P<by>{by}) (?P<to>{the}),? ?(?:and |but )?(?:neither|nor) {must} (?P<of>{the}),? "
@@ -25,6 +28,11 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     (r"\b(?P<verb>faces?|looks?|lies?|is|are) (?P<side>(?:(?:to|on|at|in|near|far from|close to) )?(?:the )?"
      r"(?:north|south|east|west|back|front|entrance)\b(?: side)?),? ?(?:just )?(?:as|like) (?P<of>{the})"
      r"(?: (?:does|do|is|are))?{end}", r"\g<verb> \g<side>. \g<of> \g<verb> \g<side>"),
+    # "my room has a desk, and so does my sister's"
+    (r"\b(?P<verb>has|have|needs?|gets?) (?P<what>(?:an?|one|two|its own) [^.;,]+?)[,;]? ?(?:and )?so "
+     r"(?:does|do|should) (?P<of>{the}|{whose}){end}", lambda found: _theirs(found)),
+    (r"\b(?P<verb>has|have|needs?|gets?) (?P<what>(?:an?|one|two|its own) [^.;,]+?)(?:[,;]| and|, and) (?P<of>{whose})"
+     r"(?: does| has one)?,? (?:too|as well){end}", lambda found: _theirs(found)),
     # "the bedrooms open off the hallway, as the bathroom does", "and so does the bathroom"
     (r",? (?:as|like|just as|just like) ({the}) (?:also )?(?:does|do|is|are)(?: too)?{end}", r", as is \1"),
     (r",? (?:and )?so (?:does|do|is|are|should|must) ({the}){end}", r", as is \1"),
@@ -46,3 +54,9 @@ def likewise(text: str) -> str:
     for pattern, words in _SAID:
         text = pattern.sub(words, text)
     return text
+
+
+def _theirs(found: re.Match[str]) -> str:
+    """The same furniture of a second room, which may be told by whose it is."""
+    room = f"{found['of']} room" if found["of"].endswith("'") or found["of"].endswith("'s") else found["of"]
+    return f"{found['verb']} {found['what']}. {room} {found['verb']} {found['what']}"

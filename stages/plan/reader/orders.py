@@ -43,7 +43,8 @@ def orders(items: list[Item], said: Said) -> list[Item]:
         elif item.kind != "extreme":
             out.append(item)
         elif (last := _before(out)) is not None:
-            said.asked.append(Asked("order", [last], "", item.value, f"{last.text} {item.text}"))
+            of_all = Asked("order", [last], "", item.value, f"{last.text} {item.text}")
+            said.asked.append(_of_counted(last, out, item) or of_all)
         elif (ahead := _after(items, k)) is not None:
             said.asked.append(Asked("order", [ahead], "", item.value, f"{item.text} {ahead.text}"))
             skip = 1  # the copula
@@ -84,6 +85,16 @@ def _most(room: RoomPhrase | None, most: RoomPhrase | None) -> Asked:
         return Asked("order", [room], "", "smallest" if small else "largest", text)
     others = RoomPhrase(room.type, quantifier=Det.OTHER, plural=True, text="others")
     return Asked("order", [room], [others], "smaller" if small else "larger", text)
+
+
+def _of_counted(one: RoomPhrase, out: list[Item], item: Item) -> Asked | None:
+    """The first of `three bedrooms: the first is the largest`, beside the others that were counted."""
+    counted = [i.room.type for i in out if i.room is not None and i.room.type and (i.room.count or 1) > 1][-1:]
+    if one.type or not (one.ordinals or one.count == 1) or counted not in (["bedroom"], ["bathroom"]):
+        return None
+    others = RoomPhrase(counted[0], quantifier=Det.OTHER, plural=True, text="others")
+    value = "larger" if item.value == "largest" else "smaller"
+    return Asked("order", [one], [others], value, f"{one.text} {item.text}")
 
 
 def _than_all(items: list[Item], k: int) -> bool:

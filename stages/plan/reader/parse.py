@@ -9,7 +9,7 @@ from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
-from apartgen.stages.plan.reader.comparisons import compared_again, comparisons
+from apartgen.stages.plan.reader.comparisons import compared_again, comparisons, summed
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.denied import all_denied
@@ -174,6 +174,7 @@ def _sentence(items: list[Item], said: Said, before: list[RoomPhrase], trail: li
         if item.kind == "dwelling":
             said.dwelling = said.dwelling if said.dwelling == "studio" else item.value
     _it_is(items)
+    summed(items)
     items = compared_again(items, before)
     items = [i for i in merge_ensuites(intended(of_that_home(items))) if i.kind != "stop"]
     items = _closed(attach_areas(of_the_last(items, before), said))

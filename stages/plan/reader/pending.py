@@ -42,7 +42,7 @@ class Pending:
         phrase.ordinals, phrase.plural, phrase.text = self.ordinals, word.plural, word.text
         phrase.negated, phrase.factor, phrase.whole = self.negated or self.number == 0, self.factor, self.whole
         phrase.count = self.number or None
-        phrase.rank = rank(self.quantifier, self.factor)
+        phrase.rank = rank(self.quantifier, self.factor, word.plural)
         if phrase.rank and COMPARED & set(self.texts) and kind in ("bedroom", "bathroom"):
             phrase.whole = max(phrase.whole or 0, 2)  # "the larger bedroom" is one of two
         if self.area:

@@ -72,8 +72,8 @@ def positions(items: list[Item], said: Said) -> list[Item]:
             more = and_room(items, k)
             if not more and _other_room(items, k + 1):
                 out.append(Item("mark", ",", ","))  # "bedrooms far from the entrance and a kitchen next to …"
-            said.asked += _from_entrance(rooms, items, _unless_denied(out, link.value), f"{link.text} {text}")
             clause_of(out, rooms, link.text)
+            said.asked += _from_entrance(rooms, items, _unless_denied(out, link.value), f"{link.text} {text}")
             out += [link] if more else []  # "close to the entrance and to the bathroom"
             k += 1 + more
             continue

@@ -24,6 +24,7 @@ from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.missing import add_missing_rooms, full_graph
 from apartgen.stages.plan.reader.parse import mentions, parse
 from apartgen.stages.plan.reader.requirements import requirements
+from apartgen.stages.plan.reader.shared_out import shared_out
 from apartgen.stages.plan.reader.sizes import room_areas
 from apartgen.stages.plan.reader.statements import Said
 from apartgen.stages.plan.reader.style import style_of
@@ -213,14 +214,14 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
             for category, count in phrase.objects if e.type in LIVED_IN and id(e) not in excluded else []:
                 wanted.setdefault((ids[id(e)], category), count)
     counted = {category for _, category in wanted}  # "I collect plants. … ten plants in the living room"
+    loose = [(c, n) for c, n in said.loose_objects if [e.type for e in _homes(c, home)][:1] == ["bedroom"]]
+    shared = shared_out(loose, [e for e in _ordered(home) if e.type == "bedroom"])
+    for room, category, count in shared:
+        wanted[ids[id(room)], category] = wanted.get((ids[id(room)], category), 0) + count
     for category, count in said.loose_objects:
-        if category in said.uncounted & counted:
+        if category in said.uncounted & counted or category in {one for _, one, _ in shared}:
             continue
-        homes = [e for kind in (TABLE[category].rooms if category else ()) for e in home.of(kind)]
-        if category and not home.of("bedroom") and {"bedroom", "dining_room"} & set(TABLE[category].rooms):
-            homes = home.of("living_room")
-        homes = (category and "utility" in TABLE[category].rooms and home.of("utility")) or homes
-        if homes:
+        if homes := _homes(category, home):
             key = ids[id(homes[0])], category
             wanted[key] = wanted.get(key, 0) + count
         else:
@@ -228,6 +229,14 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
     return [
         AskedObjects(room=room, category=category, count=min(count, 100)) for (room, category), count in wanted.items()
     ]
+
+
+def _homes(category: str, home: Household) -> list[Entity]:
+    """The rooms that furniture stands in where nobody says which, the most usual first."""
+    usual = TABLE[category].rooms if category else ()
+    if category and not home.of("bedroom") and {"bedroom", "dining_room"} & set(usual):
+        return home.of("living_room")
+    return ("utility" in usual and home.of("utility")) or [e for kind in usual for e in home.of(kind)]
 
 
 def _envelope(said: Said) -> Envelope:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from apartgen.stages.plan.reader.at_least import compared_within
 from apartgen.stages.plan.reader.bounds import bounded
 from apartgen.stages.plan.reader.contrasted import that_hold
 from apartgen.stages.plan.reader.denied import limits_denied, nowhere_less
@@ -26,7 +27,7 @@ def quantities(words: list[Lexeme]) -> list[Lexeme]:
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:
     words = extents(nowhere_less(dimensions(words)))
     words = limits_denied(_one_of(_areas(_by_percent(_shares(words)))))
-    return listing(sized_anew(bare(bounded(words))))
+    return listing(sized_anew(bare(bounded(compared_within(words)))))
 
 
 def _of_things(words: list[Lexeme]) -> list[Lexeme]:

@@ -5,27 +5,40 @@ from apartgen.stages.plan.reader.mention import RoomPhrase
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 
 
-def rank(quantifier: Det, factor: float) -> str:
+def rank(quantifier: Det, factor: float, several: bool = False) -> str:
     """What a size tells of a room that is known: `the big one` is the largest, whatever the degree of the word."""
-    if quantifier != Det.THE or factor == 1.0:
+    if not (quantifier in (Det.THE, Det.BOTH) or (quantifier == Det.EACH and several)) or factor == 1.0:
         return ""
     return "largest" if factor > 1 else "smallest"
 
 
 def ranked(phrase: RoomPhrase, pool: list[Entity]) -> list[Entity]:
     """The room of `pool` that a size tells from the others; [] where none is meant or there is nothing to tell."""
-    count = int(phrase.count or 1)
-    if not phrase.rank or (phrase.plural and count < 2) or len(pool) < 2:
+    if not phrase.rank or len(pool) < 2:
         return []
-    if count > 1:  # "the two smallest bedrooms"
-        found = pool[:count] if phrase.rank == "largest" else pool[-count:]
-        for room in found:
-            room.rank = room.rank or phrase.rank
-        return found
+    if phrase.plural or (phrase.count or 1) > 1:
+        return _several(phrase, pool)
     told = [e for e in pool if e.rank == phrase.rank][:1]
     found = told or [_by_size(phrase.rank, [e for e in pool if not e.rank] or pool)]
     found[0].rank, found[0].picked = phrase.rank, True
     phrase.factor = 1.0 if told and told[0].factor != 1.0 else phrase.factor  # how small it is was said before
+    return found
+
+
+def _several(phrase: RoomPhrase, pool: list[Entity]) -> list[Entity]:
+    """`the two smallest bedrooms`; `the smaller bedrooms` of three or more are all but one, if no others were told."""
+    alike = [e for e in pool if (e.factor - 1) * (phrase.factor - 1) > 0]
+    count = int(phrase.count or (2 if phrase.quantifier == Det.BOTH else len(alike) or len(pool) - 1))
+    if count < 2 or not (phrase.count or alike or phrase.whole or phrase.quantifier == Det.BOTH):
+        return []  # "the large bedrooms face south" may speak of all
+    if len(alike) == count:
+        found, phrase.factor = alike, 1.0  # how small they are was said before
+    else:
+        areas = {id(e): e.area for e in pool if e.area is not None}
+        ordered = sorted(pool, key=lambda e: -areas[id(e)]) if len(areas) == len(pool) else pool
+        found = ordered[:count] if phrase.rank == "largest" else ordered[-count:]
+    for room in found:
+        room.rank = room.rank or phrase.rank
     return found
 
 

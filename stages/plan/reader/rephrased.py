@@ -125,8 +125,14 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     # "a bigger living room than kitchen"
     (r"\b(?:an? |the )?(larger|bigger|smaller) ((?:living|dining|bed|bath) ?room|kitchen|study|balcony|hall) than\b",
      r"the \2 \1 than the"),
+    # "the first bedroom is the largest" of the bedrooms, "the lounge is the largest" of all rooms
+    (r"(?<!\bthe )\b(bed|bath)( ?room(?: \d| [a-d])?) is the (largest|biggest|smallest)"
+     r"(?: \1 ?room| one)?(?= ?[.,;]|$| and\b)", r"\1\2 is the \3 of the \1rooms"),
     (r"\bis the (largest|biggest|smallest)(?= ?[.,;]|$)", r"is the \1 room"),
     (r"\bthan the (?:the|an?)\b", "than the"),
+    # "as large as the two bedrooms combined"
+    (r"(\b(?:as (?:large|big|spacious) as|(?:larg|bigg|small)er than|the size of) [^.;,]*?) (?:combined|(?:put|taken) "
+     r"together)\b", r"\1 together"),
     (r"\b(to|near|from|beside|touch|touching) any (?:of the )?(bed|bath)rooms?\b", r"\1 the \2rooms"),
     (r"\bon (?:either|both) sides? of the (bath ?room|kitchen|living room|study)\b", r"next to the \1"),
     (r"\bun bureau (?=dans (?:chaque |les |la |une )?chambre)", "une table de travail "),

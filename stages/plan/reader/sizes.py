@@ -9,9 +9,9 @@ from apartgen.stages.plan.reader.areas import fill, typical
 from apartgen.stages.plan.reader.contradict import shares_fit
 from apartgen.stages.plan.reader.doors import entities
 from apartgen.stages.plan.reader.household import Household
-from apartgen.stages.plan.reader.statements import Said, Statement
+from apartgen.stages.plan.reader.statements import Asked, Said, Statement
 from apartgen.stages.plan.reader.style import style_of
-from apartgen.stages.plan.reader.vocabulary import Relation, Trait
+from apartgen.stages.plan.reader.vocabulary import Det, Relation, Trait
 
 SETTLED = 1e-4
 """Part by which areas may change once comparisons hold together."""
@@ -92,6 +92,19 @@ def _extremes(
                 base[room] = max(base[room], CLEARLY * max(others, default=0.0))
             elif wish.value == "smallest":
                 base[room] = min(base[room], min(others, default=base[room]) / CLEARLY)
+        if wish.kind == "order" and not isinstance(wish.to, str) and any(p.quantifier == Det.OTHER for p in wish.to):
+            _of_its_kind(wish, home, ids, base, stated)
+
+
+def _of_its_kind(
+    wish: Asked, home: Household, ids: dict[int, str], base: dict[str, float], stated: dict[str, float]
+) -> None:
+    """`the second bedroom is the largest`: of the bedrooms, with which it changes its usual size."""
+    for room in entities(wish.of, home)[:1]:
+        own, alike = ids[id(room)], [ids[id(e)] for e in home.of(room.type)]
+        most = (max if wish.value == "larger" else min)(alike, key=base.__getitem__)
+        if not stated.keys() & {own, most}:
+            base[own], base[most] = base[most], base[own]
 
 
 def _equalise(base: dict[str, float], home: Household, ids: dict[int, str]) -> None:
@@ -118,15 +131,17 @@ def _compare(
         base.update(dict.fromkeys(left, sum(base[j] for j in left) / max(len(left), 1)))
     if s.kind != Relation.COMPARE or not left or not right or s.number <= 0:
         return
-    reference = sum(stated.get(j, base[j]) for j in right) / len(right)
+    together = any(p.together for p in s.right)
+    reference = sum(stated.get(j, base[j]) for j in right) / (1 if together else len(right))
     for i in left:
         if i in stated:
             for j in right:
-                stated.setdefault(j, stated[i] / s.number)
-        elif right[0] in stated:
+                part = base[j] / sum(base[k] for k in right) if together else 1
+                stated.setdefault(j, part * stated[i] / s.number)
+        elif stated.keys() >= set(right if together else right[:1]):
             stated[i] = reference * s.number
-        elif not _holds(base[i] / base[right[0]], s.number):
-            _meet(base, left, right, s.number)
+        elif not _holds(base[i] / (reference if together else base[right[0]]), s.number):
+            _meet(base, left, right, s.number, together)
 
 
 def _holds(ratio: float, number: float) -> bool:
@@ -136,13 +151,14 @@ def _holds(ratio: float, number: float) -> bool:
     return number in (0.6, 0.75, 0.9) and ratio <= 0.9
 
 
-def _meet(base: dict[str, float], left: list[str], right: list[str], number: float) -> None:
-    """Both sides give way so that their sum stays."""
+def _meet(base: dict[str, float], left: list[str], right: list[str], number: float, together: bool) -> None:
+    """Both sides give way so that their product stays; rooms that are meant together keep their shares."""
     a = sum(base[i] for i in left) / len(left)
-    b = sum(base[j] for j in right) / len(right)
+    b = sum(base[j] for j in right) / (1 if together else len(right))
     small = math.sqrt(a * b / number)
     for j in right:
-        base[j] = small if j not in left else base[j]
+        size = base[j] * small / b if together else small
+        base[j] = size if j not in left else base[j]
     for i in left:
         base[i] = small * number
 
@@ -156,6 +172,11 @@ def _compared(
     right = [ids[id(e)] for e in entities(s.right, home)]
     if not left or not right or s.number <= 0 or set(left + right) & set(stated):
         return filled
+    if any(p.together for p in s.right):
+        a, b = sum(filled[i] for i in left), sum(filled[j] for j in right)
+        small = (a + b) / (len(left) * s.number + 1)
+        fixed = dict(stated) | {j: filled[j] * small / b for j in right} | {i: small * s.number for i in left}
+        return fill(rooms, filled, fixed, shares, total)
     both = sum(filled[i] for i in dict.fromkeys([*left, *right]))
     unit = both / (len(left) * s.number + len([j for j in right if j not in left]))
     fixed = dict(stated) | {j: unit for j in right} | {i: unit * s.number for i in left}
