@@ -3,10 +3,11 @@
 from collections import Counter
 
 from apartgen.stages.plan.reader.entity import Entity
+from apartgen.stages.plan.reader.vocabulary import Trait
 
 BEDS = ("double_bed", "bunk_bed", "single_bed", "cot")
 """Beds by how many sleep in them: the main bedroom, told first, has the widest."""
-ONE_EACH = ("desk", "wardrobe", "dresser")
+ONE_EACH = ("wardrobe", "dresser")
 """What each bedroom has one of where there are as many as bedrooms."""
 
 Furniture = list[tuple[Entity, str, int]]
@@ -22,11 +23,11 @@ def shared_out(loose: list[tuple[str, int]], bedrooms: list[Entity]) -> Furnitur
 
 
 def _beds(loose: list[tuple[str, int]], free: list[Entity]) -> Furniture:
-    """A double bed a room, then the others evenly among the rooms that are left, those alike side by side."""
+    """A double bed a room, then the others evenly among the children's rooms, else among those that are left."""
     said = sorted((BEDS.index(category), count) for category, count in loose if category in BEDS)
     wide = [BEDS[n] for n, count in said if n == 0 for _ in range(count)]
     narrow = [BEDS[n] for n, count in said if n > 0 for _ in range(count)]
-    left = free[len(wide) :] or free
+    left = [e for e in free if Trait.KIDS in e.labels] or free[len(wide) :] or free
     step = min(len(left), len(narrow))
     dealt = [(free[k % len(free)], bed) for k, bed in enumerate(wide)]
     dealt += [(left[k * step // len(narrow)], bed) for k, bed in enumerate(narrow)]
