@@ -62,8 +62,8 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     style = int(home.integers(1 << 16))
     due = [i for i, room in enumerate(plan.rooms) if not config.room or room.id in config.room]
     there = {i: [] if config.room else [o for o in given if o.room == plan.rooms[i].id] for i in due}
-    ways = {i: living.draw(plan, plan.rooms[i], seeds.lane(rng, plan.rooms[i].id + " habits").random(len(living.WAYS)))
-            for i in due}
+    chances = {i: seeds.lane(rng, plan.rooms[i].id + " habits").random(len(living.WAYS)).tolist() for i in due}
+    ways = {i: living.draw(plan, plan.rooms[i], chances[i]) for i in due}
     spared = {i: living.forgone(site(plan, plan.rooms[i].id), ways[i]) for i in due}
     best: dict[int, Furnished] = {}
     left = {i: _rounds(config.candidates, plan.rooms[i].base) for i in due}

@@ -43,8 +43,8 @@ def orders(items: list[Item], said: Said) -> list[Item]:
         elif item.kind != "extreme":
             out.append(item)
         elif (last := _before(out)) is not None:
-            of_all = Asked("order", [last], "", item.value, f"{last.text} {item.text}")
-            said.asked.append(_of_counted(last, out, item) or of_all)
+            plainly = Asked("order", [last], "", item.value, f"{last.text} {item.text}")
+            said.asked.append(_of_counted(last, out, item) or plainly)
         elif (ahead := _after(items, k)) is not None:
             said.asked.append(Asked("order", [ahead], "", item.value, f"{item.text} {ahead.text}"))
             skip = 1  # the copula
