@@ -104,7 +104,7 @@ _SAID: list[tuple[Late, str | Callable[[re.Match[str]], str]]] = [
      r"\g<it> is \g<only>reached from "),
     (Late(r"\b(?P<it>{outside}),? (?:(?:that|which) )?{go} (?:on ?to|on|to) (?P<only>only )?from (?=the )", _WORDS),
      r"\g<it> reached from "),
-    (Late(r"\b(?P<it>{room}|{outside}),? (?:that|which) (?:you|one|we|i) (?:can )?(?P<only>only )?(?:enter|reach|"
+    (Late(r"\b(?P<it>{outside}),? (?:that|which) (?:you|one|we|i) (?:can )?(?P<only>only )?(?:enter|reach|"
           r"access|get to|get into) (?:only )?(?:from|through|via) (?=the )", _WORDS), r"\g<it> reached from "),
     (Late(r"\bfrom (?P<from>the (?:{room}|{hall})),? {go} (?P<only>)(?:on ?to|on|to) (?:it|there){end}", _WORDS),
      _out_on_it),
