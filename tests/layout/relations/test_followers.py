@@ -53,10 +53,10 @@ def test_a_missing_wardrobe_is_worse_than_a_nightstand_that_nobody_gets_to() -> 
     assert followers.fit(room(), "double_bed", narrow, left) == 0.5
 
 
-@pytest.mark.parametrize("width, depth, fits", [(4.0, 4.5, False), (4.0, 6.5, True)])
+@pytest.mark.parametrize("width, depth, fits", [(4.0, 4.5, False), (4.0, 6.5, False), (4.0, 8.0, True)])
 def test_a_sofa_leaves_the_floor_that_a_table_takes_with_its_chairs(width: float, depth: float, fits: bool) -> None:
-    """A table for six, .9 by 1.8 m, has .67 m on both sides and keeps .36 m from a sofa, which in the middle of a room
-    leaves 1.8 or 2.8 m."""
+    """A table for six, .9 by 1.8 m, has .78 m on both sides and they rather keep .9 m from a sofa, which in the middle
+    of a room leaves 1.8, 2.8 or 3.55 m."""
     there, sofa = room(width, depth), box((0.9, 2.0, 0.8), 0, 0, np.pi / 2)
     assert (followers.fit(there, "sofa", sofa, ["dining_table", *["chair"] * 6]) == 1) == fits
     assert followers.fit(there, "sofa", sofa, ["dining_table"]) == 1
