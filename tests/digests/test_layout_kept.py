@@ -24,6 +24,8 @@ from apartgen.stages.layout.relations.shape import Shape
 from apartgen.stages.layout.rooms import of_plan
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 
+pytestmark = pytest.mark.wide
+
 SETTINGS = {
     "relations": LayoutConfig(threads=1, candidates=2),
     "anywhere": LayoutConfig(threads=1, places="random", candidates=1),

@@ -13,6 +13,8 @@ from apartgen.schemas.plan import Plan
 from apartgen.stages import check, plan
 from apartgen.stages.plan import PlanConfig, imports, judge, reader, study
 
+pytestmark = pytest.mark.wide
+
 SENTENCES = Path(__file__).parent.parent / "sentences" / "sentences.jsonl"
 PARTS = 10
 DRAWN = {

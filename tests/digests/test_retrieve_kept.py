@@ -9,6 +9,8 @@ from apartgen.stages.retrieve import furniture
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.things import categories
 
+pytestmark = pytest.mark.wide
+
 FAMILIES = sorted({name[0] for name in categories.TABLE})
 
 

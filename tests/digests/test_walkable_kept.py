@@ -14,6 +14,8 @@ from apartgen.stages.layout import choice  # noqa: F401
 from apartgen.stages.populate.config import PopulateConfig
 from apartgen.stages.walkable import WalkableConfig
 
+pytestmark = pytest.mark.wide
+
 KINDS = ("bedroom", "bathroom", "kitchen", "living_room", "study", "dining_room")
 
 
