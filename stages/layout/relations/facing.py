@@ -1,5 +1,5 @@
 """Two at a table sit across from one another, else side by side, and round its corner only where nothing else goes; an
-armchair may be turned to those who sit on the sofa."""
+armchair may be turned from the low table towards the screen, or the sofa."""
 
 from collections.abc import Sequence
 
