@@ -12,7 +12,7 @@ ARROWS = ("schemas", "stages", "apartgen", "apartgen_cli")
 """Each may import itself and those before it."""
 INSTALLED = {"schemas": "apartgen.schemas", "stages": "apartgen.stages"}
 """Folders that are installed under another name than their own."""
-SHARED = ("aside", "registry", "robot", "scene", "seeds", "space", "things", "use")
+SHARED = ("aside", "compiling", "registry", "robot", "scene", "seeds", "space", "things", "use")
 """The floor below the stages, which every one of them may import."""
 HEAVY = {
     "torch": ("stages/layout/", "stages/retrieve/shape/", "stages/metrics/_networks"),

@@ -1,6 +1,7 @@
 """What commands import: a look at `sys.modules`, not at the clock."""
 
 import json
+import os
 import subprocess
 import sys
 
@@ -81,3 +82,17 @@ def test_what_takes_torch_says_how_to_get_it(plan, args, monkeypatch, capsys):
     done = commandline.run(capsys, monkeypatch, *args, stdin=plan)
     assert done.code == 2 and "PyTorch: pip install 'apartgen[learn]'" in done.err
     assert commandline.run(capsys, monkeypatch, "layout", "--candidates", "1", stdin=plan).code == 0
+
+
+def test_what_is_compiled_is_said_the_first_time(tmp_path):
+    """Else a program of half a minute without a word looks as if it hung; `--quiet` and later runs are silent."""
+    def told(quiet: bool, cache: str) -> str:
+        code = (f"from apartgen_cli.console import listen; listen({quiet}); "
+                "from apartgen.stages.things import rectangles")
+        ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=120,
+                             env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / cache)})
+        return ran.stderr
+
+    assert told(False, "cache").count("compiling") == 1
+    assert told(False, "cache") == ""
+    assert told(True, "other") == ""

@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import mujoco
 import numpy as np
 import shapely
-from numba import njit
 from shapely import Geometry
 
+from apartgen.stages.compiling import compiled
 from apartgen.stages.embodied.world import World
 from apartgen.stages.robot import reach
 from apartgen.stages.space import grid, polygons
@@ -106,7 +106,7 @@ class Field(NamedTuple):
     size: float
 
 
-@njit(cache=True)
+@compiled()
 def clearance_at(field: Field, x: float, y: float) -> float:
     """Clearance of a point between that of cells' centres, as `Floor.beside` has it, m."""
     cells = field.cells

@@ -7,9 +7,9 @@ Costs are those of Nav2's inflation layer (cost_scaling_factor 3.0, inflation_ra
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from apartgen.stages.compiling import compiled
 from apartgen.stages.embodied.floor import Field, Floor, clearance_at
 from apartgen.stages.space.boxes import Array, Mask
 
@@ -159,7 +159,7 @@ def _straightened(
     return cells[corners]
 
 
-@njit(cache=True)
+@compiled()
 def _furthest(cells: NDArray[np.int64], cost: Array, least: Array, weight: Array, field: Field) -> int:
     """The last cell of a way to which a straight line from its first costs no more and has the `least` clearance."""
     for k in range(len(cells) - 1, 1, -1):

@@ -11,8 +11,8 @@ from functools import cached_property
 from math import atan2, copysign, cos, hypot, pi, sin, sqrt
 
 import numpy as np
-from numba import njit
 
+from apartgen.stages.compiling import compiled
 from apartgen.stages.embodied import base, planner
 from apartgen.stages.embodied.floor import Field, Floor, clearance_at
 from apartgen.stages.space.boxes import Array
@@ -174,7 +174,7 @@ class Pursuit:
         self.turn += _held(turn - self.turn, -turn_most, turn_most)
 
 
-@njit(cache=True)
+@compiled()
 def _nearest(points: Array, x: float, y: float) -> int:
     """Index of the first of the points (n, 2) that are nearest."""
     best, least = 0, np.inf
@@ -185,7 +185,7 @@ def _nearest(points: Array, x: float, y: float) -> int:
     return best
 
 
-@njit(cache=True)
+@compiled()
 def _beyond(points: Array, first: int, x: float, y: float, reach: float) -> int:
     """Index of the first point (n, 2) on from one that is so far away, or of the last."""
     for k in range(first, len(points)):
@@ -194,7 +194,7 @@ def _beyond(points: Array, first: int, x: float, y: float, reach: float) -> int:
     return len(points) - 1
 
 
-@njit(cache=True)
+@compiled()
 def _arc_clear(field: Field, x: float, y: float, yaw: float, bend: float, run: float, room: float) -> bool:
     """Whether an arc of a length and a curvature keeps so far from everything, at `LOOKS` points of it."""
     c, s = cos(yaw) / bend, sin(yaw) / bend

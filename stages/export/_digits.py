@@ -1,12 +1,13 @@
 """Rows of numbers as text, compiled: what Python's `%.6g` and `%d` write, to the letter.
 
-Nothing here is imported from the project but what compiles: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.things.welding import Floats, Integers, compiled
+from apartgen.stages.compiling import compiled
+from apartgen.stages.things.welding import Floats, Integers
 
 Bytes = NDArray[np.uint8]
 LARGEST = 999_999.0

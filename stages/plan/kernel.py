@@ -1,13 +1,13 @@
 """Simulated annealing over slicing trees, compiled."""
 
 from pathlib import Path
-from typing import Any, Protocol, cast
+from typing import Protocol
 from zlib import crc32
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from apartgen.stages.compiling import compiled
 from apartgen.stages.plan.slicing import (
     COMPILED,
     EPS,
@@ -28,7 +28,6 @@ from apartgen.stages.plan.slicing import (
 from apartgen.stages.plan.terms import evaluate
 
 Seed = NDArray[np.uint64]
-KEPT: dict[str, Any] = {"cache": True, "no_cfunc_wrapper": True}
 LOOKS = ((0.15, 0.3), (0.3, 0.15), (0.5, 0.06))
 """Shares of the steps after which a run is given up if the best state lacks more than so much a room, m.
 
@@ -159,7 +158,7 @@ def _compiled(stamp: int) -> Anneal:
                 _copy(t, best)
         return low
 
-    return cast(Anneal, njit(**COMPILED, **KEPT)(anneal))
+    return compiled(**COMPILED, no_cfunc_wrapper=True)(anneal)
 
 
 anneal = _compiled(_stamp())

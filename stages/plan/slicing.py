@@ -12,6 +12,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from apartgen.stages.compiling import WITHIN
+
 F = TypeVar("F", bound=Callable[..., Any])
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -19,13 +21,10 @@ Ints = NDArray[np.int64]
 # Without counting references, since nothing is allocated, and without rewriting array expressions, since there are
 # none: both cost much to compile.
 COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_rewrites": True}
-# Not cached one by one (`kernel.anneal` is, with all it calls), and not callable from Python: those wrappers cost as
-# much to compile as the functions.
-WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
 def inner(function: F) -> F:
-    """Compiled into those that call it."""
+    """Compiled into those that call it; not cached one by one, as `kernel.anneal` is with all it calls."""
     return cast(F, njit(**COMPILED, **WITHIN)(function))
 
 

@@ -1,19 +1,25 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """Colours of surfaces, edges between them, and light of few pixels spread over all, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
-from numba import njit
+from numpy.typing import NDArray
+
+from apartgen.stages.compiling import compiled
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+Shorts = NDArray[np.uint16]
 
 _LIKE = 12.0  # how much less a neighbour counts that is turned another way
 _FEW = 0.15  # weight of the nearest four below which more are asked
 _OFF = 0.04  # share of the distance from the eye by which a neighbour may be off the surface
 
 
-@njit("float32(float32[:],float32[:],float32[:],float32[:],float32)", cache=True, error_model="numpy", fastmath=False)
-def _alike(point, normal, other, turned, level):
+@compiled("float32(float32[:],float32[:],float32[:],float32[:],float32)")
+def _alike(point: Floats, normal: Floats, other: Floats, turned: Floats, level: np.float32) -> np.float32:
     """How far two points with normals are of one surface, in (0, 1], `level` being what a metre off it counts."""
     turn, off = np.float32(0.0), np.float32(0.0)
     for k in range(3):
@@ -26,9 +32,8 @@ def _alike(point, normal, other, turned, level):
     return fall * fall + np.float32(1e-6)  # as exp(-2 half), but with few steps
 
 
-@njit("float32[:,:,:](float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:],int64)", cache=True,
-      error_model="numpy")
-def smoothed(light, point, normal, distance, reach):
+@compiled("float32[:,:,:](float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:],int64)")
+def smoothed(light: Floats, point: Floats, normal: Floats, distance: Floats, reach: int) -> Floats:
     """Light (r, c, 3) averaged over neighbours up to `reach` away that lie on the same surface."""
     rows, columns = distance.shape
     found = np.empty_like(light)
@@ -48,9 +53,12 @@ def smoothed(light, point, normal, distance, reach):
     return found
 
 
-@njit("Tuple((float32[:,:],float32[:]))(float32[:,:,:],float32[:,:,:],float32[:,:,:],int64,int64,int64[:],int64,"
-      "float32[:,:],float32[:,:],float32[:])", cache=True, error_model="numpy")
-def spread(light, point, normal, step, start, pixels, across, points, normals, distance):
+@compiled("Tuple((float32[:,:],float32[:]))(float32[:,:,:],float32[:,:,:],float32[:,:,:],int64,int64,int64[:],int64,"
+          "float32[:,:],float32[:,:],float32[:])")
+def spread(
+    light: Floats, point: Floats, normal: Floats, step: int, start: int, pixels: Ints, across: int,
+    points: Floats, normals: Floats, distance: Floats
+) -> tuple[Floats, Floats]:
     """Light (n, 3) at pixels of a picture `across` wide, from that of every `step`-th pixel that lies on the same
     surface; and how far any did (n,).
     """
@@ -79,9 +87,12 @@ def spread(light, point, normal, step, start, pixels, across, points, normals, d
     return found, alike
 
 
-@njit("Tuple((float32[:,:],float32[:,:]))(int64[:],float32[:,:],float32[:],float32,float32[:,:,:],float32[:,:,:],"
-      "int64[:],float32[:,:],int64[:,:],uint16[:,:],float32[:])", cache=True, error_model="numpy")
-def painted(triangle, weights, distance, angle, normals, uv, material, flat, textures, texels, repeats):
+@compiled("Tuple((float32[:,:],float32[:,:]))(int64[:],float32[:,:],float32[:],float32,float32[:,:,:],float32[:,:,:],"
+          "int64[:],float32[:,:],int64[:,:],uint16[:,:],float32[:])")
+def painted(
+    triangle: Ints, weights: Floats, distance: Floats, angle: float, normals: Floats, uv: Floats,
+    material: Ints, flat: Floats, textures: Ints, texels: Shorts, repeats: Floats
+) -> tuple[Floats, Floats]:
     """Linear colours and unit normals (n, 3) where rays hit, zeros where they did not (-1).
 
     `textures` (k, 2) says for each material where its texels begin and how wide the finest level is, 0 without one;
@@ -123,8 +134,8 @@ def painted(triangle, weights, distance, angle, normals, uv, material, flat, tex
     return color, normal
 
 
-@njit("float32[:,:](float32[:,:],float32[:,:],float32[:,:])", cache=True, error_model="numpy")
-def scattered(normal, noise, shifts):
+@compiled("float32[:,:](float32[:,:],float32[:,:],float32[:,:])")
+def scattered(normal: Floats, noise: Floats, shifts: Floats) -> Floats:
     """Directions (k × n, 3) about normals (n, 3), as likely as their cosine, from numbers (n, 2) in [0, 1) shifted by
     each of some (k, 2).
     """
@@ -143,9 +154,12 @@ def scattered(normal, noise, shifts):
     return found
 
 
-@njit("void(float32[:,:],float32[:,:],int64[:],float32[:],float32[:,:],float32[:,:],float32,float32,float32[:,:],"
-      "float32[:,:],float32[:,:])", cache=True, error_model="numpy")
-def bounced(start, way, triangle, distance, faces, colors, nearby, lift, share, place, facing):
+@compiled("void(float32[:,:],float32[:,:],int64[:],float32[:],float32[:,:],float32[:,:],float32,float32,float32[:,:],"
+          "float32[:,:],float32[:,:])")
+def bounced(
+    start: Floats, way: Floats, triangle: Ints, distance: Floats, faces: Floats, colors: Floats, nearby: np.float32,
+    lift: np.float32, share: Floats, place: Floats, facing: Floats
+) -> None:
     """What rays (k × n, 3), k from each of some points (n, 3), meet: adds the share of light that comes back to
     `share` (n, 3), and writes where that is, and which way it faces (k × n, 3). `faces` and `colors` are of triangles.
     """
@@ -166,9 +180,10 @@ def bounced(start, way, triangle, distance, faces, colors, nearby, lift, share, 
             place[i, k] = start[p, k] + way[i, k] * far + facing[i, k] * lift
 
 
-@njit("boolean[:,:](int64[:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32,float32)",
-      cache=True, error_model="numpy")
-def edges(owner, point, normal, color, through, most, raised):
+@compiled("boolean[:,:](int64[:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32[:,:,:],float32,float32)")
+def edges(
+    owner: Ints, point: Floats, normal: Floats, color: Floats, through: Floats, most: float, raised: float
+) -> Flags:
     """Pixels (r, c) beside one of another owner, of a direction and colour that differ by more than `most`, or of a
     surface `raised` over their own.
     """
@@ -191,8 +206,8 @@ def edges(owner, point, normal, color, through, most, raised):
     return found
 
 
-@njit("boolean[:,:](boolean[:,:],int64)", cache=True, error_model="numpy")
-def widened(found, by):
+@compiled("boolean[:,:](boolean[:,:],int64)")
+def widened(found: Flags, by: int) -> Flags:
     """What is found (r, c), and what is up to so many pixels above, below, left or right of it."""
     rows, columns = found.shape
     wide = np.zeros((rows, columns), np.bool_)
@@ -204,8 +219,8 @@ def widened(found, by):
     return wide
 
 
-@njit("int64[:,:](uint16[:,:])", cache=True, error_model="numpy")
-def extents(number):
+@compiled("int64[:,:](uint16[:,:])")
+def extents(number: Shorts) -> Ints:
     """Of each number in a picture (r, c): how many pixels it has, its first column and row, its last ones, its pixel
     that is farthest from all of other numbers and from the outside, and how many steps that is, also aslant (k, 8).
     """

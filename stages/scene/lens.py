@@ -1,19 +1,27 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What lies between pixels and surfaces: rays of a pinhole, panes on their way, where they end, what labels say of
 that, and how light becomes a picture, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
-from numba import njit
+from numpy.typing import NDArray
+
+from apartgen.stages.compiling import compiled
+
+Floats = NDArray[np.float32]
+Doubles = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Shorts = NDArray[np.uint16]
+Bytes = NDArray[np.uint8]
 
 _KNEE = np.float32(0.75)  # above it highlights are rolled off
 
 
-@njit("float32[:,:](int64[:],int64,int64,float64[:],float64[:],float64[:],float64[:,:])", cache=True,
-      error_model="numpy")
-def pinhole(pixels, rows, columns, within, half, middle, frame):
+@compiled("float32[:,:](int64[:],int64,int64,float64[:],float64[:],float64[:],float64[:,:])")
+def pinhole(
+    pixels: Ints, rows: int, columns: int, within: Doubles, half: Doubles, middle: Doubles, frame: Doubles
+) -> Floats:
     """Unit directions (n, 3) through a point of each pixel; rows of `frame` are right, up, back."""
     found = np.empty((len(pixels), 3), np.float32)
     wide, high = 2.0 * half[0] / columns, 2.0 * half[1] / rows
@@ -27,8 +35,8 @@ def pinhole(pixels, rows, columns, within, half, middle, frame):
     return found
 
 
-@njit("float32[:,:](float32[:,:],float32[:,:],float32[:],float32[:,:])", cache=True, error_model="numpy")
-def ended(origin, direction, distance, normal):
+@compiled("float32[:,:](float32[:,:],float32[:,:],float32[:],float32[:,:])")
+def ended(origin: Floats, direction: Floats, distance: Floats, normal: Floats) -> Floats:
     """Points (n, 3) at the ends of rays that begin in one place (1, 3) or each in its own, 100 m away where they meet
     nothing; turns normals (n, 3) in place against the rays, and makes them the way back where there are none.
     """
@@ -49,9 +57,12 @@ def ended(origin, direction, distance, normal):
     return found
 
 
-@njit("Tuple((float32[:,:],float32[:,:]))(int64[:],int64[:],float32[:],float32[:,:],float32[:,:],float32[:],int64[:],"
-      "float32[:,:],float32,float32,float32,float32[:,:],float32[:,:])", cache=True, error_model="numpy")
-def passed(rows, triangle, distance, origin, direction, alpha, material, flat, past, clear, pale, through, veil):
+@compiled("Tuple((float32[:,:],float32[:,:]))(int64[:],int64[:],float32[:],float32[:,:],float32[:,:],float32[:],int64[:],"
+          "float32[:,:],float32,float32,float32,float32[:,:],float32[:,:])")
+def passed(
+    rows: Ints, triangle: Ints, distance: Floats, origin: Floats, direction: Floats, alpha: Floats,
+    material: Ints, flat: Floats, past: np.float32, clear: np.float32, pale: np.float32, through: Floats, veil: Floats
+) -> tuple[Floats, Floats]:
     """Where some of the rays (n, 3) go on, `past` the panes that they met, and which way; what the panes let `through`
     and the `veil` that they lay over it change in place: `clear` is the share of their opacity that they have, `pale`
     how bright they are.
@@ -69,9 +80,11 @@ def passed(rows, triangle, distance, origin, direction, alpha, material, flat, p
     return start, way
 
 
-@njit("int64[:](int64[:],int64[:],float32[:],float32[:,:],float32[:],float32,int64[:],float32[:],float32[:,:])",
-      cache=True, error_model="numpy")
-def arrived(rows, met, far, corners, alpha, past, triangle, distance, weights):
+@compiled("int64[:](int64[:],int64[:],float32[:],float32[:,:],float32[:],float32,int64[:],float32[:],float32[:,:])")
+def arrived(
+    rows: Ints, met: Ints, far: Floats, corners: Floats, alpha: Floats, past: np.float32, triangle: Ints,
+    distance: Floats, weights: Floats
+) -> Ints:
     """Writes what those rays met behind their panes in place of these, and gives the ones that met a pane again."""
     found, count = np.empty(len(rows), np.int64), 0
     for r in range(len(rows)):
@@ -86,9 +99,12 @@ def arrived(rows, met, far, corners, alpha, past, triangle, distance, weights):
     return found[:count]
 
 
-@njit("Tuple((uint16[:],uint8[:,:],uint16[:]))(int64[:],float32[:],float32[:,:],float64[:],float32[:,:],int64[:],"
-      "float64)", cache=True, error_model="numpy")
-def noted(triangle, distance, direction, ahead, faces, owner, farthest):
+@compiled("Tuple((uint16[:],uint8[:,:],uint16[:]))(int64[:],float32[:],float32[:,:],float64[:],float32[:,:],int64[:],"
+          "float64)")
+def noted(
+    triangle: Ints, distance: Floats, direction: Floats, ahead: Doubles, faces: Floats, owner: Ints,
+    farthest: float
+) -> tuple[Shorts, Bytes, Shorts]:
     """Of what rays (n, 3) meet: depth in mm along the way `ahead`, along the ray where that is zero; the normal of the
     triangle's face towards the eye, as a colour; the number of its owner, from 1 on. 0 where there is nothing.
     """
@@ -113,8 +129,8 @@ def noted(triangle, distance, direction, ahead, faces, owner, farthest):
     return depth, normal, number
 
 
-@njit("void(float32[:,:],float32,float32[:,:],float32[:,:])", cache=True, error_model="numpy")
-def developed(light, exposure, through, veil):
+@compiled("void(float32[:,:],float32,float32[:,:],float32[:,:])")
+def developed(light: Floats, exposure: float, through: Floats, veil: Floats) -> None:
     """Light (n, 3), in place, as linear colours in [0, 1] behind their panes, highlights rolled off softly."""
     for i in range(len(light)):
         for k in range(3):

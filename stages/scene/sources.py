@@ -1,16 +1,23 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """Ways from points to windows and lamps, and the light that comes along them, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
-from numba import njit
+from numpy.typing import NDArray
+
+from apartgen.stages.compiling import compiled
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int64]
 
 
-@njit("Tuple((float32[:,:],float32[:]))(float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:,:],float32[:],"
-      "float32[:],float32[:],float32[:],float32)", cache=True, error_model="numpy")
-def through_pane(start, normal, noise, rows, shifts, corner, across, up, inward, area):
+@compiled("Tuple((float32[:,:],float32[:]))(float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:,:],float32[:],"
+          "float32[:],float32[:],float32[:],float32)")
+def through_pane(
+    start: Floats, normal: Floats, noise: Floats, rows: Ints, shifts: Floats, corner: Floats, across: Floats,
+    up: Floats, inward: Floats, area: float
+) -> tuple[Floats, Floats]:
     """From those of points (n, 3) in `rows` to places of a window, k for each, (k × rows, 3), and the share of a sky's
     radiance that comes from there. Where on the window, `noise` says, in [0, 1), shifted by each of `shifts` (k, 2).
     """
@@ -33,9 +40,11 @@ def through_pane(start, normal, noise, rows, shifts, corner, across, up, inward,
     return to, flux
 
 
-@njit("Tuple((float32[:,:],float32[:]))(float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:,:],float32[:],"
-      "float32)", cache=True, error_model="numpy")
-def from_ball(start, normal, noise, rows, shifts, middle, radius):
+@compiled("Tuple((float32[:,:],float32[:]))(float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:,:],float32[:],"
+          "float32)")
+def from_ball(
+    start: Floats, normal: Floats, noise: Floats, rows: Ints, shifts: Floats, middle: Floats, radius: float
+) -> tuple[Floats, Floats]:
     """The same to places on a ball, all of whose light would fall squarely on a point 1 m away as 1."""
     to = np.empty((len(shifts) * len(rows), 3), np.float32)
     flux = np.empty(len(to), np.float32)

@@ -1,17 +1,23 @@
-# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 """What surfaces send to the eye, where rays cross triangles that are known, and which pixel's light serves for a ray
 beside it, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
-from numba import njit
+from numpy.typing import NDArray
+
+from apartgen.stages.compiling import compiled
+
+Floats = NDArray[np.float32]
+Doubles = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+Cells = NDArray[np.int16]
 
 
-@njit("Tuple((float32[:],float32[:,:]))(float32[:],float32[:,:],int64[:],boolean[:],float32[:,:,:])", cache=True,
-      error_model="numpy")
-def crossed(origin, direction, triangle, known, corners):
+@compiled("Tuple((float32[:],float32[:,:]))(float32[:],float32[:,:],int64[:],boolean[:],float32[:,:,:])")
+def crossed(origin: Floats, direction: Floats, triangle: Ints, known: Flags, corners: Floats) -> tuple[Floats, Floats]:
     """Where rays (n, 3) from a point cross the planes of triangles that they are `known` to meet: distance (n,) and
     weights of the corners (n, 3).
     """
@@ -38,8 +44,8 @@ def crossed(origin, direction, triangle, known, corners):
     return distance, weights
 
 
-@njit("boolean[:](int64[:,:])", cache=True, error_model="numpy")
-def amid(triangle):
+@compiled("boolean[:](int64[:,:])")
+def amid(triangle: Ints) -> Flags:
     """Pixels (rows × columns,) all of whose neighbours, too, are of one triangle."""
     rows, columns = triangle.shape
     found = np.zeros(rows * columns, np.bool_)
@@ -53,8 +59,10 @@ def amid(triangle):
     return found
 
 
-@njit("float32[:](float32[:,:],float32[:,:],int64[:],int64[:],float32[:,:],float32)", cache=True, error_model="numpy")
-def mirroring(direction, normal, triangle, material, looks, glossy):
+@compiled("float32[:](float32[:,:],float32[:,:],int64[:],int64[:],float32[:,:],float32)")
+def mirroring(
+    direction: Floats, normal: Floats, triangle: Ints, material: Ints, looks: Floats, glossy: float
+) -> Floats:
     """Share of light (n,) that surfaces mirror to the eye; `looks` are metalness and roughness of materials (k, 2)."""
     found = np.zeros(len(triangle), np.float32)
     for i in range(len(triangle)):
@@ -73,9 +81,12 @@ def mirroring(direction, normal, triangle, material, looks, glossy):
     return found
 
 
-@njit("float32[:,:](float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:],int64[:],int64[:],float32[:,:],"
-      "boolean[:],float32[:])", cache=True, error_model="numpy")
-def sent(color, full, around, like, share, triangle, material, looks, glow, shine):
+@compiled("float32[:,:](float32[:,:],float32[:,:],float32[:,:],int64[:],float32[:],int64[:],int64[:],float32[:,:],"
+          "boolean[:],float32[:])")
+def sent(
+    color: Floats, full: Floats, around: Floats, like: Ints, share: Floats, triangle: Ints, material: Ints,
+    looks: Floats, glow: Flags, shine: Floats
+) -> Floats:
     """Light (n, 3) that surfaces send to the eye: of what falls on them, `full`, of what they mirror, `around`, those
     of each being at `like`, and their own.
     """
@@ -93,9 +104,12 @@ def sent(color, full, around, like, share, triangle, material, looks, glow, shin
     return found
 
 
-@njit("int64[:](int64[:],int64[:],float32[:,:],float32[:,:],int64[:,:],float32[:,:,:],float32[:,:,:],int64[:],"
-      "float32)", cache=True, error_model="numpy")
-def served(pixel, triangle, point, normal, triangles, points, normals, owner, raised):
+@compiled("int64[:](int64[:],int64[:],float32[:,:],float32[:,:],int64[:,:],float32[:,:,:],float32[:,:,:],int64[:],"
+          "float32)")
+def served(
+    pixel: Ints, triangle: Ints, point: Floats, normal: Floats, triangles: Ints, points: Floats,
+    normals: Floats, owner: Ints, raised: float
+) -> Ints:
     """For rays (n,) through pixels the one of the nine about each whose middle (r, c, …) lies on the same surface, or
     -1: on the same triangle, or on the same body, as level and turned alike.
     """
@@ -122,9 +136,10 @@ def served(pixel, triangle, point, normal, triangles, points, normals, owner, ra
     return found
 
 
-@njit("float32[:](float32[:,:],float32[:,:],float32[:],int16[:,:],float64[:],boolean[:],float32[:,:])", cache=True,
-      error_model="numpy")
-def sunward(point, normal, sun, rooms, raster, open_air, ways):
+@compiled("float32[:](float32[:,:],float32[:,:],float32[:],int16[:,:],float64[:],boolean[:],float32[:,:])")
+def sunward(
+    point: Floats, normal: Floats, sun: Floats, rooms: Cells, raster: Doubles, open_air: Flags, ways: Floats
+) -> Floats:
     """How squarely the sun can fall on points (n, 3), (n,): zero where they face away from it, or lie in a room and
     see it through none of the `ways` out of doors (k, 6): corner, horizontal side, least and greatest height. `rooms`
     holds the index of the room in each cell, -1 for none; `raster` its corner and the side of cells.

@@ -1,6 +1,6 @@
 """How deep boxes stand in one another, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np

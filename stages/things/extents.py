@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from apartgen.stages.things.welding import Floats, Integers, compiled
+from apartgen.stages.compiling import compiled
+from apartgen.stages.things.welding import Floats, Integers
 
 
 @compiled("float64(float64[:,:],int64[:,:])")

@@ -1,24 +1,17 @@
 """Rectangles of cells of a grid, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled
+
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Cells = tuple[int, int, int, int]
-
-
-def compiled(signature: str) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache."""
-    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 @compiled("Tuple((float64,int64,int64))(boolean[:],float64[:])")

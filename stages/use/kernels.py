@@ -1,25 +1,18 @@
 """How much of a rectangle of floor is free, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled
+
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 ACROSS = 6
 """Points a side at which a rectangle is looked at."""
-
-
-def compiled(signature: str) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache."""
-    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 @compiled("boolean(float64,float64,float64[:,:],float64[:,:])")

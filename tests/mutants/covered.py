@@ -160,13 +160,13 @@ class Seen:
             known = set(_imported(tree, name, names))
             if known and other not in before | {file}:
                 yield from ((other, line) for line in _lines(tree, known))
-                if "numba" in ast.dump(tree) or "kernels" in other:
+                if "compiling" in ast.dump(tree) or "kernels" in other:
                     yield from self._mentions(other, set(), before | {file})
 
 
 def compiles(source: bytes) -> bool:
     """Whether a file has compiled functions."""
-    return b"njit" in source or b"import inner" in source or b"    inner,\n" in source
+    return b"stages.compiling import" in source or b"import inner" in source or b"    inner,\n" in source
 
 
 def module(file: str) -> str:

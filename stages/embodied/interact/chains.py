@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from apartgen.stages.compiling import compiled
 from apartgen.stages.embodied.interact.aim import ALIKE, OPTIONS, directions, grasps
 from apartgen.stages.embodied.interact.parts import Hold, Part
 from apartgen.stages.embodied.interact.probe import Probe
@@ -158,7 +158,7 @@ def _cheapest(able: Mask, prices: Array) -> list[int] | None:
     return chain[::-1]
 
 
-@njit(cache=True)
+@compiled()
 def _costs(able: Mask, prices: Array, cost: Array) -> tuple[Array, NDArray[np.int64]]:
     """What it costs to get to every option of the last layer, and from which option every one is come to."""
     layers, n = able.shape

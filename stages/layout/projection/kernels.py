@@ -3,20 +3,17 @@
 Of the project only the names of arrays are imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, NamedTuple
 
 import numpy as np
-from numba import float64, njit, types
+from numba import float64, types
 from numpy.typing import NDArray
 
+from apartgen.stages.compiling import compiled, inner
 from apartgen.stages.space.boxes import Boxes
 
-F = TypeVar("F", bound=Callable[..., Any])
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-# Not callable from Python: those wrappers cost as much to compile as the functions.
-WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
 class Lines(NamedTuple):
@@ -103,16 +100,6 @@ LINES = named((B, B, B, A, types.boolean), Lines)
 WALLS = named((LINES, BOXES), Walls)
 ZONES = named((BOXES, C), Zones)
 OTHERS = named((BOXES, BOXES, C, C, A), Others)
-
-
-def inner(function: F) -> F:
-    """Compiled where a compiled function calls it."""
-    return cast(F, njit(**WITHIN)(function))
-
-
-def compiled(signature: Any) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache."""
-    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 def writable(found: Boxes) -> Boxes:

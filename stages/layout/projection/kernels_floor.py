@@ -1,23 +1,21 @@
 """What is cut off of a floor, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, NamedTuple
 
 import numpy as np
-from numba import boolean, float64, int16, int64, njit, types
+from numba import boolean, float64, int16, int64, types
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled, inner
+
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Counts = NDArray[np.int16]
 Labels = NDArray[np.int32]
 Indices = NDArray[np.int64]
-# Not callable from Python: those wrappers cost as much to compile as the functions.
-WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
 class Raster(NamedTuple):
@@ -64,16 +62,6 @@ RASTER = named((float64, float64, float64, int64, int64), Raster)
 WALKERS = of_one_type(A, 2, Walkers)
 DOORS = of_one_type(int64[::1], 3, Doors)
 PRICES = of_one_type(float64, 6, Prices)
-
-
-def inner(function: F) -> F:
-    """Compiled where a compiled function calls it."""
-    return cast(F, njit(**WITHIN)(function))
-
-
-def compiled(signature: Any) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache."""
-    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 @inner

@@ -1,28 +1,21 @@
 """How deep an object would stand in others, walls and ways at every offset it may have, how far off it would be from
 them, and draws, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled
+
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int64]
 SORTS = 4
 """Objects, walls, ways through doors, light of windows; 0 is what is in nobody's way."""
 DEEPEST = 0.3
 """Standing deeper in something is no worse, m."""
-
-
-def compiled(signature: str) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache."""
-    return cast(Callable[[F], F], njit(signature, cache=True))
 
 
 @compiled("void(float32[:,:],int64[:],int64,float32[:],float32[:],float64,float64,float32[:,:])")

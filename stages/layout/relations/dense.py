@@ -1,36 +1,29 @@
 """What networks are made of, compiled: products with weights, norms, the gate, attention.
 
 A row is computed in the same order of sums whatever rows it comes with, so that what is said of a room hangs neither on
-the others nor on the number of threads. Nothing here is imported from the project: the cache of compiled code sees
+the others nor on the number of threads. Of the project only what compiles is imported: the cache of compiled code sees
 changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled
+
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int64]
 LANES = 16
 """Sums over a row are of so many sums, which one instruction adds to."""
 EPSILON = np.float32(1e-5)
+FAST = {"contract"}
+"""Products may be added without rounding between."""
+
+within = compiled(fastmath=FAST, inline="always")
+"""Compiled as part of others."""
 
 
-def compiled(signature: str) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache; products may be added without rounding between."""
-    return cast(Callable[[F], F], njit(signature, cache=True, fastmath={"contract"}, error_model="numpy"))
-
-
-def within(function: F) -> F:
-    """Compiled as part of others."""
-    return cast(F, njit(cache=True, fastmath={"contract"}, error_model="numpy", inline="always")(function))
-
-
-@compiled("void(float32[:,::1],float32[:,::1],float32[:,::1],int64)")
+@compiled("void(float32[:,::1],float32[:,::1],float32[:,::1],int64)", fastmath=FAST)
 def _eight_rows(x: Floats, weight: Floats, out: Floats, i: int) -> None:
     """Add the products of eight rows from `i` on, four inputs at a time."""
     k = x.shape[1]
@@ -58,7 +51,7 @@ def _eight_rows(x: Floats, weight: Floats, out: Floats, i: int) -> None:
             o7[j] = o7[j] + a7 * s + b7 * t + c7 * u + d7 * r
 
 
-@compiled("void(float32[:,::1],float32[:,::1],float32[:,::1],int64)")
+@compiled("void(float32[:,::1],float32[:,::1],float32[:,::1],int64)", fastmath=FAST)
 def _one_row(x: Floats, weight: Floats, out: Floats, i: int) -> None:
     o = out[i]
     for p in range(0, x.shape[1] - 3, 4):
@@ -68,7 +61,7 @@ def _one_row(x: Floats, weight: Floats, out: Floats, i: int) -> None:
             o[j] = o[j] + a * v[j] + b * w[j] + c * y[j] + d * z[j]
 
 
-@compiled("void(float32[:,::1],float32[:,::1],float32[::1],float32[:,::1])")
+@compiled("void(float32[:,::1],float32[:,::1],float32[::1],float32[:,::1])", fastmath=FAST)
 def add_product(x: Floats, weight: Floats, bias: Floats, out: Floats) -> None:
     """Add x (N, K) @ weight (K, M) + bias (M,) to `out` (N, M)."""
     n, k = x.shape
@@ -87,7 +80,7 @@ def add_product(x: Floats, weight: Floats, bias: Floats, out: Floats) -> None:
                 out[i, j] += a * weight[p, j]
 
 
-@compiled("float32[:,::1](float32[:,::1],float32[:,::1],float32[::1])")
+@compiled("float32[:,::1](float32[:,::1],float32[:,::1],float32[::1])", fastmath=FAST)
 def product(x: Floats, weight: Floats, bias: Floats) -> Floats:
     """x (N, K) @ weight (K, M) + bias (M,)."""
     out = np.zeros((len(x), len(bias)), np.float32)
@@ -95,7 +88,7 @@ def product(x: Floats, weight: Floats, bias: Floats) -> Floats:
     return out
 
 
-@compiled("float32[:,::1](float32[:,::1],float32[::1],float32[::1])")
+@compiled("float32[:,::1](float32[:,::1],float32[::1],float32[::1])", fastmath=FAST)
 def normed(x: Floats, gain: Floats, bias: Floats) -> Floats:
     """Rows (N, W) less their mean, over their deviation, times a gain, plus a bias."""
     n, w = x.shape
@@ -145,7 +138,7 @@ def _exp(x: np.float32) -> np.float32:
     return found
 
 
-@compiled("void(float32[:,::1])")
+@compiled("void(float32[:,::1])", fastmath=FAST)
 def gate(x: Floats) -> None:
     """GELU by its tanh form, in place: x · σ(2u), u = √(2/π) (x + 0.044715 x³)."""
     n, w = x.shape
@@ -173,7 +166,7 @@ def _shares(x: Floats, n: int) -> None:
         x[j] *= share
 
 
-@compiled("void(float32[:,::1],float32[:,::1],float32[:,::1],int64,boolean,int64,float32[:,::1])")
+@compiled("void(float32[:,::1],float32[:,::1],float32[:,::1],int64,boolean,int64,float32[:,::1])", fastmath=FAST)
 def attend(asks: Floats, keys: Floats, values: Floats, first: int, causal: bool, heads: int, out: Floats) -> None:
     """What rows (n, 3 W), of which the first W ask, gather from `values` (T, W) by `keys` (T, W), (n, W): row i sees
     all or, where causal, those up to `first` + i."""
@@ -215,7 +208,7 @@ def attend(asks: Floats, keys: Floats, values: Floats, first: int, causal: bool,
                     row[c] += likely[j] * values[j, h * d + c]
 
 
-@compiled("float32[:,::1](float32[:,::1],int64[::1],int64)")
+@compiled("float32[:,::1](float32[:,::1],int64[::1],int64)", fastmath=FAST)
 def attend_within(mixed: Floats, starts: Ints, heads: int) -> Floats:
     """Attention of tokens (N, 3 W), which ask, have keys and values, within parts that begin and end at `starts`."""
     w = mixed.shape[1] // 3

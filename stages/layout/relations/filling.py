@@ -1,18 +1,18 @@
 """What may come next of a room's contents, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from apartgen.stages.compiling import compiled
 
 Flags = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 
 
-@njit("boolean[:,::1](int64[:,::1],int64[:,::1],int64[::1],int64[::1],int64[::1],boolean[::1],int64[:,::1],int64)",
-      cache=True)
+@compiled("boolean[:,::1](int64[:,::1],int64[:,::1],int64[::1],int64[::1],int64[::1],boolean[::1],int64[:,::1],int64)")
 def allowed(so_far: Ints, wanted: Ints, left: Ints, last: Ints, rank: Ints, known: Flags, least: Ints,
             most: int) -> Flags:
     """Which categories may come next in rooms, and at last whether a room may end here, (n, C + 1).

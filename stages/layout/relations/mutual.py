@@ -1,16 +1,17 @@
 """Candidates and what stands there in one another's frames, compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from apartgen.stages.compiling import compiled
 
 Floats = NDArray[np.float64]
 
 
-@njit("UniTuple(float64[:,:,::1],4)(float64[:,:],float64[:,:])", cache=True, error_model="numpy")
+@compiled("UniTuple(float64[:,:,::1],4)(float64[:,:],float64[:,:])")
 def mutual(one: Floats, two: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """Of boxes (n, 7) and (m, 7): middles of the second in the frames of the first, middles of the first in those of
     the second, half extents of the second along the axes of the first and of the first along those of the second,

@@ -1,26 +1,21 @@
 """From what an object is described, and which number it has, one's own or that of another token: compiled.
 
-Nothing here is imported from the project: the cache of compiled code sees changes of this file alone.
+Of the project only what compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled
+
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int64]
+FAST = {"contract", "reassoc"}
+"""Sums may be taken in the order that is fastest."""
 
 
-def compiled(signature: str) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache; sums may be taken in the order that is fastest."""
-    return cast(Callable[[F], F], njit(signature, cache=True, fastmath={"contract", "reassoc"}, error_model="numpy"))
-
-
-@compiled("float32[::1](float32[::1],float32[::1],float32[:,::1],float32[:,::1],float32[:,:,::1],int64)")
+@compiled("float32[::1](float32[::1],float32[::1],float32[:,::1],float32[:,::1],float32[:,:,::1],int64)", fastmath=FAST)
 def referring(query: Floats, asks: Floats, referred: Floats, tells: Floats, lies: Floats, shell: int) -> Floats:
     """Logits (n,) of the tokens that may be referred to: a query (W,) of each, `referred` (n, W), and what objects,
     which come after the shell, tell (n, K) of how tokens lie to them (J, T, K), as far as it `asks` (K,)."""
@@ -43,7 +38,7 @@ def referring(query: Floats, asks: Floats, referred: Floats, tells: Floats, lies
     return found
 
 
-@compiled("float32[::1](float32[:,::1],int64[::1],int64,float64)")
+@compiled("float32[::1](float32[:,::1],int64[::1],int64,float64)", fastmath=FAST)
 def alike(boxes: Floats, category: Ints, asked: int, near: float) -> Floats:
     """How near to each token (n, 7) others of a category are, (n,): 1 at it, 0 far off."""
     found = np.zeros(len(boxes), np.float32)
@@ -59,7 +54,7 @@ def alike(boxes: Floats, category: Ints, asked: int, near: float) -> Floats:
     return found
 
 
-@compiled("float32[:,::1](float32[:,::1],float32[::1],float32[:,::1],int64[::1],int64[::1],int64)")
+@compiled("float32[:,::1](float32[:,::1],float32[::1],float32[:,::1],int64[::1],int64[::1],int64)", fastmath=FAST)
 def scores(query: Floats, more: Floats, keys: Floats, which: Ints, starts: Ints, ways: int) -> Floats:
     """Of rows (R, ways * K) that point, and as much `more` (R,), the scores (P, ways) of the tokens (N, K) that they
     may point at: those of row r are `which` from `starts` r on."""
@@ -76,7 +71,7 @@ def scores(query: Floats, more: Floats, keys: Floats, which: Ints, starts: Ints,
 
 
 @compiled("int64[:,::1](float32[:,::1],float32[:,::1],float32[:,::1],float64,int64[:,::1],float32[:,::1],boolean[::1],"
-          "int64[::1],float64[:,::1],float64,float64)")
+          "int64[::1],float64[:,::1],float64,float64)", fastmath=FAST)
 def picked(logits: Floats, met: Floats, points: Floats, share: float, at: Ints, more: Floats,
            there: NDArray[np.bool_], starts: Ints, chance: NDArray[np.float64], sharp: float, least: float) -> Ints:
     """For every number in [0, 1) of `chance` (R, times) a bin of row r, or beyond these a token and way, P · ways more.

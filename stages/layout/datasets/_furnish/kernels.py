@@ -1,31 +1,18 @@
 """What is asked thousands of times while a room is furnished, compiled.
 
-Boxes are rows [x, y, z, depth, width, height, cos yaw, sin yaw] about their centres. Nothing here is imported from the
-project: the cache of compiled code sees changes of this file alone.
+Boxes are rows [x, y, z, depth, width, height, cos yaw, sin yaw] about their centres. Of the project only what
+compiles is imported: the cache of compiled code sees changes of this file alone.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-F = TypeVar("F", bound=Callable[..., Any])
+from apartgen.stages.compiling import compiled, inner
+
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Numbers = NDArray[np.int32]
-WITHIN: dict[str, Any] = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-
-
-def inner(function: F) -> F:
-    """Compiled into those that call it."""
-    return cast(F, njit(**WITHIN)(function))
-
-
-def compiled(signature: str) -> Callable[[F], F]:
-    """Compiled when first imported, and kept in numba's cache."""
-    return cast(Callable[[F], F], njit(signature, cache=True, error_model="numpy"))
 
 
 @inner
