@@ -31,6 +31,7 @@ from apartgen.stages.space import graphs  # noqa: E402
 from sentences import case_of  # noqa: E402
 
 MUTUAL = ("adjacent", "apart", "opposite", "no_door")
+LIMITS = ("at_least", "at_most")
 NEAR = 0.03
 """Part by which numbers may differ."""
 READER = ("area", "scaled", "ratio")
@@ -98,6 +99,7 @@ def _compared(row: Row, program: Program) -> tuple[list[str], list[str]]:
         found = _read(program, names, told)
         found["asked"] = [q for q in found["asked"] if q in truth["asked"] or not _implied(q, truth["door"])]
         found["object"] = [o for o in found["object"] if o in truth["object"] or not _slept_in(o, given)]
+        found["total"] = [t for t in found["total"] if truth["total"] or not _aimed_at(t, found["asked"])]
         lost = [f"{k} {f}" for k in truth for f in _without(truth[k], found[k])]
         added = [f"{k} {f}" for k in truth if k not in READER for f in _without(found[k], truth[k])]
         if best is None or len(lost) + len(added) < len(best[0]) + len(best[1]):
@@ -106,6 +108,13 @@ def _compared(row: Row, program: Program) -> tuple[list[str], list[str]]:
             break
     assert best is not None
     return best
+
+
+def _aimed_at(total: tuple[float], asked: list[tuple[Any, ...]]) -> bool:
+    """Whether a home of which only limits were told is planned within them: what it aims at is no further fact."""
+    limits = [(kind, float(value)) for kind, of, to, value in asked if of == "home" and kind in LIMITS and not to]
+    above = all(total[0] >= value for kind, value in limits if kind == "at_least")
+    return bool(limits) and above and all(total[0] <= value for kind, value in limits if kind == "at_most")
 
 
 def _namings(rooms: list[str], ids: list[str]) -> Iterator[dict[str, str]]:
