@@ -110,7 +110,7 @@ def _copy(a: Tree, b: Tree) -> None:
 
 def _stamp() -> int:
     """Changes with the sources that `anneal` is compiled from."""
-    sources = ("slicing.py", "wished.py", "terms.py", "kernel.py")
+    sources = ("slicing.py", "measured.py", "wished.py", "terms.py", "kernel.py")
     return crc32(b"".join((Path(__file__).parent / name).read_bytes() for name in sources))
 
 

@@ -186,19 +186,25 @@ def copy(tree: Tree) -> Tree:
     return Tree(tree.nodes.copy(), tree.share.copy())
 
 
-def scratch(n: int, links: int, leaves: int, k: int) -> Scratch:
-    """Room for the measures of a state of `n` rooms in an outline of `k` blocks."""
+def scratch(p: Problem, leaves: int) -> Scratch:
+    """Room for the measures of a state of so many leaves."""
+    n, k = len(p.spec), len(p.blocks)
     return Scratch(
-        box=np.zeros((2 * leaves - 1, 5)),
+        box=np.zeros((2 * leaves - 1, 6)),
         seq=np.zeros(2 * leaves, np.int64),
         piece=np.zeros((leaves * k, 4)),
         owner=np.zeros(leaves * k, np.int64),
         last=np.zeros(n, np.int64),
         before=np.zeros(leaves * k, np.int64),
-        wall=np.zeros((links, 3)),
+        wall=np.zeros((len(p.links), 3)),
         room=np.zeros((n, R_COLUMNS)),
         terms=np.zeros(16),
         entry=np.zeros(7),
         walked=np.zeros((n, 3)),
         area=np.zeros(n),
+        scale=np.zeros(1),
+        block=np.zeros((k, 4)),
+        level=np.zeros(len(p.edges)),
+        edge=np.zeros((len(p.edges), 3)),
+        clip=np.zeros((k, 3)),
     )

@@ -21,7 +21,7 @@ Ints = NDArray[np.int64]
 COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_rewrites": True}
 # Not cached one by one (`kernel.anneal` is, with all it calls), and not callable from Python: those wrappers cost as
 # much to compile as the functions.
-WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "forceinline": True}
 
 
 def inner(function: F) -> F:
@@ -77,9 +77,9 @@ class Tree(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Measures of the state evaluated last."""
+    """Measures of the state evaluated last, and the outline as far as it was stretched then."""
 
-    box: Floats  # (2L-1, 5) x0 y0 x1 y1, area wanted
+    box: Floats  # (2L-1, 6) x0 y0 x1 y1, area wanted, 1 where the outline is known to cover all of it
     seq: Ints  # (2L,) nodes, parents first; then the number of pieces
     piece: Floats  # (P, 4) rectangles of rooms
     owner: Ints  # (P,)
@@ -93,44 +93,58 @@ class Scratch(NamedTuple):
     entry: Floats
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
     area: Floats  # (n,) of the state accepted last
+    scale: Floats  # (1,) the stretch of the next three
+    block: Floats  # (k, 4) x0 y0 x1 y1
+    level: Floats  # (e,) of each edge, its line for cuts
+    edge: Floats  # (e, 3) coordinate, lo, hi
+    clip: Floats  # (k, 3) of the blocks within a box along a cut's way: from, to, and their breadth across it
 
 
 @inner
-def _covered(blocks: Floats, s: float, x0: float, y0: float, x1: float, y1: float) -> float:
-    # area of the outline within a box
-    area = 0.0
-    for k in range(blocks.shape[0]):
-        w = min(x1, blocks[k, 2] * s) - max(x0, blocks[k, 0] * s)
-        h = min(y1, blocks[k, 3] / s) - max(y0, blocks[k, 1] / s)
-        if w > 0 and h > 0:
-            area += w * h
-    return area
+def _stretch(p: Problem, s: float, z: Scratch) -> None:
+    # blocks and edges of the outline, stretched anew only where the stretch changed
+    if z.scale[0] == s:
+        return
+    z.scale[0] = s
+    for k in range(p.blocks.shape[0]):
+        z.block[k, 0], z.block[k, 2] = p.blocks[k, 0] * s, p.blocks[k, 2] * s
+        z.block[k, 1], z.block[k, 3] = p.blocks[k, 1] / s, p.blocks[k, 3] / s
+    for e in range(p.edges.shape[0]):
+        edge, upright = p.edges[e], p.edges[e, 0] == 0
+        across = s if upright else 1 / s
+        z.level[e] = edge[1] * s if upright else edge[1] / s
+        z.edge[e, 0], z.edge[e, 1], z.edge[e, 2] = edge[1] * across, edge[2] / across, edge[3] / across
 
 
 @inner
-def _before(blocks: Floats, s: float, box: Floats, upright: int, c: float) -> tuple[float, float]:
-    # area of the outline within a box up to a cut, and the cut's length in it
-    area, across = 0.0, 0.0
-    for k in range(blocks.shape[0]):
-        x0, x1 = max(box[0], blocks[k, 0] * s), min(box[2], blocks[k, 2] * s)
-        y0, y1 = max(box[1], blocks[k, 1] / s), min(box[3], blocks[k, 3] / s)
-        lo, hi, wide = (x0, x1, y1 - y0) if upright else (y0, y1, x1 - x0)
-        if hi > lo and wide > 0 and c > lo:
-            area += wide * (min(c, hi) - lo)
-            across += wide if c < hi else 0.0
-    return area, across
+def _clipped(z: Scratch, box: Floats, upright: int) -> tuple[int, float]:
+    # the blocks that reach into a box, in `z.clip`; how many, and their area within it
+    count, area, x0, y0, x1, y1 = 0, 0.0, box[0], box[1], box[2], box[3]
+    for k in range(z.block.shape[0]):
+        block = z.block[k]
+        u0, v0, u1, v1 = max(x0, block[0]), max(y0, block[1]), min(x1, block[2]), min(y1, block[3])
+        if u1 - u0 > 0 and v1 - v0 > 0:
+            area += (u1 - u0) * (v1 - v0)
+            clip = z.clip[count]
+            if upright:
+                clip[0], clip[1], clip[2] = u0, u1, v1 - v0
+            else:
+                clip[0], clip[1], clip[2] = v0, v1, u1 - u0
+            count += 1
+    return count, area
 
 
 @inner
-def _cut(p: Problem, s: float, box: Floats, upright: int, share: float) -> float:
-    # where a cut leaves `share` of the covered area before it
-    a, b = (box[0], box[2]) if upright else (box[1], box[3])
-    if p.blocks.shape[0] == 1:
-        return float(a + share * (b - a))
-    whole = _covered(p.blocks, s, box[0], box[1], box[2], box[3])
-    goal, lo, hi, c = share * whole, a, b, a + share * (b - a)
-    for _ in range(18 if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS else 0):  # Newton, within bounds
-        over, slope = _before(p.blocks, s, box, upright, c)
+def _shared_out(z: Scratch, count: int, a: float, b: float, goal: float, first: float) -> float:
+    # where a cut between two ends leaves an area of the clipped blocks before it: Newton, within bounds
+    lo, hi, c = a, b, first
+    for _ in range(18):
+        over, slope = 0.0, 0.0
+        for k in range(count):
+            clip = z.clip[k]
+            if c > clip[0]:
+                over += clip[2] * (min(c, clip[1]) - clip[0])
+                slope += clip[2] if c < clip[1] else 0.0
         over -= goal
         if abs(over) < EPS:
             break
@@ -141,26 +155,42 @@ def _cut(p: Problem, s: float, box: Floats, upright: int, share: float) -> float
         c -= over / (slope + 1e-12)
         if c <= lo or c >= hi:
             c = 0.5 * (lo + hi)
+    return c
+
+
+@inner
+def _cut(p: Problem, z: Scratch, box: Floats, upright: int, share: float) -> float:
+    # where a cut leaves `share` of the covered area before it
+    a, b = (box[0], box[2]) if upright else (box[1], box[3])
+    c = a + share * (b - a)
+    if p.blocks.shape[0] == 1:
+        return float(c)
+    if box[5] == 0.0:
+        count, whole = _clipped(z, box, upright)
+        if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS:
+            c = _shared_out(z, count, a, b, share * whole, c)
+        else:
+            box[5] = 1.0
     for e in range(p.edges.shape[0]):  # follow a nearby corner of the outline
-        if (p.edges[e, 0] == 0) == (upright == 1):
-            line = p.edges[e, 1] * s if upright else p.edges[e, 1] / s
-            if abs(line - c) < 0.45 and line - a > 0.9 and b - line > 0.9:
-                return float(line)
+        line = z.level[e]
+        if abs(line - c) < 0.45 and (p.edges[e, 0] == 0) == (upright == 1) and line - a > 0.9 and b - line > 0.9:
+            return float(line)
     return float(c)
 
 
 @inner
-def _part(blocks: Floats, s: float, box: Floats, room: int, z: Scratch, count: int) -> int:
+def _part(z: Scratch, box: Floats, room: int, count: int) -> int:
     # the pieces of the outline within a leaf's box
-    one = blocks.shape[0] == 1
-    one = one or _covered(blocks, s, box[0], box[1], box[2], box[3]) > (box[2] - box[0]) * (box[3] - box[1]) - EPS
-    for k in range(1 if one else blocks.shape[0]):
+    one = z.block.shape[0] == 1 or box[5] > 0.0
+    one = one or _clipped(z, box, 1)[1] > (box[2] - box[0]) * (box[3] - box[1]) - EPS
+    for k in range(1 if one else z.block.shape[0]):
         x0, y0, x1, y1 = box[0], box[1], box[2], box[3]
         if not one:
-            x0, x1 = max(x0, blocks[k, 0] * s), min(x1, blocks[k, 2] * s)
-            y0, y1 = max(y0, blocks[k, 1] / s), min(y1, blocks[k, 3] / s)
+            block = z.block[k]
+            x0, y0, x1, y1 = max(x0, block[0]), max(y0, block[1]), min(x1, block[2]), min(y1, block[3])
         if x1 - x0 > EPS and y1 - y0 > EPS:
-            z.piece[count, 0], z.piece[count, 1], z.piece[count, 2], z.piece[count, 3] = x0, y0, x1, y1
+            piece = z.piece[count]
+            piece[0], piece[1], piece[2], piece[3] = x0, y0, x1, y1
             z.owner[count] = room
             count += 1
     return count
@@ -170,7 +200,8 @@ def _part(blocks: Floats, s: float, box: Floats, room: int, z: Scratch, count: i
 def lay(p: Problem, t: Tree, z: Scratch) -> int:
     # boxes of all nodes, pieces of all rooms; returns the number of pieces
     leaves = t.share.shape[0] - 1
-    s, nodes, box, seq = t.share[leaves], t.nodes, z.box, z.seq
+    nodes, box, seq = t.nodes, z.box, z.seq
+    _stretch(p, t.share[leaves], z)
     top = nodes[2 * leaves - 1, 0]
     seq[0], count = top, 1
     for i in range(2 * leaves - 1):
@@ -181,21 +212,20 @@ def lay(p: Problem, t: Tree, z: Scratch) -> int:
     for i in range(2 * leaves - 2, -1, -1):
         node = seq[i]
         box[node, 4] = t.share[node] if node < leaves else box[nodes[node, LEFT], 4] + box[nodes[node, RIGHT], 4]
-    box[top, 0], box[top, 1], box[top, 2], box[top, 3] = 1e9, 1e9, -1e9, -1e9
-    for k in range(p.blocks.shape[0]):
-        box[top, 0] = min(box[top, 0], p.blocks[k, 0] * s)
-        box[top, 1] = min(box[top, 1], p.blocks[k, 1] / s)
-        box[top, 2] = max(box[top, 2], p.blocks[k, 2] * s)
-        box[top, 3] = max(box[top, 3], p.blocks[k, 3] / s)
+    x0, y0, x1, y1 = 1e9, 1e9, -1e9, -1e9
+    for k in range(z.block.shape[0]):
+        block = z.block[k]
+        x0, y0, x1, y1 = min(x0, block[0]), min(y0, block[1]), max(x1, block[2]), max(y1, block[3])
+    box[top, 0], box[top, 1], box[top, 2], box[top, 3], box[top, 5] = x0, y0, x1, y1, 0.0
     count -= count
     for i in range(2 * leaves - 1):
         node = seq[i]
         if node < leaves:
-            count = _part(p.blocks, s, box[node], nodes[node, 0], z, count)
+            count = _part(z, box[node], nodes[node, 0], count)
             continue
         left, right, upright = nodes[node, LEFT], nodes[node, RIGHT], nodes[node, UPRIGHT]
-        c = _cut(p, s, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))
-        for j in range(4):
+        c = _cut(p, z, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))
+        for j in (0, 1, 2, 3, 5):
             box[left, j] = box[right, j] = box[node, j]
         box[left, 3 - upright] = box[right, 1 - upright] = c
     return count

@@ -61,7 +61,7 @@ def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng
     p = problem(program, outline, wanted, config.walls, slack)
     tree = start(program, wanted.parts, outline.stretch, rng)
     new, best = copy(tree), copy(tree)
-    z = scratch(len(program.rooms), len(p.links), sum(wanted.parts), len(outline.blocks))
+    z = scratch(p, sum(wanted.parts))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
     cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(wanted.parts), HOT, COLD)
     lack = float(z.terms[-1])

@@ -17,7 +17,7 @@ BARE = Walls(inner=0.1, outer=0.3)
 
 def energy(p: Problem, tree: Tree, steps: int = 0, seed: int = 1) -> tuple[float, Floats, Tree]:
     """Cost, terms and state at the end of a run; of no steps, so of the tree itself, unless told."""
-    z = scratch(len(p.spec), len(p.links), len(tree.share) - 1, len(p.blocks))
+    z = scratch(p, len(tree.share) - 1)
     best = copy(tree)
     cost = kernel.anneal(p, copy(tree), copy(tree), best, z, np.array([seed], np.uint64), steps, 20.0, 1.0)
     return float(cost), z.terms, best
