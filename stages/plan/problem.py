@@ -14,7 +14,7 @@ from apartgen.stages.plan.balconies import fronts, indoors
 from apartgen.stages.plan.blocks import Outline
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.outline import wish
-from apartgen.stages.plan.slicing import R_COLUMNS, Ints, Problem, Scratch, Tree
+from apartgen.stages.plan.slicing import L_WALL, R_COLUMNS, Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
@@ -99,6 +99,17 @@ def gross_area(program: Program, walls: Walls) -> float:
 
 def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack: Slack) -> Problem:
     """Arrays for one run; of the rooms indoors within an outline."""
+    return within(open_problem(program, whim, walls, slack), outline)
+
+
+def within(p: Problem, outline: Outline) -> Problem:
+    """The arrays of a run with another outline."""
+    limits = np.append(outline.stretch, p.limits[L_WALL:])
+    return p._replace(blocks=outline.blocks, edges=outline.edges, limits=limits)
+
+
+def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Problem:
+    """Arrays for all runs on one whim, without an outline."""
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
@@ -112,11 +123,11 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
         links=np.array([(index[a], index[b]) for a, b in links(program)], np.int64).reshape(-1, 2),
         near=weighed([*_near(program), *whim.near]),
         order=_ways(program, index),
-        blocks=outline.blocks,
-        edges=outline.edges,
+        blocks=np.zeros((0, 4)),
+        edges=np.zeros((0, 6)),
         wishes=wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
-        limits=np.array([*outline.stretch, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
+        limits=np.array([1.0, 1.0, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
     )
 
 
