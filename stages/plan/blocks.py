@@ -72,7 +72,10 @@ def taken_apart(polygon: Polygon, envelope: Envelope, stretch: tuple[float, floa
 
 def straightened(polygon: Polygon) -> Polygon:
     """The outline with slanting walls at their mean place, in steps where they slant far; the same where none does."""
-    ring = np.asarray(shapely.geometry.polygon.orient(polygon).exterior.coords)
+    oriented = shapely.geometry.polygon.orient(polygon)
+    ring = shapely.get_coordinates(oriented.exterior)
+    if _upright(ring) and not oriented.interiors:
+        return oriented
     walls = [wall for a, b in pairwise(ring) for wall in _steps(a, b)]
     corners: list[tuple[float, float]] = []
     for before, after in zip([walls[-1], *walls[:-1]], walls):
@@ -85,6 +88,12 @@ def straightened(polygon: Polygon) -> Polygon:
     out = Polygon(corners).simplify(1e-9)
     kept = isinstance(out, Polygon) and out.is_valid and abs(out.area / polygon.area - 1) < LOST
     return shapely.geometry.polygon.orient(out if kept else polygon)
+
+
+def _upright(ring: Array) -> bool:
+    """Whether a closed ring runs along one axis and the other in turn."""
+    level, upright = np.diff(ring, axis=0).T == 0.0
+    return bool((level != upright).all() and (level != np.roll(level, 1)).all())
 
 
 class _Wall(NamedTuple):
@@ -119,16 +128,29 @@ def _edge(
 
 def blocks(polygon: Polygon) -> Array:
     """Disjoint rectangles (k, 4) of a polygon's area, and its very shape where it is rectilinear."""
-    x0, _, x1, _ = polygon.bounds
-    lines = sorted({round(y, 9) for _, y in polygon.exterior.coords})
+    ring = shapely.get_coordinates(polygon.exterior)
+    lines = sorted({round(y, 9) for y in ring[:, 1].tolist()})
+    spans = _crossed if _upright(ring) and not polygon.interiors else _cut
     out: list[list[float]] = []
     for lo, hi in pairwise(lines):
-        cut = polygon.intersection(shapely.LineString([(x0 - 1, 0.5 * (lo + hi)), (x1 + 1, 0.5 * (lo + hi))]))
-        for part in shapely.get_parts(cut):
-            a, _, b, _ = part.bounds
+        for a, b in spans(polygon, 0.5 * (lo + hi)):
             below = next((r for r in out if abs(r[0] - a) + abs(r[2] - b) + abs(r[3] - lo) < 1e-6), None)
             if below is not None:
                 below[3] = hi
             else:
                 out.append([a, lo, b, hi])
     return np.array(out, float)
+
+
+def _cut(polygon: Polygon, y: float) -> list[tuple[float, float]]:
+    """Where a level line is in a polygon, from x to x."""
+    x0, _, x1, _ = polygon.bounds
+    cut = polygon.intersection(shapely.LineString([(x0 - 1, y), (x1 + 1, y)]))
+    return [(part.bounds[0], part.bounds[2]) for part in shapely.get_parts(cut)]
+
+
+def _crossed(polygon: Polygon, y: float) -> list[tuple[float, float]]:
+    """The same of an upright ring, between the walls that the line crosses."""
+    ring = shapely.get_coordinates(polygon.exterior).tolist()
+    walls = sorted(a[0] for a, b in pairwise(ring) if min(a[1], b[1]) < y < max(a[1], b[1]))
+    return list(zip(walls[::2], walls[1::2], strict=True))
