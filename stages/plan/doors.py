@@ -110,9 +110,9 @@ def _wide(face: Face, deep: Depths) -> Choice:
 
 def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:
     (x, y), (u, v) = face.start.tolist(), face.along.tolist()
-    xs = [x + along * u - deep * v for along in (lo, hi) for deep in (near, far)]
-    ys = [y + along * v + deep * u for along in (lo, hi) for deep in (near, far)]
-    return min(xs), min(ys), max(xs), max(ys)
+    a, b, c, d = x + lo * u, x + hi * u, near * v, far * v
+    e, f, g, h = y + lo * v, y + hi * v, near * u, far * u
+    return min(a, b) - max(c, d), min(e, f) + min(g, h), max(a, b) - min(c, d), max(e, f) + max(g, h)
 
 
 def _fronts(face: Face, lo: float, hi: float, deep: float) -> tuple[Box, Box]:
@@ -182,7 +182,8 @@ def _on_the_way(choices: list[Choice], entrance: faces.Array, room: Polygon, pro
     counts = DETOUR * program.weights.get("shortest_path", 1.0)
     end = np.array(room.envelope.centroid.coords[0])
     straight = float(np.abs(end - entrance).sum())
-    ways = [float(np.abs(at - entrance).sum() + np.abs(at - end).sum()) for at in map(_middle, choices)]
+    at = np.array([_middle(choice) for choice in choices]).reshape(-1, 2)
+    ways = (np.abs(at - entrance).sum(axis=1) + np.abs(at - end).sum(axis=1)).tolist()
     dearer = [c._replace(cost=c.cost + counts * (way - straight)) for c, way in zip(choices, ways, strict=True)]
     return sorted(dearer, key=lambda c: c.cost)
 
