@@ -86,6 +86,13 @@ def _joined(joint: float, thick: float, room: Floats, pieces: Floats, before: In
 
 
 @inner
+def _sides(lo: float, hi: float, at: float) -> int:
+    # on how many sides of a coordinate, right beside it, an interval is
+    before, after = at - 1e-3, at + 1e-3
+    return int(lo < before) * int(before < hi) + int(lo < after) * int(after < hi)
+
+
+@inner
 def corners(pieces: Floats, before: Ints, last: int) -> int:  # of a room whose pieces chain from `last` on
     found, i = 0, last
     while i >= 0:
@@ -94,9 +101,7 @@ def corners(pieces: Floats, before: Ints, last: int) -> int:  # of a room whose 
             quadrants, seen, j = 0, False, last
             while j >= 0:
                 b = pieces[j]
-                for d in range(4):
-                    u, v = x + (1e-3 if d & 1 else -1e-3), y + (1e-3 if d & 2 else -1e-3)
-                    quadrants += b[0] < u < b[2] and b[1] < v < b[3]
+                quadrants += _sides(b[0], b[2], x) * _sides(b[1], b[3], y)
                 on = (abs(b[0] - x) < EPS or abs(b[2] - x) < EPS) and (abs(b[1] - y) < EPS or abs(b[3] - y) < EPS)
                 seen = seen or (j < i and on)
                 j = before[j]

@@ -202,7 +202,9 @@ def scratch(p: Problem, leaves: int) -> Scratch:
     n, k = len(p.spec), len(p.blocks)
     return Scratch(
         box=np.zeros((2 * leaves - 1, 6)),
-        seq=np.zeros(2 * leaves, np.int64),
+        seq=np.zeros(2 * leaves + 2, np.int64),
+        cuts=np.zeros(2 * leaves, np.int64),
+        ends=np.zeros(2 * leaves, np.int64),
         piece=np.zeros((leaves * k, 4)),
         owner=np.zeros(leaves * k, np.int64),
         last=np.zeros(n, np.int64),
@@ -215,7 +217,8 @@ def scratch(p: Problem, leaves: int) -> Scratch:
         area=np.zeros(n),
         scale=np.zeros(1),
         block=np.zeros((k, 4)),
-        level=np.zeros(len(p.edges)),
+        around=np.zeros(4),
+        level=np.zeros((2, len(p.edges) + 1)),
         edge=np.zeros((len(p.edges), 3)),
         clip=np.zeros((k, 3)),
     )

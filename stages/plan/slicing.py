@@ -35,6 +35,8 @@ def once(function: F) -> F:
 
 
 EPS = 1e-6
+CORNERED = 0.9
+"""Least depth that a cut which follows a corner of the outline leaves on both sides, m."""
 TERMS = (
     "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",
     "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou", "near_rooms",
@@ -80,7 +82,9 @@ class Scratch(NamedTuple):
     """Measures of the state evaluated last, and the outline as far as it was stretched then."""
 
     box: Floats  # (2L-1, 6) x0 y0 x1 y1, area wanted, 1 where the outline is known to cover all of it
-    seq: Ints  # (2L,) nodes, parents first; then the number of pieces
+    seq: Ints  # (2L + 2,) nodes, parents first; last, the number of pieces
+    cuts: Ints  # (2L,) the cuts among them
+    ends: Ints  # (2L,) the leaves among them
     piece: Floats  # (P, 4) rectangles of rooms
     owner: Ints  # (P,)
     last: Ints  # (n,) last piece of each room
@@ -93,9 +97,10 @@ class Scratch(NamedTuple):
     entry: Floats
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
     area: Floats  # (n,) of the state accepted last
-    scale: Floats  # (1,) the stretch of the next three
+    scale: Floats  # (1,) the stretch of the next four
     block: Floats  # (k, 4) x0 y0 x1 y1
-    level: Floats  # (e,) of each edge, its line for cuts
+    around: Floats  # (4,) x0 y0 x1 y1 of all blocks
+    level: Floats  # (2, e + 1) lines of the inner edges where y, and where x is constant; last, how many
     edge: Floats  # (e, 3) coordinate, lo, hi
     clip: Floats  # (k, 3) of the blocks within a box along a cut's way: from, to, and their breadth across it
 
@@ -106,14 +111,23 @@ def _stretch(p: Problem, s: float, z: Scratch) -> None:
     if z.scale[0] == s:
         return
     z.scale[0] = s
+    x0, y0, x1, y1 = 1e9, 1e9, -1e9, -1e9
     for k in range(p.blocks.shape[0]):
         z.block[k, 0], z.block[k, 2] = p.blocks[k, 0] * s, p.blocks[k, 2] * s
         z.block[k, 1], z.block[k, 3] = p.blocks[k, 1] / s, p.blocks[k, 3] / s
-    for e in range(p.edges.shape[0]):
+        x0, y0 = min(x0, z.block[k, 0]), min(y0, z.block[k, 1])
+        x1, y1 = max(x1, z.block[k, 2]), max(y1, z.block[k, 3])
+    z.around[0], z.around[1], z.around[2], z.around[3] = x0, y0, x1, y1
+    last = p.edges.shape[0]
+    z.level[0, last] = z.level[1, last] = 0.0
+    for e in range(last):
         edge, upright = p.edges[e], p.edges[e, 0] == 0
         across = s if upright else 1 / s
-        z.level[e] = edge[1] * s if upright else edge[1] / s
         z.edge[e, 0], z.edge[e, 1], z.edge[e, 2] = edge[1] * across, edge[2] / across, edge[3] / across
+        line, lo, hi, axis = (edge[1] * s, x0, x1, 1) if upright else (edge[1] / s, y0, y1, 0)
+        if line - lo > CORNERED and hi - line > CORNERED:
+            z.level[axis, int(z.level[axis, last])] = line
+            z.level[axis, last] += 1.0
 
 
 @inner
@@ -161,7 +175,7 @@ def _shared_out(z: Scratch, count: int, a: float, b: float, goal: float, first: 
 @inner
 def _cut(p: Problem, z: Scratch, box: Floats, upright: int, share: float) -> float:
     # where a cut leaves `share` of the covered area before it
-    a, b = (box[0], box[2]) if upright else (box[1], box[3])
+    a, b = box[1 - upright], box[3 - upright]
     c = a + share * (b - a)
     if p.blocks.shape[0] == 1:
         return float(c)
@@ -171,9 +185,10 @@ def _cut(p: Problem, z: Scratch, box: Floats, upright: int, share: float) -> flo
             c = _shared_out(z, count, a, b, share * whole, c)
         else:
             box[5] = 1.0
-    for e in range(p.edges.shape[0]):  # follow a nearby corner of the outline
-        line = z.level[e]
-        if abs(line - c) < 0.45 and (p.edges[e, 0] == 0) == (upright == 1) and line - a > 0.9 and b - line > 0.9:
+    lines = z.level[upright]
+    for e in range(int(lines[lines.shape[0] - 1])):  # follow a nearby corner of the outline
+        line = lines[e]
+        if abs(line - c) < 0.45 and line - a > CORNERED and b - line > CORNERED:
             return float(line)
     return float(c)
 
@@ -197,35 +212,42 @@ def _part(z: Scratch, box: Floats, room: int, count: int) -> int:
 
 
 @inner
+def _sorted(t: Tree, z: Scratch) -> None:
+    # cuts and leaves of a tree, parents first; written without asking which a node is, for no one can foretell that
+    leaves, nodes, seq = t.share.shape[0] - 1, t.nodes, z.seq
+    seq[0], count, cuts, ends = nodes[2 * leaves - 1, 0], 1, 0, 0
+    for i in range(2 * leaves - 1):
+        node = seq[i]
+        cut = int(node >= leaves)
+        seq[count], seq[count + 1] = nodes[node, LEFT], nodes[node, RIGHT]
+        z.cuts[cuts], z.ends[ends] = node, node
+        count, cuts, ends = count + 2 * cut, cuts + cut, ends + 1 - cut
+
+
+@inner
 def lay(p: Problem, t: Tree, z: Scratch) -> int:
     # boxes of all nodes, pieces of all rooms; returns the number of pieces
     leaves = t.share.shape[0] - 1
-    nodes, box, seq = t.nodes, z.box, z.seq
+    nodes, box = t.nodes, z.box
     _stretch(p, t.share[leaves], z)
+    _sorted(t, z)
+    for leaf in range(leaves):
+        box[leaf, 4] = t.share[leaf]
+    for i in range(leaves - 2, -1, -1):
+        node = z.cuts[i]
+        box[node, 4] = box[nodes[node, LEFT], 4] + box[nodes[node, RIGHT], 4]
     top = nodes[2 * leaves - 1, 0]
-    seq[0], count = top, 1
-    for i in range(2 * leaves - 1):
-        node = seq[i]
-        if node >= leaves:
-            seq[count], seq[count + 1] = nodes[node, LEFT], nodes[node, RIGHT]
-            count += 2
-    for i in range(2 * leaves - 2, -1, -1):
-        node = seq[i]
-        box[node, 4] = t.share[node] if node < leaves else box[nodes[node, LEFT], 4] + box[nodes[node, RIGHT], 4]
-    x0, y0, x1, y1 = 1e9, 1e9, -1e9, -1e9
-    for k in range(z.block.shape[0]):
-        block = z.block[k]
-        x0, y0, x1, y1 = min(x0, block[0]), min(y0, block[1]), max(x1, block[2]), max(y1, block[3])
-    box[top, 0], box[top, 1], box[top, 2], box[top, 3], box[top, 5] = x0, y0, x1, y1, 0.0
-    count -= count
-    for i in range(2 * leaves - 1):
-        node = seq[i]
-        if node < leaves:
-            count = _part(z, box[node], nodes[node, 0], count)
-            continue
+    for j in range(4):
+        box[top, j] = z.around[j]
+    box[top, 5] = 0.0
+    for i in range(leaves - 1):
+        node = z.cuts[i]
         left, right, upright = nodes[node, LEFT], nodes[node, RIGHT], nodes[node, UPRIGHT]
         c = _cut(p, z, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))
         for j in (0, 1, 2, 3, 5):
             box[left, j] = box[right, j] = box[node, j]
         box[left, 3 - upright] = box[right, 1 - upright] = c
+    count = 0
+    for i in range(leaves):
+        count = _part(z, box[z.ends[i]], nodes[z.ends[i], 0], count)
     return count

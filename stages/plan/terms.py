@@ -152,13 +152,20 @@ def _outside(p: Problem, z: Scratch, count: int) -> None:  # of the rooms, and t
             entry[5], entry[6] = z.wall[p.order[i, 2], 1], z.wall[p.order[i, 2], 2]
     for e in range(p.edges.shape[0]):
         edge, axis, (at, lo, hi) = p.edges[e], int(p.edges[e, 0]), (z.edge[e, 0], z.edge[e, 1], z.edge[e, 2])
-        for i in range(count):
-            q, r = z.piece[i], z.owner[i]
+        i = z.last[hall] if edge[5] > 0 else -1
+        while i >= 0:
+            q = z.piece[i]
             long, off = min(hi, q[3 - axis]) - max(lo, q[1 - axis]), min(abs(q[axis] - at), abs(q[axis + 2] - at))
-            if r == hall and edge[5] > 0:
-                entry[3] = min(entry[3], off + max(0.0, -long))
-            if off > 1e-4 or long < EPS:
+            entry[3] = min(entry[3], off + max(0.0, -long))
+            i = z.before[i]
+        for i in range(count):
+            q = z.piece[i]
+            if min(abs(q[axis] - at), abs(q[axis + 2] - at)) > 1e-4:
                 continue
+            long = min(hi, q[3 - axis]) - max(lo, q[1 - axis])
+            if long < EPS:
+                continue
+            r = z.owner[i]
             room = z.room[r]
             room[R_RIM] = max(room[R_RIM], long)
             if edge[4] > 0:
@@ -247,10 +254,10 @@ def evaluate(p: Problem, t: Tree, z: Scratch, bar: float) -> float:
     cost = _weighed(p.weights, z.terms)
     if cost > bar:
         return cost
-    _concise(p, z)
+    root = z.box[t.nodes[t.nodes.shape[0] - 1, 0]]
+    _lines(p, root, z, count)
     cost = _weighed(p.weights, z.terms)
     if cost > bar:
         return cost
-    root = z.box[t.nodes[t.nodes.shape[0] - 1, 0]]
-    _lines(p, root, z, count)
+    _concise(p, z)
     return _weighed(p.weights, z.terms) + wished(p, z, root)
