@@ -41,7 +41,7 @@ def start(program: Known, parts: tuple[int, ...], stretch: tuple[float, float], 
     else:
         _two_rows(program, program.hub, parts, share, grown, rng)
     grown.nodes[: len(share), 0] = np.repeat(np.arange(len(parts)), parts)
-    return Tree(grown.nodes, np.append(share, np.clip(1.0, *stretch)))
+    return Tree(grown.nodes, np.append(share, min(max(1.0, stretch[0]), stretch[1])))
 
 
 def _shares(wanted: list[float], parts: tuple[int, ...], rng: Generator) -> list[float]:
