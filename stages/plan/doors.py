@@ -4,6 +4,8 @@ Every link has many possible doors (place, hinge side, room it opens into). A se
 which no leaf meets another leaf or stands in another doorway.
 """
 
+from itertools import compress
+
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
@@ -230,9 +232,9 @@ def _beyond(face: Face, room: Polygon, mine: bool) -> tuple[float, float]:
     deep = WITHIN if mine else -(face.gap or 0.0) - WITHIN
     at = face.start + deep * np.array([-face.along[1], face.along[0]])
     ends = np.stack([at - AS_FAR * face.along, at + (face.length + AS_FAR) * face.along])
-    pieces = shapely.get_parts(shapely.intersection(shapely.LineString(ends), room))
-    middle = shapely.Point(at + 0.5 * face.length * face.along)
-    piece = min(pieces, key=lambda piece: float(piece.distance(middle)))
+    pieces = shapely.get_parts(shapely.intersection(shapely.linestrings(ends), room))
+    middle = shapely.points(at + 0.5 * face.length * face.along)
+    piece = pieces[int(np.argmin(shapely.distance(pieces, middle)))] if len(pieces) > 1 else pieces[0]
     along = (shapely.get_coordinates(piece) - at) @ face.along
     return max(0.0, -float(along.min())), max(0.0, float(along.max()) - face.length)
 
@@ -250,12 +252,16 @@ def _fitting(choices: list[Choice], floors: Floors) -> list[Choice]:
 
 def _passing(choices: list[Choice], halls: Floors) -> list[Choice]:
     """Choices, cheapest first; a leaf that nobody gets by where it stands open in a hallway costs more."""
-    swept = [choice for choice in choices if choice.into in halls]
+    barring = {(hall, sweep) for hall, floor in halls.items() for sweep in _barring(choices, hall, floor)}
+    dearer = [c._replace(cost=c.cost + BARS) if (c.into, c.sweep) in barring else c for c in choices]
+    return sorted(dearer, key=lambda c: c.cost)
+
+
+def _barring(choices: list[Choice], hall: str, floor: Polygon) -> list[Box]:
+    """What leaves sweep in a hallway that leave no way along it."""
+    swept = list(dict.fromkeys(choice.sweep for choice in choices if choice.into == hall))
     if not swept:
-        return choices
-    floor = np.array([halls[choice.into] for choice in swept if choice.into], dtype=object)
-    leaves = shapely.box(*np.array([choice.sweep for choice in swept]).T)
-    left = shapely.buffer(shapely.difference(floor, leaves), -PASSED)
-    cuts = shapely.get_num_geometries(left) > shapely.get_num_geometries(shapely.buffer(floor, -PASSED))
-    dearer = {id(choice) for choice, cut in zip(swept, cuts, strict=True) if cut}
-    return sorted((c._replace(cost=c.cost + BARS * (id(c) in dearer)) for c in choices), key=lambda c: c.cost)
+        return []
+    left = shapely.buffer(shapely.difference(floor, shapely.box(*np.array(swept).T)), -PASSED)
+    cut = shapely.get_num_geometries(left) > shapely.get_num_geometries(shapely.buffer(floor, -PASSED))
+    return list(compress(swept, cut))

@@ -78,14 +78,15 @@ def outside(room: Polygon, others: list[Polygon]) -> list[Face]:
     around = np.array([room, *others], dtype=object)
     extents, grown = shapely.bounds(around) + np.array([-ASIDE, -ASIDE, ASIDE, ASIDE]), dict[int, Polygon]()
     for edge in edges(room):
-        strip = _ahead(edge)
+        strip, spans = _ahead(edge), [(0.0, edge.length)]
         x0, y0, x1, y1 = strip.bounds
-        reached = (extents[:, 0] <= x1) & (extents[:, 1] <= y1) & (extents[:, 2] >= x0) & (extents[:, 3] >= y0)
-        for which in (which for which in np.flatnonzero(reached).tolist() if which not in grown):
-            grown[which] = around[which].buffer(ASIDE if which else -ASIDE, join_style="mitre")
-        behind = strip.intersection(shapely.union_all([grown[which] for which in np.flatnonzero(reached).tolist()]))
-        spans = [(0.0, edge.length)]
-        for part in (p for p in shapely.get_parts(behind) if p.area > 1e-6):
+        apart = (extents[:, 0] > x1) | (extents[:, 1] > y1) | (extents[:, 2] < x0) | (extents[:, 3] < y0)
+        reached = np.flatnonzero(~apart).tolist()
+        for which in reached:
+            if which not in grown:
+                grown[which] = around[which].buffer(ASIDE if which else -ASIDE, join_style="mitre")
+        parts = shapely.get_parts(shapely.intersection(strip, shapely.union_all([grown[which] for which in reached])))
+        for part in parts[shapely.area(parts) > 1e-6]:
             at = np.dot(shapely.get_coordinates(part) - edge.start, edge.along)
             spans = _without(spans, float(at.min()), float(at.max()))
         out += [edge.part(lo, hi) for lo, hi in spans if hi - lo > 0.05]

@@ -120,7 +120,8 @@ def _ways(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 def _strip(opening: Opening, normal: np.ndarray, lo: float, hi: float) -> Polygon:
     a, b = np.asarray(opening.segment)
-    return shapely.MultiPoint([p + d * normal for p in (a, b) for d in (lo, hi)]).convex_hull
+    corners = np.array([p + d * normal for p in (a, b) for d in (lo, hi)])
+    return shapely.convex_hull(shapely.multipoints(corners))
 
 
 def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
