@@ -67,19 +67,21 @@ class Whole:
     wanted: Whim
     arrays: Problem
     known: Known
+    gross: float
     outline: Outline | None
 
 
-def whole(program: Program, config: PlanConfig, slack: Slack, wanted: Whim) -> Whole:
+def whole(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, trees: Known) -> Whole:
     """What the runs on a whim need."""
     outline = None if program.envelope.outline is None else given(program.envelope, config.walls.inner)
-    return Whole(program, wanted, open_problem(program, wanted, config.walls, slack), known(program), outline)
+    arrays, area = open_problem(program, wanted, config.walls, slack), gross_area(program, config.walls)
+    return Whole(program, wanted, arrays, trees, area, outline)
 
 
 def anneal(of: Whole, config: PlanConfig, rng: Generator) -> Run:
     """One run from a random start."""
     program, wanted = of.program, of.wanted
-    outline = of.outline or _drawn(program, config, wanted, rng)
+    outline = of.outline or draw(program.envelope, of.gross, wanted.shape, wanted.aspect, rng)
     p = within(of.arrays, outline)
     tree = start(of.known, wanted.parts, outline.stretch, rng)
     new, best = copy(tree), copy(tree)
@@ -94,10 +96,6 @@ def anneal(of: Whole, config: PlanConfig, rng: Generator) -> Run:
         return Run(float(cost), lack, _to_the_edge(boxes), best.nodes[:leaves, 0], missed)
     count = int(z.seq[-1])
     return Run(float(cost), lack, np.round(z.piece[:count], 2), z.owner[:count].copy(), missed)
-
-
-def _drawn(program: Program, config: PlanConfig, wanted: Whim, rng: Generator) -> Outline:
-    return draw(program.envelope, gross_area(program, config.walls), wanted.shape, wanted.aspect, rng)
 
 
 def _to_the_edge(boxes: Floats) -> Floats:
@@ -170,12 +168,14 @@ def _solved(program: Program, config: PlanConfig, rng: Generator, each: Each) ->
     program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
-        tried = 0
+        tried, inside = 0, indoors(step.program)
+        trees = known(inside)
         for failed in range(-(-config.whims // 2) if step.slack != Slack() and step.given_up else config.whims):
             valid: list[Run] = []
             wanted = whim(step.program, config.walls, failed, rng)
             about = _with_envelope(step.program, wanted.envelope)
-            for runs in waves(whole(indoors(about), config, step.slack, wanted), config, rng, each):
+            shared = whole(_with_envelope(inside, wanted.envelope), config, step.slack, wanted, trees)
+            for runs in waves(shared, config, rng, each):
                 valid += [run for run in runs if run.lack < EPS]
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
                 if not valid or len(valid) >= enough(program, config):
