@@ -28,6 +28,8 @@ Floors = dict[str, Polygon]
 
 def hung(program: Program) -> dict[str, str]:
     """Balconies of one door by id, with the room it is in; those of several doors, or open, stay among the rooms."""
+    if all(room.type != "balcony" for room in program.rooms):
+        return {}
     types = {room.id: room.base for room in program.rooms}
     indoors = [room for room, kind in types.items() if kind != "balcony"]
     joined = {room for pair in program.open_links for room in pair}

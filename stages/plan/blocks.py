@@ -3,6 +3,7 @@
 Solver outlines are "gross": half an inner wall outside the clear floor, so that every room is inset alike.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -64,15 +65,15 @@ def gross(envelope: Envelope, inner: float) -> Polygon:
 
 def taken_apart(polygon: Polygon, envelope: Envelope, stretch: tuple[float, float]) -> Outline:
     """Blocks and edges of a gross outline that may be stretched between two factors."""
-    upright = straightened(polygon)
+    upright = polygon if _upright(polygon) else straightened(polygon)
     entrances = entrance_sides(envelope)
-    edges = [_edge(a, b, envelope, entrances) for a, b in pairwise(upright.exterior.coords)]
+    edges = [_edge(a, b, envelope, entrances) for a, b in pairwise(_ring(upright))]
     return Outline(blocks(upright), np.array(edges, float).reshape(-1, 6), stretch)
 
 
 def straightened(polygon: Polygon) -> Polygon:
     """The outline with slanting walls at their mean place, in steps where they slant far; the same where none does."""
-    ring = np.asarray(shapely.geometry.polygon.orient(polygon).exterior.coords)
+    ring = np.array(_ring(polygon))
     walls = [wall for a, b in pairwise(ring) for wall in _steps(a, b)]
     corners: list[tuple[float, float]] = []
     for before, after in zip([walls[-1], *walls[:-1]], walls):
@@ -85,6 +86,23 @@ def straightened(polygon: Polygon) -> Polygon:
     out = Polygon(corners).simplify(1e-9)
     kept = isinstance(out, Polygon) and out.is_valid and abs(out.area / polygon.area - 1) < LOST
     return shapely.geometry.polygon.orient(out if kept else polygon)
+
+
+def _ring(polygon: Polygon) -> list[list[float]]:
+    """The corners around, counter-clockwise, the first once more at the end."""
+    around = polygon.exterior
+    ring: list[list[float]] = shapely.get_coordinates(around).tolist()
+    return ring if shapely.is_ccw(around) else ring[::-1]
+
+
+def _upright(polygon: Polygon) -> bool:
+    """Whether an outline without courts runs along one axis and the other in turn."""
+    if shapely.get_num_interior_rings(polygon):
+        return False
+    ring = shapely.get_coordinates(polygon).tolist()
+    level = [a[1] == b[1] for a, b in pairwise(ring)]
+    turns = all(one != other for one, other in zip(level, [level[-1], *level]))
+    return turns and all((a[0] == b[0]) != (a[1] == b[1]) for a, b in pairwise(ring))
 
 
 class _Wall(NamedTuple):
@@ -109,7 +127,7 @@ def _corner(at: float, turn: float, level: bool) -> tuple[float, float]:
 
 
 def _edge(
-    a: tuple[float, float], b: tuple[float, float], envelope: Envelope, entrances: list[Side]
+    a: Sequence[float], b: Sequence[float], envelope: Envelope, entrances: list[Side]
 ) -> tuple[float, float, float, float, float, float]:
     side = facing(b[0] - a[0], b[1] - a[1])
     axis = 1 if side in ("south", "north") else 0
@@ -119,16 +137,28 @@ def _edge(
 
 def blocks(polygon: Polygon) -> Array:
     """Disjoint rectangles (k, 4) of a polygon's area, and its very shape where it is rectilinear."""
-    x0, _, x1, _ = polygon.bounds
-    lines = sorted({round(y, 9) for _, y in polygon.exterior.coords})
+    ring, upright = _ring(polygon), _upright(polygon)
+    lines = sorted({round(y, 9) for _, y in ring})
     out: list[list[float]] = []
     for lo, hi in pairwise(lines):
-        cut = polygon.intersection(shapely.LineString([(x0 - 1, 0.5 * (lo + hi)), (x1 + 1, 0.5 * (lo + hi))]))
-        for part in shapely.get_parts(cut):
-            a, _, b, _ = part.bounds
+        level = 0.5 * (lo + hi)
+        for a, b in _crossed(ring, level) if upright else _cut(polygon, level):
             below = next((r for r in out if abs(r[0] - a) + abs(r[2] - b) + abs(r[3] - lo) < 1e-6), None)
             if below is not None:
                 below[3] = hi
             else:
                 out.append([a, lo, b, hi])
     return np.array(out, float)
+
+
+def _cut(polygon: Polygon, y: float) -> list[tuple[float, float]]:
+    """Where a level line is in a polygon, from x to x."""
+    x0, _, x1, _ = polygon.bounds
+    cut = polygon.intersection(shapely.LineString([(x0 - 1, y), (x1 + 1, y)]))
+    return [(part.bounds[0], part.bounds[2]) for part in shapely.get_parts(cut)]
+
+
+def _crossed(ring: list[list[float]], y: float) -> list[tuple[float, float]]:
+    """The same of an upright ring, between the walls that the line crosses."""
+    walls = sorted(a[0] for a, b in pairwise(ring) if min(a[1], b[1]) < y < max(a[1], b[1]))
+    return list(zip(walls[::2], walls[1::2], strict=True))

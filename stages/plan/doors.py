@@ -4,6 +4,8 @@ Every link has many possible doors (place, hinge side, room it opens into). A se
 which no leaf meets another leaf or stands in another doorway.
 """
 
+from itertools import compress
+
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
@@ -110,9 +112,9 @@ def _wide(face: Face, deep: Depths) -> Choice:
 
 def _box(face: Face, lo: float, hi: float, near: float, far: float) -> Box:
     (x, y), (u, v) = face.start.tolist(), face.along.tolist()
-    xs = [x + along * u - deep * v for along in (lo, hi) for deep in (near, far)]
-    ys = [y + along * v + deep * u for along in (lo, hi) for deep in (near, far)]
-    return min(xs), min(ys), max(xs), max(ys)
+    a, b, c, d = x + lo * u, x + hi * u, near * v, far * v
+    e, f, g, h = y + lo * v, y + hi * v, near * u, far * u
+    return min(a, b) - max(c, d), min(e, f) + min(g, h), max(a, b) - min(c, d), max(e, f) + max(g, h)
 
 
 def _fronts(face: Face, lo: float, hi: float, deep: float) -> tuple[Box, Box]:
@@ -182,7 +184,8 @@ def _on_the_way(choices: list[Choice], entrance: faces.Array, room: Polygon, pro
     counts = DETOUR * program.weights.get("shortest_path", 1.0)
     end = np.array(room.envelope.centroid.coords[0])
     straight = float(np.abs(end - entrance).sum())
-    ways = [float(np.abs(at - entrance).sum() + np.abs(at - end).sum()) for at in map(_middle, choices)]
+    at = np.array([_middle(choice) for choice in choices]).reshape(-1, 2)
+    ways = (np.abs(at - entrance).sum(axis=1) + np.abs(at - end).sum(axis=1)).tolist()
     dearer = [c._replace(cost=c.cost + counts * (way - straight)) for c, way in zip(choices, ways, strict=True)]
     return sorted(dearer, key=lambda c: c.cost)
 
@@ -229,9 +232,9 @@ def _beyond(face: Face, room: Polygon, mine: bool) -> tuple[float, float]:
     deep = WITHIN if mine else -(face.gap or 0.0) - WITHIN
     at = face.start + deep * np.array([-face.along[1], face.along[0]])
     ends = np.stack([at - AS_FAR * face.along, at + (face.length + AS_FAR) * face.along])
-    pieces = shapely.get_parts(shapely.intersection(shapely.LineString(ends), room))
-    middle = shapely.Point(at + 0.5 * face.length * face.along)
-    piece = min(pieces, key=lambda piece: float(piece.distance(middle)))
+    pieces = shapely.get_parts(shapely.intersection(shapely.linestrings(ends), room))
+    middle = shapely.points(at + 0.5 * face.length * face.along)
+    piece = pieces[int(np.argmin(shapely.distance(pieces, middle)))] if len(pieces) > 1 else pieces[0]
     along = (shapely.get_coordinates(piece) - at) @ face.along
     return max(0.0, -float(along.min())), max(0.0, float(along.max()) - face.length)
 
@@ -249,12 +252,16 @@ def _fitting(choices: list[Choice], floors: Floors) -> list[Choice]:
 
 def _passing(choices: list[Choice], halls: Floors) -> list[Choice]:
     """Choices, cheapest first; a leaf that nobody gets by where it stands open in a hallway costs more."""
-    swept = [choice for choice in choices if choice.into in halls]
+    barring = {(hall, sweep) for hall, floor in halls.items() for sweep in _barring(choices, hall, floor)}
+    dearer = [c._replace(cost=c.cost + BARS) if (c.into, c.sweep) in barring else c for c in choices]
+    return sorted(dearer, key=lambda c: c.cost)
+
+
+def _barring(choices: list[Choice], hall: str, floor: Polygon) -> list[Box]:
+    """What leaves sweep in a hallway that leave no way along it."""
+    swept = list(dict.fromkeys(choice.sweep for choice in choices if choice.into == hall))
     if not swept:
-        return choices
-    floor = np.array([halls[choice.into] for choice in swept if choice.into], dtype=object)
-    leaves = shapely.box(*np.array([choice.sweep for choice in swept]).T)
-    left = shapely.buffer(shapely.difference(floor, leaves), -PASSED)
-    cuts = shapely.get_num_geometries(left) > shapely.get_num_geometries(shapely.buffer(floor, -PASSED))
-    dearer = {id(choice) for choice, cut in zip(swept, cuts, strict=True) if cut}
-    return sorted((c._replace(cost=c.cost + BARS * (id(c) in dearer)) for c in choices), key=lambda c: c.cost)
+        return []
+    left = shapely.buffer(shapely.difference(floor, shapely.box(*np.array(swept).T)), -PASSED)
+    cut = shapely.get_num_geometries(left) > shapely.get_num_geometries(shapely.buffer(floor, -PASSED))
+    return list(compress(swept, cut))

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely.geometry import LineString, Polygon
+from shapely.geometry import Polygon
 
 Array = NDArray[np.float64]
 THICKEST = 0.65
@@ -14,6 +14,8 @@ THICKEST = 0.65
 
 OPEN_AIR = 3.0
 """Free depth before a window or an entrance, m."""
+ASIDE = 0.02
+"""Floors are taken so much larger where they stand before an edge, the edge's own so much smaller, m."""
 
 
 class Face(NamedTuple):
@@ -73,21 +75,29 @@ def between(a: Polygon, b: Polygon) -> list[Face]:
 def outside(room: Polygon, others: list[Polygon]) -> list[Face]:
     """Stretches of a room's edges with no floor within `OPEN_AIR` before them, its own neither, longest first."""
     out = []
-    own = room.buffer(-0.02, join_style="mitre")
-    near = shapely.union_all([own, *(o.buffer(0.02, join_style="mitre") for o in others)])
+    around = np.array([room, *others], dtype=object)
+    extents, grown = shapely.bounds(around) + np.array([-ASIDE, -ASIDE, ASIDE, ASIDE]), dict[int, Polygon]()
     for edge in edges(room):
-        strip = Polygon([
-            edge.start, edge.start + edge.length * edge.along,
-            edge.start + edge.length * edge.along - OPEN_AIR * edge.inward, edge.start - OPEN_AIR * edge.inward,
-        ])  # fmt: skip
-        behind = strip.intersection(near)
-        line = LineString([edge.start, edge.start + edge.length * edge.along])
-        spans = [(0.0, edge.length)]
-        for part in (p for p in shapely.get_parts(behind) if p.area > 1e-6):
+        strip, spans = _ahead(edge), [(0.0, edge.length)]
+        x0, y0, x1, y1 = strip.bounds
+        apart = (extents[:, 0] > x1) | (extents[:, 1] > y1) | (extents[:, 2] < x0) | (extents[:, 3] < y0)
+        reached = np.flatnonzero(~apart).tolist()
+        for which in reached:
+            if which not in grown:
+                grown[which] = around[which].buffer(ASIDE if which else -ASIDE, join_style="mitre")
+        parts = shapely.get_parts(shapely.intersection(strip, shapely.union_all([grown[which] for which in reached])))
+        for part in parts[shapely.area(parts) > 1e-6]:
             at = np.dot(shapely.get_coordinates(part) - edge.start, edge.along)
             spans = _without(spans, float(at.min()), float(at.max()))
-        out += [edge.part(lo, hi) for lo, hi in spans if hi - lo > 0.05 and line.length > 0.05]
+        out += [edge.part(lo, hi) for lo, hi in spans if hi - lo > 0.05]
     return sorted(out, key=lambda face: (-face.length, *face.start))
+
+
+def _ahead(edge: Face) -> Polygon:
+    """The open air before an edge."""
+    end, deep = edge.start + edge.length * edge.along, OPEN_AIR * edge.inward
+    strip: Polygon = shapely.polygons(np.array([edge.start, end, end - deep, edge.start - deep]))
+    return strip
 
 
 def _without(spans: list[tuple[float, float]], lo: float, hi: float) -> list[tuple[float, float]]:

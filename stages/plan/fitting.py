@@ -13,7 +13,7 @@ STRAIGHT = 1e-6
 
 
 def fitted(tree: Tree, boxes: Floats, outline: Polygon) -> Floats:
-    """Boxes of the leaves (L, 4); `boxes` (2L-1, 5) are those that the annealing had, in the straightened outline.
+    """Boxes of the leaves (L, 4); `boxes` (2L-1, 6) are those that the annealing had, in the straightened outline.
 
     Where all of an outline is upright they stay as they are.
     """

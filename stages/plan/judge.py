@@ -5,7 +5,7 @@ Shares the housing standards and `apartgen.stages.space.polygons` with the rest,
 
 from collections import Counter
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import compress
 
 import networkx as nx
 import numpy as np
@@ -55,9 +55,10 @@ def _polygons(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 
 def _apart(plan: Plan, shapes: Shapes) -> Iterator[str]:
-    for a, b in combinations(shapes, 2):
-        if shapes[a].distance(shapes[b]) < plan.walls.inner - LENGTHS_OFF:
-            yield f"{a} and {b} are closer than a wall"
+    names, floors = list(shapes), np.array(list(shapes.values()), dtype=object)
+    for i, a in enumerate(names):
+        near = shapely.distance(floors[i], floors[i + 1 :]) < plan.walls.inner - LENGTHS_OFF
+        yield from (f"{a} and {b} are closer than a wall" for b in compress(names[i + 1 :], near))
     joined = shapely.union_all(list(shapes.values())).buffer(THICKEST / 2, join_style="mitre")
     if len(shapely.get_parts(joined)) > 1:
         yield "the rooms do not form one building"
@@ -119,37 +120,47 @@ def _ways(plan: Plan, shapes: Shapes) -> Iterator[str]:
 
 def _strip(opening: Opening, normal: np.ndarray, lo: float, hi: float) -> Polygon:
     a, b = np.asarray(opening.segment)
-    return shapely.MultiPoint([p + d * normal for p in (a, b) for d in (lo, hi)]).convex_hull
+    corners = np.array([p + d * normal for p in (a, b) for d in (lo, hi)])
+    return shapely.convex_hull(shapely.multipoints(corners))
 
 
 def _seats(plan: Plan, shapes: Shapes) -> Iterator[str]:
     """Openings cut the wall they say they cut, over their whole width, and nothing else."""
     hung = {r.id: r.base == "balcony" and _stands_off(r.id, plan, shapes) for r in plan.rooms}
+    floors = np.array(list(shapes.values()), dtype=object)
+    walled = np.array([not hung[room] for room in shapes])
+    wider = {room: shape.buffer(LENGTHS_OFF) for room, shape in shapes.items()}
     for opening in plan.openings:
         line = LineString(opening.segment)
         for room in opening.rooms:
             normal, reach = polygons.face(opening, plan, room)
-            if not shapes[room].buffer(LENGTHS_OFF).covers(_strip(opening, normal, reach, reach + 0.05)):
+            if not wider[room].covers(_strip(opening, normal, reach, reach + 0.05)):
                 yield f"{opening.id} does not open onto {room} over its whole width"
         if len(opening.rooms) == 1:
             normal, reach = polygons.face(opening, plan, opening.rooms[0])
             ahead = _strip(opening, normal, -DEEP, -reach)
-            inside = [s for room, s in shapes.items() if opening.kind != "window" or not hung[room]]
-            if any(ahead.intersection(s).area > LENGTHS_OFF for s in inside):
+            inside = floors[walled] if opening.kind == "window" else floors
+            if (_common(ahead, inside) > LENGTHS_OFF).any():
                 yield f"{opening.id} does not lead into the open air"
         reaches = [polygons.face(opening, plan, room)[1] for room in opening.rooms]
         deep = reaches[1] if len(reaches) > 1 else plan.walls.outer / 2
         if abs(reaches[0] - deep) > LENGTHS_OFF or deep > THICKEST:
             yield f"{opening.id} is not on the centre line of its wall"
-        if any(line.intersects(s) for s in shapes.values()):
+        if shapely.intersects(line, floors).any():
             yield f"{opening.id} lies on a floor"
         least = {"door": 0.75, "entrance": 0.85, "opening": 0.9, "window": 0.45}[opening.kind]
         if line.length < least:
             yield f"{opening.id} is only {line.length:.2f} m wide"
-    cuts = [polygons.threshold(o, plan) for o in plan.openings]
-    for i, j in combinations(range(len(cuts)), 2):
-        if cuts[i].intersection(cuts[j]).area > 1e-4:
-            yield f"{plan.openings[i].id} and {plan.openings[j].id} cut the same wall"
+    cuts = np.array([polygons.threshold(o, plan) for o in plan.openings], dtype=object)
+    for i, opening in enumerate(plan.openings):
+        same = _common(cuts[i], cuts[i + 1 :]) > 1e-4
+        yield from (f"{opening.id} and {o.id} cut the same wall" for o in compress(plan.openings[i + 1 :], same))
+
+
+def _common(shape: Polygon, others: np.ndarray) -> np.ndarray:
+    """Area that a shape has in common with each of others, m² (n,)."""
+    area: np.ndarray = shapely.area(shapely.intersection(shape, others))
+    return area
 
 
 def _stands_off(balcony: str, plan: Plan, shapes: Shapes) -> bool:
@@ -185,18 +196,18 @@ def _leaves(plan: Plan, shapes: Shapes) -> Iterator[str]:
     for door in hung:
         if door.into not in door.rooms:
             yield f"{door.id} opens into no room of its own"
-    swept = [polygons.swing(o, plan) for o in hung]
+    swept = np.array([polygons.swing(o, plan) for o in hung], dtype=object)
+    passages = [o for o in plan.openings if o.kind in polygons.PASSAGES]
+    ways = np.array([polygons.threshold(o, plan).buffer(0.1) for o in passages], dtype=object)
     for door, sweep in zip(hung, swept, strict=True):
         if door.into and sweep.difference(shapes[door.into].buffer(0.02, join_style="mitre")).area > 1e-3:
             yield f"the leaf of {door.id} meets a wall"
-        for other in plan.openings:
-            if other.kind in polygons.PASSAGES and other.id != door.id:
-                way = polygons.threshold(other, plan)
-                if sweep.intersection(way.buffer(0.1)).area > 1e-3:
-                    yield f"the leaf of {door.id} stands in {other.id}"
-    for i, j in combinations(range(len(hung)), 2):
-        if swept[i].intersection(swept[j]).area > 1e-4:
-            yield f"the leaves of {hung[i].id} and {hung[j].id} meet"
+        for other in compress(passages, _common(sweep, ways) > 1e-3):
+            if other.id != door.id:
+                yield f"the leaf of {door.id} stands in {other.id}"
+    for i, door in enumerate(hung):
+        met = _common(swept[i], swept[i + 1 :]) > 1e-4
+        yield from (f"the leaves of {door.id} and {other.id} meet" for other in compress(hung[i + 1 :], met))
 
 
 def _connected(plan: Plan, shapes: Shapes) -> Iterator[str]:

@@ -59,27 +59,31 @@ def _replace(t: Tree, old: int, new: int) -> None:
 
 
 @inner
-def _regraft(t: Tree, leaf: int, onto: int, upright: int, before: bool) -> None:
-    # move a leaf beside another node
+def _regraft(t: Tree, leaf: int, onto: int, upright: int, before: bool) -> bool:
+    # move a leaf beside another node; whether that changes anything
     up = leaf  # an int64 at once: of a literal, `_replace` would be compiled anew
     for node in range(t.share.shape[0] - 1, t.nodes.shape[0] - 1):
         if t.nodes[node, LEFT] == leaf or t.nodes[node, RIGHT] == leaf:
             up = node
     if onto == leaf or onto == up:
-        return
+        return False
     _replace(t, up, t.nodes[up, RIGHT] if t.nodes[up, LEFT] == leaf else t.nodes[up, LEFT])
     _replace(t, onto, up)
     t.nodes[up, LEFT], t.nodes[up, RIGHT] = (leaf, onto) if before else (onto, leaf)
     t.nodes[up, UPRIGHT] = upright
+    return True
 
 
 @inner
-def _propose(p: Problem, t: Tree, area: Floats, rng: Seed) -> None:
+def _propose(p: Problem, t: Tree, area: Floats, rng: Seed) -> bool:
+    # change a state; whether it is another one now
     leaves = t.share.shape[0] - 1
     move, u = _random(rng), _random(rng)
     i, j = int(_random(rng) * leaves), int(_random(rng) * leaves)
     cut = leaves + int(u * (leaves - 1))
+    changed = True
     if move < 0.25:
+        changed = i != j
         t.nodes[i, 0], t.nodes[j, 0] = t.nodes[j, 0], t.nodes[i, 0]
         t.share[i], t.share[j] = t.share[j], t.share[i]
     elif move < 0.33:
@@ -87,7 +91,7 @@ def _propose(p: Problem, t: Tree, area: Floats, rng: Seed) -> None:
     elif move < 0.40:
         t.nodes[cut, LEFT], t.nodes[cut, RIGHT] = t.nodes[cut, RIGHT], t.nodes[cut, LEFT]
     elif move < 0.68:
-        _regraft(t, i, int(u * (2 * leaves - 1)), int(_random(rng) * 2), _random(rng) < 0.5)
+        changed = _regraft(t, i, int(u * (2 * leaves - 1)), int(_random(rng) * 2), _random(rng) < 0.5)
     elif move < 0.84:
         t.share[i] *= np.exp(0.5 * (u + _random(rng) - 1))
     elif move < 0.95:  # towards the wanted areas
@@ -95,7 +99,10 @@ def _propose(p: Problem, t: Tree, area: Floats, rng: Seed) -> None:
             ratio = p.spec[t.nodes[leaf, 0], S_TARGET] / max(area[t.nodes[leaf, 0]], 0.2)
             t.share[leaf] *= min(max(ratio, 0.7), 1.4)
     else:
-        t.share[leaves] = min(max(t.share[leaves] * np.exp(0.12 * (u - 0.5)), p.limits[L_SHORT]), p.limits[L_LONG])
+        before = t.share[leaves]
+        t.share[leaves] = min(max(before * np.exp(0.12 * (u - 0.5)), p.limits[L_SHORT]), p.limits[L_LONG])
+        changed = t.share[leaves] != before
+    return changed
 
 
 @inner
@@ -109,7 +116,7 @@ def _copy(a: Tree, b: Tree) -> None:
 
 def _stamp() -> int:
     """Changes with the sources that `anneal` is compiled from."""
-    sources = ("slicing.py", "wished.py", "terms.py", "kernel.py")
+    sources = ("slicing.py", "measured.py", "wished.py", "terms.py", "kernel.py")
     return crc32(b"".join((Path(__file__).parent / name).read_bytes() for name in sources))
 
 
@@ -141,8 +148,8 @@ def _compiled(stamp: int) -> Anneal:
             if 0 < step <= last:
                 temperature *= cooling
                 bar = cost - temperature * np.log(1 - _random(rng))
-                if new.share.shape[0] > 2:
-                    _propose(p, new, z.area, rng)
+                if new.share.shape[0] > 2 and not _propose(p, new, z.area, rng):
+                    continue
             tried = evaluate(p, new, z, bar)
             if step > last:  # `z` holds the best
                 break

@@ -14,7 +14,7 @@ from apartgen.stages.plan.balconies import fronts, indoors
 from apartgen.stages.plan.blocks import Outline
 from apartgen.stages.plan.check import entrance_room, links, neighbours
 from apartgen.stages.plan.outline import wish
-from apartgen.stages.plan.slicing import R_COLUMNS, Ints, Problem, Scratch, Tree
+from apartgen.stages.plan.slicing import L_WALL, R_COLUMNS, Ints, Problem, Scratch, Tree
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
@@ -99,6 +99,17 @@ def gross_area(program: Program, walls: Walls) -> float:
 
 def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack: Slack) -> Problem:
     """Arrays for one run; of the rooms indoors within an outline."""
+    return within(open_problem(program, whim, walls, slack), outline)
+
+
+def within(p: Problem, outline: Outline) -> Problem:
+    """The arrays of a run with another outline."""
+    limits = np.append(outline.stretch, p.limits[L_WALL:])
+    return p._replace(blocks=outline.blocks, edges=outline.edges, limits=limits)
+
+
+def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Problem:
+    """Arrays for all runs on one whim, without an outline."""
     rooms, wanted = program.rooms, areas(program)
     index = {r.id: i for i, r in enumerate(rooms)}
     joined = {r for pair in program.open_links for r in pair}
@@ -112,11 +123,11 @@ def problem(program: Program, outline: Outline, whim: Whim, walls: Walls, slack:
         links=np.array([(index[a], index[b]) for a, b in links(program)], np.int64).reshape(-1, 2),
         near=weighed([*_near(program), *whim.near]),
         order=_ways(program, index),
-        blocks=outline.blocks,
-        edges=outline.edges,
+        blocks=np.zeros((0, 4)),
+        edges=np.zeros((0, 6)),
         wishes=wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
-        limits=np.array([*outline.stretch, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
+        limits=np.array([1.0, 1.0, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
     )
 
 
@@ -186,19 +197,28 @@ def copy(tree: Tree) -> Tree:
     return Tree(tree.nodes.copy(), tree.share.copy())
 
 
-def scratch(n: int, links: int, leaves: int, k: int) -> Scratch:
-    """Room for the measures of a state of `n` rooms in an outline of `k` blocks."""
+def scratch(p: Problem, leaves: int) -> Scratch:
+    """Room for the measures of a state of so many leaves."""
+    n, k = len(p.spec), len(p.blocks)
     return Scratch(
-        box=np.zeros((2 * leaves - 1, 5)),
-        seq=np.zeros(2 * leaves, np.int64),
+        box=np.zeros((2 * leaves - 1, 6)),
+        seq=np.zeros(2 * leaves + 2, np.int64),
+        cuts=np.zeros(2 * leaves, np.int64),
+        ends=np.zeros(2 * leaves, np.int64),
         piece=np.zeros((leaves * k, 4)),
         owner=np.zeros(leaves * k, np.int64),
         last=np.zeros(n, np.int64),
         before=np.zeros(leaves * k, np.int64),
-        wall=np.zeros((links, 3)),
+        wall=np.zeros((len(p.links), 3)),
         room=np.zeros((n, R_COLUMNS)),
         terms=np.zeros(16),
         entry=np.zeros(7),
         walked=np.zeros((n, 3)),
         area=np.zeros(n),
+        scale=np.zeros(1),
+        block=np.zeros((k, 4)),
+        around=np.zeros(4),
+        level=np.zeros((2, len(p.edges) + 1)),
+        edge=np.zeros((len(p.edges), 3)),
+        clip=np.zeros((k, 3)),
     )

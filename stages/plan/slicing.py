@@ -21,19 +21,22 @@ Ints = NDArray[np.int64]
 # Without counting references, since nothing is allocated, and without rewriting array expressions, since there are
 # none: both cost much to compile.
 COMPILED: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_rewrites": True}
+CALLED = {**COMPILED, **WITHIN, "forceinline": True}
 
 
 def inner(function: F) -> F:
     """Compiled into those that call it; not cached one by one, as `kernel.anneal` is with all it calls."""
-    return cast(F, njit(**COMPILED, **WITHIN)(function))
+    return cast(F, njit(**CALLED)(function))
 
 
 def once(function: F) -> F:
     """What is called in one place and is all but made of calls: compiled with its caller, not before it once more."""
-    return cast(F, njit(**COMPILED, **WITHIN, inline="always")(function))
+    return cast(F, njit(**CALLED, inline="always")(function))
 
 
 EPS = 1e-6
+CORNERED = 0.9
+"""Least depth that a cut which follows a corner of the outline leaves on both sides, m."""
 TERMS = (
     "shortest_path", "typical_area", "aspect_ratio", "convexity", "conciseness", "exterior_length", "exterior_corner",
     "collinearity", "functional_room", "narrow_passage", "staircase_occupancy", "staircase_iou", "near_rooms",
@@ -76,10 +79,12 @@ class Tree(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Measures of the state evaluated last."""
+    """Measures of the state evaluated last, and the outline as far as it was stretched then."""
 
-    box: Floats  # (2L-1, 5) x0 y0 x1 y1, area wanted
-    seq: Ints  # (2L,) nodes, parents first; then the number of pieces
+    box: Floats  # (2L-1, 6) x0 y0 x1 y1, area wanted, 1 where the outline is known to cover all of it
+    seq: Ints  # (2L + 2,) nodes, parents first; last, the number of pieces
+    cuts: Ints  # (2L,) the cuts among them
+    ends: Ints  # (2L,) the leaves among them
     piece: Floats  # (P, 4) rectangles of rooms
     owner: Ints  # (P,)
     last: Ints  # (n,) last piece of each room
@@ -92,44 +97,68 @@ class Scratch(NamedTuple):
     entry: Floats
     walked: Floats  # (n, 3) distance to the room's door, x, y of it
     area: Floats  # (n,) of the state accepted last
+    scale: Floats  # (1,) the stretch of the next four
+    block: Floats  # (k, 4) x0 y0 x1 y1
+    around: Floats  # (4,) x0 y0 x1 y1 of all blocks
+    level: Floats  # (2, e + 1) lines of the inner edges where y, and where x is constant; last, how many
+    edge: Floats  # (e, 3) coordinate, lo, hi
+    clip: Floats  # (k, 3) of the blocks within a box along a cut's way: from, to, and their breadth across it
 
 
 @inner
-def _covered(blocks: Floats, s: float, x0: float, y0: float, x1: float, y1: float) -> float:
-    # area of the outline within a box
-    area = 0.0
-    for k in range(blocks.shape[0]):
-        w = min(x1, blocks[k, 2] * s) - max(x0, blocks[k, 0] * s)
-        h = min(y1, blocks[k, 3] / s) - max(y0, blocks[k, 1] / s)
-        if w > 0 and h > 0:
-            area += w * h
-    return area
+def _stretch(p: Problem, s: float, z: Scratch) -> None:
+    # blocks and edges of the outline, stretched anew only where the stretch changed
+    if z.scale[0] == s:
+        return
+    z.scale[0] = s
+    x0, y0, x1, y1 = 1e9, 1e9, -1e9, -1e9
+    for k in range(p.blocks.shape[0]):
+        z.block[k, 0], z.block[k, 2] = p.blocks[k, 0] * s, p.blocks[k, 2] * s
+        z.block[k, 1], z.block[k, 3] = p.blocks[k, 1] / s, p.blocks[k, 3] / s
+        x0, y0 = min(x0, z.block[k, 0]), min(y0, z.block[k, 1])
+        x1, y1 = max(x1, z.block[k, 2]), max(y1, z.block[k, 3])
+    z.around[0], z.around[1], z.around[2], z.around[3] = x0, y0, x1, y1
+    last = p.edges.shape[0]
+    z.level[0, last] = z.level[1, last] = 0.0
+    for e in range(last):
+        edge, upright = p.edges[e], p.edges[e, 0] == 0
+        across = s if upright else 1 / s
+        z.edge[e, 0], z.edge[e, 1], z.edge[e, 2] = edge[1] * across, edge[2] / across, edge[3] / across
+        line, lo, hi, axis = (edge[1] * s, x0, x1, 1) if upright else (edge[1] / s, y0, y1, 0)
+        if line - lo > CORNERED and hi - line > CORNERED:
+            z.level[axis, int(z.level[axis, last])] = line
+            z.level[axis, last] += 1.0
 
 
 @inner
-def _before(blocks: Floats, s: float, box: Floats, upright: int, c: float) -> tuple[float, float]:
-    # area of the outline within a box up to a cut, and the cut's length in it
-    area, across = 0.0, 0.0
-    for k in range(blocks.shape[0]):
-        x0, x1 = max(box[0], blocks[k, 0] * s), min(box[2], blocks[k, 2] * s)
-        y0, y1 = max(box[1], blocks[k, 1] / s), min(box[3], blocks[k, 3] / s)
-        lo, hi, wide = (x0, x1, y1 - y0) if upright else (y0, y1, x1 - x0)
-        if hi > lo and wide > 0 and c > lo:
-            area += wide * (min(c, hi) - lo)
-            across += wide if c < hi else 0.0
-    return area, across
+def _clipped(z: Scratch, box: Floats, upright: int) -> tuple[int, float]:
+    # the blocks that reach into a box, in `z.clip`; how many, and their area within it
+    count, area, x0, y0, x1, y1 = 0, 0.0, box[0], box[1], box[2], box[3]
+    for k in range(z.block.shape[0]):
+        block = z.block[k]
+        u0, v0, u1, v1 = max(x0, block[0]), max(y0, block[1]), min(x1, block[2]), min(y1, block[3])
+        if u1 - u0 > 0 and v1 - v0 > 0:
+            area += (u1 - u0) * (v1 - v0)
+            clip = z.clip[count]
+            if upright:
+                clip[0], clip[1], clip[2] = u0, u1, v1 - v0
+            else:
+                clip[0], clip[1], clip[2] = v0, v1, u1 - u0
+            count += 1
+    return count, area
 
 
 @inner
-def _cut(p: Problem, s: float, box: Floats, upright: int, share: float) -> float:
-    # where a cut leaves `share` of the covered area before it
-    a, b = (box[0], box[2]) if upright else (box[1], box[3])
-    if p.blocks.shape[0] == 1:
-        return float(a + share * (b - a))
-    whole = _covered(p.blocks, s, box[0], box[1], box[2], box[3])
-    goal, lo, hi, c = share * whole, a, b, a + share * (b - a)
-    for _ in range(18 if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS else 0):  # Newton, within bounds
-        over, slope = _before(p.blocks, s, box, upright, c)
+def _shared_out(z: Scratch, count: int, a: float, b: float, goal: float, first: float) -> float:
+    # where a cut between two ends leaves an area of the clipped blocks before it: Newton, within bounds
+    lo, hi, c = a, b, first
+    for _ in range(18):
+        over, slope = 0.0, 0.0
+        for k in range(count):
+            clip = z.clip[k]
+            if c > clip[0]:
+                over += clip[2] * (min(c, clip[1]) - clip[0])
+                slope += clip[2] if c < clip[1] else 0.0
         over -= goal
         if abs(over) < EPS:
             break
@@ -140,61 +169,85 @@ def _cut(p: Problem, s: float, box: Floats, upright: int, share: float) -> float
         c -= over / (slope + 1e-12)
         if c <= lo or c >= hi:
             c = 0.5 * (lo + hi)
-    for e in range(p.edges.shape[0]):  # follow a nearby corner of the outline
-        if (p.edges[e, 0] == 0) == (upright == 1):
-            line = p.edges[e, 1] * s if upright else p.edges[e, 1] / s
-            if abs(line - c) < 0.45 and line - a > 0.9 and b - line > 0.9:
-                return float(line)
+    return c
+
+
+@inner
+def _cut(p: Problem, z: Scratch, box: Floats, upright: int, share: float) -> float:
+    # where a cut leaves `share` of the covered area before it
+    a, b = box[1 - upright], box[3 - upright]
+    c = a + share * (b - a)
+    if p.blocks.shape[0] == 1:
+        return float(c)
+    if box[5] == 0.0:
+        count, whole = _clipped(z, box, upright)
+        if whole < (box[2] - box[0]) * (box[3] - box[1]) - EPS:
+            c = _shared_out(z, count, a, b, share * whole, c)
+        else:
+            box[5] = 1.0
+    lines = z.level[upright]
+    for e in range(int(lines[lines.shape[0] - 1])):  # follow a nearby corner of the outline
+        line = lines[e]
+        if abs(line - c) < 0.45 and line - a > CORNERED and b - line > CORNERED:
+            return float(line)
     return float(c)
 
 
 @inner
-def _part(blocks: Floats, s: float, box: Floats, room: int, z: Scratch, count: int) -> int:
+def _part(z: Scratch, box: Floats, room: int, count: int) -> int:
     # the pieces of the outline within a leaf's box
-    one = blocks.shape[0] == 1
-    one = one or _covered(blocks, s, box[0], box[1], box[2], box[3]) > (box[2] - box[0]) * (box[3] - box[1]) - EPS
-    for k in range(1 if one else blocks.shape[0]):
+    one = z.block.shape[0] == 1 or box[5] > 0.0
+    one = one or _clipped(z, box, 1)[1] > (box[2] - box[0]) * (box[3] - box[1]) - EPS
+    for k in range(1 if one else z.block.shape[0]):
         x0, y0, x1, y1 = box[0], box[1], box[2], box[3]
         if not one:
-            x0, x1 = max(x0, blocks[k, 0] * s), min(x1, blocks[k, 2] * s)
-            y0, y1 = max(y0, blocks[k, 1] / s), min(y1, blocks[k, 3] / s)
+            block = z.block[k]
+            x0, y0, x1, y1 = max(x0, block[0]), max(y0, block[1]), min(x1, block[2]), min(y1, block[3])
         if x1 - x0 > EPS and y1 - y0 > EPS:
-            z.piece[count, 0], z.piece[count, 1], z.piece[count, 2], z.piece[count, 3] = x0, y0, x1, y1
+            piece = z.piece[count]
+            piece[0], piece[1], piece[2], piece[3] = x0, y0, x1, y1
             z.owner[count] = room
             count += 1
     return count
 
 
 @inner
+def _sorted(t: Tree, z: Scratch) -> None:
+    # cuts and leaves of a tree, parents first; written without asking which a node is, for no one can foretell that
+    leaves, nodes, seq = t.share.shape[0] - 1, t.nodes, z.seq
+    seq[0], count, cuts, ends = nodes[2 * leaves - 1, 0], 1, 0, 0
+    for i in range(2 * leaves - 1):
+        node = seq[i]
+        cut = int(node >= leaves)
+        seq[count], seq[count + 1] = nodes[node, LEFT], nodes[node, RIGHT]
+        z.cuts[cuts], z.ends[ends] = node, node
+        count, cuts, ends = count + 2 * cut, cuts + cut, ends + 1 - cut
+
+
+@inner
 def lay(p: Problem, t: Tree, z: Scratch) -> int:
     # boxes of all nodes, pieces of all rooms; returns the number of pieces
     leaves = t.share.shape[0] - 1
-    s, nodes, box, seq = t.share[leaves], t.nodes, z.box, z.seq
+    nodes, box = t.nodes, z.box
+    _stretch(p, t.share[leaves], z)
+    _sorted(t, z)
+    for leaf in range(leaves):
+        box[leaf, 4] = t.share[leaf]
+    for i in range(leaves - 2, -1, -1):
+        node = z.cuts[i]
+        box[node, 4] = box[nodes[node, LEFT], 4] + box[nodes[node, RIGHT], 4]
     top = nodes[2 * leaves - 1, 0]
-    seq[0], count = top, 1
-    for i in range(2 * leaves - 1):
-        node = seq[i]
-        if node >= leaves:
-            seq[count], seq[count + 1] = nodes[node, LEFT], nodes[node, RIGHT]
-            count += 2
-    for i in range(2 * leaves - 2, -1, -1):
-        node = seq[i]
-        box[node, 4] = t.share[node] if node < leaves else box[nodes[node, LEFT], 4] + box[nodes[node, RIGHT], 4]
-    box[top, 0], box[top, 1], box[top, 2], box[top, 3] = 1e9, 1e9, -1e9, -1e9
-    for k in range(p.blocks.shape[0]):
-        box[top, 0] = min(box[top, 0], p.blocks[k, 0] * s)
-        box[top, 1] = min(box[top, 1], p.blocks[k, 1] / s)
-        box[top, 2] = max(box[top, 2], p.blocks[k, 2] * s)
-        box[top, 3] = max(box[top, 3], p.blocks[k, 3] / s)
-    count -= count
-    for i in range(2 * leaves - 1):
-        node = seq[i]
-        if node < leaves:
-            count = _part(p.blocks, s, box[node], nodes[node, 0], z, count)
-            continue
+    for j in range(4):
+        box[top, j] = z.around[j]
+    box[top, 5] = 0.0
+    for i in range(leaves - 1):
+        node = z.cuts[i]
         left, right, upright = nodes[node, LEFT], nodes[node, RIGHT], nodes[node, UPRIGHT]
-        c = _cut(p, s, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))
-        for j in range(4):
+        c = _cut(p, z, box[node], upright, box[left, 4] / (box[node, 4] + 1e-12))
+        for j in (0, 1, 2, 3, 5):
             box[left, j] = box[right, j] = box[node, j]
         box[left, 3 - upright] = box[right, 1 - upright] = c
+    count = 0
+    for i in range(leaves):
+        count = _part(z, box[z.ends[i]], nodes[z.ends[i], 0], count)
     return count

@@ -1,9 +1,11 @@
 """From a programme to a plan: annealing in waves, doors and windows for the best, relaxation where none is valid."""
 
 import logging
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import shapely
@@ -22,11 +24,11 @@ from apartgen.stages.plan.fitting import fitted
 from apartgen.stages.plan.judge import faults
 from apartgen.stages.plan.met import judged, unmet
 from apartgen.stages.plan.outline import draw, ring
-from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, problem, scratch, whim
+from apartgen.stages.plan.problem import Slack, Whim, copy, gross_area, open_problem, scratch, whim, within
 from apartgen.stages.plan.rehung import rehung
 from apartgen.stages.plan.relax import ladder
-from apartgen.stages.plan.slicing import EPS, Floats, Ints
-from apartgen.stages.plan.starts import start
+from apartgen.stages.plan.slicing import EPS, Floats, Ints, Problem
+from apartgen.stages.plan.starts import Known, known, start
 from apartgen.stages.plan.turn import askew, turned, turned_plan
 
 HOT, COLD = 20.0, 1.0
@@ -42,42 +44,58 @@ PATIENCE = 6
 """Waves of runs on one whim; it is dropped after the first where none is valid."""
 
 log = logging.getLogger("apartgen")
+Each = Callable[[Callable[[Generator], "Run"], list[Generator]], Iterable["Run"]]
+"""A map over the chances of runs."""
 
 
 @dataclass(frozen=True)
 class Run:
-    """Result of one annealing run: its cost, what it lacks, and the rectangles of the rooms."""
+    """Result of one annealing run: its cost, what it lacks, the rectangles of the rooms; what misses, when asked."""
 
     cost: float
     lack: float
     boxes: Floats
     owner: Ints
-    missed: tuple[str, ...]
+    missed: Callable[[], list[str]]
 
 
-def anneal(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng: Generator) -> Run:
+@dataclass(frozen=True)
+class Whole:
+    """What all runs on one whim have in common; an outline only where one is given."""
+
+    program: Program
+    wanted: Whim
+    arrays: Problem
+    known: Known
+    gross: float
+    outline: Outline | None
+
+
+def whole(program: Program, config: PlanConfig, slack: Slack, wanted: Whim, trees: Known) -> Whole:
+    """What the runs on a whim need."""
+    outline = None if program.envelope.outline is None else given(program.envelope, config.walls.inner)
+    arrays, area = open_problem(program, wanted, config.walls, slack), gross_area(program, config.walls)
+    return Whole(program, wanted, arrays, trees, area, outline)
+
+
+def anneal(of: Whole, config: PlanConfig, rng: Generator) -> Run:
     """One run from a random start."""
-    outline = _outline(program, config, wanted, rng)
-    p = problem(program, outline, wanted, config.walls, slack)
-    tree = start(program, wanted.parts, outline.stretch, rng)
+    program, wanted = of.program, of.wanted
+    outline = of.outline or draw(program.envelope, of.gross, wanted.shape, wanted.aspect, rng)
+    p = within(of.arrays, outline)
+    tree = start(of.known, wanted.parts, outline.stretch, rng)
     new, best = copy(tree), copy(tree)
-    z = scratch(len(program.rooms), len(p.links), sum(wanted.parts), len(outline.blocks))
+    z = scratch(p, sum(wanted.parts))
     seed = rng.integers(1, 2**63, 1).astype(np.uint64)
     cost = kernel.anneal(p, tree, new, best, z, seed, config.proposals * sum(wanted.parts), HOT, COLD)
     lack = float(z.terms[-1])
-    missed = tuple(lacks(program, p, z)) if lack > EPS else ()
+    missed = partial(lacks, program, p, z)
     leaves = len(best.share) - 1
-    if program.envelope.outline is not None:
+    if of.outline is not None:
         boxes = z.box[:leaves, :4] if lack > EPS else fitted(best, z.box, gross(program.envelope, config.walls.inner))
         return Run(float(cost), lack, _to_the_edge(boxes), best.nodes[:leaves, 0], missed)
     count = int(z.seq[-1])
     return Run(float(cost), lack, np.round(z.piece[:count], 2), z.owner[:count].copy(), missed)
-
-
-def _outline(program: Program, config: PlanConfig, wanted: Whim, rng: Generator) -> Outline:
-    if program.envelope.outline is not None:
-        return given(program.envelope, config.walls.inner)
-    return draw(program.envelope, gross_area(program, config.walls), wanted.shape, wanted.aspect, rng)
 
 
 def _to_the_edge(boxes: Floats) -> Floats:
@@ -121,43 +139,56 @@ def finish(program: Program, run: Run, config: PlanConfig, given_up: tuple[str, 
     return None if faults(plan) else plan
 
 
-def waves(
-    program: Program, config: PlanConfig, slack: Slack, wanted: Whim, rng: Generator
-) -> Iterator[list[Run]]:
+def waves(of: Whole, config: PlanConfig, rng: Generator, each: Each) -> Iterator[list[Run]]:
     """Annealing runs on one whim, a wave at a time; what they are does not depend on the number of threads."""
-    with ThreadPoolExecutor(config.processes) as pool:
-        for _ in range(PATIENCE):
-            lanes = rng.spawn(config.wave)
-            yield list(pool.map(lambda lane: anneal(program, config, slack, wanted, lane), lanes))
+    for _ in range(PATIENCE):
+        yield list(each(lambda lane: anneal(of, config, lane), rng.spawn(config.wave)))
+
+
+@contextmanager
+def threads(many: int) -> Iterator[Each]:
+    """A map over runs, in so many threads where they are several."""
+    if many == 1:
+        yield map
+        return
+    with ThreadPoolExecutor(many) as pool:
+        yield pool.map
 
 
 def solve(program: Program, config: PlanConfig, rng: Generator) -> Plan:
     """The best plan found; raises Unmet naming the contradiction where even relaxed requirements admit none."""
     check(program)
+    with threads(config.processes) as each:
+        return _solved(program, config, rng, each)
+
+
+def _solved(program: Program, config: PlanConfig, rng: Generator, each: Each) -> Plan:
     program = rehung(program)
     envelope = program.envelope
     program, angle = _upright(program)
     closest: list[Run] = []
     for step in ladder(program):
-        tried = 0
+        tried, inside = 0, indoors(step.program)
+        trees = known(inside)
         for failed in range(-(-config.whims // 2) if step.slack != Slack() and step.given_up else config.whims):
             valid: list[Run] = []
             wanted = whim(step.program, config.walls, failed, rng)
-            asked = _with_envelope(step.program, wanted.envelope)
-            for runs in waves(indoors(asked), config, step.slack, wanted, rng):
+            about = _with_envelope(step.program, wanted.envelope)
+            shared = whole(_with_envelope(inside, wanted.envelope), config, step.slack, wanted, trees)
+            for runs in waves(shared, config, rng, each):
                 valid += [run for run in runs if run.lack < EPS]
                 closest = sorted([*closest, *runs], key=lambda run: run.lack)[:1]
                 if not valid or len(valid) >= enough(program, config):
                     break
             tried += len(valid)
-            plan = _first(asked, valid, config, step.given_up, rng)
+            plan = _first(about, valid, config, step.given_up, rng)
             if plan is not None:
                 for line in step.given_up:
                     log.warning("plan: %s", line)
                 return _told(judged(_turned_back(plan, angle, envelope)))
             if tried >= TRIED and envelope.outline is not None:
                 break
-    raise Unmet(told(program, list(closest[0].missed) or ["the doors get in each other's way"]))
+    raise Unmet(told(program, closest[0].missed() or ["the doors get in each other's way"]))
 
 
 def enough(program: Program, config: PlanConfig) -> int:

@@ -1,6 +1,8 @@
 """Trees that annealing starts from: random ones, and rooms in two rows along a corridor."""
 
 from collections.abc import Sequence
+from itertools import accumulate, islice
+from typing import NamedTuple
 
 import numpy as np
 from numpy.random import Generator
@@ -16,19 +18,41 @@ ROWS = 0.7
 """Share of runs that start from such rows where there is a corridor."""
 
 
-def start(program: Program, parts: tuple[int, ...], stretch: tuple[float, float], rng: Generator) -> Tree:
-    """A random tree over the rooms' parts, or one of two rows along a corridor."""
-    wanted = list(areas(program).values())
-    room = np.repeat(np.arange(len(parts)), parts)
-    share = np.concatenate([wanted[i] * rng.dirichlet(np.full(k, 6.0)) for i, k in enumerate(parts)])
+class Known(NamedTuple):
+    """What a programme says of trees: the areas of its rooms, its corridor, and the rooms that open off that."""
+
+    wanted: list[float]
+    hub: int | None
+    suites: list[list[int]]
+
+
+def known(program: Program) -> Known:
+    """What every start of a programme needs."""
     hub = _hub(program)
-    grown = _Growing(len(room))
-    if hub is None or rng.random() >= ROWS:
-        grown.pair_at_random(list(rng.permutation(len(room))), rng)
+    return Known(list(areas(program).values()), hub, [] if hub is None else _suites(program, hub))
+
+
+def start(program: Known, parts: tuple[int, ...], stretch: tuple[float, float], rng: Generator) -> Tree:
+    """A random tree over the rooms' parts, or one of two rows along a corridor."""
+    share = np.array(_shares(program.wanted, parts, rng))
+    grown = _Growing(len(share))
+    if program.hub is None or rng.random() >= ROWS:
+        grown.pair_at_random(list(rng.permutation(len(share))), rng)
     else:
-        _two_rows(program, hub, room, share, grown, rng)
-    grown.nodes[: len(room), 0] = room
-    return Tree(grown.nodes, np.append(share, np.clip(1.0, *stretch)))
+        _two_rows(program, program.hub, parts, share, grown, rng)
+    grown.nodes[: len(share), 0] = np.repeat(np.arange(len(parts)), parts)
+    return Tree(grown.nodes, np.append(share, min(max(1.0, stretch[0]), stretch[1])))
+
+
+def _shares(wanted: list[float], parts: tuple[int, ...], rng: Generator) -> list[float]:
+    """Each room's area over its parts, Dirichlet (6, 6, …)."""
+    drawn, out = iter(rng.standard_gamma(6.0, sum(parts)).tolist()), list[float]()
+    for area, many in zip(wanted, parts, strict=True):
+        mine = list(islice(drawn, many))
+        *_, total = accumulate(mine)  # a sum in order, for the same bits wherever it is made
+        scale = 1 / total
+        out += [area * (one * scale) for one in mine]
+    return out
 
 
 class _Growing:
@@ -68,15 +92,17 @@ def _hub(program: Program) -> int | None:
     return best if best is not None and doors[best] >= HUB else None
 
 
-def _two_rows(program: Program, hub: int, room: Ints, share: Floats, grown: _Growing, rng: Generator) -> None:
+def _two_rows(
+    program: Known, hub: int, parts: tuple[int, ...], share: Floats, grown: _Growing, rng: Generator
+) -> None:
     """Rooms of the corridor in two rows of about the same area, each with what opens off it beside it."""
     upright = int(rng.integers(2))
+    ends = list(accumulate(parts, initial=0))
     rows: tuple[list[int], list[int]] = ([], [])
-    for group in _suites(program, hub, rng):
-        leaves = [int(leaf) for i in group for leaf in np.flatnonzero(room == i)]
-        thin = int(np.argmin([share[row].sum() if row else 0.0 for row in rows]))
-        rows[thin].extend(leaves)
-    corridor, *stubs = (int(leaf) for leaf in np.flatnonzero(room == hub))
+    for which in rng.permutation(len(program.suites)):
+        leaves = [leaf for room in program.suites[which] for leaf in range(ends[room], ends[room + 1])]
+        rows[_sum(share, rows[1]) < _sum(share, rows[0])].extend(leaves)
+    corridor, *stubs = range(ends[hub], ends[hub + 1])
     for stub in stubs:
         row = rows[int(rng.integers(2))]
         row.insert(int(rng.integers(len(row) + 1)), stub)
@@ -86,8 +112,12 @@ def _two_rows(program: Program, hub: int, room: Ints, share: Floats, grown: _Gro
         grown.cut(lines[0], below, 1 - upright)
 
 
-def _suites(program: Program, hub: int, rng: Generator) -> list[list[int]]:
-    """Rooms off the corridor in any order, each with the rooms that are reached through it."""
+def _sum(share: Floats, row: list[int]) -> float:
+    return float(share[row].sum()) if row else 0.0
+
+
+def _suites(program: Program, hub: int) -> list[list[int]]:
+    """Rooms off the corridor, each with the rooms that are reached through it, and those that are not reached."""
     index = {r.id: i for i, r in enumerate(program.rooms)}
     pairs = [(index[a], index[b]) for a, b in links(program)]
     groups = [[b if a == hub else a] for a, b in pairs if hub in (a, b)]
@@ -99,4 +129,4 @@ def _suites(program: Program, hub: int, rng: Generator) -> list[list[int]]:
                     taken.add(there)
                     group.append(there)
     rest = [[i] for i in range(len(program.rooms)) if i not in taken]
-    return [([*groups, *rest])[int(k)] for k in rng.permutation(len(groups) + len(rest))]
+    return [*groups, *rest]

@@ -10,6 +10,8 @@ from apartgen.schemas.errors import Unmet
 from apartgen.stages.plan.faces import Face
 
 TRIES = 4000
+MEETING = 1e-3
+"""Overlap from which boxes meet, m."""
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Box = tuple[float, float, float, float]
@@ -48,9 +50,20 @@ class Column(NamedTuple):
 
 def _meet(some: Floats, others: Floats) -> Flags:
     """Which boxes of (n, 4) overlap which of (m, k, 4) by more than a millimetre each way, (n, m)."""
-    a, b = some[:, None, None], others[None]
-    overlap = np.minimum(a[..., 2:], b[..., 2:]) - np.maximum(a[..., :2], b[..., :2])
-    found: Flags = np.any(np.all(overlap > 1e-3, axis=-1), axis=-1)
+    found: Flags = np.zeros((len(some), len(others)), bool)
+    own = _thick(some)
+    for layer in np.ascontiguousarray(others.transpose(1, 0, 2)):
+        meet = np.logical_and.outer(own, _thick(layer))
+        for axis in (0, 1):
+            meet &= some[:, axis + 2, None] - layer[:, axis] > MEETING
+            meet &= layer[:, axis + 2] - some[:, axis, None] > MEETING
+        found |= meet
+    return found
+
+
+def _thick(boxes: Floats) -> Flags:
+    """Which of (n, 4) are more than a millimetre wide and deep, (n,)."""
+    found: Flags = (boxes[:, 2] - boxes[:, 0] > MEETING) & (boxes[:, 3] - boxes[:, 1] > MEETING)
     return found
 
 

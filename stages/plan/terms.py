@@ -3,6 +3,9 @@
 A cost is the weighted sum of the reward terms plus `LACK` times what the requirements lack, in metres.
 """
 
+import numpy as np
+
+from apartgen.stages.plan.measured import corners, measure
 from apartgen.stages.plan.slicing import (
     AREA,
     ASPECT,
@@ -27,7 +30,6 @@ from apartgen.stages.plan.slicing import (
     R_GAPS,
     R_JOINTS,
     R_LEAST,
-    R_MAIN,
     R_OUTER,
     R_PIECES,
     R_RIM,
@@ -52,7 +54,6 @@ from apartgen.stages.plan.slicing import (
     S_WIDTH,
     WIDE,
     Floats,
-    Ints,
     Problem,
     Scratch,
     Tree,
@@ -62,94 +63,50 @@ from apartgen.stages.plan.slicing import (
 )
 from apartgen.stages.plan.wished import gap, wished
 
-LACK, ROOMY = 60.0, 1.5
-"""What a metre that is lacking costs; width from which no passage is narrow, m."""
+LACK = 60.0
+"""What a metre that is lacking costs."""
 ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
+CERTAIN = 1e-9
+"""Part by which a sum must be above a bar for its terms to be above it in any order."""
 
 
 @inner
-def _measure(p: Problem, z: Scratch, count: int) -> None:  # each room's area, extents, parts, chain of pieces
-    thick, rooms, pieces = p.limits[L_WALL], z.room, z.piece
-    for r in range(rooms.shape[0]):
-        room = rooms[r]
-        room[:] = 0.0
-        room[R_X0], room[R_Y0], room[R_LEAST], room[R_X1], room[R_Y1] = 1e9, 1e9, 1e9, -1e9, -1e9
-        z.last[r] = -1
-    for i in range(count):
-        a, r = pieces[i], z.owner[i]
-        room = rooms[r]
-        w, h = a[2] - a[0] - thick, a[3] - a[1] - thick
-        area = max(w, 0.0) * max(h, 0.0)
-        room[R_AREA] += area
-        room[R_X0], room[R_Y0] = min(room[R_X0], a[0]), min(room[R_Y0], a[1])
-        room[R_X1], room[R_Y1] = max(room[R_X1], a[2]), max(room[R_Y1], a[3])
-        room[R_PIECES] += 1
-        if area >= room[R_MAIN]:
-            room[R_MAIN], room[R_WIDTH] = area, min(w, h)
-        room[R_LEAST], room[R_BROAD] = min(room[R_LEAST], w, h), max(room[R_BROAD], min(w, h))
-        z.terms[NARROW] += max(0.0, ROOMY - min(w, h)) * max(w, h)
-        j = z.last[r]
-        while j >= 0:
-            b = pieces[j]
-            x, y = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
-            if x < -EPS or y < -EPS:
-                room[R_GAPS] += 0.3 * (max(0.0, -x) + max(0.0, -y))
-            else:
-                wide = max(x, y) - thick
-                room[R_AREA] += thick * max(wide, 0.0)
-                room[R_JOINTS] += wide >= p.spec[r, S_JOINT]
-                deep = (a[3] - a[1] + b[3] - b[1] if x > y else a[2] - a[0] + b[2] - b[0]) - thick
-                room[R_BROAD] = max(room[R_BROAD], min(wide, deep))
-            j = z.before[j]
-        z.before[i] = z.last[r]
-        z.last[r] = i
-
-
-@inner
-def _corners(pieces: Floats, before: Ints, last: int) -> int:  # of a room whose pieces chain from `last` on
-    found, i = 0, last
-    while i >= 0:
-        for corner in range(4):
-            x, y = pieces[i, 2 * (corner & 1)], pieces[i, (corner & 2) + 1]
-            quadrants, seen, j = 0, False, last
-            while j >= 0:
-                b = pieces[j]
-                for d in range(4):
-                    u, v = x + (1e-3 if d & 1 else -1e-3), y + (1e-3 if d & 2 else -1e-3)
-                    quadrants += b[0] < u < b[2] and b[1] < v < b[3]
-                on = (abs(b[0] - x) < EPS or abs(b[2] - x) < EPS) and (abs(b[1] - y) < EPS or abs(b[3] - y) < EPS)
-                seen = seen or (j < i and on)
-                j = before[j]
-            found += (quadrants & 1) == 1 and not seen
-        i = before[i]
-    return found
-
-
-@inner
-def _shape(p: Problem, z: Scratch) -> None:  # terms and lacks of each room's own form
-    thick, total, wanted, terms = p.limits[L_WALL], 0.0, 0.0, z.terms
+def _shape(p: Problem, z: Scratch, bar: float) -> bool:
+    # terms and lacks of each room's own form, all but its corners; true as soon as they are above the bar
+    thick, total, wanted, terms, weights = p.limits[L_WALL], 0.0, 0.0, z.terms, p.weights
     for r in range(p.spec.shape[0]):
         total += z.room[r, R_AREA]
         wanted += p.spec[r, S_TARGET]
+    area, form, convex, wide, lacking, least = 0.0, 0.0, 0.0, 0.0, 0.0, weights[NARROW] * terms[NARROW]
     for r in range(p.spec.shape[0]):
         room, want = z.room[r], p.spec[r]
         ratio = (room[R_AREA] + 0.01) * wanted / (want[S_TARGET] * total + 0.01)
-        terms[AREA] += (max(ratio, 1 / ratio) - 1) * (1 - 0.5 * want[S_CORRIDOR])
+        area += (max(ratio, 1 / ratio) - 1) * (1 - 0.5 * want[S_CORRIDOR])
         w, h = max(room[R_X1] - room[R_X0] - thick, 0.1), max(room[R_Y1] - room[R_Y0] - thick, 0.1)
-        aspect = max(w / h, h / w)
-        terms[ASPECT] += want[S_FORM] * (aspect - 1) + max(0.0, room[R_BROAD] - want[S_ACROSS])
+        aspect = max(w, h) / min(w, h)
+        form += want[S_FORM] * (aspect - 1) + max(0.0, room[R_BROAD] - want[S_ACROSS])
         hull = 0.5 * (1 + w * h / (room[R_AREA] + 0.01)) - 1  # exact where only corners are missing
-        terms[CONVEX] += want[S_FORM] * hull * hull
-        if room[R_PIECES] > 1 or want[S_CORNERS] != 4:
-            surplus = max(0.0, _corners(z.piece, z.before, z.last[r]) / want[S_CORNERS] - 1)
-            terms[CONCISE] += surplus * surplus
-        terms[WIDE] += want[S_CORRIDOR] * (max(0.0, room[R_BROAD] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
+        convex += want[S_FORM] * hull * hull
+        wide += want[S_CORRIDOR] * (max(0.0, room[R_BROAD] - 1.3) + 0.25 * max(0.0, max(w, h) - 9.0))
         lack = 3 * max(0.0, abs(ratio - 1) - want[S_LOOSE]) + 2 * max(0.0, want[S_WIDTH] - room[R_WIDTH])
         lack += 2 * max(0.0, want[S_JOINT] - room[R_LEAST]) + max(0.0, aspect - want[S_ASPECT])
         if room[R_PIECES] - 1 > room[R_JOINTS]:
             lack += 1.5 * (room[R_PIECES] - 1 - room[R_JOINTS]) + room[R_GAPS]
-        terms[LACKING] += lack
+        lacking += lack
+        cost = least + weights[AREA] * area + weights[ASPECT] * form + weights[CONVEX] * convex
+        if cost + weights[WIDE] * wide + LACK * lacking > bar + CERTAIN * bar:
+            return True
+    terms[AREA], terms[ASPECT], terms[CONVEX], terms[WIDE], terms[LACKING] = area, form, convex, wide, lacking
+    return False
+
+
+@inner
+def _concise(p: Problem, z: Scratch) -> None:  # corners beyond those that rooms should have
+    for r in range(p.spec.shape[0]):
+        if z.room[r, R_PIECES] > 1 or p.spec[r, S_CORNERS] != 4:
+            surplus = max(0.0, corners(z.piece, z.before, z.last[r]) / p.spec[r, S_CORNERS] - 1)
+            z.terms[CONCISE] += surplus * surplus
 
 
 @inner
@@ -186,7 +143,7 @@ def _enter(wide: float, entry: Floats, axis: int, at: float, lo: float, hi: floa
 
 
 @inner
-def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:  # of the rooms, and the best wall for the entrance
+def _outside(p: Problem, z: Scratch, count: int) -> None:  # of the rooms, and the best wall for the entrance
     entry, hall, first = z.entry, p.order[0, 0], z.room[p.order[0, 0]]
     entry[0], entry[1] = 0.5 * (first[R_X0] + first[R_X1]), 0.5 * (first[R_Y0] + first[R_Y1])
     entry[2], entry[3], entry[4], entry[5], entry[6] = 0.0, 1e9, 1e9, entry[0], entry[1]
@@ -194,17 +151,21 @@ def _outside(p: Problem, s: float, z: Scratch, count: int) -> None:  # of the ro
         if p.spec[p.order[i, 0], S_PRIVATE] < 0:
             entry[5], entry[6] = z.wall[p.order[i, 2], 1], z.wall[p.order[i, 2], 2]
     for e in range(p.edges.shape[0]):
-        edge = p.edges[e]
-        axis = int(edge[0])
-        across = s if axis == 0 else 1 / s
-        at, lo, hi = edge[1] * across, edge[2] / across, edge[3] / across
-        for i in range(count):
-            q, r = z.piece[i], z.owner[i]
+        edge, axis, (at, lo, hi) = p.edges[e], int(p.edges[e, 0]), (z.edge[e, 0], z.edge[e, 1], z.edge[e, 2])
+        i = z.last[hall] if edge[5] > 0 else -1
+        while i >= 0:
+            q = z.piece[i]
             long, off = min(hi, q[3 - axis]) - max(lo, q[1 - axis]), min(abs(q[axis] - at), abs(q[axis + 2] - at))
-            if r == hall and edge[5] > 0:
-                entry[3] = min(entry[3], off + max(0.0, -long))
-            if off > 1e-4 or long < EPS:
+            entry[3] = min(entry[3], off + max(0.0, -long))
+            i = z.before[i]
+        for i in range(count):
+            q = z.piece[i]
+            if min(abs(q[axis] - at), abs(q[axis + 2] - at)) > 1e-4:
                 continue
+            long = min(hi, q[3 - axis]) - max(lo, q[1 - axis])
+            if long < EPS:
+                continue
+            r = z.owner[i]
             room = z.room[r]
             room[R_RIM] = max(room[R_RIM], long)
             if edge[4] > 0:
@@ -278,23 +239,25 @@ def _weighed(weights: Floats, terms: Floats) -> float:
 
 @once
 def evaluate(p: Problem, t: Tree, z: Scratch, bar: float) -> float:
-    """Cost of a tree, its measures in `z`; gives up early, with a partial cost above `bar`, once that is certain."""
+    """Cost of a tree, its measures in `z`; gives up early, with a cost above `bar`, once that is certain."""
     count = z.seq[z.seq.shape[0] - 1] = lay(p, t, z)
     z.terms[:] = 0.0
-    _measure(p, z, count)
-    _shape(p, z)
-    cost = _weighed(p.weights, z.terms)
-    if cost > bar:
-        return cost
+    measure(p, z, count)
+    if _shape(p, z, bar):
+        return np.inf
     _walls(p, z)
     cost = _weighed(p.weights, z.terms)
     if cost > bar:
         return cost
-    _outside(p, t.share[t.share.shape[0] - 1], z, count)
+    _outside(p, z, count)
     _relations(p, z)
     cost = _weighed(p.weights, z.terms)
     if cost > bar:
         return cost
     root = z.box[t.nodes[t.nodes.shape[0] - 1, 0]]
     _lines(p, root, z, count)
+    cost = _weighed(p.weights, z.terms)
+    if cost > bar:
+        return cost
+    _concise(p, z)
     return _weighed(p.weights, z.terms) + wished(p, z, root)

@@ -65,7 +65,7 @@ def face(opening: Opening, plan: Plan, room: str) -> tuple[Array, float]:
     """Unit normal of the cut wall towards `room`, and the distance from its centre line to that room's floor."""
     here = next(r for r in plan.rooms if r.id == room)
     (ax, ay), (bx, by) = opening.segment
-    x, y, reach = _face((ax, ay, bx, by), tuple((x, y) for x, y in here.polygon))
+    x, y, reach = _face((ax, ay, bx, by), tuple(map(tuple, here.polygon)))
     return np.array([x, y]), reach
 
 

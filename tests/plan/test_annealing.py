@@ -41,7 +41,7 @@ def annealed(
     p: Problem, tree: Tree, seed: int, steps: int, hot: float, cold: float
 ) -> tuple[float, float, Tree, Tree]:
     """The lowest cost, what that state lacks, that state, and the last state."""
-    z = scratch(len(p.spec), len(p.links), len(tree.share) - 1, len(p.blocks))
+    z = scratch(p, len(tree.share) - 1)
     last, best = copy(tree), copy(tree)
     low = kernel.anneal(p, last, copy(tree), best, z, np.array([seed], np.uint64), steps, hot, cold)
     return float(low), float(z.terms[LACKING]), best, last

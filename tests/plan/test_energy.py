@@ -9,7 +9,7 @@ from apartgen.stages.plan.blocks import given
 from apartgen.stages.plan.outline import draw
 from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, problem, scratch, weighed, whim
 from apartgen.stages.plan.slicing import ASPECT, CONCISE, LACKING, NEAR, PATH, WIDE, Floats, Problem, Tree
-from apartgen.stages.plan.starts import start
+from apartgen.stages.plan.starts import known, start
 from apartgen.stages.plan.study import archetypes
 
 BARE = Walls(inner=0.1, outer=0.3)
@@ -17,7 +17,7 @@ BARE = Walls(inner=0.1, outer=0.3)
 
 def energy(p: Problem, tree: Tree, steps: int = 0, seed: int = 1) -> tuple[float, Floats, Tree]:
     """Cost, terms and state at the end of a run; of no steps, so of the tree itself, unless told."""
-    z = scratch(len(p.spec), len(p.links), len(tree.share) - 1, len(p.blocks))
+    z = scratch(p, len(tree.share) - 1)
     best = copy(tree)
     cost = kernel.anneal(p, copy(tree), copy(tree), best, z, np.array([seed], np.uint64), steps, 20.0, 1.0)
     return float(cost), z.terms, best
@@ -115,5 +115,5 @@ def _drawn(name: str, seed: int) -> tuple[Problem, Tree]:
     outline = draw(program.envelope, gross, wanted.shape, wanted.aspect, rng)
     return (
         problem(program, outline, wanted, config.walls, Slack()),
-        start(program, wanted.parts, outline.stretch, rng),
+        start(known(program), wanted.parts, outline.stretch, rng),
     )

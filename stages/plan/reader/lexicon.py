@@ -2,6 +2,7 @@
 
 import itertools
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -52,20 +53,25 @@ class Entries:
 
     def __init__(self) -> None:
         self._found: dict[Phrase, dict[str, Entry]] = {}
-        self._waiting: dict[str, list[tuple[str, str, str]]] = {}
+        self._waiting: dict[str, list[tuple[str, str, str]]] = defaultdict(list)
 
     def add(self, words: Phrase, entry: Entry) -> None:
         """One reading more; the first of a kind counts."""
         self._found.setdefault(words, {}).setdefault(entry.kind, entry)
 
-    def wait(self, kind: str, value: str, pattern: str) -> int:
-        """A pattern to be expanded later, with the plurals of nouns; returns the most words of a phrase."""
-        words = pattern.replace("-", " ").split() if _PLAIN.fullmatch(pattern) else None
-        firsts = first_words(pattern) if words is None else set(words[:1])
-        other = words is None or words[1:2] in ([], ["for"], ["where"])  # it is the first that has a plural
-        for first in firsts | {plural((word,))[0] for word in firsts} if other and kind in NOUNS else firsts:
-            self._waiting.setdefault(first, []).append((kind, value, pattern))
-        return most_words(pattern) if words is None else len(words)
+    def wait(self, kind: str, value: str, pattern: str) -> None:
+        """A pattern to be expanded later, with the plurals of nouns."""
+        row, noun = (kind, value, pattern), kind in NOUNS
+        if not _PLAIN.fullmatch(pattern):
+            firsts = first_words(pattern)
+            for first in firsts | {plural((word,))[0] for word in firsts} if noun else firsts:
+                self._waiting[first].append(row)
+            return
+        words = pattern.replace("-", " ").split()
+        for first in words[:1]:
+            self._waiting[first].append(row)
+            if noun and words[1:2] in ([], ["for"], ["where"]):  # it is the first that has a plural
+                self._waiting[plural((first,))[0]].append(row)
 
     def get(self, words: Phrase) -> tuple[Entry, ...] | None:
         """All readings of a phrase, the likeliest first."""
@@ -191,15 +197,16 @@ def read_lexicon() -> Lexicon:
     found = Entries()
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
-    longest = _add_group(found, "room", _newcomers())
+    longest = _add_group(found, "room", _newcomers(), 1)
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
         table = tables(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
         for name, ends in table.pop("suffix", {}).items():
             kind, _, value = name.partition("/")
             suffixes |= {end: Entry(kind, value) for end in ends}
-        longest = max([longest, *(_add_group(found, kind, group) for kind, group in table.items())])
-    longest = max(longest, _add_group(found, "furniture", _furniture()))
+        for kind, group in table.items():
+            longest = _add_group(found, kind, group, longest)
+    longest = _add_group(found, "furniture", _furniture(), longest)
     return Lexicon(found, also_object, suffixes, longest)
 
 
@@ -210,11 +217,13 @@ def _ranked(readings: dict[str, Entry]) -> tuple[Entry, ...]:
     return tuple(sorted(readings.values(), key=lambda entry: _RANK[entry.kind]))
 
 
-def _add_group(found: Entries, kind: str, group: dict[str, list[str]]) -> int:
-    """Add the phrases of a kind; returns the most words one may have."""
-    longest = 1
+def _add_group(found: Entries, kind: str, group: dict[str, list[str]], longest: int) -> int:
+    """Add the phrases of a kind; returns the most words that one of these or of those before may have."""
     for value, patterns in group.items():
-        longest = max([longest, *(found.wait(kind, value, pattern) for pattern in patterns)])
+        for pattern in patterns:
+            found.wait(kind, value, pattern)
+            if pattern.count(" ") + pattern.count("-") >= longest:  # else it cannot have more words
+                longest = max(longest, most_words(pattern))
     return longest
 
 

@@ -1,0 +1,110 @@
+"""Area, extents and parts of the rooms of a state, and the chains of their pieces, compiled."""
+
+from apartgen.stages.plan.slicing import (
+    EPS,
+    L_WALL,
+    NARROW,
+    R_AREA,
+    R_BROAD,
+    R_FACE,
+    R_GAPS,
+    R_JOINTS,
+    R_LEAST,
+    R_MAIN,
+    R_OUTER,
+    R_PIECES,
+    R_RIM,
+    R_WIDTH,
+    R_X0,
+    R_X1,
+    R_Y0,
+    R_Y1,
+    S_JOINT,
+    Floats,
+    Ints,
+    Problem,
+    Scratch,
+    inner,
+)
+
+ROOMY = 1.5
+"""Width from which no passage is narrow, m."""
+
+
+@inner
+def measure(p: Problem, z: Scratch, count: int) -> None:
+    # each room's measures, and what is narrow
+    thick, narrow = p.limits[L_WALL], 0.0
+    for r in range(z.last.shape[0]):
+        z.last[r] = -1
+    for i in range(count):
+        a, r = z.piece[i], z.owner[i]
+        room = z.room[r]
+        w, h = a[2] - a[0] - thick, a[3] - a[1] - thick
+        area, breadth = max(w, 0.0) * max(h, 0.0), min(w, h)
+        narrow += max(0.0, ROOMY - breadth) * max(w, h)
+        j = z.last[r]
+        z.before[i], z.last[r] = j, i
+        if j < 0:
+            room[R_X0], room[R_Y0], room[R_X1], room[R_Y1] = a[0], a[1], a[2], a[3]
+            room[R_AREA], room[R_MAIN], room[R_PIECES] = area, area, 1.0
+            room[R_WIDTH], room[R_LEAST], room[R_BROAD] = breadth, breadth, max(0.0, breadth)
+            room[R_JOINTS], room[R_FACE], room[R_OUTER], room[R_GAPS], room[R_RIM] = 0.0, 0.0, 0.0, 0.0, 0.0
+            continue
+        room[R_AREA] += area
+        room[R_X0], room[R_Y0] = min(room[R_X0], a[0]), min(room[R_Y0], a[1])
+        room[R_X1], room[R_Y1] = max(room[R_X1], a[2]), max(room[R_Y1], a[3])
+        room[R_PIECES] += 1
+        if area >= room[R_MAIN]:
+            room[R_MAIN], room[R_WIDTH] = area, breadth
+        room[R_LEAST], room[R_BROAD] = min(room[R_LEAST], breadth), max(room[R_BROAD], breadth)
+        _joined(p.spec[r, S_JOINT], thick, room, z.piece, z.before, i)
+    z.terms[NARROW] = narrow
+    for r in range(z.last.shape[0]):
+        if z.last[r] < 0:
+            room = z.room[r]
+            room[:] = 0.0
+            room[R_X0], room[R_Y0], room[R_LEAST], room[R_X1], room[R_Y1] = 1e9, 1e9, 1e9, -1e9, -1e9
+
+
+@inner
+def _joined(joint: float, thick: float, room: Floats, pieces: Floats, before: Ints, i: int) -> None:
+    # how a piece meets those of its room before it
+    a, j = pieces[i], before[i]
+    while j >= 0:
+        b = pieces[j]
+        x, y = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+        if x < -EPS or y < -EPS:
+            room[R_GAPS] += 0.3 * (max(0.0, -x) + max(0.0, -y))
+        else:
+            wide = max(x, y) - thick
+            room[R_AREA] += thick * max(wide, 0.0)
+            room[R_JOINTS] += wide >= joint
+            deep = (a[3] - a[1] + b[3] - b[1] if x > y else a[2] - a[0] + b[2] - b[0]) - thick
+            room[R_BROAD] = max(room[R_BROAD], min(wide, deep))
+        j = before[j]
+
+
+@inner
+def _sides(lo: float, hi: float, at: float) -> int:
+    # on how many sides of a coordinate, right beside it, an interval is
+    before, after = at - 1e-3, at + 1e-3
+    return int(lo < before) * int(before < hi) + int(lo < after) * int(after < hi)
+
+
+@inner
+def corners(pieces: Floats, before: Ints, last: int) -> int:  # of a room whose pieces chain from `last` on
+    found, i = 0, last
+    while i >= 0:
+        for corner in range(4):
+            x, y = pieces[i, 2 * (corner & 1)], pieces[i, (corner & 2) + 1]
+            quadrants, seen, j = 0, False, last
+            while j >= 0:
+                b = pieces[j]
+                quadrants += _sides(b[0], b[2], x) * _sides(b[1], b[3], y)
+                on = (abs(b[0] - x) < EPS or abs(b[2] - x) < EPS) and (abs(b[1] - y) < EPS or abs(b[3] - y) < EPS)
+                seen = seen or (j < i and on)
+                j = before[j]
+            found += (quadrants & 1) == 1 and not seen
+        i = before[i]
+    return found
