@@ -234,8 +234,10 @@ DRESSED = ((frozenset({"armchair", "bench", "bookshelf", "chest", "desk", "displ
                        "sideboard"}), kinds.WARDROBES),)
 """What one can do without where one sleeps as long as the wardrobe is still to come."""
 FIRST = ((kinds.WARDROBES | {"bench", "chest", "console_table", "shoe_cabinet"}, frozenset({"coat_rack"})),
-         (frozenset({"table_lamp"}), kinds.BEDSIDE | kinds.DESKS))
-"""What may stand farther from the entrance than hooks for coats, and lamps what they stand on, wait for these."""
+         (frozenset({"table_lamp"}), kinds.BEDSIDE | kinds.DESKS),
+         (frozenset({"mirror"}), kinds.WARDROBES))
+"""What may stand farther from the entrance than hooks for coats, lamps what they stand on, and mirrors what would hide
+them, wait for these."""
 LARGE = kinds.ON_THE_FLOOR - kinds.BEFORE_A_SEAT - kinds.SOFAS
 RULES = (
     (kinds.CHAIRS - {"balcony_chair"}, kinds.TABLES | kinds.DESKS, _at),

@@ -63,12 +63,15 @@ def _above(name: str, host: Array, size: Array) -> Array:
 
 def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
     """Which candidates (n,) would hang where the hood is to be over what cooks, or the mirror over a basin, or are what
-    cooks below a unit that hangs."""
+    cooks below a unit that hangs, or stand before a mirror."""
     taken, kind = np.zeros(found.n, bool), TABLE[name]
     if kind.is_for("cook"):
         return _below_units(found, names, there)
     if name == MIRROR:
-        taken |= _nobody_before(found, names, there)
+        taken |= _hidden(found, names, there).any(1)
+    elif kind.place == "floor" and MIRROR in names:
+        mirrors = there.take(np.array([o == MIRROR for o in names], bool))
+        taken |= _hidden(mirrors, [name] * found.n, found).any(0)
     if kind.place != "wall" or kind.soft or kind.run == "hung" and not kind.articulated:
         return taken
     for k, o in enumerate(names):
@@ -80,9 +83,9 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
     return taken
 
 
-def _nobody_before(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
-    """Before which mirrors something stands: what they belong to, and low cabinets, do not where one stands before
-    these."""
+def _hidden(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
+    """Before which mirrors (n,) which things (m,) stand, (n, m): what they belong to, and low cabinets, do not where one
+    stands before these."""
     heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
     center, size = found.center.copy(), found.size.copy()
     center[:, :2] += heading * (found.size[:, :1] + STANDS) / 2
@@ -93,7 +96,7 @@ def _nobody_before(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.b
     with_it = np.array([o in TABLE[MIRROR].belongs or basic(o) in CASES | {"bench"} for o in names], bool) & low
     turned = np.cos(found.yaw[:, None] - there.yaw[None]) < ALONG
     bars = solid[None] & (turned | ~with_it[None])
-    return np.asarray(((penetration(Boxes(center, size, found.yaw), there) > CONTACT) & bars).any(1))
+    return np.asarray((penetration(Boxes(center, size, found.yaw), there) > CONTACT) & bars)
 
 
 def _below_units(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:

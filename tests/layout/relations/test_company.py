@@ -166,8 +166,15 @@ def test_a_side_table_stands_beside_a_seat(ahead: float, good: bool) -> None:
 
 def test_cupboards_wait_for_the_hooks_at_the_entrance() -> None:
     left = ["wardrobe", "shoe_cabinet", "bench", "coat_rack", "mirror"]
-    assert company.next_of(left, []) == ["coat_rack", "mirror"]
-    assert company.next_of(left, ["coat_rack"]) == left and company.next_of(left[:3], []) == left[:3]
+    assert company.next_of(left, []) == ["coat_rack"]
+    assert company.next_of(left[:-1], ["coat_rack"]) == left[:-1] and company.next_of(left[:3], []) == left[:3]
+
+
+@pytest.mark.parametrize("wardrobe", ["wardrobe", "sliding_wardrobe"])
+def test_mirrors_wait_for_what_may_stand_before_them(wardrobe: str) -> None:
+    left = [wardrobe, "shoe_cabinet", "mirror"]
+    assert company.next_of(left, []) == left[:2]
+    assert company.next_of(left, [wardrobe]) == left and company.next_of(left[1:], []) == left[1:]
 
 
 def test_lamps_wait_for_what_they_stand_on() -> None:

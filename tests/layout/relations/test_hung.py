@@ -84,10 +84,15 @@ def test_one_gets_at_a_mirror_over_its_basin() -> None:
 ])
 def test_one_stands_before_a_mirror(name: str, size: tuple[float, ...], ahead: float, turn: float, barred: bool,
                                     yaw: float) -> None:
-    """Or before the low cabinet below it that looks the same way."""
+    """Or before the low cabinet below it that looks the same way, whichever of the two comes first."""
     front = np.array([np.cos(yaw), np.sin(yaw)])
     depth, width, height = size
     there = row(*(np.array([1.0, 2.0]) + ahead * front), yaw + turn, depth, width, 0.0, height)
     mirror = row(*(np.array([1.0, 2.0]) + 0.02 * front), yaw, 0.04, 0.6, 1.05, 1.85)
     assert hung.spoils("mirror", upright(mirror[None]), [name], upright(there[None])).tolist() == [barred]
     assert not hung.spoils("wall_lamp", upright(mirror[None]), [name], upright(there[None])).any()
+    aside = there.copy()
+    aside[:2] += 3.0 * np.array([-np.sin(yaw), np.cos(yaw)])
+    later = hung.spoils(name, upright(np.stack([there, aside])), ["mirror"], upright(mirror[None]))
+    assert later.tolist() == [barred, False]
+    assert not hung.spoils(name, upright(there[None]), ["wall_lamp"], upright(mirror[None])).any()
