@@ -209,12 +209,19 @@ def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tupl
     if kind in kinds.WARDROBES:
         depth, _, height = likeliest(boxes)
         slim = [("wardrobe", along(there.space, (depth, width, height))) for width in NARROW if beds]
-        return [(other, leading(other, boxes, there.space, narrowest(large, other)))
+        return [(other, leading(other, _real(other, boxes), there.space, narrowest(large, other)))
                 for other in TABLE[name].instead] + slim
     if kind != STAND or not beds:
         return []
     return [(other, np.concatenate([about(bed, _stands(kind, bed, size), size) for bed in beds]))
             for other, size in BESIDE]
+
+
+def _real(name: str, boxes: Array) -> Array:
+    """Candidates (n, 7) as deep and wide as things of a name are at least and at most."""
+    found = boxes.copy()
+    found[:, 3:5] = np.clip(boxes[:, 3:5], TABLE[name].min[:2], TABLE[name].max[:2])
+    return found
 
 
 def known(name: str, boxes: Array, names: Sequence[str], there: Array) -> Array:

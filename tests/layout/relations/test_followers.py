@@ -316,6 +316,16 @@ def test_where_one_sleeps_a_narrow_wardrobe_is_better_than_none() -> None:
         assert all((width >= 0.7).all() for width in found)
 
 
+def test_sliding_doors_instead_of_others_are_as_wide_as_they_are_made() -> None:
+    """Nothing narrower than 1.2 m and shallower than .55 m has them; where they fit, they are as wide as was said."""
+    for width, wanted in (0.7, 1.2), (1.5, 1.5):
+        said = np.tile(box((0.45, width, 2.0), 0, 0), (3, 1))
+        (sliding,) = (places for name, places in followers.others("wardrobe", said, room(), {})
+                      if name == "sliding_wardrobe")
+        assert len(sliding) and sliding[:, 4].tolist() == pytest.approx([wanted] * len(sliding))
+        assert (sliding[:, 3] >= 0.55 - 1e-6).all()
+
+
 @pytest.mark.parametrize("depth, fits", [(3.1, False), (4.2, True)])
 def test_a_table_leaves_the_wardrobe_its_wall(depth: float, fits: bool) -> None:
     """In the middle of a room 2.6 m wide, of which a bed takes the south wall: north of the table are .45 m and 1 m."""
