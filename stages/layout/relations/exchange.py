@@ -21,9 +21,12 @@ from apartgen.stages.use import kinds
 from apartgen.stages.use.rules.cook import JOINED, PUT_DOWN, TALL, TOP
 
 BETWEEN, NARROW, PARTED, BESIDE, ILL, SINK, LITTLE, AT_END, APART = 1.0, 0.25, 0.5, 0.5, 0.5, 0.2, 0.8, 0.3, 0.2
+LANDING, LANDED, AMID = 0.18, 0.3, 0.2
 """Costs: no worktop between sink and hob, a narrow piece of it, something tall between them, a tall unit beside the
 hob, a hob in a corner or before a window, a sink in a corner, no worktop of full length beside either, a hob at the
-end of its run, each metre of too many from the dishwasher to the sink."""
+end of its run, each metre of too many from the dishwasher to the sink; and no worktop right beside the fridge, so wide
+at least, m, to put down what is taken out (NKBA kitchen guideline 16 asks for .38 at its handle), or units at both its
+sides."""
 DISHES = 0.91
 """The dishwasher is no farther from the sink, m (NKBA kitchen guideline 13)."""
 ROUNDS = 3
@@ -75,30 +78,35 @@ def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
     cold = [k for k, o in enumerate(basic) if o in kinds.COLD and boxes[k, 6] > TALL]
     if not wet or not hot:
         return 0.0
-    gap = company.Seen(boxes, boxes).gap
+    gap: list[list[float]] = company.Seen(boxes, boxes).gap.tolist()
     total = LITTLE * max(0.0, TOP - _worktop(basic, gap, boxes, [*wet, *hot])) / TOP
-    apart = gap[np.ix_(wet, hot)]
-    total += (BETWEEN - NARROW) * float((apart < PUT_DOWN).sum()) + NARROW * float((apart < WIDE).sum())
-    total += BESIDE * float((gap[np.ix_(cold, hot)] <= JOINED).sum())
+    apart = [gap[i][k] for i in wet for k in hot]
+    total += (BETWEEN - NARROW) * sum(far < PUT_DOWN for far in apart) + NARROW * sum(far < WIDE for far in apart)
+    total += BESIDE * sum(gap[i][k] <= JOINED for i in cold for k in hot)
+    tops = [k for k, o in enumerate(basic) if o in kinds.WORKTOPS and boxes[k, 4] > LANDED - TINY]
+    total += LANDING * sum(all(gap[i][k] > JOINED for k in tops) for i in cold)
     units = [k for k, name in enumerate(names) if name in order.runs()]
-    total += AT_END * sum(sum(k != i and gap[i, k] <= JOINED for k in units) < 2 for i in hot)
+    beside = {i: sum(k != i and gap[i][k] <= JOINED for k in units) for i in (*hot, *cold)}
+    total += AT_END * sum(beside[i] < 2 for i in hot) + AMID * sum(beside[i] > 1 for i in cold)
     for wash in (k for k, name in enumerate(names) if name == "dishwasher"):
-        total += APART * max(0.0, float(gap[wet, wash].min()) - DISHES)
-    total += PARTED * sum(float(company.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
-    total += SINK * float(cornered(boxes[wet], space).sum())
-    return float(total) + ILL * float((cornered(boxes[hot], space) | lit(boxes[hot], space)).sum())
+        total += APART * max(0.0, min(gap[i][wash] for i in wet) - DISHES)
+    if cold:
+        total += PARTED * sum(int(company.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
+    corner = cornered(boxes[[*wet, *hot]], space)
+    total += SINK * int(corner[: len(wet)].sum())
+    return float(total) + ILL * int((corner[len(wet) :] | lit(boxes[hot], space)).sum())
 
 
-def _worktop(basic: list[str], gap: Array, boxes: Array, ends: list[int]) -> float:
+def _worktop(basic: list[str], gap: list[list[float]], boxes: Array, ends: list[int]) -> float:
     """The longest piece of worktop beside one of `ends`, m."""
     tops, most = [k for k, o in enumerate(basic) if o in kinds.WORKTOPS], 0.0
     while tops:
         piece = [tops.pop()]
         for k in piece:  # which grows
-            near = [j for j in tops if gap[k, j] <= JOINED]
+            near = [j for j in tops if gap[k][j] <= JOINED]
             piece += near
             tops = [j for j in tops if j not in near]
-        if (gap[np.ix_(piece, ends)] <= JOINED).any():
+        if any(gap[k][i] <= JOINED for k in piece for i in ends):
             most = max(most, float(boxes[piece, 4].sum()))
     return most
 

@@ -67,7 +67,7 @@ def test_the_run_stays_where_it_is_flush_and_at_its_wall(names: list[str]) -> No
 
 
 def test_a_good_order_is_left_alone_and_so_is_what_is_given() -> None:
-    good = along(["fridge", "kitchen_sink", "kitchen_drawers", "oven", "kitchen_base"])
+    good = along(["fridge", "kitchen_base", "kitchen_sink", "kitchen_drawers", "kitchen_base", "oven", "kitchen_base"])
     assert settled(good) is good
     bad = along(["kitchen_sink", "oven", "kitchen_drawers"])
     kept = settled(bad, fixed=2)
@@ -93,18 +93,33 @@ def test_at_another_wall_each_takes_the_width_of_the_others_place() -> None:
 
 
 def test_what_cooks_mind_by_hand() -> None:
-    """Worktop of .8 m lacks a third of 1.2 m; a tall fridge stands beside the hob and between it and the sink; the hob
-    is the last unit of all."""
+    """Worktop of .8 m lacks a third of 1.2 m; a tall fridge stands beside the hob and between it and the sink, amid the
+    run and away from all worktop; the hob is the last unit of all."""
     far = along(["kitchen_sink", "kitchen_drawers", "oven"])
     assert exchange.cost(far.names, far.boxes, far.space) == pytest.approx(
         exchange.LITTLE / 3 + exchange.AT_END, abs=1e-3)
     tall = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "fridge", "oven"])
     assert exchange.cost(tall.names, tall.boxes, tall.space) == pytest.approx(
-        exchange.PARTED + exchange.BESIDE + exchange.AT_END, abs=1e-3)
+        exchange.PARTED + exchange.BESIDE + exchange.AT_END + exchange.LANDING + exchange.AMID, abs=1e-3)
     touching = along(["kitchen_drawers", "kitchen_base", "kitchen_sink", "oven"])
     assert exchange.cost(touching.names, touching.boxes, touching.space) == pytest.approx(
         exchange.BETWEEN + exchange.AT_END, abs=1e-3)
     assert exchange.cost(["chair"], far.boxes[:1], far.space) == 0
+
+
+@pytest.mark.parametrize("names, beside", [
+    (["fridge", "kitchen_sink", "kitchen_drawers", "dishwasher", "oven", "kitchen_base", "kitchen_base"], True),
+    (["kitchen_base", "kitchen_base", "oven", "kitchen_drawers", "dishwasher", "kitchen_sink", "fridge"], True),
+    (["fridge", "kitchen_sink", "kitchen_drawers", "dishwasher", "oven", "kitchen_base"], False),
+])
+def test_a_fridge_has_worktop_beside_it_that_is_missed_nowhere_else(names: list[str], beside: bool) -> None:
+    """Of two units beyond the hob one may go between fridge and sink; the last one keeps the hob from the end, and the
+    fridge the sink from the corner."""
+    found = order(settled(along(names, start=0.01)))
+    at = found.index("fridge")
+    assert at in (0, len(found) - 1)
+    assert ({*found[max(0, at - 1) : at], *found[at + 1 : at + 2]} == {"kitchen_sink"}) != beside
+    assert 0 < found.index("oven") < len(found) - 1 and len(between(found, WET, HOT)) == 2
 
 
 @pytest.mark.parametrize("turned, width, name", [
