@@ -10,10 +10,20 @@ from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations import elbowroom, facing, gathered
 from apartgen.stages.layout.relations.fixtures import RAIL
 from apartgen.stages.layout.relations.hung import MIRROR, over
-from apartgen.stages.layout.relations.places import OFF, Place, Size, about, all_over, along, at_walls, likeliest
+from apartgen.stages.layout.relations.places import (
+    OFF,
+    Place,
+    Size,
+    about,
+    all_over,
+    along,
+    at_walls,
+    likeliest,
+    resized,
+)
 from apartgen.stages.layout.relations.sizes import Sizes, narrowest
-from apartgen.stages.layout.relations.standing import BROKEN, Furniture
-from apartgen.stages.layout.relations.tokens import Array
+from apartgen.stages.layout.relations.standing import BEHIND, BROKEN, Furniture
+from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
@@ -61,6 +71,9 @@ NARROW = (1.0, 0.8, 0.7)
 """Wardrobes where one sleeps and none of two finds a place, m."""
 COMPACT = (2.03, 1.62)
 """A bed for a mattress of 1.6 by 2 m, m."""
+SCREEN, ENOUGH, NARROWER, PAST = "tv_stand", 1.2, 0.1, BEHIND - 0.02
+"""What a television stands on, how narrow it is made where its wall ends, in which steps, and so far past its ends a
+wall is no farther from its back than `BEHIND` where it ends with it, m."""
 SELDOM, SEAT_WIDE = 0.02, 0.42
 """Weight of a place for a table where its chairs could not all be drawn back, of that width, m."""
 TRIED = 3
@@ -168,8 +181,9 @@ def leading(name: str, boxes: Array, space: Space, least: float = 0.0) -> Array:
 
 
 def at_ease(there: Furniture, name: str, box: Array, rng: np.random.Generator) -> Array:
-    """A place (7,) as people leave it: no bed longer than there is floor for, most armchairs askew."""
-    return facing.askew(there, name, snug(name, box, there), rng)
+    """A place (7,) as people leave it: no bed longer than there is floor for, no screen past the corner of its wall,
+    most armchairs askew."""
+    return facing.askew(there, name, backed(name, snug(name, box, there), there.space), rng)
 
 
 def snug(name: str, box: Array, there: Furniture) -> Array:
@@ -182,6 +196,19 @@ def snug(name: str, box: Array, there: Furniture) -> Array:
     found[3:5] = np.minimum(box[3:5], COMPACT)
     found[:2] -= (box[3] - found[3]) / 2 * np.array([np.cos(box[2]), np.sin(box[2])])
     return found
+
+
+def backed(name: str, box: Array, space: Space) -> Array:
+    """What a television stands on as wide as the wall behind it, down to a width that is enough; all else as it is."""
+    if kinds.basic(name) != SCREEN:
+        return box
+    widths = np.arange(float(box[4]), ENOUGH - TINY, -NARROWER)
+    tries = np.array([resized(box, float(box[3]), wide, side) for wide in widths for side in (0.0, 1.0, -1.0)])
+    if not len(tries):
+        return box
+    found, half = upright(tries), tries[:, 4].astype(float) / 2 + PAST
+    good = np.maximum(space.behind(found, half), space.behind(found, -half)) <= BEHIND
+    return np.asarray(tries[good.argmax()] if good.any() else box)
 
 
 def others(name: str, boxes: Array, there: Furniture, large: Sizes) -> list[tuple[str, Array]]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from apartgen.stages.layout.relations import exchange, order, runs
 from apartgen.stages.layout.relations.exchange import BASE, filled
+from apartgen.stages.layout.relations.places import resized
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
 from apartgen.stages.layout.relations.tokens import Array, Shell
 from apartgen.stages.things.categories import TABLE
@@ -38,13 +39,13 @@ def _wider(there: Furniture, k: int) -> Array:
     name, box = there.names[k], there.boxes[k]
     have = sum(float(b[4]) for o, b in zip(there.names, there.boxes, strict=True) if kinds.basic(o) in kinds.WARDROBES)
     most = min(float(TABLE[name].max[1]), WIDTHS[0] - have + float(box[4]))
-    return np.array([_grown(box, box[3], wide, side) for wide in WIDTHS if box[4] + LITTLE < wide <= most + LITTLE
+    return np.array([resized(box, box[3], wide, side) for wide in WIDTHS if box[4] + LITTLE < wide <= most + LITTLE
                      for side in SIDES], np.float32).reshape(-1, 7)
 
 
 def _basins(box: Array) -> Array:
     """A basin in all sizes in which it is wider and no less deep, (n, 7)."""
-    return np.array([_grown(box, max(deep, float(box[3])), wide, side) for deep, wide in BASINS
+    return np.array([resized(box, max(deep, float(box[3])), wide, side) for deep, wide in BASINS
                      if box[4] + LITTLE / 2 < wide for side in SIDES], np.float32).reshape(-1, 7)
 
 
@@ -61,14 +62,6 @@ def _as_large(there: Furniture, k: int, tries: Array, empty: Callable[[], Furnit
     boxes = there.boxes.copy()
     boxes[k] = found
     return filled(empty(), there.names, boxes)
-
-
-def _grown(box: Array, deep: float, wide: float, side: float) -> Array:
-    """A box that grows forwards and to both sides, or to one."""
-    out, c, s = box.copy(), np.cos(box[2]), np.sin(box[2])
-    out[:2] += side * (wide - float(box[4])) / 2 * np.array([-s, c]) + (deep - float(box[3])) / 2 * np.array([c, s])
-    out[3:5] = deep, wide
-    return out
 
 
 def run_on(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture]) -> Furniture:

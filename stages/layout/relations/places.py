@@ -53,6 +53,14 @@ def likeliest(boxes: Array) -> Size:
     return depth, width, high - low
 
 
+def resized(box: Array, deep: float, wide: float, side: float) -> Array:
+    """A box (7,) that grows or shrinks at its front, and at both sides (0), its left (1) or its right one (-1)."""
+    out, c, s = box.copy(), np.cos(box[2]), np.sin(box[2])
+    out[:2] += side * (wide - float(box[4])) / 2 * np.array([-s, c]) + (deep - float(box[3])) / 2 * np.array([c, s])
+    out[3:5] = deep, wide
+    return out
+
+
 def about(leader: Array, places: Sequence[Place], size: Size) -> Array:
     """Boxes (n, 7) at places (x, y, yaw) in a leader's frame."""
     x, y, turn = np.array(places).T

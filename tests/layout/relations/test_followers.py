@@ -348,3 +348,17 @@ def test_below_a_low_table_there_is_a_rug_for_every_room() -> None:
         assert np.allclose(places[:, 2], low[2]) and np.allclose(places[:, 5:], [0, 0.006])
         half = places[:, 4:2:-1] / 2 - (0.55, 0.3)  # turned by a right angle, beyond the table
         assert (np.abs(places[:, :2] - low[:2]) <= half + 0.15).all()
+
+
+@pytest.mark.parametrize("x, wide, ends", [
+    (0.0, 2.0, (-1.0, 1.0)), (1.0, 2.0, (0.0, 2.0)), (1.4, 2.0, (0.4, 2.0)), (-1.3, 1.8, (-2.0, -0.4)),
+    (2.1, 2.0, (1.1, 3.1)),
+])
+def test_no_screen_stands_past_the_corner_of_its_wall(x: float, wide: float, ends: tuple[float, float]) -> None:
+    """At the north wall, which ends at ± 2 m; one that would be left less than 1.2 m stays as it is, like a chest."""
+    stand = box((0.4, wide, 0.5), x, 1.79, -np.pi / 2)
+    found = followers.backed("tv_stand", stand, room().space)
+    assert found[0] + found[4] / 2 * np.array([-1, 1]) == pytest.approx(ends, abs=0.1 + 1e-5)
+    assert abs(found[0]) + found[4] / 2 < 2.0 + 1e-5 or found[4] == wide
+    assert found[[1, 2, 3, 5, 6]] == pytest.approx(stand[[1, 2, 3, 5, 6]])
+    assert np.array_equal(followers.backed("chest", stand, room().space), stand)
