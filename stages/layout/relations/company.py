@@ -18,7 +18,7 @@ FAR, FARTHEST, ASKANCE = 3.5, 4.0, np.radians(30)
 """A television stands no farther from its sofa, m; if need be, it does, and so far aside."""
 TURNED, STRANDED = np.radians(68), 1.6
 """An armchair looks at a sofa within this angle, and stands no farther from it, m."""
-AROUND, BY = np.radians(50), 1.2
+AROUND, BY = np.radians(50), 1.0
 """The same of the low table before the sofa, if there is one."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
 """So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
