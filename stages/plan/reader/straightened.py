@@ -2,13 +2,7 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import Late
-
-_KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other) )*"
-         r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?room|kitchen|study|balcony|"
-         r"lounge|toilet|office|hall(?:way)?|corridor|pantry))")  # fmt: skip
-_WORDS = {"kind": _KIND, "the": rf"(?:(?:the|my|our) )?{_KIND}", "must": r"(?:should|must|may|can|shall|is to|has to)",
-          "end": r"(?= ?(?:[.,;!]|$)| and | but )"}  # fmt: skip
+from apartgen.stages.plan.reader.pieces import END, KIND, reworded, rules
 
 
 def _ranked(found: re.Match[str]) -> str:
@@ -27,7 +21,7 @@ def _of_the_two(found: re.Match[str]) -> str:
     return f"{found[1]} between the two bedrooms" if _TWO.search(found.string[: found.start()]) else found.group()
 
 
-_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+_SAID = rules((
     # "the only way to the kitchen is through the dining room", "the bathroom it must be between them"
     (r"\bthe only (?:way|access|entrance|door|route) (?:in|on)?to ({the}) (?:is|leads|goes|runs) "
      r"(?:through|via|from|across|by) ", r"\1 is reached only from "),
@@ -61,11 +55,9 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
     (r"(\b(?:puerta|abre|abierta?|da) [^.;,]*?) y (el|la) (\w+) (?=(?:esta|debe|tiene|da|mide) )", r"\1. \2 \3 "),
-)]  # fmt: skip
+), the=rf"(?:(?:the|my|our) )?{KIND}", end=rf"(?:{END}|(?= and | but ))")  # fmt: skip
 
 
 def straightened(text: str) -> str:
     """A folded text with such clauses in plain order."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

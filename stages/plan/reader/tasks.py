@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded
 
 _DOING = (r"(?:making|folding|cleaning|washing|setting|clearing|opening|closing|sorting|loading|unloading|fetching|"
           r"finding|"
@@ -60,9 +61,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
 
 def without_tasks(text: str) -> str:
     """A folded text without such words."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)
 
 
 _EDGE = late(r"\b([a-z]+(?: ?room)?(?: \d)?) ?(?:<?-+>?|to|/|,|&|\+) ?([a-z]+(?: ?room)?(?: \d)?) ?"
