@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.bed_lists import beds_listed
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import CHILD, ELDER, YOUNG, reworded, rules
 
@@ -35,7 +36,7 @@ _THEIRS = [late(rf"\b(?:(?:the|our|my) )?({_YOUNG}|{_OLD}|guests?) {_HAVE} (?={_
 
 def bedded(text: str) -> str:
     """A folded text with the beds that people sleep in, in the rooms that they have."""
-    text = _TWO.sub(_two, reworded(text, _SAID))
+    text = _TWO.sub(_two, reworded(beds_listed(text), _SAID))
     if _SEVERAL.search(text) is None:
         return text
     theirs, ours = _THEIRS

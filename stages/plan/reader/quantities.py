@@ -236,8 +236,8 @@ def _than_that(words: list[Lexeme]) -> list[Lexeme]:
     """`a third larger than that`, `twice as large as that`: than what was named last."""
     out: list[Lexeme] = []
     for k, word in enumerate(words):
-        of = k + 1 < len(words) and words[k + 1].text == "of"
-        if word.text == "that" and out and out[-1].kind == "compare" and out[-1].text.endswith(("than", "as")) and not of:
+        compared = bool(out) and out[-1].kind == "compare" and out[-1].text.endswith(("than", "as"))
+        if compared and word.text == "that" and [w.text for w in words[k + 1 : k + 2]] != ["of"]:
             out[-1] = replace(out[-1], text=f"{out[-1].text} that")
         else:
             out.append(word)
