@@ -4,7 +4,7 @@ import re
 from functools import partial
 
 from apartgen.stages.plan.reader.patterns import late
-from apartgen.stages.plan.reader.pieces import BESIDE, GO, HALL, HE, KIND, MUST, SHE, THEY, YOUNG, reworded
+from apartgen.stages.plan.reader.pieces import BESIDE, CHILD, GO, HALL, HE, KIND, MUST, SHE, THEY, YOUNG, reworded
 
 _N = r"(?:two|three|four|five|six|zwei|drei|vier|funf|deux|trois|quatre|cinq|dos|tres|cuatro|cinco|[2-6])"
 _COUNTED = re.compile(rf"\b({_N})[- ](?:[a-z]+[- ])?(?:bed ?rooms?|schlafzimmer|chambres|dormitorios|habitaciones)\b")
@@ -34,7 +34,7 @@ _ADDED = re.compile(r"\b(?:plus|besides|in addition|additionally)\b|^[^,:;(-]*\b
 """Behind bedrooms that are counted: what follows comes on top of them."""
 _NEAR = rf"(?:{BESIDE}|as)"
 _HERS = late(rf"\b({_NEAR}) (hers|his|theirs)(?= ?(?:[.,;:!?)]|$)| (?:and|but|as|so|if|with)\b)")
-_OWNED = late(rf"\b({_NEAR}|than) ((?:(?:our|my|the|his|her|their) )?(?:{SHE}|{HE}|{THEY})'s?)"
+_OWNED = late(rf"\b({_NEAR}|than) ((?:(?:our|my|the|his|her|their) )?(?:{SHE}|{HE}|{THEY}|{CHILD}|lodger|guest)'s?)"
               r"(?= ?(?:[.,;:!?)]|$)| (?:and|but|so|if)\b)")  # fmt: skip
 _OWNER = {
     "hers": re.compile(rf"\b{SHE}'s (?:own )?(?:bed ?)?room\b"),
