@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.constraints import as_constraints
 from apartgen.stages.plan.reader.pieces import ROOM, reworded, rules
 
 _ROOM = rf"(?:{ROOM}|laundry|storage|garage|basement)"
@@ -60,7 +61,7 @@ def itemized(text: str) -> str:
     """A folded text with such labels and lists in words; a heading of the only room of its kind is that room."""
     if re.search(r"(?:^|[:.,;\n] ?)\(1\) ", text) and "(2) " in text:
         text = re.sub(r"[.,;]? ?\(\d\) ", ". ", text)  # "(1) two bedrooms (2) one bathroom"
-    return _HEAD.sub(_the_one, reworded(text, _SAID))
+    return _HEAD.sub(_the_one, reworded(as_constraints(text), _SAID))
 
 
 def _the_one(found: re.Match[str]) -> str:

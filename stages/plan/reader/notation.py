@@ -31,8 +31,9 @@ _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
 _VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at(?! (?:most|least))|on|in|"
     r"beside|adjacent to)\b)")
+_FACES = re.compile(r"^(?:facing|orientation|aspect|face)$")
 _RELATED = re.compile(
-    r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from)"?\s*:\s*'
+    r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from|facing|orientation|faces?|aspect)"?\s*:\s*'
     r'"?([a-z][a-z \d]*)"?\s*(?:[.,;]\s*|$)'
 )
 _OBJECT = re.compile(r'"?([a-z][a-z ]*?(?: \d)?)"?\s*:\s*[({]([^(){}]*)[)}]')
@@ -126,7 +127,7 @@ def worded(text: str) -> str:
 def _with_relations(found: re.Match[str]) -> str:
     """`kitchen: {area: 12, open to: living room}` with its relations behind, each with the room it is said of."""
     room, said = found.groups()
-    relations = [f"{room} {words} {other}" for words, other in _RELATED.findall(said)]
+    relations = [f"{room} {_FACES.sub('faces', words)} {other}" for words, other in _RELATED.findall(said)]
     rest = _RELATED.sub("", said).strip(" .,;")
     kept = [f"{room}: ({rest})"] if rest else []
     return ". ".join([*kept, *relations]) if relations else found.group()
