@@ -16,7 +16,8 @@ _COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "o
 _PARENTS = r"(?:\b(?:we are )?(?:an? |the )?(?:couple|family|parents) (?:with|and|of) )?"
 _OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|boy|girl|one|big one|little one|baby)"
         r"(?: (?:one|child|boy|girl|son|daughter))?")  # fmt: skip
-_OURS = re.compile(r"\bfor us\b|\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
+_OURS = re.compile(r"\bfor us\b(?! alone)|"
+                   r"\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
 _MIND = (r"(?:on reflection|on second thoughts?|thinking about it|come to think of it|having thought about it|actually|"
          r"better|no|sorry|correction)")  # fmt: skip
 

@@ -32,6 +32,7 @@ _OWN = {
     "what": r"(?:(?:clear|free|net|usable|inner|inside|overall|floor) )?(?P<what>area|size|surface|width|length)",
     "n": rf"(?P<n>\d+(?:\.\d+)?)(?P<unit> ?(?:{UNIT}|met(?:er|re)s?|m|cm|ft)\b)?",
     "is": r" ?(?:[:=]|is|of|should be|must be)? ?",
+    "one": _ONE,
     "begin": r"(?P<begin>^|[.;\n] ?|[-*] )",
     "end": r"(?= ?(?:[.;\n]|$))",
 }
@@ -48,8 +49,8 @@ _SAID = rules((
     (r"\b(?:in|within) (?:the )?(?:range|interval|band)(?: of)? (?P<low>{amount}) ?(?:-|to|and) ?(?P<high>{amount}) ?"
      r"(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
     # "Front: living room and kitchen. Back: both bedrooms."
-    (r"{begin}(?P<side>front|back|rear|left|right|middle|cent(?:re|er)|(?:north|south)(?:[ -]?(?:east|west))?|"
-     rf"east|west)(?: (?:side|part|zone|wing|half|end))? ?: ?(?P<rooms>{_ONE}(?:(?:, and |, | and ){_ONE})*){{end}}", _there),
+    (r"{begin}(?P<side>front|back|rear|left|right|middle|cent(?:re|er)|(?:north|south)(?:[ -]?(?:east|west))?|east|"
+     r"west)(?: (?:side|part|zone|wing|half|end))? ?: ?(?P<rooms>{one}(?:(?:, and |, | and ){one})*){end}", _there),
 ), **_OWN)  # fmt: skip
 
 

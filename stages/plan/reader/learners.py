@@ -58,6 +58,8 @@ _SAID = rules((
      r"\1the \2 has "),
     (r"\btable for (?:work|working|study|studying|writing)\b", "desk"),
     (r"\b(is|are) (smallest|largest|biggest)(?= ?(?:[.,;]|$))", r"\1 the \2"),
+    (r"\b(is|are) (?:not|no) need(?= ?(?:[.,;]|$)| and | but )", r"\1 not needed"),
+    (r"\bno doors? from (?:the )?({room}) (?:in|into|to|on) (?:the )?({room})\b", r"no door between the \1 and the \2"),
     (r"\bno need (?:of |for |to have )?(?:an? )?(?=[a-z])", "no "),
     (r"(?:^|[.;,] ?)(?:and )?in (?:the )?({room}) ((?:an? |one |two )?[a-z]+) and no ([a-z]+)(?= ?(?:[.,;]|$))",
      r". the \1 has \2 and no \3"),

@@ -12,7 +12,7 @@ _LAST = {"two": "second", "2": "second", "three": "third", "3": "third", "four":
 def _the_last(found: re.Match[str]) -> str:
     """`make one of the bedrooms a study` as the last of those counted."""
     counted = _COUNTED.search(found.string[: found.start()])
-    return f"make the {_LAST[counted[1]]} bedroom {found[1]}" if counted else found.group()
+    return f". make the {_LAST[counted[1]]} bedroom {found[1]}" if counted else found.group()
 
 
 def _several(found: re.Match[str]) -> str:
@@ -40,6 +40,8 @@ _SAID = rules((
      r"(an? (?:separate )?(?:toilet|wc|guest toilet))(?: instead)?", r"the \1 is \2"),
     (r"\b(?:change|turn|convert|make) one of the bed ?rooms(?: (?:in)?to)? (an? {kind})(?: instead)?{end}",
      _the_last),
+    (r"(?:,? and )?\bthe (?:smallest|third|fourth|last|other)(?: one| bed ?room)? (?:{must} )?(?:becomes?|be turned "
+     r"into|turns? into|be converted (?:in)?to) (an? (?:home )?{kind}){end}", _the_last),
     # "not an open kitchen but a separate one"
     (r"\bnot an open(?:[- ]plan)? kitchen,? but (?:rather )?an? (?:separate|closed)(?: one| kitchen)?",
      "a separate kitchen"),

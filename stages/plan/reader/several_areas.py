@@ -17,6 +17,12 @@ _SAID = rules((
      r"as a whole|in sum|taken together)\b(?! with)", r"\1 together \2"),
     (r"\b({some}),? {have} (?:a (?:total|combined|joint) (?:floor )?(?:area|size|surface) of|combined|a total of|"
      r"in total|altogether) ({area})", r"\1 together \2"),
+    # "two bedrooms (12 + 10 m²)", "one is 14 and the other 10"
+    (r"\(({amount}) ?\+ ?({amount})(?: ?\+ ?({amount}))? ?({unit})\)",
+     lambda found: f"({', '.join(f'{n} {found[4]}' for n in found.groups()[:3] if n)})"),
+    (r"(\bbed ?rooms[^.;]*?)\b(?:the )?one(?: of them)? (?:is|has|with|of) (\d{1,2})(?: ?{unit})?(?:,| and|, and) "
+     r"(?:the )?(?:other|second)(?: one)?(?: is| has| with| of)? (\d{1,2})(?: ?{unit})?(?! ?(?:[a-z]|%|\d))",
+     r"\1one of \2 m2 and the other of \3 m2"),
     # "must not be larger than 25 m² nor smaller than 18 m²"
     (r"\b(?:not|n't|neither) (?:be )?(?:larger|bigger|more|greater) than (?P<most>{amount})(?: ?{unit})?,? "
      r"(?:n?or|and not)(?: be)? (?:smaller|less) than (?P<least>{amount}) ?(?P<unit>{unit})",

@@ -9,6 +9,7 @@ _PARTNER = r"(?:wife|husband|partner|spouse|girlfriend|boyfriend)"
 _KIN = rf"(?:{ELDER}|{CHILD}|(?:grand)?(?:daughter|son)|sister|brother|niece|nephew|cousin)"
 _WORDS = WORDS | {
     "kin": rf"(?:(?:older|younger|elder|little|big|teenage|grown-up|eldest|youngest|only) )?{_KIN}",
+    "elder": ELDER, "years": r"(?:[a-z]+|\d{1,2})(?:(?:,| and|, and) (?:[a-z]+|\d{1,2}))*(?: years?(?: old)?)?",
     "aged": r"(?:(?:,? (?:who is |of |aged? )?|-)\(?\d{1,2}\)?(?:[ -]years?(?:[ -]old)?)?,?)",
     "needs": r"(?:(?:also |already |will |should |must )*(?:need|want|get|have|sleep)s?|has|should have|would like)\b",
     "us": rf"(?:(?:the two of |both of )?us|me|myself|my {_PARTNER} and (?:me|i|myself)|me and my {_PARTNER})",
@@ -21,17 +22,20 @@ _OURS = Late(r"\b(?:(?:our|my) (?:own )?bed ?room|(?:main|master|parents'|parent
 _HAVE_A = Late(
     r"\b(?:we|i) (?:also |already )?have (?:an?|one) (?:(?:[a-z]+|\d+)(?:-[a-z]+)*[ -]){0,3}?(?P<who>{kin})\b{aged}?"
     r"(?P<of>[^.;,:]{0,40})[.;,:] ?(?:and |so )?(?:she|he|it|who|the (?:child|baby)) (?={needs})", _WORDS)  # fmt: skip
+_OLD = Late(r"\b(?P<who>(?:our|my|the) (?:{several} )?{young}) are (?:already )?{years},? (?:and|so|but) (?:they )?"
+            r"(?=(?:each|both|all) )", _WORDS)  # fmt: skip
 _LIVES = Late(
-    r"\b(?P<who>(?:my|our) {kin}) (?:also )?(?:lives?|stays?|moves? in|is moving in|is going to live|will live|comes "
-    r"to live|is staying)(?: (?:with|in with) (?:us|me|our family))?[.;,:] ?(?:and |so )?(?:she|he|it|who) (?={needs})",
-    _WORDS)  # fmt: skip
-_WE = Late(r"\b(?:we (?:also )?(?:need|want|have|sleep|get)|(?:bed ?)?room for (?:us|me))\b")
+    r"\b(?P<who>(?:my|our) {kin}|{elder}) (?:also )?(?:lives?|stays?|moves? in|is moving in|is going to live|"
+    r"will live|comes to live|is staying)(?: (?:with|in with) (?:us|me|our family))?[.;,:] ?(?:and |so )?"
+    r"(?:she|he|it|who) (?={needs})", _WORDS)  # fmt: skip
+_WE = Late(r"\b(?:we (?:also )?(?:need|want|have|sleep|get|keep)|ours|(?:bed ?)?room for (?:us|me))\b")
 _ROOM = re.compile(r"\b(?P<who>kids room|relative's room)(?P<many>s?)\b")
 _OF_THEM = re.compile(r"\b(?:his|her|its|their) (?:own )?(?:bed ?)?room\b")
 
 
 def as_first_told(text: str) -> str:
     """A folded text in which `one for us` is the parents' room, where that is told of later, and `she` is named."""
+    text = _OLD.sub(r"\g<who> ", text)
     text = _with_us(_HAVE_A.sub(r"our \g<who>\g<of> ", text))
     found = _ONE_FOR_US.search(text)
     if found is None or not _COUNTED.search(text[: found.start()]) or not _OURS.search(text[found.end() :]):

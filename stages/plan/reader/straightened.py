@@ -13,12 +13,12 @@ def _ranked(found: re.Match[str]) -> str:
     return f"{rooms[0]} is the largest room. " + ". ".join(f"{a} is larger than {b}" for a, b in pairs)
 
 
-_TWO = re.compile(r"\b(?:two|2)[ -]bed(?:[ -]?rooms?)?\b")
+_TWO = re.compile(r"\b(?:two|2)[ -]bed(?:[ -]?rooms?)?\b|\bboth bed ?rooms\b")
 
 
-def _of_the_two(found: re.Match[str]) -> str:
+def _of_the_two(found: re.Match[str], verb: str = "") -> str:
     """`two bedrooms; the bathroom must be between them`: between the two bedrooms."""
-    return f"{found[1]} between the two bedrooms" if _TWO.search(found.string[: found.start()]) else found.group()
+    return f"{found[1]} {verb}between the two bedrooms" if _TWO.search(found.string) else found.group()
 
 
 _SAID = rules((
@@ -27,6 +27,11 @@ _SAID = rules((
      r"(?:through|via|from|across|by) ", r"\1 is reached only from "),
     (r"\b((?:the|my|our) {kind}) it (?=(?:must|should|is|has|will|needs) )", r"\1 "),
     (r"(\b(?:the|my|our|one|an?) {kind} (?:{must} be|is|lies|has to lie|needs to be)) between them{end}", _of_the_two),
+    (r"\b(?:put|place|set|with) ((?:the|our|one|an?) {kind}) (?:right |directly )?between them{end}",
+     lambda found: _of_the_two(found, "is ")),
+    # "a laundry room between kitchen and bathroom"
+    (r"(\b(?:an? |one |the )?(?:(?:storage|store|laundry|utility) ?room|pantry|closet)) (?:right |directly |in )?"
+     r"between ((?:(?:the|my|our) )?{kind}) and ((?:(?:the|my|our) )?{kind}){end}", r"\1 next to \2 and next to \3"),
     # "the living room should be the biggest, then the kitchen, then the bedroom"
     (r"\b(?P<first>{the}) (?:{must} be|is) the (?:biggest|largest)(?: room| one)?"
      r"(?P<rest>(?:,? (?:and )?then {the}(?= ?[.,;]|$))+)", _ranked),
