@@ -33,6 +33,7 @@ _OWN = {
     "n": rf"(?P<n>\d+(?:\.\d+)?)(?P<unit> ?(?:{UNIT}|met(?:er|re)s?|m|cm|ft)\b)?",
     "is": r" ?(?:[:=]|is|of|should be|must be)? ?",
     "one": _ONE,
+    "bound": r"(?:at least|at most|(?:no|not) (?:more|less|wider|narrower|longer|shorter|larger|smaller|bigger) than)",
     "begin": r"(?P<begin>^|[.;\n] ?|[-*] )",
     "end": r"(?= ?(?:[.;\n]|$))",
 }
@@ -43,6 +44,9 @@ _SAID = rules((
     (r"\b{limit} {of} {what}{is}{n}", _limit),
     (r"\b{of},? {limit}[ -]?{what}{is}{n}", _limit),
     (r"\b{of} {what} ?{limit} ?{n}", _limit),
+    # "corridor at least 1.5 m wide and no longer than 6 m"
+    (r"\b{of},? (?P<first>{bound} {amount} ?(?:{unit}|met(?:er|re)s?|m|cm|ft|feet)(?: wide| long)?),? (?:and|but) "
+     r"(?={bound} \d)", r"\g<of> \g<first>. the \g<of> is "),
     # "area in [12, 15] m2", "within 12-15 m2", "in the range 12 to 15 m2"
     (r"\b(?:in|within)(?: the)?(?: range| interval)?(?: of)? ?\((?P<low>{amount}) ?(?:,|-|to|;|and) ?"
      r"(?P<high>{amount})\) ?(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),

@@ -36,8 +36,8 @@ _SAID = rules((
     # "2BR/2BA, one bath en suite, the other off the hall"
     (r"\bone bath(?: ?room)?,? (?:(?:is|being|as) )?(?:an? )?en[- ]?suite\b(?! to| of| with)", "one en suite bathroom"),
     # "swap the study for a second bathroom"
-    (r"(?:,? (?:and|but))?\b(?:please )?(?:swap|exchange|trade) (?:out )?(?:the|my|our) ({kind}) "
-     r"(?:for|with|against) (?=(?:an?|one|two|another) )", r". forget the \1. "),
+    (r"(?:,? (?:and|but))?\b(?:please )?(?:swap|exchange|trade|replace|substitute) (?:out )?(?:the|my|our) ({kind}) "
+     r"(?:for|with|against|by) (?=(?:an?|one|two|another) )", r". forget the \1. "),
     # "其中一个卫生间在主卧里", "爷爷奶奶的卧室朝南"
     (r"其中一(?:个|间)(?:卫生间|卧室|浴室|厕所)(?=在|朝|带|是|要)", "其中一个"),
 ), whose=_WHOSE, must=_MUST, by=_BY)  # fmt: skip

@@ -77,6 +77,7 @@ _SAID = rules((
      r"(?=(?:,| and|, and) (?:{count} )?(?:[a-z]+ )?{piece})", r"\1 double beds"),
     (r"({piece}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
     (r"\b(one|1) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
+    (r"\b(?:one|1|a single) (?=floor (?:lamp|light|mirror)\b)", "a "),
     # "a dining table for six", "Esstisch für sechs Personen"
     (r"(?P<table>\b(?:[a-z]*table|[a-z]*tisch|table(?: a manger)?|mesa(?: de comedor)?)),? "
      r"(?:(?:(?:(?:(?:that|which|it) )?(?:seats|fits)|seating|for|(?:big|large) enough for|"

@@ -28,6 +28,8 @@ _LIVES = Late(
     r"\b(?P<who>(?:my|our) {kin}|{elder}) (?:also )?(?:lives?|stays?|moves? in|is moving in|is going to live|"
     r"will live|comes to live|is staying)(?: (?:with|in with) (?:us|me|our family))?[.;,:] ?(?:and |so )?"
     r"(?:she|he|it|who) (?={needs})", _WORDS)  # fmt: skip
+_OF_HIS_OWN = Late(r"\b(?P<room>(?:needs?|wants?|gets?|has|have) an? (?:own )?(?:bed ?)?room\b[^.;,]{0,40}?),? and an? "
+                   r"(?P<bath>bath ?room|toilet|shower room|wc) of (?:his|her|their|its) own\b", _WORDS)  # fmt: skip
 _WE = Late(r"\b(?:we (?:also )?(?:need|want|have|sleep|get|keep)|ours|(?:bed ?)?room for (?:us|me))\b")
 _ROOM = re.compile(r"\b(?P<who>kids room|relative's room)(?P<many>s?)\b")
 _OF_THEM = re.compile(r"\b(?:his|her|its|their) (?:own )?(?:bed ?)?room\b")
@@ -35,7 +37,7 @@ _OF_THEM = re.compile(r"\b(?:his|her|its|their) (?:own )?(?:bed ?)?room\b")
 
 def as_first_told(text: str) -> str:
     """A folded text in which `one for us` is the parents' room, where that is told of later, and `she` is named."""
-    text = _OLD.sub(r"\g<who> ", text)
+    text = _OF_HIS_OWN.sub(r"\g<room> with its own \g<bath>", _OLD.sub(r"\g<who> ", text))
     text = _with_us(_HAVE_A.sub(r"our \g<who>\g<of> ", text))
     found = _ONE_FOR_US.search(text)
     if found is None or not _COUNTED.search(text[: found.start()]) or not _OURS.search(text[found.end() :]):

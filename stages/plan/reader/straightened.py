@@ -21,6 +21,8 @@ def _of_the_two(found: re.Match[str], verb: str = "") -> str:
     return f"{found[1]} {verb}between the two bedrooms" if _TWO.search(found.string) else found.group()
 
 
+_FACE = {"face": "face", "facing": "facing", "look": "face", "overlook": "face", "looking": "facing",
+         "overlooking": "facing", "give": "face", "giving": "facing"}  # fmt: skip
 _SAID = rules((
     # "the only way to the kitchen is through the dining room", "the bathroom it must be between them"
     (r"\bthe only (?:way|access|entrance|door|route) (?:in|on)?to ({the}) (?:is|leads|goes|runs) "
@@ -35,6 +37,26 @@ _SAID = rules((
     # "the living room should be the biggest, then the kitchen, then the bedroom"
     (r"\b(?P<first>{the}) (?:{must} be|is) the (?:biggest|largest)(?: room| one)?"
      r"(?P<rest>(?:,? (?:and )?then {the}(?= ?[.,;]|$))+)", _ranked),
+    # "the bathroom has two doors, one in the bedroom and one in the corridor"
+    (r"\b((?:(?:the|my|our) )?{kind}) (?:(?:{must} )?(?:has|have|gets?)|with) two doors?[,:;(]? ?(?:the )?one {door} "
+     r"((?:(?:the|our) )?{kind})(?:,|;| and|, and) (?:the )?(?:one|other|another|second)(?: one| door)? {door} "
+     r"((?:(?:the|our) )?{kind}){end}", r"\1 has a door to \2 and a door to \3"),
+    # "every door from the hallway", "a window on the east side, the living room on the west side"
+    (r"\b(?:every|all|each)(?: the)? doors? (?:(?:{must} )?(?:opens?|goes|go|leads?|is|are|be) )?(?:from|{door}) "
+     r"(the {hall}){end}", r"every room has its door to \1"),
+    (r"(\bwindows? (?:on|to|at|in|facing) (?:the )?(?:{compass})(?: side)?),? ?(?:and |while )?"
+     r"((?:(?:the|my|our) )?{kind}) (?:on|to|at|in) (?:the )?({compass})(?: side)?{end}",
+     r"\1, \2 has a window to the \3"),
+    # "on the side of the entrance", "on the entrance side"
+    (r"\b(?:on|at|to|towards) the (?:side of the (?:entrance|front door)|(?:entrance|entry) side){end}",
+     "near the entrance"),
+    (r"\b(?:on|at) the side (?:away|far|farther|farthest|opposite) from the (?:entrance|front door){end}",
+     "far from the entrance"),
+    # "face the courtyard on the north side"
+    (r"\b(faces?|facing|looks?|looking|overlooks?|overlooking|gives?|giving)(?: out)?(?: on ?to| into| over| on)? "
+     r"(?:the |an? )?(?:quiet )?(?:courtyard|garden|street|park|yard|river|sea|lake|road|square|wood|forest) "
+     r"(?:on|to|in|at|towards) (?:the )?({compass})(?: side)?{end}",
+     lambda found: f"{_FACE.get(found[1], 'faces')} {found[2]}"),
     # "neither bedroom should have a door to the lounge", "nothing but the bathroom between the bedrooms"
     (r"\b((?:neither|no|none of the) (?:bed|bath) ?rooms?) {must} have (?:an?|any) doors? (?:in)?to ",
      r"\1 has a door to "),
@@ -60,7 +82,8 @@ _SAID = rules((
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
     (r"(\b(?:puerta|abre|abierta?|da) [^.;,]*?) y (el|la) (\w+) (?=(?:esta|debe|tiene|da|mide) )", r"\1. \2 \3 "),
-), the=rf"(?:(?:the|my|our) )?{KIND}", end=rf"(?:{END}|(?= and | but ))")  # fmt: skip
+), door="(?:in|in ?to|to|on|on ?to|from|off)", compass="(?:north|south)(?:[ -]?(?:east|west))?|east|west",
+   the=rf"(?:(?:the|my|our) )?{KIND}", end=rf"(?:{END}|(?= and | but ))")  # fmt: skip
 
 
 def straightened(text: str) -> str:
