@@ -43,7 +43,7 @@ _SAID = rules((
     (r"\b{what} ?\( ?{of} ?\) ?{limit} ?{n}", _limit),
     (r"\b{limit} {of} {what}{is}{n}", _limit),
     (r"\b{of},? {limit}[ -]?{what}{is}{n}", _limit),
-    (r"\b{of} {what} ?{limit} ?{n}", _limit),
+    (r"\b{of} {what} ?{limit}{is}{n}", _limit),
     # "corridor at least 1.5 m wide and no longer than 6 m"
     (r"\b{of},? (?P<first>{bound} {amount} ?(?:{unit}|met(?:er|re)s?|m|cm|ft|feet)(?: wide| long)?),? (?:and|but) "
      r"(?={bound} \d)", r"\g<of> \g<first>. the \g<of> is "),
@@ -52,6 +52,8 @@ _SAID = rules((
      r"(?P<high>{amount})\) ?(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
     (r"\b(?:in|within) (?:the )?(?:range|interval|band)(?: of)? (?P<low>{amount}) ?(?:-|to|and) ?(?P<high>{amount}) ?"
      r"(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
+    # "Include: 2 bedrooms"
+    (r"{begin}(?:include[ds]?|including|required|must have) ?: ?(?=\d|one|two|three|four)", r"\g<begin>"),
     # "Front: living room and kitchen. Back: both bedrooms."
     (r"{begin}(?P<side>front|back|rear|left|right|middle|cent(?:re|er)|(?:north|south)(?:[ -]?(?:east|west))?|east|"
      r"west)(?: (?:side|part|zone|wing|half|end))? ?: ?(?P<rooms>{one}(?:(?:, and |, | and ){one})*){end}", _there),

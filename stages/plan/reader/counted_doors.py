@@ -1,5 +1,7 @@
 """How many doors a room is to have: `has only one door`, `no second door`, `needs two doors`, in words of limits."""
 
+import re
+
 from apartgen.stages.plan.reader.pieces import ROOM, reworded, rules
 
 _ROOM = rf"(?:(?:[a-z]+ )?{ROOM})"
@@ -13,6 +15,7 @@ _TOLD_OFF = r"(?! ?[,:;(-]* ?(?:one|to|into|from|the first|a door|each|that|whic
 _DIGITS: dict[str, str] = {
            "zwei": "2", "drei": "3", "vier": "4", "deux": "2", "trois": "3", "quatre": "4", "dos": "2", "tres": "3",
            "cuatro": "4", "两": "2", "三": "3", "四": "4"}  # fmt: skip
+_LEAST = re.compile("least|less|fewer|min")
 _SAID = rules((
     # "the kitchen has only one door, to the living room", "…, which leads to the living room"
     (r"\b(?:{must} )?{has} (?:{alone},?|(?:one|1) door,|(?:one|1) door(?= which| that)) (?:and )?"
@@ -44,6 +47,10 @@ _SAID = rules((
      r"has at least \g<n> doors"),
     (r"\b(?P<room>{room}) (?P<has>has|have|with) (?:exactly |precisely )?{many} doors{told_off}{end}",
      r"\g<room> \g<has> at least \g<n> doors"),
+    # "no more than two rooms may open off the living room"
+    (r"\b(?P<limit>{least}|{most}|only|exactly) (?P<n>{number}) rooms? (?:{must} )?(?:be )?(?:opens?|leads?|have a "
+     r"door|reached|entered|accessible)(?: directly)? (?:off|from|on ?to|in ?to|to) (?P<of>the {kind}){end}",
+     lambda found: f"{found['of']} has at {'least' if _LEAST.search(found['limit']) else 'most'} {found['n']} doors"),
     # "nur eine Tür", "n'a qu'une seule porte", "una sola puerta", "只有一扇门"
     (r"\b(?:nur|bloss|hochstens|maximal|lediglich|genau) eine(?: einzige)? tur\b(?! (?:zu|in|nach|vo))",
      "hochstens 1 turen"),

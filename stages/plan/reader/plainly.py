@@ -78,6 +78,9 @@ _SAID = rules((
     (r"({piece}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
     (r"\b(one|1) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
     (r"\b(?:one|1|a single) (?=floor (?:lamp|light|mirror)\b)", "a "),
+    (r"\b(no|without an?|without any) beds?(?= ?(?:[.,;)]|$)| in | and | or )", r"\1 double bed"),
+    (r"\blaundry in the (bath ?room|kitchen|hall(?:way)?) ?:", r"in the \1"),
+    (r"\blaundry (?:goes |stands |is |should be )?in the (?=bath ?room\b|kitchen\b)", "a washing machine in the "),
     # "a dining table for six", "Esstisch für sechs Personen"
     (r"(?P<table>\b(?:[a-z]*table|[a-z]*tisch|table(?: a manger)?|mesa(?: de comedor)?)),? "
      r"(?:(?:(?:(?:(?:that|which|it) )?(?:seats|fits)|seating|for|(?:big|large) enough for|"

@@ -52,6 +52,16 @@ _SAID = rules((
      "near the entrance"),
     (r"\b(?:on|at) the side (?:away|far|farther|farthest|opposite) from the (?:entrance|front door){end}",
      "far from the entrance"),
+    # "the toilet must not be next to the dining room, but it should be near the entrance": the toilet
+    (r"\b(?P<of>(?:the|my|our) {kind}) (?P<said>(?:{must} (?:not )?be|(?:is|lies)(?: not)?) (?:{beside}|off) "
+     r"(?:the|my|our) {kind}),? (?P<and>but|and) it (?=(?:{must}|is|has)\b)", r"\g<of> \g<said>, \g<and> \g<of> "),
+    # "from the bedroom you step into the bathroom", "get from A onto B, and from C as well"
+    (r"\b(?:(?:{must} )?(?:be able to )?{go}) from (?P<a>the {kind}) (?:straight |directly |out )*(?:on ?to|in ?to|to) "
+     r"(?P<to>the {kind}),? (?:and|but) (?:also )?from (?P<b>the {kind})(?:,? (?:as well|too|also))?{end}",
+     r"have a door from \g<a> to \g<to> and a door from \g<b> to \g<to>"),
+    (r"\bfrom (?P<a>the {kind}),? (?:you|one|we|i) (?:{must} )?(?:directly |only )?(?:step|walk|pass)(?: straight|"
+     r" directly| out)* (?:on ?to|in ?to|to) (?P<to>the {kind})(?= ?(?:[.;]|$)|, (?:guests|visitors|while|but))",
+     r"\g<to> is reached from \g<a>"),
     # "face the courtyard on the north side"
     (r"\b(faces?|facing|looks?|looking|overlooks?|overlooking|gives?|giving)(?: out)?(?: on ?to| into| over| on)? "
      r"(?:the |an? )?(?:quiet )?(?:courtyard|garden|street|park|yard|river|sea|lake|road|square|wood|forest) "
