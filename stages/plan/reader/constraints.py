@@ -41,6 +41,7 @@ _SAID = rules((
     # "min_area(kitchen)=9", "min kitchen area: 9 m2", "hallway min clear width 1.25 m", "kitchen area >= 9"
     (r"\b{limit}[ -]?{what} ?\( ?{of} ?\){is}{n}", _limit),
     (r"\b{what} ?\( ?{of} ?\) ?{limit} ?{n}", _limit),
+    (r"\b{limit}[ -]?{what} (?:of|for|in) (?:the )?{of}{is}{n}", _limit),
     (r"\b{limit} {of} {what}{is}{n}", _limit),
     (r"\b{of},? {limit}[ -]?{what}{is}{n}", _limit),
     (r"\b{of} {what} ?{limit}{is}{n}", _limit),

@@ -10,6 +10,7 @@ LIMITS = [
     ("min kitchen area: 9 m2; 2 bedrooms", "B2 H K L W", "at_least K1 9, !unread min"),
     ("kitchen area >= 9; 2 bedrooms", "B2 H K L W", "at_least K1 9, !unread at least"),
     ("Two bedrooms, one bathroom. width(hallway) >= 1.2", "B2 H K L W", "at_least H1 width 1.2"),
+    ("min. width of the corridor 1.2 m; bedrooms: 2", "B2 H K L W", "at_least H1 width 1.2"),
     ("max corridor length: 5 m; two bedrooms", "B2 H K L W", "at_most H1 length 5"),
     ("kitchen area in [9, 12] m2; 2 bedrooms", "B2 H K L W", "at_least K1 9, at_most K1 12"),
     ("bedrooms: 2; area of living room in range 20-25 m2", "B2 H K L W", "at_least L1 20, at_most L1 25"),
