@@ -38,7 +38,8 @@ _SAID = rules((
     (r"\b(?P<first>{the}) (?:{must} be|is) the (?:biggest|largest)(?: room| one)?"
      r"(?P<rest>(?:,? (?:and )?then {the}(?= ?[.,;]|$))+)", _ranked),
     # "the bathroom has two doors, one in the bedroom and one in the corridor"
-    (r"\b((?:(?:the|my|our) )?{kind}) (?:(?:{must} )?(?:has|have|gets?)|with) two doors?[,:;(]? ?(?:the )?one {door} "
+    (r"\b((?:(?:the|my|our) )?{kind}) (?:(?:{must} )?(?:has|have|gets?)|with) two doors?"
+     r"[,:;(]? ?(?:the )?one (?:in|on) "
      r"((?:(?:the|our) )?{kind})(?:,|;| and|, and) (?:the )?(?:one|other|another|second)(?: one| door)? {door} "
      r"((?:(?:the|our) )?{kind}){end}", r"\1 has a door to \2 and a door to \3"),
     # "every door from the hallway", "a window on the east side, the living room on the west side"
