@@ -2,10 +2,8 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded, rules
 
-_ROOM = (r"(?:(?:main |master |small |large |second |first |guest |other )?bed ?room|living room|sitting room|"
-         r"bath ?room|kitchen|study|balcony|dining room|lounge|home office|office|hall(?:way)?)")  # fmt: skip
 _THINGS = r"(?:an?|one|two|three|four|no|\d) (?:(?!has |have |is )[a-z]+,? ?){1,8}?"
 _SAME = r"(?:the same|ditto|likewise)(?: things| furniture| pieces| again)?"
 _FIXED = r"(?!(?:doors?|stairs?|steps?|walls?|windows?|corridors?|hall(?:way)?s?|passages?|(?:[a-z]+ )?rooms?)\b)"
@@ -15,12 +13,11 @@ _SIDES = ("north(?:[- ]?(?:east|west))?|south(?:[- ]?(?:east|west))?|east|west|n
 _ANEW = ("no wait|wait no|wait|no|nein|non|sorry|pardon|perdon|i mean|i meant|actually|correction|or rather|rather|"
          "better|besser|quatsch|plutot|mejor")  # fmt: skip
 _COUNTED = {"one": "one", "two": "one", "three": "two", "four": "three", "2": "one", "3": "two", "4": "three"}
-_YOUNG = r"(?:children|kids|boys|girls|sons|daughters|teenagers)"
-_GROWN = r"(?:of us|sisters|brothers|siblings|friends|students|(?:flat|house|room)mates|colleagues|people|adults)"
 _PARENTS = r"(?:\b(?:we are )?(?:an? |the )?(?:couple|family|parents) (?:with|and|of) )?"
 _OLD = (r"(?:the )?(?:eldest|oldest|youngest|third|fourth|other|boy|girl|one|big one|little one|baby)"
         r"(?: (?:one|child|boy|girl|son|daughter))?")  # fmt: skip
-_OURS = re.compile(r"\bfor us\b|\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
+_OURS = re.compile(r"\bfor us\b(?! alone)|"
+                   r"\b(?:our|parents'?|master|main) (?:own )?bed ?room\b|\bbed ?room for (?:us|me)\b")
 _MIND = (r"(?:on reflection|on second thoughts?|thinking about it|come to think of it|having thought about it|actually|"
          r"better|no|sorry|correction)")  # fmt: skip
 
@@ -48,20 +45,20 @@ def _summed(found: re.Match[str]) -> str:
     return f"{found['n']} {found['rooms']}"
 
 
-_SAID = [(late(pattern), words) for pattern, words in (
+_SAID = rules((
     # "no tv anywhere", "no room has a television"
-    (rf"\b(?:no|not an?|not a single|without (?:an?|any)|(?:do not|don't) want any) ({_FIXED}[a-z]+(?: [a-z]+)?) "
-     rf"{_WHOLE}\b", r"no \1 in every room"),
-    (rf"\bnowhere an? ({_FIXED}[a-z]+)\b", r"no \1 in every room"),
-    (rf"(^|[.;,] ?)(?:no room|none of the rooms) (?:has|have|should have|must have|may have) an? ({_FIXED}[a-z]+)\b",
+    (r"\b(?:no|not an?|not a single|without (?:an?|any)|(?:do not|don't) want any) ({fixed}[a-z]+(?: [a-z]+)?) "
+     r"{whole}\b", r"no \1 in every room"),
+    (r"\bnowhere an? ({fixed}[a-z]+)\b", r"no \1 in every room"),
+    (r"(^|[.;,] ?)(?:no room|none of the rooms) (?:has|have|should have|must have|may have) an? ({fixed}[a-z]+)\b",
      r"\1no \2 in every room"),
     # "a desk in the study, the same in the main bedroom"
-    (rf"\b({_THINGS}) in ((?:the|each|every|both)(?: of the (?:two|three|four))? {_ROOM}s?)(?:[,;.] ?|,? )"
-     rf"(?:and |but )?{_SAME} in the ({_ROOM})\b", r"\1 in \2 and \1 in the \3"),
-    (rf"\bthe ({_ROOM}) (has|gets|needs|with) ({_THINGS})(?:[,;.] ?|,? )(?:and |but )?{_SAME} "
-     rf"(?:in|for|goes for|holds for|applies to) the ({_ROOM})\b", r"the \1 \2 \3, the \4 \2 \3"),
-    (rf"\bthe ({_ROOM}) (has|gets|needs) ({_THINGS})(?:[,;.] ?|,? )(?:and |but )?the ({_ROOM}) "
-     rf"(?:has|gets|needs|too has|also has) {_SAME}(?= ?(?:[.,;]|$))", r"the \1 \2 \3, the \4 \2 \3"),
+    (r"\b({things}) in ((?:the|each|every|both)(?: of the (?:two|three|four))? {kind}s?)(?:[,;.] ?|,? )"
+     r"(?:and |but )?{same} in the ({kind})\b", r"\1 in \2 and \1 in the \3"),
+    (r"\bthe ({kind}) (has|gets|needs|with) ({things})(?:[,;.] ?|,? )(?:and |but )?{same} "
+     r"(?:in|for|goes for|holds for|applies to) the ({kind})\b", r"the \1 \2 \3, the \4 \2 \3"),
+    (r"\bthe ({kind}) (has|gets|needs) ({things})(?:[,;.] ?|,? )(?:and |but )?the ({kind}) "
+     r"(?:has|gets|needs|too has|also has) {same}(?= ?(?:[.,;]|$))", r"the \1 \2 \3, the \4 \2 \3"),
     # "a room that is open to the kitchen"
     (r"\b(an?|one) ((?:big |large |small |bright |spacious )?)room,? (?:(?:that|which) (?:is |should be )?)?"
      r"(open|opens|opening) (to|onto|into) the kitchen\b", r"\1 \2living room that is open to the kitchen"),
@@ -69,36 +66,35 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"(?<!bed )(?<!bath )\b(?:the )?rooms (?:are |should be |must be )?all (?=(?:of )?(?:the same|equal))",
      "all rooms are "),
     # "three children: two of them share, the eldest has her own"
-    (rf"{_PARENTS}\b(?:our |my )?(?P<n>three|four|[34]) (?:{_YOUNG}|(?P<grown>{_GROWN}))"
-     rf"(?:[:,;.] ?| - | (?:who|of whom) ?)(?:the )?two (?:of (?:them|us|whom) |of the {_YOUNG} )?"
-     rf"(?:little |small |younger |older )?(?:ones? )?(?:{_YOUNG} )?"
-     rf"(?:can |will |should )?"
-     rf"share(?: an?| one| the same| the (?:bigger|larger|big|large|smaller|small))?(?: bed ?room| room| one)?[,;.]? "
-     rf"?(?:and |but |while )?"
-     rf"{_OLD} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
+    (r"{parents}\b(?:our |my )?(?P<n>three|four|[34]) (?:{young}|(?P<grown>{grown}))"
+     r"(?:[:,;.] ?| - | (?:who|of whom) ?)(?:the )?two (?:of (?:them|us|whom) |of the {young} )?"
+     r"(?:little |small |younger |older )?(?:ones? )?(?:{young} )?"
+     r"(?:can |will |should )?"
+     r"share(?: an?| one| the same| the (?:bigger|larger|big|large|smaller|small))?(?: bed ?room| room| one)?[,;.]? "
+     r"?(?:and |but |while )?"
+     r"{old} (?:(?:has|have|gets?|needs?|wants?) (?:her|his|"
      r"their|its|an?) own(?: bed ?room| room)?|(?:has|gets|takes) the (?:smaller|bigger|small|big|other|second)(?: "
      r"one| room| bed ?room)|sleeps? alone|is alone)", _sharing),
     # "two kids, one room for both", "three children in two rooms", "one room for the two children"
-    (rf"\b(?:two|2|three|3|our|my) {_YOUNG}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
+    (r"\b(?:two|2|three|3|our|my) {young}(?:, | with |: ?| - )(?P<rooms>one|a|two|1|2) (?:bed ?)?rooms? for "
      r"(?:both|all|the two|all three|them|the three)(?: of them)?\b", _for_both),
-    (rf"\b(?:two|three|four|[234]) {_YOUNG} in (?P<rooms>one|two|three|[123]) (?:bed ?)?rooms?\b", _for_both),
-    (rf"\b(?P<rooms>one|a|1) (?:bed ?)?room for (?:both|the two|our two|my two) {_YOUNG}\b", _for_both),
+    (r"\b(?:two|three|four|[234]) {young} in (?P<rooms>one|two|three|[123]) (?:bed ?)?rooms?\b", _for_both),
+    (r"\b(?P<rooms>one|a|1) (?:bed ?)?room for (?:both|the two|our two|my two) {young}\b", _for_both),
     # "a home office each, so two studies", "a study each for my wife and me"
-    (rf"\ban? {_ROOM} each(?: for [^.,;:]*)?[,;:]? (?:so|that is|that's|i\.? ?e\.?|meaning|which makes|that makes|"
-     rf"in other words|hence|thus),? (?P<n>two|three|four|five|\d) (?P<rooms>{_ROOM}s|studies|balconies)\b", _summed),
-    (rf"\ban? ({_ROOM}) each for (?:my [a-z]+ and (?:me|i)|me and my [a-z]+|(?:both|the two) of us)\b",
+    (r"\ban? {kind} each(?: for [^.,;:]*)?[,;:]? (?:so|that is|that's|i\.? ?e\.?|meaning|which makes|that makes|"
+     r"in other words|hence|thus),? (?P<n>two|three|four|five|\d) (?P<rooms>{kind}s|studies|balconies)\b", _summed),
+    (r"\ban? ({kind}) each for (?:my [a-z]+ and (?:me|i)|me and my [a-z]+|(?:both|the two) of us)\b",
      lambda found: f"two {re.sub('y$', 'ie', found[1])}s"),
     # "the bathroom faces north, no, south"
-    (rf"\b(?:{_SIDES})(?:,| -|;|:)? (?:{_ANEW})(?:,? wait)?,? (?:to the |the |nach |au |al )?(?=(?:{_SIDES})\b)", ""),
+    (r"\b(?:{sides})(?:,| -|;|:)? (?:{anew})(?:,? wait)?,? (?:to the |the |nach |au |al )?(?=(?:{sides})\b)", ""),
     # "on reflection the study should be a second bedroom"
-    (rf"\b{_MIND},? (?:the|that|this) ({_ROOM}|pantry|storage room|utility room|closet|nursery|guest room) "
+    (r"\b{mind},? (?:the|that|this) ({kind}|pantry|storage room|utility room|closet|nursery|guest room) "
      r"(?:should|had|would|could|must|ought to|shall|will)(?: rather| better| preferably| instead)? (?:be|become) "
      r"(?:better )?(?=an? )", r"make the \1 "),
-)]  # fmt: skip
+), things=_THINGS, same=_SAME, fixed=_FIXED, whole=_WHOLE, sides=_SIDES, anew=_ANEW, parents=_PARENTS, old=_OLD,
+    mind=_MIND)  # fmt: skip
 
 
 def once_more(text: str) -> str:
     """A folded text with such clauses in the words of rooms and furniture."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

@@ -4,6 +4,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded
 from apartgen.stages.plan.reader.retold import children_named
 
 _PIECE = ("(?:single bed|double bed|bed|desk|chair|armchair|sofa|lamp|wardrobe|table|nightstand|bookshelf|rug|plant|"
@@ -76,9 +77,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
 
 def beside_told(text: str) -> str:
     """A folded text with such clauses in the words of rooms."""
-    text = children_named(text)
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
+    text = reworded(children_named(text), _SAID)
     if len(_FOR.findall(text)) > 1:
         text = _FOR.sub(_whose, text)
     return _dashed(text)

@@ -2,19 +2,20 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import Late, late
+from apartgen.stages.plan.reader.bed_lists import beds_listed
+from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import CHILD, ELDER, YOUNG, reworded, rules
 
 _BED = (r"(?:(?:an?|one|two|three|four|their|[1-4]) )?"
         r"(?:(?:single|double|twin|bunk|king|queen|king-size|queen-size) )?beds?\b")  # fmt: skip
-_YOUNG = r"(?:twins|kids|children|sons|daughters|boys|girls|son|daughter|boy|girl|child|baby|toddler)"
-_OLD = r"(?:grandparents|(?:grand)?(?:mother|father|ma|pa)|granny|grandma|grandpa|mum|mom|dad|aunt|uncle)"
+_YOUNG = rf"(?:{YOUNG}|{CHILD})"
+_OLD = rf"(?:grandparents|{ELDER})"
 _OWNED = rf"(?:(?:(?:the|our|my|both|two|three) )+(?:{_YOUNG}|{_OLD}|guests?|lodger|parents)|{_OLD})"
 _WHICH = r"(?:the (?:other|second|third|small(?:er|est)?|big(?:ger|gest)?|larger?|largest)|another|one|a|their|our|my)"
 _IN = rf"in {_WHICH}(?: one| (?:bed ?)?room)?"
 _NAMED = r"(?:bed ?rooms?|ones?|others?|first|second|third|big(?:ger|gest)?|larger?|largest|small(?:er|est)?)"
 _SHORT = r"(double|single|king|queen|bunk)s?(?= ?(?:[.,;]|$)| and\b| each\b)"
-_WORDS = {"in": _IN, "bed": _BED, "named": _NAMED, "short": _SHORT}
-_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+_SAID = rules((
     # "in one bedroom, in a bunk bed", "in the other in a double bed"
     (r"\b({in}),? in (?={bed})", r"\1 with "),
     # "the main bedroom has a king, the second a double"
@@ -24,7 +25,7 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "we share the kitchen and the living room"
     (r"(^|[.;,] ?|\band )(?:we|they|both of us|all of us)(?: all| both)? (?:will |can |would )?share "
      r"(?=the (?:kitchen|living|lounge|dining|sitting|bath ?room|hall|balcony))", r"\1"),
-)]  # fmt: skip
+), bed=_BED, named=_NAMED, short=_SHORT, **{"in": _IN})  # fmt: skip
 _TWO = late(rf"\b(?P<who>{_OWNED}|we|us|i|me) in one(?: (?:bed ?)?room| of them)?(?P<with>,? with [^.;,]*)?"
             rf"(?:,|;| and|, and) (?P<others>{_OWNED}|we|us|i|me) in the other(?: one| (?:bed ?)?room)?\b")  # fmt: skip
 _SEVERAL = late(r"\b(?:two|three|four|five|[2-5])[ -]?(?:bed ?rooms|bed\b|br\b)")
@@ -35,9 +36,7 @@ _THEIRS = [late(rf"\b(?:(?:the|our|my) )?({_YOUNG}|{_OLD}|guests?) {_HAVE} (?={_
 
 def bedded(text: str) -> str:
     """A folded text with the beds that people sleep in, in the rooms that they have."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    text = _TWO.sub(_two, text)
+    text = _TWO.sub(_two, reworded(beds_listed(text), _SAID))
     if _SEVERAL.search(text) is None:
         return text
     theirs, ours = _THEIRS

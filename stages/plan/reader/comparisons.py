@@ -5,6 +5,9 @@ from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms
 from apartgen.stages.plan.reader.statements import Statement
 from apartgen.stages.plan.reader.vocabulary import Det, Relation
 
+BARE = ("large", "larger", "big", "bigger", "smaller", "the size")
+"""How comparisons end that have no object."""
+
 
 def compared_again(items: list[Item], before: list[RoomPhrase]) -> list[Item]:
     """`The study is next to the kitchen. It should be larger than the bathroom.`: the study of the sentence before."""
@@ -47,7 +50,7 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         elif item.number == -1 and before:
             clause = _clause(out)
             found.append(Statement(Relation.EQUAL, clause, clause))
-        elif before and after and not (" that " in item.text and len(before) > 1):
+        elif before and after and not (_of_the_last(item) and len(before) > 1):
             if after[0].quantifier == Det.A:
                 after[0].quantifier = Det.THE  # "three times as large as a bedroom" asks for no further one
             again = found[-1:] and found[-1].right == before[-1:] and found[-1].kind == Relation.COMPARE
@@ -65,6 +68,11 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
         elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
             found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
     return out + asides, found
+
+
+def _of_the_last(item: Item) -> bool:
+    """`the lounge half that size`, `the lounge is twice as large`: as the room named before it."""
+    return " that " in f"{item.text} " or item.text.endswith(BARE)
 
 
 def _steps(rooms: RoomPhrase, number: float) -> list[Statement]:

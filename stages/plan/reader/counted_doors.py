@@ -1,24 +1,22 @@
 """How many doors a room is to have: `has only one door`, `no second door`, `needs two doors`, in words of limits."""
 
-from apartgen.stages.plan.reader.patterns import Late
+import re
 
-_ROOM = (r"(?:(?:(?:[a-z]+ )?(?:living|sitting|dining|laundry|utility|storage|guest|main|master|shower|bed|bath) ?)"
-         r"room|kitchen|study|balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)s?")  # fmt: skip
+from apartgen.stages.plan.reader.pieces import ROOM, reworded, rules
+
+_ROOM = rf"(?:(?:[a-z]+ )?{ROOM})"
 _THE = rf"(?:(?:the|my|our|each|every|both) )?(?P<room>{_ROOM})"
 _ALONE = (r"(?:(?:only|just|exactly|precisely) (?:one|1|a)(?: single)? door|"
           r"(?:one|1) single door|a single door|(?:one|1) (?:only )?door (?:only|alone)|(?:one|1) only door|"
           r"only (?:one|1) door)(?: only)?")  # fmt: skip
 _END = r"(?= ?(?:[.,;:!?)]|$)| and (?!one\b|it\b|that\b)| but | so | while )"
-_HAS = r"(?:has|have|gets?|needs?|with|having)"
-_MUST = r"(?:must|should|can|may|shall|is to|are to|has to|have to|needs to|need to)"
 _MANY = r"(?P<n>two|three|four|2|3|4)"
 _TOLD_OFF = r"(?! ?[,:;(-]* ?(?:one|to|into|from|the first|a door|each|that|which|off|on|between)\b)"
 _DIGITS: dict[str, str] = {
            "zwei": "2", "drei": "3", "vier": "4", "deux": "2", "trois": "3", "quatre": "4", "dos": "2", "tres": "3",
            "cuatro": "4", "两": "2", "三": "3", "四": "4"}  # fmt: skip
-_WORDS = {"must": _MUST, "has": _HAS, "alone": _ALONE, "room": _ROOM, "the": _THE, "end": _END, "many": _MANY,
-          "told_off": _TOLD_OFF}  # fmt: skip
-_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+_LEAST = re.compile("least|less|fewer|min")
+_SAID = rules((
     # "the kitchen has only one door, to the living room", "…, which leads to the living room"
     (r"\b(?:{must} )?{has} (?:{alone},?|(?:one|1) door,|(?:one|1) door(?= which| that)) (?:and )?"
      r"(?:(?:which|that|it) (?:leads?|opens?|goes|is|should lead|must lead|should open|must open) )?"
@@ -49,6 +47,10 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
      r"has at least \g<n> doors"),
     (r"\b(?P<room>{room}) (?P<has>has|have|with) (?:exactly |precisely )?{many} doors{told_off}{end}",
      r"\g<room> \g<has> at least \g<n> doors"),
+    # "no more than two rooms may open off the living room"
+    (r"\b(?P<limit>{least}|{most}|only|exactly) (?P<n>{number}) rooms? (?:{must} )?(?:be )?(?:opens?|leads?|have a "
+     r"door|reached|entered|accessible)(?: directly)? (?:off|from|on ?to|in ?to|to) (?P<of>the {kind}){end}",
+     lambda found: f"{found['of']} has at {'least' if _LEAST.search(found['limit']) else 'most'} {found['n']} doors"),
     # "nur eine Tür", "n'a qu'une seule porte", "una sola puerta", "只有一扇门"
     (r"\b(?:nur|bloss|hochstens|maximal|lediglich|genau) eine(?: einzige)? tur\b(?! (?:zu|in|nach|vo))",
      "hochstens 1 turen"),
@@ -61,11 +63,9 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     (r"\bcomo maximo (dos|tres|cuatro) puertas\b", lambda found: f"como maximo {_DIGITS[found[1]]} puertas"),
     (r"(?:只能有|只有|只要|只开|最多有?|仅有?)(?:一|1)(?:扇|个|道)门(?!通|到|开)", " at most one door"),
     (r"最多有?(两|三|四|2|3|4)(?:扇|个|道)门", lambda found: f" at most {_DIGITS.get(found[1], found[1])} doors"),
-)]  # fmt: skip
+), alone=_ALONE, room=_ROOM, the=_THE, end=_END, many=_MANY, told_off=_TOLD_OFF)  # fmt: skip
 
 
 def doors_counted(text: str) -> str:
     """A folded text that says how many doors a room has in words of limits."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

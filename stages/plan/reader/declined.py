@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded
 
 _DO = (r"(?:give|giv|includ|add|plan|put in|put|provid|build|draw|design|bother with|bother about|install|squeeze in|"
        r"fit|"
@@ -103,8 +104,7 @@ def _denied(rooms: str) -> str:
 
 def declined(text: str) -> str:
     """A folded text with such rooms denied, without homes that were only thought of."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
+    text = reworded(text, _SAID)
     for thought in _THOUGHT:
         text = _settled(text, thought.search(text))
     return text

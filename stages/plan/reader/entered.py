@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded
 
 _ES_ROOM = r"(?!dormitorio|bano)[a-z]+(?: de [a-z]+| principal)?"
 _ES_WAY = r"(?:entra|accede|llega|sale|pasa)"
@@ -155,6 +156,4 @@ _SAID = [(late(pattern), words) for pattern, words in (
 
 def entered(text: str) -> str:
     """A folded text with such clauses in the words of doors."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

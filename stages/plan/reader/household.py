@@ -34,8 +34,7 @@ class Household:
         self.banned: set[tuple[str, str]] = set()
         self.open_kitchen = False
         self.closed_kitchen = False
-        self.mentions = mentions
-        self.asked = asked
+        self.mentions, self.asked = mentions, asked
         self.last: list[Entity] = []
         self.group: list[Entity] = []
 
@@ -68,10 +67,11 @@ class Household:
         excluded = [e for p in phrase.excluded for e in self.refs[id(p)]]
         found = [e for e in self._find(phrase) if e not in excluded]
         for entity in self.rooms[before:]:
-            named = phrase.quantifier == Det.BARE and (id(phrase) in self.mentions or phrase.plural)
-            entity.name = phrase.text
-            entity.spoken = phrase.quantifier == Det.BARE and id(phrase) in self.asked and not phrase.plural
-            entity.vague = bool(phrase.ordinals) or phrase.count is None and (phrase.definite or named)
+            bare, uncounted = phrase.quantifier == Det.BARE, phrase.count is None
+            told = id(phrase) in self.asked or bool(phrase.areas and uncounted and not phrase.labels)
+            entity.name, entity.spoken = phrase.text, bare and told and not phrase.plural
+            named = phrase.definite or (bare and (id(phrase) in self.mentions or phrase.plural))
+            entity.vague = bool(phrase.ordinals) or (uncounted and named)
         lay(phrase, found)
         for entity in found if id(phrase) in self.asked else []:
             entity.placed = True

@@ -2,19 +2,13 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import Late
+from apartgen.stages.plan.reader.pieces import MUST, reworded, rules
 
-_KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other|only|family|children's|kids'|parents') )*"
-         r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?rooms?|kitchen|study|balcony|"
-         r"lounge|toilet|office|hall(?:way)?|corridor|pantry))")  # fmt: skip
-_THE = rf"(?:the|my|our|both) {_KIND}"
-_MUST = r"(?:must|should|may|can|shall|does|do|is|are|will)"
+_MUST = rf"(?:{MUST}|does|do|is|are)"
 _BY = (r"(?:share (?:a |any )?walls? with|touch|adjoin|border|(?:be )?(?:next|adjacent|close|opposite)(?: to)?|"
        r"(?:be )?near|(?:open|lead|give) (?:on|off|into|onto|to)|have a door to|face)")  # fmt: skip
-_END = r"(?= ?(?:[.,;!]|$))"
 _WHOSE = r"(?:my|our|the) [a-z]+(?:'s|s')(?: (?:bed ?)?room)?"
-_WORDS = {"whose": _WHOSE, "must": _MUST, "by": _BY, "the": _THE, "end": _END, "kind": _KIND}
-_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+_SAID = rules((
     # "must not share a wall with the living room, and neither must the study with the kitchen"
     (r"\b(?P<must>{must}) not (?P<by>{by}) (?P<to>{the}),? ?(?:and |but )?(?:neither|nor) {must} (?P<of>{the}),? "
      r"(?:with|to|next to|near|on|into|be next to|touch) (?P<other>{the}){end}",
@@ -42,18 +36,16 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     # "2BR/2BA, one bath en suite, the other off the hall"
     (r"\bone bath(?: ?room)?,? (?:(?:is|being|as) )?(?:an? )?en[- ]?suite\b(?! to| of| with)", "one en suite bathroom"),
     # "swap the study for a second bathroom"
-    (r"(?:,? (?:and|but))?\b(?:please )?(?:swap|exchange|trade) (?:out )?(?:the|my|our) ({kind}) "
-     r"(?:for|with|against) (?=(?:an?|one|two|another) )", r". forget the \1. "),
+    (r"(?:,? (?:and|but))?\b(?:please )?(?:swap|exchange|trade|replace|substitute) (?:out )?(?:the|my|our) ({kind}) "
+     r"(?:for|with|against|by) (?=(?:an?|one|two|another) )", r". forget the \1. "),
     # "其中一个卫生间在主卧里", "爷爷奶奶的卧室朝南"
     (r"其中一(?:个|间)(?:卫生间|卧室|浴室|厕所)(?=在|朝|带|是|要)", "其中一个"),
-)]  # fmt: skip
+), whose=_WHOSE, must=_MUST, by=_BY)  # fmt: skip
 
 
 def likewise(text: str) -> str:
     """A folded text that says such things of each room in full."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)
 
 
 def _theirs(found: re.Match[str]) -> str:

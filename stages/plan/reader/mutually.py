@@ -3,11 +3,9 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import KIND, reworded
 from apartgen.stages.plan.reader.vocabulary import EACH_OTHER
 
-_ROOM = (r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|main|master|bed|bath|shower) ?(?:bed)?room|"
-         r"kitchen|"
-         r"study|balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry|closet|terrace)")  # fmt: skip
 _KIND = (r"(?:also |additionally |always )?(?:an?|one|the) (?:(?:connecting|communicating|interconnecting|internal|"
          r"interior|inner|inside|private|direct|"
          r"sliding|shared|common|single|small|wide|normal|lockable|second|further|extra) )*")  # fmt: skip
@@ -24,13 +22,13 @@ _ZU_ZWEIT = (r"(?:zwischen (?:ihnen|den beiden|beiden|den zweien)|dazwischen|unt
 _TUR = r"(?:eine[rn]? )?(?:(?:direkten? |eigenen? |inneren? )?tur|verbindungstur|durchgangstur|zwischentur)"
 _PORTE = r"(?:une )?porte(?: de communication| interieure| communicante)?"
 _PUERTA = r"(?:una )?puerta(?: de comunicacion| interior| de paso)?"
-_WAY = rf"(?:from|between) (?:the )?{_ROOM} (?:back |on |through )?(?:to|into|onto|and) (?:the )?{_ROOM}"
+_WAY = rf"(?:from|between) (?:the )?{KIND} (?:back |on |through )?(?:to|into|onto|and) (?:the )?{KIND}"
 _ON = (r"(?:[,;:.]|,? and)? ?(?:then )?(?:with |there is )?(?:an?|one|another|a second|a third|the other|the third)"
        rf"(?: one)?(?: doors?)? {_WAY}")  # fmt: skip
 _CHAIN = late(rf"(?:,? (?:with|and) |\bdoors ?: ?|\bthere (?:is|are) |: ?)?(?:an? |one )door {_WAY}(?:{_ON})+|"
               rf"\bdoors ?: ?(?:an? |one ){_WAY}(?:{_ON})+")  # fmt: skip
-_EACH_DOOR = re.compile(rf"(?:from|between) (?:the )?({_ROOM}) (?:back |on |through )?(?:to|into|onto|and) (?:the )?"
-                        rf"({_ROOM})")  # fmt: skip
+_EACH_DOOR = re.compile(rf"(?:from|between) (?:the )?({KIND}) (?:back |on |through )?(?:to|into|onto|and) (?:the )?"
+                        rf"({KIND})")  # fmt: skip
 _PLURAL = re.compile(r"\b(?:[a-z]*rooms|studies|offices|ones|both|they)\b[^.;]*$")
 
 
@@ -45,10 +43,10 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(no|without|without an?|without any) doors? between (?:the two|both)(?: of them| rooms)?(?= ?(?:[.,;)]|$))",
      "no door between them"),
     # "a living room and, open to it, a kitchen"
-    (rf"\b({_ROOM})((?:{_SIZE})?,?) (?:and|with|plus), (open to|off|directly off) it, (an? {_ROOM}(?:{_SIZE})?)",
+    (rf"\b({KIND})((?:{_SIZE})?,?) (?:and|with|plus), (open to|off|directly off) it, (an? {KIND}(?:{_SIZE})?)",
      r"\1\2 and \4 \3 the \1"),
     # "a dining room, open to the lounge but with a door to the kitchen"
-    (rf"\b({_ROOM})(?:(?: of|,) (\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m|sq ?ft|ft2)))?, open to (?=(?:the|it|our|a)\b)",
+    (rf"\b({KIND})(?:(?: of|,) (\d+(?:[.,]\d+)? ?(?:m2|sqm|sq m|sq ?ft|ft2)))?, open to (?=(?:the|it|our|a)\b)",
      lambda found: f"{found[1]}{f' of {found[2]}' if found[2] else ''} open to "),
     # "the two bedrooms have a door between them", "two bedrooms with a connecting door"
     (rf"\b(?:they|both) (?:also |both )?(?:has|have|share|shares) {_DOOR}", f"they are {EACH_OTHER}"),
@@ -99,9 +97,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
 def mutually(text: str) -> str:
     """A folded text in which such rooms are connected to each other, and each such door stands in its own sentence."""
     text = _CHAIN.sub(_apart, text)
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)
 
 
 def _apart(found: re.Match[str]) -> str:

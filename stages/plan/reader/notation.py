@@ -15,6 +15,13 @@ _TYPED_TO = re.compile(
     r'\(\s*"?(?:type|room|kind|name)"?\s*:\s*"?([a-z ]+?)"?\s*[,.]\s*"?(open|next|adjacent|connected) '
     r'to"?\s*:\s*"?([a-z ]+?)"?\s*\)'
 )
+_ITEM = re.compile(
+    r'"?\b(?:type|room|kind|name)"?: ?"?([a-z ]+?)s?"?[\s,.]+"?(?:count|number|qty)"?: ?(\d)'
+    r'(?:[\s,.]+"?(?:area|size)(?: m2| sqm)?"?: ?"?(\d+(?:\.\d+)?))?'
+)
+"""An item of a list in YAML: what room, how many, and of which area each."""
+_EXCLUDED = re.compile(r"\b(?:forbidden|excluded?|avoid|unwanted|banned|not wanted)\s*:"
+                       r"((?:\s*[a-z][a-z -]*(?:, ?[a-z][a-z -]*)+(?=\s*(?:[.;\n]|$)))?)")  # fmt: skip
 _DOTTED = re.compile(r"(?<=[a-z])\.(?=[a-z][a-z ]*\s*:)")
 _OPEN_KEY = re.compile(r"\b(kitchen|living room|dining room) open\s*:\s*(?:true|yes|1)\b")
 _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
@@ -31,8 +38,9 @@ _SIZED = re.compile(r"\b((?:bed|bath)room) (\d) ?\((\d+(?:\.\d+)?)\)")
 _ADDED = re.compile(r"\b(bed|bedroom|br|bath|bathroom)s? (\d+(?:\.\d+)?) ?\+ ?(\d+(?:\.\d+)?)")
 _VALUE = re.compile(r"(?<=[a-z])\"?: ?\"?(?=(?:open to|off|next to|near|opposite|with|at(?! (?:most|least))|on|in|"
     r"beside|adjacent to)\b)")
+_FACES = re.compile(r"^(?:facing|orientation|aspect|face)$")
 _RELATED = re.compile(
-    r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from)"?\s*:\s*'
+    r'"?\b((?:open|next|adjacent|connected) to|opposite|near|accessed from|facing|orientation|faces?|aspect)"?\s*:\s*'
     r'"?([a-z][a-z \d]*)"?\s*(?:[.,;]\s*|$)'
 )
 _OBJECT = re.compile(r'"?([a-z][a-z ]*?(?: \d)?)"?\s*:\s*[({]([^(){}]*)[)}]')
@@ -92,7 +100,8 @@ def worded(text: str) -> str:
     text = numbered(text)
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
     text = re.sub(r'\b(kitchen)"?\s*:\s*\(\s*"?open"?\s*:\s*"?(?:true|yes)"?\s*\)', r"open \1", text)
-    text = re.sub(r"\b(?:forbidden|excluded?|avoid|unwanted|banned|not wanted)\s*:", "no", text)
+    text = _EXCLUDED.sub(lambda found: "no" + ", no".join(re.split(r",(?: and| or)?|\b(?:and|or)\b", found[1])), text)
+    text = _ITEM.sub(lambda found: f"{found[2]} {found[1]}s{f' of {found[3]} m2 each' if found[3] else ''}", text)
     text = _TYPED.sub(r"\2 \1s, ", text)
     text = _TYPED_TO.sub(r"\1 \2 to \3, ", text)
     text = _OPEN_KEY.sub(r"open \1", _DOTTED.sub(" ", text))
@@ -126,7 +135,7 @@ def worded(text: str) -> str:
 def _with_relations(found: re.Match[str]) -> str:
     """`kitchen: {area: 12, open to: living room}` with its relations behind, each with the room it is said of."""
     room, said = found.groups()
-    relations = [f"{room} {words} {other}" for words, other in _RELATED.findall(said)]
+    relations = [f"{room} {_FACES.sub('faces', words)} {other}" for words, other in _RELATED.findall(said)]
     rest = _RELATED.sub("", said).strip(" .,;")
     kept = [f"{room}: ({rest})"] if rest else []
     return ". ".join([*kept, *relations]) if relations else found.group()

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import about
+from apartgen.stages.plan.reader.advertised import advertised
 from apartgen.stages.plan.reader.again import once_more
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
@@ -61,7 +62,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = inverted(itemized(fold(prompt)))
+    told = inverted(advertised(itemized(fold(prompt))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)

@@ -5,35 +5,32 @@ import re
 from apartgen.stages.plan.reader.declined import declined
 from apartgen.stages.plan.reader.mutually import mutually
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import KIND, YOUNG, reworded, rules
 from apartgen.stages.plan.reader.referred import referred
 from apartgen.stages.plan.reader.renounced import renounced
 from apartgen.stages.plan.reader.respectively import respectively
 from apartgen.stages.plan.reader.tasks import as_listed, without_tasks
 from apartgen.stages.plan.reader.thereabouts import thereabouts
 
-_ROOM = (
-    r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|main|master|bed|bath) ?(?:bed)?room|kitchen|study|"
-    r"balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)"
-)
-_BOTH = rf"between (?:the )?{_ROOM} and (?:the )?{_ROOM}\b"
-_SAID = [(late(pattern), words) for pattern, words in (
+_BOTH = rf"between (?:the )?{KIND} and (?:the )?{KIND}\b"
+_SAID = rules((
     # "the living room, which has the balcony too, must have three doors"
-    (rf"(?<![a-z] )\b((?:the|my|our) {_ROOM}), (?:which|that) ((?:also )?"
+    (r"(?<![a-z] )\b((?:the|my|our) {kind}), (?:which|that) ((?:also )?"
      r"(?:has|is|leads|opens|faces|lies|connects|gets|needs|must|should)\b[^.;:]*?), "
      r"(?=(?:must|should|shall|has|is|needs|gets|faces|measures|opens|leads|lies|can|may|will)\b)", r"\1 \2. \1 "),
     # "all open off the hallway, and there is also a door between the kitchen and the living room"
     (r"(?:,? (?:and|but|plus)(?: there(?: is|'s| should be| must be)| with)?|, with) (?:also |additionally )?"
-     rf"(?:an?|another|one) (?:second |further |more |direct |additional |connecting )?door "
-     rf"(?:also |as well )?(?={_BOTH})",
+     r"(?:an?|another|one) (?:second |further |more |direct |additional |connecting )?door "
+     r"(?:also |as well )?(?={both})",
      ". there is a door "),
     # "a bedroom has no door to the hall, only one to the bathroom"
-    (rf"\b((?:the|my|our) {_ROOM}) (?:has|should have|must have) no doors? to (?:the )?({_ROOM}),? "
-     rf"(?:only|just|but|but only) (?:one|a door|one door) to (?:the )?({_ROOM})\b",
+    (r"\b((?:the|my|our) {kind}) (?:has|should have|must have) no doors? to (?:the )?({kind}),? "
+     r"(?:only|just|but|but only) (?:one|a door|one door) to (?:the )?({kind})\b",
      r"\1 has no door to the \2. \1 has a door to the \3"),
     # "starts in the study, which has no door to the hall"
-    (rf"(?<= in )(the {_ROOM}), (?:which|that) has (no doors?|a door) to ", r"\1. \1 has \2 to "),
+    (r"(?<= in )(the {kind}), (?:which|that) has (no doors?|a door) to ", r"\1. \1 has \2 to "),
     # "a door to the living room but none to the hallway"
-    (rf"(\bdoors? (?:to|into) (?:the |an? )?{_ROOM}),? (?:but|and) (?:none|no door|no doors|not one|no other) "
+    (r"(\bdoors? (?:to|into) (?:the |an? )?{kind}),? (?:but|and) (?:none|no door|no doors|not one|no other) "
      r"(?:to|into|towards) ", r"\1 but not to "),
     # "un balcón en el salón y, en la cocina, dos frigoríficos"
     (r",? y,? en (la|el) (\w+), (?=una? |dos |tres |cuatro |\d )", r". \1 \2 tiene "),
@@ -46,13 +43,13 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(is|are) for (?:everybody|everyone|all(?: of us)?|the whole family),? and (?:its|the|their) doors? (?:is|are) "
      r"(?=in|on|off|to)", r"\1 "),
     # "the living room is on the south side of the house"
-    (rf"(\b{_ROOM}\b[^.;:]* )on the (north|south|east|west)(?:ern)? (?:side|edge) of (?:the|our|my|this) (?:house|home|"
+    (r"(\b{kind}\b[^.;:]* )on the (north|south|east|west)(?:ern)? (?:side|edge) of (?:the|our|my|this) (?:house|home|"
      r"flat|apartment|plan|unit)\b", r"\1at the \2 end of the flat"),
     # "a studio with the kitchen in a separate room"
     (r"\b(?:the |an? )?kitchen (?:is |should be |must be )?(?:in|as) (?:an?|its own|another) (?:separate |own )?room\b",
      "a separate kitchen"),
-)]  # fmt: skip
-_YOUNG = r"(?:(?:our|my|the) )?(?:two |three )?(?:twins|kids|children|sons|daughters|boys|girls)"
+), both=_BOTH)  # fmt: skip
+_YOUNG = rf"(?:(?:our|my|the) )?(?:two |three )?{YOUNG}"
 _IN = r"(?:will |should |can )?(?:share|sleep in|sleep together in|have|get|are in|sleeps? in)"
 _TWO_SLEEP = [late(pattern) for pattern in (
     rf"\b{_YOUNG} {_IN} one (?:bed)?room,? (?:and|while|but)? ?(?:we|my (?:wife|husband|partner) and (?:i|me)) "
@@ -83,6 +80,4 @@ def _two_sleep(text: str) -> str:
 def parted(text: str) -> str:
     """A folded text with such clauses behind one another."""
     text = mutually(declined(respectively(thereabouts(as_listed(without_tasks(referred(renounced(text))))))))
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return _two_sleep(text)
+    return _two_sleep(reworded(text, _SAID))

@@ -18,6 +18,7 @@ from apartgen.stages.plan.reader.possessions import (
     possessed,
     sized,
 )
+from apartgen.stages.plan.reader.spoken_of import as_first_told, of_the_last
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
@@ -30,7 +31,7 @@ def housed(text: str) -> tuple[People | None, str]:
 
     Where some have rooms, others beside them have some, too; where nobody has, they are told as a household.
     """
-    text = LIVING.sub("", aged(apiece(text)))
+    text = LIVING.sub("", aged(apiece(as_first_told(text))))
     if not any(stem in text for stem in data()["stems"]):
         return None, text
     text = we_keep(text)
@@ -48,7 +49,7 @@ def housed(text: str) -> tuple[People | None, str]:
     if claimed:
         if beside and "parents' bedroom" not in claims and not COUNTED.search(claims):
             claims = f"{claims.rstrip(' .!')}. a parents' bedroom."  # "the baby sleeps with us, …"
-        text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", equipped(claims)))
+        text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", of_the_last(equipped(claims))))
         return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
     whole = text
     people, text = _household(text)

@@ -4,14 +4,12 @@ import re
 
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded, rules
 
-_ROOM = r"(?:living room|sitting room|bed ?room|bath ?room|kitchen|study|balcony|dining room|lounge|toilet|office)"
 _PIECE = (r"(?:armchair|sofa|couch|desk|table|wardrobe|shelf|shelves|bookshel(?:f|ves)|bookcase|chair|lamp|tv|"
           r"television|dresser|nightstand|chest|rug|stool)s?\b")  # fmt: skip
 _COUNT = r"(?:an?|one|two|three|four|no|\d)"
-_NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
 _SEATS = r"(?:two|three|four|five|six|seven|eight|nine|ten|twelve)"
-_HALL = r"(?:entrance |night |inner |bedroom |second |long )*(?:hall|hallway|corridor|lobby|vestibule|passage)"
 _GETS = r"(?:gets?|has|have|takes?|wants?|needs?|sleeps? in)"
 _WHO = r"(?:i|he|she|we|they|(?:my|our|the|his|her) [a-z]+|(?:grand)?(?:mother|father|ma|pa)|mum|mom|dad|granny)"
 _THEIRS = r"(?:his|hers|mine|theirs|ours)"
@@ -70,20 +68,24 @@ _ALONE = (r"(?! ?(?:m2|sqm|(?!bed|bath)[a-z]*rooms?\b))(?: (?:bed ?|bath ?)rooms
           r"(?P<more>,? with(?= ))?")  # fmt: skip
 _APART = (r"(?P<where>,? (?:as |right |directly |just )?(?:far away|far|away|next to|beside|near)(?: away)?"
           rf"(?: from| to)? {_THEIRS}(?: as possible)?)?")  # fmt: skip
-_SAID = [(late(pattern), words) for pattern, words in (
+_SAID = rules((
     # "put one bed and two armchairs in the main room": no bedroom
-    (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1) bed"
-     rf"(?=(?: (?:against|by|near|under|along) the [a-z]+)?(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})",
+    (r"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(one|1) bed"
+     r"(?=(?: (?:against|by|near|under|along) the [a-z]+)?(?:,| and|, and) (?:{count} )?(?:[a-z]+ )?{piece})",
      r"\1 double bed"),
-    (rf"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(two|three|[2-4]) beds"
-     rf"(?=(?:,| and|, and) (?:{_COUNT} )?(?:[a-z]+ )?{_PIECE})", r"\1 double beds"),
-    (rf"({_PIECE}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
+    (r"(?<!flat with )(?<!home with )(?<!house with )(?<!apartment with )\b(two|three|[2-4]) beds"
+     r"(?=(?:,| and|, and) (?:{count} )?(?:[a-z]+ )?{piece})", r"\1 double beds"),
+    (r"({piece}(?:,| and|, and) (?:one|1)) bed\b(?! ?room)(?=[,.;]| in | and )", r"\1 double bed"),
     (r"\b(one|1) bed (?=in (?:the|each|every|my|our|a) (?!flat|house|home|apartment))", r"\1 double bed "),
+    (r"\b(?:one|1|a single) (?=floor (?:lamp|light|mirror)\b)", "a "),
+    (r"\b(no|without an?|without any) beds?(?= ?(?:[.,;)]|$)| in | and | or )", r"\1 double bed"),
+    (r"\blaundry in the (bath ?room|kitchen|hall(?:way)?) ?:", r"in the \1"),
+    (r"\blaundry (?:goes |stands |is |should be )?in the (?=bath ?room\b|kitchen\b)", "a washing machine in the "),
     # "a dining table for six", "Esstisch für sechs Personen"
     (r"(?P<table>\b(?:[a-z]*table|[a-z]*tisch|table(?: a manger)?|mesa(?: de comedor)?)),? "
      r"(?:(?:(?:(?:(?:that|which|it) )?(?:seats|fits)|seating|for|(?:big|large) enough for|"
      r"with (?:seats?|space|room) for) "
-     rf"(?P<n>{_SEATS}|\d\d?)|fur (?P<zahl>zwei|drei|vier|funf|sechs|acht|zehn|\d\d?)|"
+     r"(?P<n>{seats}|\d\d?)|fur (?P<zahl>zwei|drei|vier|funf|sechs|acht|zehn|\d\d?)|"
      r"pour (?P<nombre>deux|trois|quatre|cinq|six|huit|dix|\d\d?)|"
      r"para (?P<cuantos>dos|tres|cuatro|cinco|seis|ocho|diez|\d\d?))"
      r"(?: people| persons| guests| of us| diners| personen| personnes| personas)?)"
@@ -92,16 +94,16 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(opens?|leads?|opening|leading) (?:straight|directly|right|immediately) (?=(?:in|on)?to\b)", r"\1 "),
     (r"\bno de (?=al? )", "no da "),
     # "the bedroom areas are 9, 11 and 14 m²", "the sizes of the bedrooms should be …", "their areas are …"
-    (rf"\b(?:the )?({_ROOM}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of)? (?=\d)", _plural),
-    (rf"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of (?:the )?({_ROOM}s)(?: are| should be| must be|:) (?=\d)",
+    (r"\b(?:the )?({room}) (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:| of)? (?=\d)", _plural),
+    (r"\b(?:the )?(?:floor )?(?:areas|sizes|surfaces) of (?:the )?({room}s)(?: are| should be| must be|:) (?=\d)",
      _plural),
     (r"\btheir (?:floor )?(?:areas|sizes|surfaces)(?: are| should be| must be|:) (?=\d)", _of_last),
     (r"\b(?:die )?(?:flachen|grossen) der schlafzimmer (?:sind|betragen) (?=\d)", "the bedrooms of "),
     # "a night corridor, reached from the entrance hall, serving three bedrooms"
-    (rf"\b({_HALL}),? \(?(?:which is )?(?:reached from|entered from|accessible from|accessed from|off) "
-     rf"((?:the|an) {_HALL})\)?,? (?:and )?(?:serving|serves|which serves|that serves) ([^.;]+)",
+    (r"\b({hall}),? \(?(?:which is )?(?:reached from|entered from|accessible from|accessed from|off) "
+     r"((?:the|an) {hall})\)?,? (?:and )?(?:serving|serves|which serves|that serves) ([^.;]+)",
      r"\1 serving \3; the \1 is reached from \2"),
-    (rf"\b((?:an? |the )?)({_HALL}) serving ([^.;,]+?) is (reached|entered|accessible) from (the {_HALL}[^.;]*)",
+    (r"\b((?:an? |the )?)({hall}) serving ([^.;,]+?) is (reached|entered|accessible) from (the {hall}[^.;]*)",
      r"\1\2 is \4 from \5. the \2 serves \3"),
     (r"\b(?:one|two|three|separate) circulation (?:zones?|areas?|spaces?) ?[:,]", ""),
     (r"\bno doors?,? (?:but|just|only|but only) (?=an? (?:[a-z]+ )?(?:opening|archway)\b)", ""),
@@ -115,43 +117,43 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\bbetween ((?:the )?[a-z ]{3,14}?) and ((?:the )?[a-z ]{3,14}?) an? (?:(?:wide|large|broad|big) )?"
      r"(?:opening|archway)\b", r"\1 and \2 open to each other"),
     # "two armchairs in the sitting room and no television in there"
-    (rf"\b(in the {_ROOM})([^.;]*?) in there\b", r"\1\2 \1"),
+    (r"\b(in the {room})([^.;]*?) in there\b", r"\1\2 \1"),
     # "each bedroom should have its own bathroom" of two who each want their own
-    (rf"\b(my [a-z]+) and i,? (?:each|both) {_GETS} (?:our own (?:bed ?)?rooms?|an? (?:bed ?)?room "
+    (r"\b(my [a-z]+) and i,? (?:each|both) {gets} (?:our own (?:bed ?)?rooms?|an? (?:bed ?)?room "
      r"of our own)\b", "two bedrooms"),
-    (rf"\b(?:my [a-z]+) and i,? (?:each|both) {_GETS} an? (?:bed ?)?room (?=with (?:its|our|their|his|her|an?) )",
+    (r"\b(?:my [a-z]+) and i,? (?:each|both) {gets} an? (?:bed ?)?room (?=with (?:its|our|their|his|her|an?) )",
      "two bedrooms each "),
-    (rf"\b(?:each|both) of us two {_GETS} (?:our|his|her|their|an?) own (?:bed ?)?rooms?\b", "two bedrooms"),
-    (rf"\b(each|every) ({_ROOM}) (?=(?:its|his|her|their) own\b)", r"\1 \2 has "),
+    (r"\b(?:each|both) of us two {gets} (?:our|his|her|their|an?) own (?:bed ?)?rooms?\b", "two bedrooms"),
+    (r"\b(each|every) ({room}) (?=(?:its|his|her|their) own\b)", r"\1 \2 has "),
     (r"\b(two bedrooms),? (?:each )?with (?:its|their|our) own (bath ?room|balcony)(?: each)?\b",
      r"\1 each with its own \2"),
     # "he gets one bedroom and I get another, far away from his"
-    (rf"\b{_WHO} {_GETS} (?:one|an?|his|her) (?:bed ?)?room(?: and|,|;| while|, and) {_WHO} {_GETS} "
-     rf"(?:mine|another|the other|a second)(?: one)?\b{_APART}", _two_rooms),
+    (r"\b{who} {gets} (?:one|an?|his|her) (?:bed ?)?room(?: and|,|;| while|, and) {who} {gets} "
+     r"(?:mine|another|the other|a second)(?: one)?\b{apart}", _two_rooms),
     (r"\bone bed ?room for (?:him|her|me|my [a-z]+),? (?:and )?one for (?:him|her|me|my [a-z]+),? and (?:they|these) "
      r"(?:must|should|are to) be (?P<where>far)(?: away)? from (?:one another|each other)\b", _two_rooms),
-    (rf"\b(?:one|a) bed ?room for (?:him|her|me|my [a-z]+)(?: and|,) (?:another|one)(?: one)? for "
-     rf"(?:him|her|me|my [a-z]+)\b{_APART}", _two_rooms),
-    (rf"\bmy (?:own )?bed ?room (?:to be |is |must be |should be )?(?P<where>(?:far away|far|away|next to) (?:from )?"
-     rf"{_THEIRS})\b", _two_rooms),
+    (r"\b(?:one|a) bed ?room for (?:him|her|me|my [a-z]+)(?: and|,) (?:another|one)(?: one)? for "
+     r"(?:him|her|me|my [a-z]+)\b{apart}", _two_rooms),
+    (r"\bmy (?:own )?bed ?room (?:to be |is |must be |should be )?(?P<where>(?:far away|far|away|next to) (?:from )?"
+     r"{theirs})\b", _two_rooms),
     # "three bedrooms are too many for me now. I want just one"
-    (rf"(?:\b(?:our|my|the|i had|we had) )?\b{_NUMBER} (?P<room>{_COUNTED})(?:,? which)? {_TOO}[^.,;:]*[.,;:-]+ ?"
-     rf"{_FILL}(?P<new>{_NUMBER})\b{_ALONE}", _fewer),
-    (rf"\b(?:(?:i|we) )?(?:do not|don't|no longer) (?:need|want) {_NUMBER} (?P<room>{_COUNTED})(?: any ?more| any "
-     rf"longer| now)?[.,;:]+ ?{_FILL}(?P<new>{_NUMBER})\b{_ALONE}", _fewer),
-    (rf"\binstead of {_NUMBER} (?P<room>{_COUNTED}),? {_FILL}(?P<new>{_NUMBER})\b{_ALONE}", _fewer),
+    (r"(?:\b(?:our|my|the|i had|we had) )?\b{number} (?P<room>{counted})(?:,? which)? {too}[^.,;:]*[.,;:-]+ ?"
+     r"{fill}(?P<new>{number})\b{alone}", _fewer),
+    (r"\b(?:(?:i|we) )?(?:do not|don't|no longer) (?:need|want) {number} (?P<room>{counted})(?: any ?more| any "
+     r"longer| now)?[.,;:]+ ?{fill}(?P<new>{number})\b{alone}", _fewer),
+    (r"\binstead of {number} (?P<room>{counted}),? {fill}(?P<new>{number})\b{alone}", _fewer),
     # "all three have the door to the corridor"
     (r"\bthe (two|three|four|five) of them (?=(?:have|are|open|must|should|lead|need)\b)", _all_listed),
     (r"\bevery of them\b", "each of them"),
     (r"\ball (two|three|four|five|six)(?: rooms| of them)? (?=(?:have|has|are|open|must|should|lead|need)\b)",
      _all_listed),
     # "In the every bedroom must be one wardrobe", "in every of the bedrooms"
-    (rf"(^|[.;,:] ?)in (?:the )?(?:every|each|both|all)(?: of)?(?: the)? ({_ROOM}|room)s? (?:there )?"
+    (r"(^|[.;,:] ?)in (?:the )?(?:every|each|both|all)(?: of)?(?: the)? ({room}|room)s? (?:there )?"
      r"(?:must |should |has to |have to |needs to |will |shall )?(?:there )?(?:be|stand|stands|is|are) ",
      r"\1each \2 has "),
-    (rf"\bin (?:all|both|each|every) of(?: the)? ({_ROOM})s\b", r"in every \1"),
-    (rf"\b(?:the )(every|each) (?={_ROOM}|room)", r"\1 "),
-    (rf"\b(every|each)(?: of)?(?: the)? ({_ROOM})s (?=has|have|must|should|needs?)", r"\1 \2 "),
+    (r"\bin (?:all|both|each|every) of(?: the)? ({room})s\b", r"in every \1"),
+    (r"\b(?:the )(every|each) (?={room}|room)", r"\1 "),
+    (r"\b(every|each)(?: of)?(?: the)? ({room})s (?=has|have|must|should|needs?)", r"\1 \2 "),
     (r"\bmust be (?=(?:an?|one|two|three) [a-z]+ in (?:the |each |every ))", "there is "),
     (r"(^|[.;,] ?)(?:in|on)?to (the [a-z ]{3,14}?) (?:we|you|one|i) (?:go|goes|come|comes|get|gets) (only )?"
      r"(from|through|via) ", r"\1\2 is reached \3from "),
@@ -167,24 +169,25 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\bune bibliotheque (?=dans (?:la|le|chaque) )", "une bibliotheque murale "),
     (r"(\bestudio\b[^.]*?)\bla habitacion principal\b", r"\1el salon"),
     (r"\ben cada (dormitorio|habitacion|bano) (?=una? |dos )", r"cada \1 con "),
-)]  # fmt: skip
+), gets=_GETS, piece=_PIECE, count=_COUNT, seats=_SEATS, who=_WHO, theirs=_THEIRS, apart=_APART,
+    counted=_COUNTED, too=_TOO, fill=_FILL, alone=_ALONE)  # fmt: skip
 
-_ACROSS = [(late(pattern), words) for pattern, words in (
+_ACROSS = rules((
     # "opposite the bedroom, on the other side of the corridor"
-    (rf"\b(opposite(?: to)?|across from|facing) (the [a-z ]{{3,14}}?),? (?:and )?"
-     rf"(?:(?:on|at) (?:the )?(?:other|opposite|far) side of|across) the {_HALL}\b", r"opposite \2"),
-    (rf"\b(?:on|at) (?:the )?(?:other|opposite|far) side of the {_HALL},? (?=opposite|across from)", ""),
-    (rf"\bacross the {_HALL} from ", "opposite "),
-    (rf"(^|[.;] ?)(?:directly )?(?:opposite|across from) (the {_ROOM}),? (?:is|lies) ((?:the|an?) {_ROOM})"
+    (r"\b(opposite(?: to)?|across from|facing) (the [a-z ]{3,14}?),? (?:and )?"
+     r"(?:(?:on|at) (?:the )?(?:other|opposite|far) side of|across) the {hall}\b", r"opposite \2"),
+    (r"\b(?:on|at) (?:the )?(?:other|opposite|far) side of the {hall},? (?=opposite|across from)", ""),
+    (r"\bacross the {hall} from ", "opposite "),
+    (r"(^|[.;] ?)(?:directly )?(?:opposite|across from) (the {room}),? (?:is|lies) ((?:the|an?) {room})"
      r"(?= ?[.,;]|$)", r"\1\3 is opposite \2"),
-    (rf"\bthe ({_ROOM})(?: door| entrance)? and the ({_ROOM})(?: door| entrance)? (?:face|are facing|are opposite) "
-     rf"(?:each other|one another)(?:,? across the {_HALL})?", r"the \1 and the \2 are opposite each other"),
+    (r"\bthe ({room})(?: door| entrance)? and the ({room})(?: door| entrance)? (?:face|are facing|are opposite) "
+     r"(?:each other|one another)(?:,? across the {hall})?", r"the \1 and the \2 are opposite each other"),
     (r"(\bgegenuber\b[^.;]*?),? auf der (?:anderen|gegenuberliegenden) seite (?:des|vom|der) (?:flure?s?|gang(?:e?s)?|"
      r"korridors|diele)\b", r"\1"),
     (r"(\ben face\b[^.;]*?),? de l'autre cote du couloir\b", r"\1"),
     (r"(\b(?:en)?frente (?:al?|del?)\b[^.;]*?),? al otro lado del pasillo\b", r"\1"),
-    (rf"\bfaces (the [a-z ]{{3,14}}?) across the {_HALL}\b", r"is opposite \1"),
-)]  # fmt: skip
+    (r"\bfaces (the [a-z ]{3,14}?) across the {hall}\b", r"is opposite \1"),
+))  # fmt: skip
 
 
 _TWO_BEDROOMS = late(r"\b(?:two|2)[- ]bed ?rooms?\b")
@@ -212,9 +215,7 @@ def _of_rivals(text: str) -> str:
 
 def plainly(text: str) -> str:
     """A folded text with such clauses in the words of rooms, areas and furniture."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return _across(_of_rivals(text))
+    return _across(_of_rivals(reworded(text, _SAID)))
 
 
 def _across(text: str) -> str:

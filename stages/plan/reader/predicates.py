@@ -93,7 +93,8 @@ def _opens_to(items: list[Item], k: int) -> tuple[Relation, str] | None:
         return Relation.OPEN, "part"  # "a kitchen and a dining room, the latter open to the living room"
     if single and alone:
         return Relation.OPEN, "part"
-    if k > 1 and items[k - 1].kind == "copula" and items[k - 2].value in OPEN_TYPES:
+    it = k > 0 and items[k - 1].kind == "copula" and (k == 1 or items[k - 2].kind == "pronoun")
+    if it or (k > 1 and items[k - 1].kind == "copula" and items[k - 2].value in OPEN_TYPES):
         return Relation.OPEN, items[k - 1].value or "s"  # "the kitchen should be open to it"
     return None
 

@@ -54,7 +54,8 @@ def read(prompt: str, rng: Generator | None = None) -> Program:
     said = bounded(prompt)
     if said.corrected:
         log.warning("read in the prompt: %s", ", ".join(f'"{a}" as "{b}"' for a, b in dict.fromkeys(said.corrected)))
-    home = Household(mentions(said.statements), {id(p) for wish in said.asked for p in wish.of})
+    beside = {id(p) for wish in said.asked if not isinstance(wish.to, str) for p in wish.to}
+    home = Household(mentions(said.statements) | beside, {id(p) for wish in said.asked for p in wish.of})
     for phrase in _introduced_first(said.rooms):
         home.resolve(phrase)
     silent = replace(said.about, lived=False) == About()

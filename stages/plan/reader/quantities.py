@@ -16,6 +16,12 @@ SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 
 LENGTHS = ("m", "meter", "meters", "metre", "metres", "metros", "metro")
 BETWEEN = ("between", "entre", "zwischen")
+OF_THAT = (["of", "that"], ["of", "it"])
+COMPARATIVES = ("larger", "bigger", "smaller")
+MORE_OR_LESS = (1.3, 0.75)
+"""What `larger than` and `smaller than` are read as, where nobody says by how much."""
+SAID = 1e-6
+"""What tells such a ratio that is said from one that is not."""
 
 
 def quantities(words: list[Lexeme]) -> list[Lexeme]:
@@ -26,7 +32,7 @@ def quantities(words: list[Lexeme]) -> list[Lexeme]:
 
 def _quantities(words: list[Lexeme]) -> list[Lexeme]:
     words = extents(nowhere_less(dimensions(words)))
-    words = limits_denied(_one_of(_areas(_by_percent(_shares(words)))))
+    words = limits_denied(_one_of(_areas(_than_that(_by_percent(_shares(words))))))
     return listing(sized_anew(bare(bounded(compared_within(words)))))
 
 
@@ -116,7 +122,7 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
             out.append(replace(ahead, value=word.value, values=word.values, text=text))
             i += 2
             continue
-        if word.kind == "fraction" and [w.text for w in words[i + 1 : i + 3]] == ["of", "that"]:
+        if word.kind == "fraction" and [w.text for w in words[i + 1 : i + 3]] in OF_THAT:
             out.append(replace(word, kind="compare", text=f"{word.text} of that"))  # "the kitchen half of that"
             i += 3
             continue
@@ -149,6 +155,8 @@ def _shares(words: list[Lexeme]) -> list[Lexeme]:
 def _of_its_size(words: list[Lexeme], i: int) -> int:
     """Where `two thirds its size`, `three quarters the size of` ends; i when it does not stand here."""
     texts = [w.text for w in words[i + 1 : i + 4]]
+    if texts in (["of", "its", "size"], ["of", "its", "area"]):
+        return i + 4
     if texts[1:2] != ["size"] or texts[0] not in ("its", "their", "the"):
         return i
     return i + 3 if texts[0] != "the" else i + 4 if texts[2:] == ["of"] else i
@@ -224,14 +232,28 @@ def _area_lists(words: list[Lexeme]) -> list[Lexeme]:
     return out
 
 
+def _than_that(words: list[Lexeme]) -> list[Lexeme]:
+    """`a third larger than that`, `twice as large as that`: than what was named last."""
+    out: list[Lexeme] = []
+    for k, word in enumerate(words):
+        compared = bool(out) and out[-1].kind == "compare" and out[-1].text.endswith(("than", "as"))
+        if compared and word.text == "that" and [w.text for w in words[k + 1 : k + 2]] != ["of"]:
+            out[-1] = replace(out[-1], text=f"{out[-1].text} that")
+        else:
+            out.append(word)
+    return out
+
+
 def _by_percent(words: list[Lexeme]) -> list[Lexeme]:
-    """`40 % larger than`, `20 % smaller than`."""
+    """`40 % larger than`, `a quarter smaller than`, `50 % larger`."""
     out: list[Lexeme] = []
     for word in words:
-        part = out[-1] if out and out[-1].kind == "share" else None
-        if word.kind == "compare" and part is not None and word.number in (1.3, 0.75):
-            ratio = 1 + part.values[0] * (1 if word.number > 1 else -1)
-            out[-1] = replace(word, value=str(ratio), text=f"{part.text} % {word.text}", values=(ratio,))
+        part = out[-1] if out and out[-1].kind in ("share", "fraction") else None
+        compares = word.kind == "compare" or (word.kind == "size" and word.text in COMPARATIVES)
+        if compares and part is not None and word.number in MORE_OR_LESS:
+            ratio = 1 + part.number * (1 if word.number > 1 else -1)
+            ratio += SAID if ratio in MORE_OR_LESS else 0
+            out[-1] = replace(word, kind="compare", value=str(ratio), text=f"{part.text} {word.text}", values=(ratio,))
         else:
             out.append(word)
     return out

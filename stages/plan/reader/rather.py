@@ -2,14 +2,8 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import Late
+from apartgen.stages.plan.reader.pieces import reworded, rules
 
-_KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other|largest|smallest) )*"
-         r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?room|kitchen|study|balcony|"
-         r"lounge|toilet|office|hall(?:way)?|corridor|pantry))")  # fmt: skip
-_THE = rf"(?:the|my|our) {_KIND}"
-_NOT = r"(?:should not|shouldn't|must not|mustn't|is not to|isn't to|may not|cannot|can't|is not|isn't)"
-_END = r"(?= ?(?:[.,;!:]|$))"
 _COUNTED = re.compile(r"\b(two|three|four|five|[2-5])[ -]?(?:bed ?rooms?|bed\b|br\b)")
 _LAST = {"two": "second", "2": "second", "three": "third", "3": "third", "four": "fourth", "4": "fourth",
          "five": "fifth", "5": "fifth"}  # fmt: skip
@@ -18,7 +12,7 @@ _LAST = {"two": "second", "2": "second", "three": "third", "3": "third", "four":
 def _the_last(found: re.Match[str]) -> str:
     """`make one of the bedrooms a study` as the last of those counted."""
     counted = _COUNTED.search(found.string[: found.start()])
-    return f"make the {_LAST[counted[1]]} bedroom {found[1]}" if counted else found.group()
+    return f". make the {_LAST[counted[1]]} bedroom {found[1]}" if counted else found.group()
 
 
 def _several(found: re.Match[str]) -> str:
@@ -35,8 +29,7 @@ def _one_fewer(found: re.Match[str]) -> str:
     return f"{fewer} {thing} and {found['other']}{found['where'] or ''}"
 
 
-_WORDS = {"kind": _KIND, "end": _END, "not": _NOT, "the": _THE}
-_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+_SAID = rules((
     # "actually the study can be left out", "hmm, better without"
     (r"\b(?:the|that) ({kind}) (?:can|may|could|should|must) (?:also )?(?:be (?:left out|omitted|dropped|skipped|"
      r"removed)|stay out){end}", r"forget the \1"),
@@ -47,6 +40,8 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
      r"(an? (?:separate )?(?:toilet|wc|guest toilet))(?: instead)?", r"the \1 is \2"),
     (r"\b(?:change|turn|convert|make) one of the bed ?rooms(?: (?:in)?to)? (an? {kind})(?: instead)?{end}",
      _the_last),
+    (r"(?:,? and )?\bthe (?:smallest|third|fourth|last|other)(?: one| bed ?room)? (?:{must} )?(?:becomes?|be turned "
+     r"into|turns? into|be converted (?:in)?to) (an? (?:home )?{kind}){end}", _the_last),
     # "not an open kitchen but a separate one"
     (r"\bnot an open(?:[- ]plan)? kitchen,? but (?:rather )?an? (?:separate|closed)(?: one| kitchen)?",
      "a separate kitchen"),
@@ -82,11 +77,9 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
      r"(?P<n>two|three|four|[2-4]){end}", _several),
     (r"\b(?P<n>two|three|four|[2-4]) (?P<thing>[a-z]+s)(?P<where> in {the})?,? "
      r"(?:one of them|of which one is|one being) (?P<other>an? [a-z ]{3,20}?){end}", _one_fewer),
-)]  # fmt: skip
+))  # fmt: skip
 
 
 def rather(text: str) -> str:
     """A folded text that names the rooms, places and things that are meant."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

@@ -4,18 +4,17 @@ import re
 from functools import partial
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import BESIDE, CHILD, GO, HALL, HE, KIND, MUST, SHE, THEY, YOUNG, reworded
 
 _N = r"(?:two|three|four|five|six|zwei|drei|vier|funf|deux|trois|quatre|cinq|dos|tres|cuatro|cinco|[2-6])"
 _COUNTED = re.compile(rf"\b({_N})[- ](?:[a-z]+[- ])?(?:bed ?rooms?|schlafzimmer|chambres|dormitorios|habitaciones)\b")
 _VALUES = {word: n for words in ("two three four five six", "zwei drei vier funf", "deux trois quatre cinq",
                                  "dos tres cuatro cinco", "2 3 4 5 6")
            for n, word in enumerate(words.split(), 2)}  # fmt: skip
-_YOUNG = (r"(?:(?:little|small|young|teenage|grown-up|older|younger) )?(?:children|kids|sons|daughters|boys|girls|"
-          r"teenagers|grandchildren)")  # fmt: skip
 _EACH = [(late(pattern), words) for pattern, words in (
     (r"(?:there (?:is|should be) )?\b(?:one|an? (?:bed ?)?room|another)(?: one)? (?:for each of|each for) (?:our |my |"
-     rf"the |their )?(?P<n>{_N}) {_YOUNG}\b", "{} for the kids"),
-    (rf"\b(?:one|an? (?:bed ?)?room) (?:for each of|each for) (?:(?:our|my|the|their) )?{_YOUNG}\b|"
+     rf"the |their )?(?P<n>{_N}) {YOUNG}\b", "{} for the kids"),
+    (rf"\b(?:one|an? (?:bed ?)?room) (?:for each of|each for) (?:(?:our|my|the|their) )?{YOUNG}\b|"
      r"\b(?:one|an? (?:bed ?)?room) for (?:each|every) (?:child|kid|son|daughter)\b|"
      r"\bone for each of them\b", ""),
     (rf"\bje ein(?:e?s|en|e)?(?: zimmer)? fur (?:unsere|meine|die) (?P<n>{_N}) (?:kinder|tochter|sohne|madchen|jungen|"
@@ -28,28 +27,21 @@ _EACH = [(late(pattern), words) for pattern, words in (
 _OWN = late(r"(\bbed ?rooms ?[:,-]) ?our own(?= ?,| and\b)")
 _AGED = re.compile(r"\b[a-z]{2,} ?\((?:aged? )?(?:[2-9]|1\d)(?: years?(?: old)?)?\)")
 """Children by their names: `Lea (4) and Tom (9)`."""
-_CHILDREN = re.compile(rf"\b(?:{_YOUNG}|twins)\b")
+_CHILDREN = re.compile(rf"\b(?:{YOUNG})\b")
 _ROOMS = re.compile(r"\b(bed|bath|living |dining |sitting |)(?:room|kitchen|study|toilet|balcony|desk)s?\b")
 _ENGLISH = ("", "", "two", "three", "four", "five", "six")
 _ADDED = re.compile(r"\b(?:plus|besides|in addition|additionally)\b|^[^,:;(-]*\b(?:and|plus|und|et|y) $")
 """Behind bedrooms that are counted: what follows comes on top of them."""
-_SHE = (r"(?:grand ?ma|granny|gran|nan|nana|mum|mom|mother|mother-in-law|grandmother|daughter|sister|aunt|wife|girl|"
-        r"oma|nanny|niece|girlfriend|maid|[a-z]+ (?:daughter|sister))")  # fmt: skip
-_HE = (r"(?:grand ?pa|granddad|grandad|dad|father|father-in-law|grandfather|son|brother|uncle|husband|boy|opa|nephew|"
-       r"boyfriend|butler|[a-z]+ (?:son|brother))")  # fmt: skip
-_THEY = (r"(?:parents|grandparents|kids|children|twins|boys|girls|in-laws|couple|guests|sons|daughters)")
-_NEAR = (r"(?:away from|far from|next to|beside|besides|opposite|across from|near|close to|adjacent to|adjoining|from|"
-         r"facing|by|as)")  # fmt: skip
+_NEAR = rf"(?:{BESIDE}|as)"
 _HERS = late(rf"\b({_NEAR}) (hers|his|theirs)(?= ?(?:[.,;:!?)]|$)| (?:and|but|as|so|if|with)\b)")
-_OWNED = late(rf"\b({_NEAR}|than) ((?:(?:our|my|the|his|her|their) )?(?:{_SHE}|{_HE}|{_THEY})'s?)"
+_OWNED = late(rf"\b({_NEAR}|than) ((?:(?:our|my|the|his|her|their) )?(?:{SHE}|{HE}|{THEY}|{CHILD}|lodger|guest)'s?)"
               r"(?= ?(?:[.,;:!?)]|$)| (?:and|but|so|if)\b)")  # fmt: skip
 _OWNER = {
-    "hers": re.compile(rf"\b{_SHE}'s (?:own )?(?:bed ?)?room\b"),
-    "his": re.compile(rf"\b{_HE}'s (?:own )?(?:bed ?)?room\b"),
-    "theirs": re.compile(rf"\b{_THEY}'s? (?:own )?(?:bed ?)?room\b|\b{_THEY}'? (?:own )?(?:bed ?)?room\b"),
+    "hers": re.compile(rf"\b{SHE}'s (?:own )?(?:bed ?)?room\b"),
+    "his": re.compile(rf"\b{HE}'s (?:own )?(?:bed ?)?room\b"),
+    "theirs": re.compile(rf"\b{THEY}'s? (?:own )?(?:bed ?)?room\b|\b{THEY}'? (?:own )?(?:bed ?)?room\b"),
 }
-_HALL = (r"((?:(?:entrance|long|short|central|single|common|night|main|inner|wide|narrow|same|front) )*"
-         r"(?:hall|hallway|corridor|passage|landing|lobby|vestibule|gallery))")  # fmt: skip
+_HALL = rf"({HALL})"
 _OF_HALL = r"(?:directly )?(?:off|along|on|onto|to|from)"
 _SOME = (r"(?:an?|one|two|three|four|five|six|the|both|all|also|their|\d) (?:[a-z']+ ){0,2}[a-z]+"
          r"(?: (?:is|are|open|opens|opening|lie|lies|also|both))*")  # fmt: skip
@@ -63,16 +55,14 @@ _FRONTED = late(rf"\b({_OF_HALL}) {_ONE} {_HALL}(?:[,;.]| and)+ (?:and )?(?:also
                 r"(?: also| too| as well| there (?:is|are)| come| comes)*,? "
                 r"((?:an?|one|two|three|four|the|\d) [a-z ]+?)"
                 r"(?= ?(?:[.,;]|$))")  # fmt: skip
-_ROOM = (r"(?:kitchen|living room|dining room|study|bath ?room|bed ?room|balcony|toilet|office|store ?room|lounge|"
-         r"guest room|pantry)")  # fmt: skip
 _HAS = late(r"\b(an?|the|our) (living room|kitchen|dining room|lounge|study|sitting room) (?:with|has|having) "
-            rf"(an? (?:small |large |separate )?{_ROOM}) (?:directly )?off it(?= ?(?:[.,;]|$)| and\b)")  # fmt: skip
+            rf"(an? (?:small |large |separate )?{KIND}) (?:directly )?off it(?= ?(?:[.,;]|$)| and\b)")  # fmt: skip
 _NOBODY = r"(?:nobody|no ?one|none of us|no guests?|no visitors?)"
 _YOU = (r"(?:(?:you|one|we|people|they|guests|visitors|the guests|the kids) (?:do not|don't|does not|doesn't|"
         r"should not|shouldn't|must not|mustn't|can ?not|can't|may not|never)(?: be able to)?(?: ever)?|"
         r"it (?:must|should|shall) not be possible(?: for [a-z ]{3,12})? to)")  # fmt: skip
-_ENTERS = (r"(?:(?:should|must|can|may|shall|will|is to|has to|wants? to|ever) )*(?:be able to )?"
-           r"(?:(?:come|get|go|walk|step)e?s? (?:straight |directly )?(?:in|in ?to|to)|enters?|reach(?:es)?|"
+_ENTERS = (rf"(?:(?:{MUST}|ever) )*(?:be able to )?"
+           rf"(?:{GO} (?:straight |directly )?(?:in|in ?to|to)|enters?|reach(?:es)?|"
            r"access(?:es)?)")  # fmt: skip
 _FROM = r"(?:straight |directly |only )?(?:from|through|via|by way of)"
 _ANY_BATH = r"(?:an?|any|either|one of the|the two|both|the) ?(?:of the )?bath ?rooms?"
@@ -98,11 +88,11 @@ _DOORS = [(late(pattern), words) for pattern, words in (
      rf"{_STOP}", r"\1, neither of them en suite"),
     (rf"\b(?:{_NOBODY}|{_YOU}) {_ENTERS} (the bath ?room) {_FROM} (?:an?|any) bed ?room{_STOP}",
      r"no door between \1 and the bedrooms"),
-    (rf"\b(?:{_NOBODY}|{_YOU}) {_ENTERS} (the {_ROOM}) {_FROM} ((?:the|an?|any) {_ROOM}){_STOP}",
+    (rf"\b(?:{_NOBODY}|{_YOU}) {_ENTERS} (the {KIND}) {_FROM} ((?:the|an?|any) {KIND}){_STOP}",
      r"no door between \1 and \2"),
     (rf"\b(?:{_NOBODY}|{_YOU}) (?:(?:should|must|can|may|shall|has to|have to) )*"
-     rf"(?:walk|go|pass|cross|step|come)(?:e?s)?(?: through| across)? (the {_ROOM}) (?:in order )?"
-     rf"to (?:reach|get (?:in)?to|enter|go to|access|use|visit) (the {_ROOM}){_STOP}",
+     rf"(?:walk|go|pass|cross|step|come)(?:e?s)?(?: through| across)? (the {KIND}) (?:in order )?"
+     rf"to (?:reach|get (?:in)?to|enter|go to|access|use|visit) (the {KIND}){_STOP}",
      r"no door between \1 and \2"),
     # "both bathrooms have the door in the hall"
     (rf"\b(have|has|having|with) (?:the|their|its|an?|his|her)(?: own)? doors? (?:in|on|onto|off) (?:the |one )?{_HALL}"
@@ -115,9 +105,7 @@ def referred(text: str) -> str:
     for pattern, words in _EACH:
         text = pattern.sub(partial(_among, words=words), text)
     text = _HERS.sub(_theirs, _OWNED.sub(r"\1 \2 bedroom", _OWN.sub(r"\1 ours", text)))
-    for pattern, words in _DOORS:
-        text = pattern.sub(words, text)
-    return _off_it(text)
+    return _off_it(reworded(text, _DOORS))
 
 
 def _among(found: re.Match[str], words: str) -> str:
@@ -129,7 +117,8 @@ def _among(found: re.Match[str], words: str) -> str:
         return found.group()
     if not words and not counted:
         return f"{_ENGLISH[min(n, 6)]} for the kids"
-    n, words = (n, words) if words else (2, "the others for the kids")
+    several = "{} for the kids" if found.group().endswith("twins") else "the others for the kids"
+    n, words = (n, words) if words else (2, several)
     if not counted or _VALUES[counted[-1][1]] < n or _ADDED.search(found.string[counted[-1].end() : found.start()]):
         return found.group()
     return words.format(_ENGLISH[n])

@@ -3,11 +3,8 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import KIND, reworded
 
-_ROOM = (
-    r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|main|master|bed|bath) ?(?:bed)?room|kitchen|study|"
-    r"balcony|lounge|toilet|office|hall(?:way)?|corridor|pantry)"
-)
 _COUNTED = re.compile(r"\b(?:two|three|four|five|[2-5])[- ]bed ?rooms?\b")
 
 
@@ -82,9 +79,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
      r"off) (?:the )?"
      r"bed ?rooms (\d) and (\d)", _ensuite_each),
     # "two bedrooms at one end of the flat, the living room at the opposite end"
-    (rf"\b((?:the )?(?:two|three|four|\d )?[a-z' ]*?(?:{_ROOM}s?)) (?:is |are |lie |lies |be )?at one end(?: of the "
+    (rf"\b((?:the )?(?:two|three|four|\d )?[a-z' ]*?(?:{KIND}s?)) (?:is |are |lie |lies |be )?at one end(?: of the "
      rf"[a-z]+)?"
-     rf"(?:,| and|, and|;| while)? ((?:(?:the|an?) (?:[a-z]+ )?)?{_ROOM}s?) (?:is |are |lie |lies )?at the (?:other|"
+     rf"(?:,| and|, and|;| while)? ((?:(?:the|an?) (?:[a-z]+ )?)?{KIND}s?) (?:is |are |lie |lies )?at the (?:other|"
      rf"opposite|far)"
      r"(?: end)?\b(?: of the (?:flat|apartment|house|home))?",
      lambda found: f"{found[1]}, {found[2]}. {_the(found[1])} far from {_the(found[2], True)}"),
@@ -93,6 +90,4 @@ _SAID = [(late(pattern), words) for pattern, words in (
 
 def respectively(text: str) -> str:
     """A folded text that says such things of one room after the other."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

@@ -6,8 +6,9 @@ from apartgen.stages.plan.reader.faced import facing
 from apartgen.stages.plan.reader.kin import pattern
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import CHILD, YOUNG
 
-_YOUNG = r"(?:twins|kids?|child(?:ren)?|sons?|daughters?|boys?|girls?|bab(?:y|ies)|toddlers?|teenagers?)"
+_YOUNG = rf"(?:{YOUNG}|{CHILD}|babies)"
 _AGE = (r"(?:aged? )?(?:\d{1,2}|two|three|four|five|six|seven|eight|nine|ten)(?:,? ?(?:and|&) ?\d{1,2})*"
         r"(?: years?(?: old)?| months?(?: old)?)?")
 _DO = r"(?:each|both|all|has|have|gets?|needs?|wants?|shares?|sleeps?|takes?)"

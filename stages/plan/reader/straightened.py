@@ -2,13 +2,7 @@
 
 import re
 
-from apartgen.stages.plan.reader.patterns import Late
-
-_KIND = (r"(?:(?:(?:main|master|guest|second|first|third|other) )*"
-         r"(?:(?:living|sitting|dining|laundry|utility|storage|guest|shower|bed|bath) ?room|kitchen|study|balcony|"
-         r"lounge|toilet|office|hall(?:way)?|corridor|pantry))")  # fmt: skip
-_WORDS = {"kind": _KIND, "the": rf"(?:(?:the|my|our) )?{_KIND}", "must": r"(?:should|must|may|can|shall|is to|has to)",
-          "end": r"(?= ?(?:[.,;!]|$)| and | but )"}  # fmt: skip
+from apartgen.stages.plan.reader.pieces import END, KIND, reworded, rules
 
 
 def _ranked(found: re.Match[str]) -> str:
@@ -19,23 +13,61 @@ def _ranked(found: re.Match[str]) -> str:
     return f"{rooms[0]} is the largest room. " + ". ".join(f"{a} is larger than {b}" for a, b in pairs)
 
 
-_TWO = re.compile(r"\b(?:two|2)[ -]bed(?:[ -]?rooms?)?\b")
+_TWO = re.compile(r"\b(?:two|2)[ -]bed(?:[ -]?rooms?)?\b|\bboth bed ?rooms\b")
 
 
-def _of_the_two(found: re.Match[str]) -> str:
+def _of_the_two(found: re.Match[str], verb: str = "") -> str:
     """`two bedrooms; the bathroom must be between them`: between the two bedrooms."""
-    return f"{found[1]} between the two bedrooms" if _TWO.search(found.string[: found.start()]) else found.group()
+    return f"{found[1]} {verb}between the two bedrooms" if _TWO.search(found.string) else found.group()
 
 
-_SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
+_FACE = {"face": "face", "facing": "facing", "look": "face", "overlook": "face", "looking": "facing",
+         "overlooking": "facing", "give": "face", "giving": "facing"}  # fmt: skip
+_SAID = rules((
     # "the only way to the kitchen is through the dining room", "the bathroom it must be between them"
     (r"\bthe only (?:way|access|entrance|door|route) (?:in|on)?to ({the}) (?:is|leads|goes|runs) "
      r"(?:through|via|from|across|by) ", r"\1 is reached only from "),
     (r"\b((?:the|my|our) {kind}) it (?=(?:must|should|is|has|will|needs) )", r"\1 "),
     (r"(\b(?:the|my|our|one|an?) {kind} (?:{must} be|is|lies|has to lie|needs to be)) between them{end}", _of_the_two),
+    (r"\b(?:put|place|set|with) ((?:the|our|one|an?) {kind}) (?:right |directly )?between them{end}",
+     lambda found: _of_the_two(found, "is ")),
+    # "a laundry room between kitchen and bathroom"
+    (r"(\b(?:an? |one |the )?(?:(?:storage|store|laundry|utility) ?room|pantry|closet)) (?:right |directly |in )?"
+     r"between ((?:(?:the|my|our) )?{kind}) and ((?:(?:the|my|our) )?{kind}){end}", r"\1 next to \2 and next to \3"),
     # "the living room should be the biggest, then the kitchen, then the bedroom"
     (r"\b(?P<first>{the}) (?:{must} be|is) the (?:biggest|largest)(?: room| one)?"
      r"(?P<rest>(?:,? (?:and )?then {the}(?= ?[.,;]|$))+)", _ranked),
+    # "the bathroom has two doors, one in the bedroom and one in the corridor"
+    (r"\b((?:(?:the|my|our) )?{kind}) (?:(?:{must} )?(?:has|have|gets?)|with) two doors?"
+     r"[,:;(]? ?(?:the )?one (?:in|on) "
+     r"((?:(?:the|our) )?{kind})(?:,|;| and|, and) (?:the )?(?:one|other|another|second)(?: one| door)? {door} "
+     r"((?:(?:the|our) )?{kind}){end}", r"\1 has a door to \2 and a door to \3"),
+    # "every door from the hallway", "a window on the east side, the living room on the west side"
+    (r"\b(?:every|all|each)(?: the)? doors? (?:(?:{must} )?(?:opens?|goes|go|leads?|is|are|be) )?(?:from|{door}) "
+     r"(the {hall}){end}", r"every room has its door to \1"),
+    (r"(\bwindows? (?:on|to|at|in|facing) (?:the )?(?:{compass})(?: side)?),? ?(?:and |while )?"
+     r"((?:(?:the|my|our) )?{kind}) (?:on|to|at|in) (?:the )?({compass})(?: side)?{end}",
+     r"\1, \2 has a window to the \3"),
+    # "on the side of the entrance", "on the entrance side"
+    (r"\b(?:on|at|to|towards) the (?:side of the (?:entrance|front door)|(?:entrance|entry) side){end}",
+     "near the entrance"),
+    (r"\b(?:on|at) the side (?:away|far|farther|farthest|opposite) from the (?:entrance|front door){end}",
+     "far from the entrance"),
+    # "the toilet must not be next to the dining room, but it should be near the entrance": the toilet
+    (r"\b(?P<of>(?:the|my|our) {kind}) (?P<said>(?:{must} (?:not )?be|(?:is|lies)(?: not)?) (?:{beside}|off) "
+     r"(?:the|my|our) {kind}),? (?P<and>but|and) it (?=(?:{must}|is|has)\b)", r"\g<of> \g<said>, \g<and> \g<of> "),
+    # "from the bedroom you step into the bathroom", "get from A onto B, and from C as well"
+    (r"\b(?:(?:{must} )?(?:be able to )?{go}) from (?P<a>the {kind}) (?:straight |directly |out )*(?:on ?to|in ?to|to) "
+     r"(?P<to>the {kind}),? (?:and|but) (?:also )?from (?P<b>the {kind})(?:,? (?:as well|too|also))?{end}",
+     r"have a door from \g<a> to \g<to> and a door from \g<b> to \g<to>"),
+    (r"\bfrom (?P<a>the {kind}),? (?:you|one|we|i) (?:{must} )?(?:directly |only )?(?:step|walk|pass)(?: straight|"
+     r" directly| out)* (?:on ?to|in ?to|to) (?P<to>the {kind})(?= ?(?:[.;]|$)|, (?:guests|visitors|while|but))",
+     r"\g<to> is reached from \g<a>"),
+    # "face the courtyard on the north side"
+    (r"\b(faces?|facing|looks?|looking|overlooks?|overlooking|gives?|giving)(?: out)?(?: on ?to| into| over| on)? "
+     r"(?:the |an? )?(?:quiet )?(?:courtyard|garden|street|park|yard|river|sea|lake|road|square|wood|forest) "
+     r"(?:on|to|in|at|towards) (?:the )?({compass})(?: side)?{end}",
+     lambda found: f"{_FACE.get(found[1], 'faces')} {found[2]}"),
     # "neither bedroom should have a door to the lounge", "nothing but the bathroom between the bedrooms"
     (r"\b((?:neither|no|none of the) (?:bed|bath) ?rooms?) {must} have (?:an?|any) doors? (?:in)?to ",
      r"\1 has a door to "),
@@ -61,11 +93,10 @@ _SAID = [(Late(pattern, _WORDS), words) for pattern, words in (
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
     (r"(\b(?:puerta|abre|abierta?|da) [^.;,]*?) y (el|la) (\w+) (?=(?:esta|debe|tiene|da|mide) )", r"\1. \2 \3 "),
-)]  # fmt: skip
+), door="(?:in|in ?to|to|on|on ?to|from|off)", compass="(?:north|south)(?:[ -]?(?:east|west))?|east|west",
+   the=rf"(?:(?:the|my|our) )?{KIND}", end=rf"(?:{END}|(?= and | but ))")  # fmt: skip
 
 
 def straightened(text: str) -> str:
     """A folded text with such clauses in plain order."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)

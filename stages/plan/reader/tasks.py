@@ -3,6 +3,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded
 
 _DOING = (r"(?:making|folding|cleaning|washing|setting|clearing|opening|closing|sorting|loading|unloading|fetching|"
           r"finding|"
@@ -35,6 +36,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"^(\W*(?:[a-z]+[ -]){{0,3}}?)(?<!-){_NOUN}(?:[- ]{_DOING})? "
      r"((?:task|benchmark|scenario|episode|experiment|mission|challenge|demo|test|trial)s?)"
      r"(?=(?: only)? ?[.:;-])", r"\1\2"),
+    # "my wife teaches piano, … a piano in the study": one of them
+    (r"\b(teach|play|practi[cs]e?|learn|stud)(e?s|ies|y|ing)? (?:the )?piano\b(?=.*\bpiano\b)", r"\1\2 music"),
     # "Single-room environment: a kitchen of 14 m2", "one room only: a kitchen"
     (rf"(?:\b(?:an? )?(?:single|one)[- ]room {_SCENE}|\b(?:an? )?{_SCENE} (?:of|with) (?:just |only )?(?:an?|one) "
      rf"(?:single )?room(?= ?[:,]))(?: ?[:,-]| with| of)? (?={_A_ROOM})", "only "),
@@ -60,9 +63,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
 
 def without_tasks(text: str) -> str:
     """A folded text without such words."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)
 
 
 _EDGE = late(r"\b([a-z]+(?: ?room)?(?: \d)?) ?(?:<?-+>?|to|/|,|&|\+) ?([a-z]+(?: ?room)?(?: \d)?) ?"

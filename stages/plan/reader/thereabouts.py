@@ -3,13 +3,11 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import KIND, reworded
 
-_ROOM = (r"(?:(?:living|sitting|dining|laundry|utility|storage|store|guest|main|master|bed|bath|shower|second|first|"
-         r"third) ?"
-         r"(?:bed)?room|kitchen|study|balcony|lounge|office|pantry|closet|hall(?:way)?|corridor)")  # fmt: skip
-_NAMED = re.compile(rf"\b({_ROOM})\b(?:(?:,? (?:which|that) (?:is|opens|lies))? (?:off|next to|near|beside|behind|"
+_NAMED = re.compile(rf"\b({KIND})\b(?:(?:,? (?:which|that) (?:is|opens|lies))? (?:off|next to|near|beside|behind|"
                     rf"opposite|"
-                    rf"adjacent to|from|onto) (?:the |an? |my )?{_ROOM}\b)?")  # fmt: skip
+                    rf"adjacent to|from|onto) (?:the |an? |my )?{KIND}\b)?")  # fmt: skip
 _THING = r"(?:(?:an?|my|our|his|her|the|two|three|four|five|six|\d) [a-z]+(?:[ -][a-z]+){0,2}?)"
 _THINGS = re.compile(rf"(?:^|[.;:!?] ?)([^.;:!?]*?{_THING}(?:(?:,|,? and) {_THING})*)$")
 _GOES = r"(?:goes|go|belongs|belong|should go|must go|will go|are to go|is to go|should stand|will stand|must stand)"
@@ -17,13 +15,13 @@ _IN_ALL = late(
     r" ?[.;:,] ?(?:and )?(?:please )?(?:(?:put|place|set|keep) (?:both|them|them both|all(?: of them| three)?|these)"
     r"(?: of them)?|(?:both|they|these|all(?: of them)?)(?: both| all)? "
     rf"(?:{_GOES}|stay|stand|should be|must be|are to be|will be|are)) (?:both |all )?in(?:to)? (?=(?:the|my|our) "
-    rf"{_ROOM}\b)"
+    rf"{KIND}\b)"
 )
 _THERE = late(rf"(?:\b|(?<=[.;:] )|^)((?:{_THING}|(?:(?<=[.;:] )|^)[a-z]+(?: [a-z]+)?(?:, [a-z]+(?: [a-z]+)?)*(?:,? "
               rf"and [a-z]+(?: [a-z]+)?)?)(?:(?:,|,? and) {_THING})*) (?:{_GOES}|will be|should be|must be) (?:in )?("
               rf"?:there|in it|"
               rf"in that room)\b")
-_PUT_THERE = late(rf"\b(in (?:the|our|my) (?:[a-z']+ )?{_ROOM})\b([^.;:]{{0,30}}?)[.:;,] ?(?:(?:and|so) )*(?:please )?"
+_PUT_THERE = late(rf"\b(in (?:the|our|my) (?:[a-z']+ )?{KIND})\b([^.;:]{{0,30}}?)[.:;,] ?(?:(?:and|so) )*(?:please )?"
                   r"(?:place|put|add|set up|set|plan|provide|foresee|(?:we|i) (?:need|want|would like)) ([^.;:]+?)"
                   r" there(?= ?(?:[.,;]|$))")  # fmt: skip
 _DE = {"ersten": "first", "zweiten": "second", "dritten": "third", "vierten": "fourth", "anderen": "other"}
@@ -58,9 +56,9 @@ _SAID = [(late(pattern), words) for pattern, words in (
     # "six chairs around the dining table, which stands in the lounge", "one double bed in ours"
     (r"\b((?:two|three|four|five|six|eight|[2-8]) chairs) (?:around|round|at) (the|an?|our|my) ((?:[a-z]+ )?table)\b",
      r"\2 \3 with \1"),
-    (rf"\b((?:an?|the|my|our) (?!{_ROOM}\b)[a-z]+(?: [a-z]+)?(?: with [a-z]+ chairs)?), (?:which|that) (?:stands?|"
+    (rf"\b((?:an?|the|my|our) (?!{KIND}\b)[a-z]+(?: [a-z]+)?(?: with [a-z]+ chairs)?), (?:which|that) (?:stands?|"
      rf"goes|is to stand|"
-     rf"should stand|should go|must stand|belongs|is|should be|will be) in (?=(?:the|my|our) {_ROOM}\b)", r"\1 in "),
+     rf"should stand|should go|must stand|belongs|is|should be|will be) in (?=(?:the|my|our) {KIND}\b)", r"\1 in "),
     (r"\bin (ours|mine)(?= ?(?:[.,;]|$)| and )", _in_ours),
     # "neither of them has a tv"
     (r"\b(?:neither|none) of (them|the (?:two |three )?[a-z]+ ?rooms) (?:has|have|gets?|needs?|should have|is to "
@@ -91,9 +89,7 @@ def whose_rooms(text: str) -> str:
 
 def thereabouts(text: str) -> str:
     """A folded text with such furniture in the rooms that are meant."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    text = _all_in(whose_rooms(text))
+    text = _all_in(whose_rooms(reworded(text, _SAID)))
     return _THERE.sub(_there, _PUT_THERE.sub(r"\1\2. \1 \3", text))
 
 
@@ -101,7 +97,7 @@ def _all_in(text: str) -> str:
     """`my sofa and my desk; put both in the study` as a sofa and a desk in the study."""
     for found in _IN_ALL.finditer(text):
         before = _THINGS.search(text[: found.start()])
-        if before is not None and not re.search(rf"\b{_ROOM}s?\b(?! table)", before[1]):
+        if before is not None and not re.search(rf"\b{KIND}s?\b(?! table)", before[1]):
             return f"{text[: found.start()]} in {_all_in(text[found.end() :])}"
     return text
 

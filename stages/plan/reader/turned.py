@@ -4,6 +4,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import reworded
 
 _ROOM_EN = r"(?:the |an? |our |my )?[a-z'-]+(?: (?:room|hall|closet|wc|area|space))?"
 _ROOM_DE = r"(?:de[rmn] |die |das )?[a-z-]+"
@@ -240,7 +241,6 @@ def _in_line(found: re.Match[str]) -> str:
 
 def turned(text: str) -> str:
     """A folded text with such clauses in the usual order."""
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
+    text = reworded(text, _SAID)
     text = _LINED.sub(_in_line, text) if "rooms in" in text or "one after" in text else text
     return _STUDIO_BED.sub("double bed ", text) if "studio" in text and "bedroom" not in text else text

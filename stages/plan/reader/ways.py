@@ -3,15 +3,15 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import CHILD, ELDER, GROWN, YOUNG, reworded
 
 _ANYONE = "(?:you|one|we|people|i)"
 _THROUGH = "(?:through|via|from|by way of)"
 _WISHED = "place|put|add|set up|set|we need|i need|we want|i want"
 _FINITE = r"\b(?:is|are|will|can|must|should|may)\b"
-_KIN = "son|daughter|mother|father|grandmother|grandfather|grandma|grandpa|brother|sister|uncle|aunt|baby|mum|mom|dad"
-_MATES = "students|friends|flatmates|roommates|colleagues|sisters|brothers|adults|people"
+_KIN = rf"{ELDER}|{CHILD}|brother|sister"
 _WANT = "wants?|needs?|gets?|has|have|should have|would like"
-_YOUNG = "kids|children|boys|girls|twins|daughters|sons|brothers|sisters"
+_YOUNG = rf"{YOUNG}|brothers|sisters"
 _SLEEP = "has|have|gets?|takes?|wants?|sleeps? in|use|uses"
 _WHICH = "small|little|large|big|smaller|bigger|larger|other|front|back|first|second"
 _SOMEBODY = r"(?:my|our|his|her) [a-z]+|i|we|he|she"
@@ -74,7 +74,7 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\b(?:brauche|brauchen|braucht|mochte|will) ein(?:en|e)? (?P<room>[a-z]+),? (?:und )?"
      r"(?P<who>(?:mein|unser)e? [a-z]+) auch\b", r"\g<0>: noch ein weiteres \g<room>"),
     # "We are four students and each of us wants a room", "we are three and want each our own room"
-    (rf"\bwe are (\d|two|three|four|five|six)(?: (?:{_MATES}))?(?: and|[,;.:])? ?(?:we )?"
+    (rf"\bwe are (\d|two|three|four|five|six)(?: (?:{GROWN}))?(?: and|[,;.:])? ?(?:we )?"
      rf"(?:(?:each|everybody|everyone|all)(?: of us)? (?:{_WANT})|(?:{_WANT}) each) "
      r"(?:an?|our|his|her|their)(?: own)? (?:bed ?)?room(?: of (?:our|his|her|their) own)?\b",
      r"\1 friends, each wants a room"),
@@ -106,6 +106,4 @@ def in_passing(text: str) -> str:
     """A folded text with such clauses in the words of doors and furniture."""
     text = _ONE_DOOR.sub(lambda found: f"a door leads {found[1]} {found['first']} and {found[1]} ", text)
     text = _IN_IT.sub(lambda found: f"{found['room']} {found['things']} {found['link']} {found['other']}", text)
-    for pattern, words in _SAID:
-        text = pattern.sub(words, text)
-    return text
+    return reworded(text, _SAID)
