@@ -84,8 +84,8 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
 
 
 def _hidden(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.bool_]:
-    """Before which mirrors (n,) which things (m,) stand, (n, m): what they belong to, and low cabinets, do not where one
-    stands before these."""
+    """Before which mirrors (n,) which things (m,) stand, (n, m): what they belong to, and low cabinets, do not where
+    one stands before these."""
     heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
     center, size = found.center.copy(), found.size.copy()
     center[:, :2] += heading * (found.size[:, :1] + STANDS) / 2
