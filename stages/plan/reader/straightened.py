@@ -89,6 +89,13 @@ _SAID = rules((
     (r"\ban? bath(,| and| as well as) (?=(?:an? )?(?:separate |walk-in )?shower in the )",
      r"a bathtub\1 "),
     (r"(\bshower(?:,| and| as well as) an?) bath(?= in the )", r"\1 bathtub"),
+    # "keine gemeinsame Wand haben", "qui ne partagent pas de mur", "que no compartan pared"
+    (r"\bkeine (?:gemeinsame )?wand (?:gemeinsam |miteinander )?(?:haben|teilen)(?: durfen| sollen)?\b",
+     "nicht nebeneinander liegen"),
+    (r"\bne (?:partagent|doivent) pas (?:partager |avoir )?(?:de|un) mur(?: commun| mitoyen)?\b|\bne se touchent pas\b|"
+     r"\bsans mur (?:commun|mitoyen)(?: entre elles)?\b", "ne sont pas cote a cote"),
+    (r"\bno (?:compart[ae]n|deben compartir|tengan) (?:ninguna |una )?(?:pared|muro)(?: en comun)?\b",
+     "no esten uno al lado del otro"),
     # "Küche und Wohnzimmer zusammen 35 m²", "la cocina está junto al comedor"
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
