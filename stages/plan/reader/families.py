@@ -18,7 +18,7 @@ COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])
 LIVING = re.compile(r"\b(?:lives?|stays?|moves? in) with (?:us|me) and (?=ha[sv]e?|needs?|gets?|wants?|takes?|sleeps?)")
 HAVING = re.compile(
     r"(?:\b(?:we have|we are|we've|our|my|wir haben|unsere|nous avons|nos|tenemos|nuestr[oa]s)\b|我们|一家)[^.]{0,48}"
-    r"kids room"
+    r"kids room|\b(?:i|we) have (?:an?|one|two|three|\d) (?:son|daughter|boy|girl|child|kid)s?\b(?=.*\d kids rooms)"
 )
 """Children of those who write."""
 HEADED = re.compile(r"[:;.-] ?(?:an?|\d) (?:small |large )?(?:kids room|relative's room)")

@@ -4,6 +4,8 @@ import re
 
 from apartgen.stages.plan.reader.pieces import ROOM, reworded, rules
 
+_HELPED = "".join(rf"(?<!\b{verb} )" for verb in "must should may shall can could will would need do does did".split())
+"""No verb before that makes a `not` English: `must not have`."""
 _LIVING = re.compile(r"\b(?:living|lounge|sitting|main room|salon)")
 
 
@@ -13,8 +15,9 @@ def _big_room(found: re.Match[str]) -> str:
 
 
 _SAID = rules((
-    # "kitchen no have door", "there is not balcony", "it is not balcony"
-    (r"\b(no|not) (have|has) (?:an? |any )?", "has no "),
+    # "kitchen no have door", "I not need a balcony", "there is not balcony", "it is not balcony"
+    (r"{helped}\b(no|not) (have|has) (?:an? |any )?", "has no "),
+    (r"{helped}\b(?:no|not) (need|want|like|wish)s?(?= (?!to\b|for\b|of\b)[a-z])", r"do not \1"),
     (r"\b(?:there is|there are|it is) not (?:an? |any )?(?=(?:balcony|hall|corridor|study|dining|toilet|pantry|"
      r"storage|tv|sofa|"
      r"table|desk|bathtub|[a-z]+room)\b)", "there is no "),
@@ -70,7 +73,7 @@ _SAID = rules((
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),
-), room=rf"(?:{ROOM}|room)")  # fmt: skip
+), room=rf"(?:{ROOM}|room)", helped=_HELPED)  # fmt: skip
 
 
 def as_learnt(text: str) -> str:

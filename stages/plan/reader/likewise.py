@@ -8,7 +8,22 @@ _MUST = rf"(?:{MUST}|does|do|is|are)"
 _BY = (r"(?:share (?:a |any )?walls? with|touch|adjoin|border|(?:be )?(?:next|adjacent|close|opposite)(?: to)?|"
        r"(?:be )?near|(?:open|lead|give) (?:on|off|into|onto|to)|have a door to|face)")  # fmt: skip
 _WHOSE = r"(?:my|our|the) [a-z]+(?:'s|s')(?: (?:bed ?)?room)?"
+_ONE = {"my": "one", "our": "one", "mein": "ein", "mon": "un", "mi": "un"}
+
+
+def _hers(found: re.Match[str]) -> str:
+    """`my study faces east, hers north` as one and the other."""
+    other = {"mein": "das andere", "mon": "l'autre", "mi": "el otro"}.get(found["my"], "the other")
+    return f"{_ONE[found['my']]} {found['room']}{found['said']}{other}"
+
+
 _SAID = rules((
+    # "my study should face east, hers should face north"
+    (r"\b(?P<my>my|mein|mon|mi) (?P<room>study|office|home office|closet|walk-in closet|bed ?room|arbeitszimmer|buro|"
+     r"schlafzimmer|bureau|estudio|despacho|dormitorio)(?P<said> [^.;]+?[,;] ?(?:and |while |but |und |et |y )?|"
+     r" [^.;]+? (?:and|while|und|et|y) )(?:hers|his|(?:my|your) (?:wife|husband|partner)'s|ihres|seines|le sien|"
+     r"el suyo)(?= (?:{must}|faces?|is|has|gets?|looks?|at|in|on|to|north|south|east|west|nach|soll|hat|au|a|doit|al|"
+     r"debe|tiene)\b)", _hers),
     # "must not share a wall with the living room, and neither must the study with the kitchen"
     (r"\b(?P<must>{must}) not (?P<by>{by}) (?P<to>{the}),? ?(?:and |but )?(?:neither|nor) {must} (?P<of>{the}),? "
      r"(?:with|to|next to|near|on|into|be next to|touch) (?P<other>{the}){end}",

@@ -8,7 +8,8 @@ from apartgen.stages.plan.reader.vocabulary import Det
 
 EACH = ("share a wall", "common wall", "wet wall", "plumbing wall", "share walls", "each other",
         "one another", "side by side", "back to back", "nebeneinander", "einander gegenuber",
-        "cote a cote", "face a face")
+        "cote a cote", "face a face", "mitoyens", "mitoyennes", "contigus", "contigues", "voisins", "voisines",
+        "adjacents", "adjacentes", "contiguos", "contiguas", "colindantes")
 ACROSS = ("opposite", "across", "fac", "einander geg")
 VERBAL, PLACED = ("with", "copula", "relative", "conjunction"), ("side", "place", "area", "reach")
 NARROW = 3.0

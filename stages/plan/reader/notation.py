@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.excluded import excluded
 from apartgen.stages.plan.reader.lettered import numbered
 
 CODES = {"k": "kitchen", "kt": "kitchen", "lr": "living room", "dr": "dining room", "br": "bedroom", "bd": "bedroom",
@@ -20,8 +21,6 @@ _ITEM = re.compile(
     r'(?:[\s,.]+"?(?:area|size)(?: m2| sqm)?"?: ?"?(\d+(?:\.\d+)?))?'
 )
 """An item of a list in YAML: what room, how many, and of which area each."""
-_EXCLUDED = re.compile(r"\b(?:forbidden|excluded?|avoid|unwanted|banned|not wanted)\s*:"
-                       r"((?:\s*[a-z][a-z -]*(?:, ?[a-z][a-z -]*)+(?=\s*(?:[.;\n]|$)))?)")  # fmt: skip
 _DOTTED = re.compile(r"(?<=[a-z])\.(?=[a-z][a-z ]*\s*:)")
 _OPEN_KEY = re.compile(r"\b(kitchen|living room|dining room) open\s*:\s*(?:true|yes|1)\b")
 _TRUTH = re.compile(r"(?<=:)(\s*)(true|false)\b")
@@ -59,7 +58,7 @@ _THINGS = re.compile(
     r"(?:an? |the )?([a-z]+(?:[ -][a-z]+){0,2}) ?x ?(\d)\b(?! ?[xm.]\d| ?(?:x|m|m2|cm|sqm|by|ft)\b)"
 )
 """`desk x2`: how many of a thing there are, 0 for none."""
-_NOT_HAVE = re.compile(r"\b((?:must|should|may|do|does|shall) not (?:have|include|contain)|without|excluding|no)\s*:")
+_NONE = re.compile(r"\bno\s*:")
 _OPEN_PLAN = re.compile(r"\bopen (?:plan|concept|space)\"?\s*:\s*yes\b(?:\s*\(([^)]*)\))?")
 _LETTERS = re.compile(r"[+,&] ?k ?[+,&] ?b\b")
 _SHORT = {"k": "kitchen", "l": "living room", "d": "dining room"}
@@ -100,7 +99,7 @@ def worded(text: str) -> str:
     text = numbered(text)
     coded = len({found.group() for found in _CODED.finditer(text)}) > 1
     text = re.sub(r'\b(kitchen)"?\s*:\s*\(\s*"?open"?\s*:\s*"?(?:true|yes)"?\s*\)', r"open \1", text)
-    text = _EXCLUDED.sub(lambda found: "no" + ", no".join(re.split(r",(?: and| or)?|\b(?:and|or)\b", found[1])), text)
+    text = excluded(text)
     text = _ITEM.sub(lambda found: f"{found[2]} {found[1]}s{f' of {found[3]} m2 each' if found[3] else ''}", text)
     text = _TYPED.sub(r"\2 \1s, ", text)
     text = _TYPED_TO.sub(r"\1 \2 to \3, ", text)
@@ -119,7 +118,7 @@ def worded(text: str) -> str:
     text = _OPEN_PLAN.sub(lambda found: f"open plan {found[1] or 'kitchen and living room'}", text)
     text = _SIZED.sub(r"\1 \2: \3 m2", text)
     text = _THINGS.sub(lambda found: f"{found[1]}{'no' if found[3] == '0' else found[3]} {found[2]}", text)
-    text = _TIMES.sub(r"\2 \1s", _NOT_HAVE.sub(r"\1", text))
+    text = _TIMES.sub(r"\2 \1s", _NONE.sub("no", text))
     text = re.sub(r"\b(bed|bath)(?:room)? count:? (\d)\b", r"\2 \1s", re.sub(r"\b(sqm|m2) (\d{2,3})$", r"\2 \1", text))
     text = _COUNT.sub(r"\1s:", re.sub(r"\b(?:num|nb|nr) (?=[a-z]+s\b)", "", text))
     text = _KEYED.sub(r"\1: \3 \2", text)

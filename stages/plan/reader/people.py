@@ -8,6 +8,7 @@ from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
 from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, we_keep, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
+from apartgen.stages.plan.reader.kinsfolk import as_kin, in_turn, told_before, told_of_all
 from apartgen.stages.plan.reader.possessions import (
     SEVERAL,
     aged,
@@ -31,7 +32,7 @@ def housed(text: str) -> tuple[People | None, str]:
 
     Where some have rooms, others beside them have some, too; where nobody has, they are told as a household.
     """
-    text = LIVING.sub("", aged(apiece(as_first_told(text))))
+    text = LIVING.sub("", aged(apiece(as_first_told(as_kin(text)))))
     if not any(stem in text for stem in data()["stems"]):
         return None, text
     text = we_keep(text)
@@ -45,12 +46,14 @@ def housed(text: str) -> tuple[People | None, str]:
         people = people and replace(people, children=max(people.children - fewer, 0))
         return people, text
     couple = COUPLE.search(text) is not None and pattern("{who}").search(COUPLE.sub("", text)) is not None
-    claims, claimed = _claims(_placed(COUPLE.sub("the couple", text) if couple else text))
-    if claimed:
+    known = text
+    placed, apart = in_turn(COUPLE.sub("the couple", text) if couple else text)
+    claims, claimed = _claims(placed)
+    if claimed or apart:
         if beside and "parents' bedroom" not in claims and not COUNTED.search(claims):
             claims = f"{claims.rstrip(' .!')}. a parents' bedroom."  # "the baby sleeps with us, …"
         text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", of_the_last(equipped(claims))))
-        return None, _others(_baths(text)) if not COUNTED.search(text) else _baths(text)
+        return None, _others(_baths(text), told_of_all(known)) if not COUNTED.search(text) else _baths(text)
     whole = text
     people, text = _household(text)
     return _without_sharing(people, text, whole) if people is not None else (people, text)
@@ -72,17 +75,6 @@ def _told_again(text: str) -> tuple[int | None, str]:
     out = pattern("{who}{relative}? ?(?:will |can |must )?{share} ?{article}*{room}").sub(shared, text)
     alone = pattern("{who} (?:is |sleeps |schlaft )?(?:alone|allein|seule?|sol[oa])")
     return (sum(fewer), alone.sub("", out)) if fewer else (None, text)
-
-
-def _placed(text: str) -> str:
-    """`two boys in one room, the girl in another, us in a third` as rooms that these people have."""
-    first = pattern("{who} in {article}*{room}").search(text)
-    if first is None:
-        return text
-    other = "in (?:another|the other|a (?:second|third|fourth)|{article}+)(?: one| room| bedroom)?(?=[,.;]|$| and)"
-    text = pattern("{self} " + other).sub("a parents' bedroom", text)
-    text = pattern("{who} " + other).sub(lambda match: rooms_for(match, 1), text)
-    return pattern("{who} in {article}*{room}").sub(lambda match: rooms_for(match, 1), text)
 
 
 def _claims(text: str) -> tuple[str, bool]:
@@ -207,10 +199,12 @@ def _each_of(text: str) -> tuple[str, list[str]]:
     return pattern(me + "(?={before}*{number}){who}" + gap).sub(apart, text), found
 
 
-def _others(text: str) -> str:
-    """Rooms for people beside those who have one: `two parents, a kids room`."""
+def _others(text: str, again: bool) -> str:
+    """Rooms for people beside those who have one: `two parents, a kids room`; not for children told of `again`."""
 
     def room(match: re.Match[str]) -> str:
+        if again and told_before(match):
+            return match.group()
         count = number_of(match) or (2 if several(match) else 1)
         lead = match["lead"].replace("- ", ", ")
         return f"{lead}{rooms_for(match, 1 if kind_of(match) in ('couple', 'spouse') else count)}"

@@ -89,6 +89,30 @@ _SAID = rules((
     (r"\ban? bath(,| and| as well as) (?=(?:an? )?(?:separate |walk-in )?shower in the )",
      r"a bathtub\1 "),
     (r"(\bshower(?:,| and| as well as) an?) bath(?= in the )", r"\1 bathtub"),
+    # "one off the hallway and one en suite to the master bedroom", "balcony: yes, off the living room"
+    (r"\bone (?P<off>(?:opening |reached |accessible )?(?:off|from) the {hall}),? and (?:one|another|"
+     r"the other|a second one) (?P<own>en[ -]?suite to the (?:[a-z]+ )?bed ?room){end}",
+     r"one \g<own> and one \g<off>"),
+    (r"({kind}) ?: ?yes, (?=(?:directly )?(?:off|facing|on|at|near|next to)\b)", r"\1 "),
+    # "kitchen open to the living room and at the back of the flat"
+    (r"\b(?P<of>{kind}) (?P<said>open to the {kind}) and (?=(?:at|in|on|near) the (?:very )?(?:back|front|rear|middle|"
+     r"cent(?:er|re)|entrance|left|right|{compass})\b)", r"\g<of> \g<said>. the \g<of> is "),
+    # "everything opens off the hallway, both bathrooms too, except the dining room"
+    (r"\b(?P<all>(?:everything|all (?:the )?(?:other )?rooms|every (?:other )?room)\b[^.;,:]*), (?:even )?"
+     r"(?:both|the|all|also) (?:the )?{kind}s?,? (?:too|as well|also|included)(?=[,.;])", r"\g<all>"),
+    # "14 m² como mínimo", "6 m² au maximum", "die von der Küche abgeht"
+    (r"(\b{amount} ?m2) (?:como|au|a lo) (minimo|maximo|minimum|maximum)\b", r"\1 \2"),
+    (r",? (?:die|der|das|welche) (?:direkt )?(?:vom|von der|von dem) ([a-z]+) (?:aus )?ab(?:geht|zweigt)\b",
+     r" off the \1"),
+    # "阳台：与客厅相连，朝南"
+    (r"(阳台|露台)[:,]? ?([与和跟同][^,.;:]{1,4}(?:相连|相通|连通|相接))[,、] ?(朝[东南西北]+)", r"\1\3,\2"),
+    # "keine gemeinsame Wand haben", "qui ne partagent pas de mur", "que no compartan pared"
+    (r"\bkeine (?:gemeinsame )?wand (?:gemeinsam |miteinander )?(?:haben|teilen)(?: durfen| sollen)?\b",
+     "nicht nebeneinander liegen"),
+    (r"\bne (?:partagent|doivent) pas (?:partager |avoir )?(?:de|un) mur(?: commun| mitoyen)?\b|\bne se touchent pas\b|"
+     r"\bsans mur (?:commun|mitoyen)(?: entre elles)?\b", "ne sont pas cote a cote"),
+    (r"\bno (?:compart[ae]n|deben compartir|tengan) (?:ninguna |una )?(?:pared|muro)(?: en comun)?\b",
+     "no esten uno al lado del otro"),
     # "Küche und Wohnzimmer zusammen 35 m²", "la cocina está junto al comedor"
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),
