@@ -80,6 +80,8 @@ def test_a_category_is_placed_and_built(done):
     desks = [o for o in home["objects"] if o["category"] == "standing_desk"]
     assert len(desks) == 1 and 0.95 <= desks[0]["size"][2] <= 1.25
     assert desks[0]["asset"]["id"].startswith("standing_desk/") and desks[0]["room"] == "study_1"
+    study = [o["category"] for o in home["objects"] if o["room"] == "study_1"]
+    assert "desk" not in study and "office_chair" in study, "it comes in the place of what it is like, not beside it"
 
 
 def test_a_type_of_room_is_planned_and_tells_what_it_is_like(done, site):

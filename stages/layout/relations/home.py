@@ -30,7 +30,7 @@ from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
 from apartgen.stages.use import arrivals, belongings, lacks_of, site
 from apartgen.stages.use.household import duties, sleepers
-from apartgen.stages.use.kinds import COATS
+from apartgen.stages.use.kinds import COATS, basic
 from apartgen.stages.use.site import Site
 
 FRAMES, BRANCHES, OFFSETS = 2, 4, 24
@@ -177,7 +177,10 @@ def _least(room: Room, area: float) -> tuple[frozenset[str], ...]:
 def wanted_of(arrays: Rooms, i: int, plan: Plan, room: Room) -> Counter[str]:
     """Objects asked for by category, those of the programme and the home's table; 0 where there are to be none."""
     wanted = Counter({CATEGORIES[c]: int(k) for c, k in enumerate(arrays.wanted[i]) if k != UNKNOWN})
-    for category, count in wishes.of_room(plan.program, room.id).items():
+    asked = wishes.of_room(plan.program, room.id)
+    for category, count in asked.items():
+        if count and basic(category) not in asked:
+            wanted[basic(category)] = 0  # what is like it comes in its place, not beside it
         wanted[category] = count
     return wanted
 
@@ -233,6 +236,8 @@ def _contents(task: Task, rules: Rules, arrays: Rooms, i: int, plan: Plan, room:
         there[known.category(name)] += 1
     wanted = np.where(rules.wanted >= 0, np.maximum(rules.wanted - there, 0), UNKNOWN)
     likes = list((Counter(rules.likes) - Counter(name for name, _ in task.given)).elements())
+    for name in likes:
+        there[known.category(name)] += 1
     count = plan.program.counts.get(room.id, UNKNOWN)
     if count != UNKNOWN:
         count = max(0, count - len(task.given) - len(likes))
