@@ -54,7 +54,7 @@ def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path, seed:
     """Write one apartment and the list of its files beside them; the seed is the apartment's own without another."""
     used, began = read.made.seed if seed is None else seed, perf_counter()
     files = export(read.body, settings, folder, used)
-    text, _ = artifact.finish(files, made(used, settings, read, perf_counter() - began))
+    text, _ = artifact.finish(files, made("export", used, settings, read, perf_counter() - began))
     artifact.write(text, folder / "export.json")
     return files
 
@@ -62,7 +62,7 @@ def finished(read: Artifact[Plan], settings: ExportSettings, folder: Path, seed:
 def intact(read: Artifact[Plan], settings: ExportSettings, folder: Path, seed: int | None = None) -> Export | None:
     """The list of an earlier export's files, where it came about just so and none is lost or changed."""
     used = read.made.seed if seed is None else seed
-    old = kept(folder / "export.json", "export", made(used, settings, read))
+    old = kept(folder / "export.json", "export", made("export", used, settings, read))
     same = old is not None and all(_unchanged(folder / file.path, file.sha256) for file in old.body.files)
     return old.body if old is not None and same else None
 

@@ -37,7 +37,7 @@ def rendered(read: Artifact[Any], settings: RenderSettings, seed: int | None, fo
     found = render.run(read.body, settings, rng, folder, opened_libraries(*settings.libraries).load_asset)
     if settings.photo:
         found = found.model_copy(update={"files": [*found.files, *_photographs(read.body, settings, found, folder)]})
-    text, _ = artifact.finish(found, made(used, settings, read, perf_counter() - began))
+    text, _ = artifact.finish(found, made("render", used, settings, read, perf_counter() - began))
     artifact.write(text, folder / VIEWS)
     return found
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field
 
+from apartgen.schemas import plugins
 from apartgen.schemas.artifact import Artifact, Made, kind_of
 from apartgen.schemas.base import Record
 from apartgen.schemas.errors import ApartgenError, BadInput, Unmet
@@ -87,11 +88,24 @@ def lane(seed: int, word: str, home: Plan) -> np.random.Generator:
     return seeds.drawn(seed, word, seeds.plan_digest(home))
 
 
-def made(seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0,
+_EVERYWHERE = ("categories", "rooms", "rules")
+_BROUGHT = {"plan": ("imports",), "layout": ("guidance", "choice"), "retrieve": ("furniture",),
+            "walkable": ("furniture",), "populate": ("furniture",), "export": ("furniture", "export"),
+            "metrics": ("furniture", "metrics", "datasets"), "render": ("furniture",)}
+"""What of other packages the result of a command hangs on, by the groups of their entry points."""
+
+
+def brought(word: str) -> str:
+    """Digest of what other packages bring that a command's result hangs on; empty where there are none."""
+    return plugins.digest(*(plugins.PREFIX + group for group in (*_EVERYWHERE, *_BROUGHT.get(word, ()))))
+
+
+def made(word: str, seed: int, config: Record, previous: Artifact[Any] | None = None, seconds: float = 0.0,
          data: Mapping[str, Path] | None = None) -> Made:
-    """How a result of this program came about."""
+    """How a result of the command `word` came about."""
     inputs = {previous.kind: previous.digest} if previous else {}
     inputs |= {name: _digest(file) for name, file in (data or {}).items() if file.is_file()}
+    inputs |= {"packages": packages} if (packages := brought(word)) else {}
     id = previous.made.id if previous else ""
     return Made(by=BY, id=id, seed=seed, config=config.model_dump(mode="json"), inputs=inputs,
                 seconds=round(seconds, 2))

@@ -62,7 +62,7 @@ def _saved(body: Record, wanted: Made, began: float, file: Path) -> Artifact[Any
 
 
 def _planned(prompt: str, config: Any, seed: int, folder: Path, id: str, furnished: bool) -> Artifact[Any]:
-    wanted, began = made(seed, config).model_copy(update={"id": id}), perf_counter()
+    wanted, began = made("plan", seed, config).model_copy(update={"id": id}), perf_counter()
     old = kept(folder / "plan.json", "plan", wanted)
     if old is not None and old.body.prompt == prompt:
         return old
@@ -80,7 +80,7 @@ def _drawn_aside(draw: Callable[[], Drawn]) -> Drawn:
 
 def _advanced(stage: Step, previous: Artifact[Any], config: Record, seed: int, folder: Path) -> Artifact[Any]:
     file, began = folder / f"{stage.word}.json", perf_counter()
-    wanted = made(seed, config, previous, data=stage.data(config))
+    wanted = made(stage.word, seed, config, previous, data=stage.data(config))
     old = kept(file, stage.word, wanted)
     if old is not None:
         return old
@@ -98,6 +98,6 @@ def _exported(home: Artifact[Any], settings: Any, seed: int, scene: Path) -> lis
 
 
 def _measured(home: Artifact[Any], settings: Any, seed: int, folder: Path) -> None:
-    wanted, began = made(seed, settings, home), perf_counter()
+    wanted, began = made("metrics", seed, settings, home), perf_counter()
     if kept(folder / "metrics.json", "metrics", wanted) is None:
         _saved(measure(home.body, settings), wanted, began, folder / "metrics.json")

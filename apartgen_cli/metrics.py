@@ -78,7 +78,7 @@ def _each(given: Inputs, settings: MetricsSettings, reference: Reference | None,
 
 
 def _one(read: Read, settings: MetricsSettings, reference: Reference | None, into: Results) -> None:
-    record = made(read.artifact.made.seed, settings, read.artifact)
+    record = made("metrics", read.artifact.made.seed, settings, read.artifact)
     if reference:
         record.inputs["against"] = reference.digest
     if into.found(read.name, "metrics", record):
@@ -134,7 +134,7 @@ def _compared(
     if table:
         artifact.write(metrics.side_by_side(values), place)
         return 0
-    record = made(SEED, settings, seconds=perf_counter() - began,
+    record = made("metrics", SEED, settings, seconds=perf_counter() - began,
                   data=files | ({"inception": inception} if inception else {}))
     record.inputs |= {f"generated {i}": a.digest for i, a in enumerate(ours, 1)} | digests
     text, _ = artifact.finish(values, record)

@@ -101,7 +101,7 @@ class _Run:
             raise order.error
         config = self.settings(order.request.settings.get("plan", {}))
         seed = (order.request.seed or 0) if self.seed is None else self.seed
-        record = made(seed, config).model_copy(update={"id": order.request.id})
+        record = made("plan", seed, config).model_copy(update={"id": order.request.id})
         alone = self.variants == 1
         if not (alone and self.results.found(order.request.name, "plan", record, order.wanted.prompt)):
             began = perf_counter()

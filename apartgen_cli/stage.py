@@ -100,7 +100,7 @@ class _Run:
             self.tally.failed(read, fault)
             return None
         used = read.outcome.made.seed if self.seed is None else self.seed
-        wanted = made(used, self.config, read.outcome, data=self.stage.data(self.config))
+        wanted = made(self.stage.word, used, self.config, read.outcome, data=self.stage.data(self.config))
         found = self.results.found(read.name, self.stage.word, wanted, read.artifact.body.prompt)
         if found is None:
             return wanted

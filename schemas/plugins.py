@@ -4,16 +4,24 @@ An entry point of a group `apartgen.…` names a module (`my_package.gltf2`), or
 (`my_package:categories.toml`). Whatever is wrong with one is said in a warning that names its package.
 """
 
+import difflib
+import hashlib
 import importlib.util
 import logging
 import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import EntryPoint, EntryPoints, entry_points
 from pathlib import Path
 from typing import Any, NamedTuple
 
 log = logging.getLogger("apartgen")
+PREFIX = "apartgen."
+"""What the names of all groups begin with."""
+KNOWN = ("categories", "choice", "datasets", "export", "furniture", "guidance", "imports", "kinds", "metrics",
+         "retrieve", "rooms", "rules")
+"""The groups that are looked into."""
+_INIT = "__init__.py"
 
 
 class Plugin(NamedTuple):
@@ -22,6 +30,7 @@ class Plugin(NamedTuple):
     name: str
     value: str
     package: str
+    version: str = ""
 
     @property
     def place(self) -> Path | None:
@@ -30,17 +39,36 @@ class Plugin(NamedTuple):
         source = _source(module)
         return source.parent / file if source and file else source
 
+    @property
+    def top(self) -> Path | None:
+        """The source of the whole package that it is in."""
+        return _source(self.value.partition(":")[0].partition(".")[0])
+
     def told(self, fault: str) -> str:
         """The fault in words that say whose it is."""
         return f"{self.package}: {self.name} = {self.value!r}: {fault}; mend it or uninstall {self.package}"
 
 
 @cache
+def _points() -> EntryPoints:
+    """All entry points there are; looking for them takes longer than all else here."""
+    found = entry_points()
+    for group in sorted(group for group in found.groups if group.startswith(PREFIX)):
+        if (name := group.removeprefix(PREFIX)) not in KNOWN:
+            close = difflib.get_close_matches(name, KNOWN, n=1)
+            hint = f"did you mean {PREFIX}{close[0]}?" if close else f"there are: {', '.join(KNOWN)}"
+            log.warning("%s: entry points %r are of no group that is looked into; %s",
+                        _package(next(iter(found.select(group=group)))), group, hint)
+    return found
+
+
+@cache
 def brought(group: str) -> dict[str, Plugin]:
     """The plugins of a group by name; of several of one name the first package's."""
     found: dict[str, Plugin] = {}
-    for point in sorted(entry_points(group=group), key=lambda point: (point.name, _package(point))):
-        plugin = Plugin(point.name, point.value.replace(" ", ""), _package(point))
+    for point in sorted(_points().select(group=group), key=lambda point: (point.name, _package(point))):
+        version = point.dist.version if point.dist is not None else ""
+        plugin = Plugin(point.name, point.value.replace(" ", ""), _package(point), version)
         if found.setdefault(point.name, plugin) != plugin:
             log.warning("%s", plugin.told(f"the name is taken by {found[point.name].package} already; left out"))
     return found
@@ -81,3 +109,30 @@ def facts(group: str) -> Iterator[tuple[Plugin, dict[str, Any]]]:
             yield plugin, tomllib.loads(place.read_text(encoding="utf-8"))
         except (OSError, UnicodeError, tomllib.TOMLDecodeError) as error:
             log.warning("%s", plugin.told(f"{error}; left out"))
+
+
+@cache
+def digest(*groups: str) -> str:
+    """Of all that packages bring to these groups: their versions, the files that are named, and the rest of their code
+    but for what they bring to other groups alone; empty where they bring nothing.
+    """
+    used = [plugin for group in groups for plugin in brought(group).values()]
+    named = {plugin.place for plugin in used}
+    others = {plugin.place for group in _groups() for plugin in brought(group).values()} - named
+    found = hashlib.sha256(repr([tuple(plugin) for plugin in used]).encode())
+    for root in sorted({place for place in (*named, *(plugin.top for plugin in used)) if place}):
+        for file in _code(root):
+            if others.isdisjoint((file, *(folder / _INIT for folder in file.parents if folder != root.parent))):
+                found.update(f"\n{file.name}\n".encode() + file.read_bytes())
+    return f"sha256:{found.hexdigest()}" if used else ""
+
+
+def _groups() -> list[str]:
+    return sorted(group for group in _points().groups if group.startswith(PREFIX))
+
+
+def _code(root: Path) -> list[Path]:
+    """The file of a module, or all of a package's that are code or facts."""
+    if root.name != _INIT:
+        return [root] if root.is_file() else []
+    return sorted(file for file in root.parent.rglob("*") if file.suffix in (".py", ".toml") and file.is_file())

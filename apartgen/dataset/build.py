@@ -14,7 +14,7 @@ from apartgen.dataset.source import Source
 from apartgen.dataset.store import PER_SHARD, Store, Writer
 from apartgen.requests import Request
 from apartgen.schemas.errors import BadInput
-from apartgen.steps import BY, POPULATE
+from apartgen.steps import BY, POPULATE, STEPS, brought
 
 Report = Callable[[Row], None]
 
@@ -32,7 +32,7 @@ def build(source: Source, folder: Path, *, seed: int = 0, given: Settings | None
     store = Store(folder)
     _begun(store, source, {"apartgen_dataset": 1, "by": BY, "seed": seed, "per_shard": per_shard,
                            "stages": ["plan", *(step.word for step in steps_of(populate))],
-                           "settings": {word: dict(table) for word, table in (given or {}).items()}})
+                           "settings": {word: dict(table) for word, table in (given or {}).items()}} | _packages())
     if copies is not None:
         copies.take(store.folder)
     writer = Writer(store, per_shard)
@@ -59,6 +59,12 @@ def _lost(asked: Asked) -> Done:
     return Done(b"", row_of(asked) | {"error": why, "status": 1, "seconds": {}})
 
 
+def _packages() -> dict[str, dict[str, str]]:
+    """What other packages bring to the stages and the figures, where there are any."""
+    found = {word: digest for word in (*(step.word for step in STEPS), "metrics") if (digest := brought(word))}
+    return {"packages": found} if found else {}
+
+
 def _begun(store: Store, source: Source, about: dict[str, Any]) -> None:
     about |= {"source": source.about(), "count": source.count}
     store.folder.mkdir(parents=True, exist_ok=True)
@@ -68,6 +74,9 @@ def _begun(store: Store, source: Source, about: dict[str, Any]) -> None:
         store.describe(about)
         return
     old = store.about()
+    if old.get("packages") != about.get("packages"):
+        raise BadInput(f"{store.folder}: the packages that add to apartgen are others than those that its homes were "
+                       "made with, or have changed; give another folder")
     for name in about:
         if name != "count" and old.get(name) != about[name]:
             raise BadInput(f"{store.folder}: is a data set of another {name}; give another folder, or ask for the same")

@@ -99,7 +99,7 @@ def _plan(asked: Asked, config: Any) -> Artifact[Any]:
     # One thread: the cores are the workers', and the plan does not depend on it.
     drawn, used = planning.draw(asked.request.prompt, config.model_copy(update={"processes": 1}), asked.seed,
                                 asked.request.id)
-    record = made(asked.seed, config).model_copy(update={"id": asked.request.id, "model": used})
+    record = made("plan", asked.seed, config).model_copy(update={"id": asked.request.id, "model": used})
     return artifact.finish(drawn, record)[1]
 
 
@@ -107,12 +107,12 @@ def _next(step: Step, read: Artifact[Any], config: Record, seed: int) -> Artifac
     outcome = next(iter(step.advance([step.taken(read).body], config, [lane(seed, step.word, read.body)])))
     if isinstance(outcome, ApartgenError):
         raise type(outcome)(f"{step.word}: {outcome}")
-    return artifact.finish(outcome, made(seed, config, read, data=step.data(config)))[1]
+    return artifact.finish(outcome, made(step.word, seed, config, read, data=step.data(config)))[1]
 
 
 def _data(step: Step, config: Record) -> dict[str, str]:
     """Digests of the files that a stage hangs on, such as weights."""
-    return made(0, config, data=step.data(config)).inputs
+    return made(step.word, 0, config, data=step.data(config)).inputs
 
 
 def _over(settings: Settings, own: Settings) -> dict[str, dict[str, Any]]:

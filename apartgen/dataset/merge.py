@@ -18,8 +18,8 @@ def merge(parts: Sequence[Store], folder: Path) -> Store:
     """
     store, abouts = Store(folder), [part.about() for part in parts]
     for part, about in zip(parts, abouts):
-        if any(about[name] != abouts[0][name] for name in ("settings", "stages", "by")):
-            raise BadInput(f"{part.folder}: other settings, stages or version than {parts[0].folder}; homes could not "
+        if any(about.get(name) != abouts[0].get(name) for name in ("settings", "stages", "by", "packages")):
+            raise BadInput(f"{part.folder}: other settings, stages, version or packages than {parts[0].folder}; homes could not "
                            "be made again")
     if folder.exists() and any(folder.iterdir()):
         raise BadInput(f"{folder}: is not empty; give a new folder")
