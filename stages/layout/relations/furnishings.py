@@ -1,9 +1,11 @@
 """What a room's contents get besides what the model draws: a nightstand for everyone in a bed, a desk for who sleeps
-alone and for children, a lamp in every bedroom."""
+alone and for children, a lamp in every bedroom; and what has no use where something else is not to be."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
+from apartgen.stages.layout.sense import sense
+from apartgen.stages.things.categories import CATEGORIES, TABLE
 from apartgen.stages.use import kinds
 
 STAND, DESK, SEAT = "nightstand", "desk", "office_chair"
@@ -30,6 +32,19 @@ def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, are
     if bedroom and LAMPS.isdisjoint(count) and LAMPS.isdisjoint(asked):
         more.append(LAMP)
     return [*names, *more]
+
+
+def idle(asked: Mapping[str, int], there: Iterable[str], kind: str) -> dict[str, int]:
+    """0 of what is of no use in a room of a kind, as nothing that it needs is to be there: of a chair without a desk.
+
+    What is asked for by number, or there, is meant as it is said; what is like something does for it.
+    """
+    held = {kinds.basic(name) for name in (*there, *(name for name, count in asked.items() if count))}
+    barred = {name for name, count in asked.items() if not count} - held
+    of_use = {CATEGORIES[c]: {CATEGORIES[k] for k in company} for c, company in sense().needs}
+    near = {name: {other for other in company if other in held or kind in TABLE[other].rooms}
+            for name, company in of_use.items() if name not in asked}
+    return {name: 0 for name, company in near.items() if company and company <= barred}
 
 
 def _desks(count: Counter[str], area: float) -> int:

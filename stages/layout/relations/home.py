@@ -134,7 +134,9 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     asked = wanted_of(arrays, i, plan, room)
     own = living.unless_told(ways, {o.category for o in given} | {name for name in asked if asked[name]})
     wanted = Counter({**_kept(plan, place, given), **_long_table(plan, room), **(NO_LIGHT if place.dark else {}),
-                      **{name: count for name, count in own.items() if name != BASKET}, **asked})
+                      **{name: count for name, count in own.items() if name != BASKET},
+                      **furnishings.idle(wishes.of_room(plan.program, room.id), (o.category for o in given), room.base),
+                      **asked})
     rules = rules_of(known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])

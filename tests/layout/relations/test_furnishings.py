@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-from apartgen.stages.layout.relations.furnishings import completed
+from apartgen.stages.layout.relations.furnishings import completed, idle
 
 
 @pytest.mark.parametrize("names, stands", [
@@ -38,3 +38,17 @@ def test_who_shares_no_bed_has_a_desk(names: list[str], bedroom: bool, area: flo
     found = Counter(completed(names, {}, bedroom, area))
     assert (found["desk"], found["office_chair"]) == (desks, chairs)
     assert Counter(completed(names, {"desk": 0}, bedroom, area))["desk"] == names.count("desk")
+
+
+@pytest.mark.parametrize(("asked", "there", "kind", "found"), [
+    ({"desk": 0}, [], "study", {"chair", "office_chair", "monitor"}),
+    ({"desk": 0}, [], "living_room", {"office_chair", "monitor"}),
+    ({"desk": 0}, [], "dining_room", set()),
+    ({"desk": 0, "chair": 1}, [], "study", {"office_chair", "monitor"}),
+    ({"desk": 0}, ["desk"], "study", set()), ({"desk": 1}, [], "study", set()), ({}, [], "study", set()),
+    ({"dining_table": 0}, [], "kitchen", set()), ({"dining_table": 0, "round_table": 0}, [], "kitchen", {"chair"}),
+    ({"sofa": 0}, [], "living_room", set()),
+])
+def test_a_chair_has_no_use_where_no_desk_is_to_be(asked, there, kind, found) -> None:
+    """Nor has one where there is to be no table, unless another that comes in such rooms is left."""
+    assert idle(asked, there, kind) == dict.fromkeys(found, 0)
