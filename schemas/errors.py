@@ -7,7 +7,12 @@
 A message says what is wrong, where (file, JSON path), and what to do.
 """
 
+import difflib
+from collections.abc import Iterable
 from importlib.util import find_spec
+
+CLOSE = 0.65
+"""How alike a word must be to a name to be taken for it, of 1."""
 
 
 class ApartgenError(Exception):
@@ -26,6 +31,13 @@ class Unmet(ApartgenError):
     """A well-formed request that has no solution, or that a model refused."""
 
     exit_code = 1
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """Which of the known names was meant, as a question, or else all of them."""
+    names = list(known)
+    close = difflib.get_close_matches(name.lower(), names, n=3, cutoff=CLOSE)
+    return f"did you mean {' or '.join(map(repr, close))}?" if close else f"there are: {', '.join(names)}"
 
 
 def need_torch(what: str) -> None:

@@ -4,7 +4,6 @@ An entry point of a group `apartgen.…` names a module (`my_package.gltf2`), or
 (`my_package:categories.toml`). Whatever is wrong with one is said in a warning that names its package.
 """
 
-import difflib
 import hashlib
 import importlib.util
 import logging
@@ -14,6 +13,8 @@ from functools import cache
 from importlib.metadata import EntryPoint, EntryPoints, entry_points
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from apartgen.schemas.errors import near
 
 log = logging.getLogger("apartgen")
 PREFIX = "apartgen."
@@ -55,10 +56,8 @@ def _points() -> EntryPoints:
     found = entry_points()
     for group in sorted(group for group in found.groups if group.startswith(PREFIX)):
         if (name := group.removeprefix(PREFIX)) not in KNOWN:
-            close = difflib.get_close_matches(name, KNOWN, n=1)
-            hint = f"did you mean {PREFIX}{close[0]}?" if close else f"there are: {', '.join(KNOWN)}"
-            log.warning("%s: entry points %r are of no group that is looked into; %s",
-                        _package(next(iter(found.select(group=group)))), group, hint)
+            log.warning("%s: entry points %r: nothing is looked for there; after apartgen. %s",
+                        _package(next(iter(found.select(group=group)))), group, near(name, KNOWN))
     return found
 
 

@@ -54,7 +54,7 @@ def test_nothing_has_no_digest() -> None:
     ("mine/shared.py", [True, True, False]), ("mine/words.txt", [False, False, False]),
     ("mine-1.0.dist-info/METADATA", [True, True, False])])
 def test_a_change_is_one_of_what_it_takes_part_in(site, file, others) -> None:
-    """A member's file counts for its group, code that belongs to none for all of the package, other files for nothing."""
+    """A member's file counts for its group, other code for all of its package, other files for nothing."""
     before = digests()
     assert digests() == before and before[2] == "" and "" not in before[:2]
     (site / file).write_text((site / file).read_text().replace("1.0", "1.1") + "\n")
@@ -78,4 +78,4 @@ def test_a_group_that_nobody_looks_into_is_told(site, caplog, monkeypatch) -> No
     points.write_text(points.read_text().replace("apartgen.export", "apartgen.exports"))
     forget()
     assert plugins.brought("apartgen.export") == {}
-    assert "mine: " in caplog.text and "did you mean apartgen.export?" in caplog.text
+    assert "mine: " in caplog.text and "did you mean 'export'?" in caplog.text

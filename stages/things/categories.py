@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from apartgen.schemas import plugins
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas import facts, plugins
+from apartgen.schemas.base import ROOM_TYPES
+from apartgen.schemas.errors import BadInput, near
 from apartgen.schemas.layout import Box
 from apartgen.stages.things.stands import Stands
 
@@ -99,6 +100,9 @@ class Category:
 
 
 _CHECKED = TypeAdapter(Category)
+_FACTS = tuple(name for name in Category.__dataclass_fields__ if name not in ("name", "lineage"))
+_NO = {"belongs": "no category", "instead": "no category", "serves": "no category", "rooms": "no type of room",
+       "uses": "no use"}
 _ITS_OWN = ("name", "like", "serves", "synonyms", "called", "labels", "lineage")
 """Facts that what is like a category does not take over from it."""
 
@@ -130,9 +134,16 @@ def read(rows: dict[str, Any], known: dict[str, Category]) -> dict[str, Category
             found[name] = _entry(name, waiting.pop(name), known | found)
     every = known | found
     for kind in found.values():
-        if strange := [other for other in (*kind.belongs, *kind.instead, kind.serves) if other and other not in every]:
-            raise BadInput(f"[{kind.name}] names {strange[0]!r}, which is no category; there are: {', '.join(every)}")
+        for fact, named, there in (("belongs", kind.belongs, every), ("instead", kind.instead, every),
+                                   ("serves", filter(None, [kind.serves]), every), ("rooms", kind.rooms, ROOM_TYPES),
+                                   ("uses", kind.uses, _uses(known) or kind.uses)):
+            if strange := [other for other in named if other not in there]:
+                raise BadInput(f"[{kind.name}] {fact}: {strange[0]!r} is {_NO[fact]}; {near(strange[0], there)}")
     return found
+
+
+def _uses(kinds: dict[str, Category]) -> list[str]:
+    return sorted({use for kind in kinds.values() for use in kind.uses})
 
 
 def _model(row: Any) -> str:
@@ -144,14 +155,13 @@ def _entry(name: str, row: Any, known: dict[str, Category]) -> Category:
         raise BadInput(f"{name} is no entry; begin one with [its_name]")
     model = _model(row)
     if model and model not in known:
-        raise BadInput(f"[{name}] is like {model!r}, which is no category; there are: {', '.join(known)}")
+        raise BadInput(f"[{name}] like: {model!r} is no category; {near(model, known)}")
     taken = {k: v for k, v in vars(known[model]).items() if k not in _ITS_OWN} if model else {}
     lineage = (name, *known[model].lineage) if model else (name,)
     try:
         kind = _CHECKED.validate_python(taken | row | {"name": name, "lineage": lineage})
     except ValidationError as error:
-        fault = error.errors(include_url=False)[0]
-        raise BadInput(f"[{name}] {'.'.join(map(str, fault['loc']))}: {fault['msg'].lower()}") from None
+        raise BadInput(f"[{name}] {facts.fault(error, _FACTS)}") from None
     if not all(0 < low <= usual <= high for low, usual, high in zip(kind.min, kind.size, kind.max, strict=True)):
         raise BadInput(f"[{name}] size {list(kind.size)} is not within min {list(kind.min)} and max {list(kind.max)}")
     return replace(kind, serves=kind.serves or (known[model].serves or model if model else name),

@@ -5,11 +5,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from apartgen.schemas import rooms
 from apartgen.schemas.plan import Room
 from apartgen.schemas.retrieve import Furnishing, Retrieve
+from apartgen.schemas.rooms import kinds
 from apartgen.stages.space import footprints
 from apartgen.stages.things import categories
+from apartgen.stages.things.rooms import furnishing
 from apartgen.stages.walkable.site import Need, Scene, Site
 
 KEPT = ("sleep", "relieve", "wash", "bathe", "rinse", "cook", "fry", "cool")
@@ -64,8 +65,7 @@ def needs(home: Retrieve) -> tuple[Need, ...]:
 
 def _keeps(room: Room) -> Iterable[tuple[str, int]]:
     """Uses that the room's type is for, with how many things of each it keeps."""
-    known = rooms.kinds()
-    return known.get(room.type, known[room.base]).keeps.items()
+    return furnishing(room.type if room.type in kinds() else room.base).keeps.items()
 
 
 @dataclass(frozen=True)

@@ -79,14 +79,20 @@ def test_it_takes_no_word_that_is_spoken_for(newcomers):
 
 @pytest.mark.parametrize("rows, fault", [
     ({"desk": {"like": "chair"}}, r"\[desk\] is there already"),
-    ({"thing": {"like": "dask"}}, r"\[thing\] is like 'dask', which is no category"),
+    ({"thing": {"like": "dask"}}, r"\[thing\] like: 'dask' is no category; did you mean 'desk'\?"),
     ({"a": {"like": "b"}, "b": {"like": "a"}}, r"\[a\] is like one that is like it"),
-    ({"thing": {"like": "desk", "colour": "red"}}, r"\[thing\] colour: "),
-    ({"thing": {"like": "desk", "size": [1, 1]}}, r"\[thing\] size"),
+    ({"thing": {"like": "desk", "colour": "red"}}, r"\[thing\] colour: there is no fact of that name; "),
+    ({"thing": {"like": "desk", "leafmax": 1}}, r"\[thing\] leafmax: .* did you mean 'leaf_max'\?"),
+    ({"thing": {"like": "desk", "size": [1, "wide", 1]}}, r"\[thing\] size: 'wide' is no number$"),
+    ({"thing": {"like": "desk", "stands": {"lean": True, "leen": 1}}}, r"\[thing\] stands.leen: there is no fact"),
+    ({"thing": {"like": "desk", "synonyms": "table"}}, r"\[thing\] synonyms: 'table' is no list; write \[ … \]$"),
+    ({"thing": {"like": "desk", "rooms": ["stduy"]}}, r"\[thing\] rooms: 'stduy' is no type .*did you mean 'study'"),
+    ({"thing": {"like": "desk", "uses": ["wark"]}}, r"\[thing\] uses: 'wark' is no use; did you mean 'work'"),
+    ({"thing": {"like": "desk", "size": [1, 1]}}, r"\[thing\] size has 2 values, which are too few"),
     ({"thing": {"like": "desk", "size": [9, 1, 1]}}, r"\[thing\] size .* is not within min"),
-    ({"thing": {"like": "desk", "place": "attic"}}, r"\[thing\] place"),
-    ({"thing": {"like": "desk", "belongs": ["dask"]}}, r"\[thing\] names 'dask', which is no category"),
-    ({"thing": {"size": [1, 1, 1]}}, r"\[thing\] place: field required"),
+    ({"thing": {"like": "desk", "place": "attic"}}, r"\[thing\] place: 'attic' is none of 'floor', 'wall'"),
+    ({"thing": {"like": "desk", "belongs": ["dask"]}}, r"\[thing\] belongs: 'dask' is no category; did you"),
+    ({"thing": {"size": [1, 1, 1]}}, r"\[thing\] place: is missing"),
     ({"thing": 3}, "thing is no entry"),
 ])
 def test_a_faulty_entry_is_named(rows, fault):

@@ -32,6 +32,7 @@ from apartgen.stages.plan.reader.unread import with_clauses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
 from apartgen.stages.plan.reader.wanted import add_bedrooms, add_rooms
 from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.rooms import furnishing
 
 log = logging.getLogger("apartgen")
 LONGEST = 8000
@@ -207,7 +208,7 @@ def _furnishing(said: Said, home: Household, ids: dict[int, str]) -> list[AskedO
             category = IN_ROOM.get((category, e.type), category)
             wanted[ids[id(e)], category] = wanted.get((ids[id(e)], category), 0) + count
     for e in _ordered(home):
-        for category, count in kinds()[e.type].objects.items():
+        for category, count in furnishing(e.type).objects.items():
             wanted.setdefault((ids[id(e)], category), count)
     for phrase in said.rooms:
         excluded = [id(e) for p in phrase.excluded for e in home.refs.get(id(p), [])]
