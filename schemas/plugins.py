@@ -73,6 +73,13 @@ def brought(group: str) -> dict[str, Plugin]:
     return found
 
 
+def bringer(group: str, module: str) -> Plugin | None:
+    """The plugin of a group by which a module comes: its own, else the first of the same package."""
+    own = brought(group).values()
+    return next((plugin for plugin in own if f"{module}.".startswith(f"{plugin.value}.")), None) or next(
+        (plugin for plugin in own if plugin.value.partition(".")[0] == module.partition(".")[0]), None)
+
+
 def _package(point: EntryPoint) -> str:
     return point.dist.name if point.dist is not None else point.module
 

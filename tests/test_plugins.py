@@ -27,8 +27,9 @@ def forget() -> None:
 def site(tmp_path, monkeypatch):
     """A folder with a package that brings a category and an export format, and a helper beside them."""
     about = tmp_path / "mine-1.0.dist-info"
-    for file, text in {"mine/__init__.py": "", "mine/categories.toml": "", "mine/labels.py": '"""Labels."""',
-                       "mine/shared.py": "", "mine/words.txt": "", "mine-1.0.dist-info/entry_points.txt": POINTS}.items():
+    written = {"mine/labels.py": '"""Labels."""', "mine-1.0.dist-info/entry_points.txt": POINTS}
+    empty = ("mine/__init__.py", "mine/categories.toml", "mine/shared.py", "mine/words.txt")
+    for file, text in (dict.fromkeys(empty, "") | written).items():
         (tmp_path / file).parent.mkdir(exist_ok=True)
         (tmp_path / file).write_text(text)
     (about / "METADATA").write_text("Metadata-Version: 2.1\nName: mine\nVersion: 1.0\n")
@@ -78,4 +79,4 @@ def test_a_group_that_nobody_looks_into_is_told(site, caplog, monkeypatch) -> No
     points.write_text(points.read_text().replace("apartgen.export", "apartgen.exports"))
     forget()
     assert plugins.brought("apartgen.export") == {}
-    assert "mine: " in caplog.text and "did you mean 'export'?" in caplog.text
+    assert "mine: " in caplog.text and "did you mean 'export'" in caplog.text

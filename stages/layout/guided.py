@@ -1,12 +1,15 @@
 """Guidance as wrappers: each takes a denoiser and returns a denoiser, so that samplers never know of it."""
 
+import logging
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import torch
 from torch import Tensor
 
+from apartgen.schemas.errors import BadInput
 from apartgen.stages import registry
 from apartgen.stages.layout.config import LayoutConfig, ModelConfig, T, TrainConfig
 from apartgen.stages.layout.diffusion import Denoise, Prediction
@@ -22,12 +25,41 @@ TRUST = 0.05
 SETTLED = 0.15
 """Below this share of the schedule a slot's likeliest class means something; rules earlier would shift frequencies."""
 Energy = Callable[[Boxes, Floor], Tensor]
+PACKAGE = "apartgen.stages.layout.guidance"
+ROUNDING = 1e-5
+"""An energy that is less below 0 is 0."""
+log = logging.getLogger("apartgen")
 
 
 def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
     """The guidance functions φ of weight γ > 0, found by name under `guidance/`; BadInput for one that is not there."""
-    found = [(gamma, registry.load("apartgen.stages.layout.guidance", name)) for name, gamma in weights.items()]
-    return [(gamma, module.energy) for gamma, module in found if gamma]
+    found = [(gamma, _energy(name)) for name, gamma in weights.items()]
+    return [(gamma, energy) for gamma, energy in found if gamma]
+
+
+@cache
+def _energy(name: str) -> Energy:
+    """One by name; another package's is looked after, as it is at least 0 and one for each room."""
+    found: Energy = registry.load(PACKAGE, name).energy
+    plugin, told = registry.bringer(PACKAGE, name), set[str]()
+    if plugin is None:
+        return found
+    say = plugin.told
+
+    def watched(boxes: Boxes, room: Floor) -> Tensor:
+        phi = found(boxes, room)
+        if phi.shape != boxes.filled.shape[:1]:
+            raise BadInput(say(f"energy gave shape {tuple(phi.shape)}; there is to be one for each of "
+                               f"{len(boxes.filled)} rooms, shape {tuple(boxes.filled.shape[:1])}"))
+        if not phi.isfinite().all():
+            raise BadInput(say("energy gave no number (nan or infinite)"))
+        if phi.min() < -ROUNDING and not told:
+            told.add(name)
+            log.warning("%s", say(f"energy gave {phi.min():.3g}; it is to be at least 0, and 0 where there is nothing "
+                                  "to wish for"))
+        return phi
+
+    return watched
 
 
 def gradient(terms: list[tuple[float, Energy]], x: Tensor, logits: Tensor, room: Floor, model: ModelConfig) -> Tensor:

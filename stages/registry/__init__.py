@@ -87,6 +87,11 @@ def members(package: str) -> dict[str, str]:
     return dict(sorted(helps.items()))
 
 
+def bringer(package: str, name: str) -> Plugin | None:
+    """Which other package brings a member; None for the folder's own."""
+    return _brought(package)[name][0] if name in _brought(package) else None
+
+
 def load(package: str, name: str) -> ModuleType:
     """Import one member.
 
@@ -111,8 +116,8 @@ def load(package: str, name: str) -> ModuleType:
 def _brought_in(plugin: Plugin, protocols: tuple[type, ...]) -> ModuleType:
     try:
         member = importlib.import_module(plugin.value)
-    except ApartgenError:
-        raise
+    except ApartgenError as error:
+        raise BadInput(plugin.told(str(error))) from error
     except Exception as error:  # whatever a stranger's module does when it is imported
         raise BadInput(plugin.told(f"cannot be imported, {contract.told(error)}")) from error
     if fault := contract.fault(member, protocols):

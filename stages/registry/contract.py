@@ -110,6 +110,8 @@ def _expected(value: Any, hint: Any) -> None:
     """TypeError for a value that is not of a type, or of a list of one."""
     many = get_origin(hint) is list
     of = get_args(hint)[0] if many else get_origin(hint) or hint
+    if of is float and type(value) is int:
+        return  # a number is a number
     if not isinstance(value, list if many else of):
         raise TypeError(f"gave a {type(value).__name__}, not a {'list' if many else of.__name__}")
     for item in value if many else ():

@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput, near
 from apartgen.stages.things.asset import Material
 from apartgen.stages.things.laid import LAID
 from apartgen.stages.things.patterns import PATTERNS
@@ -122,9 +122,16 @@ def _material(name: str) -> Material:
 PALETTE: dict[str, Material] = {name: _material(name) for name in _TABLE}
 
 
+def material(name: str) -> Material:
+    """The material of that name; BadInput where there is none."""
+    if name not in PALETTE:
+        raise BadInput(f"no material {name!r}; {near(name, PALETTE)}")
+    return PALETTE[name]
+
+
 def density(name: str) -> float:
-    """kg/m³ of the solid material; upholstery and foliage as foam and air allow."""
-    return _TABLE[name][4]
+    """kg/m³ of the solid material, BadInput where there is none; upholstery and foliage as foam and air allow."""
+    return _TABLE[material(name).name][4]
 
 
 def span(name: str) -> float:

@@ -6,8 +6,10 @@ much each counts, 1 where it does not.
 
 from collections.abc import Iterable, Sequence
 from functools import cache
+from math import inf
 from types import ModuleType
 
+from apartgen.schemas.errors import BadInput
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
@@ -35,7 +37,15 @@ def energy(room: Furnished) -> float:
 
 def parts(room: Furnished) -> dict[str, float]:
     """Every term by name, unweighted."""
-    return {name: term.cost(room) for name, term in terms().items()}
+    return {name: _cost(name, term, room) for name, term in terms().items()}
+
+
+def _cost(name: str, term: ModuleType, room: Furnished) -> float:
+    value: float = term.cost(room)
+    if not 0 <= value < inf:
+        plugin, fault = registry.bringer(__name__, name), f"cost gave {value:g} for {room.site.id}; it is to be at least 0"
+        raise BadInput(plugin.told(fault) if plugin else f"{name}: {fault}")
+    return value
 
 
 def best(plan: Plan, room_id: str, candidates: Sequence[Sequence[Box]]) -> int:

@@ -9,9 +9,8 @@ import logging
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
-from apartgen.schemas.errors import ApartgenError, BadInput
+from apartgen.schemas.errors import BadInput, near
 from apartgen.stages import registry
-from apartgen.stages.registry import contract
 from apartgen.stages.things import categories, small
 from apartgen.stages.things.asset import Asset
 
@@ -30,11 +29,14 @@ KEPT = 1000
 def _designs() -> "dict[str, dict[str, Builder]]":
     """Builders by category and style: of all modules here, then of other packages, faulty ones left out."""
     from apartgen.stages.retrieve.furniture.designs import DESIGNS
+    from apartgen.stages.retrieve.furniture.foreign import told
 
     registry.sound(__name__)
-    for category in [name for name in DESIGNS if name not in (*categories.TABLE, *small.TABLE, *BUILDING)]:
-        log.warning("furniture %r is left out: no such category; give it an entry", category)
-        del DESIGNS[category]
+    known = (*categories.TABLE, *small.TABLE, *BUILDING)
+    for category in [name for name in DESIGNS if name not in known]:
+        builder = next(iter(DESIGNS.pop(category).values()))
+        hint = near(category, known)
+        log.warning("%s", told(builder, f"no category {category!r} to build; {hint} Else give it an entry; left out"))
     return DESIGNS
 
 
@@ -61,6 +63,7 @@ def build(category: str, style: str, size: tuple[float, float, float], seed: int
 @lru_cache(KEPT)
 def _built(category: str, style: str, mm: tuple[int, int, int], seed: int, right: bool) -> Asset:
     """The asset of a size in mm; every stage of a run is given the same."""
+    from apartgen.stages.retrieve.furniture import foreign
     from apartgen.stages.retrieve.furniture.kit import Kit
 
     if style not in styles(category):
@@ -71,16 +74,11 @@ def _built(category: str, style: str, mm: tuple[int, int, int], seed: int, right
     d, w, h = mm
     model = _model(category)
     kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed, model, right)
-    builder = _designs()[model][style]
-    try:
-        builder(kit)
-        return kit.finish(f"{category}/{style}/{d}x{w}x{h}/{seed}" + right * f"/{RIGHT}")
-    except ApartgenError:
-        raise
-    except Exception as error:
-        if builder.__module__.startswith(__name__):
-            raise
-        raise BadInput(f"furniture {category}/{style} of {builder.__module__} failed, {contract.at(error)}") from error
+    builder, id = _designs()[model][style], f"{category}/{style}/{d}x{w}x{h}/{seed}" + right * f"/{RIGHT}"
+    if foreign.is_foreign(builder):
+        return foreign.made(builder, kit, id)
+    builder(kit)
+    return kit.finish(id)
 
 
 def _check(category: str, style: str, mm: tuple[int, ...]) -> None:

@@ -265,4 +265,4 @@ def _joined(name: str, boxes: list[tuple[float, ...]], shapes: list[Shape], drop
     start = np.repeat(np.cumsum([0, *count[:-1]]), [len(p.faces) for p in parts])
     faces = np.concatenate([p.faces for p in parts]) + start[:, None]
     uv = np.concatenate([p.uv for p in parts]) / materials.span(name)
-    return Mesh(vertices, faces, materials.PALETTE[name], uv)
+    return Mesh(vertices, faces, materials.material(name), uv)

@@ -1,5 +1,6 @@
 """The embedded library: the design comes from the nearest latent, the builder makes the size."""
 
+import logging
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -17,6 +18,7 @@ from apartgen.stages.things.asset import Array, Asset
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.things.latents import Index, index
 
+log = logging.getLogger("apartgen")
 NAME = hands.MADE
 
 
@@ -71,10 +73,17 @@ class Embedded:
         self._whole.add(category)
         from apartgen.stages.retrieve import furniture
 
-        if new := [style for style in furniture.styles(category) if style not in self.styles(category)]:
+        known = self.styles(category)
+        if new := [style for style in furniture.styles(category) if style not in known]:
             from apartgen.stages.retrieve.matching import newcomers
 
-            self._take(newcomers.joined(self._index, newcomers.encoded(furniture, category, new)))
+            found, wrong = newcomers.sound(furniture, category, new)
+            if wrong and not (known or found):
+                raise wrong[0]
+            for error in wrong:
+                log.warning("%s; this style is left out", error)
+            for table in found:
+                self._take(newcomers.joined(self._index, table))
 
     def load_asset(self, id: str) -> Asset:
         """The piece of that id; BadInput when there is none."""

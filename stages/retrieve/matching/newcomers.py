@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from apartgen.schemas.errors import BadInput
 from apartgen.stages.retrieve.shape import designs
 from apartgen.stages.retrieve.shape.encoder import encode
 from apartgen.stages.things.latents import Index
@@ -21,6 +22,17 @@ def encoded(maker: designs.Maker, category: str, styles: Sequence[str]) -> Index
         latent,
         {},
     )
+
+
+def sound(maker: designs.Maker, category: str, styles: Sequence[str]) -> tuple[list[Index], list[BadInput]]:
+    """The rows of the styles that can be made, and what is wrong with the others."""
+    try:
+        return [encoded(maker, category, styles)], []
+    except BadInput as error:
+        if len(styles) == 1:
+            return [], [error]
+    each = [sound(maker, category, [style]) for style in styles]
+    return [table for found, _ in each for table in found], [error for _, wrong in each for error in wrong]
 
 
 def joined(first: Index, second: Index) -> Index:

@@ -1,0 +1,120 @@
+"""What other packages' functions give is looked at where it is used, and told with the package that it is from."""
+
+import re
+from types import ModuleType, SimpleNamespace
+
+import pytest
+import torch
+
+from apartgen.schemas.errors import BadInput
+from apartgen.schemas.plugins import Plugin
+from apartgen.stages.layout import choice, guided
+from apartgen.stages.retrieve.furniture import foreign
+from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.kit import Kit
+from apartgen.stages.retrieve.matching import newcomers
+
+MINE = Plugin("mine", "mine.module", "my-home")
+ROOMS = SimpleNamespace(filled=torch.ones(2, 5))
+
+
+@pytest.fixture
+def energy(monkeypatch):
+    """An energy that gives a value, as another package's, and what is warned of."""
+    said = []
+    monkeypatch.setattr(guided.registry, "bringer", lambda package, name: MINE)
+    monkeypatch.setattr(guided, "log", SimpleNamespace(warning=lambda form, text: said.append(text)))
+
+    def giving(value):
+        monkeypatch.setattr(guided.registry, "load", lambda package, name: SimpleNamespace(energy=lambda *_: value))
+        return guided._energy.__wrapped__("mine"), said
+
+    return giving
+
+
+def test_a_negative_energy_is_told_once(energy):
+    called, said = energy(torch.tensor([-1.5, 2.0]))
+    for _ in range(3):
+        assert called(ROOMS, None).tolist() == [-1.5, 2.0]
+    assert len(said) == 1 and said[0].startswith(MINE.told("energy gave -1.5; it is to be")[:60])
+
+
+def test_what_is_not_negative_is_not_told(energy):
+    called, said = energy(torch.tensor([0.0, -1e-7]))
+    called(ROOMS, None)
+    assert said == []
+
+
+@pytest.mark.parametrize("value, fault", [
+    (torch.tensor(3.0), r"energy gave shape \(\); there is to be one for each of 2 rooms, shape \(2,\)"),
+    (torch.zeros(2, 5), r"energy gave shape \(2, 5\)"), (torch.tensor([0.0, torch.nan]), "energy gave no number")])
+def test_an_energy_of_another_shape_is_an_error(energy, value, fault):
+    with pytest.raises(BadInput, match=f"^my-home: mine = 'mine.module': {fault}"):
+        energy(value)[0](ROOMS, None)
+
+
+@pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf")])
+def test_a_term_of_choice_is_at_least_0(monkeypatch, value):
+    monkeypatch.setattr(choice.registry, "bringer", lambda package, name: MINE)
+    term, room = ModuleType("term"), SimpleNamespace(site=SimpleNamespace(id="study_1"))
+    vars(term)["cost"] = lambda room: value
+    with pytest.raises(BadInput, match=rf"^my-home: mine = 'mine.module': cost gave {value:g} for study_1; "):
+        choice._cost("mine", term, room)
+
+
+def box(kit, out=0.0, material="oak"):
+    kit.base.box(material, (kit.x[0], kit.x[1] + out), kit.y, (0.0, kit.h))
+
+
+def drawer(kit, travel):
+    box(kit)
+    part = Body()
+    part.box("oak", (kit.x[1] - 0.3, kit.x[1]), kit.y, (0.1, 0.2))
+    kit.slide("drawer", part, travel)
+
+
+def sinks(kit):
+    kit.base.box("oak", kit.x, kit.y, (-0.02, kit.h))
+
+
+@pytest.mark.parametrize("builder, fault", [
+    (lambda kit: box(kit, 0.04), r"draws 40 mm outside its box at the front; the box is 0.6 x 1.2 x 0.75 m deep"),
+    (sinks, "draws 20 mm outside its box below the floor"), (lambda kit: None, "draws nothing"),
+    (lambda kit: box(kit, material="ook"), "no material 'ook'; did you mean 'oak'"),
+    (lambda kit: drawer(kit, 0.7), "its part drawer_0 comes, when it opens, 250 mm outside its box at the front; .* "
+                                   "may come out 0.45 m at the front"),
+    (lambda kit: 1 / 0, "failed, ZeroDivisionError"), (lambda kit: box(kit, float("nan")), "draws where there are no"),
+])
+def test_a_builder_keeps_to_its_box(builder, fault, monkeypatch):
+    monkeypatch.setattr(foreign.plugins, "bringer", lambda group, module: MINE)
+    with pytest.raises(BadInput, match=rf"^my-home: mine = 'mine.module': desk/mine/1: {fault}"):
+        foreign.made(builder, Kit("desk", "mine", (0.6, 1.2, 0.75), 0), "desk/mine/1")
+
+
+@pytest.mark.parametrize("builder", [box, lambda kit: drawer(kit, 0.45), lambda kit: box(kit, 0.0009)])
+def test_a_builder_that_does_makes_what_it_drew(builder):
+    assert foreign.made(builder, Kit("desk", "mine", (0.6, 1.2, 0.75), 0), "desk/mine/1").id == "desk/mine/1"
+
+
+def test_of_several_styles_those_that_can_be_made_are_taken(monkeypatch):
+    """Told are all that cannot."""
+    def encoded(maker, category, styles):
+        if wrong := [style for style in styles if style.startswith("bad")]:
+            raise BadInput(wrong[0])
+        return styles
+
+    monkeypatch.setattr(newcomers, "encoded", encoded)
+    found, wrong = newcomers.sound(None, "desk", ["a", "bad b", "c", "bad d"])
+    assert found == [["a"], ["c"]] and [str(error) for error in wrong] == ["bad b", "bad d"]
+    assert newcomers.sound(None, "desk", ["a", "c"]) == ([["a", "c"]], [])
+
+
+def test_a_module_is_known_for_its_package(monkeypatch):
+    from apartgen.schemas import plugins
+
+    own = {name: Plugin(name, f"mine.{name}", "my-home") for name in ("desks", "chairs")}
+    monkeypatch.setattr(plugins, "brought", lambda group: own)
+    found = [plugins.bringer("apartgen.furniture", module) for module in ("mine.chairs", "mine.chairs.legs",
+                                                                          "mine.other", "minecraft")]
+    assert found == [own["chairs"], own["chairs"], own["desks"], None]
+    assert re.match("my-home: chairs", own["chairs"].told("x"))
