@@ -15,6 +15,7 @@ import typer
 from typer.core import TyperGroup
 
 from apartgen import __version__, garbage
+from apartgen.schemas import plugins
 from apartgen.schemas.errors import ApartgenError
 from apartgen.stages import registry
 from apartgen_cli.console import fail, listen
@@ -48,14 +49,14 @@ def _loaded(word: str, help: str | None) -> Any:
 
 def _shown(version: bool) -> None:
     if version:
-        typer.echo(f"apartgen {__version__}")
+        typer.echo("\nwith ".join([f"apartgen {__version__}", *plugins.installed()]))
         raise typer.Exit()
 
 
 def _global(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show errors only.")] = False,
     version: Annotated[
-        bool, typer.Option("--version", callback=_shown, is_eager=True, help="Show the version.")] = False,
+        bool, typer.Option("--version", callback=_shown, is_eager=True, help="Show the version, and what packages add.")] = False,
 ) -> None:
     """From a sentence to a furnished, simulation-ready apartment.
 

@@ -133,6 +133,15 @@ def digest(*groups: str) -> str:
     return f"sha256:{found.hexdigest()}" if used else ""
 
 
+def installed() -> list[str]:
+    """Every package that brings anything, its version and the groups that it adds to, in words."""
+    found: dict[str, list[str]] = {}
+    for group in _groups():
+        for whole in sorted({f"{plugin.package} {plugin.version}" for plugin in brought(group).values()}):
+            found.setdefault(whole, []).append(group.removeprefix(PREFIX))
+    return [f"{whole}: {', '.join(groups)}" for whole, groups in sorted(found.items())]
+
+
 def _groups() -> list[str]:
     return sorted(group for group in _points().groups if group.startswith(PREFIX))
 

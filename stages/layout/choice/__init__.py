@@ -43,7 +43,8 @@ def parts(room: Furnished) -> dict[str, float]:
 def _cost(name: str, term: ModuleType, room: Furnished) -> float:
     value: float = term.cost(room)
     if not 0 <= value < inf:
-        plugin, fault = registry.bringer(__name__, name), f"cost gave {value:g} for {room.site.id}; it is to be at least 0"
+        fault = f"cost gave {value:g} for {room.site.id}; it is to be a number from 0 on"
+        plugin = registry.bringer(__name__, name)
         raise BadInput(plugin.told(fault) if plugin else f"{name}: {fault}")
     return value
 
