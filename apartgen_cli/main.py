@@ -55,8 +55,8 @@ def _shown(version: bool) -> None:
 
 def _global(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show errors only.")] = False,
-    version: Annotated[
-        bool, typer.Option("--version", callback=_shown, is_eager=True, help="Show the version, and what packages add.")] = False,
+    version: Annotated[bool, typer.Option(
+        "--version", callback=_shown, is_eager=True, help="Show the version, and what packages add.")] = False,
 ) -> None:
     """From a sentence to a furnished, simulation-ready apartment.
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from apartgen.schemas import artifact
-from apartgen.schemas.errors import ApartgenError
+from apartgen.schemas.errors import ApartgenError, Unknown
 from apartgen_cli.console import fail
 
 
@@ -42,10 +42,10 @@ class Tally:
         self.status = max(self.status, error.exit_code)
         if row := tried.row():
             self._rows.append(row | {"error": str(error), "status": error.exit_code})
+        told = str(error) if str(error).startswith(tried.label) else f"{tried.label}: {error}"
         if not self.many:
-            raise error
-        told = str(error)
-        fail(told if told.startswith(tried.label) else f"{tried.label}: {told}")
+            raise Unknown(told) if isinstance(error, Unknown) else error
+        fail(told)
 
     def __enter__(self) -> "Tally":
         return self

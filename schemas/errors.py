@@ -2,6 +2,7 @@
 
     ApartgenError
     ├── BadInput    2   the request or a file is wrong
+    │   └── Unknown 2   it names what is not known here
     └── Unmet       1   well formed, but could not be fulfilled
 
 A message says what is wrong, where (file, JSON path), and what to do.
@@ -25,6 +26,10 @@ class BadInput(ApartgenError):
     """Wrong usage, a malformed file, an unknown name."""
 
     exit_code = 2
+
+
+class Unknown(BadInput):
+    """A name in a file that nothing here knows; whoever read the file puts its own before it."""
 
 
 class Unmet(ApartgenError):

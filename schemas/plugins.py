@@ -136,7 +136,7 @@ def digest(*groups: str) -> str:
 def installed() -> list[str]:
     """Every package that brings anything, its version and the groups that it adds to, in words."""
     found: dict[str, list[str]] = {}
-    for group in _groups():
+    for group in (PREFIX + name for name in KNOWN):
         for whole in sorted({f"{plugin.package} {plugin.version}" for plugin in brought(group).values()}):
             found.setdefault(whole, []).append(group.removeprefix(PREFIX))
     return [f"{whole}: {', '.join(groups)}" for whole, groups in sorted(found.items())]

@@ -103,8 +103,11 @@ def test_a_type_of_room_is_planned_and_tells_what_it_is_like(done, site):
     room = next(room for room in home["rooms"] if room["id"] == "home_gym_1")
     assert (room["type"], room["like"]) == ("home_gym", "study")
     assert {"room": "home_gym_1", "category": "desk", "count": 0} in home["program"]["objects"]
-    alone = run("apartgen export gym.json --format svg -o alone/", done / "nowhere", done)
-    assert alone.returncode == 0, alone.stderr  # whoever lacks the package can read it
+    for command in ("export gym.json --format svg -o alone/", "layout gym.json -o alone.json"):
+        alone = run(f"apartgen {command}", done / "nowhere", done)
+        assert alone.returncode == 0, alone.stderr  # whoever lacks the package can read it
+    gym = {o["category"] for o in body(done / "alone.json")["objects"] if o["room"] == "home_gym_1"}
+    assert {"bench", "mirror", "plant"} <= gym and gym.isdisjoint({"desk", "chair", "office_chair"})
 
 
 def test_a_style_is_among_those_of_its_category(done, site):
@@ -162,6 +165,44 @@ def test_a_format_writes_what_the_home_holds(done):
     rows = list(csv.DictReader((done / "labels/labels.csv").open(encoding="utf-8")))
     assert {(row["id"], row["category"], row["room"]) for row in rows} == {
         (o["id"], o["category"], o["room"]) for o in home["objects"]}
+
+
+@pytest.mark.parametrize("line, told", [
+    ("layout desk/plan.json -o out.json", "desk/plan.json: program.objects: wanted in study_1: no category"),
+    ("retrieve desk/layout.json -o out.json", r"desk/layout.json: objects\[\d+\].category: no category"),
+    ("export desk/walkable.json --format glb -o out/", "desk/walkable.json: no category"),
+])
+def test_without_the_package_its_category_is_named_and_what_to_do(line, told, done):
+    """What only draws boxes does without."""
+    ended = run(f"apartgen {line}", done / "nowhere", done)
+    assert ended.returncode == 2 and re.match(rf"apartgen: {told} 'standing_desk' is known here", ended.stderr)
+    assert "apartgen.categories), install that: `apartgen --version`" in ended.stderr
+    assert not (done / line.split()[-1]).exists()
+
+
+TERM = {"pyproject.toml": '[project]\nname = "my-term"\nversion = "1.0"\n'
+                          '[project.entry-points."apartgen.choice"]\nodd = "odd"\n'
+                          '[project.entry-points."apartgen.export"]\nplain = "plain"\n',
+        "odd.py": '"""Odd."""\n\n\ndef cost(room):\n    return room.site.nothing\n',
+        "plain.py": '"""How many boxes there are."""\n\n\ndef write(scene, out):\n    path = out / "plain.txt"\n'
+                    '    path.write_text(str(len(scene.home.objects)))\n    return [path]\n'}
+
+
+def test_a_term_that_fails_ends_the_command_and_is_named(done, tmp_path):
+    ended = run("apartgen layout gym.json -o odd.json", install(tmp_path, TERM), done)
+    assert ended.returncode == 2 and not (done / "odd.json").exists()
+    assert re.match("apartgen: my-term: odd = 'odd': cost failed, AttributeError: .*odd.py:5", ended.stderr)
+
+
+def test_a_format_that_needs_boxes_alone_takes_a_layout(done, tmp_path):
+    """One that needs assets says so."""
+    site = install(tmp_path, {name: text.replace("[project.entry-points.\"apartgen.choice\"]\nodd = \"odd\"\n", "")
+                              for name, text in TERM.items()})
+    ended = run("apartgen export desk/layout.json --format plain -o plain/", site, done)
+    assert ended.returncode == 0, ended.stderr
+    assert int((done / "plain/plain.txt").read_text()) == len(body(done / "desk/layout.json")["objects"])
+    refused = run("apartgen export desk/layout.json --format glb -o none/", site, done)
+    assert refused.returncode == 2 and "run `apartgen retrieve` on it first" in refused.stderr
 
 
 def test_a_metric_counts(done):

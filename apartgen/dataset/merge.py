@@ -19,8 +19,8 @@ def merge(parts: Sequence[Store], folder: Path) -> Store:
     store, abouts = Store(folder), [part.about() for part in parts]
     for part, about in zip(parts, abouts):
         if any(about.get(name) != abouts[0].get(name) for name in ("settings", "stages", "by", "packages")):
-            raise BadInput(f"{part.folder}: other settings, stages, version or packages than {parts[0].folder}; homes could not "
-                           "be made again")
+            raise BadInput(f"{part.folder}: other settings, stages, version or packages than {parts[0].folder}; "
+                           "homes could not be made again")
     if folder.exists() and any(folder.iterdir()):
         raise BadInput(f"{folder}: is not empty; give a new folder")
     digests = _digests(parts)

@@ -4,11 +4,11 @@ import difflib
 from collections import Counter
 from collections.abc import Sequence
 
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput, Unknown
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan, Program
 from apartgen.stages.layout.config import N_MAX
-from apartgen.stages.things.categories import TABLE, by_word
+from apartgen.stages.things.categories import TABLE, by_word, unknown
 
 
 def of_room(program: Program, room: str) -> Counter[str]:
@@ -25,7 +25,7 @@ def check(plan: Plan) -> None:
     for room in plan.rooms:
         wished, count = of_room(plan.program, room.id), plan.program.counts.get(room.id)
         for category in wished.keys() - TABLE.keys():
-            raise BadInput(f"program.objects: no category {category!r}, wanted in {room.id}; {_near(category)}")
+            raise Unknown(f"program.objects: wanted in {room.id}: {_near(category)}")
         most = max(wished.total(), count or 0)
         if most > N_MAX:
             raise BadInput(f"program: {most} objects wanted in {room.id}; a room holds at most {N_MAX}, ask for fewer")
@@ -36,11 +36,9 @@ def check(plan: Plan) -> None:
 
 def _near(category: str) -> str:
     words = category.replace("_", " ").lower()
-    if words in by_word():
-        return f"did you mean {by_word()[words]!r}?"
-    near = difflib.get_close_matches(words, by_word(), n=3)
+    near = [words] if words in by_word() else difflib.get_close_matches(words, by_word(), n=3)
     found = dict.fromkeys(by_word()[word] for word in near)
-    return f"did you mean {' or '.join(map(repr, found))}?" if found else f"there are: {', '.join(TABLE)}"
+    return unknown(category, *found)
 
 
 def unmet(program: Program, room: str, objects: Sequence[Box]) -> list[str]:

@@ -87,7 +87,8 @@ class Scene:
     @cached_property
     def credits(self) -> list[str]:
         """Who made the assets used, sorted."""
-        return sorted({self.load_asset(o.asset.library, o.asset.id).credit for o in _furnishings(self.home)} - {""})
+        own = self.home.objects if isinstance(self.home, Retrieve) else []
+        return sorted({self.load_asset(o.asset.library, o.asset.id).credit for o in own} - {""})
 
     def of(self, bodies: list[Body], masked: bool = False) -> "Scene":
         """The same scene of other bodies."""
@@ -148,8 +149,8 @@ def _furnishings(home: Plan) -> list[Furnishing]:
         return told(home.objects, home.height)
     if isinstance(home, Layout) and home.objects:
         raise BadInput(
-            "this layout has boxes but no assets, which this format needs; "
-            "run `apartgen retrieve` on it first, or export svg, png, dxf or ifc"
+            "a layout has boxes and no assets yet, and what was asked for shows assets; run `apartgen retrieve` on it "
+            "first, or export svg, png, elevations, dxf or ifc, which draw boxes"
         )
     return []
 

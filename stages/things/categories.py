@@ -4,6 +4,7 @@ The data is `categories.toml`, to which packages add by the entry points `apartg
 another has its facts but for those it gives itself, and models that never saw it place it as they place that one.
 """
 
+import difflib
 import logging
 import tomllib
 from collections.abc import Callable, Collection, Container, Sequence
@@ -18,7 +19,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from apartgen.schemas import facts, plugins
 from apartgen.schemas.base import ROOM_TYPES
-from apartgen.schemas.errors import BadInput, near
+from apartgen.schemas.errors import CLOSE, BadInput, near
 from apartgen.schemas.layout import Box
 from apartgen.stages.things.stands import Stands
 
@@ -171,6 +172,14 @@ def _entry(name: str, row: Any, known: dict[str, Category]) -> Category:
 TABLE: dict[str, Category] = _load()
 CATEGORIES: tuple[str, ...] = tuple(name for name, kind in TABLE.items() if not kind.like)
 """What models learn, their class indices in this order; what is like one of these is placed as that is."""
+
+
+def unknown(category: str, *meant: str) -> str:
+    """That there is no such category here, which may be `meant`, and why that may be, in words."""
+    close = meant or difflib.get_close_matches(category, TABLE, n=1, cutoff=CLOSE)
+    hint = f" (did you mean {' or '.join(map(repr, close))}?)" if close else ""
+    return (f"no category {category!r} is known here{hint}; if it is one that a package brings (entry points {GROUP}), "
+            "install that: `apartgen --version` names those that are there")
 
 
 def those(true_of: Callable[[Category], bool]) -> frozenset[str]:

@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.random import Generator
 
-from apartgen.schemas import rooms as room_types
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.plan import Plan, Room
@@ -155,7 +154,7 @@ def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, k
     walls = shell(arrays, i)
     told, due = sleepers(plan), duties(plan, room)
     facts = features.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
-    type_ = known.type(room.type)
+    type_ = known.type(room.base)
     speaker = Speaker(model, known, walls, type_, facts, FRAMES, BRANCHES, OFFSETS, SHARP, SURE,
                       large=sizes.least(room.base, float(arrays.area[i]), due, told or 0))
     return Task(speaker, Furniture(space_of(arrays, i)), tuple((o.category, _row(o, arrays.origin[i])) for o in given),
@@ -171,7 +170,7 @@ def _row(o: Box, origin: Array) -> Array:
 
 def _least(room: Room, area: float) -> tuple[frozenset[str], ...]:
     """Of what a room of its type is never without, by `sense.toml`, and where one washes, not in a toilet alone."""
-    kind = ROOM_TYPES.index(room_types.base_of(room.type) or room.type)
+    kind = ROOM_TYPES.index(room.base)
     bath = [BATHS] if room.base == "bathroom" and area >= BATHED else []
     return (*(frozenset(CATEGORIES[c] for c in group) for group in sense().least[kind]), *bath)
 

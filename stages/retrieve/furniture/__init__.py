@@ -9,7 +9,7 @@ import logging
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
-from apartgen.schemas.errors import BadInput, near
+from apartgen.schemas.errors import BadInput, Unknown, near
 from apartgen.stages import registry
 from apartgen.stages.things import categories, small
 from apartgen.stages.things.asset import Asset
@@ -44,7 +44,7 @@ def _model(category: str) -> str:
     """The category, or the one that it is like, of which there are designs; BadInput for none."""
     model = categories.stand_in(category, _designs())
     if model is None:
-        raise BadInput(f"no parametric furniture of category {category!r}; one of {', '.join(sorted(_designs()))}")
+        raise Unknown(categories.unknown(category))
     return model
 
 
@@ -67,7 +67,8 @@ def _built(category: str, style: str, mm: tuple[int, int, int], seed: int, right
     from apartgen.stages.retrieve.furniture.kit import Kit
 
     if style not in styles(category):
-        raise BadInput(f"{category} has no style {style!r}; one of {', '.join(styles(category))}")
+        raise Unknown(f"{category} has no style {style!r} here; one of {', '.join(styles(category))}, or one that a "
+                      f"package brings (entry points {registry.group(__name__)}): install that")
     _check(category, style, mm)
     if right and not (category in categories.TABLE and categories.TABLE[category].handed):
         raise BadInput(f"{category} is not made with its leaf on the right; leave /{RIGHT} out")

@@ -10,12 +10,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput, Unknown
 from apartgen.stages.retrieve.matching import hands
 from apartgen.stages.retrieve.matching.config import RetrieveConfig
 from apartgen.stages.retrieve.matching.table import Table
 from apartgen.stages.things.asset import Array, Asset
-from apartgen.stages.things.categories import TABLE
+from apartgen.stages.things.categories import TABLE, unknown
 from apartgen.stages.things.latents import Index, index
 
 log = logging.getLogger("apartgen")
@@ -122,7 +122,7 @@ class Embedded:
         """A piece at `size`, brought into the category's range and under `limit`, of a given or the nearest design; its
         leaf is on the left or `right` if it is handed."""
         if category not in TABLE:
-            raise BadInput(f"{category!r} is an unknown category; one of: {', '.join(TABLE)}")
+            raise Unknown(unknown(category))
         kind = TABLE[category]
         wanted = np.clip(np.asarray(size, float), kind.min, kind.max)
         if limit is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from shapely import Polygon
 
 from apartgen.schemas.carrying import BUILDING, FLOOR, WALL
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput, Unknown
 from apartgen.schemas.layout import Box, Layout
 from apartgen.schemas.retrieve import AssetKey, Furnishing, Retrieve
 from apartgen.stages.retrieve.matching import cloth, hands, outdoors, placing, seats, sets, supports
@@ -21,7 +21,7 @@ from apartgen.stages.space import anchors, boxes
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.things import carrying
 from apartgen.stages.things.asset import Asset
-from apartgen.stages.things.categories import TABLE, carriers, groups
+from apartgen.stages.things.categories import TABLE, carriers, groups, unknown
 
 LOG = logging.getLogger("apartgen")
 
@@ -61,7 +61,7 @@ def run(
 def _check(layout: Layout, rooms: set[str]) -> None:
     for i, box in enumerate(layout.objects):
         if box.category not in TABLE:
-            raise BadInput(f"objects[{i}].category: {box.category!r} is unknown; one of: {', '.join(TABLE)}")
+            raise Unknown(f"objects[{i}].category: {unknown(box.category)}")
         if box.room not in rooms:
             raise BadInput(f"objects[{i}].room: {box.room!r} is no room of the plan: {', '.join(sorted(rooms))}")
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from apartgen.schemas.errors import BadInput
+from apartgen.schemas.errors import BadInput, near
 from apartgen.stages.retrieve import furniture
 from apartgen.stages.retrieve.matching.indexed import IndexedLibrary
 from apartgen.stages.retrieve.preview import sheet
@@ -21,7 +21,7 @@ def cells(folders: Sequence[Path], ids: Sequence[str], category: str, size: int)
     """
     known = [*categories.TABLE, *furniture.BUILDING]
     if category and category not in known:
-        raise BadInput(f"no category {category!r}; one of: {', '.join(known)}")
+        raise BadInput(f"no category {category!r}; {near(category, known)}")
     if ids and category:
         raise BadInput("--category and ids: give one or the other")
     if folders:
