@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from apartgen.stages.retrieve.furniture.kit import Kit
 
 OWN = __name__.rpartition(".")[0]
-NEAR = 1e-3
-"""So far outside the box anything may be, m."""
+NEAR, OPEN = 0.001, 0.01
+"""So far outside the box anything may be, m, and what opens: an edge of its thickness goes round its corner."""
 _SIDES = ("at the back", "on the right (−y)", "below the floor", "at the front", "on the left (+y)", "at the top")
 
 
@@ -54,17 +54,17 @@ def _faults(asset: Asset, reach: float) -> Iterator[str]:
         yield "draws nothing"
         return
     points = np.concatenate(drawn)
-    yield from _outside("draws", points.min(0), points.max(0), half, half)
+    yield from _outside("draws", points.min(0), points.max(0), half, half, NEAR)
     further = half + [reach, 0.0, np.inf]
     for joint in asset.joints:
-        yield from _outside(f"its part {joint.name} comes, when it opens,", *sweeps.swept(joint), half, further)
+        yield from _outside(f"its part {joint.name} comes, when it opens,", *sweeps.swept(joint), half, further, OPEN)
 
 
-def _outside(what: str, low: Array, high: Array, half: Array, further: Array) -> Iterator[str]:
+def _outside(what: str, low: Array, high: Array, half: Array, further: Array, least: float) -> Iterator[str]:
     over = np.concatenate([-half - low, high - further])
     if not np.isfinite(np.concatenate([low, high])).all():
         yield f"{what} where there are no numbers (nan)"
-    elif over.max() > NEAR:
+    elif over.max() > least:
         more = f", and may come out {further[0] - half[0]:.3g} m at the front" if further[0] > half[0] else ""
         yield (f"{what} {over.max() * 1000:.0f} mm outside its box {_SIDES[int(over.argmax())]}; the box is "
                f"{' x '.join(f'{2 * side:.3g}' for side in half)} m deep, wide and high{more}")
