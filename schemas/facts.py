@@ -13,8 +13,9 @@ _PLAIN = {
     "unexpected_keyword_argument": "there is no fact of that name", "missing": "is missing",
     "too_long": "has {actual_length} values; it takes {max_length}", "tuple_type": "is no list; write [ … ]",
     "float": "is no number", "int": "is no whole number", "bool": "is neither true nor false",
-    "string": "is no text; write it in quotes", "dict": "is no table; write { name = value }",
-    "dataclass": "is no table; write { name = value }", "literal_error": "is none of {expected}",
+    "string": "is no text; write it in quotes", "dict": "is no table; write {{ name = value }}",
+    "dataclass": "is no table; write {{ name = value }}", "finite_number": "is no finite number",
+    "literal_error": "is none of {expected}",
     "greater_than_equal": "is less than {ge:g}", "greater_than": "is not above {gt:g}",
     "less_than_equal": "is over {le:g}",
 }
@@ -28,8 +29,8 @@ def fault(error: ValidationError, known: Collection[str]) -> str:
     where = ".".join([name, *(part for part in inner if not part.isdecimal())])
     if first["type"] == "missing" and inner:
         return f"{where} has {inner[-1]} value{'s' * (inner[-1] != '1')}, which are too few"
-    said = next((words for kind, words in _PLAIN.items() if first["type"].startswith(kind)), first["msg"])
-    said = said.format(**first.get("ctx", {}))
+    plain = (words.format(**first.get("ctx", {})) for kind, words in _PLAIN.items() if first["type"].startswith(kind))
+    said = next(plain, first["msg"].lower())
     if first["type"].startswith("unexpected") and not inner:
         said += f"; {near(name, known)}"
     return f"{where}: {_shown(first)}{said}"

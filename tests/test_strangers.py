@@ -1,16 +1,22 @@
 """What other packages' functions give is looked at where it is used, and told with the package that it is from."""
 
 import re
+from contextlib import nullcontext
+from importlib.util import module_from_spec, spec_from_file_location
 from types import ModuleType, SimpleNamespace
 
 import pytest
 import torch
 
 from apartgen.schemas.errors import BadInput
+from apartgen.schemas.metrics import Value
 from apartgen.schemas.plugins import Plugin
+from apartgen.stages import export, metrics
 from apartgen.stages.layout import choice, guided
+from apartgen.stages.registry import contract
 from apartgen.stages.retrieve.furniture import foreign
 from apartgen.stages.retrieve.furniture.body import Body
+from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.matching import newcomers
 
@@ -118,3 +124,43 @@ def test_a_module_is_known_for_its_package(monkeypatch):
                                                                           "mine.other", "minecraft")]
     assert found == [own["chairs"], own["chairs"], own["desks"], None]
     assert re.match("my-home: chairs", own["chairs"].told("x"))
+
+
+def test_what_is_written_is_there(monkeypatch, tmp_path):
+    """A file that a format names lies below the folder that it was given."""
+    (tmp_path / "in").mkdir()
+    (tmp_path / "beside.txt").write_text("")
+    (tmp_path / "in/good.txt").write_text("")
+    monkeypatch.setattr(export.registry, "bringer", lambda package, name: MINE)
+    for path, good in ((tmp_path / "in/good.txt", True), (tmp_path / "beside.txt", False), (tmp_path / "in/no", False)):
+        writer = SimpleNamespace(write=lambda scene, folder, path=path: [path])
+        with nullcontext() if good else pytest.raises(BadInput, match=f"^my-home: .* names {path.name}, "):
+            assert export._written("mine", writer, None, tmp_path / "in") == [path]
+
+
+def test_a_figure_is_of_a_room_or_of_all(monkeypatch):
+    home = SimpleNamespace(rooms=[SimpleNamespace(id="study_1")])
+    monkeypatch.setattr(metrics.registry, "bringer", lambda package, name: MINE)
+    for of, good in (("study_1", True), ("apartment", True), ("study", False)):
+        found = [Value(name="seats", value=1, of=of)]
+        monkeypatch.setattr(metrics, "_member", lambda name, found=found: SimpleNamespace(measure=lambda *_: found))
+        with nullcontext() if good else pytest.raises(BadInput, match="^my-home: .* a value of 'study'; of is"):
+            assert metrics._measure("seats", home, None) == found
+
+
+@pytest.mark.parametrize("names", [(len,), ("desk",), ("desk", 3)])
+def test_a_builder_is_entered_by_names(names):
+    with pytest.raises(BadInput, match="a builder is entered by @design"):
+        design(*names)
+
+
+def test_a_fault_is_told_with_the_line_of_the_package(tmp_path):
+    """Not with one of ours that it called; a type's complaint in plain words."""
+    file = tmp_path / "mine.py"
+    file.write_text("from apartgen.schemas.metrics import Value\n\n\ndef measure(home, against):\n    return [\n"
+                    "        Value(name='a', value='many')]\n")
+    spec = spec_from_file_location("mine", file)
+    member = module_from_spec(spec)
+    spec.loader.exec_module(member)
+    with pytest.raises(BadInput, match=rf"^measure failed, Value.value: 'many' is no number \({file}:6\)$"):
+        contract.guarded(member, contract.protocols("apartgen.stages.metrics")[:1], str).measure(None, None)

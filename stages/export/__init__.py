@@ -77,7 +77,7 @@ def _all_written(
         flat = ended.enter_context((begun if bare and writers else at_once)(lambda: _bare(bare, scene, folder)))
         taken: list[Callable[[], None]] = []
         for name in [*list(writers)[1:], *list(writers)[:1]]:
-            found[name] = writers[name].write(scene, folder)
+            found[name] = _written(name, writers[name], scene, folder)
             check = partial(_read_back, name, writers[name], found[name], folder)
             taken.append(ended.enter_context((begun if len(found) < len(writers) else at_once)(check)))
         for wait in taken:
@@ -91,9 +91,19 @@ def _bare(formats: list[str], scene: Scene, folder: Path) -> dict[str, list[Path
     found: dict[str, list[Path]] = {}
     for name in formats:
         writer = registry.load(PACKAGE, name)
-        found[name] = writer.write(scene, folder)
+        found[name] = _written(name, writer, scene, folder)
         _read_back(name, writer, found[name], folder)
     return found
+
+
+def _written(name: str, writer: ModuleType, scene: Scene, folder: Path) -> list[Path]:
+    """The files of a format; BadInput for one that it names and that is not there, or not below the folder."""
+    paths: list[Path] = writer.write(scene, folder)
+    if strange := [path for path in paths if not (path.is_relative_to(folder) and path.is_file())]:
+        fault = f"write names {strange[0].name}, which is no file that it wrote below the folder it was given"
+        plugin = registry.bringer(PACKAGE, name)
+        raise BadInput(plugin.told(fault) if plugin else f"format {name}: {fault}")
+    return paths
 
 
 def _read_back(name: str, writer: ModuleType, files: list[Path], folder: Path) -> None:

@@ -54,6 +54,10 @@ def _able(function: str) -> tuple[str, ...]:
 
 def _measure(name: str, home: Plan, against: Plan | Program | None) -> list[Value]:
     found: list[Value] = _member(name).measure(home, against)
+    if plugin := registry.bringer(__name__, name):
+        there = ["apartment", *(room.id for room in home.rooms)]
+        if strange := [value.of for value in found if value.of not in there]:
+            raise BadInput(plugin.told(f"measure gave a value of {strange[0]!r}; of is one of {', '.join(there)}"))
     return found
 
 

@@ -9,9 +9,13 @@ import inspect
 import traceback
 from collections.abc import Callable, Iterator
 from functools import cache, wraps
+from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, get_args, get_origin, get_type_hints
 
+from pydantic import ValidationError
+
+from apartgen.schemas import facts
 from apartgen.schemas.errors import ApartgenError, BadInput
 
 Told = Callable[[str], str]
@@ -67,18 +71,23 @@ def _lacks(member: ModuleType, protocol: type) -> Iterator[str]:
 
 def guarded(member: ModuleType, kept: tuple[type, ...], told: Told) -> ModuleType:
     """The member of another package; whatever goes wrong in its functions is a BadInput that says whose it is."""
-    guard = ModuleType(member.__name__, member.__doc__)
+    guard, home = ModuleType(member.__name__, member.__doc__), str(Path(getattr(member, "__file__", None) or "").parent)
     vars(guard).update(vars(member))
     for protocol in kept:
         for name, wanted in functions(protocol).items():
             if hasattr(member, name):
-                setattr(guard, name, _guarded(getattr(member, name), get_type_hints(wanted).get("return"), told))
+                setattr(guard, name, _guarded(getattr(member, name), get_type_hints(wanted).get("return"), told, home))
     return guard
 
 
-def _guarded(function: Callable[..., Any], hint: Any, told: Told) -> Callable[..., Any]:
+class _Gave(Exception):
+    """What a function gave in place of what it is to give, in words."""
+
+
+def _guarded(function: Callable[..., Any], hint: Any, told: Told, home: str) -> Callable[..., Any]:
     def failed(error: Exception) -> BadInput:
-        return BadInput(told(f"{function.__name__} failed, {at(error)}"))
+        fault = str(error) if isinstance(error, _Gave) else f"failed, {at(error, home)}"
+        return BadInput(told(f"{function.__name__} {fault}"))
 
     def items(result: Iterator[Any]) -> Iterator[Any]:
         try:
@@ -107,24 +116,27 @@ def _guarded(function: Callable[..., Any], hint: Any, told: Told) -> Callable[..
 
 
 def _expected(value: Any, hint: Any) -> None:
-    """TypeError for a value that is not of a type, or of a list of one."""
+    """_Gave for a value that is not of a type, or of a list of one."""
     many = get_origin(hint) is list
     of = get_args(hint)[0] if many else get_origin(hint) or hint
     if of is float and type(value) is int:
         return  # a number is a number
     if not isinstance(value, list if many else of):
-        raise TypeError(f"gave a {type(value).__name__}, not a {'list' if many else of.__name__}")
+        raise _Gave(f"gave a {type(value).__name__}, not a {'list' if many else of.__name__}")
     for item in value if many else ():
         if not isinstance(item, of):
-            raise TypeError(f"gave a list with a {type(item).__name__}, not of {of.__name__}")
+            raise _Gave(f"gave a list with a {type(item).__name__}, not of {of.__name__}")
 
 
 def told(error: Exception) -> str:
     """An exception in one line."""
+    if isinstance(error, ValidationError):
+        return f"{error.title}.{facts.fault(error, ())}"
     return f"{type(error).__name__}: {' '.join(str(error).split()) or 'no reason given'}"
 
 
-def at(error: Exception) -> str:
-    """The same with the line that raised it."""
-    last = traceback.extract_tb(error.__traceback__)[-1]
+def at(error: Exception, home: str = "") -> str:
+    """The same with the line that raised it, the last below the folder `home` where any is."""
+    frames = traceback.extract_tb(error.__traceback__)
+    last = ([frame for frame in frames if home not in ("", ".") and frame.filename.startswith(home)] or frames)[-1]
     return f"{told(error)} ({last.filename}:{last.lineno})"

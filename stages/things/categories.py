@@ -115,10 +115,19 @@ def _load() -> dict[str, Category]:
         try:
             if alone := [name for name, row in rows.items() if isinstance(row, dict) and not row.get("like")]:
                 raise BadInput(f'[{alone[0]}] needs like = "…", the category that it is placed as')
-            table |= read(rows, table)
+            found = read(rows, table)
+            for kind, word in _taken_words(found, table):
+                log.warning("%s", plugin.told(f"[{kind}] synonyms: {word!r} is said of another category; left out"))
+            table |= found
         except BadInput as error:
             log.warning("%s", plugin.told(f"{error}; its categories are left out"))
     return dict(sorted(table.items()))
+
+
+def _taken_words(found: dict[str, Category], known: dict[str, Category]) -> list[tuple[str, str]]:
+    """Categories and those of their words that others there are called by already."""
+    taken = {word.lower() for kind in known.values() for word in (kind.name.replace("_", " "), *kind.synonyms)}
+    return [(name, word) for name, kind in found.items() for word in kind.synonyms if word.lower() in taken]
 
 
 def read(rows: dict[str, Any], known: dict[str, Category]) -> dict[str, Category]:

@@ -5,7 +5,7 @@ import pytest
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.things import categories
-from apartgen.stages.things.categories import CATEGORIES, TABLE, read, stand_in, used_for
+from apartgen.stages.things.categories import CATEGORIES, TABLE, _taken_words, read, stand_in, used_for
 
 
 def test_facts_agree():
@@ -86,6 +86,7 @@ def test_it_takes_no_word_that_is_spoken_for(newcomers):
     ({"thing": {"like": "desk", "size": [1, "wide", 1]}}, r"\[thing\] size: 'wide' is no number$"),
     ({"thing": {"like": "desk", "stands": {"lean": True, "leen": 1}}}, r"\[thing\] stands.leen: there is no fact"),
     ({"thing": {"like": "desk", "synonyms": "table"}}, r"\[thing\] synonyms: 'table' is no list; write \[ … \]$"),
+    ({"thing": {"like": "desk", "labels": 3}}, r"\[thing\] labels: '3' is no table; write { name = value }$"),
     ({"thing": {"like": "desk", "rooms": ["stduy"]}}, r"\[thing\] rooms: 'stduy' is no type .*did you mean 'study'"),
     ({"thing": {"like": "desk", "uses": ["wark"]}}, r"\[thing\] uses: 'wark' is no use; did you mean 'work'"),
     ({"thing": {"like": "desk", "size": [1, 1]}}, r"\[thing\] size has 2 values, which are too few"),
@@ -98,3 +99,9 @@ def test_it_takes_no_word_that_is_spoken_for(newcomers):
 def test_a_faulty_entry_is_named(rows, fault):
     with pytest.raises(BadInput, match=fault):
         read(rows, TABLE)
+
+
+def test_words_that_are_spoken_for_are_known():
+    """Of a newcomer's words those that others there are called by."""
+    found = read({"thing": {"like": "desk", "synonyms": ["Fridge", "thing", "secretaire thing"]}}, TABLE)
+    assert _taken_words(found, TABLE) == [("thing", "Fridge")]

@@ -21,6 +21,8 @@ DESIGNS: dict[str, dict[str, Builder]] = {}
 
 def design(category: str, *styles: str) -> Callable[[Builder], Builder]:
     """Registers a builder for some styles of a category; BadInput for a style that it has already."""
+    if not styles or not all(isinstance(name, str) for name in (category, *styles)):
+        raise BadInput('a builder is entered by @design("category", "style")')
 
     def enter(builder: Builder) -> Builder:
         taken = DESIGNS.setdefault(category, {})

@@ -1,6 +1,8 @@
 """What another package's builder makes is held to what ours are, and whatever goes wrong is told with the package."""
 
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -42,7 +44,8 @@ def made(builder: "Builder", kit: "Kit", id: str) -> Asset:
     except ApartgenError as error:
         wrong = str(error)
     except Exception as error:  # a stranger's function may do anything
-        wrong = f"failed, {contract.at(error)}"
+        home = Path(getattr(sys.modules.get(builder.__module__), "__file__", None) or "").parent
+        wrong = f"failed, {contract.at(error, str(home))}"
     if wrong:
         raise BadInput(told(builder, f"{id}: {wrong}"))
     return asset
