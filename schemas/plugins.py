@@ -10,7 +10,7 @@ import logging
 import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib.metadata import EntryPoint, EntryPoints, entry_points
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -51,13 +51,14 @@ class Plugin(NamedTuple):
 
 
 @cache
-def _points() -> EntryPoints:
-    """All entry points there are; looking for them takes longer than all else here."""
-    found = entry_points()
-    for group in sorted(group for group in found.groups if group.startswith(PREFIX)):
+def _points() -> dict[str, list[EntryPoint]]:
+    """The entry points of every group of ours; looking for them takes longer than all else here."""
+    every = entry_points()
+    found = {group: list(every.select(group=group)) for group in sorted(every.groups) if group.startswith(PREFIX)}
+    for group, points in found.items():
         if (name := group.removeprefix(PREFIX)) not in KNOWN:
             log.warning("%s: entry points %r: nothing is looked for there; after apartgen. %s",
-                        _package(next(iter(found.select(group=group)))), group, near(name, KNOWN))
+                        _package(points[0]), group, near(name, KNOWN))
     return found
 
 
@@ -65,7 +66,7 @@ def _points() -> EntryPoints:
 def brought(group: str) -> dict[str, Plugin]:
     """The plugins of a group by name; of several of one name the first package's."""
     found: dict[str, Plugin] = {}
-    for point in sorted(_points().select(group=group), key=lambda point: (point.name, _package(point))):
+    for point in sorted(_points().get(group, []), key=lambda point: (point.name, _package(point))):
         version = point.dist.version if point.dist is not None else ""
         plugin = Plugin(point.name, point.value.replace(" ", ""), _package(point), version)
         if found.setdefault(point.name, plugin) != plugin:
@@ -124,7 +125,7 @@ def digest(*groups: str) -> str:
     """
     used = [plugin for group in groups for plugin in brought(group).values()]
     named = {plugin.place for plugin in used}
-    others = {plugin.place for group in _groups() for plugin in brought(group).values()} - named
+    others = {plugin.place for group in _points() for plugin in brought(group).values()} - named
     found = hashlib.sha256(repr([tuple(plugin) for plugin in used]).encode())
     for root in sorted({place for place in (*named, *(plugin.top for plugin in used)) if place}):
         for file in _code(root):
@@ -140,10 +141,6 @@ def installed() -> list[str]:
         for whole in sorted({f"{plugin.package} {plugin.version}" for plugin in brought(group).values()}):
             found.setdefault(whole, []).append(group.removeprefix(PREFIX))
     return [f"{whole}: {', '.join(groups)}" for whole, groups in sorted(found.items())]
-
-
-def _groups() -> list[str]:
-    return sorted(group for group in _points().groups if group.startswith(PREFIX))
 
 
 def _code(root: Path) -> list[Path]:
