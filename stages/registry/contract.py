@@ -13,9 +13,6 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, get_args, get_origin, get_type_hints
 
-from pydantic import ValidationError
-
-from apartgen.schemas import facts
 from apartgen.schemas.errors import ApartgenError, BadInput
 
 Told = Callable[[str], str]
@@ -130,6 +127,10 @@ def _expected(value: Any, hint: Any) -> None:
 
 def told(error: Exception) -> str:
     """An exception in one line."""
+    from pydantic import ValidationError  # no part of what lists a registry
+
+    from apartgen.schemas import facts
+
     if isinstance(error, ValidationError):
         return f"{error.title}.{facts.fault(error, ())}"
     return f"{type(error).__name__}: {' '.join(str(error).split()) or 'no reason given'}"
