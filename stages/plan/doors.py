@@ -31,7 +31,7 @@ one before cannot be had."""
 WIDEST = 3.2
 """Widest opening between open-plan rooms, m."""
 NEARER = 0.5
-"""Cost of a metre between the entrance and the living room."""
+"""Cost of a metre between the entrance and what is to be near it."""
 AFAR = 1.0
 """Cost of a metre between the entrance and the place that ways were reckoned from."""
 DETOUR = 0.3
@@ -149,20 +149,24 @@ def _entrances(program: Program, room: str, floors: Floors, walls: Walls, deep: 
     for face in faces.outside(floors[room], [f for r, f in floors.items() if r != room]):
         if facing(*face.along) in sides and face.length >= ENTRANCE + 2 * FRAME - 1e-6:
             out += _placed(face._replace(gap=walls.outer), ENTRANCE, room, floors[room], 0.0, True, deep)
-    return _fitting([_towards(choice, _lived(program, room, floors)) for choice in out], floors)
+    return _fitting([_towards(choice, _first_seen(program, room, floors)) for choice in out], floors)
 
 
-def _lived(program: Program, first: str, floors: Floors) -> Polygon | None:
-    """The living room one comes to, if it is not the room one enters."""
-    living = [r.id for r in program.rooms if r.type == "living_room" and r.id != first]
-    return floors[living[0]] if living else None
+def _first_seen(program: Program, first: str, floors: Floors) -> shapely.Geometry | None:
+    """What is near the entrance: the living room; of one that is entered itself, bath and kitchen."""
+    living = [r.id for r in program.rooms if r.type == "living_room"]
+    if living and first not in living:
+        return floors[living[0]]
+    apart = {one.of for one in program.requirements if one.kind == "apart" and one.to == "entrance"}
+    wet = [r.id for r in program.rooms if r.base in ("bathroom", "kitchen") and r.id not in apart]
+    return shapely.union_all([floors[room] for room in wet]) if living and wet else None
 
 
-def _towards(choice: Choice, living: Polygon | None) -> Choice:
-    """An entrance costs less the nearer it is to the living room, so that nobody walks past the bedrooms."""
-    if living is None:
+def _towards(choice: Choice, near: shapely.Geometry | None) -> Choice:
+    """An entrance costs less the nearer it is to what is to be near it, so that nobody walks past the bedrooms."""
+    if near is None:
         return choice
-    return choice._replace(cost=choice.cost + NEARER * float(shapely.Point(_middle(choice)).distance(living)))
+    return choice._replace(cost=choice.cost + NEARER * float(shapely.Point(_middle(choice)).distance(near)))
 
 
 def _about(entrances: list[Choice]) -> list[Choice]:

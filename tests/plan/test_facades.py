@@ -112,3 +112,21 @@ def _solid(collider) -> tuple[Polygon, float, float]:
     corners = corners if collider.vertices is None else collider.vertices
     corners = corners @ np.asarray(collider.rotation).T + collider.center
     return MultiPoint(corners[:, :2]).convex_hull, float(corners[:, 2].min()), float(corners[:, 2].max())
+
+
+def studio(seed: int) -> Plan:
+    """One room to live and sleep in, with a kitchen and a bathroom at it."""
+    program = Program(
+        rooms=[{"id": f"{type}_1", "type": type, "area": area}
+               for type, area in (("living_room", 24), ("kitchen", 6), ("bathroom", 4))],
+        links=[("living_room_1", "bathroom_1")], open_links=[("living_room_1", "kitchen_1")], complete=True,
+    )  # fmt: skip
+    return build(program, PlanConfig(processes=1), np.random.default_rng(seed))
+
+
+def test_where_one_comes_in_to_where_one_sleeps_bath_and_kitchen_are_near() -> None:
+    plans = [studio(seed) for seed in range(24)]
+    doors = [MultiPoint(o.segment).centroid for plan in plans for o in plan.openings if o.kind == "entrance"]
+    away = [min(door.distance(floor(plan, room)) for room in ("kitchen_1", "bathroom_1"))
+            for door, plan in zip(doors, plans, strict=True)]  # fmt: skip
+    assert sum(a < 1.5 for a in away) >= 14 and np.mean(away) < 2.2

@@ -9,6 +9,7 @@ import { Steps } from "./steps.js";
 import { Walk } from "./walk.js";
 
 const WALL = 0.1; // m, doors and windows so near to a room's floor are shown with it
+const STEEP = 0.42; // metres aside a metre of height from where one first looks
 const QUICK = 90; // ms a frame may take for fine looks to be tried
 const SLOW = 300; // ms between frames from which fine looks are given up
 
@@ -90,24 +91,28 @@ export class View {
     const size = box.getSize(new Vector3());
     const [left, below] = this.taken();
     const [wide, high] = [(innerWidth - left) / innerHeight, (innerHeight - below) / innerHeight];
-    const half = Math.max(size.x / wide, (size.z + size.y / 2) / high, 1.2) / 2;
+    const side = this.#side();
+    const [across, along] = side.x ? [size.z, size.x] : [size.x, size.z];
+    const half = Math.max(across / wide, (along + size.y / 2) / high, 1.2) / 2;
     const far = (1.1 * half) / Math.tan((this.camera.fov * Math.PI) / 360) + size.y / 2;
     box.getCenter(this.controls.target);
-    const side = this.#side();
-    this.camera.position.copy(this.controls.target).add(new Vector3(0.05 * side, 1, 0.5 * side).setLength(far));
+    const aside = new Vector3(side.z, 0, -side.x).multiplyScalar(0.05);
+    this.camera.position.copy(this.controls.target).add(aside.addScaledVector(side, STEEP).setY(1).setLength(far));
     this.controls.update();
     this.draw();
   }
 
-  // From the south, or the north where more fronts look there: things are hidden by those whose backs one sees.
+  // From the side to which most fronts look, as things are hidden by those whose backs one sees, the south before others.
   #side() {
-    let south = 0;
+    const fronts = new Vector3();
     for (const body of this.home.bodies) {
       if (!body.visible || body.userData.kind !== "object") continue;
-      const size = boxOf(body).getSize(new Vector3());
-      south += size.x * size.y * new Vector3(1, 0, 0).applyQuaternion(body.getWorldQuaternion(new Quaternion())).z;
+      const box = boxOf(body), size = box.getSize(new Vector3());
+      const front = new Vector3(1, 0, 0).applyQuaternion(body.getWorldQuaternion(new Quaternion()));
+      fronts.addScaledVector(front, size.y * Math.hypot(size.x * front.z, size.z * front.x));
     }
-    return south < 0 ? -1 : 1;
+    const sides = [[0, 1], [0, -1], [1, 0], [-1, 0]].map(([x, z]) => new Vector3(x, 0, z));
+    return sides.reduce((best, side) => (side.dot(fronts) > best.dot(fronts) + 1e-6 ? side : best));
   }
 
   // Stands at a point of the floor, looking to what was looked at.
