@@ -10,6 +10,7 @@ from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
+from apartgen.stages.plan.reader.characters import in_characters
 from apartgen.stages.plan.reader.comparisons import compared_again, comparisons, summed
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.counted_doors import doors_counted
@@ -62,7 +63,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = inverted(advertised(itemized(fold(prompt))))
+    told = inverted(advertised(itemized(in_characters(fold(prompt)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)

@@ -1,0 +1,31 @@
+"""`My room` beside that of the writer's parents, in five languages: two bedrooms, where none are counted."""
+
+import re
+
+from apartgen.stages.plan.reader.families import COUNTED
+from apartgen.stages.plan.reader.patterns import late
+
+_MINE = late(
+    r"\b(?:mein(?:em)? (?:schlaf)?zimmer|ma (?:propre )?chambre|mi (?:propi[oa] )?(?:habitacion|dormitorio|cuarto)|"
+    r"my (?:own )?(?:bed ?)?room)\b(?! ?mate)"
+)
+_THEIRS = late(
+    r"\b(?:(?:das|dem) )?(?:(?:schlaf)?zimmer (?:meiner|der|von meinen|fur meine) eltern|elternschlafzimmer)\b|"
+    r"\bla (?:chambre )?(?:de mes|des) parents\b|"
+    r"\b(?:la|el) (?:habitacion |dormitorio |cuarto )?de mis padres\b|"
+    r"\b(?:my |the )?parents' (?:bed ?)?room\b|\b(?:bed ?)?room (?:of|for) my parents\b|"
+    r"\bmy parents'(?= (?:is|has|must|should|needs|next|near|at|on|in|\d))"
+)
+_THEIR_ROOM = re.compile(r"\btheir (?:own )?(?:bed ?)?room\b")
+
+
+def beside_mine(text: str) -> str:
+    """A folded text in which both are told of, each as it is told first."""
+    if _MINE.search(text) is None:
+        return text
+    told = _THEIR_ROOM.sub("my parents' room", text, count=1) if "my parents" in text else text
+    if (theirs := _THEIRS.search(told)) is None or (mine := _MINE.search(told)) is None:
+        return text
+    article = "a" if mine.start() < theirs.start() and not COUNTED.search(told) else "the"
+    told = _THEIRS.compiled.sub(f"{article} parents' bedroom", told, count=1)
+    return _MINE.sub("my room", _THEIRS.sub("the parents' bedroom", told) if article == "the" else told)
