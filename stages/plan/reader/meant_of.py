@@ -30,13 +30,13 @@ _SAID = rules((
     # "no open-plan kitchen, I hate the smell of cooking in the living room"
     (r"(?P<of>\b{hate} {smell}(?: of [a-z]+)?) (?:in|into|through|from|all over) (?:the |my |our )?{room}(?: and (?:the )?{room})?\b",
      r"\g<of>"),
-    (r"\b(?:ich|wir) (?:hasse|hassen|mag|mogen) (?:den |keinen |das |keine )?(?:\w*geruch|geruche|larm|dampf)(?: vom kochen)?"
-     r"(?: nicht)? (?:im|in der|in den) \w+(?: nicht)?\b", ""),
-    (r"\b(?:je|nous) (?:deteste|detestons|n'aime pas|n'aimons pas|hais) (?:l'odeur|les odeurs|le bruit|la fumee)"
-     r"(?: de (?:la )?cuisine)? (?:dans|de) (?:le|la|l') ?(?:salon|sejour|chambre|cuisine|piece a vivre)\b", ""),
-    (r"\b(?:odio|odiamos|no me gusta|no soporto|no nos gusta) (?:el olor|los olores|el ruido|el humo)(?: (?:a|de) (?:la )?(?:comida|cocina|"
-     r"fritos|cocinar))? (?:en|de) (?:el|la|l) (?:salon|comedor|dormitorio|cocina)\b", ""),
-    (r"(?:我|我们)?(?:不喜欢|讨厌|受不了|怕)(?:在)?(?:客厅|卧室|餐厅|厨房)?(?:里)?(?:的)?(?:有)?(?:油烟味?|气味|味道|噪音)", ""),
+    (r"\b(?:ich|wir) (?:hasse|hassen|mag|mogen) (?:den |keinen |das |keine )?(?P<of>\w*geruch|geruche|larm|dampf)(?: vom kochen)?"
+     r"(?: nicht)? (?:im|in der|in den) \w+(?: nicht)?\b", r"\g<of>"),
+    (r"\b(?:je|nous) (?:deteste|detestons|n'aime pas|n'aimons pas|hais) (?:l'|les |le |la )(?P<of>odeurs?|bruit|fumee)"
+     r"(?: de (?:la )?cuisine)? (?:dans|de) (?:le|la|l') ?(?:salon|sejour|chambre|cuisine|piece a vivre)\b", r"\g<of>"),
+    (r"\b(?:odio|odiamos|no me gusta|no soporto|no nos gusta) (?:el|los) (?P<of>olor|olores|ruido|humo)(?: (?:a|de) (?:la )?(?:comida|cocina|"
+     r"fritos|cocinar))? (?:en|de) (?:el|la|l) (?:salon|comedor|dormitorio|cocina)\b", r"\g<of>"),
+    (r"(?:我|我们)?(?:不喜欢|讨厌|受不了|怕)(?:在)?(?:客厅|卧室|餐厅|厨房)?(?:里)?(?:的)?(?:有)?(?P<of>油烟味?|气味|味道|噪音)", r"\g<of>"),
     # "the study must be next to the living room and its area must not exceed 9 m2"
     (r"(?P<begin>^|[.;:] ?|, )(?P<of>(?:the|my|our) {kind}) (?P<said>{must} [^.;:]*?|(?:is|lies|has|opens|faces)\b[^.;:]*?),? "
      r"(?:and|but) its (?:floor )?(?:area|size|surface)(?: area)? (?={must}|is\b|has\b|at\b)", r"\g<begin>\g<of> \g<said>. \g<of> "),
@@ -71,6 +71,10 @@ _SAID = rules((
     (r"\b(?:dos a dos|adosse[es]*) (?:avec|a) ", "a cote de "),
     (r"\b(?:espalda con espalda con|de espaldas a|espalda a espalda con) ", "junto a "),
     (r"([^,.;和与]{1,6})(?:和|与)([^,.;和与]{1,6})背靠背", r"\1紧挨\2"),
+    (r"\bun[oa] de ell[oa]s (?:es |sea |siendo )?una suite(?: principal)?(?: con (?:su |un )?(?:propio )?bano(?: propio| privado)?)?",
+     "uno de ellos en suite"),
+    (r"(\b(?:dos|tres|cuatro|[2-4]) (?:dormitorios|habitaciones)),? (?:siendo|incluyendo|incluid[oa]) una (?:de ell[oa]s )?(?:una )?suite"
+     r"(?: principal)?(?: con (?:su |un )?(?:propio )?bano(?: propio| privado)?)?", r"\1, uno de ellos en suite"),
     # "three bedrooms, being one suite with its bathroom"
     (r"(?P<rooms>\b(?:two|three|four|five|[2-5]) bed ?rooms),? (?:being|including|incl|with|(?:and )?one (?:of (?:them|which|these) )?being) "
      r"(?:(?:one|an?) (?:of (?:them|these|which) )?(?:is )?(?:being )?(?:an? )?)?(?P<suite>(?:master |main )?suite)\b", _suite),
@@ -78,6 +82,23 @@ _SAID = rules((
     (r"(\bsuite\b[^.,;:]{0,30}? )(?:with|avec|con|mit) (?:its|an?|sa|une|son|un|su|einem|eigenem)(?: own| private| propre)? "
      r"((?:shower|bath) ?room|salle d'eau|salle de bains?|bano|bad)(?: propio| privative)?\b",
      lambda found: f"{found[1]}with its own {'shower room' if found[2] in ('salle d' + chr(39) + 'eau', 'shower room') else 'bathroom'}"),
+    # "la chambre n'est accessible que par le séjour", "un dormitorio al que solo se accede por el salón"
+    (r"\bn'(?P<is>est|sont) (?P<how>accessibles?|reliee?s?) (?:que|uniquement que) (?=(?:par|depuis|via|de|du|a)\b)",
+     r"\g<is> accessible uniquement "),
+    (r"\bon n'(?:accede|entre|arrive) (?:a la|a l'|au|dans la|dans le|dans l') ?(?P<of>\w+(?: parentale| d'amis)?) que (?:par|depuis|via) ",
+     r"la \g<of> accessible uniquement par "),
+    (r"\b(?:a laquelle|auquel|ou) (?:l')?on n'(?:accede|entre|arrive) que (?:par|depuis|via) ", "accessible uniquement par "),
+    (r"(?P<of>\b(?:le|la|l') ?\w+) ne (?:s'ouvre|communique|donne) qu(?:e |')(?:sur|avec|dans) ", r"\g<of> accessible uniquement par "),
+    (r"\b(?:al|a la|a los|a las) que (?:solo|solamente|unicamente) se (?:puede )?(?:accede|acceder|entra|entrar|llega|llegar) "
+     r"(?:por|desde|a traves de) ", "accesible solo desde "),
+    (r"\b(?:solo|solamente|unicamente) se (?:puede )?(?:accede|acceder|entra|entrar|llega|llegar) (?:al|a la) (?P<of>\w+) "
+     r"(?:por|desde|a traves de) ", r"el \g<of> es accesible solo desde "),
+    (r"\b(?:al|a la) (?P<of>\w+) (?:solo|solamente|unicamente) se (?:puede )?(?:accede|acceder|entra|entrar|llega|llegar) "
+     r"(?:por|desde|a traves de) ", r"el \g<of> es accesible solo desde "),
+    (r"只能(?=从|由)", ""),
+    (r"\b(?:nobody|no one|no-one|you cannot|you can't|one cannot|you don't|you do not) (?:can )?(?:gets?|comes?|goes|go|enters?|walks?|steps?)(?: in)?(?: ?to)? "
+     r"(?P<of>(?:the|my|our) {kind}) (?:except|but|other than|save|unless) (?:through|from|via|by way of|by) ",
+     r"\g<of> is reached only from "),
     # "a laundry where we enter by the kitchen"
     (r",? (?:where|which|that|to which|in which|into which) (?:we|you|one|i|people) (?:can |should )?(?P<only>only )?enters? (?P<then>only )?(?:it )?(?:by|from|through|via) ",
      lambda found: f" {'only ' if found['only'] or found['then'] else ''}entered from "),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, we_keep, with_ours
+from apartgen.stages.plan.reader.families import BEDROOMS, COUNTED, COUPLE, FAMILY_ROOM, LIVING, SUMMED, TOGETHER, heading, we_keep, with_ours
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 from apartgen.stages.plan.reader.kinsfolk import as_kin, in_turn, told_before, told_of_all
 from apartgen.stages.plan.reader.possessions import (
@@ -22,6 +22,10 @@ from apartgen.stages.plan.reader.possessions import (
 from apartgen.stages.plan.reader.spoken_of import as_first_told, of_the_last
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
+ALIKE = ("(?:girl|daughter)", "(?:boy|son)", "(?:child|kid|children|boy|girl|son|daughter)")
+"""Words for the same children."""
+OWN_TOO = re.compile(r"kids room|\b(?:own|alone|suy[oa]|eigenes?|sienn?e?)\b")
+"""What tells of the rooms of others beside those who share one."""
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
 """Words for two people that need no article."""
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
@@ -53,7 +57,10 @@ def housed(text: str) -> tuple[People | None, str]:
         if beside and "parents' bedroom" not in claims and not COUNTED.search(claims):
             claims = f"{claims.rstrip(' .!')}. a parents' bedroom."  # "the baby sleeps with us, …"
         text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", of_the_last(equipped(claims))))
-        return None, _others(_baths(text), told_of_all(known)) if not COUNTED.search(text) else _baths(text)
+        text = text if BEDROOMS.search(text) else FAMILY_ROOM.sub("a parents' bedroom and ", text)
+        said = _others(_baths(text), told_of_all(known)) if not COUNTED.search(text) else _baths(text)
+        twice = couple and said.count("a parents' bedroom") > 1
+        return None, said.removesuffix(". a parents' bedroom.") if twice else said
     whole = text
     people, text = _household(text)
     return _without_sharing(people, text, whole) if people is not None else (people, text)
@@ -65,10 +72,12 @@ def _told_again(text: str) -> tuple[int | None, str]:
 
     def shared(match: re.Match[str]) -> str:
         noun = (match.groupdict().get(kind_of(match)) or "").removesuffix("s")
-        counted = re.search(rf"\b({words}) (?:\w+ )?{noun}", text) if noun and not match["n"] else None
-        if counted is None:
+        noun = next((same for same in ALIKE if re.fullmatch(same, noun)), noun)
+        counted = re.search(rf"\b({words}) (?:\w+ )?{noun}", text[: match.start()]) if noun else None
+        some, all_of = number_of(match), value_of(counted[1]) if counted else 0
+        if not 0 <= some < all_of or (some and OWN_TOO.search(text)):
             return match.group()
-        fewer.append(value_of(counted[1]) - 1)
+        fewer.append((some or all_of) - 1)
         return ""
 
     words = r"\d+|" + "|".join(numbers())

@@ -1,0 +1,62 @@
+"""Who shares a room, said in brackets, by siblings of themselves, or by whose room it is: `the girls' room`."""
+
+import re
+
+from apartgen.stages.plan.reader.families import COUNTED
+from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import SEVERAL, reworded, rules
+
+_SISTER = r"(?:(?:little|big|older|younger|elder|twin|kleine|grosse|petite?|grande?) )?(?:brother|sister|bruder|schwester|frere|soeur|herman[oa])"
+_ALONE = re.compile(r"\bmy (?:sister|brother|twin) and i share (?:an?|one|the) (?:bed ?)?room(?: together)?\b")
+_PARENTS = re.compile(r"\b(?:parents|mum|mom|dad|mother|father|grand\w+)\b")
+_SAID = rules((
+    # "our two girls (they share)", "(sharing a room)"
+    (r" ?\((?:and )?(?:they |who |both |all |the two |these )?(?:will |can |would like to )?(?:share|sharing|are sharing|are to share)"
+     r"(?: (?:an?|one|the same) (?:bed ?)?room)?\),?", ", who share a room,"),
+    (r" ?\((?:and )?(?P<who>the (?:two |three )?(?:[a-z]+ )?(?:ones|boys|girls|kids|children|sons|daughters)) (?:will |can )?share"
+     r"(?: (?:an?|one|the same) (?:bed ?)?room)?\)", r", \g<who> share a room"),
+    (r" ?\((?:sie |die )?teilen sich (?:ein |das )?(?:zimmer|schlafzimmer)\),?", ", die sich ein zimmer teilen,"),
+    (r" ?\((?:elles |ils |qui )?partagent (?:une|la meme) chambre\),?", ", qui partagent une chambre,"),
+    (r" ?\((?:ell[oa]s |que )?comparten (?:una |la misma )?(?:habitacion|dormitorio|cuarto)\),?", ", que comparten habitacion,"),
+    (r"\b(?P<whose>the|our|my) (?P<who>girls|boys|kids|sons|daughters) (?:will |can |are to |must )?share (?:an?|one|the same) (?:bed ?)?room "
+     r"(?:with|that has|which has) (?=(?:an?|one|two|three|\d) )", r"\g<whose> \g<who>' room has "),
+    # "meine Schwester und ich teilen uns ein Zimmer, unsere Eltern haben das andere"
+    (r"\b(?:ich und )?(?:meine?|unsere?|ma|mon|mi) {sister}(?: (?:und|et|y) (?:ich|moi|yo))?,? (?:wir |nous |nosotr[oa]s )?"
+     r"(?:teilen uns|teilen|partageons|compartimos|partage|dormons dans|dormimos en) (?:das gleiche |dasselbe |la meme |el mismo |la misma |una? |une |ein |"
+     r"das )?(?:schlafzimmer|zimmer|chambre|dormitorio|habitacion|cuarto)\b", "my sister and i share a bedroom"),
+    (r"我(?:和|跟|与)(?:我的?)?(?:妹妹|姐姐|弟弟|哥哥|姐妹|兄弟)(?:合住|共用|一起住|同住|住)(?:在)?(?:一间|一个|同一间)?(?:卧室|房间|房)",
+     "my sister and i share a bedroom"),
+    (r"\b(?:unsere|meine|nos|mes|mis|nuestros) (?:eltern|parents|padres) (?:haben|bekommen|nehmen|schlafen in|ont|prennent|dorment dans|tienen|duermen en) "
+     r"(?:das andere|ein anderes|im anderen|das zweite|l'autre|une autre|la deuxieme|el otro|la otra|otr[oa]|el segundo|la segunda)"
+     r"(?: zimmer| schlafzimmer| chambre| dormitorio| habitacion)?\b", "my parents have a bedroom"),
+    (r"(?:父母|爸妈|爸爸妈妈)(?:住|用)(?:另外?|另|第二)?(?:一间|一个|间)(?:卧室|房间|房)?(?=[,.;]|$)", "my parents have a bedroom"),
+    (r"\bour (?=parents (?:have|get|sleep|need|take|use)\b)", "my "),
+    (r"(\bmy {sister} and (?:i|me) (?:share|sleep in)\b.*\bmy parents (?:have|get|sleep in|take|use)) the other(?: one| room| bed ?room)?\b",
+     r"\1 a bedroom"),
+), sister=_SISTER)  # fmt: skip
+_ALIKE = ("girl|girls|daughter|daughters", "boy|boys|son|sons", "kid|kids|child|children|sons|daughters|boys|girls")
+"""Words for the same children."""
+_THEIR_ROOM = late(r"\b(?:the|our|my) (?P<who>girl|boy|kid|child|children|son|daughter)(?:s'|'s) (?:bed ?)?room\b(?!s)")
+_SHARES = re.compile(r"\bshar(?:e|es|ing)\b|\b(?:each|own) (?:bed ?)?rooms?\b|\btheir own\b|\b(?:bed ?)?rooms for\b")
+
+
+def sharing(text: str) -> str:
+    """A folded text that says so of them in plain words."""
+    text = reworded(text, _SAID)
+    if _ALONE.search(text) and not (_PARENTS.search(text) or COUNTED.search(text)):
+        text = _ALONE.sub("one bedroom for us", text)
+    return _one_room(text)
+
+
+def _one_room(text: str) -> str:
+    """`our two girls …; the girls' room needs a bunk bed`: one room for both."""
+    room = _THEIR_ROOM.search(text)
+    if room is None or _SHARES.search(text) or COUNTED.search(text):
+        return text
+    stem = room["who"].replace("children", "child")
+    nouns = next((alike for alike in _ALIKE if stem in alike.split("|")), f"{stem}s")
+    many = re.compile(rf"\b{SEVERAL} (?:[a-z]+ )?(?:{nouns})\b")
+    counted = many.search(text[: room.start()])
+    if counted is None:
+        return text
+    return f"{text[: counted.end()]}, who share a room,{text[counted.end() :].removeprefix(',')}"
