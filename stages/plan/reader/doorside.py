@@ -7,7 +7,8 @@ from apartgen.stages.plan.reader.patterns import late
 _SIDE = {"gauche": "left", "droite": "right", "izquierda": "left", "derecha": "right", "links": "left",
          "rechts": "right"}  # fmt: skip
 _OTHER = {"left": "right", "right": "left"}
-_BARE = {"left": r"a gauche|a la izquierda|a mano izquierda|links", "right": r"a droite|a la derecha|a mano derecha|rechts"}
+_BARE = {"left": r"a gauche|a la izquierda|a mano izquierda|links", "right": r"a droite|a la derecha|a mano derecha|"
+ r"rechts"}
 _DE = r"(?:eingang|hauseingang|haustur|eingangstur|wohnungstur|tur)"
 _ARTICLE = r"(?:das|die|der|la|le|el|un|una|une|eine?)"
 _AT_DOOR = late(
@@ -32,7 +33,8 @@ def beside_entrance(text: str) -> str:
     for side, other in _OTHER.items():
         begins = re.compile(rf"(\b{side} of the entrance\b[^.;]*?),? (?:und|et|y) (?:{_BARE[other]})(?= {_ARTICLE} )")
         text = begins.sub(rf"\1, {other} of the entrance", text)
-        behind = re.compile(rf"(\b{side} of the entrance\b[^.;]*?\b)(?:{_BARE[other]})(?: davon| de (?:celle-ci|elle|ella))?"
+        behind = re.compile(rf"(\b{side} of the entrance\b[^.;]*?\b)(?:{_BARE[other]})(?: davon| de (?:celle-ci|"
+                            rf"elle|ella))?"
                             rf"(?= ?(?:[.,;]|$)| (?:und|et|y|liegt|ist|{_ARTICLE})\b)(?! de)")  # fmt: skip
         text = behind.sub(rf"\1{other} of the entrance", text)
     return text

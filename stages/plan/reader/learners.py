@@ -14,6 +14,7 @@ def _big_room(found: re.Match[str]) -> str:
     return found.group() if _LIVING.search(found.string) or "bedroom" not in found.string else f"{found[1]}living room"
 
 
+_MOST = {"big": "biggest", "large": "largest", "small": "smallest"}
 _SAID = rules((
     # "kitchen no have door", "I not need a balcony", "there is not balcony", "it is not balcony"
     (r"{helped}\b(no|not) (have|has) (?:an? |any )?", "has no "),
@@ -73,6 +74,13 @@ _SAID = rules((
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),
+    # "living room must be most big"
+    (r"\b(?:the )?most (big|large|small)(?=(?: room| one)?{end}| of )", lambda found: f"the {_MOST[found[1]]}"),
+    # "bedroom is two, size is 12 square meter and 9 square meter"
+    (r"\b(bed|bath)( ?)rooms? (?:is|are|:) ?(two|three|four|five|[2-5])(?= ?(?:[,.;)]|$| and ))", r"\3 \1\2rooms"),
+    (r"(\b(?:two|three|four|[2-4]) (?:bed|bath) ?rooms)[,;:.]? ?(?:and |with )?(?:the |their |its )?(?:sizes?|areas?"
+     r") (?:is |are |of |being |: ?)?"
+     r"(?=\d)", r"\1 of "),
 ), room=rf"(?:{ROOM}|room)", helped=_HELPED)  # fmt: skip
 
 

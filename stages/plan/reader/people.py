@@ -6,7 +6,18 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.families import BEDROOMS, COUNTED, COUPLE, FAMILY_ROOM, LIVING, SUMMED, TOGETHER, heading, we_keep, with_ours
+from apartgen.stages.plan.reader.families import (
+    BEDROOMS,
+    COUNTED,
+    COUPLE,
+    FAMILY_ROOM,
+    LIVING,
+    SUMMED,
+    TOGETHER,
+    heading,
+    we_keep,
+    with_ours,
+)  # fmt: skip
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 from apartgen.stages.plan.reader.kinsfolk import as_kin, in_turn, told_before, told_of_all
 from apartgen.stages.plan.reader.possessions import (
@@ -19,13 +30,10 @@ from apartgen.stages.plan.reader.possessions import (
     possessed,
     sized,
 )
+from apartgen.stages.plan.reader.sharing import told_again
 from apartgen.stages.plan.reader.spoken_of import as_first_told, of_the_last
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
-ALIKE = ("(?:girl|daughter)", "(?:boy|son)", "(?:child|kid|children|boy|girl|son|daughter)")
-"""Words for the same children."""
-OWN_TOO = re.compile(r"kids room|\b(?:own|alone|suy[oa]|eigenes?|sienn?e?)\b")
-"""What tells of the rooms of others beside those who share one."""
 PAIRS = r"(?:(?:grand)?parents|(?:gross)?eltern|padres|abuelos)\b"
 """Words for two people that need no article."""
 WE = re.compile(r"\b(?:we|us|our|wir|uns|unser\w*|nous|nos|nuestr\w+)\b")
@@ -44,7 +52,7 @@ def housed(text: str) -> tuple[People | None, str]:
     text = re.sub(r"\bour (?:own )?bedroom\b", "the parents' bedroom", re.sub(r"\bmy (?:own )?bedroom\b", mine, text))
     said, text = text, pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
     beside = said != text
-    fewer, text = _told_again(text)
+    fewer, text = told_again(text)
     if fewer is not None:
         people, text = _household(text)
         people = people and replace(people, children=max(people.children - fewer, 0))
@@ -64,26 +72,6 @@ def housed(text: str) -> tuple[People | None, str]:
     whole = text
     people, text = _household(text)
     return _without_sharing(people, text, whole) if people is not None else (people, text)
-
-
-def _told_again(text: str) -> tuple[int | None, str]:
-    """`two daughters and a son; the daughters share a room`: so many rooms fewer, None where nobody is told again."""
-    fewer: list[int] = []
-
-    def shared(match: re.Match[str]) -> str:
-        noun = (match.groupdict().get(kind_of(match)) or "").removesuffix("s")
-        noun = next((same for same in ALIKE if re.fullmatch(same, noun)), noun)
-        counted = re.search(rf"\b({words}) (?:\w+ )?{noun}", text[: match.start()]) if noun else None
-        some, all_of = number_of(match), value_of(counted[1]) if counted else 0
-        if not 0 <= some < all_of or (some and OWN_TOO.search(text)):
-            return match.group()
-        fewer.append((some or all_of) - 1)
-        return ""
-
-    words = r"\d+|" + "|".join(numbers())
-    out = pattern("{who}{relative}? ?(?:will |can |must )?{share} ?{article}*{room}").sub(shared, text)
-    alone = pattern("{who} (?:is |sleeps |schlaft )?(?:alone|allein|seule?|sol[oa])")
-    return (sum(fewer), alone.sub("", out)) if fewer else (None, text)
 
 
 def _claims(text: str) -> tuple[str, bool]:

@@ -2,36 +2,50 @@
 
 import re
 
-from apartgen.stages.plan.reader.families import COUNTED
+from apartgen.stages.plan.reader.about import numbers
+from apartgen.stages.plan.reader.families import COUNTED, OWN_TOO, alike
+from apartgen.stages.plan.reader.kin import kind_of, number_of, pattern, value_of
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import SEVERAL, reworded, rules
 
-_SISTER = r"(?:(?:little|big|older|younger|elder|twin|kleine|grosse|petite?|grande?) )?(?:brother|sister|bruder|schwester|frere|soeur|herman[oa])"
+_SISTER = (r"(?:(?:little|big|older|younger|elder|twin|kleine|grosse|petite?|grande?) )?(?:brother|sister|bruder|"
+           r"schwester|frere|soeur|herman[oa])")  # fmt: skip
 _ALONE = re.compile(r"\bmy (?:sister|brother|twin) and i share (?:an?|one|the) (?:bed ?)?room(?: together)?\b")
 _PARENTS = re.compile(r"\b(?:parents|mum|mom|dad|mother|father|grand\w+)\b")
 _SAID = rules((
     # "our two girls (they share)", "(sharing a room)"
-    (r" ?\((?:and )?(?:they |who |both |all |the two |these )?(?:will |can |would like to )?(?:share|sharing|are sharing|are to share)"
+    (r" ?\((?:and )?(?:they |who |both |all |the two |these )?(?:will |can |would like to )?(?:share|sharing|are "
+     r"sharing|are to share)"
      r"(?: (?:an?|one|the same) (?:bed ?)?room)?\),?", ", who share a room,"),
-    (r" ?\((?:and )?(?P<who>the (?:two |three )?(?:[a-z]+ )?(?:ones|boys|girls|kids|children|sons|daughters)) (?:will |can )?share"
+    (r" ?\((?:and )?(?P<who>the (?:two |three )?(?:[a-z]+ )?(?:ones|boys|girls|kids|children|sons|daughters)) (?"
+     r":will |can )?share"
      r"(?: (?:an?|one|the same) (?:bed ?)?room)?\)", r", \g<who> share a room"),
     (r" ?\((?:sie |die )?teilen sich (?:ein |das )?(?:zimmer|schlafzimmer)\),?", ", die sich ein zimmer teilen,"),
     (r" ?\((?:elles |ils |qui )?partagent (?:une|la meme) chambre\),?", ", qui partagent une chambre,"),
-    (r" ?\((?:ell[oa]s |que )?comparten (?:una |la misma )?(?:habitacion|dormitorio|cuarto)\),?", ", que comparten habitacion,"),
-    (r"\b(?P<whose>the|our|my) (?P<who>girls|boys|kids|sons|daughters) (?:will |can |are to |must )?share (?:an?|one|the same) (?:bed ?)?room "
+    (r" ?\((?:ell[oa]s |que )?comparten (?:una |la misma )?(?:habitacion|dormitorio|cuarto)\),?", ", que comparten "
+     "habitacion,"),
+    (r"\b(?P<whose>the|our|my) (?P<who>girls|boys|kids|sons|daughters) (?:will |can |are to |must )?share (?:an?|"
+     r"one|the same) (?:bed ?)?room "
      r"(?:with|that has|which has) (?=(?:an?|one|two|three|\d) )", r"\g<whose> \g<who>' room has "),
     # "meine Schwester und ich teilen uns ein Zimmer, unsere Eltern haben das andere"
-    (r"\b(?:ich und )?(?:meine?|unsere?|ma|mon|mi) {sister}(?: (?:und|et|y) (?:ich|moi|yo))?,? (?:wir |nous |nosotr[oa]s )?"
-     r"(?:teilen uns|teilen|partageons|compartimos|partage|dormons dans|dormimos en) (?:das gleiche |dasselbe |la meme |el mismo |la misma |una? |une |ein |"
+    (r"\b(?:ich und )?(?:meine?|unsere?|ma|mon|mi) {sister}(?: (?:und|et|y) (?:ich|moi|yo))?,? (?:wir |nous |"
+     r"nosotr[oa]s )?"
+     r"(?:teilen uns|teilen|partageons|compartimos|partage|dormons dans|dormimos en) (?:das gleiche |dasselbe |la "
+     r"meme |el mismo |la misma |una? |une |ein |"
      r"das )?(?:schlafzimmer|zimmer|chambre|dormitorio|habitacion|cuarto)\b", "my sister and i share a bedroom"),
-    (r"我(?:和|跟|与)(?:我的?)?(?:妹妹|姐姐|弟弟|哥哥|姐妹|兄弟)(?:合住|共用|一起住|同住|住)(?:在)?(?:一间|一个|同一间)?(?:卧室|房间|房)",
+    (r"我(?:和|跟|与)(?:我的?)?(?:妹妹|姐姐|弟弟|哥哥|姐妹|兄弟)(?:合住|共用|一起住|同住|住)(?:在)?(?:一间|一个|"
+     r"同一间)?(?:卧室|房间|房)",
      "my sister and i share a bedroom"),
-    (r"\b(?:unsere|meine|nos|mes|mis|nuestros) (?:eltern|parents|padres) (?:haben|bekommen|nehmen|schlafen in|ont|prennent|dorment dans|tienen|duermen en) "
-     r"(?:das andere|ein anderes|im anderen|das zweite|l'autre|une autre|la deuxieme|el otro|la otra|otr[oa]|el segundo|la segunda)"
+    (r"\b(?:unsere|meine|nos|mes|mis|nuestros) (?:eltern|parents|padres) (?:haben|bekommen|nehmen|schlafen in|ont|"
+     r"prennent|dorment dans|tienen|duermen en) "
+     r"(?:das andere|ein anderes|im anderen|das zweite|l'autre|une autre|la deuxieme|el otro|la otra|otr[oa]|el "
+     r"segundo|la segunda)"
      r"(?: zimmer| schlafzimmer| chambre| dormitorio| habitacion)?\b", "my parents have a bedroom"),
-    (r"(?:父母|爸妈|爸爸妈妈)(?:住|用)(?:另外?|另|第二)?(?:一间|一个|间)(?:卧室|房间|房)?(?=[,.;]|$)", "my parents have a bedroom"),
+    (r"(?:父母|爸妈|爸爸妈妈)(?:住|用)(?:另外?|另|第二)?(?:一间|一个|间)(?:卧室|房间|房)?(?=[,.;]|$)", "my parents "
+     "have a bedroom"),
     (r"\bour (?=parents (?:have|get|sleep|need|take|use)\b)", "my "),
-    (r"(\bmy {sister} and (?:i|me) (?:share|sleep in)\b.*\bmy parents (?:have|get|sleep in|take|use)) the other(?: one| room| bed ?room)?\b",
+    (r"(\bmy {sister} and (?:i|me) (?:share|sleep in)\b.*\bmy parents (?:have|get|sleep in|take|use)) the other(?: "
+     r"one| room| bed ?room)?\b",
      r"\1 a bedroom"),
 ), sister=_SISTER)  # fmt: skip
 _ALIKE = ("girl|girls|daughter|daughters", "boy|boys|son|sons", "kid|kids|child|children|sons|daughters|boys|girls")
@@ -60,3 +74,22 @@ def _one_room(text: str) -> str:
     if counted is None:
         return text
     return f"{text[: counted.end()]}, who share a room,{text[counted.end() :].removeprefix(',')}"
+
+
+def told_again(text: str) -> tuple[int | None, str]:
+    """`two daughters and a son; the daughters share a room`: so many rooms fewer, None where nobody is told again."""
+    fewer: list[int] = []
+
+    def shared(match: re.Match[str]) -> str:
+        noun = alike((match.groupdict().get(kind_of(match)) or "").removesuffix("s"))
+        counted = re.search(rf"\b({words}) (?:\w+ )?{noun}", text[: match.start()]) if noun else None
+        some, all_of = number_of(match), value_of(counted[1]) if counted else 0
+        if not 0 <= some < all_of or (some and OWN_TOO.search(text)):
+            return match.group()
+        fewer.append((some or all_of) - 1)
+        return ""
+
+    words = r"\d+|" + "|".join(numbers())
+    out = pattern("{who}{relative}? ?(?:will |can |must )?{share} ?{article}*{room}").sub(shared, text)
+    alone = pattern("{who} (?:is |sleeps |schlaft )?(?:alone|allein|seule?|sol[oa])")
+    return (sum(fewer), alone.sub("", out)) if fewer else (None, text)
