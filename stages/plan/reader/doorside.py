@@ -30,6 +30,8 @@ def beside_entrance(text: str) -> str:
     for said in _IN.values():
         text = said.sub(lambda found: f"{_SIDE[found[1]]} of the entrance", text)
     text = _AT_DOOR.sub(lambda found: f"{_SIDE[found[found.lastgroup or 'fr']]} of the entrance", text)
+    if " of the entrance" not in text:
+        return text
     for side, other in _OTHER.items():
         begins = re.compile(rf"(\b{side} of the entrance\b[^.;]*?),? (?:und|et|y) (?:{_BARE[other]})(?= {_ARTICLE} )")
         text = begins.sub(rf"\1, {other} of the entrance", text)

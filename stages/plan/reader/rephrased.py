@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.retold import retold
 
 _DE_ROOMS = {"kochen": "kuche", "essen": "esszimmer", "wohnen": "wohnzimmer"}
@@ -66,7 +67,7 @@ _AGAIN = "hmm|erm?|uhm?|no|sorry|wait|oops|actually|correction|i mean|i meant|or
 
 _WAYS = ("corridor", "hallway", "hall")
 _NUMBERS = {"one": "1", "a": "1", "two": "2", "three": "3", "four": "4"}
-_ORDERED = [(re.compile(pattern), words) for pattern, words in (
+_ORDERED = [(late(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
     (r"\bzu(?:m|r) (\w+) gehor(?:t|en)\b", r"das \1 hat"),
     # "Der Abstellraum soll an die Küche grenzen."
