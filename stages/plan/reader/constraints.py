@@ -54,7 +54,7 @@ _SAID = rules((
      r"(?P<high>{amount})\) ?(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
     (r"\b(?:in|within) (?:the )?(?:range|interval|band)(?: of)? (?P<low>{amount}) ?(?:-|to|and) ?(?P<high>{amount}) ?"
      r"(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
-    # "de 60 à 65 m2", "60 hasta 65 m2", "12 bis 14 qm"
+    # "de 70 à 80 m2", "60 hasta 65 m2", "12 bis 14 qm"
     (r"(?:\b(?:de|von|desde|entre|zwischen) )?\b(?P<low>{amount})(?: ?{square})? (?:a|bis|hasta) (?P<high>{amount}) ?"
      r"(?={square}\b)", r"\g<low>-\g<high> "),
     # "Include: 2 bedrooms"

@@ -15,7 +15,8 @@ _HEAD = (rf"\b(?:(?:the following (?:is|are) )?(?:forbidden|excluded?|avoid|unwa
          rf"no[ -]gos?|(?:{_NOT_HAVE})(?: any of (?:these|those|the following)| the following)?|without|excluding|"
          r"ausgeschlossen|verboten|nicht (?:gewünscht|erwünscht|gewollt|nötig)|unerwünscht|ohne|"
          r"exclus?|interdits?|sans|à éviter|"
-         rf"excluidos?|prohibidos?|sin|{_NONE_OF}|(?<![\w:] )no)\s*:\s*(?!\d)")  # fmt: skip
+         rf"excluidos?|prohibidos?|sin|{_NONE_OF}|(?<![\w:] )no)\s*(?::|(?<=following);|(?<=these);)\s*"
+         r"(?!\d)")  # fmt: skip
 _ITEM = r"[^\W\d][^\W\d]*(?:[ '-][^\W\d]+)*"
 _BELOW = rf"(?:[^\S\n]*\n\s*[-*•+]\s*{_ITEM}(?:,? (?:and|or))?[,;.]?(?=\s*(?:\n|$)))+"
 _BEHIND = rf"\s*{_ITEM}(?:, ?{_ITEM})*(?=\s*(?:[.;\n]|$))"

@@ -25,6 +25,7 @@ _SAID = [(late(said), owner) for said, owner in (
      r"[她他]的(?=朝|在|靠|挨|有|带|要|放|是|\d)", "hers"),
 )]  # fmt: skip
 _DESK = re.compile(r"(\bthe (?:first|second) bedroom,? (?:avec|a|aura)) un bureau\b")
+_BY = re.compile(r"\b(?:next|adjacent|close|opposite) to\b|\b(?:beside|near|off|opposite)\b")
 _AT_END = re.compile(r"[;,.] ?(?:two|2) (?:bed ?rooms|bath ?rooms|studies|balconies)(?= ?(?:[.;,]|$))")
 
 
@@ -41,6 +42,8 @@ def whose_rooms(text: str) -> str:
     if len(found) != 1 or _OF_WHOM.search(told[: found[0][1].start()]):
         return text
     which = dict(zip(names, (f"the first {found[0][0]}", f"the second {found[0][0]}"), strict=True))
+    second = re.compile(rf", (?=(?:{names[1]})\b(?! (?:both|each|are|and)\b))")
+    told = second.sub(". ", told) if _BY.search(told) else told
     return _DESK.sub(r"\1 une table de travail", _OF_WHOM.sub(lambda one: which[one.group()], told))
 
 

@@ -74,9 +74,11 @@ _SAID = rules((
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),
-    # "living room must be most big"
+    # "the kitchen must be the most small room"
     (r"\b(?:the )?most (big|large|small)(?=(?: room| one)?{end}| of )", lambda found: f"the {_MOST[found[1]]}"),
-    # "bedroom is two, size is 12 square meter and 9 square meter"
+    (r"\bmost (?:far|distant)(?: away)? from\b", "far from"),
+    (r"\bmost (near|close)(?: to)?\b", "near"),
+    # "bedroom are three", "bedroom is two, size is 13 m2 and 10 m2"
     (r"\b(bed|bath)( ?)rooms? (?:is|are|:) ?(two|three|four|five|[2-5])(?= ?(?:[,.;)]|$| and ))", r"\3 \1\2rooms"),
     (r"(\b(?:two|three|four|[2-4]) (?:bed|bath) ?rooms)[,;:.]? ?(?:and |with )?(?:the |their |its )?(?:sizes?|areas?"
      r") (?:is |are |of |being |: ?)?"

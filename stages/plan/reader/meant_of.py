@@ -30,7 +30,8 @@ def _bedrooms(found: re.Match[str]) -> str:
 def _between(found: re.Match[str]) -> str:
     """`two bedrooms and a bathroom between them`: between the two bedrooms."""
     two = _BEDS.search(found.string[: found.start()])
-    return f", {found['what']} between the two bedrooms" if two else found.group()
+    end = "." if found.groupdict().get("on") else ""
+    return f", {found['what']} between the two bedrooms{end}" if two else found.group()
 
 
 def _suite(found: re.Match[str]) -> str:
@@ -50,7 +51,7 @@ _LISTED = (
 )
 """Lists that are joined by the same word all along."""
 _SAID = rules((
-    # "no open-plan kitchen, I hate the smell of cooking in the living room"
+    # "no open kitchen, I can't stand the smell of frying in the lounge"
     (r"(?P<of>\b{hate} {smell}(?: of [a-z]+)?) (?:in|into|through|from|all over) (?:the |my |our )?{room}(?: and (?"
      r":the )?{room})?\b",
      r"\g<of>"),
@@ -78,11 +79,11 @@ _SAID = rules((
      r"badezimmer|kuche)),? "
      r"(?:right |directly |placed |located |situado |situee? )?(?:between (?:them|the two|both)|in between(?: them)?"
      r"|dazwischen|"
-     r"entre (?:ell[oa]s|l[oa]s dos|ambos|ambas|les deux|elles)){end}", _between),
+     r"entre (?:ell[oa]s|l[oa]s dos|ambos|ambas|les deux|elles)){end}(?P<on> ?[,;])?", _between),
     (r",? (?:und|and) (?:dazwischen|between them|in between) (?P<what>(?:an?|das|die|ein|eine|the) (?:bath ?room|"
      r"kitchen|bad|badezimmer|kuche)){end}", _between),
     (r"(?P<what>卫生间|浴室|厨房|书房)(?:在|位于)(?:它们|两者|两间|这两间|二者)(?:的)?(?:之间|中间)", _between),
-    # "the study must be next to the living room and its area must not exceed 9 m2"
+    # "the study must be near the entrance and its size at least 8 m2"
     (r"(?P<begin>^|[.;:] ?|, )(?P<of>(?:the|my|our) {kind}) (?P<said>{must} [^.;:]*?|(?:is|lies|has|opens|faces)"
      r"\b[^.;:]*?),? "
      r"(?:and|but) its (?:floor )?(?:area|size|surface)(?: area)? (?={must}|is\b|has\b|at\b)", r"\g<begin>\g<of> "
@@ -98,7 +99,7 @@ _SAID = rules((
      r"sa (?:surface|superficie|taille) (?=(?:ne |doit|est|fait|sera)\b)", r"\g<begin>\g<of> \g<said>. \g<of> "),
     (r"(?P<begin>^|[.;:] ?|, )(?P<of>(?:el|la) \w+) (?P<said>(?:debe|esta|da|tiene|queda)\b[^.;:]*?)[,;.]? (?:y )?"
      r"su (?:superficie|area|tamano) (?=(?:no |debe|es|sera|ha)\b)", r"\g<begin>\g<of> \g<said>. \g<of> "),
-    # "the utility room next to the kitchen and the main bedroom on the east side"
+    # "the pantry beside the kitchen and the bathroom in the north"
     (r"(?P<by>\b(?:next to|beside|adjacent to|adjoining|opposite|close to|near|off) (?:the|our|my) {kind}),? and (?"
      r"P<of>(?:the|our|my) {kind}) "
      r"(?P<side>{side}){end}", r"\g<by>. \g<of> is \g<side>"),
@@ -111,14 +112,14 @@ _SAID = rules((
     (r"(?P<by>\b(?:junto|al lado|cerca) (?:al|a la|del|de la) \w+) y (?P<of>(?:el|la) \w+(?: principal| de "
      r"invitados)?) (?=(?:al|en el|hacia el|"
      r"cerca de) (?:norte|sur|este|oeste|fondo|la entrada))", r"\g<by>. \g<of> "),
-    # "and the two rooms must to be side by side"
+    # "one for us, one for the baby. Both rooms must be side by side"
     (r"\b(must|should|shall|can) to be\b", r"\1 be"),
     (r"\b(?:the two|both|these two|those two|these|the) rooms (?P<must>(?:must|should|have to|need to|shall|are to) "
      r"be|are|lie|must lie) "
      r"(?P<how>(?:side by side|next to (?:each other|one another)|adjacent|opposite(?: each other)?|back to back|(?"
      r":far )?(?:apart|away)|"
      r"far(?: away)? from (?:each other|one another)|not (?:next to|adjacent to|beside) each other)){end}", _bedrooms),
-    # "the bathroom stands back to back with the kitchen"
+    # "the kitchen should back onto the bathroom"
     (r"\b(?P<must>{must} )?(?:stands?|lies?|is|are|be|sits?)? ?(?:placed |set )?back[ -]to[ -]back (?:with|to) ",
      lambda found: f"{found['must'] or ''}{'share' if found['must'] else 'shares'} a wall with "),
     (r"\b(?P<must>{must} )?backs? on ?to (?=(?:the|our|my|a) {kind})",
@@ -133,7 +134,7 @@ _SAID = rules((
     (r"(\b(?:dos|tres|cuatro|[2-4]) (?:dormitorios|habitaciones)),? (?:siendo|incluyendo|incluid[oa]) una (?:de "
      r"ell[oa]s )?(?:una )?suite"
      r"(?: principal)?(?: con (?:su |un )?(?:propio )?bano(?: propio| privado)?)?", r"\1, uno de ellos en suite"),
-    # "three bedrooms, being one suite with its bathroom"
+    # "three bedrooms including one suite"
     (r"(?P<rooms>\b(?:two|three|four|five|[2-5]) bed ?rooms),? (?:being|including|incl|with|(?:and )?one (?:of (?"
      r":them|which|these) )?being) "
      r"(?:(?:one|an?) (?:of (?:them|these|which) )?(?:is )?(?:being )?(?:an? )?)?(?P<suite>(?:master |main )?suite)\b",

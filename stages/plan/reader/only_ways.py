@@ -12,7 +12,7 @@ _SAID = rules((
     # "dos dormitorios que den al sur"
     (r"\bque (?P<verb>den|miren|abran|tengan|esten|sean|midan|de(?= al? )|mire|abra|tenga|este|sea|mida)\b",
      lambda found: f"que {_ARE[found['verb']]}"),
-    # "la chambre n'est accessible que par le séjour", "un dormitorio al que solo se accede por el salón"
+    # "la cuisine n'est accessible que depuis le salon", "un dormitorio al que solo se accede por el salón"
     (r"\bn'(?P<is>est|sont) (?P<how>accessibles?|reliee?s?) (?:que|uniquement que) (?=(?:par|depuis|via|de|du|a)\b)",
      r"\g<is> accessible uniquement "),
     (r"\bon n'(?:accede|entre|arrive) (?:a la|a l'|au|dans la|dans le|dans l') ?(?P<of>\w+(?: parentale| d'amis)?) "
@@ -28,7 +28,8 @@ _SAID = rules((
     (r"\b(?:solo|solamente|unicamente) se (?:puede )?(?:accede|acceder|entra|entrar|llega|llegar) (?:al|a la) (?"
      r"P<of>\w+) "
      r"(?:por|desde|a traves de) ", r"el \g<of> es accesible solo desde "),
-    (r"\b(?:al|a la) (?P<of>\w+) (?:solo|solamente|unicamente) se (?:puede )?(?:accede|acceder|entra|entrar|llega|"
+    (r"\b(?:al|a la) (?P<of>\w+(?: de \w+| principal)?) (?:solo|solamente|unicamente) se (?:puede )?(?:accede|"
+     r"acceder|entra|entrar|llega|"
      r"llegar) "
      r"(?:por|desde|a traves de) ", r"el \g<of> es accesible solo desde "),
     (r"只能(?=从|由)", ""),
@@ -36,7 +37,7 @@ _SAID = rules((
      r"goes|go|enters?|walks?|steps?)(?: in)?(?: ?to)? "
      r"(?P<of>(?:the|my|our) {kind}) (?:except|but|other than|save|unless) (?:through|from|via|by way of|by) ",
      r"\g<of> is reached only from "),
-    # "a laundry where we enter by the kitchen"
+    # "a pantry that you enter by the kitchen"
     (r",? (?:where|which|that|to which|in which|into which) (?:we|you|one|i|people) (?:can |should )?(?P<only>only )"
      r"?enters? (?P<then>only )?(?:it )?(?:by|from|through|via) ",
      lambda found: f" {'only ' if found['only'] or found['then'] else ''}entered from "),

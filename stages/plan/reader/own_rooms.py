@@ -34,7 +34,8 @@ _WORDS = {
 _BEDROOMS = Late(
     r"\b(?P<before>(?:for|para|pour|fur|of|von|de|are|somos|sommes|sind|with|me and|ich und) |^|[.;:] ?){n} "
     r"{who}{some} ?"
-    r"(?:[,:;.-]+ ?|who |que |qui )(?:y |et |und )?(?:{each} (?:{has} )?{own}|(?:want|need|have|get) each {own}){room}"
+    r"(?:[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und) ))(?:y |et |und )?(?:{each} (?:{has} )?{own}|(?:want|need|"
+    r"have|get) each {own}){room}"
     r"(?P<bath> (?:and|y|et|und) {own}{bath}(?: propi[oa])?)?{end}", _WORDS)  # fmt: skip
 _US = Late(
     r"\b(?:we (?:both|each|all)|(?:each|both|all) of us|wir (?:wollen|brauchen|mochten) (?:beide|jeder|jeweils)|"

@@ -71,7 +71,7 @@ _ORDERED = [(late(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
     (r"\bzu(?:m|r) (\w+) gehor(?:t|en)\b", r"das \1 hat"),
     # "Der Abstellraum soll an die Küche grenzen."
-    (r"\b(?:direkt )?an (?:die|das|den|der|dem) (\w+) (?:an)?grenz(?:t|en)\b", r"neben dem \1"),
+    (r"\b(?:direkt )?an(?:s| die| das| den| der| dem) (\w+) (?:an)?grenz(?:t|en)\b", r"neben dem \1"),
     # "Es soll vom Flur aus zugänglich sein."
     (r"\b(?:vom|von d(?:er|em)|uber d(?:en|ie|as)|durch d(?:en|ie|as)) (\w+) (?:aus )?"
      r"(?:zuganglich|erreichbar|begehbar|betretbar|zu erreichen|zu betreten)\b(?: sein)?", r"zuganglich vom \1"),

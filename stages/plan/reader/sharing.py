@@ -13,7 +13,12 @@ _SISTER = (r"(?:(?:little|big|older|younger|elder|twin|kleine|grosse|petite?|gra
 _ALONE = re.compile(r"\bmy (?:sister|brother|twin) and i share (?:an?|one|the) (?:bed ?)?room(?: together)?\b")
 _PARENTS = re.compile(r"\b(?:parents|mum|mom|dad|mother|father|grand\w+)\b")
 _SAID = rules((
-    # "our two girls (they share)", "(sharing a room)"
+    # "my partner, our twin boys and I"
+    (r"\b(?P<we>my (?:wife|husband|partner|spouse|girlfriend|boyfriend)),? (?P<them>our [^.;,()]{3,40}?|our [^.;,()"
+     r"]{3,40}? \([^)]*\)),? "
+     r"and (?:i|me)\b", r"\g<we> and i and \g<them>"),
+    (r"\btwin (?=(?:boys|girls|sons|daughters)\b)", "two "),
+    # "two kids (they share)", "(sharing a room)"
     (r" ?\((?:and )?(?:they |who |both |all |the two |these )?(?:will |can |would like to )?(?:share|sharing|are "
      r"sharing|are to share)"
      r"(?: (?:an?|one|the same) (?:bed ?)?room)?\),?", ", who share a room,"),
@@ -36,7 +41,8 @@ _SAID = rules((
     (r"我(?:和|跟|与)(?:我的?)?(?:妹妹|姐姐|弟弟|哥哥|姐妹|兄弟)(?:合住|共用|一起住|同住|住)(?:在)?(?:一间|一个|"
      r"同一间)?(?:卧室|房间|房)",
      "my sister and i share a bedroom"),
-    (r"\b(?:unsere|meine|nos|mes|mis|nuestros) (?:eltern|parents|padres) (?:haben|bekommen|nehmen|schlafen in|ont|"
+    (r"\b(?:unsere|meine|die|nos|mes|les|mis|los|nuestros) (?:eltern|parents|padres) (?:haben|bekommen|nehmen|"
+     r"schlafen|ont|"
      r"prennent|dorment dans|tienen|duermen en) "
      r"(?:das andere|ein anderes|im anderen|das zweite|l'autre|une autre|la deuxieme|el otro|la otra|otr[oa]|el "
      r"segundo|la segunda)"

@@ -26,6 +26,7 @@ DENIED = [
     ("The home must not have any of these: a balcony; a study.", "B2 H K L W", ""),
     ("Two bedrooms. I want none of these: balcony; terrace; dining room.", "B2 H K L W", ""),
     ("Two bedrooms. We need none of the following rooms: study, dining room.", "B2 H K L W", ""),
+    ("I want none of the following; a balcony; a dining room. Two bedrooms.", "B2 H K L W", ""),
     ("Two bedrooms. No: balcony; study; dining room.", "B2 H K L W", ""),
     ("Without: a balcony; two bedrooms, one bathroom.", "B2 H K L W", ""),
     ("Zwei Schlafzimmer. Nichts davon: Balkon, Arbeitszimmer.", "B2 H K L W", ""),

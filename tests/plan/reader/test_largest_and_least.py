@@ -41,6 +41,8 @@ AT_LEAST = [
     ("Kitchen 15 m2, living room at least twice as large as the kitchen, one bedroom.", "B H K L W", "L1=30"),
     ("One bedroom. The living room is no more than twice the size of the kitchen.", "B H K L W", "K1=9.17, L1=18.33"),
     ("Zwei Schlafzimmer. Das Wohnzimmer ist mindestens doppelt so groß wie die Küche.", "B2 H K L W", "K1=9, L1=25.5"),
+    ("Ein Bad. Das Schlafzimmer ist mindestens anderthalbmal so groß wie das Arbeitszimmer.", "B H K L S W",
+     "S1=9, B1=14, !unread anderthalbmal"),
     ("Deux chambres. Le salon fait au moins le double de la cuisine.", "B2 H K L W", "!unread au moins, L1=25.5"),
     ("Dos dormitorios. El salón es al menos el triple de grande que la cocina.", "B2 H K L W", "K1=8.75"),
     ("A two-bedroom flat. The bathroom must not be bigger than the kitchen.", "B2 H K L W",

@@ -30,6 +30,7 @@ OF = [
     ("Zwei Schlafzimmer. Das Bad liegt Rücken an Rücken mit der Küche.", "B2 H K L W", "adjacent W1 K1"),
     ("Two bedrooms at the back and a bathroom between them.", "B2 H K L W", "B1W1, B2W1"),
     ("Deux chambres et une salle de bains entre elles.", "B2 H K L W", "B1W1, B2W1"),
+    ("Deux chambres et une salle de bains entre les deux, cuisine au nord.", "B2 H K L W", "B1W1, B2W1, !K1W1"),
     ("Zwei Schlafzimmer und dazwischen das Bad.", "B2 H K L W", "B1W1, B2W1"),
     ("Three bedrooms including one suite with its bathroom, and a family bathroom.", "B3 H K L W2", "B1W1, H1W2"),
     ("Quatre chambres dont une suite parentale avec sa salle d'eau, une salle de bains commune.", "B4 H K L W2",
@@ -44,6 +45,7 @@ ONE_WAY = [
     ("Deux chambres, la cuisine n'est accessible que depuis le salon.", "B2 H K L W", "K1L1, !H1K1"),
     ("On n'accède au bureau que par le salon. Deux chambres.", "B2 H K L S W", "L1S1, !H1S1"),
     ("Piso de dos dormitorios. Al lavadero solo se accede por la cocina.", "B2 H K L U W", "K1U1, !H1U1"),
+    ("Al baño de invitados solo se llega desde el recibidor; tres dormitorios y un baño.", "B3 H K L W2", ""),
     ("Un despacho al que solo se entra por el salón, y dos dormitorios.", "B2 H K L S W", "L1S1, !H1S1"),
     ("Two bedrooms; nobody gets into the study except through the living room.", "B2 H K L S W", "L1S1, !H1S1"),
     ("Two bedrooms, a pantry that you enter by the kitchen.", "B2 H K L T W", "K1T1, !H1T1"),
@@ -53,6 +55,7 @@ ONE_WAY = [
 LEARNT = [
     ("Three bedrooms. The kitchen must be the most small room.", "B3 H K L W2", "order K1 smallest"),
     ("Bedroom are three, bathroom is two. Balcony in living room.", "B3 H K L W2 Y", ""),
+    ("Three bedrooms, the biggest must be most far from the entrance.", "B3 H K L W2", "apart B1 entrance"),
     ("My home: bedroom is two, size is 13 m2 and 10 m2.", "B2 H K L W", "B1=13, B2=10"),
 ]  # fmt: skip
 
