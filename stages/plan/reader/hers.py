@@ -23,6 +23,7 @@ _SAID = [(late(said), owner) for said, owner in (
      "mine"),
     (rf"\b(?:ihr(?:e?s|e[rnm]?)|sein(?:e?s|e[rnm]?))\b{_VERB}|\b(?:la sienne|le sien|el suyo|la suya)\b|"
      r"[她他]的(?=朝|在|靠|挨|有|带|要|放|是|\d)", "hers"),
+    (rf"\bdein(?:e?s|e[rnm]?)\b{_VERB}|\b(?:la tienne|le tien|el tuyo|la tuya)\b", "yours"),
 )]  # fmt: skip
 _DESK = re.compile(r"(\bthe (?:first|second) bedroom,? (?:avec|a|aura)) un bureau\b")
 _BY = re.compile(r"\b(?:next|adjacent|close|opposite) to\b|\b(?:beside|near|off|opposite)\b")
@@ -33,7 +34,7 @@ def whose_rooms(text: str) -> str:
     """`two bedrooms, 8 m² for hers and 13 for mine; no TV in hers`: the first and the second, wherever named."""
     told = text
     for said, owner in _SAID:
-        told = said.sub(lambda found, owner=owner: owner if found.group().isascii() else f" {owner} ", told)
+        told = said.sub(owner if text.isascii() else f" {owner} ", told)
     names = list(dict.fromkeys(_OF_WHOM.findall(told)))
     if len(names) != 2:
         return text

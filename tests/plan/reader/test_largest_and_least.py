@@ -44,6 +44,7 @@ AT_LEAST = [
     ("Ein Bad. Das Schlafzimmer ist mindestens anderthalbmal so groß wie das Arbeitszimmer.", "B H K L S W",
      "S1=9, B1=14, !unread anderthalbmal"),
     ("Deux chambres. Le salon fait au moins le double de la cuisine.", "B2 H K L W", "!unread au moins, L1=25.5"),
+    ("Dos dormitorios. El salón debe medir al menos el triple que la cocina.", "B2 H K L W", "K1=8.75"),
     ("Dos dormitorios. El salón es al menos el triple de grande que la cocina.", "B2 H K L W", "K1=8.75"),
     ("A two-bedroom flat. The bathroom must not be bigger than the kitchen.", "B2 H K L W",
      "order W1 K1 smaller, !order W1 K1 larger, K1=9, W1=5"),

@@ -61,6 +61,7 @@ WHOSE = [
     ("Deux chambres, la sienne au nord, la mienne au sud.", "B2 H K L W", "position B1 north, position B2 south"),
     ("Deux chambres : la mienne avec un bureau, la sienne avec un piano.", "B2 H K L W",
      "B1 has 1 desk, B2 has 1 piano"),
+    ("Dos dormitorios, la mía al este y la tuya al oeste.", "B2 H K L W", "position B1 east, position B2 west"),
     ("Dos dormitorios: el mío de 12 m² y el suyo de 10 m².", "B2 H K L W", "B1=12, B2=10"),
     ("Ich brauche ein Schlafzimmer und ein Arbeitszimmer.", "B H K L S W", ""),
     ("Quiero un dormitorio y un despacho.", "B H K L S W", ""),
