@@ -6,6 +6,7 @@ from dataclasses import replace
 from apartgen.stages.plan.reader.about import numbers
 from apartgen.stages.plan.reader.lexeme import Lexeme
 from apartgen.stages.plan.reader.lexicon import plural
+from apartgen.stages.plan.reader.own_rooms import own_rooms
 
 EACH_NEEDS = re.compile(
     r"(?P<who>\b(?P<n>[2-6]|two|three|four|five|six) "
@@ -125,7 +126,7 @@ def apiece(text: str) -> str:
         text = pattern.sub(_of_each, text)
     for pattern in EACH_CHILD:
         text = pattern.sub(lambda found: f"{number(found['n'])} kids rooms", text)
-    text = _each_child(text)
+    text = own_rooms(_each_child(text))
     text = EACH_OF_US.sub(r"a flat for \g<n> people\g<said>: \g<n> bedrooms", text)
     return EACH_OF_FAMILY.sub(r"\g<n> bedrooms", text)
 

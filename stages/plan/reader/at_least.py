@@ -30,10 +30,14 @@ def at_ratio(word: Lexeme, ratio: float) -> Lexeme:
 
 def _limit(out: list[Lexeme], k: int) -> None:
     """`at least as large as A`, `as large as A or larger`, `as large as or larger than A`."""
-    at = k - 1 if k and out[k - 1].kind == "bound" else _or_more(out, k)
+    times = out[k].number == 0 and k > 1 and out[k - 1].kind == "number"
+    said = k - 1 - times  # "at least three times as large as A"
+    at = said if said >= 0 and out[said].kind == "bound" else _or_more(out, k)
     if at is None:
         return
-    out[k] = at_ratio(out[k], RATIOS[out[at].value]) if out[k].number == 1.0 else out[k]
+    number = out[k - 1].number if times else out[k].number
+    limit = replace(out[k], bounds=((out[at].value, number),))  # "at least twice as large as A"
+    out[k] = at_ratio(out[k], RATIOS[out[at].value]) if out[k].number == 1.0 else limit
     for gone in (at, at + 1) if at + 1 < len(out) and out[at + 1].text == "than" else (at,):
         out[gone] = Lexeme("stop", "", "")
 

@@ -59,15 +59,20 @@ def comparisons(items: list[Item]) -> tuple[list[Item], list[Statement]]:
             )  # "than the kitchen, which is larger than"
             left = found[-1].left if again else before[-1:]  # "smaller than the lounge but larger than the bath"
             all_of_them = [r for r in after if r.together] if after[0].together else after[:1]
-            found.append(Statement(Relation.COMPARE, left, all_of_them, item.number))
+            found.append(Statement(Relation.COMPARE, left, all_of_them, item.number, _limit(item)))
             other = Item("room", after[0].type, after[0].text, after[0])
             aside = any(i.kind == "relative" for i in out[-2:])  # "the lounge, which is larger than the bedroom"
             asides += [Item("boundary", "while"), other] if aside else []
             out += [] if aside else [other]
             skip = True
         elif len(before) > 1:  # "a lounge of 20 m² and a bedroom two thirds its size"
-            found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number))
+            found.append(Statement(Relation.COMPARE, before[-1:], before[-2:-1], item.number, _limit(item)))
     return out + asides, found
+
+
+def _limit(item: Item) -> str:
+    """Which way `at least twice as large as` goes."""
+    return item.bounds[0][0] if item.bounds else ""
 
 
 def _of_the_last(item: Item) -> bool:

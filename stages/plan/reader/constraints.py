@@ -34,6 +34,7 @@ _OWN = {
     "is": r" ?(?:[:=]|is|of|should be|must be)? ?",
     "one": _ONE,
     "bound": r"(?:at least|at most|(?:no|not) (?:more|less|wider|narrower|longer|shorter|larger|smaller|bigger) than)",
+    "square": r"(?:m2|qm|quadratmetern?|metres? carres?|metros? cuadrados?)",
     "begin": r"(?P<begin>^|[.;\n] ?|[-*] )",
     "end": r"(?= ?(?:[.;\n]|$))",
 }
@@ -53,6 +54,9 @@ _SAID = rules((
      r"(?P<high>{amount})\) ?(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
     (r"\b(?:in|within) (?:the )?(?:range|interval|band)(?: of)? (?P<low>{amount}) ?(?:-|to|and) ?(?P<high>{amount}) ?"
      r"(?P<unit>{unit})", r"between \g<low> and \g<high> \g<unit>"),
+    # "de 70 à 80 m2", "60 hasta 65 m2", "12 bis 14 qm"
+    (r"(?:\b(?:de|von|desde|entre|zwischen) )?\b(?P<low>{amount})(?: ?{square})? (?:a|bis|hasta) (?P<high>{amount}) ?"
+     r"(?={square}\b)", r"\g<low>-\g<high> "),
     # "Include: 2 bedrooms"
     (r"{begin}(?:include[ds]?|including|required|must have) ?: ?(?=\d|one|two|three|four)", r"\g<begin>"),
     # "Front: living room and kitchen. Back: both bedrooms."

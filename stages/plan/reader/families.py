@@ -24,6 +24,13 @@ HAVING = re.compile(
 HEADED = re.compile(r"[:;.-] ?(?:an?|\d) (?:small |large )?(?:kids room|relative's room)")
 FAMILY = re.compile(r"\b(?:couple|family|paar|familie|famille|pareja|familia) (?:with|of|mit|avec|con)\b")
 """Families whose members are counted elsewhere."""
+ALIKE = ("(?:girl|daughter)", "(?:boy|son)", "(?:child|kid|children|boy|girl|son|daughter)")
+"""Words for the same children."""
+OWN_TOO = re.compile(r"kids room|\b(?:own|alone|suy[oa]|eigenes?|sienn?e?)\b")
+"""What tells of the rooms of others beside those who share one."""
+FAMILY_ROOM = re.compile(r"\b(?:an? |the |our |eine |une |una )?(?:family|familie|famille|familia) "
+                         r"(?:with|of|mit|avec|con) (?=(?:an?|\d) (?:kids room|relative's room))")  # fmt: skip
+"""A family before the rooms of its children, of which the parents have another one."""
 TOGETHER = re.compile(
     r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
     r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
@@ -33,13 +40,18 @@ HERS = re.compile(r"\b(?:she|he) (?:needs|gets|wants|has|should have|will (?:hav
                   r"bed ?room\b")  # fmt: skip
 COUPLE = re.compile(
     r"\b(?:my|our) (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?) and (?:i|me|myself)\b"
-    r"|\b(?:me|myself|i) and my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
+    r"|\b(?:me|myself|i)(?: and|,) my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
 )
 SUMMED = re.compile(
     r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
     r"\b(?! in total)"
 )
 """Bedrooms that are counted once those who have rooms are named: all of them."""
+
+
+def alike(noun: str) -> str:
+    """A pattern of words for the same children as `noun` says."""
+    return next((same for same in ALIKE if re.fullmatch(same, noun)), noun)
 
 
 def we_keep(text: str) -> str:

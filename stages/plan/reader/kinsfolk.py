@@ -3,8 +3,10 @@
 import re
 
 from apartgen.stages.plan.reader.kin import kind_of, number_of, pattern, rooms_for, several
+from apartgen.stages.plan.reader.mine import beside_mine
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import CHILD, ELDER, reworded, rules
+from apartgen.stages.plan.reader.sharing import sharing
 
 _PARENT = r"(?:mum|mummy|mom|mommy|mama|mami|maman|mutter|mother|dad|daddy|papa|papi|father|vater)"
 _SIBLING = r"(?:(?:little|big|older|younger|elder|twin) )?(?:brother|sister|bruder|schwester|frere|soeur|herman[oa])"
@@ -63,6 +65,7 @@ _HIS = re.compile(r"\b(?:his|her) (?:bed ?)?room (?=(?:must|should|may|is|has|do
 
 def as_kin(text: str) -> str:
     """A folded text with such words; `his bedroom`, told of beside ours, is that of the one relative named."""
+    text = sharing(beside_mine(text))
     kin = {found[1] for found in _KIN.finditer(text)}
     if len(kin) == 1 and _HIS.search(text):
         text = re.sub(r"\b(?:his|her) (?=(?:bed ?)?room\b)", f"my {next(iter(kin))}'s ", text)

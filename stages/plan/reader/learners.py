@@ -14,6 +14,7 @@ def _big_room(found: re.Match[str]) -> str:
     return found.group() if _LIVING.search(found.string) or "bedroom" not in found.string else f"{found[1]}living room"
 
 
+_MOST = {"big": "biggest", "large": "largest", "small": "smallest"}
 _SAID = rules((
     # "kitchen no have door", "I not need a balcony", "there is not balcony", "it is not balcony"
     (r"{helped}\b(no|not) (have|has) (?:an? |any )?", "has no "),
@@ -73,6 +74,15 @@ _SAID = rules((
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),
+    # "the kitchen must be the most small room"
+    (r"\b(?:the )?most (big|large|small)(?=(?: room| one)?{end}| of )", lambda found: f"the {_MOST[found[1]]}"),
+    (r"\bmost (?:far|distant)(?: away)? from\b", "far from"),
+    (r"\bmost (near|close)(?: to)?\b", "near"),
+    # "bedroom are three", "bedroom is two, size is 13 m2 and 10 m2"
+    (r"\b(bed|bath)( ?)rooms? (?:is|are|:) ?(two|three|four|five|[2-5])(?= ?(?:[,.;)]|$| and ))", r"\3 \1\2rooms"),
+    (r"(\b(?:two|three|four|[2-4]) (?:bed|bath) ?rooms)[,;:.]? ?(?:and |with )?(?:the |their |its )?(?:sizes?|areas?"
+     r") (?:is |are |of |being |: ?)?"
+     r"(?=\d)", r"\1 of "),
 ), room=rf"(?:{ROOM}|room)", helped=_HELPED)  # fmt: skip
 
 

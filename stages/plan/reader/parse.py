@@ -10,12 +10,14 @@ from apartgen.stages.plan.reader.apiece import bedrooms_apiece
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
+from apartgen.stages.plan.reader.characters import in_characters
 from apartgen.stages.plan.reader.comparisons import compared_again, comparisons, summed
 from apartgen.stages.plan.reader.corrections import corrected
 from apartgen.stages.plan.reader.counted_doors import doors_counted
 from apartgen.stages.plan.reader.denied import all_denied
 from apartgen.stages.plan.reader.descriptions import described
 from apartgen.stages.plan.reader.distributed import each_beside_one
+from apartgen.stages.plan.reader.doorside import beside_entrance
 from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
@@ -28,8 +30,10 @@ from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.likewise import likewise
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
+from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
 from apartgen.stages.plan.reader.parted import parted
@@ -62,7 +66,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = inverted(advertised(itemized(fold(prompt))))
+    told = inverted(advertised(itemized(only_ways(meant_of(beside_entrance(in_characters(fold(prompt))))))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)

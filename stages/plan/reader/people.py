@@ -6,7 +6,18 @@ from dataclasses import replace
 
 from apartgen.stages.plan.reader.about import People, numbers
 from apartgen.stages.plan.reader.apiece import apiece
-from apartgen.stages.plan.reader.families import COUNTED, COUPLE, LIVING, SUMMED, TOGETHER, heading, we_keep, with_ours
+from apartgen.stages.plan.reader.families import (
+    BEDROOMS,
+    COUNTED,
+    COUPLE,
+    FAMILY_ROOM,
+    LIVING,
+    SUMMED,
+    TOGETHER,
+    heading,
+    we_keep,
+    with_ours,
+)  # fmt: skip
 from apartgen.stages.plan.reader.kin import ROOM, data, kind_of, number_of, pattern, rooms_for, several, value_of
 from apartgen.stages.plan.reader.kinsfolk import as_kin, in_turn, told_before, told_of_all
 from apartgen.stages.plan.reader.possessions import (
@@ -19,6 +30,7 @@ from apartgen.stages.plan.reader.possessions import (
     possessed,
     sized,
 )
+from apartgen.stages.plan.reader.sharing import told_again
 from apartgen.stages.plan.reader.spoken_of import as_first_told, of_the_last
 
 EVERY = ("each", "every", "jedes", "jeder", "jede", "chaque", "cada", "每个")
@@ -40,7 +52,7 @@ def housed(text: str) -> tuple[People | None, str]:
     text = re.sub(r"\bour (?:own )?bedroom\b", "the parents' bedroom", re.sub(r"\bmy (?:own )?bedroom\b", mine, text))
     said, text = text, pattern("{who}(?: of (?:us|them))? {with_us}").sub("", text)
     beside = said != text
-    fewer, text = _told_again(text)
+    fewer, text = told_again(text)
     if fewer is not None:
         people, text = _household(text)
         people = people and replace(people, children=max(people.children - fewer, 0))
@@ -53,28 +65,13 @@ def housed(text: str) -> tuple[People | None, str]:
         if beside and "parents' bedroom" not in claims and not COUNTED.search(claims):
             claims = f"{claims.rstrip(' .!')}. a parents' bedroom."  # "the baby sleeps with us, …"
         text = re.sub(r"\btheirs\b", "the kids rooms", SUMMED.sub(r"\1 in total", of_the_last(equipped(claims))))
-        return None, _others(_baths(text), told_of_all(known)) if not COUNTED.search(text) else _baths(text)
+        text = text if BEDROOMS.search(text) else FAMILY_ROOM.sub("a parents' bedroom and ", text)
+        said = _others(_baths(text), told_of_all(known)) if not COUNTED.search(text) else _baths(text)
+        twice = couple and said.count("a parents' bedroom") > 1
+        return None, said.removesuffix(". a parents' bedroom.") if twice else said
     whole = text
     people, text = _household(text)
     return _without_sharing(people, text, whole) if people is not None else (people, text)
-
-
-def _told_again(text: str) -> tuple[int | None, str]:
-    """`two daughters and a son; the daughters share a room`: so many rooms fewer, None where nobody is told again."""
-    fewer: list[int] = []
-
-    def shared(match: re.Match[str]) -> str:
-        noun = (match.groupdict().get(kind_of(match)) or "").removesuffix("s")
-        counted = re.search(rf"\b({words}) (?:\w+ )?{noun}", text) if noun and not match["n"] else None
-        if counted is None:
-            return match.group()
-        fewer.append(value_of(counted[1]) - 1)
-        return ""
-
-    words = r"\d+|" + "|".join(numbers())
-    out = pattern("{who}{relative}? ?(?:will |can |must )?{share} ?{article}*{room}").sub(shared, text)
-    alone = pattern("{who} (?:is |sleeps |schlaft )?(?:alone|allein|seule?|sol[oa])")
-    return (sum(fewer), alone.sub("", out)) if fewer else (None, text)
 
 
 def _claims(text: str) -> tuple[str, bool]:

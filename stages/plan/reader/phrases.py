@@ -203,7 +203,7 @@ class Phraser(Modifiers):
             self._main_rooms(word)
         elif counted and (word.kind == "furniture_count" or (word.kind == "compare" and word.number == 0)):
             kind = "objects" if word.kind == "furniture_count" else "compare"
-            self.items.append(Item(kind, "", word.text, number=p.number or 0))
+            self.items.append(Item(kind, "", word.text, number=p.number or 0, bounds=word.bounds))
             self.pending = Pending()
         else:
             thing = word.kind == "unknown" and (p.quantifier in (Det.A, Det.THE) or self._listed(word, following))

@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.retold import retold
 
 _DE_ROOMS = {"kochen": "kuche", "essen": "esszimmer", "wohnen": "wohnzimmer"}
@@ -66,11 +67,11 @@ _AGAIN = "hmm|erm?|uhm?|no|sorry|wait|oops|actually|correction|i mean|i meant|or
 
 _WAYS = ("corridor", "hallway", "hall")
 _NUMBERS = {"one": "1", "a": "1", "two": "2", "three": "3", "four": "4"}
-_ORDERED = [(re.compile(pattern), words) for pattern, words in (
+_ORDERED = [(late(pattern), words) for pattern, words in (
     # "Zum Schlafzimmer gehört eine Ankleide."
     (r"\bzu(?:m|r) (\w+) gehor(?:t|en)\b", r"das \1 hat"),
     # "Der Abstellraum soll an die Küche grenzen."
-    (r"\b(?:direkt )?an (?:die|das|den|der|dem) (\w+) (?:an)?grenz(?:t|en)\b", r"neben dem \1"),
+    (r"\b(?:direkt )?an(?:s| die| das| den| der| dem) (\w+) (?:an)?grenz(?:t|en)\b", r"neben dem \1"),
     # "Es soll vom Flur aus zugänglich sein."
     (r"\b(?:vom|von d(?:er|em)|uber d(?:en|ie|as)|durch d(?:en|ie|as)) (\w+) (?:aus )?"
      r"(?:zuganglich|erreichbar|begehbar|betretbar|zu erreichen|zu betreten)\b(?: sein)?", r"zuganglich vom \1"),
@@ -78,7 +79,7 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
      r"(?:betreten|erreicht|zuganglich|erreichbar|begehbar) (?:wird|ist|sein soll|werden (?:kann|soll))\b",
      r" zuganglich vom \1"),
     # "Das Bad soll größer sein als das WC."
-    (r"\b(grosser|kleiner) sein als\b", r"\1 als"),
+    (r"\b(grosser|kleiner|so gross) sein (als|wie)\b", r"\1 \2"),
     # "Küche und Wohnzimmer gehen ineinander über."
     (r"\b(?:finden|liegen|sind) in einem (?:(?:grossen|gemeinsamen|einzigen) )*offenen (?:bereich|raum)"
      r"(?: statt)?\b", "sind offen"),
@@ -261,7 +262,8 @@ _ORDERED = [(re.compile(pattern), words) for pattern, words in (
     (r"([^,.;:的]{1,6})的门(?:要|应该)?(?:开在|开向|通向|朝)([^,.;:里]{1,6}?)(?:里|开)*(?:[,.;]|$)", r"\1通向\2."),
     (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?远(?:一点|一些|些|点)?(?=[,.;]|$)", r" far from \1"),
     (r"离([^,.;:]{1,8}?)(?:尽量|比较|要|更)?近(?:一点|一些|些|点)?(?=[,.;]|$)", r"靠近\1"),
-    (r"(?:面积)?是([^,.;:]{1,8}?)的(?:两|2|二)倍", r" twice as large as \1"),
+    (r"(?:面积)?是([^,.;:]{1,8}?)的(?:两|2|二)倍大?", r" twice as large as \1"),
+    (r"(?:面积)?是([^,.;:]{1,8}?)的(?:三|3)倍大?", r" three times as large as \1"),
     (r"(?:面积)?是([^,.;:]{1,8}?)的一半", r" half as large as \1"),
     (r"(?<![一两二三四个间1-9])次卧", "第二卧室"),
     # "厨房和客厅之间不要有门", "卫生间在两个卧室之间", "厨房在客厅旁边"

@@ -17,6 +17,7 @@ SETTLED = 1e-4
 """Part by which areas may change once comparisons hold together."""
 CLEARLY = 1.3
 """How much larger than the others the largest room is."""
+LIMITS = ("at_least", "at_most")
 PASSES = 20
 """How often several comparisons are gone through, for each may spoil the others."""
 SHARED = 11.5
@@ -137,15 +138,19 @@ def _compare(
         if i in stated:
             for j in right:
                 part = base[j] / sum(base[k] for k in right) if together else 1
-                stated.setdefault(j, part * stated[i] / s.number)
+                if not (s.relation and _holds(stated[i] / reference, s)):
+                    stated.setdefault(j, part * stated[i] / s.number)
         elif stated.keys() >= set(right if together else right[:1]):
-            stated[i] = reference * s.number
-        elif not _holds(base[i] / (reference if together else base[right[0]]), s.number):
+            stated |= {} if s.relation and _holds(base[i] / reference, s) else {i: reference * s.number}
+        elif not _holds(base[i] / (reference if together else base[right[0]]), s):
             _meet(base, left, right, s.number, together)
 
 
-def _holds(ratio: float, number: float) -> bool:
-    """`larger than` holds for any larger ratio; `twice as large as` only for its own."""
+def _holds(ratio: float, s: Statement) -> bool:
+    """`larger than` and `at least twice as large as` hold for any larger ratio; `twice as large as` for none but it."""
+    number = s.number
+    if s.relation in LIMITS:
+        return ratio >= number if s.relation == "at_least" else ratio <= number
     if number in (1.15, 1.3, 1.6):
         return ratio >= 1.15
     return number in (0.6, 0.75, 0.9) and ratio <= 0.9
@@ -171,6 +176,8 @@ def _compared(
     left = [ids[id(e)] for e in entities(s.left, home)]
     right = [ids[id(e)] for e in entities(s.right, home)]
     if not left or not right or s.number <= 0 or set(left + right) & set(stated):
+        return filled
+    if s.relation in LIMITS and _holds(filled[left[0]] / filled[right[0]], s):
         return filled
     if any(p.together for p in s.right):
         a, b = sum(filled[i] for i in left), sum(filled[j] for j in right)

@@ -113,6 +113,14 @@ _SAID = rules((
      r"\bsans mur (?:commun|mitoyen)(?: entre elles)?\b", "ne sont pas cote a cote"),
     (r"\bno (?:compart[ae]n|deben compartir|tengan) (?:ninguna |una )?(?:pared|muro)(?: en comun)?\b",
      "no esten uno al lado del otro"),
+    # "dos baños que dan al pasillo y un salón", "Balkon am Schlafzimmer und einem Bad mit Wanne"
+    (r"\b(al|a la|desde el|desde la|del|de la|en el|en la|junto al|junto a la) (\w+) y (?=(?:una?|dos|tres|cuatro) "
+     r"(?!puerta|al? |en |del? |desde |con |junto |para ))", r"\1 \2, "),
+    (r"\b(am|an der|vom|zum|zur|beim|im|neben dem|neben der) (\w+) und (?=(?:eine?[mnr]?|zwei|drei|vier) "
+     r"(?!tur|am |an |im |in |vom |von |zum |zur |bei|mit |fur |neben |weiter|ander|zweit))", r"\1 \2, "),
+    (r"\b(sur|depuis|par|pres de|contre|attenante? a|a cote de) (le|la|les) (\w+) et (?=(?:une?|deux|trois|quatre) "
+     r"(?!porte|sur |au |aux |a |dans |du |de |pour |depuis |avec |autre))",
+     r"\1 \2 \3, "),
     # "Küche und Wohnzimmer zusammen 35 m²", "la cocina está junto al comedor"
     (r"\b(?:zusammen|ensemble|a eux deux|juntos|juntas|en conjunto)(?: de)? (?=\d)", "together "),
     (r"(和[^,.;和]{1,4})(?:一共|总共|共|合计|加起来)(?:是|有|要)?(?=\d)", r"\1 together "),

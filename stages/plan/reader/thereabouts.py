@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.hers import whose_rooms
 from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import KIND, reworded
 
@@ -70,21 +71,6 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (rf"\bdans (?:la |l')({'|'.join(_FR)}){_ENDS}", _which),
     (rf"\ben (?:el|la) ({'|'.join(_ES)}){_ENDS}", _which),
 )]  # fmt: skip
-_OWNERS = ("his", "hers", "mine", "ours", "theirs", "yours")
-_TWO = late(rf"\b(?:two|2) (bed ?rooms)\b.*\b(?:{'|'.join(_OWNERS)})\b")
-_TWO_ELSE = re.compile(r"\b(?:two|2) (?!bed ?rooms)[a-z]+(?: ?room)?s\b")
-_OF_WHOM = re.compile(rf"\b(?:{'|'.join(_OWNERS)})\b")
-_THEIR = {"first": "the first bedroom", "second": "the second bedroom"}
-
-
-def whose_rooms(text: str) -> str:
-    """`two bedrooms, 8 m² for hers and 13 for mine; no TV in hers`: the first and the second, wherever named."""
-    found = _TWO.search(text)
-    names = list(dict.fromkeys(_OF_WHOM.findall(text[found.start() :]))) if found is not None else []
-    if found is None or len(names) != 2 or _OF_WHOM.search(text[: found.start()]) or _TWO_ELSE.search(found.group()):
-        return text
-    which = dict(zip(names, _THEIR.values(), strict=True))
-    return text[: found.start()] + _OF_WHOM.sub(lambda one: which[one.group()], text[found.start() :])
 
 
 def thereabouts(text: str) -> str:

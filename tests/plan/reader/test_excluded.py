@@ -23,6 +23,16 @@ DENIED = [
     ("Zwei Schlafzimmer. Nicht erwünscht: Balkon, Esszimmer und Arbeitszimmer.", "B2 H K L W", ""),
     ("Deux chambres. Sans : un balcon, un bureau.", "B2 H K L W", ""),
     ("Dos dormitorios. No queremos: balcón, comedor ni despacho.", "B2 H K L W", ""),
+    ("The home must not have any of these: a balcony; a study.", "B2 H K L W", ""),
+    ("Two bedrooms. I want none of these: balcony; terrace; dining room.", "B2 H K L W", ""),
+    ("Two bedrooms. We need none of the following rooms: study, dining room.", "B2 H K L W", ""),
+    ("I want none of the following; a balcony; a dining room. Two bedrooms.", "B2 H K L W", ""),
+    ("Two bedrooms. No: balcony; study; dining room.", "B2 H K L W", ""),
+    ("Without: a balcony; two bedrooms, one bathroom.", "B2 H K L W", ""),
+    ("Zwei Schlafzimmer. Nichts davon: Balkon, Arbeitszimmer.", "B2 H K L W", ""),
+    ("Deux chambres. Aucun des éléments suivants : balcon, bureau.", "B2 H K L W", ""),
+    ("Dos dormitorios. Nada de esto: balcón; despacho.", "B2 H K L W", ""),
+    ("两室一厅，不要以下任何一个：阳台；书房。", "B2 H K L W", ""),
 ]  # fmt: skip
 
 

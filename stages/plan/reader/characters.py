@@ -1,0 +1,69 @@
+"""Chinese clauses of walls, neighbours, sides of the entrance and people's rooms in words that the rules know."""
+
+import re
+
+from apartgen.stages.plan.reader.pieces import reworded, rules
+
+_LIVED = "(?:(?:开放式|大|小)?(?:客厅|厨房|餐厅|饭厅|起居室))"
+_WHOSE = {"我": "my room", "父母": "the parents' bedroom", "爸妈": "the parents' bedroom",
+          "爸爸妈妈": "the parents' bedroom"}  # fmt: skip
+_SIDES = {"左": "left", "右": "right"}
+
+
+def _beside_door(found: re.Match[str]) -> str:
+    """`入口左边是厨房，右边是客厅` with both rooms before their sides, which are those of the entrance."""
+    first, other = _SIDES[found["side"]], _SIDES["右" if found["side"] == "左" else "左"]
+    told = f"{found['room']} {first} of the entrance"
+    return f"{told}, {found['second']} {other} of the entrance" if found["second"] else told
+
+
+def _away(found: re.Match[str]) -> str:
+    """`厨房和卧室不要相邻` as the one not beside the other."""
+    return f"{found['a']}不要挨着{found['b']}"
+
+
+_SAID = rules((
+    # "三个同事合租，每人一个房间"
+    (r"(?P<n>[两二三四五六2-6])(?:个|位|名)?(?P<who>(?![^,.;:]*(?:孩|儿子|女儿|夫妻))[^,.;:卧房室厅卫\d]{1,8}|[^,.;"
+     r":卧房室厅卫\d]{0,3}室友[^,.;:卧房厅卫]{0,4})"
+     r"(?:的(?:房子|公寓|家))?[,:、]?(?:每人|每个人|各人|人人)(?:都)?(?:想要|需要|要|有|住)?(?:一间|一个|自己的|"
+     r"单独的|独立的)*"
+     r"(?:卧室|房间|睡房|房)", r"\g<n>个人住,\g<n>个卧室"),
+    # "餐厅和厨房打通，没有墙", "客厅与餐厅之间不要隔墙"
+    (r"(?P<a>{lived})(?:和|与|跟|同)(?P<b>{lived})(?:之间|中间)?(?:是|要|可以|直接|全部|完全)*(?:连通|打通|贯通|"
+     r"相通|相连|连在一起|"
+     r"连成一[片体]|不隔开|不分隔)(?:的)?(?:[,、]?(?:之间|中间)?(?:没有|不要|不设|不用|无)(?:任何)?(?:隔断|隔墙|"
+     r"墙壁?))?",
+     r"\g<a>和\g<b>相通"),
+    (r"(?P<a>{lived})(?:和|与|跟|同)(?P<b>{lived})(?:之间|中间)?(?:没有|不要|不设|不用|无)(?:任何)?(?:隔断|隔墙|墙壁?)",
+     r"\g<a>和\g<b>相通"),
+    (r"(?P<a>{lived})(?:和|与|跟|同)(?P<b>{lived})相通[,、]?(?:之间|中间)?(?:没有|不要|不设|不用|无)(?:任何)?(?"
+     r":隔断|隔墙|墙壁?)",
+     r"\g<a>和\g<b>相通"),
+    (r"(?P<a>{any})(?:和|与|跟|同)(?P<b>{any})(?:之间)?(?:是|要|可以|直接)*(?:连通|相连|连着|连接)(?=[,.;]|$)",
+     lambda found: found.group() if re.fullmatch(_LIVED, found["a"]) and re.fullmatch(_LIVED, found["b"]) else
+     f"{found['a']}通向{found['b']}"),
+    # "厨房和卧室不要相邻", "卫生间不能与厨房相邻", "厨房别挨着卧室"
+    (r"(?P<a>{any})(?:和|与|跟|同)(?P<b>{any}){not_}(?:相邻|紧邻|挨着|紧挨着?|挨在一起|靠在一起|在一起|共用一?"
+     r"[面堵]?墙)", _away),
+    (r"(?P<a>{any}){not_}(?:和|与|跟|同)(?P<b>{any})(?:相邻|紧邻|挨着|紧挨着?|挨在一起|靠在一起|在一起|共用一?"
+     r"[面堵]?墙)", _away),
+    (r"{not_}(?:紧挨着|紧靠着|紧挨|紧靠|紧邻|紧贴|贴着|挨着|挨近|靠着|邻近|毗邻)", "不要挨着"),
+    # "进门左边是厨房，右边是客厅", "厨房在入口左边，客厅在右边"
+    (r"(?:{door}|一进门)的?(?P<side>[左右])(?:手边|手|边|侧|面)(?:是|为|有|放)?(?P<room>{any})"
+     r"(?:[,、]?(?!(?P=side))[左右](?:手边|手|边|侧|面)(?:是|为|有)?(?P<second>{any}))?", _beside_door),
+    (r"(?P<room>{any})(?:在|位于){door}的?(?P<side>[左右])(?:手边|手|边|侧|面)"
+     r"(?:[,、]?(?P<second>{any})(?:在|位于)(?!(?P=side))[左右](?:手边|手|边|侧|面))?", _beside_door),
+    # "12到14平方米", "我的房间", "父母的房间"
+    (r"(?P<low>\d+(?:\.\d+)?)(?: ?(?:平方米|平米|平|米))?(?:到|至|~)(?P<high>\d+(?:\.\d+)?)(?= ?(?:平|米|m))",
+     r"\g<low>-\g<high>"),
+    (r"(?P<who>我|(?:我的?)?(?:父母|爸妈|爸爸妈妈))的?(?:房间|卧室|房)(?![间子])",
+     lambda found: f" {_WHOSE[re.sub('^我的?(?=.)', '', found['who'])]} "),
+), lived=_LIVED, any=r"(?:[^,.;:、和与跟同在的是\d ]{1,6}?(?:厅|房|室|间|卧|卫|阳台|走廊|台))",
+   door="(?:入口|大门|进门|入户门|家门|门口)",
+   not_="(?:不要|不能|不可以?|不应该?|不该|不宜|不想|别|避免|千万别)")  # fmt: skip
+
+
+def in_characters(text: str) -> str:
+    """A folded text with such clauses in plain words."""
+    return text if text.isascii() else reworded(text, _SAID)
