@@ -16,6 +16,7 @@ from apartgen.stages import seeds
 from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.meals import AROUND
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import contents, features, furnishings, living, sampler, sizes, weights
 from apartgen.stages.layout.relations.living import BASKET
@@ -49,8 +50,6 @@ BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 30.0
 """What it costs that something was asked for and is not there: more than all that a room may lack."""
-ROUND = 6
-"""So many eat at a round table at most."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -202,7 +201,7 @@ def _hung(place: Site, given: list[Box], names: list[str]) -> list[str]:
 
 def _long_table(plan: Plan, room: Room) -> Counter[str]:
     """No round table where more eat than find a seat at one."""
-    many = duties(plan, room).eats > 0 and (sleepers(plan) or 0) > ROUND
+    many = duties(plan, room).eats > 0 and (sleepers(plan) or 0) > AROUND
     return Counter({"round_table": 0}) if many else Counter()
 
 
