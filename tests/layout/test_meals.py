@@ -61,13 +61,15 @@ def test_beside_a_dining_room_the_living_room_has_a_table_only_where_one_is_aske
     assert all(living in there for there in tables[1::2])
 
 
-@pytest.mark.parametrize("bedrooms, round_", [(2, True), (3, True), (4, False)])
-def test_no_more_than_six_eat_at_a_round_table(bedrooms: int, round_: bool) -> None:
+@pytest.mark.parametrize("bedrooms, long, round_", [
+    (2, 7, True), (3, 7, True), (4, 7, False), (4, 10, False), (2, 6, True), (3, 6, False)])
+def test_no_more_than_six_eat_at_a_round_table_and_four_where_there_is_little_floor(
+        bedrooms: int, long: int, round_: bool) -> None:
     """Two sleep in each of the bedrooms, and all eat in the living room."""
-    rooms = [("living_room_1", "living_room", 0), *((f"bedroom_{k}", "bedroom", 8 * k) for k in range(1, bedrooms + 1))]
+    rooms = [("living_room_1", "living_room", 0), *((f"bedroom_{k + 1}", "bedroom", 11 + 11 * k) for k in range(bedrooms))]
     plan = Plan.model_validate({
         "program": {"rooms": [{"id": id, "type": kind, "area": 28} for id, kind, _ in rooms]},
-        "rooms": [{"id": id, "type": kind, "polygon": [(x, 0), (x + 7, 0), (x + 7, 4), (x, 4)]}
+        "rooms": [{"id": id, "type": kind, "polygon": [(x, 0), (x + long, 0), (x + long, 4), (x, 4)]}
                   for id, kind, x in rooms],
         "openings": [], "height": 2.6})
     assert table_of(plan, 0.0) == ("living_room_1", "round_table" if round_ else "dining_table")
