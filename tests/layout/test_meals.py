@@ -66,7 +66,8 @@ def test_beside_a_dining_room_the_living_room_has_a_table_only_where_one_is_aske
 def test_no_more_than_six_eat_at_a_round_table_and_four_where_there_is_little_floor(
         bedrooms: int, long: int, round_: bool) -> None:
     """Two sleep in each of the bedrooms, and all eat in the living room."""
-    rooms = [("living_room_1", "living_room", 0), *((f"bedroom_{k + 1}", "bedroom", 11 + 11 * k) for k in range(bedrooms))]
+    rooms = [("living_room_1", "living_room", 0)]
+    rooms += [(f"bedroom_{k}", "bedroom", 11 * k) for k in range(1, bedrooms + 1)]
     plan = Plan.model_validate({
         "program": {"rooms": [{"id": id, "type": kind, "area": 28} for id, kind, _ in rooms]},
         "rooms": [{"id": id, "type": kind, "polygon": [(x, 0), (x + long, 0), (x + long, 4), (x, 4)]}
