@@ -29,7 +29,7 @@ from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
-from apartgen.stages.use import arrivals, belongings, lacks_of, site
+from apartgen.stages.use import arrivals, belongings, eat_together, lacks_of, site
 from apartgen.stages.use.household import duties, sleepers
 from apartgen.stages.use.kinds import COATS, basic
 from apartgen.stages.use.site import Site
@@ -140,7 +140,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
         drawn = [_hung(place, given, some) for some in drawn]
     if room.id not in plan.program.counts and not given:
-        drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area) for some in drawn]
+        diners = eat_together(place) if place.meals else 0
+        drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area, diners) for some in drawn]
     if room.id not in plan.program.counts and BASKET in own:
         drawn = [[name for name in some if name != BASKET] + [BASKET] * own[BASKET] for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]

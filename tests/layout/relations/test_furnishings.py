@@ -38,3 +38,13 @@ def test_who_shares_no_bed_has_a_desk(names: list[str], bedroom: bool, area: flo
     found = Counter(completed(names, {}, bedroom, area))
     assert (found["desk"], found["office_chair"]) == (desks, chairs)
     assert Counter(completed(names, {"desk": 0}, bedroom, area))["desk"] == names.count("desk")
+
+
+@pytest.mark.parametrize("names, diners, chairs", [
+    (["sofa", "dining_table"] + ["chair"] * 4, 6, 6), (["round_table", "chair"], 2, 2), (["sofa"], 6, 0),
+    (["dining_table"] + ["chair"] * 6, 4, 6), (["dining_table", "chair"], 0, 1),
+    (["dining_table", "chair"], 8, 6),
+])
+def test_who_eats_has_a_chair_at_the_table(names: list[str], diners: int, chairs: int) -> None:
+    assert completed(names, {}, bedroom=False, area=25.0, diners=diners).count("chair") == chairs
+    assert completed(names, {"chair": 2}, bedroom=False, area=25.0, diners=diners) == names
