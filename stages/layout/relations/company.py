@@ -18,8 +18,8 @@ FAR, FARTHEST, ASKANCE = 3.5, 4.0, np.radians(30)
 """A television stands no farther from its sofa, m; if need be, it does, and so far aside."""
 TURNED, STRANDED = np.radians(68), 1.6
 """An armchair looks at a sofa within this angle, and stands no farther from it, m."""
-AROUND, BY = np.radians(50), 1.0
-"""The same of the low table before the sofa, if there is one."""
+AROUND, BY, SIGHT = np.radians(50), 1.0, np.radians(75)
+"""The same of the low table before the sofa, if there is one; from an armchair one sees a screen within the last."""
 AT, AT_DESK, REACH, NEAR = 0.28, 0.4, 0.4, 0.55
 """So far at most from its table a chair stands, from a desk, a side table from its seat, a stool from its use, m."""
 HEAD, BESIDE = 0.7, (-0.08, 0.3)
@@ -197,6 +197,10 @@ def _in_group(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(near[:, low if low.any() else ~low].any(1) & ~seen.walls_in()[:, ~low].any(1))
 
 
+def _in_sight(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return _any(seen.off < SIGHT)
+
+
 def _apart(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray((seen.gap >= AGAINST).all(1))
 
@@ -247,6 +251,7 @@ RULES = (
     (frozenset({"tv"}), kinds.SOFAS, _seen),
     (kinds.SOFAS, frozenset({"tv_stand"}), _watches),
     (frozenset({"armchair"}), kinds.SOFAS | {"coffee_table"}, _in_group),
+    (frozenset({"armchair"}), frozenset({"tv_stand"}), _in_sight),
     (kinds.TABLES, kinds.SOFAS | {"coffee_table"}, _apart),
     (kinds.SOFAS | {"coffee_table"}, kinds.TABLES, _apart),
     (frozenset({"side_table"}), kinds.EASY | kinds.BEDS, _within(REACH)),

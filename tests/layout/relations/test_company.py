@@ -206,3 +206,10 @@ def test_a_lamp_stands_where_nobody_has_his_legs(x: float, y: float, good: bool,
 def test_a_lamp_keeps_from_the_table_where_one_eats(gap: float, good: bool) -> None:
     table, lamp = box((0.9, 1.6, 0.75), 0, 0)[None], box((0.4, 0.4, 1.6), 0.45 + gap + 0.2, 0)[None]
     assert company.alone("floor_lamp", lamp, ["dining_table"], table)[0] == (not good)
+
+
+@pytest.mark.parametrize("turn, seen", [(0, True), (70, True), (80, False), (120, False), (-70, True), (-90, False)])
+def test_who_sits_in_an_armchair_sees_the_screen(turn: float, seen: bool) -> None:
+    """It stands 3 m before the middle of the screen, turned so many degrees from it; 75 are too many."""
+    screen, seat = box((0.4, 1.6, 0.5), 0, 0), box((0.8, 0.8, 0.9), 3, 0, np.pi + np.radians(turn))
+    assert company.alone("armchair", seat[None], ["tv_stand"], screen[None])[0] != seen
