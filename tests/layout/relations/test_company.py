@@ -213,3 +213,13 @@ def test_who_sits_in_an_armchair_sees_the_screen(turn: float, seen: bool) -> Non
     """It stands 3 m before the middle of the screen, turned so many degrees from it; 75 are too many."""
     screen, seat = box((0.4, 1.6, 0.5), 0, 0), box((0.8, 0.8, 0.9), 3, 0, np.pi + np.radians(turn))
     assert company.alone("armchair", seat[None], ["tv_stand"], screen[None])[0] != seen
+
+
+@pytest.mark.parametrize("gap, turn, good", [
+    (0.3, 0, False), (0.55, 0, False), (0.65, 0, True), (0.3, 90, True), (0.3, 180, True), (0.3, 45, False)])
+def test_no_armchair_has_its_back_to_a_near_table(gap: float, turn: float, good: bool) -> None:
+    """A square seat of .8 m east of a table, looking east, or turned so many degrees from there."""
+    table, seat = box((0.9, 1.6, 0.75), 0, 0), box((0.8, 0.8, 0.9), 0, 0, np.radians(turn))
+    seat[0] = 0.45 + gap + 0.4 * (abs(np.cos(seat[2])) + abs(np.sin(seat[2])))
+    assert company.alone("armchair", seat[None], ["dining_table"], table[None])[0] != good
+    assert company.alone("dining_table", table[None], ["armchair"], seat[None])[0] != good, "whichever comes first"
