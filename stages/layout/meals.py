@@ -4,13 +4,16 @@ import shapely
 
 from apartgen.schemas.plan import Plan, Room
 from apartgen.stages.things.categories import CATEGORIES, stand_in, used_for
-from apartgen.stages.use.household import places
+from apartgen.stages.use.household import places, sleepers
 
 TABLES = tuple(name for name in CATEGORIES if name in used_for("dine"))
 SMALL = 10.0
 """In a room below this floor area, m², the table is a round one."""
 ROUND = 1 / 3
 """Share of round ones among tables elsewhere."""
+AROUND, FOUR, WIDE = 6, 4, 27.0
+"""So many eat at a round table at most, and so many in a room of less floor, m²: with chairs for six drawn back it
+takes 2.9 m each way, for which two of three smaller living rooms have no place beside the sofa."""
 FEWEST = 6
 """A room that is to hold fewer objects than this is not asked for a table: seats at it would be all it has."""
 
@@ -27,7 +30,9 @@ def table_of(plan: Plan, chance: float = 1.0) -> tuple[str, str] | None:
         fitting = [room for room in plan.rooms if room.base == kind and _area(room) >= least and _holds(plan, room)]
         if fitting:
             room = max(fitting, key=_area)
-            return room.id, "round_table" if _area(room) < SMALL or chance < ROUND else "dining_table"
+            most = AROUND if _area(room) >= WIDE else FOUR
+            round_ = (_area(room) < SMALL or chance < ROUND) and (sleepers(plan) or 0) <= most
+            return room.id, "round_table" if round_ else "dining_table"
     return None
 
 

@@ -8,11 +8,11 @@ from apartgen.stages import registry
 from apartgen.stages.use.fault import Fault, activities, weights
 from apartgen.stages.use.room import Furnished, of_plan
 from apartgen.stages.use.site import alone, site
-from apartgen.stages.use.wants import Lack, arrivals, belongings, lacks, lacks_of
+from apartgen.stages.use.wants import Lack, arrivals, belongings, eat_together, lacks, lacks_of
 
 __all__ = [
-    "Fault", "Furnished", "Lack", "activities", "alone", "arrivals", "belongings", "faults", "lacks", "lacks_of",
-    "of_plan", "site", "weights",
+    "Fault", "Furnished", "Lack", "activities", "alone", "arrivals", "belongings", "eat_together", "faults", "lacks",
+    "lacks_of", "of_plan", "site", "weights",
 ]
 
 

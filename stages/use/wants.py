@@ -93,7 +93,7 @@ def lacks_of(site: Site, names: Sequence[str]) -> Iterator[Lack]:
     if (site.kind == "bedroom" or site.sleeps) and count["double_bed"] and beside < 2:
         yield Lack("few nightstands", 2 - beside, (2 - beside) * NIGHTSTAND)
     yield from _of_home(site, count)
-    missing = _guests(site) - _number(count, CHAIRS)
+    missing = eat_together(site) - _number(count, CHAIRS)
     if _number(count, TABLES) and site.meals and missing > 0:
         yield Lack("few chairs", missing, missing * CHAIR)
 
@@ -182,10 +182,10 @@ def seats_wanted(room: Furnished, table: int) -> int:
     two."""
     longest = max(room.width[table], room.depth[table])
     little = longest <= LITTLE_TABLE and room.names[table] == "dining_table" and not room.site.meals
-    return min(_guests(room.site), 2 if little else MOST_CHAIRS)
+    return min(eat_together(room.site), 2 if little else MOST_CHAIRS)
 
 
-def _guests(site: Site) -> int:
+def eat_together(site: Site) -> int:
     """An even number of those who eat together."""
     people = GUESTS if site.sleepers is None else max(2, min(site.sleepers, MOST_CHAIRS))
     return people + people % 2

@@ -59,3 +59,19 @@ def test_beside_a_dining_room_the_living_room_has_a_table_only_where_one_is_aske
               for home in run_many([plan, asked], config, list(map(np.random.default_rng, (seed, seed))))]
     assert all(living not in there and "bedroom_2" in there for there in tables[::2])
     assert all(living in there for there in tables[1::2])
+
+
+@pytest.mark.parametrize("bedrooms, long, round_", [
+    (2, 7, True), (3, 7, True), (4, 7, False), (4, 10, False), (2, 6, True), (3, 6, False)])
+def test_no_more_than_six_eat_at_a_round_table_and_four_where_there_is_little_floor(
+        bedrooms: int, long: int, round_: bool) -> None:
+    """Two sleep in each of the bedrooms, and all eat in the living room."""
+    rooms = [("living_room_1", "living_room", 0)]
+    rooms += [(f"bedroom_{k}", "bedroom", 11 * k) for k in range(1, bedrooms + 1)]
+    plan = Plan.model_validate({
+        "program": {"rooms": [{"id": id, "type": kind, "area": 28} for id, kind, _ in rooms]},
+        "rooms": [{"id": id, "type": kind, "polygon": [(x, 0), (x + long, 0), (x + long, 4), (x, 4)]}
+                  for id, kind, x in rooms],
+        "openings": [], "height": 2.6})
+    assert table_of(plan, 0.0) == ("living_room_1", "round_table" if round_ else "dining_table")
+    assert table_of(plan, 0.9) == ("living_room_1", "dining_table")

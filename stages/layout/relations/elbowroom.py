@@ -30,10 +30,10 @@ ROUND, ALONG, PILLOWS = 0.66, 0.6, 0.6
 """Beyond the foot of a bed of two, and along its sides but for so much of them at its head, m: .6 and .54 are left."""
 HEAD, SILL = 0.35, 0.3
 """A window is behind the head of a bed that is no farther from it and has so much of it behind, m."""
-MOVED = kinds.MOVED | kinds.CHAIRS | kinds.SMALL_SEATS
-"""What one pushes aside; what is slender only to draw a chair back."""
+MOVED = kinds.MOVED - {"armchair"} | kinds.CHAIRS | kinds.SMALL_SEATS
+"""What one pushes aside; what is slender only to draw a chair back. Nobody moves an armchair for either."""
 CASES = kinds.CASES | {"dressing_table"}
-SPARED = CASES - kinds.WARDROBES | {"bench"}
+SPARED = CASES - kinds.WARDROBES | {"bench", "armchair"}
 """What is rather left out than put where it takes such floor."""
 SEATS = kinds.CHAIRS - {"balcony_chair"}
 USED = SEATS | CASES | {"bench"} | kinds.DOUBLE

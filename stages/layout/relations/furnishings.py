@@ -1,5 +1,6 @@
 """What a room's contents get besides what the model draws: a nightstand for everyone in a bed, a desk for who sleeps
-alone and for children, a lamp in every bedroom; and what has no use where something else is not to be."""
+alone and for children, a lamp in every bedroom, a chair for everyone at the table where a home eats; and what has no
+use where something else is not to be."""
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -8,19 +9,23 @@ from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 from apartgen.stages.use import kinds
 
-STAND, DESK, SEAT = "nightstand", "desk", "office_chair"
+STAND, DESK, SEAT, CHAIR = "nightstand", "desk", "office_chair", "chair"
 STUDY = 8.0
 """In a bedroom of so much floor there is a desk, if no two share a bed, m²."""
 TWO_DESKS = {"bunk_bed": 10.0, "single_bed": 12.0}
 """In one of so much floor each of two who sleep in such beds has one, m²."""
+MOST = 6
+"""More chairs at a table are left to the model, which draws them where they find floor: where eight were put into every
+sample fewer found a place than of six."""
 LAMP, LAMPS = "table_lamp", frozenset({"table_lamp", "wall_lamp", "floor_lamp"})
 """What one reads by in bed."""
 
 
-def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, area: float) -> list[str]:
+def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, area: float,
+              diners: int = 0) -> list[str]:
     """Contents with a nightstand for each of two who share a bed and for who has one alone, and a desk with its chair
-    in a bedroom of one and of children, or two for these, and a lamp where one sleeps, if their number was not `asked`
-    for."""
+    in a bedroom of one and of children, or two for these, and a lamp where one sleeps, and a chair at the table for
+    each of so many `diners`, up to six, if their number was not `asked` for."""
     count = Counter(map(kinds.basic, names))
     alone = count["single_bed"] == 1 and count["double_bed"] + count["bunk_bed"] == 0
     stands = 2 * count["double_bed"] + alone - sum(count[name] for name in kinds.BEDSIDE)
@@ -31,6 +36,8 @@ def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, are
         more += [DESK] * lacking + [SEAT] * max(0, min(seats, lacking))
     if bedroom and LAMPS.isdisjoint(count) and LAMPS.isdisjoint(asked):
         more.append(LAMP)
+    if CHAIR not in asked and not kinds.TABLES.isdisjoint(count):
+        more += [CHAIR] * max(0, min(diners, MOST) - count[CHAIR])
     return [*names, *more]
 
 

@@ -15,6 +15,7 @@ from apartgen.stages import seeds
 from apartgen.stages.layout import choice, wishes
 from apartgen.stages.layout import rooms as room_arrays
 from apartgen.stages.layout.config import LayoutConfig
+from apartgen.stages.layout.meals import AROUND
 from apartgen.stages.layout.projection.space import space_of
 from apartgen.stages.layout.relations import contents, features, furnishings, living, sampler, sizes, weights
 from apartgen.stages.layout.relations.living import BASKET
@@ -27,7 +28,7 @@ from apartgen.stages.layout.rooms import UNKNOWN, Rooms
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, stand_in
 from apartgen.stages.things.latents import style_latents
-from apartgen.stages.use import arrivals, belongings, lacks_of, site
+from apartgen.stages.use import arrivals, belongings, eat_together, lacks_of, site
 from apartgen.stages.use.household import duties, sleepers
 from apartgen.stages.use.kinds import COATS, basic
 from apartgen.stages.use.site import Site
@@ -48,8 +49,6 @@ BATHS, BATHED = frozenset({"shower", "bath"}), 2.8
 """One of these is in a bathroom of so much floor, m²."""
 UNMET = 30.0
 """What it costs that something was asked for and is not there: more than all that a room may lack."""
-ROUND = 6
-"""So many eat at a round table at most."""
 SHARP, SURE = 3.0, 2.0
 """What logits of attributes, and of references, are multiplied with before anything is drawn."""
 
@@ -142,7 +141,8 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
         drawn = [_hung(place, given, some) for some in drawn]
     if room.id not in plan.program.counts and not given:
-        drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area) for some in drawn]
+        diners = eat_together(place) if place.meals else 0
+        drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area, diners) for some in drawn]
     if room.id not in plan.program.counts and BASKET in own:
         drawn = [[name for name in some if name != BASKET] + [BASKET] * own[BASKET] for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
@@ -203,7 +203,7 @@ def _hung(place: Site, given: list[Box], names: list[str]) -> list[str]:
 
 def _long_table(plan: Plan, room: Room) -> Counter[str]:
     """No round table where more eat than find a seat at one."""
-    many = duties(plan, room).eats > 0 and (sleepers(plan) or 0) > ROUND
+    many = duties(plan, room).eats > 0 and (sleepers(plan) or 0) > AROUND
     return Counter({"round_table": 0}) if many else Counter()
 
 

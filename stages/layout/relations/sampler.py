@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
+from apartgen.stages.layout.relations.dining import smaller
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -175,9 +176,11 @@ class Sampler:
         return second
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
-        """A place for what leads a group, anywhere in the room, where what follows it finds its own."""
+        """A place for what leads a group, anywhere in the room, where what follows it finds its own; for a table that
+        is as long as it has to be, if there is none for a longer one."""
         places = followers.leading(name, boxes, there.space, narrowest(self.room.speaker.large, name))
-        return self._one_of(there, name, places, left)
+        found = self._one_of(there, name, places, left)
+        return self._one_of(there, name, smaller(name, boxes, there.space, left), left) if found is None else found
 
     def _one_of(self, there: Furniture, name: str, places: Array, left: Sequence[str]) -> Array | None:
         if not self.constrained or self.places != "model" or not len(places):

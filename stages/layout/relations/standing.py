@@ -142,7 +142,7 @@ class Furniture:
         barred = company.barred(name, boxes, self.names, self.boxes)
         total += np.where(barred, ALONE if loose else 2 * BROKEN, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
-        spared = elbowroom.spared(name, self.names, self.space)
+        spared = not loose and elbowroom.spared(name, self.names, self.space)
         total += np.where(cramped, 2 * BROKEN if strict or spared else CRAMPED, 0.0)
         total += 0.0 if loose else distances.price(name, boxes, found, self.names, self.boxes, self.space)
         total += fixtures.prices(name, found, self.names, self.upright, self.space, strict, loose)

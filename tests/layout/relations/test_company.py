@@ -206,3 +206,20 @@ def test_a_lamp_stands_where_nobody_has_his_legs(x: float, y: float, good: bool,
 def test_a_lamp_keeps_from_the_table_where_one_eats(gap: float, good: bool) -> None:
     table, lamp = box((0.9, 1.6, 0.75), 0, 0)[None], box((0.4, 0.4, 1.6), 0.45 + gap + 0.2, 0)[None]
     assert company.alone("floor_lamp", lamp, ["dining_table"], table)[0] == (not good)
+
+
+@pytest.mark.parametrize("turn, seen", [(0, True), (70, True), (80, False), (120, False), (-70, True), (-90, False)])
+def test_who_sits_in_an_armchair_sees_the_screen(turn: float, seen: bool) -> None:
+    """It stands 3 m before the middle of the screen, turned so many degrees from it; 75 are too many."""
+    screen, seat = box((0.4, 1.6, 0.5), 0, 0), box((0.8, 0.8, 0.9), 3, 0, np.pi + np.radians(turn))
+    assert company.alone("armchair", seat[None], ["tv_stand"], screen[None])[0] != seen
+
+
+@pytest.mark.parametrize("gap, turn, good", [
+    (0.3, 0, False), (0.55, 0, False), (0.65, 0, True), (0.3, 90, True), (0.3, 180, True), (0.3, 45, False)])
+def test_no_armchair_has_its_back_to_a_near_table(gap: float, turn: float, good: bool) -> None:
+    """A square seat of .8 m east of a table, looking east, or turned so many degrees from there."""
+    table, seat = box((0.9, 1.6, 0.75), 0, 0), box((0.8, 0.8, 0.9), 0, 0, np.radians(turn))
+    seat[0] = 0.45 + gap + 0.4 * (abs(np.cos(seat[2])) + abs(np.sin(seat[2])))
+    assert company.alone("armchair", seat[None], ["dining_table"], table[None])[0] != good
+    assert company.alone("dining_table", table[None], ["armchair"], seat[None])[0] != good, "whichever comes first"

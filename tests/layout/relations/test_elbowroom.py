@@ -27,6 +27,7 @@ def test_a_chair_is_drawn_back_before_a_wall(gap: float, barred: bool) -> None:
 @pytest.mark.parametrize("name, size, barred", [
     ("sideboard", CASE, True), ("sofa", SOFA, True), ("plant", (0.3, 0.3, 1.0), False), ("chair", CHAIR, False),
     ("rug", (1.4, 1.4, 0.01), False), ("dining_table", TABLE, False), ("coat_rack", (0.4, 0.4, 1.7), True),
+    ("armchair", (0.85, 0.8, 0.9), True),
 ])
 def test_what_stands_behind_a_chair_bars_it_unless_it_is_pushed_aside_or_a_table(name: str, size, barred: bool) -> None:
     behind = box(size, -0.25 - 0.1 - size[0] / 2, 0)
@@ -40,6 +41,16 @@ def test_one_stands_before_shelves(gap: float, barred: bool) -> None:
     sofa = box(SOFA, -2 + 0.355 + gap + 0.45, 0)
     assert taken("bookshelf", shelves, ("sofa", sofa)) == barred
     assert taken("sofa", sofa, ("bookshelf", shelves)) == barred
+
+
+@pytest.mark.parametrize("gap, cramped", [(0.2, True), (0.35, True), (0.41, False), (0.6, False)])
+def test_an_armchair_is_rather_left_out_than_put_before_shelves(gap: float, cramped: bool) -> None:
+    """Unless it is asked for, and there is no other place."""
+    there = room()
+    there.add("bookshelf", box(CASE, -2 + 0.18, 0))
+    seat = box((0.8, 0.8, 0.9), -2 + 0.355 + gap + 0.4, 0)[None]
+    assert (there.prices("armchair", seat)[0] >= BROKEN) == cramped
+    assert there.prices("armchair", seat, loose=True)[0] < BROKEN
 
 
 def test_what_stands_beside_takes_nothing() -> None:

@@ -52,3 +52,13 @@ def test_who_shares_no_bed_has_a_desk(names: list[str], bedroom: bool, area: flo
 def test_a_chair_has_no_use_where_no_desk_is_to_be(asked, there, kind, found) -> None:
     """Nor has one where there is to be no table, unless another that comes in such rooms is left."""
     assert idle(asked, there, kind) == dict.fromkeys(found, 0)
+
+
+@pytest.mark.parametrize("names, diners, chairs", [
+    (["sofa", "dining_table"] + ["chair"] * 4, 6, 6), (["round_table", "chair"], 2, 2), (["sofa"], 6, 0),
+    (["dining_table"] + ["chair"] * 6, 4, 6), (["dining_table", "chair"], 0, 1),
+    (["dining_table", "chair"], 8, 6),
+])
+def test_who_eats_has_a_chair_at_the_table(names: list[str], diners: int, chairs: int) -> None:
+    assert completed(names, {}, bedroom=False, area=25.0, diners=diners).count("chair") == chairs
+    assert completed(names, {"chair": 2}, bedroom=False, area=25.0, diners=diners) == names

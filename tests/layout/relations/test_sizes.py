@@ -20,7 +20,9 @@ LIVING, STUDIO = Duties(0, 0, 0, 0), Duties(1, 1, 0, 0)
 @pytest.mark.parametrize("kind, area, due, sleepers, name, widths", [
     ("living_room", 12.0, LIVING, 2, "sofa", []), ("living_room", 14.0, LIVING, 2, "sofa", [1.8, 1.6]),
     ("living_room", 20.0, LIVING, 2, "sofa", [2.0, 1.8]), ("living_room", 40.0, LIVING, 2, "sofa", [2.2, 2.0]),
-    ("living_room", 40.0, STUDIO, 2, "sofa", []), ("living_room", 20.0, OPEN, 0, "sofa", [2.0, 1.8]),
+    ("living_room", 30.0, STUDIO, 2, "sofa", []), ("living_room", 40.0, STUDIO, 2, "sofa", [2.0, 1.8]),
+    ("living_room", 39.0, STUDIO, 2, "dining_table", []), ("living_room", 40.0, STUDIO, 2, "dining_table", [1.4, 1.2]),
+    ("living_room", 20.0, OPEN, 0, "sofa", [2.0, 1.8]),
     ("living_room", 12.0, LIVING, 2, "tv", [1.2, 1.0]), ("study", 20.0, LIVING, 2, "tv", []),
     ("bedroom", 9.0, LIVING, 2, "wardrobe", []), ("bedroom", 10.0, LIVING, 2, "wardrobe", [1.5, 1.2]),
     ("living_room", 20.0, STUDIO, 2, "sliding_wardrobe", [1.5, 1.2]),
