@@ -3,6 +3,7 @@
 import re
 from contextlib import nullcontext
 from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
 import pytest
@@ -14,12 +15,17 @@ from apartgen.schemas.plugins import Plugin
 from apartgen.stages import export, metrics
 from apartgen.stages.layout import choice, guided
 from apartgen.stages.registry import contract
+from apartgen.stages.retrieve import furniture
 from apartgen.stages.retrieve.furniture import foreign
 from apartgen.stages.retrieve.furniture.body import Body
 from apartgen.stages.retrieve.furniture.designs import design
 from apartgen.stages.retrieve.furniture.kit import Kit
 from apartgen.stages.retrieve.matching import newcomers
+from apartgen.stages.space import sweeps
+from apartgen.stages.things import categories
+from apartgen.stages.things.categories import TABLE, read
 
+PAGE = Path(__file__).parent.parent / "docs/extending.md"
 MINE = Plugin("mine", "mine.module", "my-home")
 ROOMS = SimpleNamespace(filled=torch.ones(2, 5))
 
@@ -100,6 +106,30 @@ def test_a_builder_keeps_to_its_box(builder, fault, monkeypatch):
 @pytest.mark.parametrize("builder", [box, lambda kit: drawer(kit, 0.45), lambda kit: box(kit, 0.0009)])
 def test_a_builder_that_does_makes_what_it_drew(builder):
     assert foreign.made(builder, Kit("desk", "mine", (0.6, 1.2, 0.75), 0), "desk/mine/1").id == "desk/mine/1"
+
+
+def test_the_lid_of_the_page_opens_within_its_box():
+    """The example, run as it stands: it opens 80° about the back, and at both ends a few millimetres are free."""
+    (lid,) = re.findall(r"```python\n(lid = .*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+
+    def chest(kit):
+        kit.base.box("oak", kit.x, kit.y, (0.0, kit.h - 0.02))
+        exec(lid, {"kit": kit, "Body": Body})
+
+    made = foreign.made(chest, Kit("sideboard", "mine", (0.4, 1.2, 0.75), 0), "sideboard/mine/1")
+    (joint,) = made.joints
+    low, high = sweeps.swept(joint)
+    assert joint.range == (0.0, 1.4) and high[2] > 0.75 / 2 + 0.3 and high[1] < 0.6 - 0.003 and low[0] > -0.2 - 0.011
+
+
+def test_what_opens_otherwise_than_its_like_needs_a_builder(monkeypatch):
+    rows = {"record_cabinet": {"like": "sideboard", "opens": "lid"}, "low_board": {"like": "sideboard", "opens": ""}}
+    monkeypatch.setattr(categories, "TABLE", TABLE | read(rows, TABLE))
+    style, size = furniture.styles("sideboard")[0], TABLE["sideboard"].size
+    with pytest.raises(BadInput, match="^record_cabinet: opens is 'lid' and nothing here builds one; as a sideboard"):
+        furniture.build("record_cabinet", style, size)
+    for name, parts in (("sideboard", True), ("low_board", False)):
+        assert any(joint.range[1] > 0 for joint in furniture.build(name, style, size).joints) == parts
 
 
 def test_of_several_styles_those_that_can_be_made_are_taken(monkeypatch):

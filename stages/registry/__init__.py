@@ -40,7 +40,7 @@ def _folders(package: str) -> tuple[Path, ...]:
 
 
 def _help(source: Path) -> str:
-    text = ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"))) or ""
+    text = ast.get_docstring(ast.parse(source.read_text(encoding="utf-8"), str(source))) or ""
     return text.partition("\n")[0]
 
 

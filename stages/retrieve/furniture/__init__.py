@@ -74,12 +74,22 @@ def _built(category: str, style: str, mm: tuple[int, int, int], seed: int, right
         raise BadInput(f"{category} is not made with its leaf on the right; leave /{RIGHT} out")
     d, w, h = mm
     model = _model(category)
+    _opens_alike(category, model)
     kit = Kit(category, style, (d / 1000, w / 1000, h / 1000), seed, model, right)
     builder, id = _designs()[model][style], f"{category}/{style}/{d}x{w}x{h}/{seed}" + right * f"/{RIGHT}"
     if foreign.is_foreign(builder):
         return foreign.made(builder, kit, id)
     builder(kit)
     return kit.finish(id)
+
+
+def _opens_alike(category: str, model: str) -> None:
+    """BadInput where a category would be built as one that opens in another way than it says."""
+    opens, theirs = (categories.TABLE[name].opens if name in categories.TABLE else "" for name in (category, model))
+    if opens and opens != theirs:
+        own = f'@design("{category}", "plain")'
+        raise BadInput(f"{category}: opens is {opens!r} and nothing here builds one; as a {model}, which it is like, "
+                       f"it would have {theirs!r}: give it a builder, {own}, or leave opens out")
 
 
 def _check(category: str, style: str, mm: tuple[int, ...]) -> None:
