@@ -5,6 +5,8 @@ Of the project only what compiles is imported: the cache of compiled code sees c
 """
 
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -194,6 +196,27 @@ def stretches(
                             at = max(at, high[k])
                     found[i, q, w, d] = max(best, half - at)
     return found
+
+
+@compiled("Tuple((int64[::1],float64[::1]))(float64[::1],int64[::1],float64[:])")
+def summed(key: NDArray[np.float64], order: Ints, weight: NDArray[np.float64]) -> tuple[Ints, NDArray[np.float64]]:
+    """Of things (n,) in the `order` of their keys the first of each key, and the weight of all of it, (k,)."""
+    first, total, k = np.empty(len(key), np.int64), np.zeros(len(key)), -1
+    for i in range(len(order)):
+        if i == 0 or key[order[i]] != key[order[i - 1]]:
+            k += 1
+            first[k] = order[i]
+        total[k] += weight[order[i]]
+    return first[: k + 1].copy(), total[: k + 1].copy()
+
+
+@compiled(["void(float64[:],float32[:,:],int64,float32)", "void(float64[:],float64[:,:],int64,float64)"])
+def cleared(weight: NDArray[np.float64], boxes: NDArray[Any], which: int, near: float) -> None:
+    """What is nearer than that to one of boxes (n, 7), in both directions, has no weight (n,) any more."""
+    x, y = boxes[which, 0], boxes[which, 1]
+    for i in range(len(weight)):
+        if max(abs(boxes[i, 0] - x), abs(boxes[i, 1] - y)) < near:
+            weight[i] = 0.0
 
 
 @compiled("int64[:,:](float32[:,:],float64[:,:],float64,float64)")

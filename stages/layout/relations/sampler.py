@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
+from apartgen.stages.layout.relations import ahead, clear, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
@@ -171,7 +171,7 @@ class Sampler:
                     return np.asarray(boxes[k])
                 if share > best and (share >= enough or not strict) and not runs.spare(name):
                     second, best = np.asarray(boxes[k]), share
-            weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
+            clear.cleared(weight, boxes, k, boxes.dtype.type(near))
         return second
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:
@@ -208,7 +208,7 @@ class Sampler:
 
     def _draw(self, weight: Floats) -> int:
         total = weight.cumsum()
-        return int(min(np.searchsorted(total, self.rng.random() * total[-1], side="right"), len(weight) - 1))
+        return int(min(total.searchsorted(self.rng.random() * total[-1], "right"), len(weight) - 1))
 
     def _instead(self, p: Particle, name: str, boxes: Array) -> Array | None:
         """The place of a unit that gives way, which is left out with what stands on it."""
