@@ -52,6 +52,7 @@ class Paths:
         self.count = np.zeros(self.inner.shape, np.int16)
         self.bodies: dict[int, Boxes] = {}
         self.rows: dict[int, Row] = {}
+        self.known: dict[tuple[Row | float, ...], float] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
@@ -81,12 +82,13 @@ class Paths:
 
     def add(self, k: int, box: Boxes, opens: float = SHUT) -> None:
         """Object `k` stands there from now on, and opens so far, m, where the common robot is to use it."""
-        self.bodies[k], self.rows[k] = box, _row(box, opens)
+        self.bodies[k], self.rows[k], self.known = box, _row(box, opens), {}
         kernels_floor.shade(self.count, np.array(self.rows[k]), WALKERS.radii, 1, self.raster)
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
         del self.bodies[k]
+        self.known = {}
         kernels_floor.shade(self.count, np.array(self.rows.pop(k)), WALKERS.radii, -1, self.raster)
 
     def parts(self, which: int) -> tuple[grid.Labels, NDArray[np.int64], int]:
@@ -107,9 +109,12 @@ class Paths:
 
     def cut_off_with(self, more: Sequence[Row], limit: float = np.inf) -> float:
         """The same with objects given as rows."""
-        rows = np.array([*self.rows.values(), *more]).reshape(-1, 6)
-        return kernels_floor.cut_off(
-            self.inner, self.count, WALKERS, rows, rows[len(self.rows) :], self.door_cells, self.raster, self.prices, limit)
+        what = (*more, limit)
+        if what not in self.known:
+            rows = np.array([*self.rows.values(), *more]).reshape(-1, 6)
+            self.known[what] = kernels_floor.cut_off(self.inner, self.count, WALKERS, rows, rows[len(self.rows) :],
+                                                     self.door_cells, self.raster, self.prices, limit)
+        return self.known[what]
 
     @property
     def _beside(self) -> float:

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -273,9 +274,13 @@ def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box])
 
 def _latent(name: str, style: int) -> list[float]:
     """The shape latent of a category in the home's style."""
-    model = stand_in(name, CATEGORIES) or name
-    names, means = style_latents(model)
-    return [round(float(v), 3) for v in means[style % len(names)]] if names else []
+    names, _ = style_latents(model := stand_in(name, CATEGORIES) or name)
+    return list(_rounded(model, style % len(names))) if names else []
+
+
+@cache
+def _rounded(model: str, style: int) -> tuple[float, ...]:
+    return tuple(round(float(v), 3) for v in style_latents(model)[1][style])
 
 
 def check(rooms: Collection[str], plan: Plan) -> list[str]:
