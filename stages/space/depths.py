@@ -51,7 +51,8 @@ def deeper(
         for j in range(len(b_yaw)):
             if not az + b_size[j, 2] / 2 - abs(b_center[j, 2] - a_center[i, 2]) > deep:
                 continue
-            x, y, b_cos, b_sin = b_center[j, 0] - a_center[i, 0], b_center[j, 1] - a_center[i, 1], b_cosines[j], b_sines[j]
+            x, y = b_center[j, 0] - a_center[i, 0], b_center[j, 1] - a_center[i, 1]
+            b_cos, b_sin = b_cosines[j], b_sines[j]
             cosine, sine = abs(a_cos * b_cos + a_sin * b_sin), abs(a_cos * b_sin - a_sin * b_cos)
             bx, by = b_size[j, 0] / 2, b_size[j, 1] / 2
             if (ax + bx * cosine + by * sine - abs(x * a_cos + y * a_sin) > deep

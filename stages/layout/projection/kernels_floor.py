@@ -124,7 +124,7 @@ def _label(inside: Flags, count: Counts, labels: Labels, parent: Labels, sizes: 
             if not free[j]:
                 j += 1
                 continue
-            start, own = j, np.int32(0)
+            start, own = j, 0
             while j < columns and free[j]:
                 up = above[j]
                 if up != own and up != 0:
@@ -135,7 +135,7 @@ def _label(inside: Flags, count: Counts, labels: Labels, parent: Labels, sizes: 
                 j += 1
             if own == 0:
                 n += 1
-                parent[n], sizes[n], own = n, 0, np.int32(n)
+                parent[n], sizes[n], own = n, 0, n
             row[start:j] = own
             sizes[own] += j - start
         above = row

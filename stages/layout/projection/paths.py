@@ -52,7 +52,7 @@ class Paths:
         self.count = np.zeros(self.inner.shape, np.int16)
         self.bodies: dict[int, Boxes] = {}
         self.rows: dict[int, Row] = {}
-        self.known: dict[tuple[Row | float, ...], float] = {}
+        self.known: dict[tuple[tuple[Row, ...], float], float] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
@@ -109,7 +109,7 @@ class Paths:
 
     def cut_off_with(self, more: Sequence[Row], limit: float = np.inf) -> float:
         """The same with objects given as rows."""
-        what = (*more, limit)
+        what = tuple(more), limit
         if what not in self.known:
             rows = np.array([*self.rows.values(), *more]).reshape(-1, 6)
             self.known[what] = kernels_floor.cut_off(self.inner, self.count, WALKERS, rows, rows[len(self.rows) :],

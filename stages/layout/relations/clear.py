@@ -211,7 +211,7 @@ def summed(key: NDArray[np.float64], order: Ints, weight: NDArray[np.float64]) -
 
 
 @compiled(["void(float64[:],float32[:,:],int64,float32)", "void(float64[:],float64[:,:],int64,float64)"])
-def cleared(weight: NDArray[np.float64], boxes: NDArray[Any], which: int, near: float) -> None:
+def cleared(weight: NDArray[Any], boxes: NDArray[Any], which: int, near: Any) -> None:
     """What is nearer than that to one of boxes (n, 7), in both directions, has no weight (n,) any more."""
     x, y = boxes[which, 0], boxes[which, 1]
     for i in range(len(weight)):

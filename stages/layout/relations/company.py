@@ -69,7 +69,7 @@ class Seen:
         return self.at[..., 1]
 
     @property
-    def half(self) -> Array:
+    def half(self) -> NDArray[np.float64]:
         """Half extents of candidates, (n, 1, 2), or of what stands there the other way round."""
         return np.asarray(self.sizes[0] / 2)
 

@@ -72,9 +72,8 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
 def _zones_of(kind: str, box: Array, space: Space) -> Boxes:
     """The floor that the use of one thing takes that stands there; what was found once is kept."""
     what = "zones", kind, box.tobytes()
-    if what not in space.known:
-        space.known[what] = _zones(kind, box[None], space)
-    return space.known[what]
+    found: Boxes = space.known.get(what) or space.known.setdefault(what, _zones(kind, box[None], space))
+    return found
 
 
 def _any_of(zones: Flags, n: int) -> Flags:

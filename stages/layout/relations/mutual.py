@@ -61,9 +61,9 @@ def mutual(one: Floats, two: Floats) -> tuple[Floats, Floats, Floats, Floats, Fl
           "float64[:,::1],float64[::1])")
 def free(center: Floats, size: Floats, heading: Floats, aside: Floats, towards: Floats, start: Floats, along: Floats,
          normal: Floats, length: Floats) -> Floats:
-    """Free length (n,) from the fronts of boxes, which look to `heading` (n, 2), `aside` (n,) of their middles, to the
-    wall across; walls (E, 2) begin at `start`, run `along`, look inwards along `normal`, `towards` (n, E) the cosines of
-    the headings with these."""
+    """Free length (n,) from the fronts of boxes, which look to `heading` (n, 2), `aside` (n,) of their middles, to
+    the wall across; walls (E, 2) begin at `start`, run `along`, look inwards along `normal`, `towards` (n, E) the
+    cosines of the headings with these."""
     found = np.full(len(center), np.inf)
     for i in range(len(center)):
         c, s = heading[i]

@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import ahead, clear, corners, exchange, followers, handy, hung, lengthened, order, runs
+from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
+from apartgen.stages.layout.relations.clear import cleared
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -171,7 +172,7 @@ class Sampler:
                     return np.asarray(boxes[k])
                 if share > best and (share >= enough or not strict) and not runs.spare(name):
                     second, best = np.asarray(boxes[k]), share
-            clear.cleared(weight, boxes, k, boxes.dtype.type(near))
+            cleared(weight, boxes, k, boxes.dtype.type(near))
         return second
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:

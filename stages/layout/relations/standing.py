@@ -1,6 +1,5 @@
 """What stands in a room so far, and what a candidate for the next object would break: φ of Eq. 2 to 4, exactly."""
 
-import copy
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache, lru_cache
@@ -9,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
-from apartgen.stages.layout.projection.paths import HUNG, SHUT, Paths, Row
+from apartgen.stages.layout.projection.paths import SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import company, distances, elbowroom, fixtures, handy, hung, order, runs
+from apartgen.stages.layout.relations.ground import in_the_way, opens, row, with_levers
 from apartgen.stages.layout.relations.mutual import askew, grown
 from apartgen.stages.layout.relations.tokens import Array, upright
-from apartgen.stages.robot.reach import LEVER
 from apartgen.stages.space.boxes import Boxes, penetration, stand_in
 from apartgen.stages.things.categories import TABLE, reach, tucks
 from apartgen.stages.use import kinds
@@ -42,12 +41,8 @@ NEVER_OFF = {**dict.fromkeys(WARDROBES | {"piano"}, END), "tv_stand": 0.3}
 """What is rather left out than put elsewhere, and how near its ends its back has to be at a wall."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
-IN_THE_WAY, FLAT = 1.5, 0.03
-"""What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
 """Nothing to look at and no lamp stands on what is higher, m: the eyes of who sits are at 1.1 to 1.2."""
-ABOVE_TOPS = 0.7
-"""What hangs higher at a wall may hang above a low cabinet, a basin or a bed, m."""
 APART = 6.0
 """Price of a hood that is not above what cooks, and where nothing better is left of a unit apart from its run."""
 ALONE = 8.0
@@ -81,7 +76,7 @@ class Furniture:
         self.names: list[str] = []
         self.boxes: Array = np.zeros((0, 7), np.float32)
         self.far: tuple[float, ...] = ()
-        self.paths = Paths(Standing([]), replace(space, leaves=_with_levers(space.leaves)))
+        self.paths = Paths(Standing([]), replace(space, leaves=with_levers(space.leaves)))
         self._cut: float | None = None
         self._stood: tuple[Boxes, Boxes] | None = None
 
@@ -109,21 +104,25 @@ class Furniture:
 
     def fork(self) -> "Furniture":
         """A copy to go on from."""
-        other = copy.copy(self)
-        other.names, other.paths = list(self.names), self.paths.fork()
+        other = self._copied()
+        other.paths = self.paths.fork()
         return other
 
     def besides(self, name: str, box: Array) -> "Furniture":
         """A copy with an object more, in which ways are as they were."""
-        other = copy.copy(self)
-        other.names = list(self.names)
+        other = self._copied()
         other._stand(name, box)
+        return other
+
+    def _copied(self) -> "Furniture":
+        other = object.__new__(Furniture)
+        other.__dict__.update(self.__dict__, names=list(self.names))
         return other
 
     def add(self, name: str, box: Array) -> None:
         """An object stands there from now on."""
-        if _in_the_way(name, box):
-            self.paths.add(len(self.names), upright(box[None]), _opens(name, box))
+        if in_the_way(name, box):
+            self.paths.add(len(self.names), upright(box[None]), opens(name, box))
             self._cut = None
         self._stand(name, box)
 
@@ -239,10 +238,10 @@ class Furniture:
 
     def shut_by(self, some: Sequence[tuple[str, Array]], loose: bool = False) -> float:
         """The same of several objects together."""
-        standing = [(name, box) for name, box in some if _in_the_way(name, box)]
+        standing = [(name, box) for name, box in some if in_the_way(name, box)]
         if not standing:
             return 0.0
-        rows = [_row(box, SHUT if loose else _opens(name, box)) for name, box in standing]
+        rows = [row(box, SHUT if loose else opens(name, box)) for name, box in standing]
         return max(0.0, self.paths.cut_off_with(rows) - self.cut)
 
     def _soft(self, name: str, found: Boxes) -> Floats:
@@ -274,12 +273,6 @@ class Furniture:
         return found
 
 
-def _with_levers(leaves: Boxes) -> Boxes:
-    """Doors that stand open, as far out as the robot goes round them."""
-    heading = np.stack([np.cos(leaves.yaw), np.sin(leaves.yaw), np.zeros(leaves.n)], -1)
-    return Boxes(leaves.center + heading * LEVER / 2, leaves.size + [LEVER, 0.0, 0.0], leaves.yaw)
-
-
 @lru_cache(4096)
 def _others(name: str, names: tuple[str, ...]) -> tuple[NDArray[np.bool_], NDArray[np.bool_], Floats]:
     """Of what stands there, what gives way to a category, which may be drawn into it or it into that, and how far."""
@@ -287,23 +280,3 @@ def _others(name: str, names: tuple[str, ...]) -> tuple[NDArray[np.bool_], NDArr
     soft = np.array([TABLE[o].soft and not (tall_leaf and o == "curtain") for o in names], bool)
     tucked = np.array([tuck(name, o) for o in names], float)
     return soft, tucked > 0, tucked
-
-
-def _row(box: Array, opens: float) -> Row:
-    x, y, yaw, depth, width, _, _ = box.tolist()
-    return x, y, depth, width, yaw, opens
-
-
-def _opens(name: str, box: Array) -> float:
-    """How far what is opened from the floor before it does so, m; what hangs at a wall may hang above something."""
-    if TABLE[name].place == "wall" and box[5] > ABOVE_TOPS:
-        return HUNG
-    if not TABLE[name].opens:
-        return SHUT
-    far = float(reach(name, np.append(box[3:5], box[6] - box[5])))
-    return far if far > 0 else SHUT
-
-
-def _in_the_way(name: str, box: Array) -> bool:
-    kind = TABLE[name]
-    return (box[5] + box[6]) / 2 < IN_THE_WAY and box[6] > FLAT and kind.place != "top"
