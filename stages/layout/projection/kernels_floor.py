@@ -113,32 +113,25 @@ def _label(inside: Flags, count: Counts, labels: Labels, parent: Labels, sizes: 
     """Cells inside that nothing keeps off, by edges; then `parent` is the first label of each one's part."""
     rows, columns = inside.shape
     n, parent[0], sizes[0] = 0, 0, 0
-    free, above = np.empty(columns, np.bool_), np.zeros(columns, np.int32)
     for i in range(rows):
-        row, within, taken = labels[i], inside[i], count[i]
+        own, many = 0, 0
         for j in range(columns):
-            free[j] = within[j] & (taken[j] == 0)
-        row[:] = 0
-        j = 0
-        while j < columns:
-            if not free[j]:
-                j += 1
+            if not inside[i, j] or count[i, j] != 0:
+                sizes[own] += many
+                own, many, labels[i, j] = 0, 0, 0
                 continue
-            start, own = j, 0
-            while j < columns and free[j]:
-                up = above[j]
-                if up != own and up != 0:
-                    if own != 0:
-                        a, b = _root(parent, up), _root(parent, own)
-                        parent[max(a, b)] = min(a, b)
-                    own = up
-                j += 1
+            up = labels[i - 1, j] if i else 0
             if own == 0:
-                n += 1
-                parent[n], sizes[n], own = n, 0, n
-            row[start:j] = own
-            sizes[own] += j - start
-        above = row
+                if up == 0:
+                    n += 1
+                    parent[n], sizes[n], up = n, 0, n
+                own = up
+            elif up != 0 and up != own:
+                a, b = _root(parent, up), _root(parent, own)
+                parent[max(a, b)] = min(a, b)
+            many += 1
+            labels[i, j] = own
+        sizes[own] += many
     for k in range(1, n + 1):
         parent[k] = _root(parent, parent[k])
         if parent[k] != k:
@@ -148,12 +141,12 @@ def _label(inside: Flags, count: Counts, labels: Labels, parent: Labels, sizes: 
 
 
 @inner
-def _home(labels: Labels, parent: Labels, sizes: Indices, n: int, rows: Indices, columns: Indices) -> int:
-    """The part with most doors' floor, else the largest."""
-    home = 0
-    for k in range(len(rows)):
-        part = parent[labels[rows[k], columns[k]]]
-        if sizes[part] > sizes[home]:
+def _home(labels: Labels, parent: Labels, sizes: Indices, n: int, doors: Doors, which: int) -> int:
+    """The part with most floor before doors, those of one radius, else the largest."""
+    home, (row, column, of) = 0, doors
+    for k in range(len(of)):
+        part = parent[labels[row[k], column[k]]]
+        if of[k] == which and sizes[part] > sizes[home]:
             home = part
     if home == 0:
         for part in range(1, n + 1):
@@ -203,13 +196,16 @@ def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more
     parent, sizes, taken = np.empty(room, np.int32), np.empty(room, np.int64), np.empty((rows, columns), np.int16)
     total = 0.0
     for r in range(len(radii)):
-        taken[:] = count[r]
+        for i in range(rows):
+            for j in range(columns):
+                taken[i, j] = count[r, i, j]
         for k in range(len(more)):
             _shade(taken, more[k], radii[r], 1, raster)
         n = _label(inside[r], taken, labels, parent, sizes)
-        mine = door_of == r
-        home = _home(labels, parent, sizes, n, door_row[mine], door_column[mine])
-        lost = 1 - sizes[home] / sizes[: n + 1].sum() if home else 1.0
+        home, whole = _home(labels, parent, sizes, n, doors, r), 0
+        for k in range(1, n + 1):
+            whole += sizes[k]
+        lost = 1 - sizes[home] / whole if home else 1.0
         if lost > prices.sliver:
             total += worth[r] * lost
         for k in range(len(door_of)):

@@ -5,8 +5,6 @@ Of the project only what compiles is imported: the cache of compiled code sees c
 """
 
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -208,15 +206,6 @@ def summed(key: NDArray[np.float64], order: Ints, weight: NDArray[np.float64]) -
             first[k] = order[i]
         total[k] += weight[order[i]]
     return first[: k + 1].copy(), total[: k + 1].copy()
-
-
-@compiled(["void(float64[:],float32[:,:],int64,float32)", "void(float64[:],float64[:,:],int64,float64)"])
-def cleared(weight: NDArray[Any], boxes: NDArray[Any], which: int, near: Any) -> None:
-    """What is nearer than that to one of boxes (n, 7), in both directions, has no weight (n,) any more."""
-    x, y = boxes[which, 0], boxes[which, 1]
-    for i in range(len(weight)):
-        if max(abs(boxes[i, 0] - x), abs(boxes[i, 1] - y)) < near:
-            weight[i] = 0.0
 
 
 @compiled("int64[:,:](float32[:,:],float64[:,:],float64,float64)")

@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations.mutual import mutual, walled
+from apartgen.stages.layout.relations.mutual import mutual
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.use import kinds
 
@@ -100,7 +100,13 @@ class Seen:
 
     def walls_in(self) -> Flags:
         """Whether what stands there takes a tenth of the floor right before the candidate."""
-        return walled(self.at, self.extent, self.half, *AHEAD)
+        (x, y), half = np.moveaxis(self.at, -1, 0), self.half
+        along, across = np.moveaxis(self.extent, -1, 0)
+        low, high = (half[..., 0] + far for far in AHEAD)
+        wide = 0.8 * half[..., 1]
+        deep = np.minimum(x + along, high) - np.maximum(x - along, low)
+        shared = np.minimum(y + across, wide) - np.maximum(y - across, -wide)
+        return np.asarray(np.maximum(deep, 0) * np.maximum(shared, 0) > 0.08 * (high - low) * 2 * wide)
 
     def at_head(self) -> Flags:
         """Whether the candidate stands beside the head of a bed that stands there."""

@@ -25,11 +25,11 @@ def stood(boxes: NDArray[Any], center: Floats, size: Floats, yaw: Floats) -> Non
         yaw[i] = boxes[i, 2]
 
 
-@compiled("void(float64[:,::1],float64[:,::1],float64[::1],float64[::1],float64[:,::1],float64[:,::1])")
-def grown(center: Floats, size: Floats, yaw: Floats, far: Floats, at: Floats, extent: Floats) -> None:
-    """Middles `at` (n, 3) and extents (n, 3) of boxes as they grow so `far` (n,) in front, filled in."""
+@compiled("void(float64[:,::1],float64[:,::1],float64[::1],float64[::1],float64[::1],float64[:,::1],float64[:,::1])")
+def grown(center: Floats, size: Floats, cos: Floats, sin: Floats, far: Floats, at: Floats, extent: Floats) -> None:
+    """Middles `at` (n, 3) and extents (n, 3) of boxes turned so as they grow so `far` (n,) in front, filled in."""
     for i in range(len(center)):
-        at[i, 0], at[i, 1] = center[i, 0] + np.cos(yaw[i]) * far[i] / 2, center[i, 1] + np.sin(yaw[i]) * far[i] / 2
+        at[i, 0], at[i, 1] = center[i, 0] + cos[i] * far[i] / 2, center[i, 1] + sin[i] * far[i] / 2
         at[i, 2], extent[i, 0], extent[i, 1], extent[i, 2] = center[i, 2], size[i, 0] + far[i], size[i, 1], size[i, 2]
 
 
@@ -79,35 +79,16 @@ def free(center: Floats, size: Floats, heading: Floats, aside: Floats, towards: 
     return found
 
 
-@compiled("boolean[::1](float64[:,:],float64[::1],float64[:],float64[:],float64,float64)")
-def askew(center: Floats, yaw: Floats, at: Floats, size: Floats, turn: float, most: float) -> Flags:
+@compiled("boolean[::1](float64[:,:],float64[::1],float64[::1],float64[:],float64[:],float64,float64,float64)")
+def askew(center: Floats, cos: Floats, sin: Floats, at: Floats, size: Floats, c: float, s: float, most: float) -> Flags:
     """Which seats (n, 3) look not within the cosine `most` at a table, square to its nearest side or to its middle,
-    that stands `at` a place, of some size (3,) each, turned so far."""
+    that stands `at` a place, of some size (3,) each, turned by `c` and `s`; they are turned so (n,) against it."""
     found = np.empty(len(center), np.bool_)
-    c, s = np.cos(turn), np.sin(turn)
     for i in range(len(center)):
         u, v = center[i, 0] - at[0], center[i, 1] - at[1]
-        x, y = u * c + v * s, v * c - u * s
-        across, along = np.cos(yaw[i] - turn), np.sin(yaw[i] - turn)
+        x, y, across, along = u * c + v * s, v * c - u * s, cos[i], sin[i]
         end = abs(x) - size[0] / 2 > abs(y) - size[1] / 2
         ahead = -(np.sign(x) * across if end else np.sign(y) * along)
         inward = -(x * across + y * along) / max(np.hypot(x, y), 1e-9)
         found[i] = max(ahead, inward) < most
-    return found
-
-
-@compiled("boolean[:,::1](float64[:,:,:],float64[:,:,:],float64[:,:,:],float64,float64)")
-def walled(at: Floats, extent: Floats, half: Floats, near: float, far: float) -> Flags:
-    """Whether things `at` places (n, m, 2) in the frames of others, of some half extents along their axes, take a tenth
-    of the floor from `near` to `far` before these, whose own half extents are (n, m, 2), or of either alone."""
-    n, m = at.shape[0], at.shape[1]
-    found = np.empty((n, m), np.bool_)
-    for i in range(n):
-        for k in range(m):
-            p, q = min(i, half.shape[0] - 1), min(k, half.shape[1] - 1)
-            low, high, wide = half[p, q, 0] + near, half[p, q, 0] + far, 0.8 * half[p, q, 1]
-            x, y, along, across = at[i, k, 0], at[i, k, 1], extent[i, k, 0], extent[i, k, 1]
-            deep = min(x + along, high) - max(x - along, low)
-            shared = min(y + across, wide) - max(y - across, -wide)
-            found[i, k] = max(deep, 0.0) * max(shared, 0.0) > 0.08 * (high - low) * 2 * wide
     return found

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.relations import ahead, corners, exchange, followers, handy, hung, lengthened, order, runs
 from apartgen.stages.layout.relations.ahead import Ahead
-from apartgen.stages.layout.relations.clear import cleared
 from apartgen.stages.layout.relations.propose import Ask, Particle, Said, Speaker, merged, propose
 from apartgen.stages.layout.relations.sizes import narrowest
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -172,7 +171,7 @@ class Sampler:
                     return np.asarray(boxes[k])
                 if share > best and (share >= enough or not strict) and not runs.spare(name):
                     second, best = np.asarray(boxes[k]), share
-            cleared(weight, boxes, k, boxes.dtype.type(near))
+            weight[np.abs(boxes[:, :2] - boxes[k, :2]).max(1) < near] = 0.0
         return second
 
     def _fitting(self, there: Furniture, name: str, boxes: Array, left: Sequence[str]) -> Array | None:

@@ -93,7 +93,7 @@ class Furniture:
         if self._stood is None:
             found = upright(self.boxes)
             center, size = np.empty_like(found.center), np.empty_like(found.size)
-            grown(*found, np.array(self.far), center, size)
+            grown(found.center, found.size, np.cos(found.yaw), np.sin(found.yaw), np.array(self.far), center, size)
             self._stood = found, Boxes(center, size, found.yaw)
         return self._stood
 
@@ -198,7 +198,10 @@ class Furniture:
         total = np.zeros(found.n)
         for k in np.flatnonzero(tucked > 0).tolist() if found.n else ():
             host = Boxes(*(part[k : k + 1] for part in self.upright))
-            away = askew(found.center, found.yaw, host.center[0], host.size[0], float(host.yaw[0]), ASKEW)
+            yaw = float(host.yaw[0])
+            turn = found.yaw - yaw
+            away = askew(found.center, np.cos(turn), np.sin(turn), host.center[0], host.size[0], np.cos(yaw),
+                         np.sin(yaw), ASKEW)
             total += np.where(away & stand_in(found, host, SLACK), 2 * BROKEN, 0.0)
         return total
 
