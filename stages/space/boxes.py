@@ -40,6 +40,8 @@ class Boxes(NamedTuple):
     def take(self, index: ArrayLike) -> "Boxes":
         """The boxes at `index` (indices or mask) of the last box dimension."""
         where = np.asarray(index)
+        if self.yaw.ndim == 1:
+            return Boxes(self.center[where], self.size[where], self.yaw[where])
         return Boxes(self.center[..., where, :], self.size[..., where, :], self.yaw[..., where])
 
 
@@ -100,6 +102,15 @@ def penetration(a: Boxes, b: Boxes | None = None) -> Array:
     if b is None:
         depth[..., np.arange(a.n), np.arange(a.n)] = -np.inf
     return depth
+
+
+def stand_in(a: Boxes, b: Boxes, deep: float) -> Mask:
+    """Which boxes `a` (n,) stand deeper than that, m, in any of `b` (m,)."""
+    from apartgen.stages.space.depths import deeper
+
+    found = np.empty(a.n, bool)
+    deeper(*a, *b, deep, found)
+    return found
 
 
 def _batched(boxes: Boxes, batch: tuple[int, ...]) -> tuple[Array, Array, Array]:

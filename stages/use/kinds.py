@@ -1,5 +1,7 @@
 """Kinds of furniture by what people do at them: the one place where rules of use name sets of categories."""
 
+from functools import cache
+
 from apartgen.stages.things.categories import TABLE, those, used_for
 
 DOUBLE = frozenset({"double_bed"})
@@ -44,6 +46,7 @@ SLENDER = frozenset({"plant", "floor_lamp", "coat_rack"})
 """Light passes by it."""
 
 
+@cache
 def basic(category: str) -> str:
     """The category that a newcomer is like, by whose rules it is used; its own name where it is like none."""
     return TABLE[category].lineage[-1] if category in TABLE else category

@@ -109,28 +109,29 @@ def _root(parent: Labels, label: int) -> int:
 
 
 @inner
-def _label(free: Flags, labels: Labels, parent: Labels, sizes: Indices) -> int:
-    """By edges; then `parent` is the first label of each one's part."""
-    rows, columns = free.shape
-    n = 0
+def _label(inside: Flags, count: Counts, labels: Labels, parent: Labels, sizes: Indices) -> int:
+    """Cells inside that nothing keeps off, by edges; then `parent` is the first label of each one's part."""
+    rows, columns = inside.shape
+    n, parent[0], sizes[0] = 0, 0, 0
     for i in range(rows):
+        own, many = 0, 0
         for j in range(columns):
-            labels[i, j] = 0
-            if not free[i, j]:
+            if not inside[i, j] or count[i, j] != 0:
+                sizes[own] += many
+                own, many, labels[i, j] = 0, 0, 0
                 continue
             up = labels[i - 1, j] if i else 0
-            left = labels[i, j - 1] if j else 0
-            if up == 0 and left == 0:
-                n += 1
-                parent[n], sizes[n] = n, 0
-                labels[i, j] = n
-            elif up == 0 or left == 0 or up == left:
-                labels[i, j] = max(up, left)
-            else:
-                a, b = _root(parent, up), _root(parent, left)
+            if own == 0:
+                if up == 0:
+                    n += 1
+                    parent[n], sizes[n], up = n, 0, n
+                own = up
+            elif up != 0 and up != own:
+                a, b = _root(parent, up), _root(parent, own)
                 parent[max(a, b)] = min(a, b)
-                labels[i, j] = min(a, b)
-            sizes[labels[i, j]] += 1
+            many += 1
+            labels[i, j] = own
+        sizes[own] += many
     for k in range(1, n + 1):
         parent[k] = _root(parent, parent[k])
         if parent[k] != k:
@@ -140,12 +141,12 @@ def _label(free: Flags, labels: Labels, parent: Labels, sizes: Indices) -> int:
 
 
 @inner
-def _home(labels: Labels, parent: Labels, sizes: Indices, n: int, rows: Indices, columns: Indices) -> int:
-    """The part with most doors' floor, else the largest."""
-    home = 0
-    for k in range(len(rows)):
-        part = parent[labels[rows[k], columns[k]]]
-        if sizes[part] > sizes[home]:
+def _home(labels: Labels, parent: Labels, sizes: Indices, n: int, doors: Doors, which: int) -> int:
+    """The part with most floor before doors, those of one radius, else the largest."""
+    home, (row, column, of) = 0, doors
+    for k in range(len(of)):
+        part = parent[labels[row[k], column[k]]]
+        if of[k] == which and sizes[part] > sizes[home]:
             home = part
     if home == 0:
         for part in range(1, n + 1):
@@ -191,24 +192,20 @@ def cut_off(inside: Flags, count: Counts, walkers: Walkers, bodies: Floats, more
     of [x, y, depth, width, yaw, how far it opens, -1 where it does not, or -2 where nobody need get at it].
     """
     (radii, worth), (_, _, _, rows, columns), (door_row, door_column, door_of) = walkers, raster, doors
-    free, labels = np.empty((rows, columns), np.bool_), np.empty((rows, columns), np.int32)
-    room = rows * columns // 2 + 2
-    parent, sizes, hidden = np.zeros(room, np.int32), np.zeros(room, np.int64), np.zeros((rows, columns), np.int16)
-    for k in range(len(more)):
-        _shade(hidden, more[k], radii[0], 1, raster)
+    labels, room = np.empty((rows, columns), np.int32), rows * columns // 2 + 2
+    parent, sizes, taken = np.empty(room, np.int32), np.empty(room, np.int64), np.empty((rows, columns), np.int16)
     total = 0.0
     for r in range(len(radii)):
-        if r:
-            hidden[:] = 0
-            for k in range(len(more)):
-                _shade(hidden, more[k], radii[r], 1, raster)
         for i in range(rows):
             for j in range(columns):
-                free[i, j] = inside[r, i, j] and count[r, i, j] == 0 and hidden[i, j] == 0
-        n = _label(free, labels, parent, sizes)
-        mine = door_of == r
-        home = _home(labels, parent, sizes, n, door_row[mine], door_column[mine])
-        lost = 1 - sizes[home] / sizes[: n + 1].sum() if home else 1.0
+                taken[i, j] = count[r, i, j]
+        for k in range(len(more)):
+            _shade(taken, more[k], radii[r], 1, raster)
+        n = _label(inside[r], taken, labels, parent, sizes)
+        home, whole = _home(labels, parent, sizes, n, doors, r), 0
+        for k in range(1, n + 1):
+            whole += sizes[k]
+        lost = 1 - sizes[home] / whole if home else 1.0
         if lost > prices.sliver:
             total += worth[r] * lost
         for k in range(len(door_of)):

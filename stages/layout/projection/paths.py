@@ -1,6 +1,8 @@
 """The free floor of a room on a raster: what keeps walkers off it, and what that cuts off."""
 
-from collections.abc import Callable, Mapping
+import copy
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -32,6 +34,8 @@ SLIVER = 0.02
 LOW, FLAT = 1.5, 0.03
 """What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 Bodies = Mapping[int, Boxes]
+Row = tuple[float, float, float, float, float, float]
+"""x, y, depth, width, yaw of an object, and how far it opens."""
 NOTHING: Bodies = {}
 SHUT, HUNG = -1.0, -2.0
 """How far what nobody opens does so, and what hangs above something, over which one gets at it."""
@@ -47,7 +51,8 @@ class Paths:
         self.inner = np.stack([grid.raster(floor.buffer(-r, join_style="mitre"), self.cells) for r in RADII])
         self.count = np.zeros(self.inner.shape, np.int16)
         self.bodies: dict[int, Boxes] = {}
-        self.rows: dict[int, NDArray[np.float64]] = {}
+        self.rows: dict[int, Row] = {}
+        self.known: dict[tuple[tuple[Row, ...], float], float] = {}
         for k in np.flatnonzero(in_the_way(room)):
             self.add(int(k), room.boxes.take([k]))
         before = space.zones.center[~space.window, :2] - self.cells.origin
@@ -61,22 +66,30 @@ class Paths:
             self.doors.append((row[usable], column[usable]))
         rows, columns = (np.concatenate(part) for part in zip(*self.doors, strict=True))
         self.door_cells = Doors(rows, columns, np.repeat(np.arange(len(RADII)), [len(rows) for rows, _ in self.doors]))
+        self.prices = Prices(SLIVER, DOOR, UNREACHED, self._beside, *BEFORE)
 
-    @property
+    @cached_property
     def raster(self) -> Raster:
         """The cells as `kernels_floor` takes them."""
         (x, y), (rows, columns) = self.cells.origin, self.cells.shape
         return Raster(float(x), float(y), float(self.cells.resolution), rows, columns)
 
+    def fork(self) -> "Paths":
+        """A copy to which others may be added."""
+        other = copy.copy(self)
+        other.count, other.bodies, other.rows = self.count.copy(), dict(self.bodies), dict(self.rows)
+        return other
+
     def add(self, k: int, box: Boxes, opens: float = SHUT) -> None:
         """Object `k` stands there from now on, and opens so far, m, where the common robot is to use it."""
-        self.bodies[k], self.rows[k] = box, _row(box, opens)
-        kernels_floor.shade(self.count, self.rows[k], WALKERS.radii, 1, self.raster)
+        self.bodies[k], self.rows[k], self.known = box, _row(box, opens), {}
+        kernels_floor.shade(self.count, np.array(self.rows[k]), WALKERS.radii, 1, self.raster)
 
     def remove(self, k: int) -> None:
         """Object `k` is gone."""
         del self.bodies[k]
-        kernels_floor.shade(self.count, self.rows.pop(k), WALKERS.radii, -1, self.raster)
+        self.known = {}
+        kernels_floor.shade(self.count, np.array(self.rows.pop(k)), WALKERS.radii, -1, self.raster)
 
     def parts(self, which: int) -> tuple[grid.Labels, NDArray[np.int64], int]:
         """Parts of the floor for the walker of a radius, their sizes, and the one with most doors' floor, 0 without
@@ -92,11 +105,16 @@ class Paths:
         A share of the floor beyond SLIVER and each door count for each walker, an object out of reach for the first,
         what the last can't use for it.
         """
-        extra = {k: _row(box, opens.get(k, SHUT)) for k, box in more.items()}
-        bodies, added = (np.array([*some.values()]).reshape(-1, 6) for some in (self.rows | extra, extra))
-        prices = Prices(SLIVER, DOOR, UNREACHED, self._beside, *BEFORE)
-        return kernels_floor.cut_off(
-            self.inner, self.count, WALKERS, bodies, added, self.door_cells, self.raster, prices, limit)
+        return self.cut_off_with([_row(box, opens.get(k, SHUT)) for k, box in more.items()], limit)
+
+    def cut_off_with(self, more: Sequence[Row], limit: float = np.inf) -> float:
+        """The same with objects given as rows."""
+        what = tuple(more), limit
+        if what not in self.known:
+            rows = np.array([*self.rows.values(), *more]).reshape(-1, 6)
+            self.known[what] = kernels_floor.cut_off(self.inner, self.count, WALKERS, rows, rows[len(self.rows) :],
+                                                     self.door_cells, self.raster, self.prices, limit)
+        return self.known[what]
 
     @property
     def _beside(self) -> float:
@@ -142,9 +160,10 @@ class Paths:
         return borders
 
 
-def _row(box: Boxes, opens: float) -> NDArray[np.float64]:
-    """[x, y, depth, width, yaw] of one box, and how far it opens."""
-    return np.array([*box.center[0, :2], *box.size[0, :2], box.yaw[0], opens])
+def _row(box: Boxes, opens: float) -> Row:
+    """Of one box, and how far it opens."""
+    (x, y, _), (depth, width, _) = box.center[0].tolist(), box.size[0].tolist()
+    return x, y, depth, width, float(box.yaw[0]), opens
 
 
 def in_the_way(room: Standing) -> NDArray[np.bool_]:

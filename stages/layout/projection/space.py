@@ -1,5 +1,6 @@
 """A room as the projection sees it: wall frames, slabs behind the walls, zones to keep clear."""
 
+from collections.abc import Hashable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -50,6 +51,16 @@ class Space:
         before = np.roll(self.along, 1, 0)
         out = before[:, 0] * self.along[:, 1] - before[:, 1] * self.along[:, 0] < -1e-9
         return self.slabs.take(out | np.roll(out, -1))
+
+    @cached_property
+    def doors(self) -> Boxes:
+        """The zones that are not before windows."""
+        return self.zones.take(~self.window)
+
+    @cached_property
+    def known(self) -> dict[Hashable, Any]:
+        """What was worked out of the room before and hangs on nothing else, by what it is; nobody changes it."""
+        return {}
 
     @cached_property
     def end(self) -> Array:

@@ -196,6 +196,18 @@ def stretches(
     return found
 
 
+@compiled("Tuple((int64[::1],float64[::1]))(float64[::1],int64[::1],float64[:])")
+def summed(key: NDArray[np.float64], order: Ints, weight: NDArray[np.float64]) -> tuple[Ints, NDArray[np.float64]]:
+    """Of things (n,) in the `order` of their keys the first of each key, and the weight of all of it, (k,)."""
+    first, total, k = np.empty(len(key), np.int64), np.zeros(len(key)), -1
+    for i in range(len(order)):
+        if i == 0 or key[order[i]] != key[order[i - 1]]:
+            k += 1
+            first[k] = order[i]
+        total[k] += weight[order[i]]
+    return first[: k + 1].copy(), total[: k + 1].copy()
+
+
 @compiled("int64[:,:](float32[:,:],float64[:,:],float64,float64)")
 def picked(logits: Floats, chance: NDArray[np.float64], sharp: float, least: float) -> Ints:
     """An index of each row of logits (R, N) for every number in [0, 1) of `chance` (R, times); what is below a share

@@ -50,19 +50,35 @@ class Seen:
 
     def __init__(self, boxes: Array, there: Array) -> None:
         one, two = np.asarray(boxes, float), np.asarray(there, float)
-        at, self.to, self.extent, self.own = mutual(one, two)
-        self.x, self.y = at[..., 0], at[..., 1]
-        self.half, self.host = one[:, None, 3:5] / 2, two[None, :, 3:5] / 2
-        past = np.maximum(np.abs(self.to) - self.host - self.own, 0)
-        self.gap = np.hypot(past[..., 0], past[..., 1])
+        self.at, self.to, self.extent, self.own, self.gap = mutual(one, two)
+        self.sizes = one[:, None, 3:5], two[None, :, 3:5]
 
     def back(self) -> "Seen":
         """The same the other way round: candidates in the frames of what stands there."""
         other = object.__new__(Seen)
-        other.x, other.y, other.half, other.extent = self.to[..., 0], self.to[..., 1], self.host, self.own
-        other.to, other.host, other.own = np.stack([self.x, self.y], -1), self.half, self.extent
-        other.gap = self.gap
+        other.at, other.to, other.extent, other.own, other.gap = self.to, self.at, self.own, self.extent, self.gap
+        other.sizes = self.sizes[1], self.sizes[0]
         return other
+
+    @property
+    def x(self) -> Array:
+        """How far ahead of a candidate what stands there is, (n, m)."""
+        return self.at[..., 0]
+
+    @property
+    def y(self) -> Array:
+        """How far to the left of it, (n, m)."""
+        return self.at[..., 1]
+
+    @property
+    def half(self) -> NDArray[np.float64]:
+        """Half extents of candidates, (n, 1, 2), or of what stands there the other way round."""
+        return np.asarray(self.sizes[0] / 2)
+
+    @property
+    def host(self) -> Array:
+        """Half extents of what stands there, (1, m, 2), or of candidates the other way round."""
+        return np.asarray(self.sizes[1] / 2)
 
     @property
     def off(self) -> Array:
@@ -86,11 +102,13 @@ class Seen:
 
     def walls_in(self) -> Flags:
         """Whether what stands there takes a tenth of the floor right before the candidate."""
-        low, high = (self.half[..., 0] + far for far in AHEAD)
-        wide = 0.8 * self.half[..., 1]
-        deep = np.minimum(self.x + self.extent[..., 0], high) - np.maximum(self.x - self.extent[..., 0], low)
-        across = np.minimum(self.y + self.extent[..., 1], wide) - np.maximum(self.y - self.extent[..., 1], -wide)
-        return np.asarray(np.maximum(deep, 0) * np.maximum(across, 0) > 0.08 * (high - low) * 2 * wide)
+        (x, y), half = np.moveaxis(self.at, -1, 0), self.half
+        along, across = np.moveaxis(self.extent, -1, 0)
+        low, high = (half[..., 0] + far for far in AHEAD)
+        wide = 0.8 * half[..., 1]
+        deep = np.minimum(x + along, high) - np.maximum(x - along, low)
+        shared = np.minimum(y + across, wide) - np.maximum(y - across, -wide)
+        return np.asarray(np.maximum(deep, 0) * np.maximum(shared, 0) > 0.08 * (high - low) * 2 * wide)
 
     def at_head(self) -> Flags:
         """Whether the candidate stands beside the head of a bed that stands there."""

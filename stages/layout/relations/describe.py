@@ -61,17 +61,17 @@ def gap_bin(gap: NDArray[np.floating]) -> Ints:
 
 def offset_bin(value: NDArray[np.floating]) -> Ints:
     """The bin of an offset."""
-    return np.asarray(np.clip(np.rint(value / OFFSET) + OFFSETS // 2, 0, OFFSETS - 1), np.int64)
+    return np.asarray(np.minimum(np.maximum(np.rint(value / OFFSET) + OFFSETS // 2, 0), OFFSETS - 1), np.int64)
 
 
 def size_bin(value: NDArray[np.floating]) -> Ints:
     """The bin of a length."""
-    return np.asarray(np.clip(np.rint(value / SIZE), 0, SIZES - 1), np.int64)
+    return np.asarray(np.minimum(np.maximum(np.rint(value / SIZE), 0), SIZES - 1), np.int64)
 
 
 def level_bin(value: NDArray[np.floating]) -> Ints:
     """The bin of a height."""
-    return np.asarray(np.clip(np.rint(value / LEVEL), 0, LEVELS - 1), np.int64)
+    return np.asarray(np.minimum(np.maximum(np.rint(value / LEVEL), 0), LEVELS - 1), np.int64)
 
 
 def describe(seen: Array, half: Array, kind: Ints) -> Attributes:

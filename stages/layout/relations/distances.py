@@ -8,6 +8,7 @@ import numpy as np
 from apartgen.stages.layout.projection.space import Space
 from apartgen.stages.layout.relations.company import Seen
 from apartgen.stages.layout.relations.hung import lit
+from apartgen.stages.layout.relations.mutual import free
 from apartgen.stages.layout.relations.tokens import Array
 from apartgen.stages.space.boxes import Boxes
 from apartgen.stages.use import kinds
@@ -84,11 +85,6 @@ def _at_entrance(boxes: Array, space: Space) -> Array:
 def ahead(found: Boxes, space: Space, aside: Array | float = 0.0) -> Array:
     """Free length from each front, `aside` of its middle, to the wall across, m, (n,)."""
     heading = np.stack([np.cos(found.yaw), np.sin(found.yaw)], -1)
-    front = found.center[:, :2] + heading * found.size[:, :1] / 2
-    front = front + np.reshape(aside, (-1, 1)) * np.stack([-heading[:, 1], heading[:, 0]], -1)
-    approach = -(heading @ space.normal.T)
-    off = ((front[:, None] - space.start) * space.normal).sum(-1)
-    far = np.where((approach > 1e-6) & (off > 0), off / np.maximum(approach, 1e-6), np.inf)
-    reached = front[:, None] + np.where(np.isfinite(far), far, 0.0)[..., None] * heading[:, None]
-    along = ((reached - space.start) * space.along).sum(-1)
-    return np.asarray(np.where((along >= 0) & (along <= space.length), far, np.inf).min(1))
+    lines = space.walls.lines
+    return free(found.center, found.size, heading, np.full(found.n, aside, float), heading @ space.normal.T,
+                lines.start, lines.along, lines.normal, lines.length)

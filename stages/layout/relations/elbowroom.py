@@ -2,6 +2,7 @@
 the bed that they share; nobody gets to a window over the head of a bed."""
 
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.relations.distances import ahead
 from apartgen.stages.layout.relations.tokens import Array, upright
-from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.space.boxes import Boxes, stand_in
 from apartgen.stages.use import kinds
 
 BACK, BEFORE = 0.46, 0.45
@@ -53,20 +54,25 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     if kind in USED:
         zones = _zones(kind, boxes, space)
         found |= _any_of(np.asarray(outside(zones, space) > SHALLOW), len(boxes))
-        doors = space.zones.take(~space.window)
-        if kind in SEATS and doors.n:
-            found |= (penetration(zones, doors) > SHALLOW).any(1)
-        units = [k for k, o in enumerate(others) if o in COOKED_AT]
-        if kind in SEATS and units:
-            found |= (penetration(_zones(kind, boxes, space, COOKING), upright(there[units])) > SHALLOW).any(1)
+        if kind in SEATS and space.doors.n:
+            found |= stand_in(zones, space.doors, SHALLOW)
+        units = [k for k, o in enumerate(others) if o in COOKED_AT] if kind in SEATS else []
+        if units:
+            found |= stand_in(_zones(kind, boxes, space, COOKING), upright(there[units]), SHALLOW)
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
-            found |= _any_of(np.asarray((penetration(zones, upright(there[solid])) > SHALLOW).any(1)), len(boxes))
+            found |= _any_of(stand_in(zones, upright(there[solid]), SHALLOW), len(boxes))
     used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
     if used:
-        alike = [[k for k in used if others[k] == o] for o in dict.fromkeys(others[k] for k in used)]
-        theirs = _joined([_zones(others[some[0]], there[some], space) for some in alike])
-        found |= (penetration(upright(boxes), theirs) > SHALLOW).any(1)
+        theirs = _joined([_zones_of(others[k], there[k], space) for k in used])
+        found |= stand_in(upright(boxes), theirs, SHALLOW)
+    return found
+
+
+def _zones_of(kind: str, box: Array, space: Space) -> Boxes:
+    """The floor that the use of one thing takes that stands there; what was found once is kept."""
+    what = "zones", kind, box.tobytes()
+    found: Boxes = space.known.get(what) or space.known.setdefault(what, _zones(kind, box[None], space))
     return found
 
 
@@ -108,6 +114,7 @@ def _narrows(boxes: Array, space: Space) -> Flags:
     return bad
 
 
+@cache
 def _bars(kind: str, used: str) -> bool:
     """Whether one thing before or behind another is in the way of its use."""
     own = used in SEATS and kind in kinds.TABLES | kinds.DESKS

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.relations.hung import MIRROR
-from apartgen.stages.space.boxes import Boxes, gap, penetration
+from apartgen.stages.space.boxes import Boxes, gap, stand_in
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import FIXTURES
 
@@ -53,6 +53,8 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
         total += np.where(_columns(there.take(np.array([k for k, o in enumerate(names) if o == RAIL], int)), found),
                           BROKEN, 0.0)
         total += np.where(within(THROWN, found, names, there), 0.0, BROKEN if strict else FAR)
+    if name not in FIXTURES and FIXTURES.keys().isdisjoint(names):
+        return total
     stands = np.array([TABLE[o].place == "floor" for o in names], bool)
     taken, tight = np.zeros(found.n, bool), np.zeros(found.n, bool)
     if name in FIXTURES:
@@ -60,15 +62,15 @@ def prices(name: str, found: Boxes, names: list[str], there: Boxes, space: Space
         others = there.take(np.flatnonzero(stands))
         for zone in kept(name, found):
             taken |= outside(zone, space) > SLACK
-            taken |= (penetration(zone, others) > SLACK).any(1)
+            taken |= stand_in(zone, others, SLACK)
         for zone in elbows(name, found):
             fast = others.take(np.array([not TABLE[o].loose for o, on in zip(names, stands, strict=True) if on], bool))
-            tight |= (outside(zone, space) > SLACK) | (penetration(zone, fast) > SLACK).any(1)
+            tight |= (outside(zone, space) > SLACK) | stand_in(zone, fast, SLACK)
     for k in (k for k, o in enumerate(names) if o in FIXTURES):
         for zone in kept(names[k], there.take(np.array([k]))):
-            taken |= penetration(found, zone)[:, 0] > SLACK
+            taken |= stand_in(found, zone, SLACK)
         for zone in [] if TABLE[name].loose else elbows(names[k], there.take(np.array([k]))):
-            tight |= penetration(found, zone)[:, 0] > SLACK
+            tight |= stand_in(found, zone, SLACK)
     total += np.where(tight, BROKEN if strict else 0.0 if loose else SQUEEZED, 0.0)
     return total + np.where(taken, BROKEN if strict or name not in FIXTURES else TAKEN, 0.0)
 
@@ -96,7 +98,7 @@ def _front(found: Boxes) -> Boxes:
 
 def _behind_leaf(found: Boxes, space: Space) -> NDArray[np.bool_]:
     """Before which a door stands that is open."""
-    return np.asarray((penetration(_front(found), space.leaves) > SLACK).any(1))
+    return stand_in(_front(found), space.leaves, SLACK)
 
 
 def _out_of_sight(found: Boxes, names: list[str], there: Boxes, space: Space) -> NDArray[np.bool_]:
@@ -117,7 +119,7 @@ def _columns(some: Boxes, found: Boxes) -> NDArray[np.bool_]:
     """Which boxes (n,) are above or below any of some."""
     columns = Boxes(some.center.copy(), some.size.copy(), some.yaw)
     columns.center[:, 2], columns.size[:, 2] = HIGH / 2, HIGH
-    return np.asarray((penetration(found, columns) > SLACK).any(1))
+    return stand_in(found, columns, SLACK)
 
 
 def elbows(name: str, some: Boxes) -> list[Boxes]:

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -63,12 +64,14 @@ def furnished(plan: Plan, config: LayoutConfig, rng: Generator, given: Sequence[
     chances = {i: seeds.lane(rng, plan.rooms[i].id + " habits").random(len(living.WAYS)).tolist() for i in due}
     ways = {i: living.draw(plan, plan.rooms[i], chances[i]) for i in due}
     spared = {i: living.forgone(site(plan, plan.rooms[i].id), ways[i]) for i in due}
+    tasks = {i: _task(plan, i, arrays, config, there[i]) for i in due}
     best: dict[int, Furnished] = {}
     left = {i: _rounds(config.candidates, plan.rooms[i].base) for i in due}
     while some := [i for i in due if left[i] and (i not in best or best[i].cost > left[i][0].above + spared[i])]:
         rounds = [left[i].pop(0) for i in some]
-        rooms = [_sampler(plan, i, arrays, config, round.samples, seeds.lane(rng, plan.rooms[i].id + round.name),
-                          there[i], ways[i]) for i, round in zip(some, rounds, strict=True)]
+        rooms = [_sampler(plan, tasks[i], i, arrays, config, round.samples,
+                          seeds.lane(rng, plan.rooms[i].id + round.name), there[i], ways[i])
+                 for i, round in zip(some, rounds, strict=True)]
         for i, made in zip(some, sampler.furnished(rooms), strict=True):
             one = _best(plan, plan.rooms[i], made, arrays.origin[i], style, there[i])
             best[i] = min(best.get(i, one), one, key=lambda one: one.cost)
@@ -122,12 +125,10 @@ def _best(plan: Plan, room: Room, made: Sequence[Particle], origin: Array, style
     return min(rows, key=lambda row: row.cost)
 
 
-def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rng: Generator,
+def _sampler(plan: Plan, task: Task, i: int, arrays: Rooms, config: LayoutConfig, k: int, rng: Generator,
              given: list[Box], ways: Sequence[Mapping[str, int]]) -> tuple[Sampler, list[list[str]]]:
     """What furnishes a room, and the contents of each of its k samples."""
-    model, known, _ = weights.load(Path(config.weights) if config.weights else None)
     room = plan.rooms[i]
-    task = _task(plan, room, i, arrays, model, known, given)
     place = site(plan, room.id)
     asked = wanted_of(arrays, i, plan, room)
     own = living.unless_told(ways, {o.category for o in given} | {name for name in asked if asked[name]})
@@ -135,7 +136,7 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
                       **{name: count for name, count in own.items() if name != BASKET},
                       **furnishings.idle(wishes.of_room(plan.program, room.id), (o.category for o in given), room.base),
                       **asked})
-    rules = rules_of(known, room, float(arrays.area[i]), wanted)
+    rules = rules_of(task.speaker.known, room, float(arrays.area[i]), wanted)
     lanes = rng.spawn((DRAWN * k if config.candidates > 1 else 1) + 1)
     drawn = _contents(task, rules, arrays, i, plan, room, lanes[1:])
     if room.id not in plan.program.counts and asked.get(HOOKS, UNKNOWN) != 0:
@@ -149,9 +150,9 @@ def _sampler(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, k: int, rn
     return Sampler(task, lanes[0], config.constraints, config.places), names
 
 
-def _task(plan: Plan, room: Room, i: int, arrays: Rooms, model: weights.Model, known: weights.Vocabulary,
-          given: list[Box]) -> Task:
-    walls = shell(arrays, i)
+def _task(plan: Plan, i: int, arrays: Rooms, config: LayoutConfig, given: list[Box]) -> Task:
+    model, known, _ = weights.load(Path(config.weights) if config.weights else None)
+    room, walls = plan.rooms[i], shell(arrays, i)
     told, due = sleepers(plan), duties(plan, room)
     facts = features.room_facts(float(arrays.area[i]), float(arrays.height[i]), -1 if told is None else told)
     type_ = known.type(room.base)
@@ -274,9 +275,13 @@ def _boxes(room: Room, p: Particle, origin: Array, style: int, given: list[Box])
 
 def _latent(name: str, style: int) -> list[float]:
     """The shape latent of a category in the home's style."""
-    model = stand_in(name, CATEGORIES) or name
-    names, means = style_latents(model)
-    return [round(float(v), 3) for v in means[style % len(names)]] if names else []
+    names, _ = style_latents(model := stand_in(name, CATEGORIES) or name)
+    return list(_rounded(model, style % len(names))) if names else []
+
+
+@cache
+def _rounded(model: str, style: int) -> tuple[float, ...]:
+    return tuple(round(float(v), 3) for v in style_latents(model)[1][style])
 
 
 def check(rooms: Collection[str], plan: Plan) -> list[str]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.relations import order
 from apartgen.stages.layout.relations.tokens import Array, upright
-from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.space.boxes import Boxes, penetration, stand_in
 from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use.kinds import CASES, CHAIRS, CLOSED, SMALL_SEATS, basic
 from apartgen.stages.use.rules.cook import CORNER
@@ -79,7 +79,7 @@ def spoils(name: str, found: Boxes, names: list[str], there: Boxes) -> NDArray[n
         if o not in kind.belongs and (TABLE[o].is_for("wash") or TABLE[o].is_for("cook") and top < LOW):
             over = there.take(np.array([k]))
             over.center[:, 2], over.size[:, 2] = (top + HEAD) / 2, HEAD - top
-            taken |= penetration(found, over)[:, 0] > CONTACT
+            taken |= stand_in(found, over, CONTACT)
     return taken
 
 
@@ -106,7 +106,7 @@ def _below_units(found: Boxes, names: list[str], there: Boxes) -> NDArray[np.boo
     center[:, 2], size[:, 2] = (tops + HEAD) / 2, np.maximum(HEAD - tops, 0.0)
     if not units.n:
         return np.zeros(found.n, bool)
-    return np.asarray((penetration(Boxes(center, size, found.yaw), units) > CONTACT).any(1) & (tops < LOW))
+    return np.asarray(stand_in(Boxes(center, size, found.yaw), units, CONTACT) & (tops < LOW))
 
 
 def cornered(boxes: Array, space: Space) -> NDArray[np.bool_]:
@@ -121,4 +121,4 @@ def lit(boxes: Array, space: Space) -> NDArray[np.bool_]:
     above[:, 5:] = HOOD
     if not windows.n:
         return np.zeros(len(boxes), bool)
-    return np.asarray((penetration(upright(above), windows) > CONTACT).any(1))
+    return stand_in(upright(above), windows, CONTACT)

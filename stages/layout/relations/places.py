@@ -17,7 +17,14 @@ Place = tuple[float, float, float]
 
 
 def all_over(space: Space, size: Size) -> Array:
-    """Boxes (n, 7) of a size on a grid over the room, along its first wall and across."""
+    """Boxes (n, 7) of a size on a grid over the room, along its first wall and across; nobody changes them."""
+    what = "all over", size
+    if what not in space.known:
+        space.known[what] = _all_over(space, size)
+    return np.asarray(space.known[what])
+
+
+def _all_over(space: Space, size: Size) -> Array:
     low, high = space.start.min(0) + size[0] / 2, space.start.max(0) - size[0] / 2
     x, y = (np.arange(a, b + STEP / 2, STEP) for a, b in zip(low, high, strict=True))
     at = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
@@ -28,7 +35,14 @@ def all_over(space: Space, size: Size) -> Array:
 
 
 def along(space: Space, size: Size) -> Array:
-    """Boxes (n, 7) of a size along all walls."""
+    """Boxes (n, 7) of a size along all walls; nobody changes them."""
+    what = "along", size
+    if what not in space.known:
+        space.known[what] = _along(space, size)
+    return np.asarray(space.known[what])
+
+
+def _along(space: Space, size: Size) -> Array:
     out = [np.zeros((0, 7))]
     for start, way, normal, length in zip(space.start, space.along, space.normal, space.length, strict=True):
         if (room := length - size[1] - 2 * OFF) >= 0:
@@ -41,7 +55,7 @@ def along(space: Space, size: Size) -> Array:
 
 def at_walls(boxes: Array, space: Space) -> Array:
     """Boxes (m, 7) along all walls in the likeliest size and height of candidates (n, 7)."""
-    found = along(space, likeliest(boxes))
+    found = along(space, likeliest(boxes)).copy()
     found[:, 5:] += np.median(boxes[:, 5])
     return found
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from apartgen.stages.layout.relations import company, looking, sizes
+from apartgen.stages.layout.relations import clear, company, looking, sizes
 from apartgen.stages.layout.relations.features import SHUT_OUT
 from apartgen.stages.layout.relations.memory import Memory
 from apartgen.stages.layout.relations.speak import LEAST, Asked, Lanes, drawn, speak
@@ -185,5 +185,6 @@ class _Rooms:
 
 def merged(boxes: Array, weight: NDArray[np.floating[Any]]) -> tuple[Array, NDArray[np.floating[Any]]]:
     """Candidates that are the same taken together."""
-    _, first, which = np.unique(boxes @ APART, return_index=True, return_inverse=True)
-    return boxes[first], np.asarray(np.bincount(which, weight), float)
+    key = boxes @ APART
+    first, total = clear.summed(key, key.argsort(kind="stable"), np.asarray(weight, float))
+    return boxes[first], total

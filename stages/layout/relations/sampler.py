@@ -211,7 +211,7 @@ class Sampler:
 
     def _draw(self, weight: Floats) -> int:
         total = weight.cumsum()
-        return int(min(np.searchsorted(total, self.rng.random() * total[-1], side="right"), len(weight) - 1))
+        return int(min(total.searchsorted(self.rng.random() * total[-1], "right"), len(weight) - 1))
 
     def _instead(self, p: Particle, name: str, boxes: Array) -> Array | None:
         """The place of a unit that gives way, which is left out with what stands on it."""

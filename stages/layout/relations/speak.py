@@ -51,11 +51,16 @@ class Lanes:
 
     def __init__(self, rngs: Sequence[np.random.Generator], room: Ints) -> None:
         self.rngs, self.room = rngs, room
+        self.ends = np.bincount(room, minlength=len(rngs)).cumsum().tolist()
 
     def chance(self, times: int) -> NDArray[np.float64]:
         """Numbers in [0, 1), (R, times)."""
-        counts = np.bincount(self.room, minlength=len(self.rngs)).tolist()
-        return np.concatenate([rng.random((n, times)) for rng, n in zip(self.rngs, counts, strict=True)])
+        found, start = np.empty((len(self.room), times)), 0
+        for rng, end in zip(self.rngs, self.ends, strict=True):
+            if end > start:
+                rng.random(out=found[start:end])
+            start = end
+        return found
 
     def take(self, rows: Ints) -> "Lanes":
         """Those of some rows, in their order."""
@@ -144,7 +149,7 @@ def _sizes(rows: _Rows, state: NDArray[np.float32]) -> Array:
         extra = (rows.places.same[k] * same)[:, None]
         mine = _either(rows, head, head.hidden(state), theirs[:, None], describe.size_bin(theirs)[:, None],
                        np.arange(describe.SIZES) * describe.SIZE, there, 1, extra)[:, 0]
-        size[:, k] = np.clip(mine, asked.least[frame, k], asked.most[frame, k])
+        size[:, k] = np.minimum(np.maximum(mine, asked.least[frame, k]), asked.most[frame, k])
         state += head.own[describe.size_bin(size[:, k])]
         same += np.abs(theirs - size[owner, k]) < describe.CLOSE
     return size

@@ -1,22 +1,21 @@
 """What stands in a room so far, and what a candidate for the next object would break: φ of Eq. 2 to 4, exactly."""
 
-import copy
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection import kernels
-from apartgen.stages.layout.projection.paths import HUNG, SHUT, Paths
+from apartgen.stages.layout.projection.paths import SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
 from apartgen.stages.layout.relations import company, distances, elbowroom, fixtures, handy, hung, order, runs
-from apartgen.stages.layout.relations.runs import local
+from apartgen.stages.layout.relations.ground import in_the_way, opens, row, with_levers
+from apartgen.stages.layout.relations.mutual import askew, grown
 from apartgen.stages.layout.relations.tokens import Array, upright
-from apartgen.stages.robot.reach import LEVER
-from apartgen.stages.space.boxes import Boxes, penetration
+from apartgen.stages.space.boxes import Boxes, penetration, stand_in
 from apartgen.stages.things.categories import TABLE, reach, tucks
 from apartgen.stages.use import kinds
 from apartgen.stages.use.kinds import BEDS, CHAIRS, CLOSED, COLD, EASY, HOT, SMALL_SEATS, WARDROBES, WET, basic
@@ -42,12 +41,8 @@ NEVER_OFF = {**dict.fromkeys(WARDROBES | {"piano"}, END), "tv_stand": 0.3}
 """What is rather left out than put elsewhere, and how near its ends its back has to be at a wall."""
 FREE = 8.0
 """Price of a sofa that turns its back to the room."""
-IN_THE_WAY, FLAT = 1.5, 0.03
-"""What hangs with its centre above, or rises no higher, is in nobody's way, m."""
 EYES = 1.1
 """Nothing to look at and no lamp stands on what is higher, m: the eyes of who sits are at 1.1 to 1.2."""
-ABOVE_TOPS = 0.7
-"""What hangs higher at a wall may hang above a low cabinet, a basin or a bed, m."""
 APART = 6.0
 """Price of a hood that is not above what cooks, and where nothing better is left of a unit apart from its run."""
 ALONE = 8.0
@@ -80,35 +75,61 @@ class Furniture:
         self.space = space
         self.names: list[str] = []
         self.boxes: Array = np.zeros((0, 7), np.float32)
-        self.upright = self.grown = upright(self.boxes)
-        self.paths = Paths(Standing([]), replace(space, leaves=_with_levers(space.leaves)))
-        self.cut = self.paths.cut_off()
+        self.far: tuple[float, ...] = ()
+        self.paths = Paths(Standing([]), replace(space, leaves=with_levers(space.leaves)))
+        self._cut: float | None = None
+        self._stood: tuple[Boxes, Boxes] | None = None
+
+    @property
+    def cut(self) -> float:
+        """What is cut off of the floor already, in metres of way."""
+        if self._cut is None:
+            self._cut = self.paths.cut_off()
+        return self._cut
+
+    @property
+    def stood(self) -> tuple[Boxes, Boxes]:
+        """What stands there, and b′ of it: grown in front by what its open parts sweep."""
+        if self._stood is None:
+            found = upright(self.boxes)
+            center, size = np.empty_like(found.center), np.empty_like(found.size)
+            grown(found.center, found.size, np.cos(found.yaw), np.sin(found.yaw), np.array(self.far), center, size)
+            self._stood = found, Boxes(center, size, found.yaw)
+        return self._stood
+
+    @property
+    def upright(self) -> Boxes:
+        """What stands there."""
+        return self.stood[0]
 
     def fork(self) -> "Furniture":
         """A copy to go on from."""
-        other = copy.copy(self)
-        other.names = list(self.names)
-        other.paths = copy.copy(self.paths)
-        other.paths.count = self.paths.count.copy()
-        other.paths.bodies, other.paths.rows = dict(self.paths.bodies), dict(self.paths.rows)
+        other = self._copied()
+        other.paths = self.paths.fork()
         return other
 
     def besides(self, name: str, box: Array) -> "Furniture":
         """A copy with an object more, in which ways are as they were."""
-        other, one = copy.copy(self), upright(box[None])
-        other.names, other.boxes = [*self.names, name], np.concatenate([self.boxes, box[None]])
-        other.upright, other.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
+        other = self._copied()
+        other._stand(name, box)
+        return other
+
+    def _copied(self) -> "Furniture":
+        other = object.__new__(Furniture)
+        other.__dict__.update(self.__dict__, names=list(self.names))
         return other
 
     def add(self, name: str, box: Array) -> None:
         """An object stands there from now on."""
-        if _in_the_way(name, box):
-            self.paths.add(len(self.names), upright(box[None]), _opens(name, box))
-            self.cut = self.paths.cut_off()
+        if in_the_way(name, box):
+            self.paths.add(len(self.names), upright(box[None]), opens(name, box))
+            self._cut = None
+        self._stand(name, box)
+
+    def _stand(self, name: str, box: Array) -> None:
         self.names.append(name)
-        self.boxes = np.concatenate([self.boxes, box[None]])
-        one = upright(box[None])
-        self.upright, self.grown = _joined(self.upright, one), _joined(self.grown, _grown(name, one))
+        self.boxes, self._stood = np.concatenate([self.boxes, box[None]]), None
+        self.far += (float(reach(name, upright(box[None]).size[0])) if TABLE[name].opens else 0.0,)
 
     def prices(self, name: str, boxes: Array, loose: bool = False, strict: bool = False) -> Floats:
         """What candidates (n, 7) for an object break: φ of sweeps, bodies, walls, openings, runs and use, (n,)."""
@@ -122,13 +143,12 @@ class Furniture:
         total += np.where(found.center[:, 2] + found.size[:, 2] / 2 > self.space.height + SLACK, 2 * BROKEN, 0.0)
         if kind.soft:
             return total + self._soft(name, found)
-        soft, tucked = self._others(name)
-        others = kernels.Others(self.upright, self.grown, soft, tucked > 0, tucked)
-        broken = kernels.prices(kernels.writable(found), reach(name, found.size), np.zeros(found.n), others,
-                                self.space.kept_clear, self.space.walls, SLACK, BROKEN)
-        total += broken
-        good = total < BROKEN
-        if good.any():  # what is broken already is not asked for more
+        soft, seated, tucked = _others(name, tuple(self.names))
+        others = kernels.Others(*self.stood, soft, seated, tucked)
+        total += kernels.prices(found, reach(name, found.size), np.zeros(found.n), others, self.space.kept_clear,
+                                self.space.walls, SLACK, BROKEN)
+        good = np.flatnonzero(total < BROKEN)
+        if len(good):  # what is broken already is not asked for more
             total[good] += self._in_use(name, boxes[good], found.take(good), tucked, loose, strict)
         return total
 
@@ -171,20 +191,18 @@ class Furniture:
         heading = np.stack([np.cos(found.yaw), np.sin(found.yaw), np.zeros(found.n)], -1)
         ahead = Boxes(found.center + heading * (found.size[:, :1] + far[:, None]) / 2,
                       np.column_stack([far, found.size[:, 1:]]), found.yaw)
-        return np.asarray((penetration(ahead, self.space.leaves) > SLACK).any(1))
+        return stand_in(ahead, self.space.leaves, SLACK)
 
     def _sideways(self, found: Boxes, tucked: Floats) -> Floats:
         """A seat is drawn under a table forwards only."""
         total = np.zeros(found.n)
-        for k in np.flatnonzero(tucked > 0) if found.n else ():
-            host = self.upright.take(np.array([k]))
-            x, y = local(found.center[:, :2], host.center[0, :2], float(host.yaw[0]))
-            turn = found.yaw - host.yaw[0]
-            end = np.abs(x) - host.size[0, 0] / 2 > np.abs(y) - host.size[0, 1] / 2
-            ahead = -np.where(end, np.sign(x) * np.cos(turn), np.sign(y) * np.sin(turn))
-            inward = -(x * np.cos(turn) + y * np.sin(turn)) / np.maximum(np.hypot(x, y), 1e-9)
-            away = np.maximum(ahead, inward) < ASKEW
-            total += np.where(away & (penetration(found, host)[:, 0] > SLACK), 2 * BROKEN, 0.0)
+        for k in np.flatnonzero(tucked > 0).tolist() if found.n else ():
+            host = Boxes(*(part[k : k + 1] for part in self.upright))
+            yaw = float(host.yaw[0])
+            turn = found.yaw - yaw
+            away = askew(found.center, np.cos(turn), np.sin(turn), host.center[0], host.size[0], np.cos(yaw),
+                         np.sin(yaw), ASKEW)
+            total += np.where(away & stand_in(found, host, SLACK), 2 * BROKEN, 0.0)
         return total
 
     def in_run(self, name: str, boxes: Array, loose: bool = False, strict: bool = False) -> Floats:
@@ -223,19 +241,11 @@ class Furniture:
 
     def shut_by(self, some: Sequence[tuple[str, Array]], loose: bool = False) -> float:
         """The same of several objects together."""
-        standing = [(name, box) for name, box in some if _in_the_way(name, box)]
+        standing = [(name, box) for name, box in some if in_the_way(name, box)]
         if not standing:
             return 0.0
-        more = {len(self.names) + k: upright(box[None]) for k, (_, box) in enumerate(standing)}
-        opens = {} if loose else {len(self.names) + k: _opens(name, box) for k, (name, box) in enumerate(standing)}
-        return max(0.0, self.paths.cut_off(more=more, opens=opens) - self.cut)
-
-    def _others(self, name: str) -> tuple[NDArray[np.bool_], Floats]:
-        """Of what stands there, what gives way to a category, and how far the two may be drawn into one another."""
-        tall_leaf = TABLE[name].opens == "leaf"
-        soft = np.array([TABLE[o].soft and not (tall_leaf and o == "curtain") for o in self.names], bool)
-        tucked = np.array([tuck(name, o) for o in self.names], float)
-        return soft, tucked
+        rows = [row(box, SHUT if loose else opens(name, box)) for name, box in standing]
+        return max(0.0, self.paths.cut_off_with(rows) - self.cut)
 
     def _soft(self, name: str, found: Boxes) -> Floats:
         beyond = outside(found, self.space)
@@ -266,35 +276,10 @@ class Furniture:
         return found
 
 
-def _with_levers(leaves: Boxes) -> Boxes:
-    """Doors that stand open, as far out as the robot goes round them."""
-    heading = np.stack([np.cos(leaves.yaw), np.sin(leaves.yaw), np.zeros(leaves.n)], -1)
-    return Boxes(leaves.center + heading * LEVER / 2, leaves.size + [LEVER, 0.0, 0.0], leaves.yaw)
-
-
-def _grown(name: str, found: Boxes) -> Boxes:
-    """b′: a box grown in front by what its open parts sweep."""
-    far = float(reach(name, found.size[0]))
-    center, size = found.center.copy(), found.size.copy()
-    center[0, :2] += np.array([np.cos(found.yaw[0]), np.sin(found.yaw[0])]) * far / 2
-    size[0, 0] += far
-    return Boxes(center, size, found.yaw)
-
-
-def _opens(name: str, box: Array) -> float:
-    """How far what is opened from the floor before it does so, m; what hangs at a wall may hang above something."""
-    if TABLE[name].place == "wall" and box[5] > ABOVE_TOPS:
-        return HUNG
-    if not TABLE[name].opens:
-        return SHUT
-    far = float(reach(name, np.append(box[3:5], box[6] - box[5])))
-    return far if far > 0 else SHUT
-
-
-def _joined(one: Boxes, two: Boxes) -> Boxes:
-    return Boxes(*(np.concatenate(parts) for parts in zip(one, two, strict=True)))
-
-
-def _in_the_way(name: str, box: Array) -> bool:
-    kind = TABLE[name]
-    return (box[5] + box[6]) / 2 < IN_THE_WAY and box[6] > FLAT and kind.place != "top"
+@lru_cache(4096)
+def _others(name: str, names: tuple[str, ...]) -> tuple[NDArray[np.bool_], NDArray[np.bool_], Floats]:
+    """Of what stands there, what gives way to a category, which may be drawn into it or it into that, and how far."""
+    tall_leaf = TABLE[name].opens == "leaf"
+    soft = np.array([TABLE[o].soft and not (tall_leaf and o == "curtain") for o in names], bool)
+    tucked = np.array([tuck(name, o) for o in names], float)
+    return soft, tucked > 0, tucked

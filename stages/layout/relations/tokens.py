@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from apartgen.stages.layout.relations.mutual import stood
 from apartgen.stages.layout.rooms import DOOR_CLEARANCE, KINDS, WINDOW_CLEARANCE, Rooms
 from apartgen.stages.space.boxes import Boxes
 
@@ -125,8 +126,7 @@ def seen(boxes: Array, viewer: Array) -> Array:
 
 def upright(boxes: Array) -> Boxes:
     """Token boxes (n, 7) as the geometry of the floor below the stages has them."""
-    rows = np.asarray(boxes, float)
-    center, size = np.empty((len(rows), 3)), np.empty((len(rows), 3))
-    center[:, :2], center[:, 2] = rows[:, :2], (rows[:, 5] + rows[:, 6]) / 2
-    size[:, :2], size[:, 2] = rows[:, 3:5], rows[:, 6] - rows[:, 5]
-    return Boxes(center, size, rows[:, 2].copy())
+    n = len(boxes)
+    found = Boxes(np.empty((n, 3)), np.empty((n, 3)), np.empty(n))
+    stood(boxes, *found)
+    return found

@@ -147,7 +147,9 @@ def test_a_room_with_a_sofa_of_its_own_gets_none_round_a_corner() -> None:
     sofa = Box(id="own", room=plan.rooms[i].id, category="sofa", center=(x, y, 0.4), size=(0.9, 2.0, 0.8), yaw=0.0)
     rng = seeds.drawn(1, "layout", seeds.plan_digest(plan))
     for given, there in (([], True), ([sofa], False)):
-        _, names = relations_home._sampler(plan, i, of_plan(plan, 0.5), ONE, 4, rng, given, [CORNER])
+        arrays = of_plan(plan, 0.5)
+        task = relations_home._task(plan, i, arrays, ONE, given)
+        _, names = relations_home._sampler(plan, task, i, arrays, ONE, 4, rng, given, [CORNER])
         assert [("corner_sofa" in some) for some in names] == [there] * 4
 
 
