@@ -41,6 +41,8 @@ behind it, or is left out, m; and how near the ends of a top it may stand."""
 BARRED, CRAMPED, AWAY, ALONE = 20.0, 6.0, 4.0, 8.0
 """Prices: of what is not at hand, as long as there may be a place for it that is, and once nothing better was found, of
 what stands on the way, and far from its use; of coats for each metre, up to so much."""
+BACK = 0.1
+"""So near behind a bench or a shoe cabinet is a wall, m."""
 OFF = 0.02
 """Between a bin and the unit beside it, m."""
 Flags = NDArray[np.bool_]
@@ -100,6 +102,8 @@ def price(name: str, boxes: Array, found: Boxes, names: Sequence[str], there: Ar
         total += np.where(_wall_within(found, STRAY, space), 0.0, CRAMPED)
     if name in ARRIVAL and len(space.entrances):
         away = space.from_entrance(found.center[:, :2]) - ARRIVAL[name]
+        if name in NARROW:
+            away = np.where(_wall_behind(found, space), away, np.maximum(away, ALONE))
         if strict or name in NARROW and not loose and (kinds.TABLES | kinds.BEDS).isdisjoint(map(kinds.basic, names)):
             return np.asarray(total + np.where(away > 0, BARRED, 0.0))
         return np.asarray(total + np.clip(AWAY * away, 0.0, ALONE))
@@ -140,6 +144,13 @@ def _above(boxes: Array, tops: Array) -> Flags:
 def _wall_within(found: Boxes, far: float, space: Space) -> Flags:
     around = found._replace(size=found.size + [2 * far, 2 * far, 0.0])
     return np.asarray(outside(around, space) > 0)
+
+
+def _wall_behind(found: Boxes, space: Space) -> Flags:
+    """Which have a wall right behind their backs."""
+    back = np.stack([np.cos(found.yaw), np.sin(found.yaw), np.zeros(found.n)], 1) * (BACK / 2)
+    further = found._replace(center=found.center - back, size=found.size + [BACK, 0.0, 0.0])
+    return np.asarray(outside(further, space) > 0)
 
 
 def _for_waste(boxes: Array, names: Sequence[str], there: Array) -> Flags:

@@ -127,6 +127,16 @@ def test_coats_and_shoes_are_near_the_entrance(name: str) -> None:
     assert not len(handy.places(name, one[None], hall.names, hall.boxes, hall.space))
 
 
+@pytest.mark.parametrize("name", ["bench", "shoe_cabinet"])
+def test_what_one_uses_coming_home_has_a_wall_behind_it(name: str) -> None:
+    """At the south wall, where the entrance is; free of it; with its end at the wall."""
+    there = Furniture(space_of(entered(), 0))
+    places = ((-1.34, np.pi / 2), (-0.7, np.pi / 2), (-1.09, 0.0))
+    rows = np.stack([box((0.3, 0.8, 0.46), 1.0, y, yaw) for y, yaw in places])
+    for strict in (True, False):
+        assert (there.prices(name, rows, strict=strict) < BROKEN).tolist() == [True, False, False]
+
+
 @pytest.mark.parametrize("name, size, wide", [
     ("shoe_cabinet", (0.3, 0.9, 1.0), 1.1), ("bench", (0.4, 1.2, 0.45), 1.18)])
 def test_shoes_are_kept_in_narrow_halls(name: str, size: tuple[float, float, float], wide: float) -> None:
