@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import CHILD, ELDER, SHE, THEY, YOUNG, reworded, rules
 
 _GUEST = (rf"(?:them|him|her|(?:(?:the|my|our|an?|two|three) )?(?:{YOUNG}|{THEY}|{CHILD}|{ELDER}|{SHE}|nephews?|guests?|visitors?|"
@@ -31,7 +32,7 @@ _SAID = rules((
      r"j'ai besoin d'|nous avons besoin d')(?: aussi| encore)? ?(?=(?:une|deux) )", "a parents' bedroom, "),
     (r"\b(?:ademas de|aparte de) (?:mi|nuestro|nuestra) (?:propi[oa] )?(?:dormitorio|habitacion|cuarto),? (?:(?:yo )?necesit(?:o|amos)|"
      r"qui?er(?:o|emos))(?: tambien)? (?=(?:una?|otr[oa]|dos) )", "a parents' bedroom, "),
-    (r"除了(?:我们?)?(?:自己)?的?(?:卧室|房间)(?:之外|以外|外)?[,、]?(?:我们?)?(?:还|也)?(?:需要|想要|要)(?P<n>一个|一间|个|两间|两个)?(?P<sized>小|大)?"
+    (r"除了(?:(?:我们?)?(?:自己)?的?(?:卧室|房间)| my room )(?:之外|以外|外)?[,、]?(?:我们?)?(?:还|也)?(?:需要|想要|要)(?P<n>一个|一间|个|两间|两个)?(?P<sized>小|大)?"
      r"(?:房间|卧室)", r" a parents' bedroom, \g<n>\g<sized>卧室"),
     # "the study is accessible from the living room and at least 8 m2"
     (r"(?P<begin>^|[.;:] ?|, )(?P<of>(?:the|my|our) {kind}) (?P<said>(?:{must} be|is|lies|opens|leads) [^.;:,\d]*?),? and "
@@ -82,6 +83,11 @@ _SAID = rules((
 ), guest=_GUEST, cuarto="(?:cuarto|dormitorio|habitacion)", sized=_SIZED, de=_DE, fr=_FR, es=_ES, side="norte|sur|este|oeste|noreste|noroeste|sureste|suroeste", least=_LEAST)  # fmt: skip
 
 
+_OURS = late(r"\b(?:my|our) (?:own )?bed ?room\b")
+
+
 def named_again(text: str) -> str:
     """A folded text with such rooms named."""
-    return reworded(text, _SAID)
+    told = reworded(text, _SAID)
+    beside = told != text and "a parents' bedroom and " in told and "a parents' bedroom and " not in text
+    return _OURS.sub("the parents' bedroom", told) if beside else told

@@ -50,7 +50,7 @@ _BEDROOMS = Late(
     r"{who}{some} ?"
     r"(?:{gap}|[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und|everyone|everybody) ))(?:y |et |und )?(?:{each} (?:{has} )?{own}|(?:want|need|"
     r"have|get) each {own}){room}"
-    r"(?P<bath> (?:and|y|et|und) {own}{bath}(?: propi[oa])?)?{end}", _WORDS)  # fmt: skip
+    r"(?P<bath> (?:and|y|et|und|with|con|avec|mit) {own}{bath}(?: propi[oa])?)?{end}", _WORDS)  # fmt: skip
 _US = Late(
     r"\b(?:we (?:both|each|all)|(?:each|both|all) of us|wir (?:wollen|brauchen|mochten) (?:beide|jeder|jeweils)|"
     r"nous (?:voulons|avons besoin d'avoir) chacune?|cada un[oa](?: de nosotr[oa]s)?)(?: (?:would like|want|wants|"

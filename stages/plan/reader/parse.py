@@ -22,6 +22,7 @@ from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
+from apartgen.stages.plan.reader.instead_of import instead_of
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.inverted import inverted
 from apartgen.stages.plan.reader.itemized import itemized
@@ -68,7 +69,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = inverted(advertised(itemized(only_ways(meant_of(unparted(named_again(beside_entrance(in_characters(fold(prompt))))))))))
+    told = inverted(advertised(itemized(only_ways(meant_of(unparted(named_again(instead_of(beside_entrance(in_characters(fold(prompt)))))))))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)

@@ -2,6 +2,7 @@
 
 import re
 
+from apartgen.stages.plan.reader.patterns import late
 from apartgen.stages.plan.reader.pieces import reworded, rules
 
 _EN = (r"(?:(?:the |my |our |an? )?(?:(?:living|dining|sitting|drawing|family|play) ?(?:room|area)|kitchen(?:ette)?|lounge|parlou?r|"
@@ -18,8 +19,7 @@ _HUECO = r"(?:un |una )?(?:(?:gran|amplio|amplia) )?(?:hueco|abertura|vano|apert
 
 
 def _open(found: re.Match[str]) -> str:
-    listed = "" if found.string[: found.start()].endswith(", ") else "are "
-    return f"{found['a']}{found['and']}{found['b']} {listed}open to each other"
+    return f"{found['a']}{found['and']}{found['b']} are open to each other"
 
 
 _SAID = rules((
@@ -55,6 +55,11 @@ _SAID = rules((
    ouverture=_OUVERTURE, hueco=_HUECO)  # fmt: skip
 
 
+_LISTED = late(r", (?=(?:the |la |le |el |die |das )?\w+(?: room)? (?:and|et|y|und) (?:the |la |le |el |die |das )?\w+(?: \w+){0,2} are open to "
+               r"each other\b)")  # fmt: skip
+"""A list before such a clause, which says nothing of the rooms of the list."""
+
+
 def unparted(text: str) -> str:
     """A folded text with such openings in plain words."""
-    return reworded(text, _SAID)
+    return _LISTED.sub("; ", reworded(text, _SAID))
