@@ -73,6 +73,7 @@ _SAID = rules((
     # "one bedroom, a bathroom with a shower right beside it", "ein Schlafzimmer, direkt daneben ein Bad"
     (r"\b(?P<room>(?:bath|shower|wash) ?room) (?P<with>with (?:an? )?(?:walk-in |level )?(?:shower|bathtub|tub|toilet|window|bidet)) (?:right |directly |just )?"
      r"(?P<by>(?:beside|next to|close to|near|opposite) (?:it|them|that))(?= ?(?:[.,;]|$))", r"\g<room> \g<by> \g<with>"),
+    (r",? and (?:the|a) usual (?={kind})", ", a "),
     (r"\bright (?=(?:beside|opposite|behind|near|outside|by|at) )", ""),
     (r"\b(?P<a>eine? (?:\w+ )?(?P<of>{de})),? (?:und )?(?:direkt |gleich |unmittelbar )?daneben (?P<b>eine? (?:\w+ )?{de})\b",
      r"\g<a>, \g<b> neben dem \g<of>"),

@@ -50,7 +50,8 @@ _BEDROOMS = Late(
     r"{who}{some} ?"
     r"(?:{gap}|[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und|everyone|everybody) ))(?:y |et |und )?(?:{each} (?:{has} )?{own}|(?:want|need|"
     r"have|get) each {own}){room}"
-    r"(?P<bath> (?:and|y|et|und|with|con|avec|mit) {own}{bath}(?: propi[oa])?)?{end}", _WORDS)  # fmt: skip
+    r"(?P<bath> (?:and|y|et|und|with|con|avec|mit) {own}{bath}(?: propi[oa])?)?"
+    r"(?! and (?:their own |an? )?(?:desk|wardrobe|bed|tv|sofa|armchair|bookcase|table)s?\b){end}", _WORDS)  # fmt: skip
 _US = Late(
     r"\b(?:we (?:both|each|all)|(?:each|both|all) of us|wir (?:wollen|brauchen|mochten) (?:beide|jeder|jeweils)|"
     r"nous (?:voulons|avons besoin d'avoir) chacune?|cada un[oa](?: de nosotr[oa]s)?)(?: (?:would like|want|wants|"
@@ -70,6 +71,9 @@ _COUPLE = re.compile(
     r"\b(?:myself|me|i|us)(?: and|,| &) (?:my )?(?:wife|husband|partner|spouse|girlfriend|boyfriend),? "
     r"(?:(?:also |will |should )?(?:need|want|have|get|take)s? )?(?:one|an?|our)(?: own)?"
     r"(?: (?:main |master |big |large |double )?(?:bed ?)?room\b| (?=with ))")  # fmt: skip
+_EACH_OF = re.compile(
+    r"\b(?:each|every one|all) of us (?P<n>two|three|four|five|[2-5]) (?:girls |boys |friends |people )?(?:wants?|needs?|gets?|has|have) "
+    r"(?:an?|his|her|their|our)(?: own)? (?:bed ?)?rooms?\b")
 _AS_MANY = Late(r"\b(?:fur|for|mit|with|of) (?P<n>{n_}) (?!{thing})[a-z]+\b(?P<said>[^.;:,]{0,30}[:,;.-]) ?(?P<rooms>{n_}) "
                 r"(?P<word>zimmer|rooms)\b", _WORDS | {"thing": _THING})  # fmt: skip
 
@@ -77,6 +81,7 @@ _AS_MANY = Late(r"\b(?:fur|for|mit|with|of) (?P<n>{n_}) (?!{thing})[a-z]+\b(?P<s
 def own_rooms(text: str) -> str:
     """A folded text with as many bedrooms as there are such people."""
     text = _US.sub("each bedroom has its own bathroom", text)
+    text = _EACH_OF.sub(r"\g<n> bedrooms", text)
     text = _AS_MANY.sub(_as_many, text)
     told = _KIDS.sub(_family, text)
     if told != text:

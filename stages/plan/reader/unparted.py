@@ -46,6 +46,7 @@ _SAID = rules((
      r"(?:unid[oa]s |comunicad[oa]s |conectad[oa]s )?(?:con |por ){hueco}(?: entre (?:ellos|ellas|si|ambos|los dos))?){end}", _open),
     (r"(?P<a>{zh})(?:和|与|跟)(?P<b>{zh})之间(?:要|是|只)?(?:有|留|开|设)(?:一个|个)?(?:大|宽)?(?:开口|门洞|洞口|垭口)(?:[,、]?(?:但)?(?:没有|不要|不装|不设|无)门)?",
      r"\g<a>和\g<b>相通"),
+    (r"\b(?P<a>{en})(?P<and> and )(?P<b>{en}),? open to (?:each other|one another)\b", _open),
     # "the dining room between the kitchen and the lounge, open to the lounge but with a door to the kitchen"
     (r"\b(?P<a>{en}) (?P<by>between {en} and {en}),? (?P<open>open to {en}),? (?:but |and )(?:with |has )?(?P<door>a (?:proper )?door to {en})",
      r"\g<a> \g<by>. \g<a> is \g<open>. \g<a> has \g<door>"),
