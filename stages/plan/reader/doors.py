@@ -232,10 +232,6 @@ def ensuites(home: Household, doors: Doors) -> None:
     for bath, bed in zip([*named, *spare], beds, strict=False):
         bath.owner = bed
         doors.links.append((bed, bath))
-    for bath in home.of("bathroom"):
-        ways = [a for a, b in _ways(doors) if b is bath]
-        if serves and len(ways) == 1 and ways[0].type == "closet" and bath.owner is None:
-            bath.owner = ways[0]  # "a closet between the bedroom and the ensuite": nobody else comes in
     for closet in home.of("closet"):
         if closet.owner is None and not linked(closet) and home.of("bedroom"):
             closet.owner = min(home.of("bedroom"), key=whose)

@@ -23,7 +23,7 @@ def _through(found: re.Match[str]) -> str:
     """`a closet between the bedroom and the en suite, which one walks through`: one behind the other."""
     behind = re.sub(r"^(?:the |an? )?en[ -]?suite(?: bath ?room)?$", "a bathroom", found["behind"])
     room = re.sub(r"^(?:an?|the|one|my|our) ", "the ", found["room"])
-    return f"{found['room']} off {found['first']}, {behind} reached only from {room}"
+    return f"{found['room']} off {found['first']}, {behind} off {room}"
 
 
 _SAID = rules((
