@@ -3,12 +3,13 @@
 import re
 
 from apartgen.stages.plan.reader.about import numbers
-from apartgen.stages.plan.reader.patterns import Late
+from apartgen.stages.plan.reader.patterns import Late, late
 
 _CHILD = (r"(?:child|kid|son\b|sons\b|daughter|boy|girls?\b(?! friend)|teen|bab|twin|couple|hij|nin[oa]|adolesc|"
           r"enfant|fils|fille|"
           r"garcon|ado|jum|gemel|pareja|kind|sohn|tochter|jung|madchen|zwill|paar|parents|famil)")  # fmt: skip
-_THING = (r"(?:[a-z]*(?:room(?!ie|y| ?mate)|bed|bath|zimmer)|habitaci|dormitor|chambre|bano|aseo|salle|suite|kitchen|flat(?! ?mate)|"
+_THING = (r"(?:[a-z]*(?:room(?!ie|y| ?mate)|bed|bath|zimmer)|habitaci|dormitor|chambre|bano|aseo|salle|suite|"
+          r"kitchen|flat(?! ?mate)|"
           r"apartment|level|"
           r"floor|m2|sqm|store|wohnung|piece|raum|raume|stud(?:y|ies)\b|balcon)")  # fmt: skip
 _WORDS = {
@@ -30,25 +31,31 @@ _WORDS = {
              r":le)?|"
              r" of (?:his|her|their|our) own| haben| bekommen)?"),
     "bath": r"(?:bath ?room|bath|shower room|en[ -]?suite|bano|salle de bains?|salle d'eau|bad|badezimmer)",
-    "gap": r"[,:;.-]+ ?(?P<gap>(?:we|wir|nous|ils|elles|they|sie|compartimos|comparten|on)\b[^.;:]{5,60}?),? ?(?:but|and|aber|und|mais|"
+    "gap": r"[,:;.-]+ ?(?P<gap>(?:we|wir|nous|ils|elles|they|sie|compartimos|comparten|on)\b[^.;:]{5,60}?),? "
+           r"?(?:but|and|aber|und|mais|"
            r"et|pero|y|[;.:]) ?",
     "end": r"(?= ?(?:[.,;:!)]|$)| (?:and|y|et|und|with|plus|mit|avec|con|we|wir|nous) )",
 }  # fmt: skip
-_COUNT = (r"(?:one|an?|eine?n?|une?|una|[1-6]|two|three|four|five|zwei|drei|vier|funf|deux|trois|quatre|cinq|dos|tres|"
-          r"cuatro|cinco)")
+_COUNT = (
+    r"(?:one|an?|eine?n?|une?|una|[1-6]|two|three|four|five|zwei|drei|vier|funf|deux|trois|quatre|cinq|dos|tres|"
+    r"cuatro|cinco)"
+)
 _FAMILY = {
     "count": _COUNT,
     "grown": r"(?:adults?|grown-ups?|parents|erwachsene[rn]?|eltern|adultes?|adultos?|padres)",
     "child": (r"(?:(?:small|little|young|teenage|older|younger|grown|kleine[ns]?|petits?|petites?|pequen[oa]s?) )?"
-              r"(?:children|child|kids?|sons?|daughters?|boys?|girls?|teenagers?|kinder|kind|sohne|sohn|tochter|jungen?|"
+              r"(?:children|child|kids?|sons?|daughters?|boys?|girls?|teenagers?|kinder|kind|sohne|sohn|tochter|"
+              r"jungen?|"
               r"jungs|madchen|enfants?|fils|filles?|garcons?|ados?|hij[oa]s?|nin[oa]s?)\b"),
 }  # fmt: skip
 _SELF = r"(?:me|myself|us|i|ich|mich|moi|mi|yo)\b"
 _BEDROOM = {"zimmer": "schlafzimmer", "rooms": "bedrooms"}
 _BEDROOMS = Late(
-    r"\b(?P<before>(?:for|para|pour|fur|of|von|de|are|somos|sommes|sind|with|(?:me|myself|us|i|ich|mich|moi|mi|yo),? (?:and|&|und|et|y)(?: my| our)?) |^|[.;:] ?){n} "
+    r"\b(?P<before>(?:for|para|pour|fur|of|von|de|are|somos|sommes|sind|with|(?:me|myself|us|i|ich|mich|moi|mi|"
+    r"yo),? (?:and|&|und|et|y)(?: my| our)?) |^|[.;:] ?){n} "
     r"{who}{some} ?"
-    r"(?:{gap}|[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und|everyone|everybody) ))(?:y |et |und )?(?:{each} (?:{has} )?{own}|(?:want|need|"
+    r"(?:{gap}|[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und|everyone|everybody) ))(?:y |et |und )?(?:{each} "
+    r"(?:{has} )?{own}|(?:want|need|"
     r"have|get) each {own}){room}"
     r"(?P<bath> (?:and|y|et|und|with|con|avec|mit) {own}{bath}(?: propi[oa])?)?"
     r"(?! and (?:their own |an? )?(?:desk|wardrobe|bed|tv|sofa|armchair|bookcase|table)s?\b){end}", _WORDS)  # fmt: skip
@@ -71,16 +78,21 @@ _COUPLE = re.compile(
     r"\b(?:myself|me|i|us)(?: and|,| &) (?:my )?(?:wife|husband|partner|spouse|girlfriend|boyfriend),? "
     r"(?:(?:also |will |should )?(?:need|want|have|get|take)s? )?(?:one|an?|our)(?: own)?"
     r"(?: (?:main |master |big |large |double )?(?:bed ?)?room\b| (?=with ))")  # fmt: skip
+_ROOMS_OF = late(r"\b(zimmer|raume) mit je(?:weils)? (?=\d)")
 _EACH_OF = re.compile(
-    r"\b(?:each|every one|all) of us (?P<n>two|three|four|five|[2-5]) (?:girls |boys |friends |people )?(?:wants?|needs?|gets?|has|have) "
-    r"(?:an?|his|her|their|our)(?: own)? (?:bed ?)?rooms?\b")
-_AS_MANY = Late(r"\b(?:fur|for|mit|with|of) (?P<n>{n_}) (?!{thing})[a-z]+\b(?P<said>[^.;:,]{0,30}[:,;.-]) ?(?P<rooms>{n_}) "
+    r"\b(?:each|every one|all) of us (?P<n>two|three|four|five|[2-5]) (?:girls |boys |friends |people )?(?:wants?|"
+    r"needs?|gets?|has|have) "
+    r"(?:an?|his|her|their|our)(?: own)? (?:bed ?)?rooms?\b"
+)
+_AS_MANY = Late(r"\b(?:fur|for|mit|with|of) (?P<n>{n_}) (?!{thing})[a-z]+\b(?P<said>[^.;:,]{0,30}[:,;.-]) "
+                r"?(?P<rooms>{n_}) "
                 r"(?P<word>zimmer|rooms)\b", _WORDS | {"thing": _THING})  # fmt: skip
 
 
 def own_rooms(text: str) -> str:
     """A folded text with as many bedrooms as there are such people."""
     text = _US.sub("each bedroom has its own bathroom", text)
+    text = _ROOMS_OF.sub(r"\1 von je ", text)
     text = _EACH_OF.sub(r"\g<n> bedrooms", text)
     text = _AS_MANY.sub(_as_many, text)
     told = _KIDS.sub(_family, text)

@@ -69,7 +69,8 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = inverted(advertised(itemized(only_ways(meant_of(unparted(named_again(instead_of(beside_entrance(in_characters(fold(prompt)))))))))))
+    told = unparted(named_again(instead_of(beside_entrance(in_characters(fold(prompt))))))
+    told = inverted(advertised(itemized(only_ways(meant_of(told)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)
