@@ -31,9 +31,8 @@ _WORDS = {
              r":le)?|"
              r" of (?:his|her|their|our) own| haben| bekommen)?"),
     "bath": r"(?:bath ?room|bath|shower room|en[ -]?suite|bano|salle de bains?|salle d'eau|bad|badezimmer)",
-    "gap": r"[,:;.-]+ ?(?P<gap>(?:we|wir|nous|ils|elles|they|sie|compartimos|comparten|on)\b[^.;:]{5,60}?),? "
-           r"?(?:but|and|aber|und|mais|"
-           r"et|pero|y|[;.:]) ?",
+    "gap": (r"[,:;.-]+ ?(?P<gap>(?:the (?=kitchen|bath|living|sitting|lounge)|we|wir|nous|ils|elles|they|sie|"
+            r"compartimos|comparten|on)\b[^.;:]{5,60}?),? ?(?:but|and|aber|und|mais|et|pero|y|[;.:]) ?"),
     "end": r"(?= ?(?:[.,;:!)]|$)| (?:and|y|et|und|with|plus|mit|avec|con|we|wir|nous) )",
 }  # fmt: skip
 _COUNT = (
@@ -70,7 +69,8 @@ _US = Late(
 
 _KIDS = Late(
     r"\b(?:(?P<adults>{count}) {grown}(?:,|,? and|,? und|,? et|,? y|,? with|,? mit|,? avec|,? con) )?"
-    r"(?P<kids>{count} {child}(?:(?:,|,? and|,? und|,? et|,? y) {count} {child})*)(?P<said>,? [^.;:,]{0,25})?[.;:,-] ?"
+    r"(?P<kids>{count} {child}(?:(?:,|,? and|,? und|,? et|,? y) {count} {child})*)(?P<said>,? [^.;:,]{0,25})?"
+    r"(?:[.;:,-] ?| (?=(?:and|und|et|y) ))"
     r"(?:and |und |et |y )?(?:each|every|jede[rs]?|chacune?|chaque|cada)"
     r"(?: (?:one|un[oa]|child|kid|kind|enfant|nin[oa]|hij[oa]))?(?: of (?:them|the (?:children|kids)))? ?"
     r"(?:should |must |shall |will |debe )?(?:{has}|be having|tener) {own}{room}{end}", _WORDS | _FAMILY)  # fmt: skip
@@ -79,6 +79,10 @@ _COUPLE = re.compile(
     r"(?:(?:also |will |should )?(?:need|want|have|get|take)s? )?(?:one|an?|our)(?: own)?"
     r"(?: (?:main |master |big |large |double )?(?:bed ?)?room\b| (?=with ))")  # fmt: skip
 _ROOMS_OF = late(r"\b(zimmer|raume) mit je(?:weils)? (?=\d)")
+_AND_I = late(
+    r"\b(?:my|meine|mes|mis) (?P<n>two|three|four|zwei|drei|vier|deux|trois|quatre|dos|tres|cuatro|[2-4]) "
+    r"(?P<who>[a-z]+) (?:and i|und ich|et moi|y yo)\b(?=,? (?:each|every|jede|chacun|cada))"
+)
 _EACH_OF = re.compile(
     r"\b(?:each|every one|all) of us (?P<n>two|three|four|five|[2-5]) (?:girls |boys |friends |people )?(?:wants?|"
     r"needs?|gets?|has|have) "
@@ -91,6 +95,7 @@ _AS_MANY = Late(r"\b(?:fur|for|mit|with|of) (?P<n>{n_}) (?!{thing})[a-z]+\b(?P<s
 
 def own_rooms(text: str) -> str:
     """A folded text with as many bedrooms as there are such people."""
+    text = _AND_I.sub(r"me and \g<n> \g<who>", text)
     text = _US.sub("each bedroom has its own bathroom", text)
     text = _ROOMS_OF.sub(r"\1 von je ", text)
     text = _EACH_OF.sub(r"\g<n> bedrooms", text)

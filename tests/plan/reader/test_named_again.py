@@ -1,4 +1,4 @@
-"""Rooms named by what was told before, and what is instead of what: `besides my own bedroom`, `sondern neben dem Bad`."""
+"""Rooms named by what was told before, and what is instead of what: `besides my own bedroom`, `sondern`."""
 
 from sentences.facts import as_meant
 

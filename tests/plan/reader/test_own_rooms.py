@@ -91,6 +91,9 @@ EVERYBODY = [
     ("WG für vier Studenten: vier Zimmer mit je 12 m², gemeinsame Küche, ein Bad.", "B4 H K L W", "B1=12, B4=12"),
     ("Flat for three nurses: three rooms of 12 m² each, kitchen, bath, no living room.", "B3 H K W", "B1=12, B3=12"),
     ("Drei Zimmer mit je 13 m², Küche, Bad, Flur.", "B2 H K L W", "B1=13, L1=13, !all=13"),
+    ("Flat for four nurses. We share the kitchen but everyone has his own bedroom.", "B4 H K L W2", ""),
+    ("Wir sind zwei Erwachsene und zwei Kinder und jedes Kind soll ein eigenes Zimmer haben.", "B3 H K L W2", ""),
+    ("Meine zwei Freunde und ich, jeder mit eigenem Zimmer.", "B3 H K L W2", ""),
     ("Three flatmates, everyone with their own room and desk; one bathroom.", "B3 H K L W", "B1 has 1 desk"),
 ]  # fmt: skip
 
