@@ -203,14 +203,18 @@ def ensuites(home: Household, doors: Doors) -> None:
 
     def linked(e: Entity) -> bool:
         others = [pair[pair[0] is e] for pair in doors.links if e in pair]
-        return any(o.owner is not e and not _annex(o, e) for o in others)
+        return any(o.owner is not e and not _annex(o, e, doors) for o in others)
 
     _open_labels(home, doors)
     beds = [
         e
         for e in home.of("bedroom")
         if not any(r.type == "bathroom" and (r.owner is e or (e, r) in doors.links) for r in home.rooms)
-        and not any(c.owner is e and b.type == "bathroom" for c, b in _ways(doors) if c.type == "closet")
+        and not any(
+            (c.owner is e or (e, c) in _ways(doors)) and b.type == "bathroom"
+            for c, b in _ways(doors)
+            if c.type == "closet"
+        )
     ]
     beds.sort(key=whose)
     if ("bathroom", Trait.ENSUITE) in home.banned:
@@ -239,9 +243,10 @@ def _ways(doors: Doors) -> list[Pair]:
     return [*doors.links, *((b, a) for a, b in doors.links)]
 
 
-def _annex(room: Entity, bath: Entity) -> bool:
-    """A linen closet is no way into its bathroom; a dressing room of the bedroom's is."""
-    return bath.type == "bathroom" and room.type in ANNEXES and room.owner is None
+def _annex(room: Entity, bath: Entity, doors: Doors) -> bool:
+    """A linen closet is no way into its bathroom; a dressing room of the bedroom's, or off it, is."""
+    off = any(a is room and b.type == "bedroom" for a, b in _ways(doors))
+    return bath.type == "bathroom" and room.type in ANNEXES and room.owner is None and not off
 
 
 def _serves(bath: Entity, doors: Doors) -> bool:

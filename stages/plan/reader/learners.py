@@ -71,6 +71,11 @@ _SAID = rules((
     (r"\b(?:please )?(?:do not|don't|not|never|no) (?:to )?(?:make|want|have|leave|like) (?:the |an? )?kitchen (?:to "
      r"be |be |which is )?"
      r"open\b(?! to)", "separate kitchen"),
+    # "drawing and dining are having an opening", "each should be having a room", "the lounge is largest room"
+    (r"\b(?:am|are) having (?=(?:an?|one|two|three|four|own|opening|no)\b)", "have "),
+    (r"\bis (largest|biggest|smallest) room\b", r"is the \1 room"),
+    (r"\bstudy tables?\b(?! lamp)", lambda found: "desks" if found.group().endswith("s") else "desk"),
+    (r",? (?:as per|according to|following) vastu\b", ", vastu"),
     # "the bathroom is entering from the bedroom"
     (r"\b(is|are) (entering|accessing|reaching) from\b", r"\1 entered from"),
     (r"\b(from|to) ((?:the )?[a-z]+) and (?:from|to) ((?:the )?[a-z]+) (?:also|too)\b", r"\1 \2 and \1 \3"),

@@ -29,7 +29,7 @@ def mark_private(rooms: list[AskedRoom], links: list[Link]) -> None:
         if room.type == "bathroom" and sum(r.type == "bathroom" for r in rooms) > 1:
             owners += ("closet",)  # entered through the dressing room
         if room.type in OWNED and room.private_to is None and near and all(kind[n] in owners for n in near):
-            room.private_to = near[0]
+            room.private_to = next((n for n in near if kind[n] == "bedroom"), near[0])
 
 
 def _beside(room: str, links: list[Link]) -> list[str]:

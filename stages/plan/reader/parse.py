@@ -22,6 +22,7 @@ from apartgen.stages.plan.reader.elided import written_out
 from apartgen.stages.plan.reader.ensuites import merge_ensuites
 from apartgen.stages.plan.reader.entered import entered
 from apartgen.stages.plan.reader.exactly import furnished, names_all, sleeps_only
+from apartgen.stages.plan.reader.instead_of import instead_of
 from apartgen.stages.plan.reader.intended import beyond_usual, intended
 from apartgen.stages.plan.reader.inverted import inverted
 from apartgen.stages.plan.reader.itemized import itemized
@@ -33,6 +34,7 @@ from apartgen.stages.plan.reader.limited import limited, mutual, undoored
 from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
+from apartgen.stages.plan.reader.named_again import named_again
 from apartgen.stages.plan.reader.only_ways import only_ways
 from apartgen.stages.plan.reader.openplan import open_groups
 from apartgen.stages.plan.reader.orders import orders
@@ -54,6 +56,7 @@ from apartgen.stages.plan.reader.statements import Said, Statement, between_pair
 from apartgen.stages.plan.reader.straightened import straightened
 from apartgen.stages.plan.reader.tokens import fold, tokenize
 from apartgen.stages.plan.reader.turned import turned
+from apartgen.stages.plan.reader.unparted import unparted
 from apartgen.stages.plan.reader.unread import can_be_met, limits
 from apartgen.stages.plan.reader.uses import for_whom, sharers, uses
 from apartgen.stages.plan.reader.vocabulary import Det, Trait
@@ -66,7 +69,8 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = inverted(advertised(itemized(only_ways(meant_of(beside_entrance(in_characters(fold(prompt))))))))
+    told = unparted(named_again(instead_of(beside_entrance(in_characters(fold(prompt))))))
+    told = inverted(advertised(itemized(only_ways(meant_of(told)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
     people, text = housed(folded)

@@ -67,6 +67,37 @@ WHOSE = [
     ("Quiero un dormitorio y un despacho.", "B H K L S W", ""),
 ]  # fmt: skip
 
+EVERYBODY = [
+    ("Apartment for me and two flatmates everyone has his own room we share one bathroom", "B3 H K L W", ""),
+    ("A flat for three sisters: we share the kitchen, but each of us has her own bedroom.", "B3 H K L W2",
+     "!unread sisters"),
+    ("For two brothers: we share the kitchen, but each of us has his own bedroom with its own bathroom, and two sofas "
+     "in the living room.", "B2 H K L W2", "B1W1, B2W2, L1 has 2 sofa"),
+    ("Vier Freunde: wir teilen uns Küche und Bad, aber jeder hat ein eigenes Zimmer.", "B4 H K L W", ""),
+    ("Appartement pour moi et deux amis, chacun a sa chambre.", "B3 H K L W2", ""),
+    ("Yo y dos amigas, cada una con su propia habitación.", "B3 H K L W2", ""),
+    ("我和一个同学合租，每人一间卧室。", "B2 H K L W", ""),
+    ("我和三个朋友一起住，每个人一个房间，不要客厅。", "B4 H K W2", ""),
+    ("We have two girls and one boy. Each should have own bedroom, myself and husband one bedroom.", "B4 H K L W2",
+     "!unread myself"),
+    ("I am having one son and two daughters, each needs own room, me and my wife one with attached bath.",
+     "B4 H K L W2", "B1W1"),
+    ("Zwei Erwachsene und drei Kinder, jedes Kind hat ein eigenes Zimmer mit Schreibtisch.", "B4 H K L W2",
+     "B2 has 1 desk, B4 has 1 desk, !B1 has 1 desk"),
+    ("Two adults and two children, each child gets its own room.", "B3 H K L W2", ""),
+    ("Deux adultes et deux enfants, chaque enfant a sa propre chambre.", "B3 H K L W2", ""),
+    ("Dos adultos y dos niños, cada niño con su propio cuarto.", "B3 H K L W2", ""),
+    ("两个大人和两个孩子，每个孩子一间卧室。", "B3 H K L W2", ""),
+    ("WG für vier Studenten: vier Zimmer mit je 12 m², gemeinsame Küche, ein Bad.", "B4 H K L W", "B1=12, B4=12"),
+    ("Flat for three nurses: three rooms of 12 m² each, kitchen, bath, no living room.", "B3 H K W", "B1=12, B3=12"),
+    ("Drei Zimmer mit je 13 m², Küche, Bad, Flur.", "B2 H K L W", "B1=13, L1=13, !all=13"),
+    ("Flat for four nurses. We share the kitchen but everyone has his own bedroom.", "B4 H K L W2", ""),
+    ("Wir sind zwei Erwachsene und zwei Kinder und jedes Kind soll ein eigenes Zimmer haben.", "B3 H K L W2", ""),
+    ("Meine zwei Freunde und ich, jeder mit eigenem Zimmer.", "B3 H K L W2", ""),
+    ("Three flatmates, everyone with their own room and desk; one bathroom.", "B3 H K L W", "B1 has 1 desk"),
+]  # fmt: skip
+
 test_each_has_a_room = as_meant(EACH)
 test_children_and_siblings_share = as_meant(SHARED)
 test_rooms_by_whose_they_are = as_meant(WHOSE)
+test_everybody_has_a_room = as_meant(EVERYBODY)

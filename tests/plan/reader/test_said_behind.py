@@ -83,7 +83,7 @@ SENTENCES = [
     ("A couple, one of whom studies at home, two bedrooms.", "B2 H K L W", "unread studies"),
     ("Flat for a woman who studies medicine, one bedroom.", "B H K L W", "unread studies"),
     ("A flat with two bedrooms and two studies.", "B2 H K L S2 W", ""),
-    ("Two bedrooms and a cellar. We can store skis there.", "B2 H K L T W", "unread store"),
+    ("Two bedrooms and a larder. We can store skis there.", "B2 H K L T W", "unread store"),
     ("She has a bedroom with a desk. Her two brothers share a bedroom. They all use one bathroom.", "B2 H K L W",
      "H1W1, !B2W1"),
     ("We need three bedrooms. The bedroom of parents has own bathroom and the children use other bathroom in the "
