@@ -147,7 +147,7 @@ def test_same_layout_same_bytes_and_input_untouched(flat, libraries):
 
 def test_bad_layouts_are_refused_by_name(flat, libraries):
     layout = flat({"category": "throne", "center": [1, 1, 1], "size": [1, 1, 1]})
-    with pytest.raises(BadInput, match=r"objects\[0\].category: 'throne'"):
+    with pytest.raises(BadInput, match=r"objects\[0\].category: no category 'throne'"):
         retrieve(layout, libraries)
     lost = flat({"category": "sofa", "center": [1, 1, 1], "size": [1, 1, 1], "room": "attic_1"})
     with pytest.raises(BadInput, match="attic_1"):

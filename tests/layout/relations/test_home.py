@@ -84,9 +84,9 @@ def test_nothing_is_drawn_beside_what_leaves_nothing_to_wish_for(monkeypatch: py
     drawn: list[tuple[str, int]] = []
     sampled = relations_home._sampler
 
-    def watched(plan: Plan, i: int, arrays: Any, config: LayoutConfig, k: int, *rest: Any) -> Any:
+    def watched(plan: Plan, task: Any, i: int, arrays: Any, config: LayoutConfig, k: int, *rest: Any) -> Any:
         drawn.append((plan.rooms[i].id, k))
-        return sampled(plan, i, arrays, config, k, *rest)
+        return sampled(plan, task, i, arrays, config, k, *rest)
 
     monkeypatch.setattr(relations_home, "_sampler", watched)
     config, bare = ONE.model_copy(update={"candidates": 4}), 0
@@ -138,8 +138,8 @@ def test_of_contents_those_are_furnished_that_lack_least(monkeypatch: pytest.Mon
     seen: list[list[float]] = []
     sampler = relations_home._sampler
 
-    def watched(plan: Plan, i: int, *more: Any) -> Any:
-        made, names = sampler(plan, i, *more)
+    def watched(plan: Plan, task: Any, i: int, *more: Any) -> Any:
+        made, names = sampler(plan, task, i, *more)
         place = use.site(plan, plan.rooms[i].id)
         seen.append([sum(lack.cost for lack in use.lacks_of(place, some)) for some in names])
         return made, names
