@@ -78,10 +78,19 @@ def _parameter(option: str, info: FieldInfo) -> inspect.Parameter:
     if origin is dict:
         help_, kind = f"{help_} As NAME=VALUE, any number of times.", list[str]
     default = info.get_default(call_default_factory=True, validated_data={})
-    shown = ", ".join(f"{k}={v:g}" for k, v in default.items()) if isinstance(default, dict) else default
-    declared = typer.Option(name, help=help_, show_default=False if shown in (None, [], "") else str(shown))
+    shown = _shown(default)
+    declared = typer.Option(name, help=f"{help_} [default: {shown}]" if shown else help_, show_default=False)
     return inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=None,
                              annotation=Annotated[kind | None, declared])
+
+
+def _shown(default: Any) -> str:
+    """A default as one would write it on the command line."""
+    if isinstance(default, dict):
+        return ", ".join(f"{k}={v:g}" for k, v in default.items())
+    if isinstance(default, bool):
+        return "yes" if default else "no"
+    return ", ".join(map(str, default)) if isinstance(default, list) else "" if default is None else str(default)
 
 
 def _sentence(text: str) -> str:
