@@ -10,13 +10,14 @@ they have that light goes through), `samples` and `threads`.
 
 import json
 import math
+import random
 import sys
 import tempfile
 from pathlib import Path
 
 import bpy
 import numpy as np
-from mathutils import Matrix, Vector
+from mathutils import Matrix, Vector, noise
 
 SUN, SKY, LAMPS = 4.0, 1.0, 15.0
 """Sunlight, W/m²; how bright the sky is; how much brighter than their lumens lamps are, as by day one turns them up."""
@@ -24,8 +25,16 @@ EDGE = 0.002
 """Radius of edges, m."""
 THROUGH = 0.6
 """Share of what falls on a lampshade that goes on through it."""
+GLASS = 1.45
+"""Index of refraction of window panes."""
+OUTSIDE = 0.25
+"""How much of the light outside a picture shows, as one put together of two, for the room and for its windows."""
 GROUND = -9.0
 """Height of the ground outside, m."""
+STREETS, SPACING = (40.0, 180.0), 26.0
+"""From where to where there are houses, and how far apart, m; the nearer are lower than eyes are."""
+FACES = ((0.62, 0.55, 0.45, 1), (0.5, 0.28, 0.2, 1), (0.72, 0.7, 0.66, 1), (0.55, 0.5, 0.35, 1))
+PANE, LEAF = (0.05, 0.06, 0.08, 1), (0.05, 0.1, 0.03, 1)
 MEADOW, FIELD = (0.07, 0.11, 0.04, 1), (0.16, 0.16, 0.08, 1)
 """Its colours, that go over into each other within some metres."""
 UNEVEN = {"plaster": ((1.3, 0.003), (60.0, 0.0003)), "cloth": ((5.0, 0.008), (19.0, 0.003))}
@@ -55,6 +64,7 @@ def built(job):
     for k, pane in enumerate(job["panes"]):
         portal(scene, f"portal_{k}", *(Vector(v) for v in pane))
     ground(scene)
+    street(scene)
     return scene
 
 
@@ -71,10 +81,17 @@ def finished(material, swells):
         clear, mirror, mixed, share = (tree.nodes.new(f"ShaderNode{name}")
                                        for name in ("BsdfTransparent", "BsdfGlossy", "MixShader", "Fresnel"))
         mirror.inputs["Roughness"].default_value = 0.02
-        share.inputs["IOR"].default_value = 1.45  # left at its default, it lets no sun through
-        for source, target in ((share, mixed.inputs[0]), (clear, mixed.inputs[1]), (mirror, mixed.inputs[2]),
-                               (mixed, output.inputs[0])):
-            tree.links.new(source.outputs[0], target)
+        sides, seen = tree.nodes.new("ShaderNodeNewGeometry"), tree.nodes.new("ShaderNodeLightPath")
+        within, dimmed = tree.nodes.new("ShaderNodeMapRange"), tree.nodes.new("ShaderNodeMapRange")
+        # what leaves a pane goes on straight, and is never mirrored as a whole, as it would be from within glass
+        within.inputs["To Min"].default_value, within.inputs["To Max"].default_value = GLASS, 1 / GLASS
+        dimmed.inputs["To Min"].default_value, dimmed.inputs["To Max"].default_value = 1.0, OUTSIDE ** 0.5
+        for source, target in (
+                (sides.outputs["Backfacing"], within.inputs["Value"]), (within.outputs[0], share.inputs["IOR"]),
+                (seen.outputs["Is Camera Ray"], dimmed.inputs["Value"]), (dimmed.outputs[0], clear.inputs["Color"]),
+                (share.outputs[0], mixed.inputs[0]), (clear.outputs[0], mixed.inputs[1]),
+                (mirror.outputs[0], mixed.inputs[2]), (mixed.outputs[0], output.inputs[0])):
+            tree.links.new(source, target)
     elif not surface.inputs["Normal"].is_linked:
         edge = tree.nodes.new("ShaderNodeBevel")
         edge.samples, edge.inputs["Radius"].default_value = 4, EDGE
@@ -103,11 +120,11 @@ def swollen(tree, normal, swells):
     """A normal that noise turns: of every swell its number a metre and its depth."""
     place = tree.nodes.new("ShaderNodeNewGeometry")
     for often, deep in swells:
-        noise, bump = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeBump")
-        noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = often, 3.0
+        swell, bump = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeBump")
+        swell.inputs["Scale"].default_value, swell.inputs["Detail"].default_value = often, 3.0
         bump.inputs["Distance"].default_value = deep
-        tree.links.new(place.outputs["Position"], noise.inputs["Vector"])
-        tree.links.new(noise.outputs[0], bump.inputs["Height"])
+        tree.links.new(place.outputs["Position"], swell.inputs["Vector"])
+        tree.links.new(swell.outputs[0], bump.inputs["Height"])
         tree.links.new(normal, bump.inputs["Normal"])
         normal = bump.outputs[0]
     return normal
@@ -144,20 +161,79 @@ def ground(scene):
     mesh = bpy.data.meshes.new("ground")
     mesh.from_pydata([(-far, -far, GROUND), (far, -far, GROUND), (far, far, GROUND), (-far, far, GROUND)], [],
                      [(0, 1, 2, 3)])
-    material = bpy.data.materials.new("ground")
-    material.use_nodes = True
+    material = plain("ground", MEADOW)
     surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
-    surface.inputs["Roughness"].default_value = 1.0
     tree, place = material.node_tree, material.node_tree.nodes.new("ShaderNodeNewGeometry")
-    noise, ramp = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeValToRGB")
-    noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = 0.03, 8.0
+    swell, ramp = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeValToRGB")
+    swell.inputs["Scale"].default_value, swell.inputs["Detail"].default_value = 0.03, 8.0
     for stop, (at, color) in zip(ramp.color_ramp.elements, ((0.42, MEADOW), (0.58, FIELD))):
         stop.position, stop.color = at, color
-    for source, target in ((place.outputs["Position"], noise.inputs["Vector"]), (noise.outputs[0], ramp.inputs[0]),
+    for source, target in ((place.outputs["Position"], swell.inputs["Vector"]), (swell.outputs[0], ramp.inputs[0]),
                            (ramp.outputs[0], surface.inputs["Base Color"])):
         tree.links.new(source, target)
     mesh.materials.append(material)
     put(scene, "ground", mesh, Matrix())
+
+
+def street(scene):
+    """Houses with rows of windows and trees between them, all around; the same for every home."""
+    rng = random.Random(1)
+    blocks = [shape(facade(color), bpy.ops.mesh.primitive_cube_add, lambda at: at + Vector((0, 0, 0.5)), size=1.0)
+              for color in FACES]
+    crown = shape(plain("leaf", LEAF), bpy.ops.mesh.primitive_ico_sphere_add, lambda at: at * (
+        1.0 + 0.35 * noise.noise(at * 2.5) + 0.15 * noise.noise(at * 9.0)), subdivisions=5, radius=1.0)
+    near, far = STREETS
+    steps = range(-int(far / SPACING), int(far / SPACING) + 1)
+    for x, y in ((SPACING * i + rng.uniform(-5, 5), SPACING * j + rng.uniform(-5, 5)) for i in steps for j in steps):
+        away = math.hypot(x, y)
+        if near < away < far:
+            size = rng.uniform(9, 16), rng.uniform(9, 14), rng.uniform(6, 9) + 3 * (away > 2 * near), 1
+            put(scene, "house", rng.choice(blocks), Matrix.Translation((x, y, GROUND)) @ Matrix.Diagonal(size))
+            for side in (-1, 1):
+                tall = rng.uniform(2.0, 3.5)
+                at = x + side * rng.uniform(8, 13), y + rng.uniform(-13, 13), GROUND + tall
+                put(scene, "tree", crown, Matrix.Translation(at) @ Matrix.Scale(tall, 4))
+
+
+def shape(material, add, moved, **kind):
+    """A mesh that Blender makes, of a material, its vertices moved."""
+    add(location=(0, 0, 0), **kind)
+    made = bpy.context.object
+    mesh = made.data
+    bpy.data.objects.remove(made)
+    for vertex in mesh.vertices:
+        vertex.co = moved(vertex.co)
+    mesh.materials.append(material)
+    return mesh
+
+
+def facade(color):
+    """A wall's material with windows in rows, a storey of 2.9 m and an axis of 2.6 m."""
+    material = plain("facade", color)
+    tree = material.node_tree
+    surface = next(node for node in tree.nodes if node.type == "BSDF_PRINCIPLED")
+    place, parts, along, bricks = (tree.nodes.new(f"ShaderNode{name}")
+                                   for name in ("NewGeometry", "SeparateXYZ", "Math", "TexBrick"))
+    flat = tree.nodes.new("ShaderNodeCombineXYZ")
+    bricks.offset = 0.0
+    for name, value in (("Scale", 1.0), ("Brick Width", 2.6), ("Row Height", 2.9), ("Mortar Size", 0.75),
+                        ("Mortar Smooth", 0.0), ("Color1", PANE), ("Color2", PANE), ("Mortar", color)):
+        bricks.inputs[name].default_value = value
+    for source, target in ((place.outputs["Position"], parts.inputs[0]), (parts.outputs[0], along.inputs[0]),
+                           (parts.outputs[1], along.inputs[1]), (along.outputs[0], flat.inputs[0]),
+                           (parts.outputs[2], flat.inputs[1]), (flat.outputs[0], bricks.inputs["Vector"]),
+                           (bricks.outputs["Color"], surface.inputs["Base Color"])):
+        tree.links.new(source, target)
+    return material
+
+
+def plain(name, color):
+    """A dull material of a colour."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    surface.inputs["Roughness"].default_value, surface.inputs["Base Color"].default_value = 1.0, color
+    return material
 
 
 def put(scene, name, data, place):
