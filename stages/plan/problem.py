@@ -228,7 +228,7 @@ def scratch(p: Problem, leaves: int) -> Scratch:
         owner=np.zeros(leaves * k, np.int64),
         last=np.zeros(n, np.int64),
         before=np.zeros(leaves * k, np.int64),
-        wall=np.zeros((len(p.links), 3)),
+        wall=np.zeros((len(p.links), 4)),
         room=np.zeros((n, R_COLUMNS)),
         terms=np.zeros(16),
         entry=np.zeros(7),
