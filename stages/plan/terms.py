@@ -67,7 +67,7 @@ LACK = 60.0
 """What a metre that is lacking costs."""
 ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
-BLIND = 0.5
+BLIND = 1.5
 """What a metre of hallway counts that leads nowhere, against one that it is wider than it need be."""
 CERTAIN = 1e-9
 """Part by which a sum must be above a bar for its terms to be above it in any order."""
