@@ -35,7 +35,7 @@ EATEN_IN = ("dining_room", "living_room")
 
 LONGEST = 0.9
 """No room is made longer than this share of its greatest aspect for the sake of its width."""
-ARM = 0.75
+ARM = 0.9
 """Width that each part of a room has at least in an outline that is drawn for it, as a share of its least width."""
 
 Pair = tuple[int, int, int]
