@@ -145,7 +145,7 @@ def _needed(p: Problem, z: Scratch, r: int, i: int, axis: int) -> float:
             lo, hi = _span(q, axis, b[0], b[1], b[2], b[3])
             first, last = min(first, lo), max(last, hi)
         j = z.before[j]
-    return max(p.limits[L_LINK], last - first)
+    return float(max(p.limits[L_LINK], last - first))
 
 
 @inner
