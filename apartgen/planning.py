@@ -29,13 +29,10 @@ class PlanSettings(PlanConfig):
     outline: Polygon | None = None
 
 
-
 def read(prompt: str, config: PlanSettings, rng: Generator | None = None) -> tuple[Program, dict[str, Any]]:
     """The programme of a prompt, and what a language model took to read it; `rng` draws what the prompt leaves open."""
     if config.llm is None:
-        from apartgen.stages.plan import reader
-
-        program, used = reader.read(prompt, rng), dict[str, Any]()
+        program, used = _read(prompt, rng), dict[str, Any]()
     else:
         from apartgen.stages.plan import llm
 
@@ -70,9 +67,18 @@ def draw(prompt: str, config: PlanSettings, seed: int, id: str = "") -> tuple[Pl
 
 def _drawn_anew(prompt: str, config: PlanSettings, rng: Generator) -> Program:
     """The programme with other rooms and areas where the prompt leaves them open."""
-    from apartgen.stages.plan import reader
+    return enclosed(_read(prompt, rng.spawn(1)[0]), config)
 
-    return enclosed(reader.read(prompt, rng.spawn(1)[0]), config)
+
+def _read(prompt: str, rng: Generator | None) -> Program:
+    """The programme of a prompt; what it leaves open is drawn where there are chances, its kitchen's door, too."""
+    from apartgen.stages.plan import cooks, reader
+
+    program = reader.read(prompt, rng)
+    drawn = program if rng is None else cooks.off_living(program, seeds.lane(rng, "kitchen"))
+    if drawn is program or {room.type for room in reader.bounded(prompt).rooms} <= cooks.SILENT:
+        return drawn
+    return program
 
 
 def checked(text: str) -> str:

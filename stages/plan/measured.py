@@ -2,6 +2,8 @@
 
 from apartgen.stages.plan.slicing import (
     EPS,
+    L_ENTRY,
+    L_LINK,
     L_WALL,
     NARROW,
     R_AREA,
@@ -19,6 +21,7 @@ from apartgen.stages.plan.slicing import (
     R_X1,
     R_Y0,
     R_Y1,
+    S_CORRIDOR,
     S_JOINT,
     Floats,
     Ints,
@@ -108,3 +111,53 @@ def corners(pieces: Floats, before: Ints, last: int) -> int:  # of a room whose 
             found += (quadrants & 1) == 1 and not seen
         i = before[i]
     return found
+
+
+@inner
+def _span(q: Floats, axis: int, x0: float, y0: float, x1: float, y1: float) -> tuple[float, float]:
+    # from where to where along a piece a box has it beside it; the second before the first where it has not
+    if min(q[2], x1) - max(q[0], x0) < -EPS or min(q[3], y1) - max(q[1], y0) < -EPS:
+        return 1e9, -1e9
+    return (max(q[0], x0), min(q[2], x1)) if axis == 0 else (max(q[1], y0), min(q[3], y1))
+
+
+@inner
+def _needed(p: Problem, z: Scratch, r: int, i: int, axis: int) -> float:
+    # the length of a hallway's piece from the first of its doors, joints and the entrance to the last, at the nearest
+    q, first, last, half = z.piece[i], 1e9, -1e9, 0.5 * p.limits[L_ENTRY]
+    for k in range(p.links.shape[0]):
+        if (p.links[k, 0] == r or p.links[k, 1] == r) and z.wall[k, 0] > 0:
+            x, y, dx = z.wall[k, 1], z.wall[k, 2], 0.5 * z.wall[k, 3]
+            dy = 0.5 * z.wall[k, 0] if dx < EPS else 0.0
+            lo, hi = _span(q, axis, x - dx, y - dy, x + dx, y + dy)
+            wide = min(p.limits[L_LINK], hi - lo)
+            if hi >= lo - EPS:
+                first, last = min(first, hi - wide), max(last, lo + wide)
+    if r == p.order[0, 0]:
+        x, y = z.entry[0], z.entry[1]
+        if q[0] - EPS < x < q[2] + EPS and q[1] - EPS < y < q[3] + EPS:
+            lo, hi = _span(q, axis, x - half, y - half, x + half, y + half)
+            first, last = min(first, lo), max(last, hi)
+    j = z.last[r]
+    while j >= 0:
+        if j != i:
+            b = z.piece[j]
+            lo, hi = _span(q, axis, b[0], b[1], b[2], b[3])
+            first, last = min(first, lo), max(last, hi)
+        j = z.before[j]
+    return float(max(p.limits[L_LINK], last - first))
+
+
+@inner
+def surplus(p: Problem, z: Scratch) -> float:
+    """Metres that the pieces of hallways are longer than what opens off them needs."""
+    total = 0.0
+    for r in range(p.spec.shape[0]):
+        i = z.last[r] if p.spec[r, S_CORRIDOR] > 0 else -1
+        while i >= 0:
+            q = z.piece[i]
+            axis = int(q[3] - q[1] > q[2] - q[0])
+            long = q[axis + 2] - q[axis]
+            total += max(0.0, long - _needed(p, z, r, i, axis))
+            i = z.before[i]
+    return total

@@ -18,19 +18,24 @@ from apartgen.stages.plan.slicing import L_WALL, R_COLUMNS, Ints, Problem, Scrat
 from apartgen.stages.plan.standards import LINK_WALL, STANDARDS
 from apartgen.stages.plan.surroundings import surrounded
 from apartgen.stages.plan.weights import WEIGHTS
+from apartgen.stages.plan.wished import ADJACENT
 from apartgen.stages.plan.wishes import wishes
 
-WET, WHIM, MEALS, COOK = 2, 3, 24, 24
-"""What it counts that wet rooms, rooms of a draw, kitchen and dining room, kitchen and living room are near one
-another."""
-CUT_OFF = 0.15
-"""Share of draws in which a kitchen need not lie at the living room."""
+WET, WHIM, MEALS = 2, 3, 24
+"""What it counts that wet rooms, rooms of a draw, kitchen and dining room are near one another."""
+COOK = 40.0
+"""What a metre counts that lacks of the wall between a kitchen without a door to where one eats and that room."""
+CUT_OFF = 0.05
+"""Share of draws in which such a kitchen need not lie there."""
 ODD = (0.6, 2.0)
 """Share of large rooms, and of living rooms, that are made of two rectangles where nothing need be regular."""
 
+EATEN_IN = ("dining_room", "living_room")
+"""Rooms that a kitchen lies at, the best first."""
+
 LONGEST = 0.9
 """No room is made longer than this share of its greatest aspect for the sake of its width."""
-ARM = 0.75
+ARM = 0.9
 """Width that each part of a room has at least in an outline that is drawn for it, as a share of its least width."""
 
 Pair = tuple[int, int, int]
@@ -57,6 +62,7 @@ class Whim:
     aspect: float
     envelope: Envelope = field(default_factory=Envelope)
     fronts: Mapping[str, float] = field(default_factory=dict)
+    beside: list[tuple[int, int]] = field(default_factory=list)
 
 
 def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
@@ -71,10 +77,9 @@ def whim(whole: Program, walls: Walls, failed: int, rng: Generator) -> Whim:
     wanted = areas(program)
     parts = tuple(_parts(program, room, wanted[room.id], rng) for room in program.rooms)
     near = [(int(a), int(b), WHIM) for a, b in pairs]
-    if rng.random() >= CUT_OFF:
-        near += _pairs(program, "kitchen", "living_room", COOK)
+    beside = _kitchens(program) if rng.random() >= CUT_OFF else []
     about = surrounded(program, aspect, gross_area(program, walls), failed, rng)
-    return Whim(parts, near, shape, aspect, about, fronts(whole))
+    return Whim(parts, near, shape, aspect, about, fronts(whole), beside)
 
 
 def _parts(program: Program, room: AskedRoom, area: float, rng: Generator) -> int:
@@ -125,7 +130,10 @@ def open_problem(program: Program, whim: Whim, walls: Walls, slack: Slack) -> Pr
         order=_ways(program, index),
         blocks=np.zeros((0, 4)),
         edges=np.zeros((0, 6)),
-        wishes=wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
+        wishes=np.vstack([
+            wishes(program) * (1.0, 1.0, 1.0, 1.0, 1.0, slack.heed),
+            *((ADJACENT, kitchen, living, 0.0, 0.0, COOK) for kitchen, living in whim.beside),
+        ]),
         weights=np.array([w * program.weights.get(name, 1.0) for name, w in WEIGHTS.items()]),
         limits=np.array([1.0, 1.0, walls.inner, LINK_WALL + walls.inner, LINK_WALL + walls.inner + 0.1]),
     )
@@ -159,6 +167,17 @@ def _near(program: Program) -> list[Pair]:
     types = [r.base for r in program.rooms]
     wet = [i for i, t in enumerate(types) if STANDARDS[t].wet]
     return [*((i, j, WET) for i, j in pairwise(wet)), *_pairs(program, "kitchen", "dining_room", MEALS)]
+
+
+def _kitchens(program: Program) -> list[tuple[int, int]]:
+    """Kitchens without a link to a room where one eats, each with such a room that it is not to be apart from."""
+    types, near = {r.id: r.base for r in program.rooms}, neighbours(program)
+    index = {room: i for i, room in enumerate(types)}
+    tables = sorted((r for r in types if types[r] in EATEN_IN), key=lambda r: EATEN_IN.index(types[r]))
+    apart = {frozenset((one.of, one.to)) for one in program.requirements if one.kind == "apart"}
+    lone = [r for r in types if types[r] == "kitchen" and not set(tables) & set(near[r])]
+    found = ((kitchen, [t for t in tables if frozenset((kitchen, t)) not in apart]) for kitchen in lone)
+    return [(index[kitchen], index[free[0]]) for kitchen, free in found if free]
 
 
 def _pairs(program: Program, kind: str, other: str, counts: int) -> list[Pair]:
@@ -209,7 +228,7 @@ def scratch(p: Problem, leaves: int) -> Scratch:
         owner=np.zeros(leaves * k, np.int64),
         last=np.zeros(n, np.int64),
         before=np.zeros(leaves * k, np.int64),
-        wall=np.zeros((len(p.links), 3)),
+        wall=np.zeros((len(p.links), 4)),
         room=np.zeros((n, R_COLUMNS)),
         terms=np.zeros(16),
         entry=np.zeros(7),

@@ -89,7 +89,7 @@ class Scratch(NamedTuple):
     owner: Ints  # (P,)
     last: Ints  # (n,) last piece of each room
     before: Ints  # (P,) the piece of the same room before each, -1 for the first
-    wall: Floats  # (m, 3) longest straight wall between two linked rooms, its middle
+    wall: Floats  # (m, 4) longest straight wall between two linked rooms, its middle, its extent along x
     room: Floats  # (n, 15) by the R_ columns
     terms: Floats  # (16,) by TERMS, then the lack
     # (7,) entrance x, y (else of its room), length of its wall, distance of its room from such a wall and of itself

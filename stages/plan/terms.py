@@ -5,7 +5,7 @@ A cost is the weighted sum of the reward terms plus `LACK` times what the requir
 
 import numpy as np
 
-from apartgen.stages.plan.measured import corners, measure
+from apartgen.stages.plan.measured import corners, measure, surplus
 from apartgen.stages.plan.slicing import (
     AREA,
     ASPECT,
@@ -67,6 +67,8 @@ LACK = 60.0
 """What a metre that is lacking costs."""
 ALONE, RISER = 5.0, 1.0
 """What counts against a bathroom with less wall than this on the outline, m, where the risers are."""
+BLIND = 1.5
+"""What a metre of hallway counts that leads nowhere, against one that it is wider than it need be."""
 CERTAIN = 1e-9
 """Part by which a sum must be above a bar for its terms to be above it in any order."""
 
@@ -125,6 +127,7 @@ def _walls(p: Problem, z: Scratch) -> None:  # longest between linked rooms, its
                 x0, x1, y0, y1 = max(a[0], b[0]), min(a[2], b[2]), max(a[1], b[1]), min(a[3], b[3])
                 if x1 - x0 >= -EPS and y1 - y0 >= -EPS and max(x1 - x0, y1 - y0) > wall[0]:
                     wall[0], wall[1], wall[2] = max(x1 - x0, y1 - y0), 0.5 * (x0 + x1), 0.5 * (y0 + y1)
+                    wall[3] = x1 - x0
                 j = z.before[j]
             i = z.before[i]
         z.terms[LACKING] += max(0.0, p.limits[L_LINK] - wall[0])
@@ -250,6 +253,7 @@ def evaluate(p: Problem, t: Tree, z: Scratch, bar: float) -> float:
     if cost > bar:
         return cost
     _outside(p, z, count)
+    z.terms[WIDE] += BLIND * surplus(p, z)
     _relations(p, z)
     cost = _weighed(p.weights, z.terms)
     if cost > bar:

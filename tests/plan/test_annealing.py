@@ -80,6 +80,6 @@ def test_annealing_beats_going_downhill_and_wandering_at_as_many_steps() -> None
     lows = {}
     for name, hot, cold in (("annealed", 20.0, 1.0), ("downhill", 1e-9, 1e-9), ("wandering", ALWAYS, ALWAYS)):
         rng = np.random.default_rng(8)
-        lows[name] = [annealed(p, chain(rng), seed, 9000, hot, cold)[0] for seed in range(1, 41)]
+        lows[name] = [annealed(p, chain(rng), seed, 9000, hot, cold)[0] for seed in range(1, 161)]
     mean = {name: np.mean(low) for name, low in lows.items()}
     assert mean["annealed"] < mean["downhill"] - 4 and mean["annealed"] < mean["wandering"] - 50

@@ -11,6 +11,7 @@ from apartgen.stages.plan.problem import WHIM, Slack, Whim, copy, gross_area, pr
 from apartgen.stages.plan.slicing import ASPECT, CONCISE, LACKING, NEAR, PATH, WIDE, Floats, Problem, Tree
 from apartgen.stages.plan.starts import known, start
 from apartgen.stages.plan.study import archetypes
+from apartgen.stages.plan.terms import BLIND
 
 BARE = Walls(inner=0.1, outer=0.3)
 
@@ -49,7 +50,22 @@ def test_a_corridor_is_as_wide_as_its_rectangles_are_together() -> None:
     together = corridor([[0, 1, 1], [3, 2, 1]], [1.0, 1.0, 10.0])  # two of .9 x 2.9 m, side by side
     assert together[WIDE] == pytest.approx(1.9 - 1.3)
     apart = corridor([[1, 2, 1], [0, 3, 0]], [12.0, 2.0, 22.0])  # .9 m all along, and a stub of .9 x 1.9 m
-    assert apart[WIDE] == pytest.approx(0.25 * (11.9 - 9))
+    # one comes in across from the living room, at 6.5 m, and its door need not be farther; nothing opens off the stub
+    assert apart[WIDE] == pytest.approx(0.25 * (11.9 - 9) + BLIND * (12 - 6.5 - 0.65 + 2 - 1.2))
+
+
+@pytest.mark.parametrize(("ends", "blind"), [([3, 0, 1], 0.85), ([0, 3, 1], 7.8)])
+def test_a_corridor_counts_where_it_leads_nowhere(ends: list[int], blind: float) -> None:
+    # a bedroom of 9 m and a living room of 3 m in the east above a corridor of 10.5 m, a bathroom at its west or east
+    # end; to come in across from the living room, and go to all doors, it takes 9.65 or 2.7 m of it
+    rooms = [{"id": f"{kind}_1", "type": kind} for kind in ("hallway", "bedroom", "living_room", "bathroom")]
+    links = [("hallway_1", room["id"]) for room in rooms[1:]]
+    ring = [(0.05, 0.05), (11.95, 0.05), (11.95, 2.95), (0.05, 2.95)]
+    program = Program(rooms=rooms, links=links, envelope={"outline": ring})
+    p = problem(program, given(program.envelope, BARE.inner), Whim((1,) * 4, [], "rectangle", 1.0), BARE, Slack())
+    nodes = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [1, 2, 1], ends, [5, 4, 0], [6, 0, 0]])
+    terms = energy(p, Tree(nodes, np.array([10.5, 18.0, 6.0, 1.5, 1.0])))[1]
+    assert terms[WIDE] == pytest.approx(0.25 * (10.4 - 9) + BLIND * blind)
 
 
 def test_a_bent_corridor_has_as_many_corners_too_many_as_any_bent_room() -> None:
