@@ -29,10 +29,13 @@ class PlanSettings(PlanConfig):
     outline: Polygon | None = None
 
 
+
 def read(prompt: str, config: PlanSettings, rng: Generator | None = None) -> tuple[Program, dict[str, Any]]:
     """The programme of a prompt, and what a language model took to read it; `rng` draws what the prompt leaves open."""
     if config.llm is None:
-        program, used = _read(prompt, rng), dict[str, Any]()
+        from apartgen.stages.plan import reader
+
+        program, used = reader.read(prompt, rng), dict[str, Any]()
     else:
         from apartgen.stages.plan import llm
 
@@ -67,18 +70,9 @@ def draw(prompt: str, config: PlanSettings, seed: int, id: str = "") -> tuple[Pl
 
 def _drawn_anew(prompt: str, config: PlanSettings, rng: Generator) -> Program:
     """The programme with other rooms and areas where the prompt leaves them open."""
-    return enclosed(_read(prompt, rng.spawn(1)[0]), config)
+    from apartgen.stages.plan import reader
 
-
-def _read(prompt: str, rng: Generator | None) -> Program:
-    """The programme of a prompt; what it leaves open is drawn where there are chances, its kitchen's door, too."""
-    from apartgen.stages.plan import cooks, reader
-
-    program = reader.read(prompt, rng)
-    drawn = program if rng is None else cooks.off_living(program, seeds.lane(rng, "kitchen"))
-    if drawn is program or {room.type for room in reader.bounded(prompt).rooms} <= cooks.SILENT:
-        return drawn
-    return program
+    return enclosed(reader.read(prompt, rng.spawn(1)[0]), config)
 
 
 def checked(text: str) -> str:

@@ -32,7 +32,7 @@ def rehung(program: Program) -> Program:
 
 def _parted(program: Program, asked: Requirement) -> Program:
     for link in [link for link in program.links if set(link) == {asked.of, asked.to}]:
-        program = next(chain(moved(program, link, link[0]), moved(program, link, link[1])), program)
+        program = next(chain(_moved(program, link, link[0]), _moved(program, link, link[1])), program)
     return program
 
 
@@ -54,7 +54,7 @@ def _less(program: Program, room: str) -> Iterator[Program]:
     other = {link: link[link[0] == room] for link in mine}
     for link in sorted(mine, key=lambda link: list(HOSTS).index(types[other[link]])):
         yield from _possible(program, [pair for pair in program.links if pair != link])
-        yield from moved(program, link, room)
+        yield from _moved(program, link, room)
 
 
 def _more(program: Program, room: str) -> Iterator[Program]:
@@ -71,8 +71,8 @@ def _more(program: Program, room: str) -> Iterator[Program]:
                 yield from _possible(program, [*moved, (room, there)])
 
 
-def moved(program: Program, link: Link, away: str) -> Iterator[Program]:
-    """Valid programmes in which the other room of a link opens into a third one instead of into `away`."""
+def _moved(program: Program, link: Link, away: str) -> Iterator[Program]:
+    """Programmes in which the other room of a link opens into a third one instead of into `away`."""
     room = link[link[0] == away]
     types = {r.id: r.base for r in program.rooms}
     if room == entrance_room(program).id:
