@@ -114,7 +114,7 @@ class Sampler:
         if needed or found is None and name == runs.DISHES:
             found = self._instead(p, name, boxes)
         bare = self._bare(name, contents)
-        if found is None and needed and p.begun == BEGUN and len(bare) < len(contents):
+        if found is None and needed and p.begun == BEGUN and bare != contents:
             return self._anew(p, bare, [f"no place for the {o}; left out"
                                         for o in (Counter(contents) - Counter(bare)).elements() if o != exchange.BASE])
         p.left.remove(name)
@@ -129,7 +129,8 @@ class Sampler:
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
             if not self.room.counted and exchange.BASE not in self.room.asked:
-                p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork)
+                p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork,
+                                                self.room.asked)
             p.furniture = corners.squared(p.furniture, given, self.room.empty.fork)
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)
@@ -141,11 +142,10 @@ class Sampler:
         return again
 
     def _bare(self, name: str, contents: list[str]) -> list[str]:
-        """The contents without units that a run, or a bathroom, can do without, for what it cannot; what was asked for
-        stays."""
+        """The contents without what a run or a bathroom can do without, for what it cannot; all that was asked for."""
         if self.room.counted or name not in order.runs() | kinds.FIXTURES.keys():
             return contents
-        return [other for other in contents if self.room.asked[other] or not runs.spare(other)]
+        return runs.bare(contents, self.room.asked)
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
                 strict: bool = False, left: Sequence[str] = (), enough: float = 1.0,
