@@ -45,10 +45,13 @@ def test_what_is_given_stays_and_what_is_told_of_corners_holds(fixed: int, asked
     assert fixed == 0 or np.array_equal(there.boxes[:fixed], before.boxes)
 
 
-def test_what_hangs_above_a_unit_keeps_it_there() -> None:
+def test_what_hangs_above_a_unit_goes_with_it() -> None:
     before = kitchen()
-    for k in range(len(UNITS)):
-        hood = before.boxes[k].copy()
-        hood[3], hood[5:] = 0.4, (1.95, 2.3)
-        before.add("hood", hood)
-    assert turned.round_corner(before, shell(one_room(WIDE, DEEP), 0), 0, room(WIDE, DEEP).fork) is before
+    oven = before.boxes[UNITS.index("oven")]
+    before.add("hood", np.array([oven[0], 2.0 - 0.205, -np.pi / 2, 0.4, 0.6, 1.55, 1.9], np.float32))
+    there = run_on(before)
+    assert turned.CORNER in there.names and there.names.count("hood") == 1
+    found = dict(zip(there.names, there.boxes.astype(float), strict=True))
+    hood, below = found["hood"], found["oven"]
+    assert np.hypot(*(hood[:2] - below[:2])) == pytest.approx(0.1, abs=0.01)
+    assert np.cos(hood[2] - below[2]) == pytest.approx(1, abs=1e-4)
