@@ -42,7 +42,8 @@ def _last(there: Furniture, fixed: int) -> Iterator[list[int]]:
 def _above(boxes: Array, k: int) -> NDArray[np.bool_]:
     """What stands on a unit or hangs above its middle part."""
     x, y = runs.local(boxes[:, :2], boxes[k, :2], float(boxes[k, 2]))
-    return (np.abs(x) < boxes[k, 3] / 2) & (np.abs(y) < boxes[k, 4] / 4) & (boxes[:, 5] > boxes[k, 6] - ON_TOP)
+    over = (np.abs(x) < boxes[k, 3] / 2) & (np.abs(y) < boxes[k, 4] / 4)
+    return np.asarray(over & (boxes[:, 5] > boxes[k, 6] - ON_TOP))
 
 
 def _with(box: Array, place: Array, things: Array) -> Array:
