@@ -69,20 +69,22 @@ def run_on(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furni
     """The furniture with base units more in its run while it lacks worktop beside sink and hob, where they break
     nothing, or round a corner, of which nothing was `asked`; then the units are put in order anew, the first `fixed`
     as they are."""
-    longer = _longer(there, shell)
-    if turned.CORNER not in asked and exchange.lacks_worktop(longer.names, longer.boxes):
-        longer = _longer(turned.round_corner(longer, shell, fixed, empty), shell)
-    return there if longer is there else exchange.settled(longer, fixed, empty)
+    there = _longer(there, shell, fixed, empty)
+    if turned.CORNER in asked or not exchange.lacks_worktop(there.names, there.boxes):
+        return there
+    round_ = turned.round_corner(there, shell, fixed, empty)
+    return there if round_ is there else exchange.settled(_longer(round_, shell, fixed, empty), fixed, empty)
 
 
-def _longer(there: Furniture, shell: Shell) -> Furniture:
+def _longer(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
+    longer = there
     for _ in range(MORE):
-        found = _another(there, shell)
+        found = _another(longer, shell)
         if found is None:
             break
-        there = there.fork()
-        there.add(BASE, found)
-    return there
+        longer = longer.fork()
+        longer.add(BASE, found)
+    return there if longer is there else exchange.settled(longer, fixed, empty)
 
 
 def _another(there: Furniture, shell: Shell) -> Array | None:

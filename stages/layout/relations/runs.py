@@ -4,7 +4,6 @@ What continues a run is known exactly, so that it is among the candidates of eve
 where the model itself says it.
 """
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -29,8 +28,6 @@ WIDTHS, USUAL, TURN = 3, 0.6, 1.1
 fills a corner keeps units round it from opening into one another, m."""
 CUPBOARDS, DISHES, WIDEST = frozenset({"kitchen_base", "kitchen_drawers"}), "dishwasher", 0.66
 """Of several of these one gives way to that if it is no wider, m."""
-SMALLER = {"bath": "shower"}
-"""What one washes in on less floor."""
 MORE = 0.017
 """A unit in a corner is so much deeper than its neighbours, m."""
 
@@ -124,13 +121,6 @@ def in_corner(found: Boxes, behind: Callable[[Boxes], NDArray[np.float64]]) -> N
 def spare(name: str) -> bool:
     """Whether it is a unit that a run can do without."""
     return name in order.runs() and not TABLE[name].is_for("rinse", "cook", "cool")
-
-
-def bare(contents: Sequence[str], asked: Counter[str]) -> list[str]:
-    """Contents without units that a run can do without and with a shower instead of a bath, which takes the floor of a
-    basin; what is `asked` for stays."""
-    return [SMALLER.get(name, name) if not asked[name] else name for name in contents
-            if asked[name] or not spare(name)]
 
 
 def gives_way(names: Sequence[str], there: Array, k: int, name: str) -> bool:

@@ -114,7 +114,7 @@ class Sampler:
         if needed or found is None and name == runs.DISHES:
             found = self._instead(p, name, boxes)
         bare = self._bare(name, contents)
-        if found is None and needed and p.begun == BEGUN and bare != contents:
+        if found is None and needed and p.begun == BEGUN and len(bare) < len(contents):
             return self._anew(p, bare, [f"no place for the {o}; left out"
                                         for o in (Counter(contents) - Counter(bare)).elements() if o != exchange.BASE])
         p.left.remove(name)
@@ -142,10 +142,11 @@ class Sampler:
         return again
 
     def _bare(self, name: str, contents: list[str]) -> list[str]:
-        """The contents without what a run or a bathroom can do without, for what it cannot; all that was asked for."""
+        """The contents without units that a run, or a bathroom, can do without, for what it cannot; what was asked for
+        stays."""
         if self.room.counted or name not in order.runs() | kinds.FIXTURES.keys():
             return contents
-        return runs.bare(contents, self.room.asked)
+        return [other for other in contents if self.room.asked[other] or not runs.spare(other)]
 
     def _chosen(self, there: Furniture, name: str, boxes: Array, weight: Floats, loose: bool = False,
                 strict: bool = False, left: Sequence[str] = (), enough: float = 1.0,
