@@ -45,7 +45,7 @@ SEAT, MOST_SEATS, WIDE = 0.2, 6, 22.0
 """What each soft seat costs that more than four lack in a living room of so much floor, m²; so many are enough."""
 SEATS = {"sofa": 3, "corner_sofa": 4, "armchair": 1}
 """How many sit there."""
-DESK, SECOND_DESK, STUDY, TWO_DESKS = 0.35, 0.15, 8.0, {"bunk_bed": 10.0, "single_bed": 12.0}
+DESK, SECOND_DESK, STUDY, TWO_DESKS = 0.2, 0.1, 8.0, {"bunk_bed": 10.0, "single_bed": 12.0}
 """What a desk costs that a bedroom lacks where no two share a bed, and the second for two; the floor of one that has
 one, and of one where each of two who sleep in such beds has one, m²."""
 GUESTS, MOST_CHAIRS = 4, 8
