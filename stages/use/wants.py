@@ -14,6 +14,7 @@ from apartgen.stages.use.kinds import (
     CLOTHES,
     COATS,
     COUNTERS,
+    DESKS,
     DOUBLE,
     MACHINES,
     ON_THE_FLOOR,
@@ -44,6 +45,9 @@ SEAT, MOST_SEATS, WIDE = 0.2, 6, 22.0
 """What each soft seat costs that more than four lack in a living room of so much floor, m²; so many are enough."""
 SEATS = {"sofa": 3, "corner_sofa": 4, "armchair": 1}
 """How many sit there."""
+DESK, SECOND_DESK, STUDY, TWO_DESKS = 0.2, 0.1, 8.0, {"bunk_bed": 10.0, "single_bed": 12.0}
+"""What a desk costs that a bedroom lacks where no two share a bed, and the second for two; the floor of one that has
+one, and of one where each of two who sleep in such beds has one, m²."""
 GUESTS, MOST_CHAIRS = 4, 8
 """Chairs wanted at a table where it is unknown who lives there, and the most that are wanted."""
 LITTLE_TABLE = 1.0
@@ -139,6 +143,9 @@ def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
         yield Lack("bed for one where two sleep", 1, BERTH)
     if site.main and site.area >= LEAST_FOR_TWO and not count["double_bed"]:
         yield Lack("no double bed in the largest bedroom", 1, BERTH)
+    due, desks = desks_due(count, site.area), _number(count, DESKS)
+    if site.kind == "bedroom" and site.sleepers is not None and due > desks:
+        yield Lack("few desks", due - desks, DESK * (desks < 1) + SECOND_DESK * (due > 1))
     if site.meals and not _number(count, COUNTERS):
         yield Lack("no table to eat at", 1, TABLE + 2 * CHAIR)
     if site.kind == "living_room" and _number(count, BEDS) and not _number(count, CLOTHES):
@@ -156,6 +163,14 @@ def _of_home(site: Site, count: Counter[str]) -> Iterator[Lack]:
     bare = count["tv_stand"] - count["tv"]
     if bare > 0:
         yield Lack("stand without television", bare, bare * SCREEN)
+
+
+def desks_due(count: Counter[str], area: float) -> int:
+    """How many desks a bedroom has: none where two share a bed, one for each of two children if there is floor."""
+    if count["double_bed"] or not count["bunk_bed"] + count["single_bed"]:
+        return 0
+    return int(area >= STUDY) + int(_sleep(count) > 1 and area >= TWO_DESKS[
+        "bunk_bed" if count["bunk_bed"] else "single_bed"])
 
 
 def _sleep(count: Counter[str]) -> int:

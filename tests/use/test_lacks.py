@@ -130,6 +130,20 @@ def test_two_sleep_where_there_is_floor_and_a_couple_in_the_largest_bedroom(
     assert "bed for one where two sleep" not in {x.name for x in use.lacks_of(replace(site, sleepers=None), [bed])}
 
 
+@pytest.mark.parametrize(("width", "things", "few"), [
+    (2.0, ["single_bed"], 0), (2.3, ["single_bed"], 1), (2.3, ["single_bed", "desk"], 0), (3.4, ["double_bed"], 0),
+    (2.6, ["bunk_bed"], 1), (3.0, ["bunk_bed"], 2), (3.0, ["bunk_bed", "desk"], 1), (3.0, ["single_bed"] * 2, 1),
+    (3.4, ["single_bed"] * 2, 2), (3.4, ["single_bed", "single_bed", "desk", "desk"], 0), (3.4, [], 0),
+])
+def test_who_shares_no_bed_wants_a_desk_of_their_own_where_there_is_floor(
+        width: float, things: list[str], few: int) -> None:
+    """Bedrooms so wide and 3.6 m long, 7.2 to 12.2 m²; who lives in a room by itself is not known."""
+    site = replace(room("bedroom", width, 3.6).site, sleepers=4)
+    assert sum(lack.number for lack in use.lacks_of(site, things) if lack.name == "few desks") == few
+    assert "few desks" not in {lack.name for lack in use.lacks_of(replace(site, sleepers=None), things)}
+    assert "few desks" not in {lack.name for lack in use.lacks_of(replace(site, kind="study"), things)}
+
+
 @pytest.mark.parametrize(("beds", "wanted"), [(2, {"bedroom_1", "bedroom_2"}), (3, {"bedroom_1"})])
 def test_in_homes_of_three_bedrooms_and_more_only_the_largest_wants_a_double_bed(beds: int, wanted: set[str]) -> None:
     """Bedrooms of 14 m² and, the others, of 12 m², side by side."""

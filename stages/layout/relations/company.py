@@ -3,7 +3,6 @@ bed, a coffee table before the sofa, the sofa before the television."""
 
 from collections.abc import Callable, Sequence
 from functools import cache
-from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,9 +35,8 @@ AHEAD = (0.05, 0.5)
 """So far before a sofa nothing stands that is no low table, m."""
 LEGS, ARM = 0.6, 0.08
 """So far before a seat are legs, and at either side is no seat but its arm, m."""
-VIEW = (kinds.SOFAS, frozenset({"tv_stand"}), kinds.TABLES)
-"""Who watches, what is watched, and what must not stand between."""
-TINY = 1e-9
+KNEES = 0.25
+"""Between an armchair and a low table there are knees, m."""
 USED_AT = kinds.EASY | kinds.BEDS | kinds.DESKS | kinds.TABLE_TOPS | {"coffee_table"}
 """Where small seats are used."""
 Flags = NDArray[np.bool_]
@@ -117,11 +115,6 @@ class Seen:
         return np.asarray((from_head < HEAD) & (beside > BESIDE[0]) & (beside < BESIDE[1]))
 
 
-def _turned(offset: Array, yaw: Array) -> tuple[Array, Array]:
-    c, s = np.cos(yaw), np.sin(yaw)
-    return offset[..., 0] * c + offset[..., 1] * s, offset[..., 1] * c - offset[..., 0] * s
-
-
 def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
     """Which candidates (n, 7) could not be used with what stands there (m, 7), or keep it from being used."""
     led, rules = _of_kind(kinds.basic(name))
@@ -131,27 +124,6 @@ def alone(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
         if some := [k for k, o in enumerate(others) if o in partners]:
             found |= ~wanted(Seen(boxes, there[some]), [others[k] for k in some])
     return found
-
-
-def barred(name: str, boxes: Array, names: Sequence[str], there: Array) -> Flags:
-    """Which candidates (n, 7) make a table stand between a sofa and its television, whichever of these they are."""
-    kind, found = kinds.basic(name), np.zeros(len(boxes), bool)
-    if any(kind in some for some in VIEW):
-        parts = [[boxes] if kind in some else
-                 [box[None] for o, box in zip(names, there, strict=True) if kinds.basic(o) in some] for some in VIEW]
-        for seat, screen, table in product(*parts):
-            found |= crossed(seat, screen, table)
-    return found
-
-
-def crossed(one: Array, two: Array, boxes: Array) -> Flags:
-    """Whether the way from the middle of one thing to that of another leads through a box, (n, 7) or (1, 7) each."""
-    half = boxes[:, 3:5] / 2
-    start, end = (np.stack(_turned(thing[:, :2] - boxes[:, :2], boxes[:, 2]), -1) for thing in (one, two))
-    way = np.where(np.abs(end - start) < TINY, TINY, end - start)
-    enters, leaves = (-half - start) / way, (half - start) / way
-    first, last = np.minimum(enters, leaves).max(1), np.maximum(enters, leaves).min(1)
-    return np.asarray((first < last) & (last > 0) & (first < 1))
 
 
 @cache
@@ -221,6 +193,14 @@ def _in_sight(seen: Seen, hosts: Sequence[str]) -> Flags:
     return _any(seen.off < SIGHT)
 
 
+def _knees(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return np.asarray((seen.gap >= KNEES).all(1))
+
+
+def _abreast(seen: Seen, hosts: Sequence[str]) -> Flags:
+    return _leaves_open(seen, hosts) & _open_before(seen, hosts)
+
+
 def _not_behind(seen: Seen, hosts: Sequence[str]) -> Flags:
     return np.asarray(~((seen.off > BEHIND) & (seen.gap < BACK_TO)).any(1))
 
@@ -275,6 +255,8 @@ RULES = (
     (frozenset({"tv"}), kinds.SOFAS, _seen),
     (kinds.SOFAS, frozenset({"tv_stand"}), _watches),
     (frozenset({"armchair"}), kinds.SOFAS | {"coffee_table"}, _in_group),
+    (frozenset({"armchair"}), frozenset({"coffee_table"}), _knees),
+    (frozenset({"armchair"}), frozenset({"armchair"}), _abreast),
     (frozenset({"armchair"}), frozenset({"tv_stand"}), _in_sight),
     (frozenset({"armchair"}), kinds.TABLES, _not_behind),
     (kinds.TABLES, frozenset({"armchair"}), lambda seen, hosts: _not_behind(seen.back(), hosts)),

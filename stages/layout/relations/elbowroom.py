@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from apartgen.stages.layout.projection.space import Space, outside
+from apartgen.stages.layout.relations.company import Seen
 from apartgen.stages.layout.relations.distances import ahead
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes, stand_in
@@ -36,6 +37,8 @@ MOVED = kinds.MOVED - {"armchair"} | kinds.CHAIRS | kinds.SMALL_SEATS
 CASES = kinds.CASES | {"dressing_table"}
 SPARED = CASES - kinds.WARDROBES | {"bench", "armchair"}
 """What is rather left out than put where it takes such floor."""
+RADIATOR, WARM = "radiator", 0.12
+"""What hangs so low that two who share a bed walk past it, and no bed stands so near, m."""
 SEATS = kinds.CHAIRS - {"balcony_chair"}
 USED = SEATS | CASES | {"bench"} | kinds.DOUBLE
 Flags = NDArray[np.bool_]
@@ -47,7 +50,7 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     if kind not in kinds.ON_THE_FLOOR:
         return found
     if kind in kinds.BEDS:
-        found |= _at_window(boxes, space)
+        found |= _at_window(boxes, space) | _at_radiator(boxes, names, there)
     if kind in kinds.COATS - kinds.HANGING:
         found |= _narrows(boxes, space)
     others = [kinds.basic(o) for o in names]
@@ -103,6 +106,12 @@ def _at_window(boxes: Array, space: Space) -> Flags:
     return np.asarray(found.any(1))
 
 
+def _at_radiator(boxes: Array, names: Sequence[str], there: Array) -> Flags:
+    """Which beds (n, 7) stand at what heats the room."""
+    hot = there[[kinds.basic(o) == RADIATOR for o in names]] if len(names) else there[:0]
+    return np.asarray((Seen(boxes, hot).gap < WARM).any(1)) if len(hot) else np.zeros(len(boxes), bool)
+
+
 def _narrows(boxes: Array, space: Space) -> Flags:
     """Which things (n, 7), to be used from any side, leave too little of a corridor at either side of them."""
     one, two = upright(boxes), upright(boxes)
@@ -120,7 +129,8 @@ def _bars(kind: str, used: str) -> bool:
     own = used in SEATS and kind in kinds.TABLES | kinds.DESKS
     moved = kind in MOVED and (kind not in kinds.SLENDER or used in SEATS and kind not in kinds.COATS)
     own |= used in kinds.DOUBLE and kind in kinds.BESIDE_A_BED
-    return kind in kinds.ON_THE_FLOOR and not moved and not own
+    hot = kind == RADIATOR and used in kinds.DOUBLE
+    return hot or kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
 def _zones(kind: str, boxes: Array, space: Space, back: float = BACK) -> Boxes:

@@ -11,7 +11,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from apartgen.stages.layout.projection.space import Space
-from apartgen.stages.layout.relations import company, order
+from apartgen.stages.layout.relations import company, order, views
 from apartgen.stages.layout.relations.hung import cornered, lit
 from apartgen.stages.layout.relations.runs import local
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, WIDE, Furniture
@@ -91,10 +91,19 @@ def cost(names: Sequence[str], boxes: Array, space: Space) -> float:
     for wash in (k for k, name in enumerate(names) if name == "dishwasher"):
         total += APART * max(0.0, min(gap[i][wash] for i in wet) - DISHES)
     if cold:
-        total += PARTED * sum(int(company.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
+        total += PARTED * sum(int(views.crossed(boxes[[i]], boxes[[k]], boxes[cold]).sum()) for i in wet for k in hot)
     corner = cornered(boxes[[*wet, *hot]], space)
     total += SINK * int(corner[: len(wet)].sum())
     return float(total) + ILL * int((corner[len(wet) :] | lit(boxes[hot], space)).sum())
+
+
+def lacks_worktop(names: Sequence[str], boxes: Array) -> bool:
+    """Whether one cooks there and has too little of it in one piece beside sink and hob."""
+    basic = [kinds.basic(name) for name in names]
+    wet = [k for k, o in enumerate(basic) if o in kinds.WET]
+    hot = [k for k, o in enumerate(basic) if o in kinds.HOT and boxes[k, 6] < TALL]
+    gap: list[list[float]] = company.Seen(boxes, boxes).gap.tolist()
+    return bool(wet and hot) and _worktop(basic, gap, boxes, [*wet, *hot]) < TOP - LEAST
 
 
 def _worktop(basic: list[str], gap: list[list[float]], boxes: Array, ends: list[int]) -> float:

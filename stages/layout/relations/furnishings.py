@@ -8,12 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from apartgen.stages.layout.sense import sense
 from apartgen.stages.things.categories import CATEGORIES, TABLE
 from apartgen.stages.use import kinds
+from apartgen.stages.use.wants import desks_due
 
 STAND, DESK, SEAT, CHAIR = "nightstand", "desk", "office_chair", "chair"
-STUDY = 8.0
-"""In a bedroom of so much floor there is a desk, if no two share a bed, m²."""
-TWO_DESKS = {"bunk_bed": 10.0, "single_bed": 12.0}
-"""In one of so much floor each of two who sleep in such beds has one, m²."""
 MOST = 6
 """More chairs at a table are left to the model, which draws them where they find floor: where eight were put into every
 sample fewer found a place than of six."""
@@ -30,7 +27,7 @@ def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, are
     alone = count["single_bed"] == 1 and count["double_bed"] + count["bunk_bed"] == 0
     stands = 2 * count["double_bed"] + alone - sum(count[name] for name in kinds.BEDSIDE)
     more = [STAND] * max(0, stands) if STAND not in asked else []
-    desks = _desks(count, area) if bedroom else 0
+    desks = desks_due(count, area) if bedroom else 0
     if DESK not in asked and (lacking := desks - sum(count[name] for name in kinds.DESKS)) > 0:
         seats = desks - sum(count[name] for name in kinds.CHAIRS) if SEAT not in asked else 0
         more += [DESK] * lacking + [SEAT] * max(0, min(seats, lacking))
@@ -52,12 +49,3 @@ def idle(asked: Mapping[str, int], there: Iterable[str], kind: str) -> dict[str,
     near = {name: {other for other in company if other in held or kind in TABLE[other].rooms}
             for name, company in of_use.items() if name not in asked}
     return {name: 0 for name, company in near.items() if company and company <= barred}
-
-
-def _desks(count: Counter[str], area: float) -> int:
-    """How many desks a bedroom has: none where two share a bed, one for each of two children if there is floor."""
-    if count["double_bed"] or not count["bunk_bed"] + count["single_bed"]:
-        return 0
-    bunk = "bunk_bed" if count["bunk_bed"] else "single_bed"
-    two = 2 * count["bunk_bed"] + count["single_bed"] > 1
-    return int(area >= STUDY) + int(two and area >= TWO_DESKS[bunk])

@@ -1,11 +1,11 @@
 """Wardrobes and small basins of a finished room grow along their wall into floor that nothing else took, runs that are
 complete by base units where they lack worktop: what is drawn before all else stands cannot know how much is left."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Container
 
 import numpy as np
 
-from apartgen.stages.layout.relations import exchange, order, runs
+from apartgen.stages.layout.relations import exchange, order, runs, turned
 from apartgen.stages.layout.relations.exchange import BASE, filled
 from apartgen.stages.layout.relations.places import resized
 from apartgen.stages.layout.relations.standing import BROKEN, CUT, Furniture
@@ -64,9 +64,19 @@ def _as_large(there: Furniture, k: int, tries: Array, empty: Callable[[], Furnit
     return filled(empty(), there.names, boxes)
 
 
-def run_on(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
+def run_on(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture],
+           asked: Container[str] = ()) -> Furniture:
     """The furniture with base units more in its run while it lacks worktop beside sink and hob, where they break
-    nothing; then the units are put in order anew, the first `fixed` as they are."""
+    nothing, or round a corner, of which nothing was `asked`; then the units are put in order anew, the first `fixed`
+    as they are."""
+    there = _longer(there, shell, fixed, empty)
+    if turned.CORNER in asked or not exchange.lacks_worktop(there.names, there.boxes):
+        return there
+    round_ = turned.round_corner(there, shell, fixed, empty)
+    return there if round_ is there else exchange.settled(_longer(round_, shell, fixed, empty), fixed, empty)
+
+
+def _longer(there: Furniture, shell: Shell, fixed: int, empty: Callable[[], Furniture]) -> Furniture:
     longer = there
     for _ in range(MORE):
         found = _another(longer, shell)

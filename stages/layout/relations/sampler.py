@@ -129,7 +129,8 @@ class Sampler:
         if self.constrained and name in order.runs() and order.runs().isdisjoint(p.left):
             p.furniture = exchange.settled(p.furniture, given, self.room.empty.fork)
             if not self.room.counted and exchange.BASE not in self.room.asked:
-                p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork)
+                p.furniture = lengthened.run_on(p.furniture, self.room.speaker.shell, given, self.room.empty.fork,
+                                                self.room.asked)
             p.furniture = corners.squared(p.furniture, given, self.room.empty.fork)
         if self.constrained and not p.left:
             p.furniture = lengthened.grown(p.furniture, self.room.speaker.large, given, self.room.empty.fork)

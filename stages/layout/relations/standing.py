@@ -11,7 +11,18 @@ from apartgen.stages.layout.projection import kernels
 from apartgen.stages.layout.projection.paths import SHUT, Paths
 from apartgen.stages.layout.projection.space import Space, outside
 from apartgen.stages.layout.projection.standing import Standing
-from apartgen.stages.layout.relations import company, distances, elbowroom, fixtures, handy, hung, order, runs
+from apartgen.stages.layout.relations import (
+    company,
+    distances,
+    elbowroom,
+    fixtures,
+    handy,
+    hung,
+    nooks,
+    order,
+    runs,
+    views,
+)
 from apartgen.stages.layout.relations.ground import in_the_way, opens, row, with_levers
 from apartgen.stages.layout.relations.mutual import askew, grown
 from apartgen.stages.layout.relations.tokens import Array, upright
@@ -159,7 +170,8 @@ class Furniture:
         total += np.where(self._meets_leaves(name, found), 2 * BROKEN if strict else ALONE, 0.0)
         useless = 2 * BROKEN if strict or (company.follows(name) and not loose) else ALONE
         total += np.where(company.alone(name, boxes, self.names, self.boxes), useless, 0.0)
-        barred = company.barred(name, boxes, self.names, self.boxes)
+        barred = views.barred(name, boxes, self.names, self.boxes)
+        barred |= nooks.shut(name, boxes, self.names, self.boxes, self.space)
         total += np.where(barred, ALONE if loose else 2 * BROKEN, 0.0)
         cramped = elbowroom.taken(name, boxes, self.names, self.boxes, self.space)
         spared = not loose and elbowroom.spared(name, self.names, self.space)

@@ -7,7 +7,7 @@ from rooms_for_tests import box
 
 from apartgen.schemas.layout import Box
 from apartgen.stages import use
-from apartgen.stages.layout.relations import company
+from apartgen.stages.layout.relations import company, views
 from apartgen.stages.things.categories import TABLE
 
 HOSTS = {
@@ -100,8 +100,8 @@ def test_no_table_stands_between_sofa_and_television_whichever_comes_last(
     for last in things:
         there = [name for name in things if name != last]
         boxes = np.array([things[name] for name in there])
-        assert company.barred(last, np.array([things[last]]), there, boxes).tolist() == [bars]
-    assert not company.barred("bookshelf", np.array([things["dining_table"]]), list(things)[:2], boxes).any()
+        assert views.barred(last, np.array([things[last]]), there, boxes).tolist() == [bars]
+    assert not views.barred("bookshelf", np.array([things["dining_table"]]), list(things)[:2], boxes).any()
 
 
 @pytest.mark.parametrize("x, y, yaw, seen", [
@@ -223,3 +223,39 @@ def test_no_armchair_has_its_back_to_a_near_table(gap: float, turn: float, good:
     seat[0] = 0.45 + gap + 0.4 * (abs(np.cos(seat[2])) + abs(np.sin(seat[2])))
     assert company.alone("armchair", seat[None], ["dining_table"], table[None])[0] != good
     assert company.alone("dining_table", table[None], ["armchair"], seat[None])[0] != good, "whichever comes first"
+
+
+TABLE_BEFORE = (0.0, 0.0, 0.0, 0.6, 1.1, 0.0, 0.4)
+"""A low table about the origin, longer from south to north."""
+
+
+@pytest.mark.parametrize("y, yaw, bars", [
+    (1.35, -np.pi / 2, True),  # right behind the first, at the north end of the table
+    (-1.35, np.pi / 2, False), (1.35, np.pi / 2, True),
+])
+def test_no_armchair_stands_between_another_one_and_the_low_table(y: float, yaw: float, bars: bool) -> None:
+    things = {"coffee_table": TABLE_BEFORE, "armchair": (0.0, 0.55 + 0.3 + 0.4, -np.pi / 2, 0.8, 0.8, 0.0, 0.85)}
+    second = np.array([(0.0, y + np.sign(y) * 0.8, yaw, 0.8, 0.8, 0.0, 0.85)])
+    there = np.array(list(things.values()))
+    assert views.barred("armchair", second, list(things), there).tolist() == [bars]
+    front = np.array([things["armchair"]])
+    assert views.barred("armchair", front, list(things), np.concatenate([there[:1], second])).tolist() == [bars]
+    assert not views.barred("armchair", second, ["coffee_table"], there[:1]).any()
+
+
+@pytest.mark.parametrize("gap, kept", [(0.1, False), (0.24, False), (0.26, True), (0.5, True)])
+def test_knees_are_between_an_armchair_and_the_low_table(gap: float, kept: bool) -> None:
+    seat = np.array([(0.0, 0.55 + gap + 0.4, -np.pi / 2, 0.8, 0.8, 0.0, 0.85)])
+    assert company.alone("armchair", seat, ["coffee_table"], np.array([TABLE_BEFORE])).tolist() == [not kept]
+
+
+@pytest.mark.parametrize("x, yaw, good", [
+    (0.85, -np.pi / 2, True),  # abreast, both looking south
+    (0.85, np.pi, False),      # looks at the other one's arm
+])
+def test_no_armchair_looks_at_the_arm_of_another(x: float, yaw: float, good: bool) -> None:
+    one, two = ((at, 0.0, turn, 0.8, 0.8, 0.0, 0.85) for at, turn in ((0.0, -np.pi / 2), (x, yaw)))
+    low = (0.4, -1.1, 0.0, 1.1, 0.6, 0.0, 0.4)
+    for seat, other in ((one, two), (two, one)):
+        found = company.alone("armchair", np.array([seat]), ["armchair", "coffee_table"], np.array([other, low]))
+        assert found.tolist() == [not good]

@@ -192,3 +192,20 @@ def test_what_belongs_beside_a_bed_takes_nothing(name: str) -> None:
     bed = box(BED, -0.98, 0)
     assert not taken("double_bed", bed, (name, box((0.4, 0.4, 0.5), -1.2, 1.05)))
     assert not taken(name, box((0.4, 0.4, 0.5), -1.2, 1.05), ("double_bed", bed))
+
+
+RADIATOR = np.array([-0.6, 1.95, -np.pi / 2, 0.1, 0.9, 0.12, 0.72], np.float32)
+"""At the north wall."""
+
+
+@pytest.mark.parametrize("aside, alone, beside", [(0.62, False, True), (0.66, False, False), (0.4, True, True)])
+def test_two_who_share_a_bed_get_past_the_radiator(aside: float, alone: bool, beside: bool) -> None:
+    """The bed is so far from its wall; .6 m less what is nothing yet have to be free."""
+    bed = box((2.0, 1.6, 0.5), -1.0, 2.0 - aside - 0.8)
+    assert taken("double_bed", bed) == alone and taken("double_bed", bed, ("radiator", RADIATOR)) == beside
+
+
+@pytest.mark.parametrize("gap, barred", [(0.02, True), (0.1, True), (0.2, False)])
+def test_no_bed_stands_at_a_radiator(gap: float, barred: bool) -> None:
+    bed = box((2.0, 0.9, 0.5), -1.0, 1.9 - gap - 0.45)
+    assert taken("single_bed", bed, ("radiator", RADIATOR)) == barred and not taken("single_bed", bed)
