@@ -28,7 +28,8 @@ ALIKE = ("(?:girl|daughter)", "(?:boy|son)", "(?:child|kid|children|boy|girl|son
 """Words for the same children."""
 OWN_TOO = re.compile(r"kids room|\b(?:own|alone|suy[oa]|eigenes?|sienn?e?)\b")
 """What tells of the rooms of others beside those who share one."""
-FAMILY_ROOM = re.compile(r"\b(?:an? |the |our |eine |une |una )?(?:family|familie|famille|familia) "
+FAMILY_ROOM = re.compile(r"\b(?:(?:we are|wir sind|nous sommes|somos) )?(?:an? |the |our |eine? |une? |una )?"
+                         r"(?:family|familie|famille|familia|couple|paar|pareja) "
                          r"(?:with|of|mit|avec|con) (?=(?:an?|\d) (?:kids room|relative's room))")  # fmt: skip
 """A family before the rooms of its children, of which the parents have another one."""
 TOGETHER = re.compile(

@@ -11,7 +11,9 @@ Words = str | Callable[[re.Match[str]], str]
 HALL = (r"(?:(?:central|long|short|wide|narrow|entrance|single|main|common|night|inner|bedroom|same|front|second) )*"
         r"(?:hall(?:way)?|corridor|passage(?:way)?|landing|lobby|vestibule|foyer|gallery)s?")  # fmt: skip
 OUTSIDE = r"(?:(?:juliet |step-out |roof )?(?:balcon(?:y|ies)|terraces?|loggias?|patios?|verandas?|decks?))"
-ROOM = (r"(?:(?:living|sitting|family|dining|laundry|utility|storage|store|guest|shower|bed|bath|play|wash) ?rooms?|"
+ROOM = (r"(?:(?:living|sitting|family|dining|laundry|utility|storage|store|guest|shower|bed|bath|play|wash|drawing|"
+        r"dressing|breakfast|box|spare|powder|wet|music|work|rest|hobby|media|games?) ?rooms?|"
+        r"parlou?rs?|larders?|dens?|librar(?:y|ies)|wcs?|cloak ?rooms?|kitchenettes?|conservator(?:y|ies)|"
         rf"kitchens?|stud(?:y|ies)|lounges?|toilets?|(?:home )?offices?|pantr(?:y|ies)|(?:walk-in )?closets?|nurser"
         rf"(?:y|ies)|hall(?:way)?s?|corridors?|{OUTSIDE})")  # fmt: skip
 KIND = (r"(?:(?:main|master|guest|first|second|third|fourth|other|only|family|children's|kids'?|parents'|large(?:st)?|"
