@@ -29,7 +29,7 @@ _SAID = rules((
     (r" ?[,;:.-] ?{makes}(?: then| also| dann| donc)?,? (?P<n>{count}) (?P<rooms>{bedrooms}){whole}(?= ?(?:[.,;:!)]|$)|"
      r" and | und | et | y )", r". \g<n> \g<rooms> in total"),
     # "Mum and Dad have the second bedroom", "wir Eltern haben unser eigenes Schlafzimmer"
-    (r"\b(?:(?:my|our|meine|unsere|mes|mis|the) )?{parent} (?:and|und|et|y|&) (?:(?:my|our|meine?) )?{parent}\b",
+    (r"\b(?:(?:my|our|meine|unsere|mes|mis|the) )?{parent}(?: and| und| et| y| &|,) (?:(?:my|our|meine?) )?{parent}\b",
      "my parents"),
     (r"\b(?:wir|nous(?: les)?|nosotros(?: los)?) (?P<who>eltern|parents|padres) (?:haben|bekommen|brauchen|avons|"
      r"aurons|voulons|tenemos|queremos) (?:unser|ein|notre|une|nuestro|nuestra|un) (?:eigenes |propre |propi[oa] )?"

@@ -37,6 +37,34 @@ def _only_door(found: re.Match[str]) -> str:
     return f"{only}. {found['of']} has a door " if found["to"] else only
 
 
+_OWNABLE = re.compile(r"\b(?:(?:bath|shower|dressing) ?room|toilet|balcony|closet|study|office|terrace|wardrobe|desk)s?\b")
+_FAMILIES = {"三": 1, "3": 1, "四": 2, "4": 2, "五": 3, "5": 3, "六": 4, "6": 4}
+_BEDS = re.compile("[一二两三四五1-5](?:室|居|间卧|个卧|间房)")
+
+
+def _another(found: re.Match[str]) -> str:
+    """`our room has a private one`: a private bathroom, where one was spoken of last."""
+    last = _OWNABLE.findall(found.string[: found.start()])[-1:]
+    own = found["own"].replace("private", "own").replace("a own", "its own")
+    return f"{found['has']} {own}{last[0].removesuffix('s')}" if last else found.group()
+
+
+def _of_antecedent(found: re.Match[str]) -> str:
+    """`the living room, which faces west and gets a sofa`: it is the living room that gets it."""
+    return f"{found['room']}, {found['which']}. {_the(found['room'])} {found['has']} "
+
+
+def _the(room: str) -> str:
+    return room if room.startswith(("the ", "my ", "our ")) else f"the {room}"
+
+
+def _family_of(found: re.Match[str]) -> str:
+    """`一家三口住的房子`: the parents' bedroom and that of the child, where none are counted."""
+    kids = _FAMILIES[found["n"]]
+    counted = _BEDS.search(found.string)
+    return "" if counted else f" a parents' bedroom, {'a kids room' if kids == 1 else f'{kids} kids rooms'}, "
+
+
 _STUDIO = r"(?:studio|atelier)(?! (?:flat|apartment|home|unit|loft|room))"
 _SAID = rules((
     # "the main one, which is en suite, of 13 by 12 ft"
@@ -50,7 +78,7 @@ _SAID = rules((
      r"(?=(?:in|on)?to ))[^,.;:]*?(?:to|onto|into|off|from) (?:an?|the|its own) (?:[a-z-]+ )?{kind}), (?:and )?"
      r"(?=(?:an?|one|two|three) )", _list_goes_on),
     # "run into one another without a wall"
-    (r"\b(?:(?:run|flow|merge|blend|lead|melt) into|form|make|are) (?:one another|each other|one (?:open )?(?:space|room))"
+    (r"\b(?:run|melt|blend) into (?:one another|each other)"
      r"(?:,? without (?:an?y? |the )?walls?(?: in)?(?: ?between(?: them)?)?)?{end}", "are open to each other"),
     (r"\b(?P<a>(?:the )?{kind} and (?:the )?{kind}),? (?:without|with no) (?:an?y? )?(?:wall|partition)s?(?: in)?(?: ?"
      r"between(?: them)?)?{end}", r"\g<a> are open to each other"),
@@ -89,8 +117,19 @@ _SAID = rules((
     # "Südbalkon"
     (r"\b(?P<side>nord|sud|ost|west)(?P<room>balkon|terrasse|loggia|zimmer|schlafzimmer|wohnzimmer|kuche)\b",
      r"\g<room> nach \g<side>en"),
+    # "big family room", "big room for family"
+    (r"\b(?:big|large|spacious) (?:family room|room for (?:the |our |my )?(?:whole )?family)\b", "large living room"),
+    # "one bathroom off the hall, and our room has a private one"
+    (r"\b(?P<has>{has}) (?P<own>(?:an?|its|her|his|their|our) (?:(?:own|private|separate|second|extra|little|small) )+)one\b",
+     _another),
+    # "the living room, which faces west and gets a sofa"
+    (r"\b(?P<room>(?:(?:the|my|our) )?{kind}),? (?P<which>(?:which|that) (?:is|faces|looks|lies|opens|has|measures|should|must)\b[^.;:,]*?),? and "
+     r"(?:also )?(?P<has>has|gets|contains|needs|holds) (?=(?:an?|one|two|three|four|\d) )", _of_antecedent),
+    # "一家三口", "孩子的房间"
+    (r"一家(?P<n>[三四五六3-6])口(?:人)?(?:住)?的?", _family_of),
+    (r"(?:小?孩子?们?|儿子|女儿|宝宝)的(?:房间|卧室|房)(?=要|里|放|有|需|在|朝|靠|挨|至少|不)", " the kids room "),
     # "I live with my grandmother. Her room"
-    (r"\b(?P<her>her|his) (?:own )?(?:bed ?)?room\b", _whose),
+    (r"\b(?P<her>her|his) (?:bed ?)?room\b", _whose),
 ), one=_ONE, size=_SIZE, studio=_STUDIO)  # fmt: skip
 
 
