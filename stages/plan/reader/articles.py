@@ -7,11 +7,11 @@ DEFINITE = frozenset("vom zum zur am im beim ans ins dem der den du au aux del a
 
 
 def definite(items: list[Item]) -> list[Item]:
-    """The items with the rooms behind such prepositions as ones that are spoken of again, in place."""
+    """The items with the bedrooms behind such prepositions, of which there are several, as ones that are known."""
     for before, item in zip(items, items[1:], strict=False):
         room = item.room
-        if room is None or room.quantifier != Det.BARE or room.count is not None:
+        if room is None or room.type != "bedroom" or room.quantifier != Det.BARE or room.count is not None:
             continue
-        if before.kind in ("link", "front", "beside") and before.text.split()[-1:] and before.text.split()[-1] in DEFINITE:
+        if before.kind in ("link", "front", "beside") and before.text.rpartition(" ")[2] in DEFINITE:
             room.quantifier = Det.THE
     return items

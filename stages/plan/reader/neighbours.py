@@ -17,11 +17,13 @@ def _together(found: re.Match[str]) -> str:
 _SAID = rules((
     # "kitchen and bathroom must not be neighbours", "have no common wall", "there must be no shared wall between"
     (r"\b(?P<be>(?:must|should|shall|may|can|could|are|is|need|have|has|ought)(?: not)?(?: to)?(?: be)?) "
-     r"(?:(?:direct|immediate|next-door|close) )?(?:neighbou?rs|neighbou?ring|abutting|touching)(?: each other)?(?= ?(?:[.,;:!?)]|$)| (?:in|of|and|but)\b)",
+     r"(?:(?:direct|immediate|next-door|close) )?(?:neighbou?rs|neighbou?ring|abutting|touching)(?: each "
+     r"other)?(?= ?(?:[.,;:!?)]|$)| (?:in|of|and|but)\b)",
      r"\g<be> next to each other"),
     (r"\b(?:{must} )?(?:have no {wall}|share no (?:{wall}|walls?)){end}", _SIDE_BY_SIDE),
     (r"\b{not} (?:have (?:an?y? )?{wall}|share (?:an?y? )?(?:{wall}|walls?)){end}", _SIDE_BY_SIDE),
-    (r",? (?:without|with no) (?:an?y? )?{wall}(?: between (?:them|the two|each other))?{end}", f". they {_SIDE_BY_SIDE}"),
+    (r",? (?:without|with no) (?:an?y? )?{wall}(?: between (?:them|the two|each other))?{end}",
+     f". they {_SIDE_BY_SIDE}"),
     (r"(?P<begin>^|[.;:,] ?|\band |\bbut )(?:(?:there )?(?:{must} |is |are )?(?:not )?(?:be )?)?(?:no|without) "
      r"(?:common|shared|party|adjoining) walls? between (?P<them>(?:(?:the|my|our|both|two|these|all) )*{kind}s?"
      r"(?:(?:,? and|,) (?:the |my |our )?{kind})*){end}", _together),
@@ -30,12 +32,14 @@ _SAID = rules((
     (r"\b(?P<verb>sollen|durfen|mussen)(?P<not> nicht)? (?:direkt )?(?:aneinander ?grenzen|aneinander ?stossen|"
      r"benachbart sein|nachbarn sein|aneinander liegen|wand an wand liegen)\b",
      lambda found: f"{found['verb']}{found['not'] or ''} nebeneinander liegen"),
-    (r"\bgrenzen (?P<not>nicht )?(?:direkt )?aneinander\b", lambda found: f"liegen {found['not'] or ''}nebeneinander"),
+    (r"\bgrenzen (?P<not>nicht )?(?:direkt )?aneinander\b",
+     lambda found: f"liegen {found['not'] or ''}nebeneinander"),
     (r"\b(?P<be>(?:no )?(?:deben |tienen que |pueden )?(?:estar|esten|estan|queden|quedar)) (?:bien |muy )?"
      r"(?:juntos|juntas|pegad[oa]s|al lado)(?: entre si)?(?: un[oa] (?:de|a) otr[oa])?{end}", r"\g<be> contiguos"),
     (r"\b(?:una|la) (?P<es>{es}) y (?P<b>(?:el |la |un |una )?{es}) pegad[oa]s\b", r"una \g<es> y \g<b> contiguos"),
     # "no room larger than the living room"
-    (r"(?P<begin>^|[.;:,] ?|\band |\bbut )(?:there (?:is|should be|must be) )?(?:no|not a|without any) (?:other )?rooms? "
+    (r"(?P<begin>^|[.;:,] ?|\band |\bbut )(?:there (?:is|should be|must be) )?(?:no|not a|without any) (?:other "
+     r")?rooms? "
      r"(?:(?:{must} |is |may )*(?:to )?be )?(?:larger|bigger|greater) than (?P<of>(?:the |my |our )?{kind}){end}",
      lambda found: f"{found['begin']}{_the(found['of'])} is the largest room"),
 ), wall=_WALL)  # fmt: skip
@@ -45,7 +49,8 @@ def _the(room: str) -> str:
     return room if room.startswith(("the ", "my ", "our ")) else f"the {room}"
 
 
-_NEW = (r"(?:(?:comes|lies|is|goes|put|place|there is|there should be|i want|we want|you find) )*(?:an?|one|the|our|my|"
+_NEW = (r"(?:(?:comes|lies|is|goes|put|place|there is|there should be|i want|we want|you find) "
+        r")*(?:an?|one|the|our|my|"
         rf"two|another) (?:(?!and |with |{KIND})[a-z'-]+ ){{0,3}}?(?P<room>{KIND})\b(?! (?:and|or) )")  # fmt: skip
 _JOINT = r"(?:,? (?:and|with|plus|but)|[,;.])+,? ?(?:and |then )?(?:right |directly |just |immediately |straight )?"
 _WAYS = {"opposite": "opposite", "across": "opposite", "facing": "opposite", "gegenuber": "opposite", "en": "opposite",
@@ -56,11 +61,14 @@ _FRONTED = [(late(pattern), late(rf"\b{room}\b")) for pattern, room in (
     (rf"{_JOINT}(?P<by>next to|beside|adjacent to|adjoining|opposite(?: to)?|across from|near(?: to)?|close to|far "
      rf"(?:away )?from|facing) (?:it|that|this|them|that one|this one),? (?P<new>{_NEW})", KIND),
     # "ein Schlafzimmer, gegenüber ein Bad", "une chambre et à côté une salle de bains"
-    (rf"(?:,? und|[,;.])+ ?(?:direkt |gleich |unmittelbar )?(?P<by>daneben|gegenuber)(?: davon)? (?P<new>(?:liegt |ist "
+    (rf"(?:,? und|[,;.])+ ?(?:direkt |gleich |unmittelbar )?(?P<by>daneben|gegenuber)(?: davon)? "
+     rf"(?P<new>(?:liegt |ist "
      rf"|kommt )?(?:eine?|das|die|der) (?:\w+ )?(?P<room>{DE}))\b", DE),
-    (rf"(?:,? et|,? avec|[,;.])+ ?(?:juste |directement |tout )?(?P<by>a cote|en face|tout pres),? (?P<new>(?:il y a |se "
+    (rf"(?:,? et|,? avec|[,;.])+ ?(?:juste |directement |tout )?(?P<by>a cote|en face|tout pres),? "
+     rf"(?P<new>(?:il y a |se "
      rf"trouve )?(?:une?|le|la) (?:\w+ )?(?P<room>{FR}))\b", FR),
-    (rf"(?:,? y|,? con|[,;.])+ ?(?:justo |directamente )?(?P<by>al lado|enfrente|junto a el(?:la)?),? (?P<new>(?:hay )?(?:"
+    (rf"(?:,? y|,? con|[,;.])+ ?(?:justo |directamente )?(?P<by>al lado|enfrente|junto a el(?:la)?),? "
+     rf"(?P<new>(?:hay )?(?:"
      rf"una?|el|la) (?P<room>{ES}))\b", ES),
 )]  # fmt: skip
 _ENDS = re.compile(r"[.;](?!\d)|$")
