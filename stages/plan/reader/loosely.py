@@ -93,7 +93,7 @@ _SAID = rules((
      r"(?:(?:{size}|large|small|bright|big|separate) )?){studio}", r"\g<home>study"),
     # "two bedrooms, a lounge that leads to a balcony, a kitchen, and a store room"
     (r"(?P<before>(?:^|[.;:])[^.;:]*, )(?P<room>(?:an?|the|one) (?:[a-z-]+ )?{kind})(?P<to>(?: "
-     r"(?:that|which)\b| [a-z-]+ing "
+     r"(?:that|which)\b| (?:leading|opening|giving|looking) "
      r"(?=(?:in|on)?to ))[^,.;:]*?(?:to|onto|into|off|from) (?:an?|the|its own) (?:[a-z-]+ )?{kind}), (?:and )?"
      r"(?=(?:an?|one|two|three) )", _list_goes_on),
     # "run into one another without a wall"

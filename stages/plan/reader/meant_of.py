@@ -44,7 +44,9 @@ _LISTED = (
     (rf"(?:(?:der|die|das|eine?) )?{DE}", "und"),
     (rf"(?:(?:the|an?) )?{ROOM}", "and"),
 )
-"""Lists that are joined by the same word all along."""
+"""Lists that are joined by the same word all along: `el salón y la cocina y el comedor`."""
+_JOINED = [(joint, late(rf"(?<!con )(?<!with )(?<!avec )(?<!mit )\b(?P<a>{one}) {joint} (?P<b>{one}) {joint} "
+                        rf"(?={one}\b)")) for one, joint in _LISTED]  # fmt: skip
 _SAID = rules((
     # "no open kitchen, I can't stand the smell of frying in the lounge"
     (r"(?P<of>\b{hate} {smell}(?: of [a-z]+)?) (?:in|into|through|from|all over) (?:the |my |our )?{room}(?: and (?"
@@ -60,10 +62,7 @@ _SAID = rules((
      r"fritos|cocinar))? (?:en|de) (?:el|la|l) {es}\b", r"\g<of>"),
     (r"(?:我|我们)?(?:不喜欢|讨厌|受不了|怕)(?:在)?(?:客厅|卧室|餐厅|厨房)?(?:里)?(?:的)?(?:有)?(?P<of>油烟味?|气味|"
      r"味道|噪音)", r"\g<of>"),
-    # "el salón y la cocina y el comedor", "salón y cocina juntos"
-    *((rf"(?<!con )(?<!with )(?<!avec )(?<!mit )\b(?P<a>{one}) {joint} (?P<b>{one}) {joint} (?={one}\b)",
-     r"\g<a>, \g<b> " + joint + " ")
-      for one, joint in _LISTED),
+    # "salón y cocina juntos"
     (r"(?P<a>\b{vivid}),? y (?P<b>{vivid}),? (?:juntos|juntas|unidos|integrados|en (?:un|el) (?:solo|mismo|unico) (?"
      r":espacio|ambiente))\b",
      r"\g<a> y \g<b> abiertos"),
@@ -147,4 +146,7 @@ _NOT_BE = late(r"\bich bin\b")
 
 def meant_of(text: str) -> str:
     """A folded text with such clauses said of their rooms."""
+    for joint, listed in _JOINED:
+        if text.count(f" {joint} ") > 1:
+            text = listed.sub(rf"\g<a>, \g<b> {joint} ", text)
     return reworded(_NOT_BE.sub("ich", text), _SAID)

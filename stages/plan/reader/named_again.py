@@ -98,9 +98,6 @@ _SAID = rules((
      r"\g<room> \g<by> \g<with>"),
     (r",? and (?:the|a) usual (?={kind})", ", a "),
     (r"\bright (?=(?:beside|opposite|behind|near|outside|by|at) )", ""),
-    (r"\b(?P<a>eine? (?:\w+ )?(?P<of>{de})),? (?:und )?(?:direkt |gleich |unmittelbar )?daneben (?P<b>eine? (?:\w+ "
-     r")?{de})\b",
-     r"\g<a>, \g<b> neben dem \g<of>"),
     (r"\b(?P<a>une? (?:\w+ )?(?P<of>{fr})),? (?:et |avec )?(?P<b>une? (?:\w+ )?{fr}) (?:juste |directement |tout "
      r")?a cote(?= ?(?:[.,;]|$))",
      r"\g<a>, \g<b> a cote de la \g<of>"),

@@ -71,12 +71,16 @@ _FRONTED = [(late(pattern), late(rf"\b{room}\b")) for pattern, room in (
      rf"(?P<new>(?:hay )?(?:"
      rf"una?|el|la) (?P<room>{ES}))\b", ES),
 )]  # fmt: skip
+_BY_IT = re.compile(r"\b(?:to|beside|from|adjoining|opposite|near|facing) (?:it|th(?:at|is|em)(?: one)?),? "
+                    r"(?:[a-z ]{0,16}\b)?"
+                    r"(?:an?|one|the|our|my|two|another) |\bdaneben\b|\bgegenuber\b|\ba cote\b|\ben face\b|"
+                    r"\btout pres\b|\bal lado\b|\benfrente\b|\bjunto a el")  # fmt: skip
 _ENDS = re.compile(r"[.;](?!\d)|$")
 
 
 def _told_after(text: str) -> str:
     """Such places as clauses of their own behind their sentences: `. the store room is next to the kitchen`."""
-    for pattern, room in _FRONTED:
+    for pattern, room in _FRONTED if _BY_IT.search(text) else ():
         at = 0
         while (found := pattern.compiled.search(text, at) if not pattern.lacked_by(text) else None) is not None:
             at = found.end()
