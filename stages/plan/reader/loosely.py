@@ -24,11 +24,12 @@ _ROOMS = re.compile(rf"\b{KIND}|\b\d")
 
 
 def _whose(found: re.Match[str]) -> str:
-    """`I live with my grandmother. Her room …`: the grandmother's, where nobody else is she."""
+    """`a house for a couple and a grandmother: her bedroom`: the grandmother's, where nobody else is she."""
     known = (_FEMALE if found["her"] == "her" else _MALE).finditer(found.string[: found.start()])
     named = {one["who"] for one in known}
     only = next(iter(named)) if len(named) == 1 else ""
-    return f"the {only}'s bedroom" if _RELATIVE.match(only) else found.group()
+    beside = "couple" in found.string[: found.start()]
+    return f"the {only}'s bedroom" if beside and _RELATIVE.match(only) else found.group()
 
 
 def _list_goes_on(found: re.Match[str]) -> str:
@@ -212,8 +213,9 @@ _SAID = rules((
     # "一家三口", "孩子的房间"
     (r"一家([三四五六3-6])口(?:人)?(?:住)?(?!之家)", r"\1口之家"),
     (r"(?:小?孩子?们?|儿子|女儿|宝宝)的(?:房间|卧室|房)(?=要|里|放|有|需|在|朝|靠|挨|至少|不)", " the kids room "),
-    # "I live with my grandmother. Her room"
+    # "a couple and a grandmother: her bedroom", "her room beside the bathroom and mine far away"
     (r"\b(?P<her>her|his) (?:bed ?)?room\b", _whose),
+    (r"(?P<hers>\b(?:her|his|their) (?:bed ?)?room\b[^.;]*?,? (?:and|but|while) )mine(?= )", r"\g<hers>my room"),
 ), one=_ONE, size=_SIZE, studio=_STUDIO,
    side="(?:north|south|east|west)")  # fmt: skip
 

@@ -57,7 +57,7 @@ def _presumed(said: Said) -> bool:
     """`one bedroom, please, and two armchairs in the living room`: of a home whose other rooms need not be named."""
     told = [p for p in said.rooms if not p.negated and p.type not in ("", "any")]
     new = {p.type for p in told if p.quantifier != Det.THE}
-    furnished = bool(said.loose_objects or said.asked) or any(p.objects for p in told)
+    furnished = bool(said.loose_objects) or any(p.objects for p in told)
     one = any(p.type == "bedroom" and p.count == 1 for p in told)
     return furnished and one and any(p.type not in new for p in told)
 

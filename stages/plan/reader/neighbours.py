@@ -89,8 +89,9 @@ def _told_after(text: str) -> str:
                 continue
             way = _WAYS.get(found["by"].split()[0], "next to")
             alike = last[0].split()[-1] == found["room"].split()[-1]
-            clause = (f"the two {last[0].split()[-1]}s are {way} each other" if alike else
-                      f"the {found['room']} is {way} the {last[0]}")  # fmt: skip
+            pair = (last[0], found["room"]) if way == "opposite" else (found["room"], last[0])
+            both = f"the two {last[0].split()[-1]}s are {way} each other"
+            clause = both if alike else f"the {pair[0]} is {way} the {pair[1]}"
             end = _ENDS.search(text, found.end())
             where = end.start() if end is not None else len(text)
             text = f"{text[:found.start()]}, {found['new']}{text[found.end() : where]}. {clause}{text[where:]}"
