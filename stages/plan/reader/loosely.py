@@ -13,7 +13,6 @@ _SIZE = (r"(?:\d+(?:[.,]\d+)?(?: ?(?:m|ft|feet|foot|'))? ?(?:x|by|times) ?\d+(?:
 _ONE = (rf"(?:the|one|an?|another|my|our) "
         rf"(?:{KIND}|(?:main|master|other|second|third|large[rs]?t?|small(?:er|est)?|big"
         r"(?:ger|gest)?)(?: one)?)|one|another")  # fmt: skip
-_ITS_OWN = {"her": "her own", "his": "his own", "its": "its own", "their": "their own", "our": "our own"}
 _KIN = r"(?:grand(?:mother|father|ma|pa|dad)|granny|gran|nan|mother|father|mum|mom|dad|aunt|uncle|sister|brother)"
 _SHE = r"(?:grand(?:mother|ma)|granny|gran|nan|mother|mum|mom|aunt|sister)"
 _FEMALE = re.compile(rf"\b(?P<who>{_SHE}|wife|girlfriend|daughter|client|she|woman|girl|nurse|painter)s?\b")
@@ -179,8 +178,8 @@ _SAID = rules((
      r"(?:goes|leads|opens) "
      r"(?=(?:in|on)?to (?P<to>the {kind})))?", _only_door),
     # "a bathroom of its own", "their own room and a desk in it"
-    (r"\ban? (?P<room>{kind}) of (?P<whose>her|his|its|their|our) own\b",
-     lambda found: f"{_ITS_OWN[found['whose']]} {found['room']}"),
+    (r"\ban? (?P<room>{kind}) of (?P<whose>its|their) own\b",
+     r"\g<whose> own \g<room>"),
     (r"(?P<own>\b(?:own (?:bed ?)?room|(?:bed ?)?room of (?:its|their|his|her) own)),? and (?P<thing>an? "
      r"(?:[a-z]+ ){1,3}?)in (?:it|there|each)\b",
      lambda found: f"{found['own']} with {found['thing'].strip()}"),

@@ -20,8 +20,8 @@ _SAID = rules((
      r"(?:(?:direct|immediate|next-door|close) )?(?:neighbou?rs|neighbou?ring|abutting|touching)(?: each "
      r"other)?(?= ?(?:[.,;:!?)]|$)| (?:in|of|and|but)\b)",
      r"\g<be> next to each other"),
-    (r"\b(?:{must} )?(?:have no {wall}|share no (?:{wall}|walls?)){end}", _SIDE_BY_SIDE),
-    (r"\b{not} (?:have (?:an?y? )?{wall}|share (?:an?y? )?(?:{wall}|walls?)){end}", _SIDE_BY_SIDE),
+    (r"\b(?:{must} )?(?:have no {wall}|share no (?:{wall}|walls?))(?! ?:){end}", _SIDE_BY_SIDE),
+    (r"\b{not} (?:have (?:an?y? )?{wall}|share (?:an?y? )?(?:{wall}|walls?))(?! ?:){end}", _SIDE_BY_SIDE),
     (r",? (?:without|with no) (?:an?y? )?{wall}(?: between (?:them|the two|each other))?{end}",
      f". they {_SIDE_BY_SIDE}"),
     (r"(?P<begin>^|[.;:,] ?|\band |\bbut )(?:(?:there )?(?:{must} |is |are )?(?:not )?(?:be )?)?(?:no|without) "
