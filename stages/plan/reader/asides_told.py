@@ -46,8 +46,8 @@ _SAID = [(late(pattern), words) for pattern, words in (
     (r"\bune (?:autre )?pour chacune? de (?:nos|mes|leurs) (deux|trois|quatre) (?:enfants|filles|fils)\b",
      r"\1 kids rooms"),
     (r"\bfree (?:of|from) (?=[a-z])", "with no "),
-    (r"\bvom (\w+) aus (?:(?:soll|kann|muss|will) )?man (?:direkt )?(?:auf|in|zu) (?:den|die|das|einen|eine) (\w+)"
-     r"(?: (?:kommen|gelangen|gehen))?(?: (?:soll|kann|konnen))?", r"\2 zuganglich vom \1"),
+    (r"\bvom (\w+)(?: aus)? (?:(?:soll|kann|muss|will|kommt|gelangt) )?man (?:direkt )?(?:auf|in|zu) (?:den|die|das|"
+     r"einen|eine) (\w+)(?: (?:kommen|gelangen|gehen))?(?: (?:soll|kann|konnen))?", r"\2 zuganglich vom \1"),
     (r"\b(el balcon|la terraza) (?:esta|debe estar|tiene que estar|va) en (el|la) (\w+)(?:,? y no en (?:el|la) \w+)?",
      r"\1 accesible desde \2 \3"),
     # "a room each for our two daughters"

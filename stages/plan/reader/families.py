@@ -15,7 +15,8 @@ BEDROOMS = re.compile(
 """What tells where those sleep whose children have rooms."""
 COUNTED = re.compile(r"(?:\b\d|one|two|three|four|five|six|[一两二三四五])[ -]?(?:bed|br\b|居室|室)")
 """A number of bedrooms, beside which people have no further rooms."""
-LIVING = re.compile(r"\b(?:lives?|stays?|moves? in) with (?:us|me) and (?=ha[sv]e?|needs?|gets?|wants?|takes?|sleeps?)")
+LIVING = re.compile(r"\b(?:lives?|stays?|moves? in) with (?:us|me) and "
+                    r"(?=ha[sv]e?|needs?|gets?|wants?|takes?|sleeps?)")
 HAVING = re.compile(
     r"(?:\b(?:we have|we are|we've|our|my|wir haben|unsere|nous avons|nos|tenemos|nuestr[oa]s)\b|我们|一家)[^.]{0,48}"
     r"kids room|\b(?:i|we) have (?:an?|one|two|three|\d) (?:son|daughter|boy|girl|child|kid)s?\b(?=.*\d kids rooms)"
@@ -28,12 +29,16 @@ ALIKE = ("(?:girl|daughter)", "(?:boy|son)", "(?:child|kid|children|boy|girl|son
 """Words for the same children."""
 OWN_TOO = re.compile(r"kids room|\b(?:own|alone|suy[oa]|eigenes?|sienn?e?)\b")
 """What tells of the rooms of others beside those who share one."""
-FAMILY_ROOM = re.compile(r"\b(?:an? |the |our |eine |une |una )?(?:family|familie|famille|familia) "
-                         r"(?:with|of|mit|avec|con) (?=(?:an?|\d) (?:kids room|relative's room))")  # fmt: skip
+FAMILY_ROOM = re.compile(r"\b(?:(?:we are|wir sind|nous sommes|somos) )?(?:an? |the |our |eine? |une? |una )?"
+                         r"(?:family|familie|famille|familia|couple|paar|pareja) "
+                         r"(?:with|of|ha[sv]e|mit|avec|con) (?:(?:twins|(?:an?|two|three) "
+                         r"(?:child|kid|son|daughter|boy|girl)(?:s|ren)?) and )?"
+                         r"(?=(?:an?|\d) (?:kids room|relative's room))")  # fmt: skip
 """A family before the rooms of its children, of which the parents have another one."""
 TOGETHER = re.compile(
     r"\b(?:the |our |my )?(sons|daughters|boys|girls|kids|children|brothers|sisters|twins) (?:both |can |will )?"
-    r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| room)?\b"
+    r"(?:(?:sleep|stay|live|are) (?:together|in one|in the same)|share)(?: an?| one| the same)?(?: bed ?room| "
+    r"room)?\b"
 )
 KEPT = re.compile(r"\b(?:ours|mine|(?<=keep )(?:our|my) own(?= ?(?:[.,;!]|$)))(?![a-z'])")
 HERS = re.compile(r"\b(?:she|he) (?:needs|gets|wants|has|should have|will (?:have|get)) (?:an?|her own|his own) "
@@ -43,7 +48,8 @@ COUPLE = re.compile(
     r"|\b(?:me|myself|i)(?: and|,) my (?:wife|husband|partner|spouse|girlfriend|boyfriend|fiancee?)\b"
 )
 SUMMED = re.compile(
-    r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed ?rooms)"
+    r"((?:kids room|relative's room|parents' bedroom)s?\b.*[.:;] ?(?:so,? )?(?:\d|two|three|four|five|six) bed "
+    r"?rooms)"
     r"\b(?! in total)"
 )
 """Bedrooms that are counted once those who have rooms are named: all of them."""

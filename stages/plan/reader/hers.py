@@ -3,11 +3,12 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import BEDROOMS
 
 _OWNERS = ("his", "hers", "mine", "ours", "theirs", "yours")
 _OF_WHOM = re.compile(rf"\b(?:{'|'.join(_OWNERS)})\b")
 _ROOMS = {
-    "bedroom": "bed ?rooms|schlafzimmer|chambres|dormitorios|habitaciones",
+    "bedroom": BEDROOMS,
     "bathroom": "bath ?rooms|bader|badezimmer|salles de bains?|salles d'eau|banos",
     "study": "studies|arbeitszimmer|buros|despachos|estudios",
     "balcony": "balconies|balkone|balcons|balcones|terrazas",

@@ -4,17 +4,6 @@ import re
 
 from apartgen.stages.plan.reader.pieces import reworded, rules
 
-_DE = (r"(?:(?:wohn|ess|schlaf|arbeits|kinder|gaste|bade|elternschlaf)zimmer|kuche|bad|gaste-wc|wc|buro|abstellraum|"
-       r"balkon|"
-       r"hauswirtschaftsraum|ankleide|flur|diele)")  # fmt: skip
-_FR = (r"(?:chambre(?: parentale| d'amis)?|cuisine|salon|sejour|bureau|salle (?:de bains?|d'eau|a manger)|dressing|"
-       r"buanderie|cellier|"
-       r"couloir|entree)")  # fmt: skip
-_ES = (
-    r"(?:dormitorio(?: principal)?|habitacion|cocina|salon|comedor|despacho|bano|aseo|vestidor|lavadero|trastero|"
-    r"pasillo)"
-)
-
 
 def _but(found: re.Match[str]) -> str:
     """`soll nicht an die Küche grenzen, sondern an das Bad`: the verb of the first once more."""
@@ -78,7 +67,7 @@ _SAID = rules((
      r"(?P<us>\b(?:(?:the )?parents' (?:bed ?)?room|our (?:own )?bed ?room) (?:{must}|has to) (?:not )?be (?:not "
      r")?(?:far(?: away)? from|away "
      r"from|next to|near|close to|beside|opposite)) them{end}", r"\g<kids>\g<us> the kids room"),
-), de=_DE, fr=_FR, es=_ES)  # fmt: skip
+))  # fmt: skip
 
 
 def _the(room: str) -> str:

@@ -11,7 +11,6 @@ from apartgen.stages.plan.reader.sharing import sharing
 _PARENT = r"(?:mum|mummy|mom|mommy|mama|mami|maman|mutter|mother|dad|daddy|papa|papi|father|vater)"
 _SIBLING = r"(?:(?:little|big|older|younger|elder|twin) )?(?:brother|sister|bruder|schwester|frere|soeur|herman[oa])"
 _CHILDREN = r"(?:kinder|jungen|jungs|madchen|tochter|sohne|teenager|enkel)"
-_BEDROOMS = r"(?:bed ?rooms|schlafzimmer|chambres|dormitorios|habitaciones)"
 _COUNT = (r"(?:two|three|four|five|six|zwei|drei|vier|funf|sechs|deux|trois|quatre|cinq|dos|tres|cuatro|cinco|seis|"
           r"[2-6])")  # fmt: skip
 _THAT_MAKES = (r"(?:(?:and |so |und |et |y )?(?:that(?:'s| is| makes| means| gives| comes to| adds up to)|this makes|"
@@ -30,11 +29,11 @@ _SAID = rules((
     (r" ?[,;:.-] ?{makes}(?: then| also| dann| donc)?,? (?P<n>{count}) (?P<rooms>{bedrooms}){whole}(?= ?(?:[.,;:!)]|$)|"
      r" and | und | et | y )", r". \g<n> \g<rooms> in total"),
     # "Mum and Dad have the second bedroom", "wir Eltern haben unser eigenes Schlafzimmer"
-    (r"\b(?:(?:my|our|meine|unsere|mes|mis|the) )?{parent} (?:and|und|et|y|&) (?:(?:my|our|meine?) )?{parent}\b",
+    (r"\b(?:(?:my|our|meine|unsere|mes|mis|the) )?{parent}(?: and| und| et| y| &|,) (?:(?:my|our|meine?) )?{parent}\b",
      "my parents"),
     (r"\b(?:wir|nous(?: les)?|nosotros(?: los)?) (?P<who>eltern|parents|padres) (?:haben|bekommen|brauchen|avons|"
      r"aurons|voulons|tenemos|queremos) (?:unser|ein|notre|une|nuestro|nuestra|un) (?:eigenes |propre |propi[oa] )?"
-     r"(?:schlafzimmer|zimmer|chambre|dormitorio|habitacion)(?: propi[oa])?\b", lambda found: _THEIR[found["who"]]),
+     r"{bedroom}(?: propi[oa])?\b", lambda found: _THEIR[found["who"]]),
     (r"\bwe parents (?=have|get|need|want|sleep|take|in )", "the parents "),
     (r"\b(parents (?:have|get|need|want)) our own (?=(?:bed ?)?room)", r"\1 their own "),
     (r"\b(die|unsere[nr]?|meine[nr]?|den) beiden (?={kinder}\b)", r"\1 zwei "),
@@ -49,9 +48,9 @@ _SAID = rules((
     (r"\b(?:are|is) sleeping (?=(?:together )?in )", "sleep "),
     (r"\bin (?=(?:other|second|third) (?:bed ?)?room)", "in the "),
     (r"\b(?:sleeps?|schlaf(?:t|en)|dort|dorment|duermen?) (?:together |zusammen |ensemble |juntos )?(?=(?:in|dans|en) "
-     r"(?:an?|one|the same|einem|une|un|una) (?:(?:bed ?)?room|(?:schlaf)?zimmer|chambre|dormitorio|habitacion)\b"
+     r"(?:an?|one|the same|einem|une|un|una) {bedroom}\b"
      r"[^.;]*{awake}\b(?:in|im|dans|en) (?:{other}))", ""),
-), parent=_PARENT, sibling=_SIBLING, kinder=_CHILDREN, bedrooms=_BEDROOMS, count=_COUNT, makes=_THAT_MAKES,
+), parent=_PARENT, sibling=_SIBLING, kinder=_CHILDREN, count=_COUNT, makes=_THAT_MAKES,
    whole=_WHOLE, other=_OTHER, awake=_AWAKE)  # fmt: skip
 _OF_ALL = re.compile(r"\b(?:the|both|all|our|my|die|unsere|beide|les|nos|los|nuestr[oa]s|mis) "
                      r"(?:two |three |zwei |drei )?(?:children|kids|kinder|enfants|hijos|ninos)\b")  # fmt: skip

@@ -1,16 +1,14 @@
 """The lexicon: phrases of several languages, each with a kind and a value; the data is `lexicon/*.toml`."""
 
-import itertools
 import re
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
-from pathlib import Path
 
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.rooms import kinds
-from apartgen.stages.plan.reader.tables import tables
+from apartgen.stages.plan.reader.tables import expand, languages
 from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
 from apartgen.stages.things.categories import by_word
 
@@ -154,15 +152,6 @@ def most_words(pattern: str) -> int:
     return sum(max(len(option.split()) for option in part) for part in parts)
 
 
-def expand(pattern: str) -> list[str]:
-    """`{a,b} c` → `a c`, `b c`."""
-    if "{" not in pattern:
-        return [pattern]
-    parts = re.split(r"(\{[^}]*\})", pattern)
-    options = [p[1:-1].split(",") if p.startswith("{") else [p] for p in parts]
-    return [" ".join("".join(choice).split()) for choice in itertools.product(*options)]
-
-
 def phrase(text: str) -> Phrase:
     """The words of a phrase, without hyphens."""
     if _PLAIN.fullmatch(text):  # as tokens would be, without their cost: a process's first sentence waits for this
@@ -193,19 +182,19 @@ def plural(words: Phrase) -> Phrase:
 
 @cache
 def read_lexicon() -> Lexicon:
-    """Read every language file once."""
+    """All phrases of all languages."""
     found = Entries()
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
     longest = _add_group(found, "room", _newcomers(), 1)
-    for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
-        table = tables(file.read_text(encoding="utf-8"))
-        also_object |= table.pop("also_object", {})
-        for name, ends in table.pop("suffix", {}).items():
+    for table in languages().values():
+        also_object |= table.get("also_object", {})
+        for name, ends in table.get("suffix", {}).items():
             kind, _, value = name.partition("/")
             suffixes |= {end: Entry(kind, value) for end in ends}
         for kind, group in table.items():
-            longest = _add_group(found, kind, group, longest)
+            if kind not in ("also_object", "suffix"):
+                longest = _add_group(found, kind, group, longest)
     longest = _add_group(found, "furniture", _furniture(), longest)
     return Lexicon(found, also_object, suffixes, longest)
 

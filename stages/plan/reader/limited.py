@@ -112,6 +112,8 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         between = ("copula", "relative", "negation", "area", "pronoun")
         said_of = (i for i in reversed(_told_of_them(out)) if not (i.kind in between or is_mark(i, ",") or _each(i)))
         rooms = next((i.room for i in said_of), None)
+        if rooms is not None and each and _counted_before(rooms, out):
+            rooms.plural = True
         several = rooms is not None and (rooms.plural or (rooms.count or 1) > 1)
         if item.kind == "link" and item.value in ("near", "apart") and each and rooms is not None and several:
             denied = _none_of(rooms, out) or any(i.kind == "negation" for i in out[-2:])
@@ -125,6 +127,12 @@ def mutual(items: list[Item], said: Said) -> list[Item]:
         else:
             out.append(item)
     return out
+
+
+def _counted_before(rooms: RoomPhrase, out: list[Item]) -> bool:
+    """`zwei Schlafzimmer. Die Schlafzimmer …`: one word is the plural too."""
+    known = (i.room for i in out if i.room is not None and i.room is not rooms and i.room.type == rooms.type)
+    return rooms.quantifier == Det.THE and not rooms.labels and any((room.count or 1) > 1 for room in known)
 
 
 def _told_of_them(out: list[Item]) -> list[Item]:

@@ -4,7 +4,7 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
-from apartgen.stages.plan.reader.pieces import reworded, rules
+from apartgen.stages.plan.reader.pieces import BEDROOMS, DE, ES, FR, ROOM, reworded, rules
 
 _HATE = (r"(?:(?:i|we|my [a-z]+) )?(?:really |just )?(?:hates?|dislikes?|loathes?|cannot stand|can't stand|do not "
          r"like|don't like|"
@@ -15,8 +15,7 @@ _SIDE = (r"(?:on|in|at|to|near|facing|towards) (?:the )?(?:very )?(?:(?:north|so
          r"west|left|right|back|front|"
          r"rear|entrance|middle|cent(?:re|er)|street|garden)(?: side| end| corner| part)?")  # fmt: skip
 _ALONE = re.compile(r"\b(?:one|an?|the) (?:[a-z]+ ){0,2}bed ?room\b|\bone for\b|\banother for\b")
-_BEDS = re.compile(r"\b(?:two|2|dos|deux|zwei)[ -]?(?:[a-z]+ )?(?:bed ?rooms|dormitorios|habitaciones|chambres|"
-                   r"schlafzimmer)\b|[两二2][个间]?(?:卧室|房间|室)")
+_BEDS = re.compile(rf"\b(?:two|2|dos|deux|zwei)[ -]?(?:[a-z]+ )?{BEDROOMS}\b|[两二2][个间]?(?:卧室|房间|室)")
 _TWO = re.compile(r"\b(?:two|2|three|3|both)[ -]?(?:[a-z]+ )?bed(?: ?rooms?)?\b|\bt3\b")
 
 
@@ -40,16 +39,14 @@ def _suite(found: re.Match[str]) -> str:
 
 
 _LISTED = (
-    (r"(?:(?:el|la|un|una) )?(?:salon|cocina|comedor|bano|aseo|terraza|balcon|trastero|lavadero|despacho|pasillo|"
-     r"dormitorio)", "y"),
-    (r"(?:(?:le|la|un|une) )?(?:salon|sejour|cuisine|salle a manger|salle de bains?|terrasse|balcon|buanderie|"
-     r"couloir|chambre)", "et"),
-    (r"(?:(?:der|die|das|eine?) )?(?:kuche|bad|esszimmer|wohnzimmer|schlafzimmer|balkon|terrasse|flur|arbeitszimmer)",
-     "und"),
-    (r"(?:(?:the|an?) )?(?:kitchen|living room|dining room|bathroom|bedroom|balcony|study|hallway|utility room|"
-     r"pantry)", "and"),
+    (rf"(?:(?:el|la|un|una) )?{ES}", "y"),
+    (rf"(?:(?:le|la|un|une) )?{FR}", "et"),
+    (rf"(?:(?:der|die|das|eine?) )?{DE}", "und"),
+    (rf"(?:(?:the|an?) )?{ROOM}", "and"),
 )
-"""Lists that are joined by the same word all along."""
+"""Lists that are joined by the same word all along: `el salón y la cocina y el comedor`."""
+_JOINED = [(joint, late(rf"(?<!con )(?<!with )(?<!avec )(?<!mit )\b(?P<a>{one}) {joint} (?P<b>{one}) {joint} "
+                        rf"(?={one}\b)")) for one, joint in _LISTED]  # fmt: skip
 _SAID = rules((
     # "no open kitchen, I can't stand the smell of frying in the lounge"
     (r"(?P<of>\b{hate} {smell}(?: of [a-z]+)?) (?:in|into|through|from|all over) (?:the |my |our )?{room}(?: and (?"
@@ -59,16 +56,13 @@ _SAID = rules((
      r": vom kochen)?"
      r"(?: nicht)? (?:im|in der|in den) \w+(?: nicht)?\b", r"\g<of>"),
     (r"\b(?:je|nous) (?:deteste|detestons|n'aime pas|n'aimons pas|hais) (?:l'|les |le |la )(?P<of>odeurs?|bruit|fumee)"
-     r"(?: de (?:la )?cuisine)? (?:dans|de) (?:le|la|l') ?(?:salon|sejour|chambre|cuisine|piece a vivre)\b", r"\g<of>"),
+     r"(?: de (?:la )?cuisine)? (?:dans|de) (?:le|la|l') ?{fr}\b", r"\g<of>"),
     (r"\b(?:odio|odiamos|no me gusta|no soporto|no nos gusta) (?:el|los) (?P<of>olor|olores|ruido|humo)(?: (?:a|de) "
      r"(?:la )?(?:comida|cocina|"
-     r"fritos|cocinar))? (?:en|de) (?:el|la|l) (?:salon|comedor|dormitorio|cocina)\b", r"\g<of>"),
+     r"fritos|cocinar))? (?:en|de) (?:el|la|l) {es}\b", r"\g<of>"),
     (r"(?:我|我们)?(?:不喜欢|讨厌|受不了|怕)(?:在)?(?:客厅|卧室|餐厅|厨房)?(?:里)?(?:的)?(?:有)?(?P<of>油烟味?|气味|"
      r"味道|噪音)", r"\g<of>"),
-    # "el salón y la cocina y el comedor", "salón y cocina juntos"
-    *((rf"(?<!con )(?<!with )(?<!avec )(?<!mit )\b(?P<a>{one}) {joint} (?P<b>{one}) {joint} (?={one}\b)",
-     r"\g<a>, \g<b> " + joint + " ")
-      for one, joint in _LISTED),
+    # "salón y cocina juntos"
     (r"(?P<a>\b{vivid}),? y (?P<b>{vivid}),? (?:juntos|juntas|unidos|integrados|en (?:un|el) (?:solo|mismo|unico) (?"
      r":espacio|ambiente))\b",
      r"\g<a> y \g<b> abiertos"),
@@ -152,4 +146,7 @@ _NOT_BE = late(r"\bich bin\b")
 
 def meant_of(text: str) -> str:
     """A folded text with such clauses said of their rooms."""
+    for joint, listed in _JOINED:
+        if text.count(f" {joint} ") > 1:
+            text = listed.sub(rf"\g<a>, \g<b> {joint} ", text)
     return reworded(_NOT_BE.sub("ich", text), _SAID)

@@ -4,6 +4,7 @@ import re
 
 from apartgen.stages.plan.reader.families import COUNTED
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import BEDROOMS
 
 _MINE = late(
     r"\b(?:mein(?:em)? (?:schlaf)?zimmer|ma (?:propre )?chambre|mi (?:propi[oa] )?(?:habitacion|dormitorio|cuarto)|"
@@ -17,9 +18,7 @@ _THEIRS = late(
     r"\b(?:my |the )?parents' (?:bed ?)?room\b|\b(?:bed ?)?room (?:of|for) my parents\b|"
     r"\bmy parents'(?= (?:is|has|must|should|needs|next|near|at|on|in|\d))"
 )
-_COUNTED = re.compile(r"\b(?:zwei|drei|vier|deux|trois|quatre|dos|tres|cuatro|[2-4]) (?:schlafzimmer|chambres|"
-                      r"dormitorios|"
-                      r"habitaciones)\b")  # fmt: skip
+_COUNTED = re.compile(rf"\b(?:zwei|drei|vier|deux|trois|quatre|dos|tres|cuatro|[2-4]) {BEDROOMS}\b")
 _THEIR_ROOM = re.compile(r"\btheir (?:own )?(?:bed ?)?room\b")
 
 

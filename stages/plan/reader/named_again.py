@@ -9,13 +9,6 @@ _GUEST = (rf"(?:them|him|her|(?:(?:the|my|our|an?|two|three) )?(?:{YOUNG}|{THEY}
           rf"guests?|visitors?|"
           r"friends?)\b)")  # fmt: skip
 _SIZED = r"(?:(?:little|small|big|large|second|other|extra|further|more|separate|single|double) )*"
-_DE = (r"(?:(?:wohn|ess|schlaf|arbeits|kinder|gaste|bade)zimmer|kuche|bad|gaste-wc|wc|buro|abstellraum|"
-       r"hauswirtschaftsraum|ankleide)")  # fmt: skip
-_FR = (
-    r"(?:chambre(?: parentale| d'amis)?|cuisine|salon|sejour|bureau|salle (?:de bains?|d'eau|a manger)|dressing|"
-    r"buanderie|cellier)"
-)
-_ES = r"(?:dormitorio(?: principal)?|habitacion|cocina|salon|comedor|despacho|bano|aseo|vestidor|lavadero|trastero)"
 _LEAST = (r"(?:at least|at most|no (?:more|less|larger|smaller|bigger) than|not (?:more|less|larger|smaller|bigger) "
           r"than|between)")  # fmt: skip
 
@@ -79,7 +72,7 @@ _SAID = rules((
      r" mit maximal \g<amount>"),
     # "celle du couple au fond", "el de la pareja", "das des Paares", "das Zimmer der Tochter"
     (r"\b(?:celle|la chambre) du couple\b", "the parents' bedroom"),
-    (r"\b(?:el|la) (?:{cuarto} )?de la pareja\b|\b(?:nuestro|nuestra) {cuarto}(?=,? y (?:el|la) (?:{cuarto} "
+    (r"\b(?:el|la) (?:{bedroom} )?de la pareja\b|\b(?:nuestro|nuestra) {bedroom}(?=,? y (?:el|la) (?:{bedroom} "
      r")?de)", "the parents' bedroom"),
     (r"\bdas (?:(?:schlaf)?zimmer )?des (?:ehe)?paare?s\b", "the parents' bedroom"),
     (r"\bthe couple's(?: (?:bed ?)?room)?(?= (?:at|in|on|near|next|far|facing|is|must|should|"
@@ -87,9 +80,9 @@ _SAID = rules((
     (r"\b(?:celle|la chambre) (?:du|de la|de l'|de (?:notre|mon|ma) )(?: ?)(?:fils|fille|bebe|enfant|petit|"
      r"petite)\b(?! (?:aine|cadet))", "the kids room"),
     (r"\b(?:celle|la chambre) (?:du|de la|de (?:ma|mon)) (?:grand-?(?:mere|pere)|mamie|papi)\b", "grandma's room"),
-    (r"\b(?:el|la) (?:{cuarto} )?(?:del|de la|de (?:nuestr[oa]|mi)) (?:hij[oa]|nin[oa]|bebe)\b(?! (?:mayor|menor|"
+    (r"\b(?:el|la) (?:{bedroom} )?(?:del|de la|de (?:nuestr[oa]|mi)) (?:hij[oa]|nin[oa]|bebe)\b(?! (?:mayor|menor|"
      r"peque))", "the kids room"),
-    (r"\b(?:el|la) (?:{cuarto} )?(?:del|de la|de mi) abuel[oa]\b", "grandma's room"),
+    (r"\b(?:el|la) (?:{bedroom} )?(?:del|de la|de mi) abuel[oa]\b", "grandma's room"),
     (r"\b(?:das|dem) (?:(?:schlaf)?zimmer )?(?:der|des|unsere[rs]|meine[rs]) (?:tochter|sohne?s|kindes|babys|"
      r"kleinen)\b", "dem kinderzimmer"),
     (r"\b(?:das|dem) (?:(?:schlaf)?zimmer )?(?:der|des|meine[rs]) (?:oma|opas?|grossmutter|"
@@ -105,9 +98,6 @@ _SAID = rules((
      r"\g<room> \g<by> \g<with>"),
     (r",? and (?:the|a) usual (?={kind})", ", a "),
     (r"\bright (?=(?:beside|opposite|behind|near|outside|by|at) )", ""),
-    (r"\b(?P<a>eine? (?:\w+ )?(?P<of>{de})),? (?:und )?(?:direkt |gleich |unmittelbar )?daneben (?P<b>eine? (?:\w+ "
-     r")?{de})\b",
-     r"\g<a>, \g<b> neben dem \g<of>"),
     (r"\b(?P<a>une? (?:\w+ )?(?P<of>{fr})),? (?:et |avec )?(?P<b>une? (?:\w+ )?{fr}) (?:juste |directement |tout "
      r")?a cote(?= ?(?:[.,;]|$))",
      r"\g<a>, \g<b> a cote de la \g<of>"),
@@ -115,7 +105,7 @@ _SAID = rules((
      r"?(?:[.,;]|$))",
      r"\g<a>, \g<b> junto al \g<of>"),
 ), guest=_GUEST,
-   cuarto="(?:cuarto|dormitorio|habitacion)", sized=_SIZED, de=_DE, fr=_FR, es=_ES,
+   sized=_SIZED,
    side="norte|sur|este|oeste|noreste|noroeste|sureste|suroeste", least=_LEAST)  # fmt: skip
 
 

@@ -53,9 +53,10 @@ _BEDROOMS = Late(
     r"\b(?P<before>(?:for|para|pour|fur|of|von|de|are|somos|sommes|sind|with|(?:me|myself|us|i|ich|mich|moi|mi|"
     r"yo),? (?:and|&|und|et|y)(?: my| our)?) |^|[.;:] ?){n} "
     r"{who}{some} ?"
-    r"(?:{gap}|[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und|everyone|everybody) ))(?:y |et |und )?(?:{each} "
+    r"(?:{gap}|[,:;.-]+ ?|who |que |qui |(?=(?:and|y|et|und|everyone|everybody|each|both|cada|chacune?|jeder?) "
+    r"))(?:y |et |und )?(?:{each} "
     r"(?:{has} )?{own}|(?:want|need|"
-    r"have|get) each {own}){room}"
+    r"have|get) each {own})(?P<size>\d+(?:[.,]\d+)? ?(?:m2|sqm|sq\.? ?m|sq\.? ?ft|sqft) )?{room}"
     r"(?P<bath> (?:and|y|et|und|with|con|avec|mit) {own}{bath}(?: propi[oa])?)?"
     r"(?! and (?:their own |an? )?(?:desk|wardrobe|bed|tv|sofa|armchair|bookcase|table)s?\b){end}", _WORDS)  # fmt: skip
 _US = Late(
@@ -83,6 +84,10 @@ _AND_I = late(
     r"\b(?:my|meine|mes|mis) (?P<n>two|three|four|zwei|drei|vier|deux|trois|quatre|dos|tres|cuatro|[2-4]) "
     r"(?P<who>[a-z]+) (?:and i|und ich|et moi|y yo)\b(?=,? (?:each|every|jede|chacun|cada))"
 )
+_OF_US = re.compile(
+    r"\b(?:(?:the|all) )?(?P<n>two|three|four|five|six|[2-6]) of us(?=,? (?:share[^.;:]*[:;,.] ?)?(?:and "
+    r")?(?:each|every))"
+)
 _EACH_OF = re.compile(
     r"\b(?:each|every one|all) of us (?P<n>two|three|four|five|[2-5]) (?:girls |boys |friends |people )?(?:wants?|"
     r"needs?|gets?|has|have) "
@@ -95,6 +100,7 @@ _AS_MANY = Late(r"\b(?:fur|for|mit|with|of) (?P<n>{n_}) (?!{thing})[a-z]+\b(?P<s
 
 def own_rooms(text: str) -> str:
     """A folded text with as many bedrooms as there are such people."""
+    text = _OF_US.sub(r"\g<n> people", text)
     text = _AND_I.sub(r"me and \g<n> \g<who>", text)
     text = _US.sub("each bedroom has its own bathroom", text)
     text = _ROOMS_OF.sub(r"\1 von je ", text)
@@ -132,4 +138,5 @@ def _counted(found: re.Match[str]) -> str:
     count += re.match(_SELF, found["before"]) is not None
     before = found["before"] if not re.match(r"\w", found["before"]) else ": "
     gap = f". {found['gap']}" if found["gap"] else ""
-    return f"{before}{count} bedrooms{bath}{gap}"
+    size = f" of {found['size'].strip()} each" if found["size"] else ""
+    return f"{before}{count} bedrooms{size}{bath}{gap}"

@@ -7,6 +7,7 @@ from apartgen.stages.plan.reader.advertised import advertised
 from apartgen.stages.plan.reader.again import once_more
 from apartgen.stages.plan.reader.anaphora import bind, counted, exceptions, says_what_is_there, shared_verb, unfolded
 from apartgen.stages.plan.reader.apiece import bedrooms_apiece
+from apartgen.stages.plan.reader.articles import definite
 from apartgen.stages.plan.reader.asides_told import beside_told
 from apartgen.stages.plan.reader.attachments import attach_owned
 from apartgen.stages.plan.reader.bedded import bedded
@@ -31,6 +32,7 @@ from apartgen.stages.plan.reader.lexemes import lexemes
 from apartgen.stages.plan.reader.lexicon import read_lexicon
 from apartgen.stages.plan.reader.likewise import likewise
 from apartgen.stages.plan.reader.limited import limited, mutual, undoored
+from apartgen.stages.plan.reader.loosely import told_apart
 from apartgen.stages.plan.reader.meant_of import meant_of
 from apartgen.stages.plan.reader.measures import attach_areas, mark_headlines, of_the_last
 from apartgen.stages.plan.reader.mention import Item, RoomPhrase, is_mark, rooms_of
@@ -69,7 +71,7 @@ DONE = ("style", "only", "graph", "shape", "side", "side_role", "main_rooms", "f
 def parse(prompt: str) -> Said:
     """Everything a prompt says, as room phrases and statements between them."""
     lexicon = read_lexicon()
-    told = unparted(named_again(instead_of(beside_entrance(in_characters(fold(prompt))))))
+    told = unparted(named_again(told_apart(instead_of(beside_entrance(in_characters(fold(prompt)))))))
     told = inverted(advertised(itemized(only_ways(meant_of(told)))))
     folded = parted(as_learnt(bedded(of_several(doors_counted(likewise(rather(straightened(told))))))))
     folded = rephrased(entered(in_passing(plainly(once_more(turned(beside_told(folded)))))))
@@ -85,7 +87,7 @@ def parse(prompt: str) -> Said:
         return said
     phraser = Phraser(lexicon).walk(words)
     said.unread += phraser.unread
-    phraser.items = written_out(corrected(phraser.items))
+    phraser.items = definite(written_out(corrected(phraser.items)))
     _whole(phraser.items, said)
     phraser.items = _asked(all_denied(phraser.items), said)
     before: list[RoomPhrase] = []

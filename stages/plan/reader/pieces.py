@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterable
 
+from apartgen.stages.plan.reader.called import rooms_called
 from apartgen.stages.plan.reader.patterns import Late
 
 Words = str | Callable[[re.Match[str]], str]
@@ -10,12 +11,18 @@ Words = str | Callable[[re.Match[str]], str]
 HALL = (r"(?:(?:central|long|short|wide|narrow|entrance|single|main|common|night|inner|bedroom|same|front|second) )*"
         r"(?:hall(?:way)?|corridor|passage(?:way)?|landing|lobby|vestibule|foyer|gallery)s?")  # fmt: skip
 OUTSIDE = r"(?:(?:juliet |step-out |roof )?(?:balcon(?:y|ies)|terraces?|loggias?|patios?|verandas?|decks?))"
-ROOM = (r"(?:(?:living|sitting|family|dining|laundry|utility|storage|store|guest|shower|bed|bath|play|wash) ?rooms?|"
+ROOM = (r"(?:(?:living|sitting|family|dining|laundry|utility|storage|store|guest|shower|bed|bath|play|wash|drawing|"
+        r"dressing|breakfast|box|spare|powder|wet|music|work|rest|hobby|media|games?) ?rooms?|"
+        r"parlou?rs?|larders?|dens?|librar(?:y|ies)|wcs?|cloak ?rooms?|kitchenettes?|conservator(?:y|ies)|"
         rf"kitchens?|stud(?:y|ies)|lounges?|toilets?|(?:home )?offices?|pantr(?:y|ies)|(?:walk-in )?closets?|nurser"
         rf"(?:y|ies)|hall(?:way)?s?|corridors?|{OUTSIDE})")  # fmt: skip
 KIND = (r"(?:(?:main|master|guest|first|second|third|fourth|other|only|family|children's|kids'?|parents'|large(?:st)?|"
         rf"larger|small(?:er|est)?|big(?:ger|gest)?) )*{ROOM}")  # fmt: skip
 """A room with what tells it from others of its kind."""
+DE, FR, ES, ZH = (rooms_called(language) for language in ("de", "fr", "es", "zh"))
+"""A room without its article."""
+BEDROOMS = r"(?:bed ?rooms|schlafzimmern?|chambres|dormitorios|habitaciones)"
+BEDROOM = r"(?:(?:bed ?)?room|(?:schlaf)?zimmer|chambre|dormitorio|habitacion|cuarto)"
 NUMBER = r"(?:one|two|three|four|five|six|[1-9])"
 SEVERAL = r"(?:two|three|four|five|six|[2-6])"
 YOUNG = (r"(?:(?:(?:little|small|young|teenage|grown-up|older|younger|elder) )?(?:twins|kids|children|sons|daughters|"
@@ -46,6 +53,7 @@ WORDS = {
     "hall": HALL, "outside": OUTSIDE, "room": ROOM, "kind": KIND, "the": rf"(?:the|my|our|both) {KIND}",
     "number": NUMBER, "several": SEVERAL, "young": YOUNG, "grown": GROWN, "must": MUST, "not": NOT, "has": HAS,
     "go": GO, "beside": BESIDE, "least": LEAST, "most": MOST, "unit": UNIT, "amount": AMOUNT, "end": END,
+    "de": DE, "fr": FR, "es": ES, "zh": ZH, "bedrooms": BEDROOMS, "bedroom": BEDROOM,
 }  # fmt: skip
 
 

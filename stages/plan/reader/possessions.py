@@ -5,6 +5,7 @@ import re
 from apartgen.stages.plan.reader.families import FAMILY
 from apartgen.stages.plan.reader.kin import kind_of, number_of, pattern, rooms_for, several, value_of
 from apartgen.stages.plan.reader.patterns import late
+from apartgen.stages.plan.reader.pieces import BEDROOMS
 
 VERB = (r"(?:{need}|takes?|uses?|occup(?:y|ies)|(?:sleeps?|stays?|lives?|is|are|moves?) in(?:to)?|schlaf(?:t|en) in|"
         r"nimmt|nehmen|dor(?:t|ment) dans|prend|prennent|duermen? en|ocupan?)")  # fmt: skip
@@ -25,7 +26,7 @@ AGED = re.compile(
     r"needs?|wants?|takes?))"
 )
 """Children told by their age."""
-SEVERAL = re.compile(r"\b(?:two|three|four|five|six|[2-6])[ -]?(?:bed ?rooms?|br\b|schlafzimmer|chambres|dormitorios)")
+SEVERAL = re.compile(rf"\b(?:two|three|four|five|six|[2-6])[ -]?(?:bed ?room|br\b|{BEDROOMS})")
 BESIDES = re.compile(r"\b(?:besides|beside that|apart from|in addition|additionally|on top of that|further)\b")
 """Bedrooms that are counted: those of whom it is told are among them."""
 ABROAD = [(late(said), words) for said, words in (

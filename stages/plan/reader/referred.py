@@ -4,10 +4,23 @@ import re
 from functools import partial
 
 from apartgen.stages.plan.reader.patterns import late
-from apartgen.stages.plan.reader.pieces import BESIDE, CHILD, GO, HALL, HE, KIND, MUST, SHE, THEY, YOUNG, reworded
+from apartgen.stages.plan.reader.pieces import (
+    BEDROOMS,
+    BESIDE,
+    CHILD,
+    GO,
+    HALL,
+    HE,
+    KIND,
+    MUST,
+    SHE,
+    THEY,
+    YOUNG,
+    reworded,
+)
 
 _N = r"(?:two|three|four|five|six|zwei|drei|vier|funf|deux|trois|quatre|cinq|dos|tres|cuatro|cinco|[2-6])"
-_COUNTED = re.compile(rf"\b({_N})[- ](?:[a-z]+[- ])?(?:bed ?rooms?|schlafzimmer|chambres|dormitorios|habitaciones)\b")
+_COUNTED = re.compile(rf"\b({_N})[- ](?:[a-z]+[- ])?(?:bed ?room|{BEDROOMS})\b")
 _VALUES = {word: n for words in ("two three four five six", "zwei drei vier funf", "deux trois quatre cinq",
                                  "dos tres cuatro cinco", "2 3 4 5 6")
            for n, word in enumerate(words.split(), 2)}  # fmt: skip

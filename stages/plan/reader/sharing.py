@@ -27,7 +27,7 @@ _SAID = rules((
      r"(?: (?:an?|one|the same) (?:bed ?)?room)?\)", r", \g<who> share a room"),
     (r" ?\((?:sie |die )?teilen sich (?:ein |das )?(?:zimmer|schlafzimmer)\),?", ", die sich ein zimmer teilen,"),
     (r" ?\((?:elles |ils |qui )?partagent (?:une|la meme) chambre\),?", ", qui partagent une chambre,"),
-    (r" ?\((?:ell[oa]s |que )?comparten (?:una |la misma )?(?:habitacion|dormitorio|cuarto)\),?", ", que comparten "
+    (r" ?\((?:ell[oa]s |que )?comparten (?:una |la misma )?{bedroom}\),?", ", que comparten "
      "habitacion,"),
     (r"\b(?P<whose>the|our|my) (?P<who>girls|boys|kids|sons|daughters) (?:will |can |are to |must )?share (?:an?|"
      r"one|the same) (?:bed ?)?room "
@@ -37,7 +37,7 @@ _SAID = rules((
      r"nosotr[oa]s )?"
      r"(?:teilen uns|teilen|partageons|compartimos|partage|dormons dans|dormimos en) (?:das gleiche |dasselbe |la "
      r"meme |el mismo |la misma |una? |une |ein |"
-     r"das )?(?:schlafzimmer|zimmer|chambre|dormitorio|habitacion|cuarto)\b", "my sister and i share a bedroom"),
+     r"das )?{bedroom}\b", "my sister and i share a bedroom"),
     (r"我(?:和|跟|与)(?:我的?)?(?:妹妹|姐姐|弟弟|哥哥|姐妹|兄弟)(?:合住|共用|一起住|同住|住)(?:在)?(?:一间|一个|"
      r"同一间)?(?:卧室|房间|房)",
      "my sister and i share a bedroom"),

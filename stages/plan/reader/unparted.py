@@ -3,14 +3,14 @@
 import re
 
 from apartgen.stages.plan.reader.patterns import late
-from apartgen.stages.plan.reader.pieces import reworded, rules
+from apartgen.stages.plan.reader.pieces import DE, ES, FR, reworded, rules
 
 _EN = (r"(?:(?:the |my |our |an? )?(?:(?:living|dining|sitting|drawing|family|play) ?(?:room|area)|kitchen(?:ette)?|"
        r"lounge|parlou?r|"
        r"study|hall(?:way)?))")  # fmt: skip
-_DE = r"(?:(?:(?:der|dem|den|die|das) )?(?:kuche|wohnzimmer|esszimmer|essbereich|wohnbereich|flur|arbeitszimmer|diele))"
-_FR = r"(?:(?:(?:le|la|un|une|du|de la|l') ?)?(?:cuisine|salon|sejour|salle a manger|entree|bureau|coin repas))"
-_ES = r"(?:(?:el|la|un|una) )?(?:cocina|salon|comedor|recibidor|despacho|sala|estar)"
+_DE = rf"(?:(?:der|dem|den|die|das) )?{DE}"
+_FR = rf"(?:(?:le|la|un|une|du|de la|l') ?)?{FR}"
+_ES = rf"(?:(?:el|la|un|una) )?{ES}"
 _DOORLESS = (r"(?:,? ?\(?(?:without (?:an?y? |the )?doors?|with no doors?|no doors?|but no doors?|and no doors?|not "
              r"a door|instead of "
              r"a door)(?: in)?\)?)?")  # fmt: skip
@@ -66,7 +66,7 @@ _SAID = rules((
     (r"\b(?P<a>{en}) (?P<by>between {en} and {en}),? (?:with )?(?P<door>a (?:proper )?door to {en}),? (?:but |and "
      r")(?P<open>open to {en})",
      r"\g<a> \g<by>. \g<a> is \g<open>. \g<a> has \g<door>"),
-), en=_EN, de=_DE, fr=_FR, es=_ES, zh="(?:客厅|厨房|餐厅|饭厅|书房|玄关)", opening=_OPENING, doorless=_DOORLESS,
+), en=_EN, de=_DE, fr=_FR, es=_ES, opening=_OPENING, doorless=_DOORLESS,
    loch=_LOCH, ouverture=_OUVERTURE, hueco=_HUECO)  # fmt: skip
 
 

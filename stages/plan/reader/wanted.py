@@ -46,7 +46,7 @@ def add_bedrooms(said: Said, home: Household, rng: Generator | None) -> None:
         said.dwelling = "studio"
     elif said.about.people is not None:
         many = bedrooms(said.about.people, said.total_area, rng)
-        home.add("bedroom", many - len(known))
+        home.add("bedroom", many - len(home.of("bedroom")))
         said.dwelling = said.dwelling if many else "studio"
 
 
