@@ -25,7 +25,10 @@ _SAID = rules((
     (r" ?\((?:and )?(?P<who>the (?:two |three )?(?:[a-z]+ )?(?:ones|boys|girls|kids|children|sons|daughters)) (?"
      r":will |can )?share"
      r"(?: (?:an?|one|the same) (?:bed ?)?room)?\)", r", \g<who> share a room"),
-    (r" ?\((?:sie |die )?teilen sich (?:ein |das )?(?:zimmer|schlafzimmer)\),?", ", die sich ein zimmer teilen,"),
+    (r" ?\((?:sie |die )?teilen sich (?:ein |das )?(?:zimmer|schlafzimmer)\),?", " who share a room,"),
+    # "zwei Kinder, die sich ein Zimmer teilen": the verb ends the clause
+    (r",? die (?:sich |zusammen )?(?:ein gemeinsames |ein(?:en)? |das (?:gleiche |selbe )?|dasselbe )"
+     r"(?:kinder|schlaf)?(?:zimmer|raum) (?:teilen|bewohnen)\b", " who share a room"),
     (r" ?\((?:elles |ils |qui )?partagent (?:une|la meme) chambre\),?", ", qui partagent une chambre,"),
     (r" ?\((?:ell[oa]s |que )?comparten (?:una |la misma )?{bedroom}\),?", ", que comparten "
      "habitacion,"),

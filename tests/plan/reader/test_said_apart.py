@@ -50,9 +50,15 @@ PEOPLE = [
     ("The kitchen is open to the living room, which faces west and gets a piano. Two bedrooms.", "B2 H K L W",
      "L1 has 1 piano, orientation L1 west"),
 ]  # fmt: skip
+RELATIVES = [
+    (f"{home} mit zwei Kindern, {clause}.", "B2 H K L W", "")
+    for home in ("Familie", "Wohnung für ein Paar", "Wir sind ein Paar")
+    for clause in ("die sich ein Zimmer teilen", "die sich das Schlafzimmer teilen", "die ein Zimmer teilen")
+]
 
 
 test_neighbours_in_other_verbs = as_meant(NEIGHBOURS)
 test_limits_in_other_languages = as_meant(LIMITS)
 test_doors_told_together_or_in_a_list = as_meant(DOORS)
 test_rooms_of_people_and_what_they_have = as_meant(PEOPLE)
+test_relative_clauses_that_end_with_their_verb = as_meant(RELATIVES)
