@@ -38,8 +38,6 @@ ABROAD = [(late(said), words) for said, words in (
     (r"\bdie (?:beiden|zwei) (?:kleinen|grossen|jungeren|alteren)(?= (?:teilen|schlafen|haben|bekommen))",
      "die zwei kinder"),
     (r"\b(?:der|die) (?:grosse|alteste|jungste|kleine)(?= (?:hat|schlaft|bekommt|braucht))", "das kind"),
-    (r"\b(die|meine|unsere|zwei|drei) ((?:zwei |drei )?[a-z]+), die sich ein(?:en)? (?:schlaf)?zimmer teilen\b",
-     r"\1 \2 teilen sich ein zimmer"),
 )]
 TOLD = re.compile(
     r"\b(?:the|his|her|their|das|la) (?:[a-z]+ ){0,2}(?:rooms?|bed ?rooms?|ones?|(?:schlaf)?zimmer|chambre|"
