@@ -1,6 +1,7 @@
 """The lexicon: phrases of several languages, each with a kind and a value; the data is `lexicon/*.toml`."""
 
 import itertools
+import logging
 import re
 from collections import defaultdict
 from collections.abc import Iterator
@@ -9,11 +10,12 @@ from functools import cache, cached_property
 from pathlib import Path
 
 from apartgen.schemas.base import ROOM_TYPES
-from apartgen.schemas.rooms import kinds
+from apartgen.schemas.rooms import kinds, told
 from apartgen.stages.plan.reader.tables import tables
 from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
 from apartgen.stages.things.categories import by_word
 
+log = logging.getLogger("apartgen")
 Phrase = tuple[str, ...]
 
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
@@ -197,7 +199,7 @@ def read_lexicon() -> Lexicon:
     found = Entries()
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
-    longest = _add_group(found, "room", _newcomers(), 1)
+    longest = _add_group(found, "room", {name: [name.replace("_", " ")] for name in _newcomers()}, 1)
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
         table = tables(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
@@ -207,6 +209,8 @@ def read_lexicon() -> Lexicon:
         for kind, group in table.items():
             longest = _add_group(found, kind, group, longest)
     longest = _add_group(found, "furniture", _furniture(), longest)
+    for name, words in _newcomers().items():
+        longest = _add_group(found, "room", {name: [word for word in words if not _taken(found, name, word)]}, longest)
     return Lexicon(found, also_object, suffixes, longest)
 
 
@@ -236,9 +240,19 @@ def _plurals(pattern: str) -> list[str]:
     return [plural(words[-1:])[0] for end in ends if (words := phrase(end)) and words[-1].isascii()]
 
 
-def _newcomers() -> dict[str, list[str]]:
-    """Words for the types of room that do not always exist; these come before others of the same words."""
-    return {name: [name.replace("_", " "), *kind.words] for name, kind in kinds().items() if name not in ROOM_TYPES}
+def _newcomers() -> dict[str, tuple[str, ...]]:
+    """Words for the types of room that do not always exist, whose own names come before others of the same words."""
+    return {name: tuple(map(str.lower, kind.words)) for name, kind in kinds().items() if name not in ROOM_TYPES}
+
+
+def _taken(found: Entries, name: str, word: str) -> bool:
+    """Whether a newcomer's word is said of something else already, which is told."""
+    words = phrase(word)
+    readings = found.get(words) if words else None
+    spoken = next((entry for entry in readings or () if entry.kind in NOUNS and entry.value != name), None)
+    if spoken:
+        log.warning("%s", told(name, f"words: {word!r} is said of another, {spoken.value.partition(':')[0]}; left out"))
+    return spoken is not None
 
 
 def _furniture() -> dict[str, list[str]]:
