@@ -67,8 +67,8 @@ def tried(category: str, seed: int) -> None:
     kind, made = categories.TABLE.get(category), _designs()[_model(category)]
     if kind is None or not any(map(is_foreign, made.values())):
         return
-    corners = sorted(itertools.product(*zip(kind.min, kind.max, strict=True)),
-                     key=lambda size: size not in (kind.min, kind.max))
+    corners = [(d, w, h) for d, w, h in itertools.product(*zip(kind.min, kind.max, strict=True))]
+    corners.sort(key=lambda size: size not in (kind.min, kind.max))
     for style, size in itertools.product(made, (kind.size, *corners)):
         if is_foreign(made[style]):
             build(category, style, size, seed)
