@@ -63,18 +63,21 @@ def test_furniture_that_there_is_not_is_told_with_the_package(brought, row, faul
 
 
 def test_a_type_takes_no_word_that_is_spoken_for(brought, monkeypatch):
-    """But for its own name, by which alone it can be asked for."""
-    brought({"gym": {"like": "study", "words": ["bedroom", "Bedrooms", "Fitness room", "studio", "sofa"]},
+    """But for its own name, and for what is said of what it is like, of which it is one kind."""
+    words = ["bedroom", "Bedrooms", "Fitness room", "studio", "sofa", "study", "office"]
+    brought({"gym": {"like": "study", "words": words},
              "library": {"like": "study", "words": ["book room", "fitness room", "library"]}})
     said = []
     monkeypatch.setattr(lexicon, "log", SimpleNamespace(warning=lambda form, text: said.append(text)))
     entries = lexicon.read_lexicon.__wrapped__().entries
     means = {word: entries.get(tuple(word.split()))[0].value for word in (
-        "bedroom", "bedrooms", "fitness room", "gym", "library", "book room", "studio", "sofa", "fitness rooms")}
+        "bedroom", "bedrooms", "fitness room", "gym", "library", "book room", "studio", "sofa", "fitness rooms",
+        "study", "office", "offices", "libraries")}
     assert means == {"bedroom": "bedroom", "bedrooms": "bedroom", "fitness room": "gym", "gym": "gym",
                      "library": "library", "book room": "library", "studio": "studio", "sofa": "sofa",
-                     "fitness rooms": "gym"}
+                     "fitness rooms": "gym", "study": "study", "office": "gym", "offices": "gym",
+                     "libraries": "library"}
     form = r"\[(\w+)\] words: '([\w ]+)' is said of another, (\w+); left out"
     told = [re.search(form, text).groups() for text in said]
     assert told == [("gym", "bedroom", "bedroom"), ("gym", "bedrooms", "bedroom"), ("gym", "studio", "studio"),
-                    ("gym", "sofa", "sofa"), ("library", "fitness room", "gym")]
+                    ("gym", "sofa", "sofa"), ("gym", "study", "study"), ("library", "fitness room", "gym")]

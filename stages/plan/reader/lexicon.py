@@ -75,6 +75,12 @@ class Entries:
             if noun and words[1:2] in ([], ["for"], ["where"]):  # it is the first that has a plural
                 self._waiting[plural((first,))[0]].append(row)
 
+    def claim(self, words: Phrase, kind: str, value: str) -> None:
+        """A noun's words mean this from now on, and so does their plural, whatever else of the kind they meant."""
+        for form, entry in ((plural(words), Entry(kind, value, plural=True)), (words, Entry(kind, value))):
+            self._expand(form[0])
+            self._found.setdefault(form, {})[kind] = entry
+
     def get(self, words: Phrase) -> tuple[Entry, ...] | None:
         """All readings of a phrase, the likeliest first."""
         self._expand(words[0])
@@ -199,7 +205,7 @@ def read_lexicon() -> Lexicon:
     found = Entries()
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
-    longest = _add_group(found, "room", {name: [name.replace("_", " ")] for name in _newcomers()}, 1)
+    longest = 1
     for file in sorted((Path(__file__).parent / "lexicon").glob("*.toml")):
         table = tables(file.read_text(encoding="utf-8"))
         also_object |= table.pop("also_object", {})
@@ -209,8 +215,11 @@ def read_lexicon() -> Lexicon:
         for kind, group in table.items():
             longest = _add_group(found, kind, group, longest)
     longest = _add_group(found, "furniture", _furniture(), longest)
-    for name, words in _newcomers().items():
-        longest = _add_group(found, "room", {name: [word for word in words if not _taken(found, name, word)]}, longest)
+    for name, word in _newcomers():
+        words = phrase(word)
+        if words == tuple(name.split("_")) or not _taken(found, name, words):
+            found.claim(words, "room", name)
+            longest = max(longest, len(words))
     return Lexicon(found, also_object, suffixes, longest)
 
 
@@ -240,19 +249,23 @@ def _plurals(pattern: str) -> list[str]:
     return [plural(words[-1:])[0] for end in ends if (words := phrase(end)) and words[-1].isascii()]
 
 
-def _newcomers() -> dict[str, tuple[str, ...]]:
-    """Words for the types of room that do not always exist, whose own names come before others of the same words."""
-    return {name: tuple(map(str.lower, kind.words)) for name, kind in kinds().items() if name not in ROOM_TYPES}
+def _newcomers() -> list[tuple[str, str]]:
+    """Types of room that do not always exist, each with its own name in words, then with the others that it has."""
+    new = [kind for kind in kinds().values() if kind.name not in ROOM_TYPES]
+    others = [(kind.name, word.lower()) for kind in new for word in kind.words if phrase(word)]
+    return [*((kind.name, kind.name.replace("_", " ")) for kind in new), *others]
 
 
-def _taken(found: Entries, name: str, word: str) -> bool:
-    """Whether a newcomer's word is said of something else already, which is told."""
-    words = phrase(word)
-    readings = found.get(words) if words else None
-    spoken = next((entry for entry in readings or () if entry.kind in NOUNS and entry.value != name), None)
-    if spoken:
-        log.warning("%s", told(name, f"words: {word!r} is said of another, {spoken.value.partition(':')[0]}; left out"))
-    return spoken is not None
+def _taken(found: Entries, name: str, words: Phrase) -> bool:
+    """Whether a newcomer's words are said of something else, which is told; what it is like has but its name."""
+    kind = kinds()[name]
+    for entry in found.get(words) or ():
+        spoken = entry.value.partition(":")[0]
+        less = entry.kind == "room" and spoken in (kind.like, kind.base) and words != tuple(spoken.split("_"))
+        if entry.kind in NOUNS and spoken != name and not less:
+            log.warning("%s", told(name, f"words: {' '.join(words)!r} is said of another, {spoken}; left out"))
+            return True
+    return False
 
 
 def _furniture() -> dict[str, list[str]]:
