@@ -1,8 +1,11 @@
 """Measured figures."""
 
+from typing import Self
+
 from pydantic import Field
 
 from apartgen.schemas.base import Record
+from apartgen.schemas.errors import near
 
 
 class Value(Record):
@@ -20,6 +23,12 @@ class Value(Record):
     n: int | None = None
     low: float | None = None
     high: float | None = None
+
+    def __new__(cls, *_: object, **given: object) -> Self:
+        """TypeError for a field that there is not, where one is written in code; in files those are read over."""
+        if strange := [name for name in given if name not in cls.model_fields]:
+            raise TypeError(f"Value has no field {strange[0]!r}; {near(strange[0], cls.model_fields)}")
+        return super().__new__(cls)
 
 
 class Metrics(Record):

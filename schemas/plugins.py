@@ -113,6 +113,8 @@ def facts(group: str) -> Iterator[tuple[Plugin, dict[str, Any]]]:
         try:
             if place is None:
                 raise OSError("there is no such module")
+            if not place.is_file():
+                raise OSError(f"there is no file {place.name} beside {place.parent.name}/{_INIT}")
             yield plugin, tomllib.loads(place.read_text(encoding="utf-8"))
         except (OSError, UnicodeError, tomllib.TOMLDecodeError) as error:
             log.warning("%s", plugin.told(f"{error}; left out"))

@@ -8,6 +8,7 @@ from typing import Union, get_args, get_origin, get_type_hints
 import pytest
 
 from apartgen.schemas.errors import BadInput
+from apartgen.schemas.plan import Plan
 from apartgen.stages import registry
 from apartgen.stages.registry import contract
 from apartgen.stages.retrieve.matching.indexing import PACKAGES
@@ -79,11 +80,12 @@ def measure(home, against=None):
 
 @pytest.mark.parametrize("values, fault", [
     ({}, r"has no measure\(home, against\) or compare\(homes, real\)"),
-    ({"measure": measure}, "has no NEEDS, a type"),
-    ({"measure": measure, "NEEDS": 3}, "has no NEEDS, a type"),
-    ({"measure": lambda home: [], "NEEDS": int}, r"has measure\(home\) where measure\(home, against\) is called"),
-    ({"measure": measure, "NEEDS": int, "compare": 3}, r"has no compare\(homes, real\)"),
-    ({"measure": measure, "NEEDS": int}, "^$"),
+    ({"measure": measure}, "has no NEEDS.*; write `NEEDS = Layout`"),
+    ({"measure": measure, "NEEDS": 3}, "has no NEEDS.*; write `NEEDS = Layout`"),
+    ({"measure": measure, "NEEDS": int}, "has no NEEDS.*; write `NEEDS = Layout`"),
+    ({"measure": lambda home: [], "NEEDS": Plan}, r"has measure\(home\) where measure\(home, against\) is called"),
+    ({"measure": measure, "NEEDS": Plan, "compare": 3}, r"has no compare\(homes, real\)"),
+    ({"measure": measure, "NEEDS": Plan}, "^$"),
     ({"compare": lambda homes, real, network: []}, "^$"),
 ])
 def test_what_a_metric_lacks_is_said(values, fault):

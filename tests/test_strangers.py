@@ -27,42 +27,35 @@ from apartgen.stages.things.categories import TABLE, read
 
 PAGE = Path(__file__).parent.parent / "docs/extending.md"
 MINE = Plugin("mine", "mine.module", "my-home")
-ROOMS = SimpleNamespace(filled=torch.ones(2, 5))
+ROOMS = SimpleNamespace(filled=torch.ones(2, 5), center=torch.ones(2, 5, 3, requires_grad=True))
 
 
 @pytest.fixture
 def energy(monkeypatch):
-    """An energy that gives a value, as another package's, and what is warned of."""
-    said = []
+    """An energy that gives a value, as another package's."""
     monkeypatch.setattr(guided.registry, "bringer", lambda package, name: MINE)
-    monkeypatch.setattr(guided, "log", SimpleNamespace(warning=lambda form, text: said.append(text)))
 
     def giving(value):
         monkeypatch.setattr(guided.registry, "load", lambda package, name: SimpleNamespace(energy=lambda *_: value))
-        return guided._energy.__wrapped__("mine"), said
+        return guided._energy.__wrapped__("mine")
 
     return giving
 
 
-def test_a_negative_energy_is_told_once(energy):
-    called, said = energy(torch.tensor([-1.5, 2.0]))
-    for _ in range(3):
-        assert called(ROOMS, None).tolist() == [-1.5, 2.0]
-    assert len(said) == 1 and said[0].startswith(MINE.told("energy gave -1.5; it is to be")[:60])
-
-
-def test_what_is_not_negative_is_not_told(energy):
-    called, said = energy(torch.tensor([0.0, -1e-7]))
-    called(ROOMS, None)
-    assert said == []
+def test_an_energy_may_want_nothing(energy):
+    """Then it needs no gradient; what is less below 0 than it is rounded by is none."""
+    assert energy(torch.tensor([0.0, -1e-7]))(ROOMS, None).tolist() == pytest.approx([0.0, 0.0], abs=1e-6)
+    assert energy(ROOMS.center.sum((1, 2)))(ROOMS, None).requires_grad
 
 
 @pytest.mark.parametrize("value, fault", [
     (torch.tensor(3.0), r"energy gave shape \(\); there is to be one for each of 2 rooms, shape \(2,\)"),
-    (torch.zeros(2, 5), r"energy gave shape \(2, 5\)"), (torch.tensor([0.0, torch.nan]), "energy gave no number")])
-def test_an_energy_of_another_shape_is_an_error(energy, value, fault):
+    (torch.zeros(2, 5), r"energy gave shape \(2, 5\)"), (torch.tensor([0.0, torch.nan]), "energy gave no number"),
+    (torch.tensor([-1.5, 2.0]), "energy gave -1.5; it is to be at least 0"),
+    (torch.tensor([0.0, 2.0]), "energy gave 2 without a gradient")])
+def test_an_energy_that_is_none_is_an_error(energy, value, fault):
     with pytest.raises(BadInput, match=f"^my-home: mine = 'mine.module': {fault}"):
-        energy(value)[0](ROOMS, None)
+        energy(value)(ROOMS, None)
 
 
 @pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf")])

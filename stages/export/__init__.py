@@ -99,8 +99,10 @@ def _bare(formats: list[str], scene: Scene, folder: Path) -> dict[str, list[Path
 def _written(name: str, writer: ModuleType, scene: Scene, folder: Path) -> list[Path]:
     """The files of a format; BadInput for one that it names and that is not there, or not below the folder."""
     paths: list[Path] = writer.write(scene, folder)
-    if strange := [path for path in paths if not (path.is_relative_to(folder) and path.is_file())]:
-        fault = f"write names {strange[0].name}, which is no file that it wrote below the folder it was given"
+    strange = [path for path in paths if not (path.is_relative_to(folder) and path.is_file())]
+    if strange or not paths:
+        fault = (f"write names {strange[0].name}, which is no file that it wrote below the folder it was given"
+                 if strange else "write gave an empty list; it is to give the paths of the files that it wrote")
         plugin = registry.bringer(PACKAGE, name)
         raise BadInput(plugin.told(fault) if plugin else f"format {name}: {fault}")
     return paths

@@ -1,6 +1,5 @@
 """Guidance as wrappers: each takes a denoiser and returns a denoiser, so that samplers never know of it."""
 
-import logging
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -28,7 +27,6 @@ Energy = Callable[[Boxes, Floor], Tensor]
 PACKAGE = "apartgen.stages.layout.guidance"
 ROUNDING = 1e-5
 """An energy that is less below 0 is 0."""
-log = logging.getLogger("apartgen")
 
 
 def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
@@ -41,7 +39,7 @@ def energies(weights: dict[str, float]) -> list[tuple[float, Energy]]:
 def _energy(name: str) -> Energy:
     """One by name; another package's is looked after, as it is at least 0 and one for each room."""
     found: Energy = registry.load(PACKAGE, name).energy
-    plugin, told = registry.bringer(PACKAGE, name), set[str]()
+    plugin = registry.bringer(PACKAGE, name)
     if plugin is None:
         return found
     say = plugin.told
@@ -53,10 +51,12 @@ def _energy(name: str) -> Energy:
                                f"{len(boxes.filled)} rooms, shape {tuple(boxes.filled.shape[:1])}"))
         if not phi.isfinite().all():
             raise BadInput(say("energy gave no number (nan or infinite)"))
-        if phi.min() < -ROUNDING and not told:
-            told.add(name)
-            log.warning("%s", say(f"energy gave {phi.min():.3g}; it is to be at least 0, and 0 where there is nothing "
-                                  "to wish for"))
+        if phi.min() < -ROUNDING:
+            raise BadInput(say(f"energy gave {phi.min():.3g}; it is to be at least 0, and 0 where there is nothing to "
+                               "wish for"))
+        if phi.max() > ROUNDING and boxes.center.requires_grad and not phi.requires_grad:
+            raise BadInput(say(f"energy gave {phi.max():.3g} without a gradient, which moves nothing; make it of the "
+                               "boxes' tensors as they are, without detach() or item()"))
         return phi
 
     return watched

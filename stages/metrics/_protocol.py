@@ -1,7 +1,7 @@
 """What a metric is: a file of this folder, or a module that another package brings as `apartgen.metrics`."""
 
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Annotated, Protocol
 
 from apartgen.schemas.layout import Layout
 from apartgen.schemas.metrics import Value
@@ -11,7 +11,7 @@ from apartgen.schemas.plan import Plan, Program
 class OfOne(Protocol):
     """Measures one apartment."""
 
-    NEEDS: type[Plan]
+    NEEDS: Annotated[type[Plan], "write `NEEDS = Layout`; Plan, Layout, Retrieve or Walkable"]
     """The artifact that it needs at least: Plan, Layout, Retrieve or Walkable."""
 
     def measure(self, home: Plan, against: Plan | Program | None = None) -> list[Value]:

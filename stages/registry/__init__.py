@@ -118,7 +118,7 @@ def _brought_in(plugin: Plugin, protocols: tuple[type, ...]) -> ModuleType:
         member = importlib.import_module(plugin.value)
     except ApartgenError as error:
         raise BadInput(plugin.told(str(error))) from error
-    except Exception as error:  # whatever a stranger's module does when it is imported
+    except contract.ANYTHING as error:  # whatever a stranger's module does when it is imported
         raise BadInput(plugin.told(f"cannot be imported, {contract.told(error)}")) from error
     if fault := contract.fault(member, protocols):
         raise BadInput(plugin.told(fault))

@@ -11,10 +11,12 @@ from collections.abc import Callable, Iterator
 from functools import cache, wraps
 from pathlib import Path
 from types import FunctionType, ModuleType
-from typing import Any, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 from apartgen.schemas.errors import ApartgenError, BadInput
 
+ANYTHING = (Exception, SystemExit)
+"""What a stranger's code may raise; who presses Ctrl-C still ends the command."""
 Told = Callable[[str], str]
 """A fault in words that say whose it is."""
 
@@ -54,16 +56,21 @@ def _arguments(function: Callable[..., Any], skip: int = 0) -> list[str]:
 
 
 def _lacks(member: ModuleType, protocol: type) -> Iterator[str]:
-    for name, hint in inspect.get_annotations(protocol).items():
-        value, is_type = getattr(member, name, None), str(hint).startswith("type[")
-        if value is None or (is_type and not isinstance(value, type)):
-            yield f"has no {name}, {'a type' if is_type else 'a value'}"
+    for name, hint in get_type_hints(protocol, include_extras=True).items():
+        kind, *advice = get_args(hint) if get_origin(hint) is Annotated else (hint,)
+        value = getattr(member, name, None)
+        if value is None or (get_origin(kind) is type and not _is_one(value, get_args(kind)[0])):
+            yield "; ".join([f"has no {name} that will do" if value is not None else f"has no {name}", *advice])
     for name, wanted in functions(protocol).items():
         found = getattr(member, name, None)
         if not callable(found):
             yield f"has no {_written(wanted)}"
         elif (arguments := _arguments(wanted, skip=1)) != _arguments(found)[: len(arguments)]:
             yield f"has {name}({', '.join(_arguments(found))}) where {_written(wanted)} is called"
+
+
+def _is_one(value: Any, of: type) -> bool:
+    return isinstance(value, type) and issubclass(value, of)
 
 
 def guarded(member: ModuleType, kept: tuple[type, ...], told: Told) -> ModuleType:
@@ -82,7 +89,7 @@ class _Gave(Exception):
 
 
 def _guarded(function: Callable[..., Any], hint: Any, told: Told, home: str) -> Callable[..., Any]:
-    def failed(error: Exception) -> BadInput:
+    def failed(error: BaseException) -> BadInput:
         fault = str(error) if isinstance(error, _Gave) else f"failed, {at(error, home)}"
         return BadInput(told(f"{function.__name__} {fault}"))
 
@@ -93,7 +100,7 @@ def _guarded(function: Callable[..., Any], hint: Any, told: Told, home: str) -> 
                 yield item
         except ApartgenError:
             raise
-        except Exception as error:
+        except ANYTHING as error:
             raise failed(error) from error
 
     @wraps(function)
@@ -106,7 +113,7 @@ def _guarded(function: Callable[..., Any], hint: Any, told: Told, home: str) -> 
             return result
         except ApartgenError:
             raise
-        except Exception as error:  # a stranger's function may do anything
+        except ANYTHING as error:  # a stranger's function may do anything
             raise failed(error) from error
 
     return call
@@ -125,7 +132,7 @@ def _expected(value: Any, hint: Any) -> None:
             raise _Gave(f"gave a list with a {type(item).__name__}, not of {of.__name__}")
 
 
-def told(error: Exception) -> str:
+def told(error: BaseException) -> str:
     """An exception in one line."""
     from pydantic import ValidationError  # no part of what lists a registry
 
@@ -136,7 +143,7 @@ def told(error: Exception) -> str:
     return f"{type(error).__name__}: {' '.join(str(error).split()) or 'no reason given'}"
 
 
-def at(error: Exception, home: str = "") -> str:
+def at(error: BaseException, home: str = "") -> str:
     """The same with the line that raised it, the last below the folder `home` where any is."""
     frames = traceback.extract_tb(error.__traceback__)
     last = ([frame for frame in frames if home not in ("", ".") and frame.filename.startswith(home)] or frames)[-1]

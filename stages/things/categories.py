@@ -6,6 +6,7 @@ another has its facts but for those it gives itself, and models that never saw i
 
 import difflib
 import logging
+import re
 import tomllib
 from collections.abc import Callable, Collection, Container, Sequence
 from dataclasses import dataclass, field, replace
@@ -21,6 +22,7 @@ from apartgen.schemas import facts, plugins
 from apartgen.schemas.base import ROOM_TYPES
 from apartgen.schemas.errors import CLOSE, BadInput, near
 from apartgen.schemas.layout import Box
+from apartgen.stages.things.claims import amiss
 from apartgen.stages.things.stands import Stands
 
 log = logging.getLogger("apartgen")
@@ -101,6 +103,7 @@ class Category:
 
 
 _CHECKED = TypeAdapter(Category)
+_NAME = re.compile(r"[a-z][a-z0-9_]*")
 _FACTS = tuple(name for name in Category.__dataclass_fields__ if name not in ("name", "lineage"))
 _NO = {"belongs": "no category", "instead": "no category", "serves": "no category", "rooms": "no type of room",
        "uses": "no use"}
@@ -116,18 +119,12 @@ def _load() -> dict[str, Category]:
             if alone := [name for name, row in rows.items() if isinstance(row, dict) and not row.get("like")]:
                 raise BadInput(f'[{alone[0]}] needs like = "…", the category that it is placed as')
             found = read(rows, table)
-            for kind, word in _taken_words(found, table):
-                log.warning("%s", plugin.told(f"[{kind}] synonyms: {word!r} is said of another category; left out"))
+            for fault in amiss(found, table):
+                log.warning("%s", plugin.told(fault))
             table |= found
         except BadInput as error:
             log.warning("%s", plugin.told(f"{error}; its categories are left out"))
     return dict(sorted(table.items()))
-
-
-def _taken_words(found: dict[str, Category], known: dict[str, Category]) -> list[tuple[str, str]]:
-    """Categories and those of their words that others there are called by already."""
-    taken = {word.lower() for kind in known.values() for word in (kind.name.replace("_", " "), *kind.synonyms)}
-    return [(name, word) for name, kind in found.items() for word in kind.synonyms if word.lower() in taken]
 
 
 def read(rows: dict[str, Any], known: dict[str, Category]) -> dict[str, Category]:
@@ -163,6 +160,8 @@ def _model(row: Any) -> str:
 def _entry(name: str, row: Any, known: dict[str, Category]) -> Category:
     if not isinstance(row, dict):
         raise BadInput(f"{name} is no entry; begin one with [its_name]")
+    if not _NAME.fullmatch(name):
+        raise BadInput(f"[{name}] is no name of small letters, digits and _; change it")
     model = _model(row)
     if model and model not in known:
         raise BadInput(f"[{name}] like: {model!r} is no category; {near(model, known)}")

@@ -5,10 +5,11 @@ Relations are matrices [i, j] of object j as seen from object i, in metres and d
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
+from apartgen.schemas.errors import near
 from apartgen.schemas.layout import Box
 from apartgen.schemas.plan import Plan
 from apartgen.stages.space import boxes, footprints
@@ -34,15 +35,18 @@ class Furnished:
         self._which: dict[Names | str, list[int]] = {}
 
     def which(self, names: Names | str) -> list[int]:
-        """Indices of the objects of these categories, or of one."""
+        """Indices of the objects of these categories or of one, and of what is like them; ValueError for what is no
+        category."""
         if names not in self._which:
-            wanted = {names} if isinstance(names, str) else names
-            self._which[names] = [i for i, name in enumerate(self.names) if name in wanted]
+            wanted = frozenset({names}) if isinstance(names, str) else names
+            newcomers = _newcomers(wanted)
+            self._which[names] = [i for i, name in enumerate(self.names) if name in wanted or newcomers
+                                  and not newcomers.isdisjoint(_lineage(self.objects[i].category))]
         return self._which[names]
 
     def number(self, names: Iterable[str]) -> int:
-        """How many objects of these categories there are."""
-        return sum(self.count[name] for name in names)
+        """How many objects of these categories there are, and of what is like them."""
+        return len(self.which(frozenset(names)))
 
     def ids(self, *index: int) -> tuple[str, ...]:
         """Ids of objects."""
@@ -218,6 +222,18 @@ class Furnished:
         """Free share of the floor before i, `depth` deep and as wide as it is, less `spare` on either side."""
         d, w = self.depth[i] / 2, self.width[i] / 2 - spare
         return self.open(i, (d + 0.02, d + depth), (-w, w), but)
+
+
+@cache
+def _newcomers(names: Names) -> Names:
+    """Those of some categories that are like others; ValueError for what is no category."""
+    if strange := sorted(names - TABLE.keys()):
+        raise ValueError(f"no category {strange[0]!r}; {near(strange[0], TABLE)}")
+    return frozenset(name for name in names if TABLE[name].like)
+
+
+def _lineage(category: str) -> tuple[str, ...]:
+    return TABLE[category].lineage if category in TABLE else ()
 
 
 def of_plan(plan: Plan, room_id: str, objects: Iterable[Box]) -> Furnished:

@@ -5,7 +5,8 @@ import pytest
 
 from apartgen.schemas.errors import BadInput
 from apartgen.stages.things import categories
-from apartgen.stages.things.categories import CATEGORIES, TABLE, _taken_words, read, stand_in, used_for
+from apartgen.stages.things.categories import CATEGORIES, TABLE, read, stand_in, used_for
+from apartgen.stages.things.claims import amiss
 
 
 def test_facts_agree():
@@ -95,6 +96,7 @@ def test_it_takes_no_word_that_is_spoken_for(newcomers):
     ({"thing": {"like": "desk", "belongs": ["dask"]}}, r"\[thing\] belongs: 'dask' is no category; did you"),
     ({"thing": {"size": [1, 1, 1]}}, r"\[thing\] place: is missing"),
     ({"thing": 3}, "thing is no entry"),
+    ({"Pinball_Machine": {"like": "desk"}}, r"\[Pinball_Machine\] is no name of small letters, digits and _"),
 ])
 def test_a_faulty_entry_is_named(rows, fault):
     with pytest.raises(BadInput, match=fault):
@@ -104,4 +106,16 @@ def test_a_faulty_entry_is_named(rows, fault):
 def test_words_that_are_spoken_for_are_known():
     """Of a newcomer's words those that others there are called by."""
     found = read({"thing": {"like": "desk", "synonyms": ["Fridge", "thing", "secretaire thing"]}}, TABLE)
-    assert _taken_words(found, TABLE) == [("thing", "Fridge")]
+    assert list(amiss(found, TABLE)) == ["[thing] synonyms: 'Fridge' is said of another category; left out"]
+
+
+def test_a_symbol_that_nobody_draws_is_told():
+    rows = {"thing": {"like": "desk", "symbol": "tabel"}, "box": {"like": "desk", "symbol": ""}}
+    (told,) = amiss(read(rows, TABLE), TABLE)
+    assert told.startswith("[thing] symbol: nothing is drawn for 'tabel'; did you mean 'table'")
+
+
+def test_every_symbol_is_drawn():
+    from apartgen.stages.export._symbols import SYMBOLS
+
+    assert {kind.symbol for kind in TABLE.values()} <= SYMBOLS.keys()

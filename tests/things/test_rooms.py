@@ -8,6 +8,7 @@ import pytest
 from apartgen.schemas import rooms
 from apartgen.schemas.errors import BadInput
 from apartgen.schemas.plugins import Plugin
+from apartgen.stages.plan.reader import lexicon
 from apartgen.stages.things.rooms import furnishing
 
 BROUGHT = Plugin("mine", "mine:rooms.toml", "my-home")
@@ -59,3 +60,24 @@ def test_furniture_that_there_is_not_is_told_with_the_package(brought, row, faul
     brought({"gym": {"like": "study"} | row})
     with pytest.raises(BadInput, match=fault):
         furnishing("gym")
+
+
+def test_a_type_takes_no_word_that_is_spoken_for(brought, monkeypatch):
+    """But for its own name, and for what is said of what it is like, of which it is one kind."""
+    words = ["bedroom", "Bedrooms", "Fitness room", "studio", "sofa", "study", "office"]
+    brought({"gym": {"like": "study", "words": words},
+             "library": {"like": "study", "words": ["book room", "fitness room", "library"]}})
+    said = []
+    monkeypatch.setattr(lexicon, "log", SimpleNamespace(warning=lambda form, text: said.append(text)))
+    entries = lexicon.read_lexicon.__wrapped__().entries
+    means = {word: entries.get(tuple(word.split()))[0].value for word in (
+        "bedroom", "bedrooms", "fitness room", "gym", "library", "book room", "studio", "sofa", "fitness rooms",
+        "study", "office", "offices", "libraries")}
+    assert means == {"bedroom": "bedroom", "bedrooms": "bedroom", "fitness room": "gym", "gym": "gym",
+                     "library": "library", "book room": "library", "studio": "studio", "sofa": "sofa",
+                     "fitness rooms": "gym", "study": "study", "office": "gym", "offices": "gym",
+                     "libraries": "library"}
+    form = r"\[(\w+)\] words: '([\w ]+)' is said of another, (\w+); left out"
+    told = [re.search(form, text).groups() for text in said]
+    assert told == [("gym", "bedroom", "bedroom"), ("gym", "bedrooms", "bedroom"), ("gym", "studio", "studio"),
+                    ("gym", "sofa", "sofa"), ("gym", "study", "study"), ("library", "fitness room", "gym")]

@@ -12,6 +12,7 @@ from apartgen.stages.layout.relations.company import Seen
 from apartgen.stages.layout.relations.distances import ahead
 from apartgen.stages.layout.relations.tokens import Array, upright
 from apartgen.stages.space.boxes import Boxes, stand_in
+from apartgen.stages.things.categories import TABLE
 from apartgen.stages.use import kinds
 
 BACK, BEFORE = 0.46, 0.45
@@ -54,8 +55,8 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
     if kind in kinds.COATS - kinds.HANGING:
         found |= _narrows(boxes, space)
     others = [kinds.basic(o) for o in names]
-    if kind in USED:
-        zones = _zones(kind, boxes, space)
+    if kind in USED or _own(name):
+        zones = _zones(kind, boxes, space, own=_own(name))
         found |= _any_of(np.asarray(outside(zones, space) > SHALLOW), len(boxes))
         if kind in SEATS and space.doors.n:
             found |= stand_in(zones, space.doors, SHALLOW)
@@ -65,18 +66,24 @@ def taken(name: str, boxes: Array, names: Sequence[str], there: Array, space: Sp
         solid = [k for k, o in enumerate(others) if _bars(o, kind)]
         if solid:
             found |= _any_of(stand_in(zones, upright(there[solid]), SHALLOW), len(boxes))
-    used = [k for k, o in enumerate(others) if o in USED and _bars(kind, o)]
+    used = [k for k, o in enumerate(others) if (o in USED or _own(names[k])) and _bars(kind, o)]
     if used:
-        theirs = _joined([_zones_of(others[k], there[k], space) for k in used])
+        theirs = _joined([_zones_of(names[k], there[k], space) for k in used])
         found |= stand_in(upright(boxes), theirs, SHALLOW)
     return found
 
 
-def _zones_of(kind: str, box: Array, space: Space) -> Boxes:
+def _zones_of(name: str, box: Array, space: Space) -> Boxes:
     """The floor that the use of one thing takes that stands there; what was found once is kept."""
-    what = "zones", kind, box.tobytes()
-    found: Boxes = space.known.get(what) or space.known.setdefault(what, _zones(kind, box[None], space))
-    return found
+    what = "zones", name, box.tobytes()
+    found: Boxes | None = space.known.get(what)
+    return found or space.known.setdefault(what, _zones(kinds.basic(name), box[None], space, own=_own(name)))
+
+
+@cache
+def _own(name: str) -> float:
+    """The floor before a newcomer that its facts ask for, m."""
+    return TABLE[name].stands.before if name in TABLE and TABLE[name].like else 0.0
 
 
 def _any_of(zones: Flags, n: int) -> Flags:
@@ -133,14 +140,15 @@ def _bars(kind: str, used: str) -> bool:
     return hot or kind in kinds.ON_THE_FLOOR and not moved and not own
 
 
-def _zones(kind: str, boxes: Array, space: Space, back: float = BACK) -> Boxes:
-    """The floor that the use of each takes, or who passes it; of a seat so much at its `back`, m."""
+def _zones(kind: str, boxes: Array, space: Space, back: float = BACK, own: float = 0.0) -> Boxes:
+    """The floor that the use of each takes, or who passes it; of a seat so much at its `back`, before others as much as
+    is their `own`, m."""
     if kind in kinds.DOUBLE:
         return _about_bed(boxes)
-    far = np.full(len(boxes), -back if kind in SEATS else BEFORE if kind in CASES else 0.0)
+    far = np.full(len(boxes), -back if kind in SEATS else own or (BEFORE if kind in CASES else 0.0))
     if kind not in SEATS:
         narrow = boxes[:, 3] + ahead(upright(boxes), space) < CORRIDOR
-        far = np.where(narrow, PASSAGE, far)
+        far = np.where(narrow, max(PASSAGE, own), far)
     away = np.where(far < 0, -1, 1) * boxes[:, 3] / 2 + far / 2
     c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
     center = np.column_stack([boxes[:, 0] + c * away, boxes[:, 1] + s * away, np.full(len(boxes), (LOW + HIGH) / 2)])

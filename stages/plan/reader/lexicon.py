@@ -1,5 +1,6 @@
 """The lexicon: phrases of several languages, each with a kind and a value; the data is `lexicon/*.toml`."""
 
+import logging
 import re
 from collections import defaultdict
 from collections.abc import Iterator
@@ -7,11 +8,12 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 
 from apartgen.schemas.base import ROOM_TYPES
-from apartgen.schemas.rooms import kinds
+from apartgen.schemas.rooms import kinds, told
 from apartgen.stages.plan.reader.tables import expand, languages
 from apartgen.stages.plan.reader.tokens import CJK, fold, tokenize
 from apartgen.stages.things.categories import by_word
 
+log = logging.getLogger("apartgen")
 Phrase = tuple[str, ...]
 
 NOUNS = ("room", "dwelling", "furniture", "main_rooms")
@@ -70,6 +72,12 @@ class Entries:
             self._waiting[first].append(row)
             if noun and words[1:2] in ([], ["for"], ["where"]):  # it is the first that has a plural
                 self._waiting[plural((first,))[0]].append(row)
+
+    def claim(self, words: Phrase, kind: str, value: str) -> None:
+        """A noun's words mean this from now on, and so does their plural, whatever else of the kind they meant."""
+        for form, entry in ((plural(words), Entry(kind, value, plural=True)), (words, Entry(kind, value))):
+            self._expand(form[0])
+            self._found.setdefault(form, {})[kind] = entry
 
     def get(self, words: Phrase) -> tuple[Entry, ...] | None:
         """All readings of a phrase, the likeliest first."""
@@ -186,7 +194,7 @@ def read_lexicon() -> Lexicon:
     found = Entries()
     also_object: dict[str, str] = {}
     suffixes: dict[str, Entry] = {}
-    longest = _add_group(found, "room", _newcomers(), 1)
+    longest = 1
     for table in languages().values():
         also_object |= table.get("also_object", {})
         for name, ends in table.get("suffix", {}).items():
@@ -196,6 +204,11 @@ def read_lexicon() -> Lexicon:
             if kind not in ("also_object", "suffix"):
                 longest = _add_group(found, kind, group, longest)
     longest = _add_group(found, "furniture", _furniture(), longest)
+    for name, word in _newcomers():
+        words = phrase(word)
+        if words == tuple(name.split("_")) or not _taken(found, name, words):
+            found.claim(words, "room", name)
+            longest = max(longest, len(words))
     return Lexicon(found, also_object, suffixes, longest)
 
 
@@ -225,9 +238,23 @@ def _plurals(pattern: str) -> list[str]:
     return [plural(words[-1:])[0] for end in ends if (words := phrase(end)) and words[-1].isascii()]
 
 
-def _newcomers() -> dict[str, list[str]]:
-    """Words for the types of room that do not always exist; these come before others of the same words."""
-    return {name: [name.replace("_", " "), *kind.words] for name, kind in kinds().items() if name not in ROOM_TYPES}
+def _newcomers() -> list[tuple[str, str]]:
+    """Types of room that do not always exist, each with its own name in words, then with the others that it has."""
+    new = [kind for kind in kinds().values() if kind.name not in ROOM_TYPES]
+    others = [(kind.name, word.lower()) for kind in new for word in kind.words if phrase(word)]
+    return [*((kind.name, kind.name.replace("_", " ")) for kind in new), *others]
+
+
+def _taken(found: Entries, name: str, words: Phrase) -> bool:
+    """Whether a newcomer's words are said of something else, which is told; what it is like has but its name."""
+    kind = kinds()[name]
+    for entry in found.get(words) or ():
+        spoken = entry.value.partition(":")[0]
+        less = entry.kind == "room" and spoken in (kind.like, kind.base) and words != tuple(spoken.split("_"))
+        if entry.kind in NOUNS and spoken != name and not less:
+            log.warning("%s", told(name, f"words: {' '.join(words)!r} is said of another, {spoken}; left out"))
+            return True
+    return False
 
 
 def _furniture() -> dict[str, list[str]]:

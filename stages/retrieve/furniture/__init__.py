@@ -5,6 +5,7 @@
 either side, as fridges do, has it on the left, or on the right where the id ends in `/right`.
 """
 
+import itertools
 import logging
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING
@@ -31,7 +32,12 @@ def _designs() -> "dict[str, dict[str, Builder]]":
     from apartgen.stages.retrieve.furniture.designs import DESIGNS
     from apartgen.stages.retrieve.furniture.foreign import told
 
-    registry.sound(__name__)
+    members = registry.sound(__name__)
+    entered = [builder for styles in DESIGNS.values() for builder in styles.values()]
+    for name, member in members.items():
+        plugin, own = registry.bringer(__name__, name), list(map(id, vars(member).values()))
+        if plugin and not any(f"{b.__module__}.".startswith(f"{plugin.value}.") or id(b) in own for b in entered):
+            log.warning("%s", plugin.told('enters no builder; put @design("category", "style") above one'))
     known = (*categories.TABLE, *small.TABLE, *BUILDING)
     for category in [name for name in DESIGNS if name not in known]:
         builder = next(iter(DESIGNS.pop(category).values()))
@@ -51,6 +57,21 @@ def _model(category: str) -> str:
 def styles(category: str) -> tuple[str, ...]:
     """The styles a category comes in: its own, or else those of what it is like."""
     return tuple(_designs()[_model(category)])
+
+
+def tried(category: str, seed: int) -> None:
+    """BadInput, as where one is looked for, for another package's style that can't be built of some size: the usual
+    one, the smallest, the largest and those between."""
+    from apartgen.stages.retrieve.furniture.foreign import is_foreign
+
+    kind, made = categories.TABLE.get(category), _designs()[_model(category)]
+    if kind is None or not any(map(is_foreign, made.values())):
+        return
+    corners = [(d, w, h) for d, w, h in itertools.product(*zip(kind.min, kind.max, strict=True))]
+    corners.sort(key=lambda size: size not in (kind.min, kind.max))
+    for style, size in itertools.product(made, (kind.size, *corners)):
+        if is_foreign(made[style]):
+            build(category, style, size, seed)
 
 
 def build(category: str, style: str, size: tuple[float, float, float], seed: int = 0, right: bool = False) -> Asset:

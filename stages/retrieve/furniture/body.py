@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from apartgen.schemas.errors import BadInput
 from apartgen.stages.retrieve.furniture import mesh
 from apartgen.stages.retrieve.furniture.mesh import Array, Shape
 from apartgen.stages.things import extents, materials
@@ -25,6 +26,13 @@ _BEND = 0.004
 """A turned profile's collision pieces stay this close to it, m."""
 
 
+def _in_order(x: Sequence[float], y: Sequence[float], z: Sequence[float]) -> None:
+    """BadInput where what is drawn between (least, greatest) has no extent, or ends before it begins."""
+    for side, (least, greatest) in zip("xyz", (x, y, z), strict=True):
+        if least >= greatest:
+            raise BadInput(f"draws from {side} = {least:.4g} to {greatest:.4g}; give (least, greatest), least first")
+
+
 class Body:
     """Pieces of one link; `fill` is the share of the pieces drawn next that is solid material."""
 
@@ -39,6 +47,7 @@ class Body:
         self, material: str, x: Sequence[float], y: Sequence[float], z: Sequence[float], touch: bool = True
     ) -> None:
         """A board between (least, greatest) of x, y and z."""
+        _in_order(x, y, z)
         row = (x[0], y[0], z[0], x[1], y[1], z[1])
         self.boxes.setdefault(material, []).append(row)
         sides = (x[1] - x[0], y[1] - y[0], z[1] - z[0])
@@ -48,6 +57,7 @@ class Body:
 
     def block(self, x: Sequence[float], y: Sequence[float], z: Sequence[float]) -> None:
         """A collision box alone, for pieces drawn without `touch`."""
+        _in_order(x, y, z)
         lo, hi = np.array([x[0], y[0], z[0]], float), np.array([x[1], y[1], z[1]], float)
         self.colliders.append(Collider("box", (lo + hi) / 2, hi - lo))
 
@@ -114,10 +124,12 @@ class Body:
 
     def pillow(self, material: str, x: Any, y: Any, z: Any, soft: float = 5.0, n: int = 6) -> None:
         """A cushion filling the ranges; larger `soft` is squarer."""
+        _in_order(x, y, z)
         self.add(material, mesh.pillow((x[0], y[0], z[0]), (x[1], y[1], z[1]), soft, n))
 
     def rounded(self, material: str, x: Any, y: Any, z: Any, radius: float, n: int = 2) -> None:
         """A box with rounded edges."""
+        _in_order(x, y, z)
         shape = mesh.rounded((x[0], y[0], z[0]), (x[1], y[1], z[1]), radius, n)
         self.add(material, shape, touch=radius > _BOX_RADIUS)
         if radius <= _BOX_RADIUS:

@@ -43,7 +43,7 @@ def made(builder: "Builder", kit: "Kit", id: str) -> Asset:
         wrong = next(_faults(asset, kit.reach), "")
     except ApartgenError as error:
         wrong = str(error)
-    except Exception as error:  # a stranger's function may do anything
+    except contract.ANYTHING as error:  # a stranger's function may do anything
         home = Path(getattr(sys.modules.get(builder.__module__), "__file__", None) or "").parent
         wrong = f"failed, {contract.at(error, str(home))}"
     if wrong:

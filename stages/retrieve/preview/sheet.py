@@ -35,7 +35,9 @@ def of_asset(asset: Asset, label: str, size: int = CELL) -> Cell:
 
 
 def of_category(category: str, size: int = CELL) -> list[Cell]:
-    """Every style of a category of the embedded library, at its usual size."""
+    """Every style of a category of the embedded library, at its usual size; BadInput for one of another package that
+    can't be built of every size."""
+    furniture.tried(category, SEED)
     made = [furniture.build(category, style, _box(category), SEED) for style in furniture.styles(category)]
     return [of_asset(one, f"{category} {one.style}", size) for one in made]
 
