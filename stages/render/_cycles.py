@@ -10,7 +10,6 @@ they have that light goes through), `samples` and `threads`.
 
 import json
 import math
-import random
 import sys
 import tempfile
 from pathlib import Path
@@ -177,7 +176,7 @@ def ground(scene):
 
 def street(scene):
     """Houses with rows of windows and trees between them, all around; the same for every home."""
-    rng = random.Random(1)
+    rng = np.random.default_rng(1)
     blocks = [shape(facade(color), bpy.ops.mesh.primitive_cube_add, lambda at: at + Vector((0, 0, 0.5)), size=1.0)
               for color in FACES]
     crown = shape(plain("leaf", LEAF), bpy.ops.mesh.primitive_ico_sphere_add, lambda at: at * (
@@ -188,7 +187,7 @@ def street(scene):
         away = math.hypot(x, y)
         if near < away < far:
             size = rng.uniform(9, 16), rng.uniform(9, 14), rng.uniform(6, 9) + 3 * (away > 2 * near), 1
-            put(scene, "house", rng.choice(blocks), Matrix.Translation((x, y, GROUND)) @ Matrix.Diagonal(size))
+            put(scene, "house", blocks[int(rng.integers(len(blocks)))], Matrix.Translation((x, y, GROUND)) @ Matrix.Diagonal(size))
             for side in (-1, 1):
                 tall = rng.uniform(2.0, 3.5)
                 at = x + side * rng.uniform(8, 13), y + rng.uniform(-13, 13), GROUND + tall
