@@ -187,7 +187,8 @@ def street(scene):
         away = math.hypot(x, y)
         if near < away < far:
             size = rng.uniform(9, 16), rng.uniform(9, 14), rng.uniform(6, 9) + 3 * (away > 2 * near), 1
-            put(scene, "house", blocks[int(rng.integers(len(blocks)))], Matrix.Translation((x, y, GROUND)) @ Matrix.Diagonal(size))
+            put(scene, "house", blocks[int(rng.integers(len(blocks)))],
+                Matrix.Translation((x, y, GROUND)) @ Matrix.Diagonal(size))
             for side in (-1, 1):
                 tall = rng.uniform(2.0, 3.5)
                 at = x + side * rng.uniform(8, 13), y + rng.uniform(-13, 13), GROUND + tall
