@@ -1,6 +1,6 @@
 """What a room's contents get besides what the model draws: a nightstand for everyone in a bed, a desk for who sleeps
-alone and for children, a lamp in every bedroom, a chair for everyone at the table where a home eats; and what has no
-use where something else is not to be."""
+alone and for children, a lamp in every bedroom and one overhead in every room, a wardrobe where one sleeps, a chair for
+everyone at the table where a home eats; and what has no use where something else is not to be."""
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -16,14 +16,15 @@ MOST = 6
 sample fewer found a place than of six."""
 LAMP, LAMPS = "table_lamp", frozenset({"table_lamp", "wall_lamp", "floor_lamp"})
 """What one reads by in bed."""
+LIGHT, WARDROBE = "ceiling_lamp", "wardrobe"
 
 
-def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, area: float,
-              diners: int = 0) -> list[str]:
-    """Contents with a nightstand for each of two who share a bed and for who has one alone, and a desk with its chair
-    in a bedroom of one and of children, or two for these, and a lamp where one sleeps, and a chair at the table for
-    each of so many `diners`, up to six, if their number was not `asked` for."""
-    count = Counter(map(kinds.basic, names))
+def completed(names: Sequence[str], asked: Mapping[str, int], room: str, area: float, diners: int = 0) -> list[str]:
+    """Contents of a type of room with a nightstand for each of two who share a bed and for who has one alone, and a
+    desk with its chair in a bedroom of one and of children, or two for these, and a lamp where one sleeps, and one
+    overhead, and a wardrobe where there is a bed, and a chair at the table for each of so many `diners`, up to six, if
+    their number was not `asked` for."""
+    count, bedroom = Counter(map(kinds.basic, names)), room == "bedroom"
     alone = count["single_bed"] == 1 and count["double_bed"] + count["bunk_bed"] == 0
     stands = 2 * count["double_bed"] + alone - sum(count[name] for name in kinds.BEDSIDE)
     more = [STAND] * max(0, stands) if STAND not in asked else []
@@ -33,6 +34,10 @@ def completed(names: Sequence[str], asked: Mapping[str, int], bedroom: bool, are
         more += [DESK] * lacking + [SEAT] * max(0, min(seats, lacking))
     if bedroom and LAMPS.isdisjoint(count) and LAMPS.isdisjoint(asked):
         more.append(LAMP)
+    if LIGHT not in asked and not count[LIGHT] and room in TABLE[LIGHT].rooms:
+        more.append(LIGHT)
+    if not kinds.BEDS.isdisjoint(count) and kinds.HANGING.isdisjoint(count) and kinds.HANGING.isdisjoint(asked):
+        more.append(WARDROBE)
     if CHAIR not in asked and not kinds.TABLES.isdisjoint(count):
         more += [CHAIR] * max(0, min(diners, MOST) - count[CHAIR])
     return [*names, *more]

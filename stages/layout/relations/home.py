@@ -143,7 +143,7 @@ def _sampler(plan: Plan, task: Task, i: int, arrays: Rooms, config: LayoutConfig
         drawn = [_hung(place, given, some) for some in drawn]
     if room.id not in plan.program.counts and not given:
         diners = eat_together(place) if place.meals else 0
-        drawn = [furnishings.completed(some, asked, room.base == "bedroom", place.area, diners) for some in drawn]
+        drawn = [furnishings.completed(some, asked, room.base, place.area, diners) for some in drawn]
     if room.id not in plan.program.counts and BASKET in own:
         drawn = [[name for name in some if name != BASKET] + [BASKET] * own[BASKET] for some in drawn]
     names = sorted(drawn, key=lambda some: _lacking(place, task, some))[:k]
