@@ -12,7 +12,8 @@ _SHARERS = (r"(?:(?:young |college |university )?(?:roommates|flatmates|housemat
 _OWN_BATH = (r"(?:(?:with|has|have|having|gets?|needs?|wants?) )?(?:their|his|her|an?|its)(?: own| private| separate)*"
              r" (?:bath ?room|bath|shower room|en[ -]?suite)s?\b")  # fmt: skip
 _DORM = (r"(?:(?:college |university |student |students' )*dorm(?:itory)? (?:bed)?room|student room|"
-         r"(?:studenten|wohnheim)zimmer|chambre (?:d')?etudiante?|(?:habitacion|cuarto) de estudiante|(?:学生)?宿舍)")  # fmt: skip
+         r"(?:studenten|wohnheim)zimmer|chambre (?:d')?etudiante?|(?:habitacion|cuarto) de estudiante|"
+         r"(?:学生)?宿舍)")  # fmt: skip
 _SLEEPERS = (r"(?: (?:for|fur|pour|para) (?P<n>two|three|four|zwei|drei|vier|deux|trois|quatre|dos|tres|cuatro|[2-4])"
              r"(?: (?:students?|people|persons?|girls|boys|friends|roommates|studenten|studierende|personen|leute|"
              r"etudiants|personnes|estudiantes|personas))?)")  # fmt: skip
