@@ -17,7 +17,8 @@ _DORM = (r"(?:(?:college |university |student |students' )*dorm(?:itory)? (?:bed
 _SLEEPERS = (r"(?: (?:for|fur|pour|para) (?P<n>two|three|four|zwei|drei|vier|deux|trois|quatre|dos|tres|cuatro|[2-4])"
              r"(?: (?:students?|people|persons?|girls|boys|friends|roommates|studenten|studierende|personen|leute|"
              r"etudiants|personnes|estudiantes|personas))?)")  # fmt: skip
-_BATHED = re.compile(r"\b(?:bath|shower|en[ -]?suite|washroom|restroom)|\b\d(?:\.\d)? ?ba\b")
+_BATHED = re.compile(r"\b(?:bad(?:ezimmer)?\b|duschbad|bano|bath|shower|en[ -]?suite|washroom|restroom|salles? d)|"
+                     r"\b\d(?:\.\d)? ?ba\b")
 
 
 def _dorm(found: re.Match[str]) -> str:
@@ -30,7 +31,8 @@ def _dorm(found: re.Match[str]) -> str:
 def _one_toilet_less(found: re.Match[str]) -> str:
     """`2 toilets` where no bathroom is named: one of them is in the bathroom."""
     others = _count(found["n"]) - 1
-    return found.group() if _BATHED.search(found.string) else f"a bathroom, {others} toilet{'s' * (others > 1)}"
+    wcs = f", {others} toilet{'s' * (others > 1)}" if others else ""
+    return found.group() if _BATHED.search(found.string) else f"a bathroom{wcs}"
 
 
 def _zkb(found: re.Match[str]) -> str:
@@ -86,7 +88,7 @@ _SAID = rules((
     (r"\b(salle a manger) pour (?=(?:quatre|six|huit|dix|\d\d?)\b)", r"\1 avec une table pour "),
     (r"\b(comedor) para (?=(?:cuatro|seis|ocho|diez|\d\d?)\b)", r"\1 con una mesa para "),
     # "we need 3 bedrooms, 2 toilets"
-    (r"\b(?P<n>two|three|[23]) (?:toilets?|wcs?)\b", _one_toilet_less),
+    (r"\b(?P<n>one|two|three|[123]) (?:toilets?|wcs?)\b", _one_toilet_less),
     # "living 30, 2x bedroom 14", "the kids bedroom on other side"
     (r"\b([2-5]) ?x ?(bed ?room|bath ?room|study|balcony)s? (\d{1,2}(?:\.\d)?)(?= ?(?:[,;.]|$))", r"\1 x \2 \3 m2"),
     (r"\bon other side\b", "on the other side"),
@@ -144,6 +146,26 @@ _SAID = rules((
      lambda found: f"{found['said']}{_parents(found.string)}{found['n']} kinderzimmer"),
     # "ein Schlafzimmer mit 15 m² und ein Bad": no bathroom of the bedroom's
     (r"\b(mit \d+(?:[.,]\d+)? ?(?:m2|qm|quadratmetern?))(?=,? und eine? )", r"\1,"),
+    # "die Schlafzimmer im Norden", "getrennte Schlafzimmer", "WG mit vier gleich großen Zimmern": several
+    (r"\bdie (schlaf|kinder|bade|gaste)zimmer\b(?! ?\d)", r"die \1zimmern"),
+    (r"(?<!zwei )(?<!drei )(?<!vier )(?<!\d )(?<!das )(?<!dem )\b(?:getrennten?|separaten?) schlafzimmern?\b",
+     "zwei schlafzimmer"),
+    (r"(\b(?:wg|wohngemeinschaft)\b[^.;]*?\b(?:zwei|drei|vier|funf|[2-6]) (?:gleich(?: ?grossen?)? )?)zimmern?\b",
+     r"\1schlafzimmern"),
+    (r"\b(zwei|drei|vier|funf|[2-6]) gleich ?grossen? (schlafzimmern?)\b", r"\1 \2 of equal size"),
+    # "one room is shared by two"
+    (r",? (?:and |with )?one (?:bed ?)?room (?:is |being |will be )?shared by (?:two|2)(?: of them| students|"
+     r" people)?\b", ", one bedroom has two single beds"),
+    (r"\b(?:accessible|reached|entered) from both ((?!the |of )[a-z]+ ?(?:room)?) and (?!the )({room})\b",
+     r"accessible from the \1 and the \2"),
+    (r"\b(an? |one )?twin (bed ?room)\b(?! with [^.;,]*beds?)", r"\1\2 with two single beds"),
+    (r"\btwin (?=bed ?room\b)", ""),
+    # "2 bedrooms left, 2 bedrooms right"
+    (r"({room}s?) (left|right)(?= ?(?:[.,;]|$| and ))", r"\1 on the \2"),
+    # "小两居", "其中一个在主卧"
+    (r"小(?=[一二两三四五]居)", "小户型,"), (r"(?<=[一二两三四五])居(?!室)", "居室"),
+    (r"(?P<n>[两二三])[个间]?(?P<bath>卫生间|浴室|洗手间)[,;]?(?:其中)?[一1][个间](?:在|位于|属于)主卧(?:里|内|室)?",
+     r"\g<n>个\g<bath>,主卧带独立卫生间"),
     # "un long couloir", "lange Flure": styles that have an English name
     (r"\b(?:ohne|keinen?) lange[rnsm]? (?:flure?n?|gange?|korridore?n?)\b", "no long corridor"),
     (r"\blange[rnsm]? (?:flure?n?|gange?|korridore?n?)\b", "long corridor"),

@@ -53,6 +53,22 @@ TOLD_AGAIN = [
     ("Ein Arbeitszimmer mit Tür zum Flur, ein Schlafzimmer und eine Küche", "B H K L S W", "H1S1"),
     ("flat with living room where is the kitchen inside, and two sleeping rooms", "B2 H K L W", "K1~L1"),
 ]
+SEVERAL = [
+    ("house with 2 bedrooms left, 2 bedrooms right", "B4 H K L W2",
+     "position B1 left, position B2 left, position B3 right, position B4 right"),
+    ("Haus mit den Schlafzimmern im Norden", "B2 H K L W", "position B1 north, position B2 north"),
+    ("Wohnung, die Schlafzimmer im Norden", "B2 H K L W", "position B1 north, position B2 north"),
+    ("casa con las habitaciones al norte", "B2 H K L W", "position B1 north, position B2 north"),
+    ("Wohnung für ein Paar, getrennte Schlafzimmer", "B2 H K L W", ""),
+    ("Wohnung mit drei getrennten Schlafzimmern", "B3 H K L W2", ""),
+    ("WG mit vier gleich großen Zimmern und großer Küche", "B4 H K L W2", "!unread vier"),
+    ("flat with a twin bedroom and a double bedroom", "B2 H K L W", "B1 has 2 single_bed"),
+    ("2 bedroom flat for 3 students, one room is shared by two", "B2 H K L W", "B1 has 2 single_bed, !B1B2"),
+    ("1 bedroom flat, bathroom accessible from both bedroom and hall", "B H K L W", "B1W1, H1W1"),
+    ("small house 2 room 1 kitchen 1 toilet 1 hall", "B H K L W", ""),
+    ("需要两个卫生间，其中一个在主卧", "B H K L W2", "B1W1"),
+    ("小两居，60平米", "B2 H K L W", "all=60, !unread 居"),
+]  # fmt: skip
 PEOPLE = [
     (f"{home} for two {who}, {own}.", "B2 H K L W2", f"B1W1, B2W2, !unread {who}")
     for home in ("Apartment", "Flat")
@@ -97,5 +113,6 @@ def test_a_home_between_two_doors_is_no_wish_of_theirs() -> None:
 test_cut_words_and_counts = as_meant(SHORT)
 test_hallways_without_a_number_are_one = as_meant(HALLS)
 test_rooms_told_again_or_as_others = as_meant(TOLD_AGAIN)
+test_rooms_of_which_there_are_several = as_meant(SEVERAL)
 test_people_and_where_they_sleep = as_meant(PEOPLE)
 test_seats_of_dining_rooms = as_meant(SEATS)
